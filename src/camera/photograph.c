@@ -218,7 +218,9 @@ static void add_ray(const struct work *work, const struct film_plan *plan,
     const size_t column = (size_t)fmin(across, ACROSS - 1), row = (size_t)fmin(down, DOWN - 1);
     double *sums = room->sums[row * ACROSS + (ACROSS - 1 - column)];
     struct card_light light;
-    room->counts[PHOTOGRAPH_PASSED] += room->rays.blocks->lost[i] == 0;
+    const bool is_sent = samples->weight[i] > 0; /* from a lit place, and taken by the pixel */
+    room->counts[PHOTOGRAPH_TRACED] += is_sent;
+    room->counts[PHOTOGRAPH_PASSED] += is_sent && room->rays.blocks->lost[i] == 0;
     if (!see(work, room, i, &light)) {
         return;
     }
@@ -235,7 +237,6 @@ static void sum_blocks(const struct work *work, const struct film_plan *plan, si
     for (size_t pass = 0; pass < work->passes; pass++) {
         for (uint32_t block = (uint32_t)begin; block < end; block++) {
             trace_plan(work->film, plan, block, pass, room);
-            room->counts[PHOTOGRAPH_TRACED] += RAYS_BLOCK;
             for (size_t i = 0; i < RAYS_BLOCK; i++) {
                 add_ray(work, plan, &work->pass[pass], i, room);
             }

@@ -24,7 +24,7 @@ enum {
 
 /*
  * What is counted: rays of a picture with depths by their sight, as in camera/convergence.h, tiles
- * by what they came to, rays that were traced, and those that passed the lens.
+ * by what they came to, rays that were sent from where light comes, and those that passed the lens.
  */
 enum {
     PHOTOGRAPH_CONVERGENCE = RELIEF_SIGHTS, /* where those begin */

@@ -38,6 +38,10 @@ lenscalc render chart:bars --lens double-gauss-50 -s 1m --size 8x8 --samples 1 -
 lenscalc render wedge.png --lens double-gauss-50 -s 1m --size 8x8 --samples 1 -o again.pfm 2> said; echo $?
 head -2 again.pfm
 ls
+# more light than a number of a file holds; tiles of a picture that is thinner lose no rays
+lenscalc render chart:edge --lens double-gauss-50 -s 1m --size 8x8 --samples 1 -t 1e300 -o lost.exr
+lenscalc render chart:edge --lens double-gauss-50 -s 1m --size 8x8 --samples 1 --luminance 1e300 --radiance -o lost.pfm
+lenscalc render chart:edge --lens double-gauss-50 -s 1m --size 6000x1 --samples 1 -o thin.png 2>&1 | grep -c arrive; rm thin.png
 lenscalc render chart:foo --lens double-gauss-50 -s 1m -o lost.png
 lenscalc render nowhere.png --lens double-gauss-50 -s 1m -o lost.png
 lenscalc render chart:edge --lens double-gauss-50 -o lost.png

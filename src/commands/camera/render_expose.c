@@ -6,6 +6,7 @@
 #include "photo/sensitometry.h"
 #include "report/spoken.h"
 
+#include <float.h>
 #include <string.h>
 
 /* Where white comes that nobody exposes for: half a stop below what saturates. */
@@ -108,21 +109,6 @@ static double unit_of(const struct render_input *input, const struct exposure *e
                                                 : light;
 }
 
-/* A picture in other units, in its own place if nobody needs it any more. */
-static bool scale(const struct render_shot *shot, double by, struct arena *arena,
-                  struct image *image, struct error *error)
-{
-    const struct image *from = &shot->photograph.image;
-    *image = *from;
-    if (!shot->is_last && !image_new(image, arena, error)) {
-        return false;
-    }
-    for (size_t i = 0; i < image->width * image->height * image->channels; i++) {
-        image->pixels[i] = (float)(by * (double)from->pixels[i]);
-    }
-    return true;
-}
-
 /* The least and the most of a picture's values. */
 struct range {
     double least, most;
@@ -136,6 +122,31 @@ static struct range range_of(const struct image *image, double unit)
         range.most = fmax(range.most, unit * (double)image->pixels[i]);
     }
     return range;
+}
+
+/* Light itself must be a number that a pixel holds. */
+static bool check_light(const struct image *image, double unit, const char *name,
+                        struct error *error)
+{
+    const double most = range_of(image, unit).most;
+    return most <= (double)FLT_MAX ||
+           fail(error, ERROR_DOMAIN, "the brightest pixel has %.3g %s: pixels hold %.3g", most,
+                name, (double)FLT_MAX);
+}
+
+/* A picture in other units, in its own place if nobody needs it any more. */
+static bool scale(const struct render_shot *shot, double by, struct arena *arena,
+                  struct image *image, struct error *error)
+{
+    const struct image *from = &shot->photograph.image;
+    *image = *from;
+    if (!shot->is_last && !image_new(image, arena, error)) {
+        return false;
+    }
+    for (size_t i = 0; i < image->width * image->height * image->channels; i++) {
+        image->pixels[i] = (float)(by * (double)from->pixels[i]);
+    }
+    return true;
 }
 
 /* -------- what is said of it -------- */
@@ -238,7 +249,10 @@ static bool expose(const struct render_input *input, const struct render_shot *s
     }
     growing_text(remarks, shot->doubts);
     const double unit = unit_of(input, &exposure, type, photograph->axis);
-    if (!scale(shot, unit, remarks->arena, &image, error)) {
+    const bool is_share = is_png && !is_film && !render_senses(input);
+    if (!(is_share ||
+          check_light(&photograph->image, unit, input->radiance ? "cd/m2" : "lx s", error)) ||
+        !scale(shot, unit, remarks->arena, &image, error)) {
         return false;
     }
     add_notes(input, &exposure, &image, remarks->arena);
