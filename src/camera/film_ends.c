@@ -80,14 +80,22 @@ static bool step_at_any(const struct film_building *building, double column, dou
     return is_lit;
 }
 
+/* The pole as a column has it, whose frame is turned. */
+static struct seen pole_in(const struct film_building *building, double column)
+{
+    const struct outline *pole = &building->pole;
+    const struct outline here = film_outline_at(building, column, 0);
+    const double *from = pole->place.up, *to = here.place.up;
+    const double x = pole->centre.x * from[1] + pole->centre.y * from[0];
+    const double y = pole->centre.y * from[1] - pole->centre.x * from[0];
+    return (struct seen){0, {x * to[1] - y * to[0], x * to[0] + y * to[1]}, pole->size};
+}
+
 /* How far light arrives in a column, at most as far as is asked. */
 static double find_end(struct film_building *building, double column, double farthest)
 {
-    struct outline pole = film_outline_at(building, column, 0);
-    if (!outline_discover(&building->search, 0, &pole)) {
-        return 0;
-    }
-    struct seen seen[2] = {{0, pole.centre, pole.size}, {0, pole.centre, pole.size}};
+    const struct seen pole = pole_in(building, column);
+    struct seen seen[2] = {pole, pole};
     double stride = farthest / STRIDES;
     /* what a long step does not find may be lit all the same */
     while (stride > finest * farthest && seen[1].height < farthest) {
@@ -103,6 +111,10 @@ static double find_end(struct film_building *building, double column, double far
 static void find_ends(struct film_building *building)
 {
     struct film_region *region = building->region;
+    building->pole = film_outline_at(building, 0, 0);
+    if (!outline_discover(&building->search, 0, &building->pole)) {
+        return;
+    }
     double *ends = building->ends;
     const double pole = hypot(region->pole[0], region->pole[1]);
     const double farthest = building->search.lens->reach + pole;

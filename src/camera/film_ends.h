@@ -13,8 +13,9 @@ struct film_building {
     double *ends;
     struct outline *nodes; /* of the wavelength that is followed, at every row of every column */
     bool is_round;
-    size_t columns;  /* that are looked at: the others repeat them */
-    double steepest; /* of the directions seen where light ends: their sine */
+    size_t columns;      /* that are looked at: the others repeat them */
+    struct outline pole; /* its centre and size alone */
+    double steepest;     /* of the directions seen where light ends: their sine */
 };
 
 /* An outline of a place that is so far from the pole; nothing of it is known. */

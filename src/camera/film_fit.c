@@ -258,23 +258,32 @@ void film_fit_follow(const struct film_region *region, const struct film_radii *
     }
 }
 
+/* Where one has a corner that another has at k: the same, or after half a turn the opposite. */
+static size_t turned_corner(const struct film_region *region, size_t k)
+{
+    return region->turns ? k : (k + FILM_SECTORS / 2) % FILM_SECTORS;
+}
+
 void film_fit_unite(const struct film_region *region, size_t node, size_t other)
 {
     const struct fit outer = {.corners = region->outer, .centres = region->centre};
     for (size_t k = 0; k < FILM_CORNERS; k++) {
         const double here = radius_of(region, node, k);
-        stretch(&outer, node, k, here > 0 ? fmax(1, radius_of(region, other, k) / here) : 1);
+        const double there = radius_of(region, other, turned_corner(region, k));
+        stretch(&outer, node, k, here > 0 ? fmax(1, there / here) : 1);
     }
 }
 
 void film_fit_copy(const struct film_region *region, size_t from, size_t to)
 {
+    const double sign = region->turns ? 1 : -1;
     for (int k = 0; k < 2; k++) {
-        region->centre[k][to] = region->centre[k][from];
-        memcpy(region->outer[k] + to * FILM_CORNERS, region->outer[k] + from * FILM_CORNERS,
-               FILM_CORNERS * sizeof(double));
-        memcpy(region->inner[k] + to * FILM_CORNERS, region->inner[k] + from * FILM_CORNERS,
-               FILM_CORNERS * sizeof(double));
+        region->centre[k][to] = sign * region->centre[k][from];
+        for (size_t i = 0; i < FILM_CORNERS; i++) {
+            const size_t there = from * FILM_CORNERS + turned_corner(region, i);
+            region->outer[k][to * FILM_CORNERS + i] = sign * region->outer[k][there];
+            region->inner[k][to * FILM_CORNERS + i] = sign * region->inner[k][there];
+        }
     }
 }
 

@@ -48,10 +48,10 @@ struct film_radii film_fit_radii(const struct film_region *region, size_t nodes,
 /* Stretch a row's polygon by as much as those of its neighbours have grown since then. */
 void film_fit_follow(const struct film_region *region, const struct film_radii *before, size_t row);
 
-/* Make one row hold what another does that began as it did. */
+/* Make one row hold what another does that began as it did, half a turn about the pole away. */
 void film_fit_unite(const struct film_region *region, size_t node, size_t other);
 
-/* A row as another one is. */
+/* A row as another one is, half a turn about the pole away. */
 void film_fit_copy(const struct film_region *region, size_t from, size_t to);
 
 /* All polygons larger by 0.3 %, holes smaller by 1.5 %; halves are made whole. */

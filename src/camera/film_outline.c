@@ -211,6 +211,28 @@ static void measure(const struct outline *outline, struct outline_point *size,
     centroid->y += has_area ? moment.y / area : 0;
 }
 
+static struct outline_point opposite(struct outline_point at)
+{
+    return (struct outline_point){-at.x, -at.y};
+}
+
+struct outline outline_turned(const struct outline *outline)
+{
+    struct outline turned = *outline;
+    turned.place.x = -outline->place.x;
+    turned.place.y = -outline->place.y;
+    turned.centre = opposite(outline->centre);
+    for (size_t i = 0; i <= OUTLINE_STEPS; i++) {
+        turned.edge[i] = opposite(outline->edge[(i + OUTLINE_STEPS / 2) % OUTLINE_STEPS]);
+    }
+    for (size_t k = 0; k <= FILM_SECTORS; k++) {
+        const size_t other = (k + FILM_SECTORS / 2) % FILM_SECTORS;
+        turned.hole[k] = opposite(outline->hole[other]);
+        turned.share[k] = outline->share[other];
+    }
+    return turned;
+}
+
 void outline_foresee(const struct outline *last, const struct outline *before, double share,
                      struct outline *here)
 {

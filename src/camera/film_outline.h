@@ -64,6 +64,9 @@ static inline size_t outline_sectors(const struct outline *outline)
     return outline->is_half ? FILM_SECTORS / 2 : FILM_SECTORS;
 }
 
+/* What a lens that is the same after half a turn shows from the opposite place; up is the same. */
+struct outline outline_turned(const struct outline *outline);
+
 /* Centre and half widths of what was found at a place, for one a share of a step farther on. */
 void outline_foresee(const struct outline *last, const struct outline *before, double share,
                      struct outline *here);

@@ -4,6 +4,7 @@
 
 #include "camera/film_ends.h"
 #include "camera/film_fit.h"
+#include "optics/aperture.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -143,7 +144,9 @@ static void leave_pole(const struct film_building *building, double column,
 static void follow(const struct film_building *building, size_t column)
 {
     const size_t rows = (size_t)building->region->rows;
-    for (size_t i = 0; i < rows; i++) {
+    const bool is_known = column > 0 && !building->region->turns;
+    building->nodes[column * rows] = building->nodes[0]; /* the pole, in the same frame */
+    for (size_t i = is_known ? 1 : 0; i < rows; i++) {
         const size_t node = column * rows + i;
         struct outline *here = &building->nodes[node];
         const struct outline *near = i > 0 ? lit_before(building, node - 1) : NULL;
@@ -378,8 +381,10 @@ static void build(struct film_building *building)
     for (size_t c = 0; c < columns; c++) {
         follow(building, c);
     }
+    const bool by_half = columns < FILM_COLUMNS && !region->turns;
     for (size_t i = 0; i < rows && region->is_grid; i++) {
-        building->nodes[columns * rows + i] = building->nodes[i];
+        const struct outline *first = &building->nodes[i];
+        building->nodes[columns * rows + i] = by_half ? outline_turned(first) : *first;
     }
     region->has_hole = have_holes(building);
     find_slope(building);
@@ -406,14 +411,32 @@ static void repeat(const struct film_building *building)
     }
 }
 
-/* Is the lens the same when it is turned by half a turn? Told only of those of cylinders. */
+/* Is a shape seen to be the same when it is turned by half a turn about the vertex? */
+static bool is_even(const struct aperture *aperture)
+{
+    const double tiny = 1e-12;
+    const size_t count = aperture->point_count, half = count / 2;
+    bool is = fabs(aperture->decenter[0].value.hi) + fabs(aperture->decenter[1].value.hi) <= 0 &&
+              (aperture->shape != SHAPE_SPIDER || aperture->arms % 2 == 0) && count % 2 == 0;
+    for (size_t i = 0; i < half && is; i++) {
+        const struct figure *a = aperture->points[i], *b = aperture->points[i + half];
+        const double size = fabs(a[0].value.hi) + fabs(a[1].value.hi);
+        is = fabs(a[0].value.hi + b[0].value.hi) + fabs(a[1].value.hi + b[1].value.hi) <=
+             tiny * size;
+    }
+    return is;
+}
+
+/* Is the lens the same when it is turned by half a turn? */
 static bool is_symmetric(const struct lens *lens)
 {
     bool is_same = true;
     for (size_t i = 0; i < lens->surface_count; i++) {
         const struct surface *surface = &lens->surfaces[i];
-        is_same = is_same && surface->decentre == NULL && surface->coordinate_break == NULL &&
-                  surface->aperture_count == 0;
+        is_same = is_same && surface->decentre == NULL && surface->coordinate_break == NULL;
+        for (size_t k = 0; k < surface->aperture_count; k++) {
+            is_same = is_same && is_even(&surface->apertures[k]);
+        }
     }
     return is_same;
 }
@@ -436,8 +459,8 @@ bool film_region_open(const struct film_lens *lens, struct arena *arena, struct 
         return true;
     }
     choose_turning(&building);
-    const bool repeats = region->turns && region->pole[0] == 0 && region->pole[1] == 0 &&
-                         is_symmetric(lens->systems[0]->lens);
+    const bool repeats =
+        region->pole[0] == 0 && region->pole[1] == 0 && is_symmetric(lens->systems[0]->lens);
     building.columns = is_round ? 1 : repeats ? FILM_COLUMNS / 2 : FILM_COLUMNS;
     if (!film_ends_find(&building, error)) {
         return false;

@@ -445,6 +445,45 @@ static void test_cylinders(void)
     arena_free(&opened.arena);
 }
 
+/* Six blades in a round lens, of which half is looked at; seven, and six beside the axis: all. */
+static void test_blades(void)
+{
+    static const double points[][2] = {{0, 0}, {7, 3}, {-11, 5}, {-8, -9}, {9, -12}};
+    static const char *const shapes[] = {
+        "8.5,0 4.25,7.36 -4.25,7.36 -8.5,0 -4.25,-7.36 4.25,-7.36",
+        "8.5,0 5.3,6.65 -1.89,8.29 -7.66,3.69 -7.66,-3.69 -1.89,-8.29 5.3,-6.65",
+        "8.5,0 4.25,7.36 -4.25,7.36 -8.5,0 -4.25,-7.36 4.25,-7.36 decenter=0.5,0.2"};
+    for (size_t k = 0; k < sizeof shapes / sizeof shapes[0]; k++) {
+        struct opened opened;
+        char text[1024];
+        snprintf(text, sizeof text,
+                 "lens bladed\nwavelength d\nobject inf\naperture stop\n"
+                 "surface 29.475 3.76 1.67 25.2\nsurface 84.83 0.12 air 25.2\n"
+                 "surface 19.275 4.025 1.67 23\nsurface 40.77 3.275 1.699 23\n"
+                 "surface 12.75 5.705 air 18\nstop - 4.5 air 17.1\npass polygon %s\n"
+                 "surface -14.495 1.18 1.603 17\nsurface 40.77 6.065 1.658 20\n"
+                 "surface -20.385 0.19 air 20\nsurface 437.065 3.22 1.717 20\n"
+                 "surface -39.73 36.105905 air 20\n",
+                 shapes[k]);
+        if (!read_lens(&opened, text) || !open_region(&opened, 36.105905, 21.6333)) {
+            return;
+        }
+        double axis = 0;
+        for (size_t i = 0; i < sizeof points / sizeof points[0]; i++) {
+            const double *at = points[i];
+            double share;
+            const double found = irradiance(&opened, 0, at[0], at[1], &share);
+            axis = i == 0 ? found : axis;
+            CHECK_NEAR(
+                found,
+                grid_irradiance(&opened, 0, at, (struct box){-0.02 * at[0], -0.02 * at[1], 0.35}),
+                5e-4 * axis, shapes[k]);
+            CHECK(share > 0.93);
+        }
+        arena_free(&opened.arena);
+    }
+}
+
 static void check_same_bits(const char *name, double film)
 {
     static const enum instruction_set sets[] = {SET_SSE2, SET_AVX2, SET_AVX512};
@@ -507,6 +546,7 @@ int main(void)
     test_decentred();
     test_lenses();
     test_cylinders();
+    test_blades();
     test_nothing_lost();
     test_same_bits();
     test_ends();
