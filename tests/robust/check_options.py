@@ -181,6 +181,13 @@ def try_short(name):
     return lambda asked: asked.differs(f"--{name}")
 
 
+def try_explain(asked):
+    """Below the answer, or on standard error beside a picture."""
+    result = asked.run("--explain")
+    return result.returncode == 0 and (result.stdout != asked.plain.stdout or
+                                       result.stderr != asked.plain.stderr)
+
+
 def try_columns(asked):
     name = asked.run("--csv").stdout.decode().split("\n")[0].split(",")[0]
     return asked.run("--csv", "--columns", name).stdout.decode().split("\n")[0] == name
@@ -286,7 +293,7 @@ def try_color(asked):
 TRIES = {
     "--format": try_format, "--columns": try_columns, "--digits": try_digits,
     "--units": try_units, "--table": try_table, "--plot": try_plot,
-    "--explain": try_short("explain"), "--nominal": try_short("nominal"), "--batch": try_batch,
+    "--explain": try_explain, "--nominal": try_short("nominal"), "--batch": try_batch,
     "--batch-format": try_batch_format, "--fail-fast": try_fail_fast, "--force": try_force,
     "--output": try_output, "--lensdb": try_lensdb, "--agf": try_agf, "--lossy": try_lossy,
     "--color": try_color, "--help": try_help,
