@@ -190,9 +190,8 @@ static bool fill(const struct bundle_source *source, size_t rays, struct arena *
     return true;
 }
 
-/* Where the middle of a beam is lost of which nothing arrives. */
-static bool fail_dark(const struct bundle_source *source, const struct bundle *bundle,
-                      struct arena *arena, struct error *error)
+bool bundle_fail_dark(const struct bundle_source *source, size_t count, struct arena *arena,
+                      struct error *error)
 {
     const struct rays one = rays_new(arena, 1);
     struct ray ray = source->has_chief ? source->chief
@@ -201,8 +200,11 @@ static bool fail_dark(const struct bundle_source *source, const struct bundle *b
     rays_set(&one, 0, source->system->index_first, &ray);
     rays_trace(source->system, &one, NULL);
     ray = rays_get(&one, 0, source->system->index_last);
-    if (bundle->count > 0 || ray.status == RAY_OK) {
-        return fail(error, ERROR_DOMAIN, "none of %zu rays arrives", bundle->count);
+    if (count > 0) {
+        return fail(error, ERROR_DOMAIN, "none of %zu rays arrives", count);
+    }
+    if (ray.status == RAY_OK) {
+        return fail(error, ERROR_DOMAIN, "no ray arrives");
     }
     return fail(error, ERROR_DOMAIN,
                 "no ray arrives: at the middle of the pupil it ends at surface %zu (%s)",
@@ -223,7 +225,7 @@ bool bundle_trace(const struct bundle_source *source, size_t rays, size_t to, st
         bundle->lost += !arrives;
         bundle->clear += arrives ? bundle->points[i].weight : 0;
     }
-    return bundle->clear > 0 || fail_dark(source, bundle, arena, error);
+    return bundle->clear > 0 || bundle_fail_dark(source, bundle->count, arena, error);
 }
 
 struct ray bundle_chief(const struct bundle_source *source, size_t to, struct arena *arena)

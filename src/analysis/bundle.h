@@ -90,6 +90,14 @@ void bundle_aim(const struct bundle_source *source, const struct pupil_point *po
 bool bundle_trace(const struct bundle_source *source, size_t rays, size_t to, struct arena *arena,
                   struct bundle *bundle, struct error *error);
 
+/*
+ * Fail, as no ray arrives: with the surface where the middle of the beam is lost.
+ *
+ * Given     count  of rays that were tried, 0: a whole pupil
+ */
+bool bundle_fail_dark(const struct bundle_source *source, size_t count, struct arena *arena,
+                      struct error *error);
+
 /* The chief ray there, unclipped; its status says whether it gets there. */
 struct ray bundle_chief(const struct bundle_source *source, size_t to, struct arena *arena);
 

@@ -323,7 +323,7 @@ static bool open_pupil(const struct wave_light *light, const struct wave_referen
     source->region->in_beam = true;
     const struct quadrature inside = quadrature_fill(source->region, RAYS, arena);
     if (inside.is_empty || !find_rim(pupil, arena, &rim)) {
-        return fail(error, ERROR_DOMAIN, "no ray arrives");
+        return bundle_fail_dark(source, 0, arena, error);
     }
     for (size_t i = 0; i < inside.sample.count; i++) {
         const struct pupil_point *point = &inside.sample.points[i];

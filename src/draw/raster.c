@@ -14,6 +14,7 @@
 /* px */
 static const double LEFT = 84, TOP = 104, SIDE = 250, ACROSS = 344, DOWN = 358, BOTTOM = 20;
 static const double BAR_GAP = 34, BAR_WIDTH = 18, BAR_ROOM = 110, TICK = 5;
+static const double MARGIN = 24, BOLDER = 0.93, TITLES_MOST = 760; /* wide, of pages of few maps */
 enum { CHANNELS = 4, BAR_STEPS = 256 };
 
 /* Evenly from the lowest value to the highest; brightness grows with the light. */
@@ -239,13 +240,20 @@ bool rasters_draw(const struct rasters *rasters, struct svg *svg, struct error *
     const size_t columns = rasters->count < rasters->columns ? rasters->count : rasters->columns;
     const size_t rows = (rasters->count + rasters->columns - 1) / rasters->columns;
     const double bar = LEFT + ACROSS * (double)(columns - 1) + SIDE + BAR_GAP;
-    const double width = bar + BAR_ROOM;
+    struct svg_label title = {.x = MARGIN, .y = 32, .size = 16, .bold = true};
+    struct svg_label subtitle = {.x = MARGIN, .y = 54, .size = 12};
+    const char *const above = rasters->title != NULL ? rasters->title : "";
+    const char *const below = rasters->subtitle != NULL ? rasters->subtitle : "";
+    const double room =
+        fmin(fmax(svg_text_width(above, title.size) / BOLDER, svg_text_width(below, subtitle.size)),
+             TITLES_MOST) +
+        1;
+    const double width = fmax(bar + BAR_ROOM, room + 2 * MARGIN);
     svg_begin(svg, width, TOP + DOWN * (double)rows - 30 + BOTTOM, rasters->title);
-    const struct svg_label title = {
-        .x = 24, .y = 32, .size = 16, .width = 0.93 * (width - 48), .bold = true};
-    svg_text(svg, &title, rasters->title != NULL ? rasters->title : "");
-    const struct svg_label subtitle = {.x = 24, .y = 54, .size = 12, .width = width - 48};
-    svg_text(svg, &subtitle, rasters->subtitle != NULL ? rasters->subtitle : "");
+    title.width = BOLDER * (width - 2 * MARGIN);
+    svg_text(svg, &title, above);
+    subtitle.width = width - 2 * MARGIN;
+    svg_text(svg, &subtitle, below);
     for (size_t i = 0; i < rasters->count; i++) {
         if (!draw_map(&page, i, error)) {
             return false;

@@ -35,7 +35,10 @@ OTHERS = ("dof -f 50mm -N 5.6 -s 3m --scale {}", "dof -f 50mm -N 2.8,5.6,11 -s 0
           "seidel double-gauss --plot {}", "fan double-gauss --plot {}",
           "spot double-gauss --defocus -0.1..0.1#3 --plot {}", "field double-gauss --plot {}",
           "distortion double-gauss -w d,F,C --plot {}", "distortion double-gauss --grid {}",
-          "color double-gauss --plot {}", "illumination double-gauss --plot {}")
+          "color double-gauss --plot {}", "illumination double-gauss --plot {}",
+          "wavefront double-gauss -N 5.6 --plot {}", "mtf double-gauss -N 8 --plot {}",
+          "psf questar-35 --size 64 --plot {}", "psf edmund-49-847 -N 22 --size 64 --plot {}",
+          "report fisheye-16 -o {}")
 # the analyses of other lenses: a fisheye, a zoom, of a phone, an obstructed mirror, with one field
 MORE = ("field fisheye-16 --plot {}",
         "field canon-nfd-70-210 --position all --plot {}", "field phone-80deg --plot {}",
@@ -64,7 +67,21 @@ MORE = ("field fisheye-16 --plot {}",
         "distortion phone-80deg --plot {}", "distortion phone-80deg --grid {}",
         "distortion questar-35 --defocus 0,1 --plot {}", "distortion questar-35 --grid {}",
         "distortion edmund-49-847 --field 10 --plot {}", "distortion edmund-49-847 --grid {}",
-        "distortion double-gauss --object 1500 --height 20 --plot {}")
+        "distortion double-gauss --object 1500 --height 20 --plot {}",
+        "wavefront fisheye-16 --field 0,50deg --plot {}",
+        "wavefront canon-nfd-70-210 --position all --plot {}", "wavefront phone-80deg --plot {}",
+        "wavefront questar-35 --plot {}", "wavefront edmund-49-847 --plot {}",
+        "mtf double-gauss -N 8 --field 0,14 --frequency 30 --defocus -0.1..0.1#11 --plot {}",
+        "mtf double-gauss -N 8 --field 0..14#5 --frequency 30 --plot {}",
+        "mtf fisheye-16 --field 0,50deg --plot {}",
+        "mtf canon-nfd-70-210 --position all --plot {}", "mtf phone-80deg --plot {}",
+        "mtf questar-35 --plot {}", "mtf edmund-49-847 -N 8 --plot {}",
+        "psf double-gauss --plot {}", "psf double-gauss -N 8 --log --plot {}",
+        "psf fisheye-16 --field 0,50deg --plot {}",
+        "psf canon-nfd-70-210 --position all --plot {}", "psf phone-80deg --plot {}",
+        "psf edmund-49-847 -N 8 --plot {}",
+        "report double-gauss -o {}", "report canon-nfd-70-210 -o {}",
+        "report phone-80deg -o {}", "report questar-35 -o {}", "report edmund-49-847 -o {}")
 
 
 def check_picture(checks, name, svg):
