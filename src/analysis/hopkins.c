@@ -30,7 +30,8 @@ struct summing {
     struct overlap_rules *rules;
     double shift;
     double least, times; /* points without a turn of the phase; times what is thought enough */
-    bool by_form;        /* from polynomials */
+    double more;  /* and so many more: each round must have other rules than the one before */
+    bool by_form; /* from polynomials */
     struct arena *arena;
     struct overlap *sum;
 };
@@ -225,9 +226,10 @@ static void add_lines(const struct summing *summing, const struct exit_piece *pi
     find_turns(&looks, &turns_along, &turns_across);
     const double share = (range[1] - range[0]) / PI, least = summing->least;
     const struct rule across =
-        rule_of(summing->rules, summing->times * (least * (1 + share) / 2 + a_turn * turns_across));
+        rule_of(summing->rules,
+                summing->more + summing->times * (least * (1 + share) / 2 + a_turn * turns_across));
     const struct rule along =
-        rule_of(summing->rules, summing->times * (least + a_turn * turns_along));
+        rule_of(summing->rules, summing->more + summing->times * (least + a_turn * turns_along));
     const struct points points = put_points(summing, piece, range, &across, &along);
     for (size_t i = 0; i < points.count; i++) {
         const double weight = points.weights[i] * points.products[i];
@@ -288,6 +290,7 @@ struct overlap overlap_find(const struct exit_pupil *pupil, const struct exit_li
     for (int i = 0; i < REFINED && !here.has_converged; i++) {
         before = here;
         summing.times *= finer;
+        summing.more += RULE_STEP;
         here = sum_up(&summing);
         here.error =
             hypot(here.re - before.re, here.im - before.im) + fabs(here.perfect - before.perfect);
