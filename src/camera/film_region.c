@@ -441,6 +441,15 @@ static bool is_symmetric(const struct lens *lens)
     return is_same;
 }
 
+double film_region_end(const struct film_region *region, double x, double y)
+{
+    const double share = x / (fabs(x) + fabs(y));
+    const double turn = (y >= 0 ? 1 - share : 3 + share) * FILM_COLUMNS / 4;
+    const int column = (int)fmin(turn, FILM_COLUMNS - 1);
+    const double *ends = &region->ends[column];
+    return ends[0] + (turn - column) * (ends[1] - ends[0]);
+}
+
 bool film_region_open(const struct film_lens *lens, struct arena *arena, struct film_region *region,
                       struct error *error)
 {

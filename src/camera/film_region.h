@@ -68,6 +68,9 @@ static inline struct outline_point film_region_reduced(const struct film_region 
     return (struct outline_point){way.x - region->slope[0] * right, way.y - region->slope[1] * up};
 }
 
+/* How far from the pole light arrives in a direction from it, with columns, mm. */
+double film_region_end(const struct film_region *region, double x, double y);
+
 /*
  * Find the regions of a lens.
  *

@@ -145,6 +145,20 @@ static bool open_region(const struct film_question *question, struct arena *aren
     return film_region_open(&lens, arena, &film->region, error);
 }
 
+/* How far from the axis light arrives on the way to each of the corners: the least. */
+static double lit_of(const struct lens_film *film, double x, double y)
+{
+    const struct film_region *region = &film->region;
+    double least = fmin(region->largest, film->corner);
+    for (int i = 0; i < 4 && region->is_grid; i++) {
+        const double right = (i % 2 == 0 ? x : -x) - region->pole[0];
+        const double up = (i < 2 ? y : -y) - region->pole[1];
+        const double by = fmin(1, film_region_end(region, right, up) / hypot(right, up) + 1e-9);
+        least = fmin(least, hypot(region->pole[0] + by * right, region->pole[1] + by * up));
+    }
+    return least;
+}
+
 bool lens_film_open(const struct film_question *question, struct arena *arena,
                     struct lens_film *film, struct error *error)
 {
@@ -177,6 +191,7 @@ bool lens_film_open(const struct film_question *question, struct arena *arena,
     if (film->region.largest == 0) {
         return fail(error, ERROR_DOMAIN, "no light reaches the film at %.6g mm", setup->image);
     }
+    film->lit = lit_of(film, question->width / 2, question->height / 2);
     film->aim = film->start;
     if (question->is_anywhere) {
         if (!lens_is_round(film->systems[0]->lens)) {

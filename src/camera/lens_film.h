@@ -25,6 +25,7 @@ struct lens_film {
     struct sobol sobol[FILM_DIMENSIONS];
     const struct acceptance *acceptance;
     double corner;    /* how far from the axis the film goes, mm */
+    double lit;       /* the same of light, towards that corner where it ends first */
     struct disc disc; /* the pupil, of thick and thin lenses; then no region has been looked for */
     /* of a start anywhere: direction cosines from (0, h), least and most of x and y */
     double low[2], high[2];

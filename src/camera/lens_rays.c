@@ -98,8 +98,7 @@ bool lens_rays_make(const struct lens_rays_question *question, struct arena *are
     if (!open_stream(question, arena, stream, error)) {
         return false;
     }
-    *result =
-        (struct lens_rays){.largest = stream->film.region.largest, .corner = stream->film.corner};
+    *result = (struct lens_rays){.largest = stream->film.lit, .corner = stream->film.corner};
     double all = 0, before = 0;
     for (size_t w = 0; w < setup->wavelength_count; w++) {
         all += setup->wavelengths[w].weight;

@@ -34,7 +34,7 @@ typedef bool lens_rays_visit(void *context, const struct lens_ray *rays, size_t 
 
 struct lens_rays {
     uint64_t arrived; /* of the samples */
-    double largest;   /* how far from the axis light arrives, mm; at most the film's corner */
+    double largest;   /* how far from the axis light arrives, towards any corner, mm */
     double corner;    /* mm */
 };
 

@@ -492,7 +492,7 @@ bool photograph_take(const struct photograph_question *question, struct arena *a
                                                 .height = tiling.crop.height,
                                                 .channels = PHOTOGRAPH_CHANNELS},
                                       .card = question->card,
-                                      .largest = film.region.largest,
+                                      .largest = film.lit,
                                       .corner = film.corner};
     const size_t wavelengths = question->film.setup->wavelength_count;
     const bool as_one = wavelengths == 1 ||

@@ -89,7 +89,8 @@ struct photograph {
     double axis;        /* that of a white scene in the middle of the film */
     uint64_t counts[PHOTOGRAPH_COUNTS]; /* they add up over parts of a picture */
     size_t passes;                      /* one for all colours, or one a wavelength */
-    double largest, corner; /* how far from the axis light arrives, and the film goes, mm */
+    double largest, corner; /* how far from the axis light arrives, towards any corner, and the film
+                               goes, mm */
     bool is_incomplete;     /* the watch has ended it: tiles are missing, and black */
 };
 
