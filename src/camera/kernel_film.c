@@ -156,15 +156,26 @@ INLINE void start(const struct film_region *region, bool is_grid, bool has_hole,
         way.x += region->slope[0] * (x * up_y - y * up_x);
         way.y += region->slope[1] * (x * up_x + y * up_y);
     }
-    double over2 = 1 / (1 + region->tangent * (way.x * way.x + way.y * way.y));
-    way.x *= sqrt(over2);
-    way.y *= sqrt(over2);
     double left = 1 - (way.x * way.x + way.y * way.y), n = region->index;
     double back = region->film > 0 ? -n : n;
     started->p[i] = n * (way.x * up_y + way.y * up_x);
     started->q[i] = n * (way.y * up_y - way.x * up_x);
     started->r[i] = back * sqrt(left > 0 ? left : 0);
-    started->weight[i] = reading->lit[i] * way.area * over2 * over2;
+    started->weight[i] = reading->lit[i] * way.area;
+}
+
+/* What was found are tangents: cosines of them, and their areas as projected solid angles. */
+INLINE void turn_tangents(const struct film_region *region, struct started *started)
+{
+    double n = region->index, back = region->film > 0 ? -n : n;
+    for (int i = 0; i < RAYS_BLOCK; i++) {
+        double x = started->p[i] / n, y = started->q[i] / n;
+        double cosine2 = 1 / (1 + x * x + y * y), cosine = sqrt(cosine2);
+        started->p[i] *= cosine;
+        started->q[i] *= cosine;
+        started->r[i] = back * cosine;
+        started->weight[i] *= cosine2 * cosine2;
+    }
 }
 
 INLINE void store(struct film_samples *samples, double film, const struct started *started,
@@ -209,6 +220,9 @@ void NAME(kernel_film, KERNEL)(const struct film_region *region, struct film_sam
         start_all(&all, false, true, samples, &started);
     } else {
         start_all(&all, false, false, samples, &started);
+    }
+    if (all.tangent > 0) {
+        turn_tangents(&all, &started);
     }
     store(samples, all.film, &started, block);
 }

@@ -484,18 +484,14 @@ static void test_blades(void)
     }
 }
 
-static void check_same_bits(const char *name, double film)
+static void compare_bits(struct opened *opened)
 {
     static const enum instruction_set sets[] = {SET_SSE2, SET_AVX2, SET_AVX512};
-    struct opened opened;
-    if (!find_lens(&opened, name) || !open_region(&opened, film, 21.6333)) {
-        return;
-    }
     static struct film_samples samples[3];
     struct rays rays[3];
     struct sobol sobol;
     for (size_t k = 0; k < 3 && instruction_set_works(sets[k]); k++) {
-        rays[k] = rays_new(&opened.arena, RAYS_BLOCK);
+        rays[k] = rays_new(&opened->arena, RAYS_BLOCK);
         double *const rows[] = {samples[k].x, samples[k].y, samples[k].u, samples[k].v};
         for (uint32_t d = 0; d < 4; d++) {
             sobol_open(d, &sobol);
@@ -505,19 +501,34 @@ static void check_same_bits(const char *name, double film)
             samples[k].x[i] = 44 * samples[k].x[i] - 22;
             samples[k].y[i] = 44 * samples[k].y[i] - 22;
         }
-        film_rays_start(&opened.region, &samples[k], sets[k], rays[k].blocks);
+        film_rays_start(&opened->region, &samples[k], sets[k], rays[k].blocks);
         CHECK(memcmp(&samples[k], &samples[0], sizeof samples[0]) == 0);
         CHECK(memcmp(rays[k].blocks, rays[0].blocks, sizeof *rays[0].blocks) == 0);
     }
-    arena_free(&opened.arena);
+    arena_free(&opened->arena);
 }
 
-/* With a hole, without, and with columns. */
+static void check_same_bits(const char *name, double film)
+{
+    struct opened opened;
+    if (find_lens(&opened, name) && open_region(&opened, film, 21.6333)) {
+        compare_bits(&opened);
+    }
+}
+
+/* With a hole, without, with columns, and with tangents. */
 static void test_same_bits(void)
 {
     check_same_bits("questar-35", 40);
     check_same_bits("double-gauss-50", 36);
     check_same_bits("schneider-anamorphic-31", 43.3809);
+    struct opened steep;
+    if (read_lens(&steep,
+                  "lens disc\nwavelength d\nobject inf\naperture stop\nstop - 0 air 2.5\n") &&
+        open_region(&steep, 2.5, 21.6333)) {
+        CHECK(steep.region.tangent > 0);
+        compare_bits(&steep);
+    }
 }
 
 /* Where light ends the weight does, and a film in the last vertex is none. */
