@@ -130,7 +130,8 @@ def check_examples(checks, program, path, blocks):
                 difference = "" if "\n".join(actual) == wanted else "\n    ".join(
                     list(difflib.unified_diff(expected, actual, "page", "program", lineterm="",
                                               n=0))[2:14])
-                checks.check(difference == "" and "\n".join(actual) == wanted,
+                checks.check(difference == "" and "\n".join(actual) == wanted and
+                             b"yntax error" not in result.stderr,
                              f"{path}:{number}: $ {command}\n    {difference}"
                              f"{result.stderr.decode('utf-8', 'replace')[:300]}")
     return count
