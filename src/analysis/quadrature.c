@@ -178,7 +178,8 @@ static void find_areas(const struct mapping *mapping, const double (*points)[2],
         beam_tangents(margins->beam->beam, (double[2]){axes[0], axes[2]}, block, (size_t)tape.lanes,
                       &mapping->tangents[k]);
     }
-    *block = *derivative_trace(&mapping->before, block, SET_BEST, &tape);
+    ray_block_copy(block, derivative_trace(&mapping->before, block, SET_BEST, &tape),
+                   (size_t)tape.lanes);
     tangent_trace(&mapping->before, NULL, 2, SET_BEST, &tape, mapping->tangents);
     for (size_t i = 0; i < count; i++) {
         double from[3], along[2][3];

@@ -59,3 +59,13 @@ const char *ray_status_name(enum ray_status status)
     static const char names[][20] = {"ok", "miss", "total_reflection", "clipped", "not_converged"};
     return names[status];
 }
+
+void ray_block_copy(struct ray_block *to, const struct ray_block *from, size_t lanes)
+{
+    for (size_t i = 0; i < lanes; i++) {
+        to->x[i] = from->x[i], to->y[i] = from->y[i], to->z[i] = from->z[i];
+        to->p[i] = from->p[i], to->q[i] = from->q[i], to->r[i] = from->r[i];
+        to->path[i] = from->path[i];
+        to->lost[i] = from->lost[i];
+    }
+}

@@ -72,6 +72,9 @@ struct ray {
 void rays_set(const struct rays *rays, size_t i, double n, const struct ray *ray);
 struct ray rays_get(const struct rays *rays, size_t i, double n);
 
+/* The first lanes of a block into those of another, whose further lanes stay good to trace. */
+void ray_block_copy(struct ray_block *to, const struct ray_block *from, size_t lanes);
+
 static inline enum ray_status ray_block_status(const struct ray_block *block, size_t lane)
 {
     return (enum ray_status)((size_t)block->lost[lane] % 8);
