@@ -12,8 +12,10 @@ import csv
 import io
 import math
 import os
+import re
 import subprocess
 import sys
+import tempfile
 
 sys.dont_write_bytecode = True
 sys.path.insert(0, os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
@@ -143,12 +145,37 @@ def check_rays(checks, program):
                      limit * float(both[1][column]), 0.02 * loss + 1e-5)
 
 
+def curves(program, words, error):
+    """Contrasts of the curves of --plot, from the drawing."""
+    with tempfile.TemporaryDirectory() as folder:
+        path = os.path.join(folder, "mtf.svg")
+        subprocess.run(program.command + ["mtf", *words, "--error", error, "--plot", path],
+                       stdout=subprocess.DEVNULL, check=True, env=program.environment())
+        with open(path, encoding="utf-8") as file:
+            lines = re.findall('<path d="M([-0-9. L]*)"', file.read())
+    points = [[float(x) for x in line.replace("L", " ").split()] for line in lines]
+    frame = (88, 440)  # y of contrast 1 and 0
+    return [[(frame[1] - y) / (frame[1] - frame[0]) for y in line[1::2]] for line in points
+            if len(line) == 2 * 61]
+
+
+def check_curves(checks, program):
+    """What is drawn from one sampling of the pupil is what overlaps one by one give."""
+    for words in (["cooke-triplet-50", "-w", "d", "--field", "0,20"], ["questar-35", "-w", "d"],
+                  ["double-gauss", "-N", "8", "--field", "14"]):
+        drawn, exact = curves(program, words, "1e-4"), curves(program, words, "9e-5")
+        checks.check(len(drawn) == len(exact) >= 3, f"{words}: {len(drawn)} curves")
+        worst = max(abs(a - b) for x, y in zip(drawn, exact) for a, b in zip(x, y))
+        checks.check(worst < 1e-3, f"{words}: curves are {worst} off")
+
+
 def main():
     program, checks = Program(sys.argv[1]), Checks()
     check_obliquity(checks, program)
     check_paraboloid(checks, program)
     check_ring(checks, program)
     check_rays(checks, program)
+    check_curves(checks, program)
     checks.finish()
 
 

@@ -1,5 +1,6 @@
 /* commands/analysis/mtf_figure.c - contrast drawn against frequency, focus or field. */
 /* SPDX-License-Identifier: MIT */
+#include "analysis/mtf_curve.h"
 #include "commands/analysis/analysis_map.h"
 #include "commands/analysis/analysis_words.h"
 #include "commands/analysis/mtf_input.h"
@@ -9,6 +10,9 @@
 #include <string.h>
 
 enum { STEPS = 61, MOST = 4096, CURVES_MOST = 14, FIELDS_MANY = 4 };
+
+/* The default of --error; below it a drawing is made of exact points too. */
+static const double usual_error = 1e-4;
 
 /* What contrast is drawn against. */
 enum axis { BY_FREQUENCY, BY_FOCUS, BY_FIELD };
@@ -31,20 +35,61 @@ struct painter {
     const char *subtitle;
 };
 
+/* A point more; null: there is no room. */
+static struct entry *new_entry(struct painter *painter, const struct entry *place,
+                               struct error *error)
+{
+    if (painter->count == MOST) {
+        fail(error, ERROR_USAGE, "{--plot} has room for %d points, not for more", MOST);
+        return NULL;
+    }
+    struct entry *entry = &painter->list[painter->count++];
+    *entry = *place;
+    return entry;
+}
+
 static bool add_entry(struct painter *painter, const struct mtf_source *source, double frequency,
                       const struct entry *place, struct error *error)
 {
     struct mtf mtf;
-    if (painter->count == MOST) {
-        return fail(error, ERROR_USAGE, "{--plot} has room for %d points, not for more", MOST);
-    }
-    if (!mtf_with_pixels(source, painter->input, frequency, painter->arena, &mtf, error)) {
+    struct entry *entry = new_entry(painter, place, error);
+    if (entry == NULL ||
+        !mtf_with_pixels(source, painter->input, frequency, painter->arena, &mtf, error)) {
         return false;
     }
-    struct entry *entry = &painter->list[painter->count++];
-    *entry = *place;
     memcpy(entry->contrast, mtf.contrast, sizeof entry->contrast);
     entry->limit = fmax(mtf.limit[0], mtf.limit[1]);
+    return true;
+}
+
+/* Against frequency, at once where nobody asks for more than a drawing shows. */
+static bool add_curve(struct painter *painter, const struct mtf_source *source, double highest,
+                      const struct entry *place, struct error *error)
+{
+    const struct mtf_input *input = painter->input;
+    const double step = highest / (STEPS - 1);
+    struct mtf_curve curve;
+    const bool at_once = input->method == MTF_BY_WAVES && input->question.error >= usual_error &&
+                         step > 0 && mtf_curve_find(source, step, STEPS, painter->arena, &curve);
+    for (size_t i = 0; i < STEPS; i++) {
+        struct entry here = *place;
+        here.x = highest * (double)i / (STEPS - 1);
+        if (!at_once) {
+            if (!add_entry(painter, source, here.x, &here, error)) {
+                return false;
+            }
+            continue;
+        }
+        struct entry *entry = new_entry(painter, &here, error);
+        if (entry == NULL) {
+            return false;
+        }
+        const double left = mtf_pixels(input, here.x);
+        for (size_t k = 0; k < MTF_DIRECTIONS; k++) {
+            entry->contrast[k] = left * curve.contrast[k][i];
+            entry->limit = fmax(entry->limit, left * curve.limit[k][i]);
+        }
+    }
     return true;
 }
 
@@ -78,13 +123,7 @@ static bool add(const struct analysis_case *one, size_t field, void *context, st
     if (painter->axis == BY_FREQUENCY) {
         const double highest = highest_of(painter, &source);
         painter->highest = highest;
-        for (size_t i = 0; i < STEPS; i++) {
-            place.x = highest * (double)i / (STEPS - 1);
-            if (!add_entry(painter, &source, place.x, &place, error)) {
-                return false;
-            }
-        }
-        return true;
+        return add_curve(painter, &source, highest, &place, error);
     }
     if (painter->axis == BY_FOCUS) {
         place.x = point.defocus;

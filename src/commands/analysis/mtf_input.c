@@ -14,10 +14,10 @@ bool mtf_of_case(const struct analysis_case *one, size_t field, const struct mtf
     return mtf_open(question, arena, source, error);
 }
 
-/* |sin(pi x)/(pi x)|: what a square pixel leaves. */
-static double pixel(double x)
+double mtf_pixels(const struct mtf_input *input, double frequency)
 {
-    return x > 0 ? fabs(sin(PI * x) / (PI * x)) : 1;
+    const double x = isnan(input->pitch) ? 0 : frequency * input->pitch;
+    return x > 0 ? fabs(sin(PI * x) / (PI * x)) : 1; /* of a square */
 }
 
 bool mtf_with_pixels(const struct mtf_source *source, const struct mtf_input *input,
@@ -26,7 +26,7 @@ bool mtf_with_pixels(const struct mtf_source *source, const struct mtf_input *in
     if (!mtf_find(source, frequency, arena, mtf, error)) {
         return false;
     }
-    const double left = isnan(input->pitch) ? 1 : pixel(frequency * input->pitch);
+    const double left = mtf_pixels(input, frequency);
     for (size_t k = 0; k < MTF_DIRECTIONS; k++) {
         mtf->contrast[k] *= left;
         mtf->limit[k] *= left;
