@@ -229,7 +229,7 @@ static const struct example examples[] = {
 const struct command command_report = {
     .name = "report",
     .group = "analyses",
-    .summary = "all about a lens on one page",
+    .summary = "a lens and its analyses on one page",
     COMMAND_ASKS(struct input),
     COMMAND_MAKES(artifacts),
 };
