@@ -24,8 +24,8 @@ CASES = {
     "uniform": [(r"uniform: [1-9]", "chart:edge --lens double-gauss-50 -s 1m --size 96x64"),
                 (r"uniform: [1-9]", "chart:points --lens double-gauss-50 -s 1m --size 96x64 "
                                     "--blades 7 --samples 16 --field-width 200mm"),
-                (r"uniform: [1-9]", "white.pfm --depth-map far.pfm --lens cs348b-dgauss-50 -s 1m "
-                                    "--size 48x32 --acceptance 2")],
+                (r"uniform: [1-9]", "white.pfm --depth-map far.pfm --hidden nearby "
+                                    "--lens cs348b-dgauss-50 -s 1m --size 48x32 --acceptance 2")],
     "blur": [(r"blur: .* in [1-9]", "chart:star --lens double-gauss-50 -s 1m -N 16 --size 64x48"),
              (r"blur: .* in [1-9]", "grey.pfm --depth-map far.pfm --lens double-gauss-50 -s 1m -N 32 "
                                     "--size 64x48"),

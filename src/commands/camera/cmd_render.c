@@ -36,7 +36,7 @@ static const struct option options[] = {
      .unit = "m", .wants = "depth-map", .value = "NEAR..FAR",
      .help = "distances that are white and black in a .png, linear in 1/distance"},
     {OPTION(struct render_input, hidden), .name = "hidden", .words = render_hidden,
-     .fallback = "nearby", .wants = "depth-map", .value = "NAME",
+     .fallback = "black", .wants = "depth-map", .value = "NAME",
      .help = "what rays see that pass behind edges of the depth map"},
     LENS_WAVELENGTH_OPTION(struct render_input, question,
                            "611, 549 and 464 nm for red, green and blue; for rays all of the lens"),

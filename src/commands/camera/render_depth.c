@@ -7,8 +7,8 @@
 #define MM_PER_M 1000.0
 
 const struct word render_hidden[] = {
-    {"nearby", "what lies next to the edge, as far away as that"},
-    {"black", "nothing"},
+    {"nearby", "what lies next to the edge, as far away as that: a guess"},
+    {"black", "nothing: it is not known"},
     {NULL, NULL},
 };
 
