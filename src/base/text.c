@@ -228,7 +228,8 @@ size_t text_utf8_length(const char *start, size_t room)
     return forms[form].length;
 }
 
-size_t text_xml_length(const char *start, size_t room)
+/* The same of a character that XML can hold (XML 1.0, production 2), else 0. */
+static size_t text_xml_length(const char *start, size_t room)
 {
     const unsigned char *byte = (const unsigned char *)start;
     if (room > 0 && byte[0] < 0x20) {
@@ -283,5 +284,23 @@ void text_make_printable(char *string, const char *kept)
         }
         memset(string, '?', bad);
         string += bad;
+    }
+}
+
+struct text text_xml(struct text text, size_t *step)
+{
+    const size_t bytes = text_xml_length(text.start, text.length);
+    *step = bytes > 0 ? bytes : 1;
+    switch (*text.start) {
+    case '&':
+        return text_of("&amp;");
+    case '<':
+        return text_of("&lt;");
+    case '>':
+        return text_of("&gt;");
+    case '"':
+        return text_of("&quot;");
+    default:
+        return bytes > 0 ? (struct text){text.start, bytes} : text_of("?");
     }
 }

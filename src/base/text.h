@@ -76,8 +76,15 @@ int text_distance(struct text a, struct text b, int limit);
 /* Length of the UTF-8 sequence that begins here, 0 if it is none (RFC 3629). */
 size_t text_utf8_length(const char *start, size_t room);
 
-/* The same of a character that XML can hold (XML 1.0, production 2), else 0. */
-size_t text_xml_length(const char *start, size_t room);
+/*
+ * What begins a text, as XML and HTML have it.
+ *
+ * Given     text  at least one byte
+ *           step  receives how many bytes it stands for
+ * Result    "&amp;" and the like for what they escape, "?" for what XML cannot hold, else the
+ *           character itself
+ */
+struct text text_xml(struct text text, size_t *step);
 
 /*
  * Length of what begins here and must not reach a terminal as it is, 0 if it may: a control

@@ -61,26 +61,9 @@ static void put_colour(struct svg *svg, const char *name, const char *value)
 
 static void put_escaped(struct svg *svg, const char *text, size_t length)
 {
-    for (const char *at = text; at < text + length;) {
-        size_t bytes = text_xml_length(at, (size_t)(text + length - at));
-        switch (*at) {
-        case '&':
-            put(svg, "&amp;");
-            break;
-        case '<':
-            put(svg, "&lt;");
-            break;
-        case '>':
-            put(svg, "&gt;");
-            break;
-        case '"':
-            put(svg, "&quot;");
-            break;
-        default:
-            put_bytes(svg, bytes > 0 ? at : "?", bytes > 0 ? bytes : 1);
-            break;
-        }
-        at += bytes > 0 ? bytes : 1;
+    for (size_t i = 0, step; i < length; i += step) {
+        const struct text shown = text_xml((struct text){text + i, length - i}, &step);
+        put_bytes(svg, shown.start, shown.length);
     }
 }
 

@@ -203,22 +203,9 @@ void output_character(struct output *output, char c)
 
 void output_escaped(struct output *output, struct text text)
 {
-    for (size_t i = 0; i < text.length;) {
-        const size_t bytes = text_xml_length(text.start + i, text.length - i);
-        switch (text.start[i]) {
-        case '&':
-            output_string(output, "&amp;");
-            break;
-        case '<':
-            output_string(output, "&lt;");
-            break;
-        case '>':
-            output_string(output, "&gt;");
-            break;
-        default:
-            output_text(output, bytes > 0 ? text.start + i : "?", bytes > 0 ? bytes : 1);
-        }
-        i += bytes > 0 ? bytes : 1;
+    for (size_t i = 0, step; i < text.length; i += step) {
+        const struct text shown = text_xml((struct text){text.start + i, text.length - i}, &step);
+        output_text(output, shown.start, shown.length);
     }
 }
 
