@@ -18,26 +18,12 @@ import tempfile
 sys.dont_write_bytecode = True
 sys.path.insert(0, os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
 from harness import Checks, Program
+from integrals import gauss
 from check_fov import cross, paraxial, read
 
 C = math.hypot(36, 24) / 1500
 REAL = (("double-gauss", 4, 2000), ("double-gauss", 8, 2000), ("double-gauss", 8, 300),
         ("cs348b-dgauss-50", 2.8, 1500), ("wide-35", 4, 1000), ("telephoto-200", 5.6, 20000))
-
-
-def gauss(count):
-    """Nodes and weights of Gauss and Legendre on 0..1, by Newton's method."""
-    rule = []
-    for i in range(count):
-        x = math.cos(math.pi * (i + 0.75) / (count + 0.5))
-        for _ in range(100):
-            p, q = 1.0, 0.0
-            for k in range(count):
-                p, q = ((2 * k + 1) * x * p - k * q) / (k + 1), p
-            slope = count * (x * p - q) / (x * x - 1)
-            x -= p / slope
-        rule.append(((1 + x) / 2, 1 / ((1 - x * x) * slope * slope)))
-    return rule
 
 
 RULE = gauss(20)

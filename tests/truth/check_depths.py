@@ -19,6 +19,7 @@ import zlib
 sys.dont_write_bytecode = True
 sys.path.insert(0, os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
 from harness import Checks, Program
+from photographs import read_pfm, write_pfm
 
 # a lens of 100 mm and f/40, its stop in front: 1/f = (n - 1) 2/R, of no thickness to speak of, and
 # with a spherical aberration of 0.03 mm
@@ -30,22 +31,6 @@ surface 100 0.0001 1.5 -
 surface -100 0 air -
 """
 F, PUPIL = 100, 2.5
-
-
-def write_pfm(path, rows):
-    with open(path, "wb") as file:
-        file.write(f"Pf\n{len(rows[0])} {len(rows)}\n-1.0\n".encode())
-        for row in reversed(rows):
-            file.write(struct.pack(f"<{len(row)}f", *row))
-
-
-def read_pfm(path):
-    """One number a pixel: its first channel."""
-    with open(path, "rb") as file:
-        _, size, _, data = file.read().split(b"\n", 3)
-    width, height = map(int, size.split())
-    values = struct.unpack(f"<{3 * width * height}f", data)[::3]
-    return [values[y * width:(y + 1) * width] for y in range(height)][::-1]
 
 
 def write_png(path, rows):
@@ -77,7 +62,7 @@ class Fixture:
                                 cwd=self.folder, capture_output=True,
                                 env=self.program.environment())
         good = self.checks.check(result.returncode == 0, f"{words}: {result.stderr}")
-        return read_pfm(out) if good else None
+        return [[pixel[0] for pixel in row] for row in read_pfm(out)] if good else None
 
 
 def check_flat(fixture):

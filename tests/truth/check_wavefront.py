@@ -18,6 +18,7 @@ import sys
 sys.dont_write_bytecode = True
 sys.path.insert(0, os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
 from harness import Checks, Program
+from integrals import gauss, noll
 
 WAVE = 587.5618e-6  # mm
 SURFACES = [  # radius, thickness, index behind at the d line; None: the stop
@@ -77,36 +78,6 @@ def to_sphere(ray, centre, radius):
     b = sum(u * v for u, v in zip(q, d))
     c = sum(u * u for u in q) - radius * radius
     return path - b - math.sqrt(b * b - c)
-
-
-def gauss(count):
-    """Gauss and Legendre's rule on 0..1."""
-    rule = []
-    for i in range(count):
-        x = math.cos(math.pi * (i + 0.75) / (count + 0.5))
-        for _ in range(50):
-            p, q = 1.0, x
-            for k in range(2, count + 1):
-                p, q = q, ((2 * k - 1) * x * q - (k - 1) * p) / k
-            slope = count * (x * q - p) / (x * x - 1)
-            x -= q / slope
-        rule.append(((1 - x) / 2, 1 / ((1 - x * x) * slope * slope)))
-    return rule
-
-
-def noll(j, r, angle):
-    n = 0
-    while (n + 1) * (n + 2) // 2 < j:
-        n += 1
-    place = j - n * (n + 1) // 2
-    m = place // 2 * 2 if n % 2 == 0 else (place - 1) // 2 * 2 + 1
-    radial = sum((-1) ** k * math.factorial(n - k) / (math.factorial(k)
-                 * math.factorial((n + m) // 2 - k) * math.factorial((n - m) // 2 - k))
-                 * r ** (n - 2 * k) for k in range((n - m) // 2 + 1))
-    if m == 0:
-        return math.sqrt(n + 1) * radial
-    turn = math.cos(m * angle) if j % 2 == 0 else math.sin(m * angle)
-    return math.sqrt(2 * (n + 1)) * radial * turn
 
 
 def wave_front(angle):

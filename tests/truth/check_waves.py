@@ -22,6 +22,7 @@ import tempfile
 sys.dont_write_bytecode = True
 sys.path.insert(0, os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
 from harness import ROOT, Checks, Program
+from integrals import gauss, noll
 
 WAVE = 587.5618e-6  # mm
 FOCUS, RADIUS = 1000, 5  # a cone so slow that its pupil is even to 2e-5
@@ -113,26 +114,10 @@ def airy(x):
     return (2 * bessel(1, x) / x) ** 2 if x else 1.0
 
 
-@functools.cache
-def gauss(count):
-    """Gauss and Legendre's rule on -1..1."""
-    rule = []
-    for i in range(count):
-        x = math.cos(math.pi * (i + 0.75) / (count + 0.5))
-        for _ in range(50):
-            p, q = 1.0, x
-            for k in range(2, count + 1):
-                p, q = q, ((2 * k - 1) * x * q - (k - 1) * p) / k
-            slope = count * (x * q - p) / (x * x - 1)
-            x -= q / slope
-        rule.append((x, 2 / ((1 - x * x) * slope * slope)))
-    return rule
-
-
 def adaptive(function, low, high, allowed=1e-9, coarse=None):
     """Halves until two halves of 12 points are what the whole is."""
     def sum_of(a, b):
-        return (b - a) / 2 * sum(w * function((a + b + (b - a) * x) / 2) for x, w in gauss(12))
+        return (b - a) * sum(w * function(a + (b - a) * x) for x, w in gauss(12))
     middle = (low + high) / 2
     left, right = sum_of(low, middle), sum_of(middle, high)
     if abs(left + right - (sum_of(low, high) if coarse is None else coarse)) <= allowed:
@@ -223,20 +208,6 @@ def check_methods(checks, program, folder):
 
 
 @functools.cache
-def noll(j, x, y):
-    n = 0
-    while (n + 1) * (n + 2) // 2 < j:
-        n += 1
-    place = j - n * (n + 1) // 2
-    m = place // 2 * 2 if n % 2 == 0 else (place - 1) // 2 * 2 + 1
-    r, angle = math.hypot(x, y), math.atan2(y, x)
-    total = sum((-1) ** k * math.factorial(n - k) / (math.factorial(k)
-                * math.factorial((n + m) // 2 - k) * math.factorial((n - m) // 2 - k))
-                * r ** (n - 2 * k) for k in range((n - m) // 2 + 1))
-    turn = 1 if m == 0 else math.sqrt(2) * (math.cos if j % 2 == 0 else math.sin)(m * angle)
-    return math.sqrt(n + 1) * total * turn
-
-
 def truth_cases():
     """(name, lens, focus, {field: [(x, y, W in mm)]}) of opd.txt"""
     with open(os.path.join(ROOT, "tests", "truth", "opd.txt"), encoding="utf-8") as file:
@@ -269,7 +240,8 @@ def check_truth(checks, program):
             if not residual < 1e-5:
                 continue
             for x, y, path in points:
-                wave = sum(float(row["coefficient_waves"]) * noll(int(row["index"]), x, y)
+                r, angle = math.hypot(x, y), math.atan2(y, x)
+                wave = sum(float(row["coefficient_waves"]) * noll(int(row["index"]), r, angle)
                            for row in table)
                 near(checks, f"{name}, {field} deg, ({x}, {y})", wave, path / WAVE,
                      1e-8 + 100 * residual)
