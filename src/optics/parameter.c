@@ -15,9 +15,10 @@ enum { CURVE = SURFACE_HAS_CURVE, FOCAL = SURFACE_HAS_FOCAL, MEDIUM = SURFACE_HA
 /* How a number lies in a surface; `offset` is that of its figure. */
 struct storage {
     const struct figure *(*look)(const struct surface *surface, size_t offset);
-    void (*put)(struct surface *surface, size_t offset, struct figure figure, struct arena *arena);
+    void (*put)(struct surface *surface, size_t offset, struct figure figure,
+                struct displacement *room);
     double (*get)(const struct surface *surface, size_t offset); /* null = that of the figure */
-    void (*set)(struct surface *surface, size_t offset, double value, struct arena *arena);
+    void (*set)(struct surface *surface, size_t offset, double value);
 };
 
 static struct figure computed(struct pair value)
@@ -42,9 +43,9 @@ static const struct figure *look_member(const struct surface *surface, size_t of
 }
 
 static void put_member(struct surface *surface, size_t offset, struct figure figure,
-                       struct arena *arena)
+                       struct displacement *room)
 {
-    (void)arena;
+    (void)room;
     *place(surface, offset) = figure;
 }
 
@@ -54,9 +55,9 @@ static const struct figure *look_radius(const struct surface *surface, size_t of
 }
 
 static void put_radius(struct surface *surface, size_t offset, struct figure figure,
-                       struct arena *arena)
+                       struct displacement *room)
 {
-    (void)arena;
+    (void)room;
     surface->is_plane = isinf(figure.value.hi);
     surface->has_curvature = false;
     surface->curvature = computed(pair_of(0));
@@ -76,9 +77,9 @@ static const struct figure *look_curvature(const struct surface *surface, size_t
 }
 
 static void put_curvature(struct surface *surface, size_t offset, struct figure figure,
-                          struct arena *arena)
+                          struct displacement *room)
 {
-    (void)arena;
+    (void)room;
     surface->is_plane = surface->has_curvature = true;
     surface->radius = computed(pair_of(0));
     *place(surface, offset) = figure;
@@ -92,13 +93,13 @@ static double get_curvature(const struct surface *surface, size_t offset)
 }
 
 /* As a curvature only where the surface has one: a file is read with radii. */
-static void set_curvature(struct surface *surface, size_t offset, double value, struct arena *arena)
+static void set_curvature(struct surface *surface, size_t offset, double value)
 {
     if (surface->has_curvature) {
-        put_curvature(surface, offset, computed(pair_of(value)), arena);
+        put_curvature(surface, offset, computed(pair_of(value)), NULL);
     } else {
         put_radius(surface, offsetof(struct surface, radius),
-                   computed(pair_divide(pair_of(1), pair_of(value))), arena);
+                   computed(pair_divide(pair_of(1), pair_of(value))), NULL);
     }
 }
 
@@ -108,10 +109,10 @@ static const struct figure *look_thickness(const struct surface *surface, size_t
 }
 
 static void put_thickness(struct surface *surface, size_t offset, struct figure figure,
-                          struct arena *arena)
+                          struct displacement *room)
 {
     surface->has_thickness = true;
-    put_member(surface, offset, figure, arena);
+    put_member(surface, offset, figure, room);
 }
 
 static unsigned coefficient_bit(size_t offset)
@@ -125,10 +126,10 @@ static const struct figure *look_coefficient(const struct surface *surface, size
 }
 
 static void put_coefficient(struct surface *surface, size_t offset, struct figure figure,
-                            struct arena *arena)
+                            struct displacement *room)
 {
     surface->coefficients |= coefficient_bit(offset);
-    put_member(surface, offset, figure, arena);
+    put_member(surface, offset, figure, room);
 }
 
 static const struct figure *look_decentre(const struct surface *surface, size_t offset)
@@ -141,26 +142,27 @@ static const struct figure *look_break(const struct surface *surface, size_t off
     return surface->coordinate_break != NULL ? at(surface->coordinate_break, offset) : NULL;
 }
 
-/* Another displacement with one number changed; without one the others are 0. */
+/* Another displacement with one number changed, or the same; without one the others are 0. */
 static const struct displacement *displaced(const struct displacement *from, size_t offset,
-                                            struct figure figure, struct arena *arena)
+                                            struct figure figure, struct displacement *to)
 {
-    struct displacement *to = ARENA_NEW(arena, struct displacement);
-    *to = from != NULL ? *from : displacement_none;
+    if (to != from) {
+        *to = from != NULL ? *from : displacement_none;
+    }
     *place(to, offset) = figure;
     return to;
 }
 
 static void put_decentre(struct surface *surface, size_t offset, struct figure figure,
-                         struct arena *arena)
+                         struct displacement *room)
 {
-    surface->decentre = displaced(surface->decentre, offset, figure, arena);
+    surface->decentre = displaced(surface->decentre, offset, figure, room);
 }
 
 static void put_break(struct surface *surface, size_t offset, struct figure figure,
-                      struct arena *arena)
+                      struct displacement *room)
 {
-    surface->coordinate_break = displaced(surface->coordinate_break, offset, figure, arena);
+    surface->coordinate_break = displaced(surface->coordinate_break, offset, figure, room);
 }
 
 static const struct storage member = {look_member, put_member, NULL, NULL},
@@ -272,11 +274,17 @@ const struct figure *parameter_figure(const struct surface *surface, enum parame
                : NULL;
 }
 
+/* Room for what lies beside the surface, if the number does. */
+static struct displacement *new_displacement(enum parameter_kind kind, struct arena *arena)
+{
+    return kind >= PARAMETER_DECENTER_X ? ARENA_NEW(arena, struct displacement) : NULL;
+}
+
 void parameter_put(struct surface *surface, enum parameter_kind kind, int order,
                    struct figure figure, struct arena *arena)
 {
     assert(rows[kind].stored != NULL && parameter_suits(kind, surface));
-    rows[kind].stored->put(surface, offset_of(kind, order), figure, arena);
+    rows[kind].stored->put(surface, offset_of(kind, order), figure, new_displacement(kind, arena));
 }
 
 static bool check_medium(const struct medium *medium, struct parameter parameter,
@@ -376,16 +384,16 @@ double parameter_get(const struct lens *lens, struct parameter parameter)
 
 /* With its text, as a .lens file has it. */
 static struct medium medium_with(const struct medium *from, enum parameter_kind kind, double value,
-                                 struct arena *arena)
+                                 char written[PARAMETER_WRITTEN])
 {
-    char index[NUMBER_LENGTH], abbe[NUMBER_LENGTH];
     struct medium to = *from;
     *(kind == PARAMETER_INDEX ? &to.index : &to.abbe) = pair_of(value);
-    int length = (int)(number_write_shortest(index, to.index.hi) - index);
-    int abbe_length = (int)(number_write_shortest(abbe, to.abbe.hi) - abbe);
-    to.written = text_of(to.kind == MEDIUM_MODEL
-                             ? arena_printf(arena, "%.*s/%.*s", length, index, abbe_length, abbe)
-                             : arena_printf(arena, "%.*s", length, index));
+    char *end = number_write_shortest(written, to.index.hi);
+    if (to.kind == MEDIUM_MODEL) {
+        *end++ = '/';
+        end = number_write_shortest(end, to.abbe.hi);
+    }
+    to.written = (struct text){written, (size_t)(end - written)};
     return to;
 }
 
@@ -402,31 +410,36 @@ void parameter_put_medium(struct lens *lens, size_t surface, const struct medium
     }
 }
 
-static void set_medium(struct lens *lens, struct parameter parameter, double value,
-                       struct arena *arena)
-{
-    const struct medium to =
-        medium_with(medium_of(lens, parameter.surface), parameter.kind, value, arena);
-    parameter_put_medium(lens, parameter.surface, &to);
-}
-
-void parameter_set(struct lens *lens, struct parameter parameter, double value, struct arena *arena)
+void parameter_set_in(struct lens *lens, struct parameter parameter, double value,
+                      const struct parameter_room *room)
 {
     const struct storage *stored = rows[parameter.kind].stored;
     if (parameter_get(lens, parameter) == value) {
         return; /* with all that the decimal typed has beyond a double */
     }
     if (stored == NULL) {
-        set_medium(lens, parameter, value, arena);
+        const struct medium to =
+            medium_with(medium_of(lens, parameter.surface), parameter.kind, value, room->written);
+        parameter_put_medium(lens, parameter.surface, &to);
         return;
     }
     struct surface *surface = &lens->surfaces[parameter.surface];
     size_t offset = offset_of(parameter.kind, parameter.order);
     if (stored->set != NULL) {
-        stored->set(surface, offset, value, arena);
+        stored->set(surface, offset, value);
     } else {
-        stored->put(surface, offset, computed(pair_of(value)), arena);
+        stored->put(surface, offset, computed(pair_of(value)), room->displacement);
     }
+}
+
+void parameter_set(struct lens *lens, struct parameter parameter, double value, struct arena *arena)
+{
+    const bool has_text = rows[parameter.kind].stored == NULL;
+    const struct parameter_room room = {
+        new_displacement(parameter.kind, arena),
+        has_text ? ARENA_ARRAY(arena, PARAMETER_WRITTEN, char) : NULL,
+    };
+    parameter_set_in(lens, parameter, value, &room);
 }
 
 struct lens *parameter_apply(const struct lens *lens, const struct parameter *parameters,

@@ -5,11 +5,13 @@
 
 #include "base/arena.h"
 #include "base/error.h"
+#include "base/number.h"
 #include "base/text.h"
 
 #include <stdbool.h>
 #include <stddef.h>
 
+struct displacement;
 struct figure;
 struct lens;
 struct medium;
@@ -165,6 +167,21 @@ double parameter_get(const struct lens *lens, struct parameter parameter);
  */
 void parameter_set(struct lens *lens, struct parameter parameter, double value,
                    struct arena *arena);
+
+/* Where a number is written to that lies beside its surface. */
+enum { PARAMETER_WRITTEN = 2 * NUMBER_LENGTH };
+struct parameter_room {
+    struct displacement *displacement; /* null: the number is none of a displacement */
+    char *written; /* PARAMETER_WRITTEN characters; null: the number is none of a medium */
+};
+
+/*
+ * The same without taking memory.
+ *
+ * Given     room  for a displacement, which may be the surface's own; for the text of a medium
+ */
+void parameter_set_in(struct lens *lens, struct parameter parameter, double value,
+                      const struct parameter_room *room);
 
 /* A copy of the lens with `count` numbers put in, in this order. */
 struct lens *parameter_apply(const struct lens *lens, const struct parameter *parameters,

@@ -3,6 +3,7 @@
 #include "trace/system.h"
 
 #include "optics/first_order.h"
+#include "optics/lens_indices.h"
 #include "trace/clip.h"
 #include "trace/frames.h"
 #include "trace/step.h"
@@ -43,21 +44,16 @@ double system_index_after(const struct system *system, size_t place)
     return place < count ? index_before(system, place + 1) : index_before(system, count);
 }
 
-static bool find_indices(const struct lens *lens, double wavelength, struct pair *n,
-                         struct error *error)
+/* Those of the options, or what the media say. */
+static bool find_indices(struct system *system, struct arena *arena, struct error *error)
 {
-    if (!medium_index(&lens->object_medium, wavelength, &n[0], error)) {
-        return error_prefix(error, "object medium: ");
+    system->n = system->options.indices;
+    if (system->n != NULL) {
+        return true;
     }
-    for (size_t i = 0; i < lens->surface_count; i++) {
-        const struct surface *surface = &lens->surfaces[i];
-        n[i + 1] = n[i];
-        if (!surface_reflects(surface) &&
-            !medium_index(&surface->medium, wavelength, &n[i + 1], error)) {
-            return error_prefix(error, "surface %zu: ", i + 1);
-        }
-    }
-    return true;
+    struct pair *n = ARENA_ARRAY(arena, system->lens->surface_count + 1, struct pair);
+    system->n = n;
+    return lens_indices(system->lens, system->wavelength, NULL, n, error);
 }
 
 static bool find_stop_radius(const struct lens *lens, struct arena *arena, struct system *system,
@@ -388,18 +384,17 @@ bool system_compile(const struct lens *lens, double wavelength,
                     struct system *system, struct error *error)
 {
     size_t count = lens->surface_count;
-    struct pair *n = ARENA_ARRAY(arena, count + 1, struct pair);
     *system = (struct system){
-        .lens = lens, .options = *options, .stop = lens->stop, .wavelength = wavelength, .n = n};
-    if (!find_indices(lens, wavelength, n, error) ||
-        !find_stop_radius(lens, arena, system, error) || !add_clips(arena, system, error)) {
+        .lens = lens, .options = *options, .stop = lens->stop, .wavelength = wavelength};
+    if (!find_indices(system, arena, error) || !find_stop_radius(lens, arena, system, error) ||
+        !add_clips(arena, system, error)) {
         return false;
     }
     if (!check_way(lens, options, error)) {
         return false;
     }
-    system->index_first = n[options->reverse ? count : 0].hi;
-    system->index_last = n[options->reverse ? 0 : count].hi;
+    system->index_first = system->n[options->reverse ? count : 0].hi;
+    system->index_last = system->n[options->reverse ? 0 : count].hi;
     double *direction = ARENA_ARRAY(arena, count + 1, double);
     frame_directions(lens, direction);
     system->direction = direction;

@@ -68,6 +68,8 @@ struct system_options {
     bool paraxial;      /* surfaces do to all rays what they do to those near the axis */
     double image;       /* a plane this far behind the last vertex, mm; NaN = none */
     double stop_radius; /* mm; NaN = what the lens says of its aperture */
+    const struct pair *indices; /* those that lens_indices finds, if they are known; null = they are
+                                   not. They must outlive the system */
 };
 
 struct clip;

@@ -93,6 +93,7 @@ FOR_TESTS = {
     "derivative_layout": "", "derivative_row": "", "derivative_sweep": "",
     "derivative_tape_new": "", "derivative_trace": "", "tangent_trace": "",
     "parameter_get": "", "parameter_slope": "",
+    "lens_numbers_open": "", "lens_numbers_set": "",
     # every set of instructions gives the same bits
     "instruction_set_name": "", "instruction_set_works": "",
     "first_order_compute_portable": "", "paraxial_trace_portable": "",
