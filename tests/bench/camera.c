@@ -4,13 +4,13 @@
 #include "base/parallel.h"
 #include "base/sobol.h"
 #include "camera/film_rays.h"
+#include "clock.h"
 #include "exchange/lens_open.h"
 #include "trace/dispatch.h"
 
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
-#include <time.h>
 
 /*
  * Prints one figure a line, "name value": rays of a whole 36 x 24 mm film through the 50 mm double
@@ -21,13 +21,6 @@
 enum { TURNS = 15, BLOCKS = 8192 };
 
 static const double width = 36, height = 24;
-
-static double now(void)
-{
-    struct timespec time;
-    clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &time);
-    return (double)time.tv_sec + 1e-9 * (double)time.tv_nsec;
-}
 
 struct fixture {
     struct arena arena;
@@ -93,11 +86,11 @@ static double time_region(struct fixture *fixture)
         const struct arena_mark mark = arena_mark(&fixture->arena);
         struct film_region region;
         struct error error;
-        double began = now();
+        double began = processor_time();
         if (!film_region_open(&fixture->film, &fixture->arena, &region, &error)) {
             stop(&error);
         }
-        best = fmin(best, now() - began);
+        best = fmin(best, processor_time() - began);
         arena_reset(&fixture->arena, mark);
     }
     return best;
@@ -141,28 +134,21 @@ static double time_rays(struct work *work, double *survivors)
 {
     double best = INFINITY;
     for (int turn = 0; turn < TURNS; turn++) {
-        double began = now();
+        double began = processor_time();
         trace_blocks(work, 0, BLOCKS);
-        best = fmin(best, now() - began);
+        best = fmin(best, processor_time() - began);
     }
     *survivors = work->arrived[0] / BLOCKS / RAYS_BLOCK;
     return best;
-}
-
-static double clock_now(void)
-{
-    struct timespec time;
-    clock_gettime(CLOCK_MONOTONIC, &time);
-    return (double)time.tv_sec + 1e-9 * (double)time.tv_nsec;
 }
 
 static double time_threads(struct work *work, int threads)
 {
     double best = INFINITY;
     for (int turn = 0; turn < TURNS; turn++) {
-        double began = clock_now();
+        double began = clock_time();
         parallel_for(threads, BLOCKS, BLOCKS / 2, trace_blocks, work);
-        best = fmin(best, clock_now() - began);
+        best = fmin(best, clock_time() - began);
     }
     return best;
 }

@@ -3,26 +3,19 @@
 #ifndef LENSCALC_BENCH_DIVIDER_H
 #define LENSCALC_BENCH_DIVIDER_H
 
+#include "clock.h"
 #include "trace/dispatch.h"
 
 #include <math.h>
-#include <time.h>
 
 #ifdef __x86_64__
-static double divider_now(void)
-{
-    struct timespec time;
-    clock_gettime(CLOCK_MONOTONIC, &time);
-    return (double)time.tv_sec + 1e-9 * (double)time.tv_nsec;
-}
-
 /* Two roots and a quotient that wait for nothing, 8 times: seconds for one lane of one. */
 #define DIVIDER(NAME, LANES, REGISTER)                                                             \
     static double NAME(void)                                                                       \
     {                                                                                              \
         double best = 1e9;                                                                         \
         for (int turn = 0; turn < 2000; turn++) {                                                  \
-            double began = divider_now();                                                          \
+            double began = clock_time();                                                           \
             for (int i = 0; i < 200; i++) {                                                        \
                 __asm__ volatile(".rept 8\n vsqrtpd %%" REGISTER "0, %%" REGISTER "1\n"            \
                                  "vsqrtpd %%" REGISTER "0, %%" REGISTER "2\n"                      \
@@ -30,7 +23,7 @@ static double divider_now(void)
                                  ".endr" ::                                                        \
                                      : "xmm1", "xmm2", "xmm3");                                    \
             }                                                                                      \
-            best = fmin(best, (divider_now() - began) / (200. * 8 * LANES));                       \
+            best = fmin(best, (clock_time() - began) / (200. * 8 * LANES));                        \
         }                                                                                          \
         return best;                                                                               \
     }

@@ -1,5 +1,6 @@
 /* tests/bench/fit.c - a thick lens fitted to 1000 exact rays; what a ray costs by each model. */
 /* SPDX-License-Identifier: MIT */
+#include "clock.h"
 #include "design/ray_data.h"
 #include "design/thick.h"
 #include "exchange/lens_open.h"
@@ -9,17 +10,9 @@
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
-#include <time.h>
 
 /* Prints one figure a line, "name value"; times are the best of TURNS. */
 enum { TURNS = 200 };
-
-static double now(void)
-{
-    struct timespec time;
-    clock_gettime(CLOCK_MONOTONIC, &time);
-    return (double)time.tv_sec + 1e-9 * (double)time.tv_nsec;
-}
 
 static void need(bool good, const struct error *error)
 {
@@ -34,14 +27,14 @@ static double time_map(const struct ray_data *ray_data, const struct thick_lens 
 {
     double best = INFINITY, sum = 0;
     for (int turn = 0; turn < TURNS; turn++) {
-        double start = now();
+        double start = clock_time();
         for (size_t i = 0; i < ray_data->rays.count; i++) {
             const struct slope_ray in = {ray_data->rays.x[i], ray_data->rays.y[i],
                                          ray_data->rays.p[i], ray_data->rays.q[i]};
             const struct slope_ray out = thick_lens_map(lens, in);
             sum += out.x + out.y + out.p + out.q;
         }
-        best = fmin(best, now() - start);
+        best = fmin(best, clock_time() - start);
     }
     if (!isfinite(sum)) {
         puts("not finite");
@@ -68,9 +61,9 @@ static double time_exact(const struct lens *lens, const struct first_order *firs
             const struct ray ray = {.point = {0, (double)i * 20 / COUNT, 0}, .cosine = {0, 0, 1}};
             rays_set(&rays, i, system.index_first, &ray);
         }
-        double start = now();
+        double start = clock_time();
         rays_trace(&system, &rays, NULL);
-        best = fmin(best, now() - start);
+        best = fmin(best, clock_time() - start);
         arena_reset(arena, mark);
     }
     return 1e9 * best / COUNT;
@@ -113,9 +106,9 @@ static void run_once(struct subject *subject, struct arena *work)
 {
     const struct first_order *first = &subject->setup.first;
     struct error error;
-    double start = now();
+    double start = clock_time();
     need(ray_data_trace(&subject->request, work, &subject->ray_data, &error), &error);
-    subject->trace_time = fmin(subject->trace_time, now() - start);
+    subject->trace_time = fmin(subject->trace_time, clock_time() - start);
     struct thick_task task = {
         .rays = subject->ray_data.rays,
         .group_count = 1,
@@ -127,9 +120,9 @@ static void run_once(struct subject *subject, struct arena *work)
         .object = INFINITY,
         .start = {first->efl, first->front_principal, first->rear_principal, 1, 1, {0}, INFINITY}};
     task.rays.count = (size_t)fmin((double)task.rays.count, 1000);
-    start = now();
+    start = clock_time();
     need(thick_fit(&task, work, &subject->fit, &error), &error);
-    subject->fit_time = fmin(subject->fit_time, now() - start);
+    subject->fit_time = fmin(subject->fit_time, clock_time() - start);
     subject->ray_data.rays.count = task.rays.count;
 }
 

@@ -1,5 +1,6 @@
 /* tests/bench/paraxial.c - time against error of the first-order engine: paraxial LENS... */
 /* SPDX-License-Identifier: MIT */
+#include "clock.h"
 #include "exchange/lens_open.h"
 #include "optics/first_order.h"
 #include "optics/portable.h"
@@ -7,7 +8,6 @@
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
-#include <time.h>
 
 enum { TURNS = 15, ROUNDS = 20000, MOST_SURFACES = 64 };
 
@@ -78,13 +78,6 @@ static double from_lens(struct subject *subject)
     return first.efl + first.exit_pupil;
 }
 
-static double nanoseconds(void)
-{
-    struct timespec now;
-    clock_gettime(CLOCK_MONOTONIC, &now);
-    return 1e9 * (double)now.tv_sec + (double)now.tv_nsec;
-}
-
 static volatile double sink;
 
 /* The best of many turns: others only ever slow one down. */
@@ -92,13 +85,13 @@ static double time_of(double (*run)(struct subject *subject), struct subject *su
 {
     double best = INFINITY;
     for (int turn = 0; turn < TURNS; turn++) {
-        double start = nanoseconds(), sum = 0;
+        double start = 1e9 * clock_time(), sum = 0;
         for (int i = 0; i < ROUNDS; i++) {
             sum += run(subject);
             /* each round anew */
             __asm__ volatile("" : : "r"(subject) : "memory");
         }
-        best = fmin(best, (nanoseconds() - start) / ROUNDS);
+        best = fmin(best, (1e9 * clock_time() - start) / ROUNDS);
         sink = sum;
     }
     return best;

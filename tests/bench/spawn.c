@@ -1,12 +1,13 @@
 /* tests/bench/spawn.c - median times of starting programs, in turns. */
 /* SPDX-License-Identifier: MIT */
+#include "clock.h"
+
 #include <fcntl.h>
 #include <spawn.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 #include <sys/wait.h>
-#include <time.h>
 #include <unistd.h>
 
 /*
@@ -22,25 +23,18 @@ static double times[MOST_PROGRAMS][MOST_ROUNDS];
 
 extern char **environ;
 
-static double now(void)
-{
-    struct timespec time;
-    clock_gettime(CLOCK_MONOTONIC, &time);
-    return 1e6 * (double)time.tv_sec + 1e-3 * (double)time.tv_nsec;
-}
-
 /* Time from the call to the end of the program, whose output goes nowhere. */
 static double run(char **words, const posix_spawn_file_actions_t *actions)
 {
     pid_t child;
     int status = 1;
-    double start = now();
+    double start = 1e6 * clock_time();
     int failure = posix_spawn(&child, words[0], actions, NULL, words, environ);
     if (failure != 0 || waitpid(child, &status, 0) != child || status != 0) {
         fprintf(stderr, "spawn: %s failed\n", words[0]);
         exit(1);
     }
-    return now() - start;
+    return 1e6 * clock_time() - start;
 }
 
 /* Cut the words into programs at each "--". */

@@ -3,6 +3,7 @@
 #include "analysis/quadrature.h"
 #include "analysis/setup.h"
 #include "base/constants.h"
+#include "clock.h"
 #include "exchange/lens_open.h"
 #include "trace/dispatch.h"
 
@@ -10,7 +11,6 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-#include <time.h>
 
 /*
  * Prints one figure a line, "name value": nine spots of the double Gauss (0, 10 and 14 degrees at
@@ -19,13 +19,6 @@
  * are of the processor, the least of many turns.
  */
 enum { FIELDS = 3, COLOURS = 3, SPOTS = FIELDS * COLOURS, TURNS = 200, AIMED = 3000 };
-
-static double now(void)
-{
-    struct timespec time;
-    clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &time);
-    return (double)time.tv_sec + 1e-9 * (double)time.tv_nsec;
-}
 
 struct fixture {
     struct arena arena;
@@ -82,7 +75,7 @@ static double time_spots(struct fixture *fixture, size_t rays, int doubled)
 {
     double best = INFINITY;
     for (int turn = 0; turn < TURNS; turn++) {
-        double began = now();
+        double began = processor_time();
         for (size_t i = 0; i < SPOTS; i++) {
             const struct arena_mark mark = arena_mark(&fixture->arena);
             struct quadrature_region region = quadrature_open(&fixture->pupils[i], &fixture->arena);
@@ -92,7 +85,7 @@ static double time_spots(struct fixture *fixture, size_t rays, int doubled)
             }
             arena_reset(&fixture->arena, mark);
         }
-        best = fmin(best, now() - began);
+        best = fmin(best, processor_time() - began);
     }
     return best;
 }
@@ -112,9 +105,9 @@ static double time_trace(struct fixture *fixture, size_t rays)
             const size_t blocks = rays_blocks(&all[i].rays);
             memcpy(copy.blocks, all[i].rays.blocks, blocks * sizeof *copy.blocks);
             copy.count = all[i].rays.count;
-            double began = now();
+            double began = processor_time();
             rays_trace(fixture->pupils[i].system, &copy, NULL);
-            spent += now() - began;
+            spent += processor_time() - began;
         }
         best = fmin(best, spent);
     }
@@ -133,12 +126,12 @@ static double time_aim(struct fixture *fixture)
     }
     struct rays rays = rays_new(&fixture->arena, sample.count);
     for (int turn = 0; turn < TURNS / 4; turn++) {
-        double began = now();
+        double began = processor_time();
         aim_rays(aim, sample.points, sample.count, &rays);
-        aimed = fmin(aimed, now() - began);
-        began = now();
+        aimed = fmin(aimed, processor_time() - began);
+        began = processor_time();
         rays_trace(aim->system, &rays, NULL);
-        traced = fmin(traced, now() - began);
+        traced = fmin(traced, processor_time() - began);
     }
     return aimed / traced;
 }

@@ -1,6 +1,7 @@
 /* tests/bench/trace.c - exact rays: lanes of each instruction set against a plain loop. */
 /* SPDX-License-Identifier: MIT */
 #include "base/parallel.h"
+#include "clock.h"
 #include "divider.h"
 #include "exchange/lens_open.h"
 #include "trace/derivative.h"
@@ -11,7 +12,6 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-#include <time.h>
 
 /*
  * Prints one figure a line, "name value": million ray-surfaces a second of the double Gauss with
@@ -20,13 +20,6 @@
  * an array of structs, radius and sag, one ray after the other, early out.
  */
 enum { TURNS = 60, RAYS = 1024 };
-
-static double now(void)
-{
-    struct timespec time;
-    clock_gettime(CLOCK_MONOTONIC, &time);
-    return (double)time.tv_sec + 1e-9 * (double)time.tv_nsec;
-}
 
 struct plain_surface {
     double radius, thickness, index, clear;
@@ -122,14 +115,14 @@ static double time_plain(const struct lens *lens, struct arena *arena)
                                       0};
     }
     for (int turn = 0; turn < TURNS; turn++) {
-        double began = now();
+        double began = clock_time();
         for (int again = 0; again < 5; again++) {
             memcpy(rays, start, sizeof rays);
             for (size_t i = 0; i < RAYS; i++) {
                 rays[i].lost = trace_plain(surfaces, (int)lens->surface_count + 1, &rays[i]);
             }
         }
-        best = fmin(best, (now() - began) / 5);
+        best = fmin(best, (clock_time() - began) / 5);
     }
     return best;
 }
@@ -168,12 +161,12 @@ static double time_rays(struct fixture *fixture, const struct trace_way *way, in
     double best = 1e9;
     size_t bytes = rays_blocks(&fixture->start) * sizeof(struct ray_block);
     for (int turn = 0; turn < TURNS; turn++) {
-        double began = now();
+        double began = clock_time();
         for (int again = 0; again < repeat; again++) {
             memcpy(fixture->rays.blocks, fixture->start.blocks, bytes);
             rays_trace(&fixture->system, &fixture->rays, way);
         }
-        best = fmin(best, (now() - began) / repeat);
+        best = fmin(best, (clock_time() - began) / repeat);
     }
     return best;
 }
@@ -243,7 +236,7 @@ static double time_derivatives(struct fixture *fixture)
     static struct ray_block adjoint;
     double best = 1e9;
     for (int turn = 0; turn < TURNS; turn++) {
-        double began = now();
+        double began = clock_time();
         for (int again = 0; again < 5; again++) {
             for (size_t i = 0; i < rays_blocks(&fixture->start); i++) {
                 derivative_trace(&fixture->system, &fixture->start.blocks[i], SET_BEST, &tape);
@@ -257,7 +250,7 @@ static double time_derivatives(struct fixture *fixture)
                 }
             }
         }
-        best = fmin(best, (now() - began) / 5);
+        best = fmin(best, (clock_time() - began) / 5);
     }
     return best;
 }
@@ -273,7 +266,7 @@ static double time_tangents(struct fixture *fixture, size_t count)
         by[j] = (struct parameter){j < 5 ? j : j + 1, PARAMETER_CURVATURE, 0};
     }
     for (int turn = 0; turn < TURNS * 4; turn++) {
-        double began = now();
+        double began = clock_time();
         for (int again = 0; again < 5; again++) {
             for (size_t i = 0; i < rays_blocks(&fixture->start); i++) {
                 derivative_trace(&fixture->system, &fixture->start.blocks[i], SET_BEST, &tape);
@@ -281,7 +274,7 @@ static double time_tangents(struct fixture *fixture, size_t count)
                 tangent_trace(&fixture->system, by, count, SET_BEST, &tape, tangents.blocks);
             }
         }
-        best = fmin(best, (now() - began) / 5);
+        best = fmin(best, (clock_time() - began) / 5);
     }
     return best;
 }
@@ -293,12 +286,12 @@ static double gain(size_t count)
     const struct trace_way two = {SET_BEST, 2};
     double one = 1e9, both = 1e9;
     for (int i = 0; i < TURNS / 2; i++) {
-        double began = now();
+        double began = clock_time();
         rays_trace(&fixture.system, &fixture.start, NULL);
-        one = fmin(one, now() - began);
-        began = now();
+        one = fmin(one, clock_time() - began);
+        began = clock_time();
         rays_trace(&fixture.system, &fixture.start, &two);
-        both = fmin(both, now() - began);
+        both = fmin(both, clock_time() - began);
     }
     arena_free(&fixture.arena);
     return one / both;

@@ -5,6 +5,7 @@
 #include "analysis/wavefront.h"
 #include "base/constants.h"
 #include "base/fft.h"
+#include "clock.h"
 #include "exchange/lens_open.h"
 #include "trace/dispatch.h"
 
@@ -12,7 +13,6 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-#include <time.h>
 
 /*
  * Prints one figure a line, "name value": Fourier transforms of squares; a map of the wave front of
@@ -22,13 +22,6 @@
  * the least of some turns.
  */
 enum { MAP = 64, FIELDS = 3 };
-
-static double now(void)
-{
-    struct timespec time;
-    clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &time);
-    return (double)time.tv_sec + 1e-9 * (double)time.tv_nsec;
-}
 
 struct fixture {
     struct arena arena;
@@ -84,9 +77,9 @@ static double time_fft(struct arena *arena, size_t size, int turns)
             re[i] = (double)(i % 17);
             im[i] = (double)(i % 5);
         }
-        const double began = now();
+        const double began = processor_time();
         fft_plane(&fft, turn % 2 == 0, re, im, arena);
-        best = fmin(best, now() - began);
+        best = fmin(best, processor_time() - began);
     }
     arena_reset(arena, mark);
     return best;
@@ -107,15 +100,15 @@ static void time_map(struct fixture *fixture, double *map, double *trace)
     *map = *trace = INFINITY;
     for (int turn = 0; turn < 100; turn++) {
         const struct arena_mark mark = arena_mark(arena);
-        double began = now();
+        double began = processor_time();
         wavefront_map(&source, MAP, arena);
-        *map = fmin(*map, now() - began);
+        *map = fmin(*map, processor_time() - began);
         for (size_t i = 0; i < rays.count; i++) {
             rays_set(&rays, i, 1, &source.lights.list[0].source.chief);
         }
-        began = now();
+        began = processor_time();
         rays_trace(system, &rays, NULL);
-        *trace = fmin(*trace, now() - began);
+        *trace = fmin(*trace, processor_time() - began);
         arena_reset(arena, mark);
     }
 }
@@ -126,7 +119,7 @@ static double time_mtf(struct fixture *fixture)
     double best = INFINITY;
     for (int turn = 0; turn < 20; turn++) {
         const struct arena_mark mark = arena_mark(&fixture->arena);
-        const double began = now();
+        const double began = processor_time();
         for (size_t f = 0; f < FIELDS; f++) {
             const struct mtf_question question = {.bundle = bundle_of(fixture, f), .error = 1e-5};
             struct mtf_source source;
@@ -141,7 +134,7 @@ static double time_mtf(struct fixture *fixture)
                 }
             }
         }
-        best = fmin(best, now() - began);
+        best = fmin(best, processor_time() - began);
         arena_reset(&fixture->arena, mark);
     }
     return best;
@@ -156,11 +149,11 @@ static double time_psf(struct fixture *fixture, enum psf_method method, int turn
         const struct arena_mark mark = arena_mark(&fixture->arena);
         struct psf psf;
         struct error error;
-        const double began = now();
+        const double began = processor_time();
         if (!psf_find(&question, &fixture->arena, &psf, &error)) {
             stop(&error);
         }
-        best = fmin(best, now() - began);
+        best = fmin(best, processor_time() - began);
         arena_reset(&fixture->arena, mark);
     }
     return best;
