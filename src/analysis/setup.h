@@ -27,7 +27,7 @@ struct setup {
     size_t wavelength_count;
     const struct setup_field *fields; /* those on one axis on that of the section */
     size_t field_count;               /* 0: FIELDS_LARGEST of a lens without any */
-    const char *fields_from;          /* FIELDS_SPREAD: how they were found, in words; else null */
+    const char *fields_from;          /* in words, where they are not the lens's; else null */
     struct field_point edge;          /* the one farthest from the axis; FIELD_NONE: none */
     struct first_order first;         /* at the primary wavelength; chief ray: of the edge */
     /* by setup_place_image */

@@ -167,6 +167,7 @@ static void take_largest(const struct setup_question *question, struct setup *se
     one->weight = 1;
     if (five && one->point.value[0] == 0 && one->point.value[1] == 0) {
         *one = field_at(setup, FIELD_ANGLE, FIVE_DEGREES);
+        setup->fields_from = "the lens states none";
     }
     setup->fields = one;
     setup->field_count = one->point.kind != FIELD_NONE;

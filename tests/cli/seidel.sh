@@ -28,3 +28,5 @@ lenscalc seidel double-gauss --field 3deg --height 5
 lenscalc seidel canon-nfd-70-210 --position all --plot bars.svg
 lenscalc seidel double-gauss --plot bars.svg > /dev/null && grep -c '<rect' bars.svg
 lenscalc seidel double-gauss --explain --columns surface,S1 | tail -n 5
+# a field that nobody states is said to be none of the lens
+lenscalc seidel edmund-achromat-120 --plot bars.svg > /dev/null && grep -o "field 5 deg[^,]*" bars.svg

@@ -27,3 +27,5 @@ lenscalc spot double-gauss -w d --field 0,14 --defocus -0.1..0.1#11 --plot curve
 lenscalc spot double-gauss --field 0,95 --csv --digits 3 --columns rms,error
 lenscalc spot double-gauss --field 0 -w d --csv --digits 3 --columns rms,error
 lenscalc spot questar-35 --to 2 --plot feet.svg > /dev/null && grep -o ">[^<]* mm<" feet.svg | sort -u
+# no exponents in labels
+lenscalc spot double-gauss -w d --field 0,14 --defocus 20 --plot wide.svg > /dev/null && grep -o ">RMS [^<]*<" wide.svg

@@ -2,6 +2,8 @@
 /* SPDX-License-Identifier: MIT */
 #include "commands/analysis/analysis_words.h"
 
+#include "base/number.h"
+
 const char *analysis_case_words(const struct analysis_case *one, bool whole, struct arena *arena)
 {
     const struct analysis_question *question = one->question;
@@ -40,4 +42,11 @@ const char *analysis_spectrum_words(const struct setup *setup)
                              setup->wavelengths[i].weight);
     }
     return words;
+}
+
+const char *analysis_number(double value, struct arena *arena)
+{
+    char number[NUMBER_LENGTH];
+    return arena_string(arena, number,
+                        (size_t)(number_write_plain(number, value, 3, false) - number));
 }

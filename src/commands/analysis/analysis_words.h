@@ -17,4 +17,7 @@ const char *analysis_case_words(const struct analysis_case *one, bool whole, str
 /* The wavelengths of a setup with their weights: "587.6 nm x 1, 486.1 nm x 0.5"; null: one. */
 const char *analysis_spectrum_words(const struct setup *setup);
 
+/* A number to three digits, without an exponent as far as people read numbers so. */
+const char *analysis_number(double value, struct arena *arena);
+
 #endif

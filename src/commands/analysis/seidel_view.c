@@ -63,9 +63,11 @@ static const char *subtitle_of(const struct seidel_case *one, struct arena *aren
                               ? ""
                               : arena_printf(arena, ", colour %.5g to %.5g nm",
                                              THOUSAND * one->blue, THOUSAND * one->red);
-    return arena_printf(arena, "%s%s%s, %s, at %.5g nm%s",
+    const char *from =
+        setup->fields_from == NULL ? "" : arena_printf(arena, " (%s)", setup->fields_from);
+    return arena_printf(arena, "%s%s%s, %s%s, at %.5g nm%s",
                         setup->position != NULL ? setup->position : "",
-                        setup->position != NULL ? ", " : "", aperture, field,
+                        setup->position != NULL ? ", " : "", aperture, field, from,
                         THOUSAND * one->light.wavelength, colours);
 }
 

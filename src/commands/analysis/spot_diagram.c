@@ -2,6 +2,7 @@
 /* SPDX-License-Identifier: MIT */
 #include "commands/analysis/spot_diagram.h"
 
+#include "commands/analysis/analysis_words.h"
 #include "draw/panels.h"
 #include "draw/plot.h"
 
@@ -167,7 +168,8 @@ static bool add(const struct analysis_case *one, size_t field, void *context, st
     drawing->airy = question.to > 0 ? (double)NAN : airy_radius(setup, spot.is_angular);
     drawn->rms = unit_from_own(unit_for(drawing), spot.rms);
     drawn->panel.note =
-        arena_printf(drawing->arena, "RMS %.3g %s", drawn->rms, unit_words(drawing));
+        ARENA_JOIN(drawing->arena, "RMS ", analysis_number(drawn->rms, drawing->arena), " ",
+                   unit_words(drawing));
     if (drawing->with_points) {
         list_wavelengths(drawing, setup);
         add_points(drawing, one, &question, drawn);

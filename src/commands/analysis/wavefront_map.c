@@ -11,7 +11,8 @@ static const char *note_of(const double *values, size_t count, struct arena *are
         low = fmin(low, values[i]);
         high = fmax(high, values[i]);
     }
-    return high >= low ? arena_printf(arena, "lowest to highest %.3g waves", high - low)
+    return high >= low ? ARENA_JOIN(arena, "lowest to highest ", analysis_number(high - low, arena),
+                                    " waves")
                        : "no ray arrives";
 }
 
