@@ -1,7 +1,7 @@
 /* commands/design/fit_prescription.c - what of a lens must change to give what was measured. */
 /* SPDX-License-Identifier: MIT */
+#include "cli/goals.h"
 #include "commands/design/fit.h"
-#include "data/lines.h"
 #include "design/prescription.h"
 #include "file/lens_file.h"
 #include "report/doubts.h"
@@ -79,87 +79,59 @@ static struct text next_item(struct text *rest)
     return text_trim(item);
 }
 
-static bool read_length(struct text text, double *value, struct error *error)
-{
-    return quantity_read(text, &dimension_length, unit_find(&dimension_length, text_of("mm")),
-                         value, NULL, error);
-}
+/* What fit takes, of all that goals may be of. */
+static const enum goal_kind goal_kinds[OPERAND_KINDS + 1] = {
+    [OPERAND_EFL] = GOAL_EFL + 1,       [OPERAND_BFL] = GOAL_BFL + 1,
+    [OPERAND_FFL] = GOAL_FFL + 1,       [OPERAND_HEIGHT] = GOAL_HEIGHT + 1,
+    [OPERAND_LENGTH] = GOAL_LENGTH + 1,
+};
 
-/* `@10deg` of a height, `@F` of the others: field and wavelength. */
-static bool read_place(struct text text, struct run *run, struct prescription_goal *goal,
-                       struct error *error)
-{
-    bool is_line;
-    if (goal->kind == GOAL_HEIGHT) {
-        return quantity_read(text, &dimension_angle, unit_find(&dimension_angle, text_of("deg")),
-                             &goal->field, NULL, error);
-    }
-    if (!lines_find(run->db, text, (struct number_scale){1, -3}, &is_line, &goal->wavelength,
-                    error)) {
-        return false;
-    }
-    double own;
-    if (is_line) {
-        return true;
-    }
-    if (!quantity_read(text, &dimension_length, unit_find(&dimension_length, text_of("nm")), &own,
-                       NULL, error)) {
-        return false;
-    }
-    goal->wavelength = unit_from_own(unit_find(&dimension_length, text_of("um")), own);
-    return true;
-}
-
-/* efl=50.2, bfl@F=38.1:0.02, height@10deg=8.85 */
-static bool read_goal(struct text item, struct run *run, double wavelength,
+static bool take_goal(const struct operand *operand, double wavelength,
                       struct prescription_goal *goal, struct error *error)
 {
-    static const char *const names[GOAL_KINDS] = {"efl", "bfl", "ffl", "height", "length"};
-    struct text value = item, name = text_cut(&value, '='), place = name;
-    struct text kind = text_cut(&place, '@'), deviation = value;
-    *goal = (struct prescription_goal){GOAL_KINDS, NAN, usual_deviation, wavelength, NAN};
-    for (int i = 0; i < GOAL_KINDS; i++) {
-        goal->kind = text_equal(kind, names[i]) ? (enum goal_kind)i : goal->kind;
-    }
-    if (goal->kind == GOAL_KINDS || value.start == NULL) {
-        fail(error, ERROR_USAGE, "bad goal '%.*s' in {--prescription}", (int)item.length,
-             item.start);
+    if (goal_kinds[operand->kind] == 0) {
+        fail(error, ERROR_USAGE, "the goal '%s' in {--prescription} is nothing that fit takes",
+             operand->name);
         return error_hint(error,
                           "goals are efl=50.2, bfl=38.1:0.02, ffl, length, height@10deg=8.8");
     }
-    value = text_cut(&deviation, ':');
-    if (!read_length(value, &goal->value, error) ||
-        (deviation.start != NULL && !read_length(deviation, &goal->deviation, error)) ||
-        (place.start != NULL && !read_place(place, run, goal, error))) {
-        return error_prefix(error, "bad goal in {--prescription}: ");
-    }
-    if (!isfinite(goal->value) || !(goal->deviation > 0 && isfinite(goal->deviation))) {
+    if (operand->relation != OPERAND_NEAR) {
         return fail(error, ERROR_USAGE,
-                    "the goal '%.*s' in {--prescription}: a finite value, and a deviation above 0",
-                    (int)item.length, item.start);
+                    "the goal '%s' in {--prescription}: what was measured stands behind '='",
+                    operand->name);
     }
-    return (goal->kind == GOAL_HEIGHT) == isfinite(goal->field) ||
-           fail(error, ERROR_USAGE,
-                "the goal height in {--prescription} needs its field: "
-                "height@10deg=8.8");
+    *goal = (struct prescription_goal){
+        goal_kinds[operand->kind] - 1, operand->target, operand->deviation,
+        isnan(operand->wavelength) ? wavelength : operand->wavelength, NAN};
+    if (operand->field != NULL) {
+        goal->field = operand->field->point.value[1];
+    }
+    return operand->field == NULL || operand->field->point.kind == FIELD_ANGLE ||
+           fail(error, ERROR_USAGE, "the goal '%s' in {--prescription}: its field is an angle",
+                operand->name);
 }
 
 static bool read_goals(const char *list, struct run *run, double wavelength, struct wishes *wishes,
                        struct error *error)
 {
-    struct text rest = text_of(list);
-    while (rest.start != NULL) {
-        struct text item = next_item(&rest);
-        if (wishes->goal_count == MOST_GOALS) {
-            return fail(error, ERROR_USAGE, "{--prescription} has more than %d goals", MOST_GOALS);
-        }
-        if (!read_goal(item, run, wavelength, &wishes->goals[wishes->goal_count], error)) {
+    const struct goals_reader reader = {run->db, NULL, run->arena, "--prescription",
+                                        usual_deviation};
+    struct goals goals;
+    if (!goals_read(&reader, text_of(list), &goals, error)) {
+        return false;
+    }
+    if (goals.count > MOST_GOALS) {
+        return fail(error, ERROR_USAGE, "{--prescription} has more than %d goals", MOST_GOALS);
+    }
+    for (size_t i = 0; i < goals.count; i++) {
+        struct text rest = text_of(goals.list[i].name);
+        const struct text name = text_trim(text_cut(&rest, '='));
+        wishes->goal_names[i] = arena_string(run->arena, name.start, name.length);
+        if (!take_goal(&goals.list[i], wavelength, &wishes->goals[i], error)) {
             return false;
         }
-        struct text name = text_cut(&item, '=');
-        wishes->goal_names[wishes->goal_count++] =
-            arena_string(run->arena, name.start, name.length);
     }
+    wishes->goal_count = goals.count;
     return true;
 }
 

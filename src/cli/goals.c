@@ -1,0 +1,419 @@
+/* cli/goals.c - goals as people write them: of optimize, of fit, in lens files. */
+/* SPDX-License-Identifier: MIT */
+#include "cli/goals.h"
+
+#include "base/quantity.h"
+#include "data/lines.h"
+
+#include <math.h>
+#include <string.h>
+
+enum { MOST_GOALS = 1000 };
+
+/* One goal in the making. */
+struct goal_reading {
+    const struct goals_reader *reader;
+    struct text item; /* all of it */
+    const struct operand_type *type;
+    struct operand *operand;
+    bool has_target;
+};
+
+/* Point at a part of the goal. */
+#define WRONG_AT(reading, part, error, ...)                                                        \
+    fail_at((error), ERROR_USAGE, (reading)->item,                                                 \
+            (size_t)((part).start - (reading)->item.start) + 1, __VA_ARGS__)
+
+/* The next word; the rest begins behind the blanks after it. */
+static struct text next_word(struct text *rest)
+{
+    size_t length = 0;
+    while (length < rest->length && rest->start[length] != ' ' && rest->start[length] != '\t') {
+        length++;
+    }
+    const struct text word = {rest->start, length};
+    *rest = text_trim((struct text){rest->start + length, rest->length - length});
+    return word;
+}
+
+/* All kinds by name, for a hint. */
+static bool hint_kinds(struct goal_reading *reading, struct text name, struct error *error)
+{
+    struct nearest nearest = {.typed = name};
+    const char *all = "";
+    for (int i = 0; i < OPERAND_KINDS; i++) {
+        const char *kind = operand_type((enum operand_kind)i)->name;
+        if (kind != NULL) {
+            nearest_offer(&nearest, text_of(kind));
+            all = ARENA_JOIN(reading->reader->arena, all, all[0] != '\0' ? " " : "", kind);
+        }
+    }
+    return nearest.best.start != NULL ? error_hint(error, "did you mean '%.*s'?",
+                                                   text_shown(nearest.best), nearest.best.start)
+                                      : error_hint(error, "goals are of: %s", all);
+}
+
+static bool read_kind(struct goal_reading *reading, struct text name, struct error *error)
+{
+    const enum operand_kind kind = operand_find(name);
+    if (kind == OPERAND_KINDS) {
+        if (name.length == 0) {
+            return WRONG_AT(reading, name, error, "a goal without a name");
+        }
+        WRONG_AT(reading, name, error, "unknown goal '%.*s'", text_shown(name), name.start);
+        return hint_kinds(reading, name, error);
+    }
+    reading->operand->kind = kind;
+    reading->type = operand_type(kind);
+    return true;
+}
+
+/* -------- where -------- */
+
+/* Has the kind such a thing, and has the goal none as yet? */
+static bool may_have(const struct goal_reading *reading, unsigned what, bool is_there,
+                     const char *words, struct text place, struct error *error)
+{
+    if ((reading->type->is & what) == 0) {
+        return WRONG_AT(reading, place, error, "%s has no %s", reading->type->name, words);
+    }
+    return !is_there || WRONG_AT(reading, place, error, "the %s is there twice", words);
+}
+
+static bool put_wavelength(struct goal_reading *reading, double wavelength, struct text place,
+                           struct error *error)
+{
+    struct operand *operand = reading->operand;
+    if (!may_have(reading, OPERAND_AT_WAVELENGTH, !isnan(operand->wavelength), "wavelength", place,
+                  error)) {
+        return false;
+    }
+    operand->wavelength = wavelength;
+    return (wavelength > 0 && isfinite(wavelength)) ||
+           WRONG_AT(reading, place, error, "a wavelength is above 0");
+}
+
+static bool put_field(struct goal_reading *reading, enum field_kind kind, double value,
+                      struct text place, struct error *error)
+{
+    struct operand *operand = reading->operand;
+    struct setup_field *field = ARENA_NEW(reading->reader->arena, struct setup_field);
+    if (!may_have(reading, OPERAND_AT_FIELD, operand->field != NULL, "field", place, error)) {
+        return false;
+    }
+    *field = (struct setup_field){.point = {.kind = kind, .value = {0, value}}, .weight = 1};
+    operand->field = field;
+    return isfinite(value) || WRONG_AT(reading, place, error, "a field is finite");
+}
+
+static bool put_frequency(struct goal_reading *reading, double value, struct text place,
+                          struct error *error)
+{
+    struct operand *operand = reading->operand;
+    if (!may_have(reading, OPERAND_AT_FREQUENCY, !isnan(operand->frequency), "spatial frequency",
+                  place, error)) {
+        return false;
+    }
+    operand->frequency = value;
+    return (value > 0 && isfinite(value)) ||
+           WRONG_AT(reading, place, error, "a spatial frequency is above 0");
+}
+
+/* A number with its unit. */
+static bool has_unit(struct text place, const struct dimension *dimension, double *value,
+                     const struct unit **unit)
+{
+    struct error ignored;
+    *unit = NULL;
+    return quantity_read(place, dimension, NULL, value, unit, &ignored) && *unit != NULL;
+}
+
+/* A bare number, where it can only be one thing. */
+static bool put_bare(struct goal_reading *reading, double value, struct text place,
+                     struct error *error)
+{
+    const unsigned is = reading->type->is;
+    if ((is & OPERAND_NEEDS_FIELD) != 0 && reading->operand->field == NULL) {
+        return put_field(reading, FIELD_ANGLE,
+                         unit_to_own(unit_find(&dimension_angle, text_of("deg")), value), place,
+                         error);
+    }
+    if ((is & OPERAND_AT_WAVELENGTH) != 0 && (is & OPERAND_AT_FIELD) == 0) {
+        return put_wavelength(reading, value / 1000, place, error);
+    }
+    WRONG_AT(reading, place, error, "'%.*s' has no unit", text_shown(place), place.start);
+    return error_hint(error, "fields are 10deg or 5mm, wavelengths F or 550nm, frequencies 40/mm");
+}
+
+/* A number, with or without a unit. */
+static bool read_number(struct goal_reading *reading, struct text place, struct error *error)
+{
+    const struct unit *unit;
+    struct error ignored;
+    double value;
+    if (has_unit(place, &dimension_frequency, &value, &unit)) {
+        return put_frequency(reading, value, place, error);
+    }
+    if (has_unit(place, &dimension_angle, &value, &unit)) {
+        return put_field(reading, FIELD_ANGLE, value, place, error);
+    }
+    if (has_unit(place, &dimension_length, &value, &unit)) {
+        const bool is_short = strcmp(unit->name, "nm") == 0 || strcmp(unit->name, "um") == 0;
+        return is_short ? has_unit(place, &dimension_wavelength_um, &value, &unit) &&
+                              put_wavelength(reading, value, place, error)
+                        : put_field(reading, FIELD_HEIGHT, value, place, error);
+    }
+    if (quantity_read(place, &dimension_number, NULL, &value, NULL, &ignored)) {
+        return put_bare(reading, value, place, error);
+    }
+    WRONG_AT(reading, place, error, "'%.*s' is no wavelength, field, frequency or position",
+             text_shown(place), place.start);
+    return error_hint(error, "they are F or 550nm, 10deg or 5mm, 40/mm, or a name that the lens "
+                             "has for a position");
+}
+
+/* What stands behind an '@'. */
+static bool read_place(struct goal_reading *reading, struct text place, struct error *error)
+{
+    const struct goals_reader *reader = reading->reader;
+    const size_t position =
+        reader->lens != NULL ? lens_position_find(reader->lens, place) : LENS_NONE;
+    bool is_line;
+    double wavelength;
+    if (place.length == 0) {
+        return WRONG_AT(reading, place, error, "nothing stands behind '@'");
+    }
+    if (!lines_find(reader->db, place, (struct number_scale){1, -3}, &is_line, &wavelength,
+                    error)) {
+        return false;
+    }
+    if (position != LENS_NONE && is_line) {
+        WRONG_AT(reading, place, error, "'%.*s' is a position of the lens and a spectral line",
+                 text_shown(place), place.start);
+        return error_hint(error, "%.6gnm is the line", wavelength * 1000);
+    }
+    if (position != LENS_NONE) {
+        if (reading->operand->position != LENS_NONE) {
+            return WRONG_AT(reading, place, error, "the position is there twice");
+        }
+        reading->operand->position = position;
+        return true;
+    }
+    return is_line ? put_wavelength(reading, wavelength, place, error)
+                   : read_number(reading, place, error);
+}
+
+/* A number of a surface, from 1; LENS_NONE: it is none. */
+static size_t surface_number(struct text text)
+{
+    size_t number = 0;
+    for (size_t i = 0; i < text.length; i++) {
+        if (!char_is_digit(text.start[i]) || number > 100000) {
+            return LENS_NONE;
+        }
+        number = 10 * number + (size_t)(text.start[i] - '0');
+    }
+    return number > 0 ? number - 1 : LENS_NONE;
+}
+
+/* "3" or "1..11" */
+static bool read_surfaces(struct goal_reading *reading, struct text word, struct error *error)
+{
+    struct operand *operand = reading->operand;
+    struct text last = word, first = word;
+    for (size_t i = 0; i + 1 < word.length; i++) {
+        if (word.start[i] == '.' && word.start[i + 1] == '.') {
+            first.length = i;
+            last = (struct text){word.start + i + 2, word.length - i - 2};
+            break;
+        }
+    }
+    if (!may_have(reading, OPERAND_AT_SURFACES, operand->first != LENS_NONE, "surface", word,
+                  error)) {
+        return false;
+    }
+    operand->first = surface_number(first);
+    operand->last = surface_number(last);
+    if (operand->first == LENS_NONE || operand->last == LENS_NONE ||
+        operand->first > operand->last) {
+        WRONG_AT(reading, word, error, "'%.*s' names no surfaces", text_shown(word), word.start);
+        return error_hint(error, "surfaces are 3 or 1..11");
+    }
+    const size_t count =
+        reading->reader->lens != NULL ? reading->reader->lens->surface_count : LENS_NONE;
+    return operand->last < count ||
+           WRONG_AT(reading, last, error, "there is no surface %zu: the lens has %zu",
+                    operand->last + 1, count);
+}
+
+static bool read_word(struct goal_reading *reading, struct text word, struct error *error)
+{
+    const bool tangential = text_same(word, "tangential");
+    if (!tangential && !text_same(word, "sagittal")) {
+        return char_is_digit(word.start[0]) || (reading->type->is & OPERAND_AT_SURFACES) != 0
+                   ? read_surfaces(reading, word, error)
+                   : WRONG_AT(reading, word, error, "unknown word '%.*s'", text_shown(word),
+                              word.start);
+    }
+    if (!may_have(reading, OPERAND_HAS_ORIENTATION,
+                  reading->operand->orientation != ORIENTATION_BOTH, "orientation", word, error)) {
+        return false;
+    }
+    reading->operand->orientation = tangential ? ORIENTATION_TANGENTIAL : ORIENTATION_SAGITTAL;
+    return true;
+}
+
+/* Name, places and words: all before the relation. */
+static bool read_left(struct goal_reading *reading, struct text left, struct error *error)
+{
+    bool is_first = true;
+    while (left.start != NULL) {
+        struct text words = text_trim(text_cut(&left, '@'));
+        const struct text head = next_word(&words);
+        if (!(is_first ? read_kind(reading, head, error) : read_place(reading, head, error))) {
+            return false;
+        }
+        while (words.length > 0) {
+            if (!read_word(reading, next_word(&words), error)) {
+                return false;
+            }
+        }
+        is_first = false;
+    }
+    return true;
+}
+
+/* -------- how much -------- */
+
+static bool read_figure(struct goal_reading *reading, struct text text, double *value,
+                        struct error *error)
+{
+    const struct dimension *dimension = reading->type->dimension;
+    const struct unit *unit = unit_find(dimension, text_of(reading->type->unit));
+    struct error what;
+    if (text.length == 0) {
+        return WRONG_AT(reading, text, error, "a number is missing");
+    }
+    if (!quantity_read(text, dimension, unit, value, NULL, &what)) {
+        const struct text wrong = {text.start + (what.caret > 0 ? what.caret - 1 : 0), 0};
+        WRONG_AT(reading, wrong, error, "%s", what.message);
+        return what.hint[0] != '\0' && error_hint(error, "%s", what.hint);
+    }
+    return isfinite(*value) || WRONG_AT(reading, text, error, "the number must be finite");
+}
+
+static bool read_deviation(struct goal_reading *reading, struct text text, struct error *error)
+{
+    double *deviation = &reading->operand->deviation;
+    *deviation = unit_to_own(unit_find(reading->type->dimension, text_of(reading->type->unit)),
+                             reading->reader->deviation);
+    if (text.start == NULL) {
+        return true;
+    }
+    return read_figure(reading, text_trim(text), deviation, error) &&
+           (*deviation > 0 || WRONG_AT(reading, text_trim(text), error, "a deviation is above 0"));
+}
+
+/* Cut at the first of = < > ==. */
+static struct text cut_relation(struct text item, struct text *left,
+                                enum operand_relation *relation)
+{
+    size_t at = 0;
+    while (at < item.length && strchr("=<>", item.start[at]) == NULL) {
+        at++;
+    }
+    *left = (struct text){item.start, at};
+    *relation = OPERAND_NEAR;
+    if (at == item.length) {
+        return (struct text){NULL, 0};
+    }
+    const bool exact = item.start[at] == '=' && at + 1 < item.length && item.start[at + 1] == '=';
+    *relation = exact                   ? OPERAND_EXACT
+                : item.start[at] == '<' ? OPERAND_BELOW
+                : item.start[at] == '>' ? OPERAND_ABOVE
+                                        : OPERAND_NEAR;
+    at += exact ? 2 : 1;
+    return (struct text){item.start + at, item.length - at};
+}
+
+/* What the kind cannot do without. */
+static bool check(const struct goal_reading *reading, struct error *error)
+{
+    const struct operand *operand = reading->operand;
+    const unsigned is = reading->type->is;
+    const char *name = reading->type->name;
+    if ((is & OPERAND_NEEDS_TARGET) != 0 && !reading->has_target) {
+        WRONG_AT(reading, reading->item, error, "%s has no target", name);
+        return error_hint(error, "write %s = 1%s", name, reading->type->unit);
+    }
+    if ((is & OPERAND_NEEDS_FIELD) != 0 && operand->field == NULL) {
+        WRONG_AT(reading, reading->item, error, "%s is that of a field", name);
+        return error_hint(error, "write %s@10deg", name);
+    }
+    if ((is & OPERAND_NEEDS_FREQUENCY) != 0 && isnan(operand->frequency)) {
+        WRONG_AT(reading, reading->item, error, "%s is that of a spatial frequency", name);
+        return error_hint(error, "write %s@40/mm", name);
+    }
+    return true;
+}
+
+/* In one form: what stands before the relation as typed, with the target. */
+static const char *name_of(const struct goal_reading *reading, struct text left, struct text target)
+{
+    struct arena *arena = reading->reader->arena;
+    const char *where = arena_string(arena, left.start, left.length);
+    return reading->has_target
+               ? ARENA_JOIN(arena, where, " ", operand_relations[reading->operand->relation], " ",
+                            arena_string(arena, target.start, target.length))
+               : where;
+}
+
+static bool read_goal(struct goal_reading *reading, struct error *error)
+{
+    struct operand *operand = reading->operand;
+    struct text left, deviation;
+    struct text target = cut_relation(reading->item, &left, &operand->relation);
+    reading->has_target = target.start != NULL;
+    deviation = reading->has_target ? target : left;
+    if (reading->has_target) {
+        target = text_trim(text_cut(&deviation, ':'));
+    } else {
+        left = text_cut(&deviation, ':');
+    }
+    left = text_trim(left);
+    if (!read_left(reading, left, error) ||
+        (reading->has_target && !read_figure(reading, target, &operand->target, error)) ||
+        !read_deviation(reading, deviation, error) || !check(reading, error)) {
+        return false;
+    }
+    operand->name = name_of(reading, left, target);
+    return true;
+}
+
+bool goals_read(const struct goals_reader *reader, struct text text, struct goals *goals,
+                struct error *error)
+{
+    size_t count = 0, room = 0;
+    struct operand *list = NULL;
+    struct text rest = text;
+    while (rest.start != NULL) {
+        if (count == MOST_GOALS) {
+            return fail(error, ERROR_USAGE, "{%s} has more than %d goals", reader->where,
+                        MOST_GOALS);
+        }
+        list = arena_grow(reader->arena, list, count, &room, sizeof *list);
+        list[count] = (struct operand){.wavelength = NAN,
+                                       .frequency = NAN,
+                                       .position = LENS_NONE,
+                                       .first = LENS_NONE,
+                                       .last = LENS_NONE};
+        struct goal_reading reading = {
+            .reader = reader, .item = text_trim(text_cut(&rest, ',')), .operand = &list[count]};
+        if (!read_goal(&reading, error)) {
+            return error_prefix(error, "bad goal in {%s}: ", reader->where);
+        }
+        count++;
+    }
+    *goals = (struct goals){list, count};
+    return true;
+}

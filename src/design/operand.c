@@ -1,0 +1,45 @@
+/* design/operand.c - what a lens is wanted to have: a table of kinds. */
+/* SPDX-License-Identifier: MIT */
+#include "design/operand.h"
+
+const char *const operand_relations[OPERAND_RELATIONS] = {"=", "<", ">", "=="};
+
+enum { W = OPERAND_AT_WAVELENGTH, F = OPERAND_AT_FIELD, TARGET = OPERAND_NEEDS_TARGET };
+
+#define LENGTH &dimension_length, "mm"
+#define NUMBER &dimension_number, ""
+
+/* clang-format off */
+static const struct operand_type types[OPERAND_KINDS] = {
+    [OPERAND_EFL] = {"efl", "focal length, 1/power", LENGTH, W | TARGET},
+    [OPERAND_BFL] = {"bfl", "last vertex to rear focal point", LENGTH, W | TARGET},
+    [OPERAND_FFL] = {"ffl", "first vertex to front focal point", LENGTH, W | TARGET},
+    [OPERAND_LENGTH] = {"length", "first to last vertex", LENGTH, TARGET},
+    [OPERAND_MAGNIFICATION] = {"magnification", "of a near object", NUMBER, W | TARGET},
+    [OPERAND_FNUMBER] = {"fnumber", "focal length over entrance pupil", NUMBER, W | TARGET},
+    [OPERAND_PETZVAL] = {"petzval", "Petzval radius", LENGTH, W | TARGET},
+    [OPERAND_AXIAL] = {"axial", "axial colour", LENGTH, W},
+    [OPERAND_S1] = {"S1", "Seidel sum of spherical aberration", LENGTH, W | F},
+    [OPERAND_S2] = {"S2", "Seidel sum of coma", LENGTH, W | F},
+    [OPERAND_S3] = {"S3", "Seidel sum of astigmatism", LENGTH, W | F},
+    [OPERAND_S4] = {"S4", "Seidel sum of field curvature", LENGTH, W | F},
+    [OPERAND_S5] = {"S5", "Seidel sum of distortion", LENGTH, W | F},
+    [OPERAND_HEIGHT] = {"height", "of the chief ray in the image", LENGTH,
+                        W | F | OPERAND_NEEDS_FIELD | TARGET},
+};
+/* clang-format on */
+
+const struct operand_type *operand_type(enum operand_kind kind)
+{
+    return &types[kind];
+}
+
+enum operand_kind operand_find(struct text name)
+{
+    for (int i = 0; i < OPERAND_KINDS; i++) {
+        if (types[i].name != NULL && text_same(name, types[i].name)) {
+            return (enum operand_kind)i;
+        }
+    }
+    return OPERAND_KINDS;
+}

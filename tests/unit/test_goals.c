@@ -1,0 +1,144 @@
+/* tests/unit/test_goals.c - goals as they are written. */
+/* SPDX-License-Identifier: MIT */
+#include "check.h"
+#include "cli/goals.h"
+#include "file/lens_file.h"
+
+static const char zoom[] = "position wide tele d\n"
+                           "let gap 2 8 9\n"
+                           "surface 50 5 1.5 20\n"
+                           "surface -50 gap air 20\n"
+                           "surface 100 5 1.6 20\n"
+                           "surface -100 - air 20\n";
+
+/* A goal, and what it means. */
+static const struct {
+    const char *text, *name;
+    enum operand_kind kind;
+    enum operand_relation relation;
+    double target, deviation, wavelength, field; /* mm, um, rad; NaN: none */
+    size_t position;
+} good[] = {
+    {"efl=100", "efl = 100", OPERAND_EFL, OPERAND_NEAR, 100, 1, NAN, NAN, LENS_NONE},
+    {" efl = 10cm ", "efl = 10cm", OPERAND_EFL, OPERAND_NEAR, 100, 1, NAN, NAN, LENS_NONE},
+    {"bfl@F>38:0.02", "bfl@F > 38", OPERAND_BFL, OPERAND_ABOVE, 38, 0.02, 0.4861327, NAN,
+     LENS_NONE},
+    {"bfl@550nm@tele<38 : 20um", "bfl@550nm@tele < 38", OPERAND_BFL, OPERAND_BELOW, 38, 0.02, 0.55,
+     NAN, 1},
+    {"ffl@550 == -2", "ffl@550 == -2", OPERAND_FFL, OPERAND_EXACT, -2, 1, 0.55, NAN, LENS_NONE},
+    {"S3@wide @10deg", "S3@wide @10deg", OPERAND_S3, OPERAND_NEAR, 0, 1, NAN, 0.17453292519943295,
+     0},
+    {"S3:0.1", "S3", OPERAND_S3, OPERAND_NEAR, 0, 0.1, NAN, NAN, LENS_NONE},
+    {"s1@C=0.01", "s1@C = 0.01", OPERAND_S1, OPERAND_NEAR, 0.01, 1, 0.6562725, NAN, LENS_NONE},
+    {"height@10=8.8", "height@10 = 8.8", OPERAND_HEIGHT, OPERAND_NEAR, 8.8, 1, NAN,
+     0.17453292519943295, LENS_NONE},
+    {"fnumber=2", "fnumber = 2", OPERAND_FNUMBER, OPERAND_NEAR, 2, 1, NAN, NAN, LENS_NONE},
+};
+
+/* What is wrong with it, and where. */
+static const struct {
+    const char *text, *message, *hint;
+    int caret;
+} bad[] = {
+    {"", "bad goal in --goals: a goal without a name", "", 1},
+    {"efl=1,,", "bad goal in --goals: a goal without a name", "", 1},
+    {"eff=100", "bad goal in --goals: unknown goal 'eff'", "did you mean 'efl'?", 1},
+    {"efl", "bad goal in --goals: efl has no target", "write efl = 1mm", 1},
+    {"efl=", "bad goal in --goals: a number is missing", "", 5},
+    {"efl=:2", "bad goal in --goals: a number is missing", "", 5},
+    {"efl=100:", "bad goal in --goals: a number is missing", "", 9},
+    {"efl=100:0", "bad goal in --goals: a deviation is above 0", "", 9},
+    {"efl=100:-1", "bad goal in --goals: a deviation is above 0", "", 9},
+    {"efl=inf", "bad goal in --goals: the number must be finite", "", 5},
+    {"efl=100:inf", "bad goal in --goals: the number must be finite", "", 9},
+    {"efl@10deg=100", "bad goal in --goals: efl has no field", "", 5},
+    {"efl@5mm=100", "bad goal in --goals: efl has no field", "", 5},
+    {"efl@40/mm=100", "bad goal in --goals: efl has no spatial frequency", "", 5},
+    {"efl@F@C=100", "bad goal in --goals: the wavelength is there twice", "", 7},
+    {"efl@wide@tele=100", "bad goal in --goals: the position is there twice", "", 10},
+    {"length@F=100", "bad goal in --goals: length has no wavelength", "", 8},
+    {"efl@=100", "bad goal in --goals: nothing stands behind '@'", "", 5},
+    {"efl@d=100", "bad goal in --goals: 'd' is a position of the lens and a spectral line",
+     "587.562nm is the line", 5},
+    {"S3@10=1", "bad goal in --goals: '10' has no unit",
+     "fields are 10deg or 5mm, wavelengths F or 550nm, frequencies 40/mm", 4},
+    {"efl@wider=3", "bad goal in --goals: 'wider' is no wavelength, field, frequency or position",
+     "they are F or 550nm, 10deg or 5mm, 40/mm, or a name that the lens has for a position", 5},
+    {"efl tangential=3", "bad goal in --goals: efl has no orientation", "", 5},
+    {"efl 1..3=3", "bad goal in --goals: efl has no surface", "", 5},
+    {"efl often=3", "bad goal in --goals: unknown word 'often'", "", 5},
+    {"height=3", "bad goal in --goals: height is that of a field", "write height@10deg", 1},
+    {"efl@-550nm=3", "bad goal in --goals: a wavelength is above 0", "", 5},
+    {"S3@infdeg=1", "bad goal in --goals: a field is finite", "", 4},
+    {"efl=1=2", "bad goal in --goals: unexpected text after the number", "", 6},
+};
+
+static void test_good(const struct goals_reader *reader)
+{
+    for (size_t i = 0; i < sizeof good / sizeof good[0]; i++) {
+        struct goals goals = {0};
+        struct error error;
+        CHECK(goals_read(reader, text_of(good[i].text), &goals, &error));
+        CHECK(goals.count == 1);
+        if (goals.count != 1) {
+            printf("    %s: %s\n", good[i].text, error.message);
+            continue;
+        }
+        const struct operand *operand = &goals.list[0];
+        CHECK_TEXT(operand->name, good[i].name);
+        CHECK(operand->kind == good[i].kind);
+        CHECK(operand->relation == good[i].relation);
+        CHECK(operand->position == good[i].position);
+        CHECK_NEAR(operand->target, good[i].target, 1e-14 * fabs(good[i].target), "target");
+        CHECK_RELATIVE(operand->deviation, good[i].deviation, 1e-14, "deviation");
+        CHECK(isnan(operand->wavelength) == isnan(good[i].wavelength));
+        CHECK(isnan(good[i].wavelength) ||
+              fabs(operand->wavelength / good[i].wavelength - 1) < 1e-14);
+        CHECK((operand->field == NULL) == isnan(good[i].field));
+        CHECK(operand->field == NULL ||
+              fabs(operand->field->point.value[1] / good[i].field - 1) < 1e-14);
+    }
+}
+
+static void test_bad(const struct goals_reader *reader)
+{
+    for (size_t i = 0; i < sizeof bad / sizeof bad[0]; i++) {
+        struct goals goals;
+        struct error error = {.code = ERROR_NONE};
+        CHECK(!goals_read(reader, text_of(bad[i].text), &goals, &error));
+        CHECK(error.code == ERROR_USAGE);
+        CHECK_TEXT(error.message, bad[i].message);
+        CHECK_TEXT(error.hint, bad[i].hint);
+        CHECK(error.caret == bad[i].caret);
+        if (error.caret != bad[i].caret) {
+            printf("    %s: character %d\n", bad[i].text, error.caret);
+        }
+    }
+}
+
+/* Several in one text, each with its own. */
+static void test_list(const struct goals_reader *reader)
+{
+    struct goals goals = {0};
+    struct error error;
+    CHECK(goals_read(reader, text_of("efl=100,S1, S2 ,bfl@wide>30:2"), &goals, &error));
+    CHECK(goals.count == 4 && goals.list[2].kind == OPERAND_S2 && goals.list[3].position == 0);
+}
+
+int main(void)
+{
+    struct arena arena = {0};
+    struct lensdb db = {0};
+    struct error error;
+    struct lens lens;
+    if (!lens_read("zoom", text_of(zoom), NULL, &arena, &lens, &error)) {
+        printf("%s\n", error.message);
+        return 1;
+    }
+    const struct goals_reader reader = {&db, &lens, &arena, "--goals", 1};
+    test_good(&reader);
+    test_bad(&reader);
+    test_list(&reader);
+    arena_free(&arena);
+    return check_report();
+}
