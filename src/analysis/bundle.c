@@ -187,6 +187,7 @@ static bool fill(const struct bundle_source *source, size_t rays, struct arena *
     bundle->rays = all.rays;
     bundle->arms = all.arms;
     bundle->rings = all.rings;
+    bundle->arcs = all.arcs;
     return true;
 }
 

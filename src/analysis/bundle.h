@@ -48,6 +48,7 @@ struct bundle {
     size_t count, lost;
     double clear;       /* the sum of the weights that are not lost */
     size_t arms, rings; /* of a quadrature, as that has them; 0: not so orderly */
+    struct quadrature_arcs arcs;
 };
 
 /*

@@ -22,6 +22,8 @@ struct arms {
     struct edge *edges;
     struct spans *spans;
     size_t count;
+    size_t *arcs; /* how many are in each arc from corner to corner */
+    size_t arc_count;
 };
 
 /* -------- arms -------- */
@@ -41,6 +43,8 @@ static void spread(const struct star *star, size_t wanted, struct arena *arena, 
     size_t arcs = star->corner_count, most = wanted + 2 * arcs;
     arms->angles = ARENA_ARRAY(arena, most, double);
     arms->shares = ARENA_ARRAY(arena, most, double);
+    arms->arcs = ARENA_ARRAY(arena, arcs, size_t);
+    arms->arc_count = arcs;
     arms->count = 0;
     for (size_t k = 0; k < wanted && arcs == 0; k++) {
         arms->angles[k] = 2 * PI * (double)k / (double)wanted;
@@ -55,6 +59,7 @@ static void spread(const struct star *star, size_t wanted, struct arena *arena, 
         double length = arc_length(star, i), share = length / (2 * PI);
         double part = 1 / (log(rounder / length) * sum);
         size_t points = (size_t)ceil((double)wanted * part) + 1;
+        arms->arcs[i] = points;
         gauss_rule(points, arms->angles + arms->count, arms->shares + arms->count);
         for (size_t end = arms->count + points; arms->count < end; arms->count++) {
             double *angle = &arms->angles[arms->count];
@@ -126,6 +131,7 @@ static void put_points(const struct quadrature_region *region, const struct arms
     bool orderly = count == rings * most * arms->count;
     all->arms = orderly ? arms->count : 0;
     all->rings = orderly ? rings : 0;
+    all->arcs = (struct quadrature_arcs){arms->arcs, arms->arc_count};
 }
 
 /* The rays of points named by u and v. */

@@ -14,12 +14,19 @@
 #include <stdbool.h>
 #include <stddef.h>
 
+/* The arcs between corners: arms of each, at Gauss's points of it. None: arms all around, equal. */
+struct quadrature_arcs {
+    const size_t *arms;
+    size_t count;
+};
+
 /* Rays, where they start, by their points of the stop or disc and with their weights. */
 struct quadrature {
     struct sample sample;
     struct rays rays;
     bool is_empty;      /* nothing is clear */
     size_t arms, rings; /* points: ring after ring outwards, the arms in each; 0: not so orderly */
+    struct quadrature_arcs arcs;
 };
 
 /* What is clear of a pupil, found once for quadratures of any number of rays. */

@@ -39,6 +39,7 @@ struct gathering {
     struct quantile_mark *marks;
     size_t count, room;
     bool has_arms;
+    const struct quantile_sheet *sheets;
 };
 
 static void make_room(struct gathering *all, size_t more)
@@ -61,8 +62,7 @@ static void make_room(struct gathering *all, size_t more)
 /* Lines behind the last vertex, by where they cross its plane. */
 static void gather(struct gathering *all, const struct bundle *bundle, double weight)
 {
-    const struct quantile_arms arms =
-        quantile_arms_open(bundle->arms, bundle->rings, all->focus->arena);
+    struct quantile_arms arms = quantile_arms_open(bundle, all->sheets, all->focus->arena);
     make_room(all, bundle->count);
     all->has_arms = bundle->arms > 0;
     for (size_t i = 0; i < bundle->count; i++) {
@@ -80,6 +80,7 @@ static void gather(struct gathering *all, const struct bundle *bundle, double we
         }
         quantile_arms_add(&arms, i, all->marks, arrives ? n : QUANTILE_ALONE);
     }
+    all->sheets = arms.sheets;
 }
 
 static bool trace_all(struct gathering *all, double object, struct error *error)
@@ -164,6 +165,7 @@ static bool settle(struct gathering *all, struct real_point *point, struct error
         .slope = (const double(*)[2])all->slope,
         .marks = all->marks,
         .has_arms = all->has_arms,
+        .sheets = all->sheets,
         .square = square,
         .spread = spread,
     };
@@ -209,11 +211,12 @@ static double energy_radius(const struct real_focus *focus, const struct real_po
     struct quantile_mark *marks = ARENA_ARRAY(focus->arena, point->count, struct quantile_mark);
     for (size_t i = 0; i < point->count; i++) {
         marks[i] = point->marks[i];
-        marks[i].distance = hypot(point->at[i][0] + shift * point->slope[i][0],
-                                  point->at[i][1] + shift * point->slope[i][1]);
+        for (int k = 0; k < 2; k++) {
+            marks[i].at[k] = point->at[i][k] + shift * point->slope[i][k];
+        }
     }
-    const double radius =
-        quantile_of_marks(marks, point->count, point->has_arms, focus->rule.at, focus->arena);
+    const struct quantile_sample sample = {marks, point->count, point->has_arms, point->sheets};
+    const double radius = quantile_find(&sample, focus->rule.at, focus->arena);
     arena_reset(focus->arena, mark);
     return radius;
 }

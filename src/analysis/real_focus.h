@@ -51,6 +51,7 @@ struct real_point {
     const double (*at)[2], (*slope)[2]; /* mm, mm/mm, about their means */
     const struct quantile_mark *marks;  /* their weights, in all 1 */
     bool has_arms;
+    const struct quantile_sheet *sheets;
     double square, spread; /* means of |at|^2 and |slope|^2 */
 };
 

@@ -30,6 +30,7 @@ struct marks {
     size_t count, rays; /* rays: of one wavelength, lost ones too */
     double clear;
     bool has_arms;
+    const struct quantile_sheet *sheets;
 };
 
 void spot_axes(const double direction[3], double across[2][3])
@@ -132,7 +133,7 @@ static bool add_marks(const struct seeking *seeking, size_t wavelength, size_t r
     double n = system_index_after(source->system, seeking->plane.to - 1);
     make_room(marks, bundle.count, arena);
     marks->has_arms = bundle.arms > 0;
-    const struct quantile_arms arms = quantile_arms_open(bundle.arms, bundle.rings, arena);
+    struct quantile_arms arms = quantile_arms_open(&bundle, marks->sheets, arena);
     for (size_t i = 0; i < bundle.count; i++) {
         const struct ray_block *block = &bundle.rays.blocks[i / RAYS_BLOCK];
         const bool arrives = ray_block_status(block, i % RAYS_BLOCK) == RAY_OK;
@@ -142,6 +143,7 @@ static bool add_marks(const struct seeking *seeking, size_t wavelength, size_t r
         }
         quantile_arms_add(&arms, i, marks->list, arrives ? marks->count++ : QUANTILE_ALONE);
     }
+    marks->sheets = arms.sheets;
     marks->rays = bundle.count > marks->rays ? bundle.count : marks->rays;
     marks->clear += weight * bundle.clear;
     return true;
@@ -197,8 +199,9 @@ static void sum_up(struct marks *marks, bool about_chief, struct spot *spot)
         double x = at[0] - mean[0], y = at[1] - mean[1];
         square[0] += mark->weight * x * x;
         square[1] += mark->weight * y * y;
-        mark->distance = about_chief ? hypot(at[0], at[1]) : hypot(x, y);
-        widest = mark->distance > widest ? mark->distance : widest;
+        mark->at[0] = about_chief ? at[0] : x;
+        mark->at[1] = about_chief ? at[1] : y;
+        widest = fmax(widest, hypot(mark->at[0], mark->at[1]));
     }
     for (int i = 0; i < 2; i++) {
         /* what symmetry makes 0 but for rounding */
@@ -236,10 +239,9 @@ static bool measure(const struct seeking *seeking, size_t rays, struct arena *ar
         return false;
     }
     sum_up(&marks, seeking->question->about_chief, spot);
+    const struct quantile_sample sample = {marks.list, marks.count, marks.has_arms, marks.sheets};
     double share = seeking->question->energy;
-    spot->energy_radius =
-        isnan(share) ? share
-                     : quantile_of_marks(marks.list, marks.count, marks.has_arms, share, arena);
+    spot->energy_radius = isnan(share) ? share : quantile_find(&sample, share, arena);
     arena_reset(arena, mark);
     return true;
 }
