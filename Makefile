@@ -50,13 +50,13 @@ folders := base report photo cli commands commands/photo commands/tool optics an
            file exchange exchange/zemax exchange/codev exchange/oslo commands/lens commands/analysis \
            commands/data design commands/design draw base/image camera \
            commands/camera
-apart   := src/main.c src/data/embed.c src/design/solver_none.c $(kernels)
+apart   := src/main.c src/data/embed.c src/design/solver_engines.c $(kernels)
 sources := $(filter-out $(apart),$(foreach folder,$(folders),$(wildcard src/$(folder)/*.c)))
 objects := $(sources:src/%.c=$(BUILD)/%.o) $(BUILD)/lensdb.o \
            $(foreach set,sse2 avx2 avx512,$(kernels:src/%.c=$(BUILD)/%_$(set).o)) \
            $(BUILD)/trace/kernel_few.o $(BUILD)/trace/kernel_conic_few.o
-none    := $(BUILD)/design/solver_none.o
-ceres   := $(BUILD)/design/solver_ceres.o
+alone   := $(BUILD)/design/solver_engines.o
+ceres   := $(BUILD)/design/solver_engines_ceres.o $(BUILD)/design/solver_ceres.o
 units   := $(patsubst tests/unit/%.c,$(BUILD)/unit/%,$(wildcard tests/unit/test_*.c))
 units_1 := $(patsubst tests/ceres/%.c,$(BUILD)/ceres/%,$(wildcard tests/ceres/test_*.c))
 units   += $(units_$(CERES))
@@ -86,7 +86,7 @@ Q_  = @
 Q   = $(Q_$(V))
 
 # the linker writes in pieces, which lie scattered in the page cache: a copy starts a tenth faster
-$(BUILD)/lenscalc: $(BUILD)/main.o $(objects) $(none) $(BUILD)/objects
+$(BUILD)/lenscalc: $(BUILD)/main.o $(objects) $(alone) $(BUILD)/objects
 	@echo link $@
 	$(Q)$(CC) $(ALL_CFLAGS) $(LINK_$(STATIC)) $(LDFLAGS) -o $@.linked $(filter %.o,$^) -lm
 	$(Q)cp $@.linked $@.copy && mv $@.copy $@ && rm $@.linked
@@ -123,6 +123,12 @@ $(BUILD)/%.o: src/%.c $(BUILD)/flags
 	@echo cc $<
 	$(Q)$(CC) $(ALL_CFLAGS) -MMD -MP -c -o $@ $<
 
+# the table of solvers, with Ceres in it
+$(BUILD)/design/solver_engines_ceres.o: src/design/solver_engines.c $(BUILD)/flags
+	@mkdir -p $(@D)
+	@echo cc $< with Ceres
+	$(Q)$(CC) $(ALL_CFLAGS) -DWITH_CERES -MMD -MP -c -o $@ $<
+
 # lane loops of the ray tracer: the same bits from each of the three; elsewhere all are plain C
 ifneq ($(filter x86_64%,$(shell $(CC) -dumpmachine)),)
 SET_avx2   = -mavx2
@@ -149,10 +155,10 @@ $(BUILD)/lensdb.c: $(BUILD)/embed $(lensdb) $(BUILD)/embedded
 $(BUILD)/lensdb.o: $(BUILD)/lensdb.c $(BUILD)/flags
 	$(Q)$(CC) $(ALL_CFLAGS) -c -o $@ $<
 
-$(BUILD)/unit/%: tests/unit/%.c $(objects) $(none)
+$(BUILD)/unit/%: tests/unit/%.c $(objects) $(alone)
 	@mkdir -p $(@D)
 	@echo test $<
-	$(Q)$(CC) $(ALL_CFLAGS) -Itests/unit -MMD -MP $(LDFLAGS) -o $@ $< $(objects) $(none) -lm
+	$(Q)$(CC) $(ALL_CFLAGS) -Itests/unit -MMD -MP $(LDFLAGS) -o $@ $< $(objects) $(alone) -lm
 
 $(BUILD)/ceres/%: tests/ceres/%.c $(objects) $(ceres)
 	@mkdir -p $(@D)
@@ -160,7 +166,7 @@ $(BUILD)/ceres/%: tests/ceres/%.c $(objects) $(ceres)
 	$(Q)$(CC) $(ALL_CFLAGS) -Itests/unit -MMD -MP -MT $@ -c -o $@.o $<
 	$(Q)$(CXX) $(CXX_FLAGS) $(LDFLAGS) -o $@ $@.o $(objects) $(ceres) -lceres -lglog -lm
 
--include $(patsubst %.o,%.d,$(BUILD)/main.o $(objects) $(none) $(ceres)) $(addsuffix .d,$(units))
+-include $(patsubst %.o,%.d,$(BUILD)/main.o $(objects) $(alone) $(ceres)) $(addsuffix .d,$(units))
 
 ceres_packages_1 = g++ libceres-dev
 build_packages = gcc make libc6-dev libstb-dev $(ceres_packages_$(CERES))

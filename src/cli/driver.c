@@ -392,6 +392,20 @@ static int compute(struct driver *driver, const struct error *missing)
     return status_of(driver);
 }
 
+/* Is the word one of the list's? */
+static bool lists(struct text list, const char *word)
+{
+    const char *const end = list.start + list.length;
+    for (const char *at = list.start; at != NULL;) {
+        const char *comma = memchr(at, ',', (size_t)(end - at));
+        if (text_same(text_between(at, comma != NULL ? comma : end), word)) {
+            return true;
+        }
+        at = comma != NULL ? comma + 1 : NULL;
+    }
+    return false;
+}
+
 /* Does the question need the solver, as far as words tell before anything is read? */
 static bool needs_solver(const struct driver *driver)
 {
@@ -401,7 +415,7 @@ static bool needs_solver(const struct driver *driver)
     }
     const char *word = strchr(when, '=');
     const struct argument *argument = arguments_find(&driver->arguments, text_between(when, word));
-    return argument->is_given && text_same(argument->text, word + 1);
+    return argument->is_given && lists(argument->text, word + 1);
 }
 
 static void free_driver(struct driver *driver)

@@ -30,7 +30,7 @@ static char *own_folder(struct arena *arena)
 bool relay_to_ceres(char **argv, struct arena *arena, struct error *error)
 {
     static const char *const places[] = {"lenscalc-ceres", "../libexec/lenscalc/lenscalc-ceres"};
-    if (solver_is_present) {
+    if (solver_has(SOLVER_CERES)) {
         return true;
     }
     const char *folder = own_folder(arena);

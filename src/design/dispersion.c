@@ -213,7 +213,8 @@ static bool fit_from(struct fitting *fitting, double *c, struct arena *arena,
                                            .context = fitting,
                                            .low = fitting->curve->is_linear ? NULL : low,
                                            .high = fitting->curve->is_linear ? NULL : high};
-    const struct solver_options options = {.iterations = 500, .dependent = 1e-13};
+    const struct solver_options options = {
+        .engine = SOLVER_CERES, .iterations = 500, .dependent = 1e-13};
     return solver_run(&problem, &options, c, arena, summary, error);
 }
 

@@ -401,8 +401,9 @@ static bool solve(struct fitting *fitting, const struct solver_problem *problem,
     for (size_t g = 0; g < fitting->goal_count; g++) {
         fitting->views[g].power = first_power(fitting, g);
     }
+    const struct solver_options options = {.engine = SOLVER_CERES};
     for (int round = 0; round < 20; round++) {
-        if (!solver_run(problem, NULL, parameters, arena, &fit->summary, error)) {
+        if (!solver_run(problem, &options, parameters, arena, &fit->summary, error)) {
             return false;
         }
         if (!weigh_again(fitting, parameters)) {

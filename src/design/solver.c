@@ -4,6 +4,7 @@
 
 #include "base/linear.h"
 #include "design/solver_engine.h"
+#include "design/solver_loss.h"
 
 #include <math.h>
 #include <string.h>
@@ -17,15 +18,23 @@ static const struct solver_options usual = {
     .dependent = 1e-11,
 };
 
+bool solver_has(enum solver_engine engine)
+{
+    return solver_engines[engine].minimize != NULL;
+}
+
 /* A problem being solved. */
 struct solving {
     const struct solver_problem *problem;
+    const struct engine *engine;
     struct solver_options options;
     struct arena *arena;
     double *residuals, *jacobian, *gradient, *weights; /* at the parameters last looked at */
     double *seen, seen_cost;                           /* those; NaN = none yet */
-    bool *held;   /* at a bound, for as long as the cost falls beyond it */
-    bool *on;     /* lay on a bound when this round began */
+    bool *held;     /* at a bound, for as long as the cost falls beyond it */
+    bool *on;       /* lay on a bound when this round began */
+    bool *at_bound; /* of an engine that keeps bounds by itself */
+    double *multipliers;
     bool stopped; /* by the caller */
     int done;     /* iterations of earlier rounds */
 };
@@ -54,9 +63,9 @@ static bool check_blocks(const struct solver_problem *problem, struct error *err
         }
         sum += block->residuals;
     }
-    return sum == problem->residual_count ||
+    return sum == solver_squares(problem) ||
            fail(error, ERROR_DOMAIN, "the blocks have %zu residuals, the problem has %zu", sum,
-                problem->residual_count);
+                solver_squares(problem));
 }
 
 static bool check_bounds(const struct solver_problem *problem, const double *parameters,
@@ -82,45 +91,32 @@ static bool check_bounds(const struct solver_problem *problem, const double *par
     return true;
 }
 
-static bool check_problem(const struct solver_problem *problem, const double *parameters,
-                          struct error *error)
+/* What only damped least squares can. */
+static bool check_engine(const struct solver_problem *problem, enum solver_engine engine,
+                         struct error *error)
+{
+    if (!solver_has(engine)) {
+        return fail(error, ERROR_DOMAIN, "this program is without the solver Ceres");
+    }
+    return problem->exact_count == 0 || solver_engines[engine].keeps_bounds ||
+           fail(error, ERROR_DOMAIN, "Ceres meets no condition exactly: damped least squares do");
+}
+
+static bool check_problem(const struct solver_problem *problem, bool is_lean,
+                          const double *parameters, struct error *error)
 {
     size_t n = problem->parameter_count, m = problem->residual_count;
-    if (!solver_is_present) {
-        return fail(error, ERROR_DOMAIN, "this program is without the solver");
-    }
     if (n == 0 || m == 0) {
         return fail(error, ERROR_DOMAIN, "there is nothing to fit: %zu parameters, %zu residuals",
                     n, m);
     }
-    if (m < n) {
+    if (m < n && !is_lean) {
         return fail(error, ERROR_DOMAIN, "%zu residuals do not fix %zu parameters", m, n);
     }
     if (n > 1000 || m > 100000000 / n) {
         return fail(error, ERROR_DOMAIN, "%zu residuals of %zu parameters are too many", m, n);
     }
     return check_bounds(problem, parameters, error) && check_blocks(problem, error);
-}
-
-/* rho and its slope */
-static double loss_value(const struct solver_block *block, double s, double *slope)
-{
-    double a2 = block->scale * block->scale;
-    switch (block->loss) {
-    case LOSS_HUBER:
-        *slope = s <= a2 ? 1 : block->scale / sqrt(s);
-        return s <= a2 ? s : 2 * block->scale * sqrt(s) - a2;
-    case LOSS_SOFT_L1:
-        *slope = 1 / sqrt(1 + s / a2);
-        return 2 * s / (1 + sqrt(1 + s / a2));
-    case LOSS_CAUCHY:
-        *slope = 1 / (1 + s / a2);
-        return a2 * log1p(s / a2);
-    case LOSS_NONE:
-        break;
-    }
-    *slope = 1;
-    return s;
 }
 
 static bool all_finite(const double *values, size_t count)
@@ -131,27 +127,6 @@ static bool all_finite(const double *values, size_t count)
         }
     }
     return true;
-}
-
-/* Weight of each residual, and the cost. */
-static double weigh(struct solving *solving)
-{
-    const struct solver_problem *problem = solving->problem;
-    const struct solver_block whole = {problem->residual_count, LOSS_NONE, 0};
-    const struct solver_block *blocks = problem->blocks != NULL ? problem->blocks : &whole;
-    size_t count = problem->blocks != NULL ? problem->block_count : 1, at = 0;
-    double cost = 0;
-    for (size_t i = 0; i < count; i++) {
-        double s = 0, slope;
-        for (size_t j = 0; j < blocks[i].residuals; j++) {
-            s += solving->residuals[at + j] * solving->residuals[at + j];
-        }
-        cost += loss_value(&blocks[i], s, &slope) / 2;
-        for (size_t j = 0; j < blocks[i].residuals; j++) {
-            solving->weights[at++] = slope;
-        }
-    }
-    return cost;
 }
 
 /* Residuals, derivatives, weights and the gradient at these parameters; false: not all finite. */
@@ -170,10 +145,10 @@ static bool look(struct solving *solving, const double *parameters, double *cost
         !all_finite(solving->residuals, m) || !all_finite(solving->jacobian, m * n)) {
         return false;
     }
-    *cost = weigh(solving);
+    *cost = solver_cost(problem, solving->residuals, solving->weights);
     memset(solving->gradient, 0, n * sizeof(double));
     double *gradient = solving->gradient;
-    for (size_t i = 0; i < m; i++) {
+    for (size_t i = 0; i < solver_squares(problem); i++) {
         double r = solving->weights[i] * solving->residuals[i];
         const double *row = solving->jacobian + i * n;
         for (size_t j = 0; j < n; j++) {
@@ -211,7 +186,7 @@ static bool watch(void *context, int iteration, double cost, const double *param
         solving->stopped = true;
         return false;
     }
-    for (size_t i = 0; i < problem->parameter_count; i++) {
+    for (size_t i = 0; i < problem->parameter_count && !solving->engine->keeps_bounds; i++) {
         if (!solving->on[i] && is_on_bound(problem, parameters, i)) {
             return false;
         }
@@ -270,9 +245,12 @@ static void run_round(struct solving *solving, double *parameters, struct solver
                                .is_free = is_free,
                                .parameters = parameters,
                                .watch = watch,
-                               .watch_context = solving};
+                               .watch_context = solving,
+                               .arena = solving->arena,
+                               .at_bound = solving->at_bound,
+                               .multipliers = solving->multipliers};
     run->options.iterations = solving->options.iterations - summary->iterations;
-    engine_minimize(run);
+    solving->engine->minimize(run);
     if (run->end == ENGINE_NO_MEMORY) {
         arena_end();
     }
@@ -288,6 +266,22 @@ static enum solver_status status_of(const struct solving *solving, const struct 
            : run->end == ENGINE_FAILED ? SOLVER_STUCK
            : run->end == ENGINE_LIMIT  ? SOLVER_LIMIT
                                        : SOLVER_CONVERGED;
+}
+
+static void tell_end(const struct solving *solving, const struct engine_run *run,
+                     struct solver_summary *summary)
+{
+    summary->status = status_of(solving, run);
+    summary->message = arena_printf(solving->arena, "%s", run->message);
+}
+
+/* One round of an engine that keeps bounds by itself. */
+static void run_once(struct solving *solving, double *parameters, struct solver_summary *summary)
+{
+    struct engine_run run;
+    run_round(solving, parameters, summary, &run);
+    tell_end(solving, &run, summary);
+    memcpy(solving->held, solving->at_bound, solving->problem->parameter_count * sizeof(bool));
 }
 
 /* Rounds until no parameter is newly held and none wants to be let go. */
@@ -318,8 +312,7 @@ static void run_rounds(struct solving *solving, double *parameters, struct solve
         best = cost;
     }
     run.end = run.end == ENGINE_WATCHED && !solving->stopped ? ENGINE_LIMIT : run.end;
-    summary->status = status_of(solving, &run);
-    summary->message = arena_printf(solving->arena, "%s", run.message);
+    tell_end(solving, &run, summary);
 }
 
 /* Derivatives by the parameters that are free, weighted: what the errors follow from. */
@@ -404,6 +397,20 @@ static void polish(struct solving *solving, double *parameters, double cost)
     }
 }
 
+static void set_rest(const struct solving *solving, struct solver_summary *summary)
+{
+    const size_t squares = solver_squares(solving->problem);
+    double sum = 0;
+    for (size_t i = 0; i < squares; i++) {
+        sum += solving->residuals[i] * solving->residuals[i];
+    }
+    summary->rms = sqrt(sum / (double)squares);
+    summary->excess = 0;
+    for (size_t i = squares; i < solving->problem->residual_count; i++) {
+        summary->excess = fmax(summary->excess, fabs(solving->residuals[i]));
+    }
+}
+
 static void set_errors(struct solving *solving, struct solver_summary *summary)
 {
     size_t n = solving->problem->parameter_count, m = solving->problem->residual_count;
@@ -416,13 +423,11 @@ static void set_errors(struct solving *solving, struct solver_summary *summary)
     for (size_t k = factors.rank; k < count; k++) {
         summary->undetermined[free_of[factors.order[k]]] = true;
     }
-    double squares = 0, plain = 0;
+    double squares = 0;
     for (size_t i = 0; i < m; i++) {
         double r = solving->residuals[i];
         squares += solving->weights[i] * r * r;
-        plain += r * r;
     }
-    summary->rms = sqrt(plain / (double)m);
     summary->degrees_of_freedom = m - factors.rank;
     double variance =
         summary->degrees_of_freedom > 0 ? squares / (double)summary->degrees_of_freedom : NAN;
@@ -473,11 +478,14 @@ bool solver_run(const struct solver_problem *problem, const struct solver_option
                 struct error *error)
 {
     size_t n = problem->parameter_count, m = problem->residual_count;
-    if (!check_problem(problem, parameters, error)) {
+    const struct solver_options all = complete(options);
+    if (!check_engine(problem, all.engine, error) ||
+        !check_problem(problem, all.lean, parameters, error)) {
         return false;
     }
     struct solving solving = {.problem = problem,
-                              .options = complete(options),
+                              .engine = &solver_engines[all.engine],
+                              .options = all,
                               .arena = arena,
                               .residuals = ARENA_ARRAY(arena, m, double),
                               .jacobian = ARENA_ARRAY(arena, m * n, double),
@@ -485,6 +493,8 @@ bool solver_run(const struct solver_problem *problem, const struct solver_option
                               .seen_cost = NAN,
                               .gradient = ARENA_ARRAY(arena, n, double),
                               .weights = ARENA_ARRAY(arena, m, double),
+                              .at_bound = ARENA_ARRAY(arena, n, bool),
+                              .multipliers = ARENA_ARRAY(arena, problem->exact_count + 1, double),
                               .held = ARENA_ARRAY(arena, n, bool),
                               .on = ARENA_ARRAY(arena, n, bool)};
     open_summary(summary, n, arena);
@@ -492,8 +502,9 @@ bool solver_run(const struct solver_problem *problem, const struct solver_option
         return fail(error, ERROR_DOMAIN,
                     "the fit cannot begin: not all residuals and derivatives are numbers there");
     }
-    run_rounds(&solving, parameters, summary);
-    if (summary->status == SOLVER_CONVERGED && look(&solving, parameters, &summary->final_cost)) {
+    (solving.engine->keeps_bounds ? run_once : run_rounds)(&solving, parameters, summary);
+    if (!all.lean && summary->status == SOLVER_CONVERGED &&
+        look(&solving, parameters, &summary->final_cost)) {
         polish(&solving, parameters, summary->final_cost);
     }
     if (!look(&solving, parameters, &summary->final_cost)) {
@@ -502,6 +513,9 @@ bool solver_run(const struct solver_problem *problem, const struct solver_option
     summary->residuals = solving.residuals;
     summary->jacobian = solving.jacobian;
     memcpy(summary->at_bound, solving.held, n * sizeof(bool));
-    set_errors(&solving, summary);
+    set_rest(&solving, summary);
+    if (!all.lean) {
+        set_errors(&solving, summary);
+    }
     return true;
 }

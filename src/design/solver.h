@@ -40,7 +40,18 @@ struct solver_problem {
     const double *low, *high;          /* bounds, infinite where there is none; null = no bounds */
     const struct solver_block *blocks; /* in the order of the residuals; null = no loss */
     size_t block_count;
+    /* Of the parameters: changes by so much are alike; null = by the derivatives. SOLVER_DLS */
+    const double *scale;
+    /* So many residuals, the last, are to be 0: they are no part of the cost. SOLVER_DLS */
+    size_t exact_count;
 };
+
+/*
+ * What makes the steps.
+ *   dls    damped least squares, inside bounds and along exact conditions
+ *   ceres  the solver of that name, where the program is linked with it
+ */
+enum solver_engine { SOLVER_DLS, SOLVER_CERES };
 
 /* How far it has come, once an iteration. */
 struct solver_progress {
@@ -51,12 +62,15 @@ struct solver_progress {
 
 /* What is 0 stands for its usual value. */
 struct solver_options {
+    enum solver_engine engine;
     int iterations;       /* at most so many; usually 200 */
     double function;      /* converged: relative change of the cost; usually 1e-15 */
     double gradient;      /* largest element of the gradient; usually 1e-30: it has a unit */
     double parameter;     /* relative change of the parameters; usually 1e-13 */
     double initial_trust; /* radius of the first step in parameters scaled by the Jacobian; 1e4 */
-    double dependent;     /* a parameter is not determined where the others leave less of its
+    bool lean; /* find the minimum and nothing else: no undamped steps to its last digit, no errors;
+                  there may be fewer residuals than parameters */
+    double dependent; /* a parameter is not determined where the others leave less of its
                              derivative; usually 1e-11 */
     bool (*progress)(void *context, const struct solver_progress *progress); /* false: stop */
     void *progress_context;
@@ -76,6 +90,7 @@ struct solver_summary {
     int iterations, evaluations, derivatives;
     double initial_cost, final_cost; /* half the sum of rho */
     double rms;                      /* of the residuals at the end, without loss */
+    double excess;                   /* the largest of the exact residuals */
     size_t degrees_of_freedom;       /* residuals less parameters that were free and determined */
     bool *at_bound;                  /* a parameter that its bound holds; it has no error */
     bool *undetermined;              /* a parameter that the residuals do not fix by themselves */
@@ -87,24 +102,30 @@ struct solver_summary {
     double *standard_error;             /* n */
 };
 
-/* Is the solver part of this program? */
-extern const bool solver_is_present;
+/* Is the engine part of this program? */
+bool solver_has(enum solver_engine engine);
 
 /*
  * Find the parameters that make half the sum of the squared residuals (of rho) smallest.
  *
  * Given     parameters  the start, within the bounds; receives the best
  * Result    summary of how it went; not converging is a status, not an error
- * Formula   Levenberg-Marquardt with orthogonal factors. Bounds by an active set: as soon as a
- *           parameter lies on a bound and the cost falls beyond it, it is held there and the rest
- *           goes on (a projected step alone stalls: the others then move as if it had not been
- *           cut); where nothing more is gained and the cost falls inwards, it is let go.
+ * Formula   SOLVER_DLS: (J^T J + l D) d = -J^T r inside the bounds and with the exact residuals'
+ *           slopes times d making up for them, by multipliers; l by the gain against what the step
+ *           promised. D is 1 in natural scales at first, then follows the second derivatives that
+ *           steps meet, |change of J^T r at the same r| over the move; without scales the diagonal
+ *           of J^T J. Exact residuals bend: a step is followed by some that only return to them.
+ *           SOLVER_CERES: Levenberg-Marquardt with orthogonal factors, and bounds by an active set:
+ *           as soon as a parameter lies on a bound and the cost falls beyond it, it is held there
+ *           and the rest goes on (a projected step alone stalls: the others then move as if it had
+ *           not been cut); where nothing more is gained and the cost falls inwards, it is let go.
  *           Covariance s^2 (J^T W J)^-1 at the end, s^2 = sum rho' r^2/(degrees of freedom), W =
  *           diag rho', over the parameters that are free and determined
- * Source    [Ceres22]; [Nocedal06] 10.3 (Levenberg-Marquardt), 16.5 (active sets)
+ * Source    [Levenberg44]; [Spencer63] (exact conditions); [Dilworth78] (second derivatives);
+ *           [Nielsen99] 2.2 (damping); [Ceres22]; [Nocedal06] 10.3, 16.5 (active sets)
  * Errors    ERROR_DOMAIN: fewer residuals than parameters, bounds that contradict each other, a
  *           start outside of them or without finite residuals and derivatives, a loss without
- *           scale; and this program is without Ceres
+ *           scale; Ceres where it is not part of the program, or asked for exact residuals
  * Limits    a local minimum. No random numbers, no clock, one thread: the same every time
  */
 bool solver_run(const struct solver_problem *problem, const struct solver_options *options,

@@ -305,9 +305,7 @@ void minimize(engine_run *run)
 
 } // namespace
 
-extern "C" const bool solver_is_present = true;
-
-extern "C" void engine_minimize(engine_run *run)
+extern "C" void ceres_minimize(engine_run *run)
 {
     /* nothing of its log reaches standard error */
     FLAGS_minloglevel = google::GLOG_FATAL;

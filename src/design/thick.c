@@ -469,6 +469,7 @@ bool thick_fit(const struct thick_task *task, struct arena *arena, struct thick_
     size_t terms = base_count(task);
     /* nearly linear: the solver only has to come near, its last undamped steps do the rest */
     struct solver_options options = task->options;
+    options.engine = SOLVER_CERES;
     options.function = options.function > 0 ? options.function : 1e-8;
     options.parameter = options.parameter > 0 ? options.parameter : 1e-8;
     options.initial_trust = options.initial_trust > 0 ? options.initial_trust : 1e8;

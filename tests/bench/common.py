@@ -46,8 +46,8 @@ class Bench:
         build = os.path.dirname(self.lenscalc)
         with open(os.path.join(build, "objects"), encoding="utf-8") as file:
             objects = [os.path.join(build, path) for path in file.read().split()]
-        solver = "solver_ceres.o" if ceres else "solver_none.o"
-        return [*objects, os.path.join(build, "design", solver)]
+        solvers = ["solver_engines_ceres.o", "solver_ceres.o"] if ceres else ["solver_engines.o"]
+        return [*objects, *(os.path.join(build, "design", name) for name in solvers)]
 
     def linked(self, name, ceres=False):
         """The same for a program that uses the objects of the build, perhaps with the solver."""

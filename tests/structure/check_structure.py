@@ -301,7 +301,7 @@ def links_of(build):
     """(symbol -> file that has it, file -> symbols it takes from others) of the objects in C."""
     objects = [os.path.join(build, name) for name in
                [*read(os.path.join(build, "objects")).split(), "main.o"]]
-    solvers = [os.path.join(build, "design", name) for name in ("solver_none.o", "solver_ceres.o")]
+    solvers = [os.path.join(build, "design", name) for name in ("solver_engines.o", "solver_ceres.o")]
     listing = subprocess.run(["nm", "-A", "-g", *objects, *filter(os.path.exists, solvers)],
                              capture_output=True, text=True, check=True).stdout
     owner, wanted = {}, {}

@@ -1,7 +1,7 @@
-/* tests/ceres/nist.h - problems of NIST StRD, nonlinear regression, with their certified values. */
+/* tests/unit/nist.h - problems of NIST StRD, nonlinear regression, with their certified values. */
 /* SPDX-License-Identifier: MIT */
-#ifndef LENSCALC_TESTS_CERES_NIST_H
-#define LENSCALC_TESTS_CERES_NIST_H
+#ifndef LENSCALC_TESTS_UNIT_NIST_H
+#define LENSCALC_TESTS_UNIT_NIST_H
 
 #include "base/constants.h"
 

@@ -1,0 +1,484 @@
+/* design/solver_dls.c - damped least squares, the classic of lens design. */
+/* SPDX-License-Identifier: MIT */
+#include "design/solver_engine.h"
+#include "design/solver_loss.h"
+#include "design/solver_normal.h"
+#include "design/solver_step.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <string.h>
+
+/* Residuals at some parameters, and what is made of them. */
+struct place {
+    double *parameters, *residuals;
+    double cost;   /* half the sum of rho */
+    double excess; /* sum of the exact residuals' sizes */
+};
+
+/* A descent; parameters are measured in their scales. */
+struct descent {
+    struct engine_run *run;
+    const struct solver_problem *problem;
+    size_t n, squares, exact;
+    struct place here, there;
+    double *jacobian, *weights; /* here */
+    double *scale;
+    double *normal, *gradient, *slopes; /* here; slopes are those of the exact residuals */
+    double *diagonal;                   /* what the damping is multiplied with */
+    double damping, growth;
+    double price; /* of the exact residuals against the cost */
+    double share; /* of the exact residuals that a step takes off: less after steps too far */
+    double *damped, *low, *high, *move, *none, *before, *wanted;
+    struct solver_step step;
+    int steady; /* steps in succession that changed next to nothing */
+};
+
+/*
+ * Second-order damping: the damping of a parameter follows the second derivatives of the residuals
+ * by it, as the change of the gradient tells that the normal equations do not explain; a share of
+ * each step's goes into the mean. At first all are alike in natural scales.
+ */
+static const double newest = 0.2, first_diagonal = 3e-4, first_damping = 1e-5;
+
+/* Of parameters without scales, which are damped as their derivatives are large. */
+static const double plain_damping = 1e-3;
+
+/* A parameter that moved less than this share of the one that moved most tells little. */
+static const double least_move = 0.01;
+
+/* As exactly as anybody asks. */
+static const double met = 1e-12;
+
+static bool measure(struct descent *descent, struct place *place, double *jacobian)
+{
+    const struct solver_problem *problem = descent->problem;
+    descent->run->evaluations++;
+    descent->run->derivatives += jacobian != NULL;
+    place->cost = place->excess = NAN;
+    if (!problem->evaluate(problem->context, place->parameters, place->residuals, jacobian)) {
+        return false;
+    }
+    place->cost =
+        solver_cost(problem, place->residuals, jacobian != NULL ? descent->weights : NULL);
+    place->excess = 0;
+    for (size_t i = 0; i < descent->exact; i++) {
+        place->excess += fabs(place->residuals[descent->squares + i]);
+    }
+    return isfinite(place->cost) && isfinite(place->excess);
+}
+
+/* What the descent makes small. */
+static double height(const struct descent *descent, const struct place *place)
+{
+    return place->cost + descent->price * (place->excess > met ? place->excess : 0);
+}
+
+/* Derivatives here times residuals there. */
+static struct solver_rows rows_of(const struct descent *descent, const double *residuals)
+{
+    return (struct solver_rows){.rows = descent->squares,
+                                .columns = descent->n,
+                                .jacobian = descent->jacobian,
+                                .residuals = residuals,
+                                .weights =
+                                    descent->problem->blocks != NULL ? descent->weights : NULL};
+}
+
+/* Without natural scales a parameter is measured by the largest effect that it had so far. */
+static void set_scales(struct descent *descent)
+{
+    const size_t n = descent->n;
+    for (size_t i = 0; i < n && descent->problem->scale == NULL; i++) {
+        const double effect = sqrt(descent->normal[i * n + i]);
+        if (effect > 0 && !(descent->scale[i] <= 1 / effect)) {
+            descent->scale[i] = 1 / effect;
+        }
+    }
+}
+
+static double scale_of(const struct descent *descent, size_t i)
+{
+    return isfinite(descent->scale[i]) ? descent->scale[i] : 1;
+}
+
+/* What follows from residuals and derivatives here. */
+static void set_equations(struct descent *descent)
+{
+    const size_t n = descent->n;
+    const struct solver_rows rows = rows_of(descent, descent->here.residuals);
+    solver_normal(&rows, descent->normal, descent->gradient);
+    set_scales(descent);
+    for (size_t i = 0; i < n; i++) {
+        descent->gradient[i] *= scale_of(descent, i);
+        for (size_t j = 0; j < n; j++) {
+            descent->normal[i * n + j] *= scale_of(descent, i) * scale_of(descent, j);
+        }
+    }
+    for (size_t r = 0; r < descent->exact; r++) {
+        for (size_t j = 0; j < n; j++) {
+            descent->slopes[r * n + j] =
+                descent->jacobian[(descent->squares + r) * n + j] * scale_of(descent, j);
+        }
+    }
+}
+
+/* Gradient of the cost and the exact residuals there, with derivatives here: `into`, scaled. */
+static void carry_gradient(const struct descent *descent, const double *residuals, double *into)
+{
+    const struct solver_rows rows = rows_of(descent, residuals);
+    solver_gradient(&rows, into);
+    for (size_t i = 0; i < descent->n; i++) {
+        into[i] *= scale_of(descent, i);
+        for (size_t r = 0; r < descent->exact; r++) {
+            into[i] += descent->step.multipliers[r] * descent->slopes[r * descent->n + i];
+        }
+    }
+}
+
+static void bound_step(struct descent *descent, const double *from)
+{
+    const struct solver_problem *problem = descent->problem;
+    for (size_t i = 0; i < descent->n; i++) {
+        const double scale = scale_of(descent, i), at = from[i];
+        const bool is_free = descent->run->is_free[i];
+        descent->low[i] = !is_free               ? 0
+                          : problem->low != NULL ? (problem->low[i] - at) / scale
+                                                 : -INFINITY;
+        descent->high[i] = !is_free                ? 0
+                           : problem->high != NULL ? (problem->high[i] - at) / scale
+                                                   : INFINITY;
+    }
+}
+
+static void damp(struct descent *descent)
+{
+    const size_t n = descent->n;
+    memcpy(descent->damped, descent->normal, n * n * sizeof(double));
+    for (size_t i = 0; i < n; i++) {
+        descent->damped[i * n + i] += descent->damping * descent->diagonal[i];
+    }
+}
+
+/* Set parameters that much further, and not beyond bounds by rounding. */
+static void move(const struct descent *descent, const double *from, double *to)
+{
+    const struct solver_problem *problem = descent->problem;
+    for (size_t i = 0; i < descent->n; i++) {
+        to[i] = from[i] + descent->step.d[i] * scale_of(descent, i);
+        if (problem->low != NULL &&
+            (descent->step.side[i] == STEP_AT_LOW || to[i] < problem->low[i])) {
+            to[i] = problem->low[i];
+        }
+        if (problem->high != NULL &&
+            (descent->step.side[i] == STEP_AT_HIGH || to[i] > problem->high[i])) {
+            to[i] = problem->high[i];
+        }
+        to[i] = descent->run->is_free[i] ? to[i] : from[i];
+    }
+}
+
+/* By how much the step lowers the height, as far as the equations tell. */
+static double promise(const struct descent *descent)
+{
+    const size_t n = descent->n;
+    const double *d = descent->step.d;
+    double sum = descent->price * descent->here.excess;
+    for (size_t i = 0; i < n; i++) {
+        double slope = descent->gradient[i];
+        for (size_t j = 0; j < n; j++) {
+            slope += descent->normal[i * n + j] * d[j] / 2;
+        }
+        sum -= d[i] * slope;
+    }
+    for (size_t r = 0; r < descent->exact; r++) {
+        double left = descent->here.residuals[descent->squares + r];
+        for (size_t j = 0; j < n; j++) {
+            left += descent->slopes[r * n + j] * d[j];
+        }
+        sum -= descent->price * fabs(left);
+    }
+    return sum;
+}
+
+/* Back to where the exact residuals are 0, which bend away from the step, by its derivatives. */
+static bool return_to_exact(struct descent *descent)
+{
+    double *d = descent->step.d, *other = descent->before;
+    for (int i = 0; i < 4 && descent->there.excess > met; i++) {
+        const double excess = descent->there.excess;
+        bound_step(descent, descent->there.parameters);
+        descent->step.g = descent->none;
+        descent->step.excess = descent->there.residuals + descent->squares;
+        if (!solver_step_find(&descent->step)) {
+            break;
+        }
+        memcpy(other, descent->there.parameters, descent->n * sizeof *d);
+        move(descent, other, descent->there.parameters);
+        if (!measure(descent, &descent->there, NULL)) {
+            return false;
+        }
+        if (!(descent->there.excess < excess / 2)) {
+            break;
+        }
+    }
+    return true;
+}
+
+/* Above all multipliers, so that nothing is gained by leaving the exact residuals; but what they
+   were far from the end is forgotten. */
+static void set_price(struct descent *descent)
+{
+    double most = 0;
+    for (size_t r = 0; r < descent->exact; r++) {
+        most = fmax(most, fmin(fabs(descent->step.multipliers[r]), 1e150));
+    }
+    descent->price = fmin(fmax(descent->price, 2 * most), 20 * most);
+}
+
+/* Find the step and what there is behind it. Result: false: no value there; NaN promise: no step */
+static bool try_step(struct descent *descent, double *promised)
+{
+    struct solver_step *step = &descent->step;
+    damp(descent);
+    bound_step(descent, descent->here.parameters);
+    step->g = descent->gradient;
+    for (size_t r = 0; r < descent->exact; r++) {
+        descent->wanted[r] = descent->share * descent->here.residuals[descent->squares + r];
+    }
+    step->excess = descent->wanted;
+    *promised = NAN;
+    if (!solver_step_find(step)) {
+        return false;
+    }
+    set_price(descent);
+    *promised = promise(descent);
+    move(descent, descent->here.parameters, descent->there.parameters);
+    if (!measure(descent, &descent->there, NULL)) {
+        return false;
+    }
+    if (descent->there.excess > met && !(descent->share < 1)) {
+        memcpy(descent->move, step->multipliers, descent->exact * sizeof(double));
+        const bool good = return_to_exact(descent);
+        memcpy(step->multipliers, descent->move, descent->exact * sizeof(double));
+        return good;
+    }
+    return true;
+}
+
+/* Second derivatives by each parameter, from the gradient that the step did not explain. */
+static void learn_diagonal(struct descent *descent, const double *explained, const double *from)
+{
+    double most = 0;
+    for (size_t i = 0; i < descent->n; i++) {
+        descent->move[i] = (descent->here.parameters[i] - from[i]) / scale_of(descent, i);
+        most = fmax(most, fabs(descent->move[i]));
+    }
+    const double little = least_move * most;
+    carry_gradient(descent, descent->here.residuals, descent->none);
+    for (size_t i = 0; i < descent->n; i++) {
+        const double moved = descent->move[i], change = descent->none[i] - explained[i];
+        const double second = fabs(change * moved) / (moved * moved + little * little);
+        if (isfinite(second)) {
+            descent->diagonal[i] += newest * (second - descent->diagonal[i]);
+        }
+    }
+    memset(descent->none, 0, descent->n * sizeof(double));
+}
+
+/* Go there. Result: false: there are no derivatives there */
+static bool accept(struct descent *descent, double gained)
+{
+    const bool learns = descent->problem->scale != NULL;
+    double *explained = descent->before;
+    const double share = 2 * gained - 1;
+    if (learns) {
+        carry_gradient(descent, descent->there.residuals, explained);
+    }
+    const struct place left = descent->here;
+    descent->here = descent->there;
+    descent->there = left;
+    if (!measure(descent, &descent->here, descent->jacobian)) {
+        return false;
+    }
+    set_equations(descent);
+    if (learns) {
+        learn_diagonal(descent, explained, left.parameters);
+    }
+    /* [Nielsen99] (2.4): no jumps between what is good and what is not */
+    descent->damping *= fmax(1.0 / 3, 1 - share * share * share);
+    descent->growth = 2;
+    descent->share = fmin(1, 2 * descent->share);
+    return true;
+}
+
+static double longest(const struct descent *descent)
+{
+    double most = 0;
+    for (size_t i = 0; i < descent->n; i++) {
+        const double moved = descent->there.parameters[i] - descent->here.parameters[i];
+        const double size = fabs(descent->here.parameters[i]) + 1e-6 * scale_of(descent, i);
+        most = fmax(most, fabs(moved) / size);
+    }
+    return most;
+}
+
+static void end(struct engine_run *run, enum engine_end how, const char *why)
+{
+    run->end = how;
+    snprintf(run->message, sizeof run->message, "%s", why);
+}
+
+/* Does nothing pull at a parameter that is free? */
+static bool is_flat(const struct descent *descent)
+{
+    double most = 0;
+    for (size_t i = 0; i < descent->n; i++) {
+        most = fmax(most, fabs(descent->gradient[i]) / scale_of(descent, i));
+    }
+    return descent->exact == 0 && most <= descent->run->options.gradient;
+}
+
+/* Is the step that was just made one of the last? */
+static bool has_arrived(struct descent *descent, double gain, double moved)
+{
+    const struct solver_options *options = &descent->run->options;
+    const bool is_met = descent->exact == 0 || descent->here.excess <= met;
+    const bool small = gain <= options->function * (height(descent, &descent->here) + gain);
+    descent->steady = is_met && small ? descent->steady + 1 : 0;
+    return descent->steady >= 3 || (is_met && moved <= options->parameter) || is_flat(descent);
+}
+
+/* A step that brings nothing. Result: shall a shorter one be tried? */
+static bool shorten(struct descent *descent, bool has_value, double promised)
+{
+    const double cost = height(descent, &descent->here);
+    const bool blurred = promised <= 1e-8 * cost; /* rounding moves the cost by as much */
+    if (!isnan(promised) && !(promised > 1e-16 * cost)) {
+        end(descent->run, ENGINE_CONVERGED, "nothing more is gained");
+        return false;
+    }
+    if (has_value && longest(descent) <= 1e-15) {
+        end(descent->run, blurred ? ENGINE_CONVERGED : ENGINE_FAILED,
+            blurred ? "nothing more is gained" : "no step lowers the cost");
+        return false;
+    }
+    descent->damping *= has_value ? descent->growth : fmax(descent->growth, 8);
+    descent->growth *= 2;
+    descent->share /= 2;
+    if (!(descent->damping < 1e200)) {
+        end(descent->run, ENGINE_FAILED, "no step has a value");
+        return false;
+    }
+    return true;
+}
+
+/* One step. Result: shall it go on? */
+static bool advance(struct descent *descent)
+{
+    double promised;
+    const bool has_value = try_step(descent, &promised);
+    const double gain = height(descent, &descent->here) - height(descent, &descent->there);
+    const double moved = longest(descent);
+    descent->run->iterations++;
+    if (!has_value || !(gain > 0)) {
+        return shorten(descent, has_value, promised);
+    }
+    if (!accept(descent, gain / promised)) {
+        end(descent->run, ENGINE_FAILED, "there are no derivatives where the step led");
+        return false;
+    }
+    if (has_arrived(descent, gain, moved)) {
+        end(descent->run, ENGINE_CONVERGED, "the cost does not change");
+        return false;
+    }
+    return true;
+}
+
+static void open_descent(struct descent *descent, struct arena *arena)
+{
+    const size_t n = descent->n, m = descent->squares + descent->exact;
+    struct place *places[2] = {&descent->here, &descent->there};
+    for (int i = 0; i < 2; i++) {
+        places[i]->parameters = ARENA_ARRAY(arena, n, double);
+        places[i]->residuals = ARENA_ARRAY(arena, m + 1, double);
+    }
+    descent->jacobian = ARENA_ARRAY(arena, m * n, double);
+    descent->weights = ARENA_ARRAY(arena, m + 1, double);
+    descent->scale = ARENA_ARRAY(arena, n, double);
+    descent->normal = ARENA_ARRAY(arena, n * n, double);
+    descent->damped = ARENA_ARRAY(arena, n * n, double);
+    descent->slopes = ARENA_ARRAY(arena, descent->exact * n + 1, double);
+    double **const each[] = {&descent->gradient, &descent->diagonal, &descent->low,
+                             &descent->high,     &descent->none,     &descent->before};
+    for (size_t i = 0; i < sizeof each / sizeof each[0]; i++) {
+        *each[i] = ARENA_ARRAY(arena, n, double);
+    }
+    descent->move = ARENA_ARRAY(arena, n + descent->exact, double);
+    descent->wanted = ARENA_ARRAY(arena, descent->exact + 1, double);
+    solver_step_open(&descent->step, n, descent->exact, arena);
+    descent->step.h = descent->damped;
+    descent->step.low = descent->low;
+    descent->step.high = descent->high;
+    descent->step.slopes = descent->slopes;
+}
+
+static void begin_damping(struct descent *descent)
+{
+    const bool learns = descent->problem->scale != NULL;
+    double most = 0;
+    for (size_t i = 0; i < descent->n; i++) {
+        most = fmax(most, descent->normal[i * descent->n + i]);
+    }
+    most = most > 0 ? most : 1;
+    const double diagonal = learns ? first_diagonal : 1;
+    for (size_t i = 0; i < descent->n; i++) {
+        descent->diagonal[i] = diagonal * most;
+    }
+    descent->damping = (learns ? first_damping : plain_damping) / diagonal;
+    descent->growth = 2;
+    descent->share = 1;
+}
+
+static void set_sides(const struct descent *descent)
+{
+    const struct solver_problem *problem = descent->problem;
+    for (size_t i = 0; i < descent->n; i++) {
+        const double at = descent->here.parameters[i];
+        const bool on = (problem->low != NULL && at <= problem->low[i]) ||
+                        (problem->high != NULL && at >= problem->high[i]);
+        descent->run->at_bound[i] = on && descent->step.side[i] != STEP_FREE;
+    }
+    memcpy(descent->run->multipliers, descent->step.multipliers, descent->exact * sizeof(double));
+}
+
+void dls_minimize(struct engine_run *run)
+{
+    const struct solver_problem *problem = run->problem;
+    struct descent descent = {.run = run,
+                              .problem = problem,
+                              .n = problem->parameter_count,
+                              .squares = solver_squares(problem),
+                              .exact = problem->exact_count};
+    open_descent(&descent, run->arena);
+    for (size_t i = 0; i < descent.n; i++) {
+        descent.scale[i] = problem->scale != NULL ? problem->scale[i] : INFINITY;
+        descent.here.parameters[i] = run->parameters[i];
+    }
+    if (!measure(&descent, &descent.here, descent.jacobian)) {
+        end(run, ENGINE_FAILED, "there is no value at the start");
+        return;
+    }
+    set_equations(&descent);
+    begin_damping(&descent);
+    end(run, ENGINE_LIMIT, "as many iterations as allowed");
+    while (run->iterations < run->options.iterations && advance(&descent)) {
+        if (!run->watch(run->watch_context, run->iterations, descent.here.cost,
+                        descent.here.parameters)) {
+            end(run, ENGINE_WATCHED, "stopped");
+            break;
+        }
+    }
+    memcpy(run->parameters, descent.here.parameters, descent.n * sizeof(double));
+    set_sides(&descent);
+}

@@ -1,0 +1,21 @@
+/* design/solver_loss.h - the cost of residuals, and how much each of them counts. */
+/* SPDX-License-Identifier: MIT */
+#ifndef LENSCALC_DESIGN_SOLVER_LOSS_H
+#define LENSCALC_DESIGN_SOLVER_LOSS_H
+
+#include "design/solver.h"
+
+/* Residuals whose squares are summed: those that are met exactly stand behind them. */
+static inline size_t solver_squares(const struct solver_problem *problem)
+{
+    return problem->residual_count - problem->exact_count;
+}
+
+/*
+ * Half the sum of rho.
+ *
+ * Given     weights  receives rho' of each residual; null: they are not wanted
+ */
+double solver_cost(const struct solver_problem *problem, const double *residuals, double *weights);
+
+#endif
