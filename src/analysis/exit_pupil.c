@@ -91,11 +91,11 @@ static void put_lanes(const struct exit_pupil *pupil, const double (*at)[2], siz
     }
 }
 
-/* Points of the beam's u and v, and what areas of a and b are there. */
+/* Points of the beam's u and v, and what areas of a and b are there; areas null: not wanted. */
 static void way_back(const struct exit_pupil *pupil, const double (*at)[2], size_t count,
                      double (*places)[2], double *areas)
 {
-    kernel_exit_map *find = map_kernel();
+    kernel_exit_map *find = areas != NULL ? map_kernel() : form_kernel();
     const struct exit_map map = {pupil->order, pupil->map[0], pupil->map[1]};
     const double *half = pupil->half;
     struct exit_map_lanes lanes;
@@ -106,7 +106,9 @@ static void way_back(const struct exit_pupil *pupil, const double (*at)[2], size
         for (size_t i = 0; i < here; i++) {
             places[done + i][0] = lanes.first[i];
             places[done + i][1] = lanes.second[i];
-            areas[done + i] = lanes.area[i] / (half[0] * half[1]);
+            if (areas != NULL) {
+                areas[done + i] = lanes.area[i] / (half[0] * half[1]);
+            }
         }
     }
 }
@@ -380,8 +382,8 @@ static void look_block(const struct exit_pupil *pupil, const double (*at)[2], si
                        size_t *limits)
 {
     const struct margins *margins = &pupil->light->source.region->margins;
-    double places[RAYS_BLOCK][2], areas[RAYS_BLOCK];
-    way_back(pupil, at, count, places, areas);
+    double places[RAYS_BLOCK][2];
+    way_back(pupil, at, count, places, NULL);
     margins_look(margins, (const double(*)[2])places, count);
     for (size_t i = 0; i < count; i++) {
         limits[i] = margins->excess[i] <= 0 ? EXIT_PUPIL_CLEAR : 1 + margins->limit[i];

@@ -109,7 +109,7 @@ static void find_peak(struct psf *psf)
     }
 }
 
-/* A pixel's distance and light. */
+/* A pixel's distance from the centroid, pixels, and light. */
 struct pixel {
     double distance, light;
 };
@@ -121,23 +121,41 @@ static int by_distance(const void *first, const void *second)
     return (a > b) - (a < b);
 }
 
-/* The radius about the centroid with so much of all light. */
+/* All pixels at work, row by row. */
+static struct pixel pixel_of(const struct psf *psf, size_t i)
+{
+    const double half = (double)(psf->size / 2);
+    const double x = (double)(i % psf->size) - half - psf->centroid[0] / psf->pitch;
+    const double y = (double)(i / psf->size) - half - psf->centroid[1] / psf->pitch;
+    return (struct pixel){sqrt(x * x + y * y), psf->values[i]};
+}
+
+/* The radius about the centroid with so much of all light: the ring that has it, then its pixel. */
 static double radius_of(const struct psf *psf, double light, struct arena *arena)
 {
     const struct arena_mark mark = arena_mark(arena);
-    const size_t size = psf->size, count = size * size;
-    struct pixel *pixels = ARENA_ARRAY(arena, count, struct pixel);
-    double sum = 0, radius = NAN;
+    const size_t count = psf->size * psf->size, rings = 2 * psf->size;
+    double *sums = ARENA_ARRAY(arena, rings, double), sum = 0, radius = NAN;
+    size_t *rings_of = ARENA_ARRAY(arena, count, size_t), ring = 0, found = 0;
     for (size_t i = 0; i < count; i++) {
-        const double x = ((double)(i % size) - (double)(size / 2)) * psf->pitch;
-        const double y = ((double)(i / size) - (double)(size / 2)) * psf->pitch;
-        pixels[i].distance = hypot(x - psf->centroid[0], y - psf->centroid[1]);
-        pixels[i].light = psf->values[i];
+        const struct pixel pixel = pixel_of(psf, i);
+        rings_of[i] = (size_t)pixel.distance;
+        sums[rings_of[i]] += pixel.light;
     }
-    qsort(pixels, count, sizeof *pixels, by_distance);
-    for (size_t i = 0; i < count && isnan(radius); i++) {
+    for (; ring < rings && sum + sums[ring] < light; ring++) {
+        sum += sums[ring];
+    }
+    struct pixel *pixels = ARENA_ARRAY(arena, count, struct pixel);
+    for (size_t i = 0; i < count; i++) {
+        if (rings_of[i] == ring) {
+            pixels[found++] = pixel_of(psf, i);
+        }
+    }
+    qsort(pixels, found, sizeof *pixels, by_distance);
+    for (size_t i = 0; i < found && isnan(radius); i++) {
         sum += pixels[i].light;
-        radius = sum >= light ? pixels[i].distance : (double)NAN;
+        /* the last of all has it, whatever rounding says */
+        radius = sum >= light || i + 1 == found ? psf->pitch * pixels[i].distance : (double)NAN;
     }
     arena_reset(arena, mark);
     return radius;

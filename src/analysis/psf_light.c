@@ -1,30 +1,17 @@
-/* analysis/psf_light.c - the light of one wavelength over the pixels of an image. */
+/* analysis/psf_light.c - the light of one wavelength, as a sum of waves. */
 /* SPDX-License-Identifier: MIT */
 #include "analysis/psf_light.h"
 
 #include "analysis/psf_kernels.h"
+#include "analysis/psf_points.h"
 #include "base/constants.h"
-#include "base/fft.h"
 #include "base/processor.h"
-#include "base/turns.h"
-#include "trace/sample.h"
 
 #include <math.h>
+#include <string.h>
 
-enum {
-    LEAST = 14,  /* points of Gauss along a line, and lines */
-    A_TURN = 4,  /* more for each turn of the phase */
-    PANEL = 128, /* so many at once */
-    POINTS_MOST = 2400,
-    CELLS = 128, /* across the pupil, of a transform */
-    ROWS = 8,    /* lines through a cell, which say what of it is clear */
-};
-
-/* A cell that is all clear but for rounding; Gauss's two points, from the middle to an end. */
-static const double whole = 1 - 1e-9, gauss = 0.57735026918962576451;
-
-/* So much of a turn neighbouring points of a grid may differ at most. */
-static const double steepest = 0.2;
+/* Wavelets may be off so many turns. */
+static const double fine = 1e-8;
 
 static const struct psf_kernels *kernels(void)
 {
@@ -33,402 +20,171 @@ static const struct psf_kernels *kernels(void)
                                   : &psf_kernels_sse2;
 }
 
-/* -------- points between edges -------- */
-
-/* Points of the pupil, line by line. */
-struct points {
-    double (*at)[2];
-    double *waves, *amplitudes; /* times what each counts */
-    size_t *ends;               /* behind each line */
-    size_t lines, count;
-};
-
-/* Turns of the phase across the pupil in one direction, at the farthest pixel. */
-static double turns_across(const struct psf_plane *plane, int k)
+/* Room for a row of pixels, and as many more as a kernel wants. */
+static struct psf_row new_row(size_t size, struct arena *arena)
 {
-    const double far = 0.5 * (double)plane->size * plane->pitch;
-    return 2 * plane->pupil->half[k] * (far + plane->spread) * plane->pupil->n *
-           plane->pupil->waves;
+    const size_t count = (size + PSF_LANES - 1) / PSF_LANES * PSF_LANES;
+    return (struct psf_row){ARENA_ARRAY(arena, count, double), ARENA_ARRAY(arena, count, double),
+                            count};
 }
 
-/* Gauss's points on 0..1 for the last number of them that was wanted, or some more. */
-struct rule {
-    size_t wanted, count;
-    double x[POINTS_MOST + PANEL], w[POINTS_MOST + PANEL];
-};
-
-/* Many of them are panels of a few, which are found sooner. */
-static void set_rule(struct rule *rule, size_t wanted)
+static void clear_row(const struct psf_row *row)
 {
-    if (rule->wanted == wanted) {
-        return;
-    }
-    const size_t panels = (wanted + PANEL - 1) / PANEL, each = panels > 1 ? PANEL : wanted;
-    double x[PANEL], w[PANEL];
-    gauss_rule(each, x, w);
-    rule->wanted = wanted;
-    rule->count = panels * each;
-    for (size_t i = 0; i < rule->count; i++) {
-        rule->x[i] = ((double)(i / each) + x[i % each]) / (double)panels;
-        rule->w[i] = w[i % each] / (double)panels;
-    }
-}
-
-static size_t put_line(const struct exit_piece *piece, double angle, double weight, size_t along,
-                       struct rule *rule, double (*at)[2], double *weights)
-{
-    struct exit_spans spans;
-    double slope, clear = 0;
-    const double t = exit_piece_at(piece, angle, &slope, &spans);
-    size_t count = 0;
-    for (size_t i = 0; i < spans.count; i++) {
-        clear += spans.edges[2 * i + 1] - spans.edges[2 * i];
-    }
-    for (size_t i = 0; i < spans.count; i++) {
-        const double low = spans.edges[2 * i], length = spans.edges[2 * i + 1] - low;
-        if (!(length > 0)) {
-            continue;
-        }
-        const size_t here = 4 + (size_t)((double)(along - 4) * length / clear);
-        set_rule(rule, here);
-        for (size_t k = 0; k < rule->count; k++) {
-            at[count][0] = low + length * rule->x[k];
-            at[count][1] = t;
-            weights[count++] = weight * slope * length * rule->w[k];
-        }
-    }
-    return count;
-}
-
-static bool put_points(const struct psf_plane *plane, struct points *points, struct error *error)
-{
-    static const double across_x[2] = {1, 0};
-    struct arena *arena = plane->arena;
-    struct exit_lines *lines = ARENA_NEW(arena, struct exit_lines);
-    struct rule *rule = ARENA_NEW(arena, struct rule), *rows = ARENA_NEW(arena, struct rule);
-    const double turns[2] = {turns_across(plane, 0), turns_across(plane, 1)};
-    if (!(LEAST + A_TURN * fmax(turns[0], turns[1]) < POINTS_MOST)) {
-        return fail(error, ERROR_DOMAIN,
-                    "the wave front and the size of the image turn the phase %.0f times across the "
-                    "pupil, and sums take at most %d: smaller {size} or {pitch}",
-                    fmax(turns[0], turns[1]), (POINTS_MOST - LEAST) / A_TURN);
-    }
-    const size_t along = LEAST + (size_t)(A_TURN * turns[0]);
-    const size_t most = LEAST + (size_t)(A_TURN * turns[1]);
-    rule->wanted = rows->wanted = 0;
-    exit_lines_find(plane->pupil, across_x, arena, lines);
-    const size_t line_room = lines->count * (most + PANEL);
-    const size_t room = line_room * (along + (4 + PANEL) * EXIT_SPANS);
-    *points = (struct points){.at = arena_array(arena, room, sizeof *points->at),
-                              .ends = ARENA_ARRAY(arena, line_room, size_t)};
-    double *weights = ARENA_ARRAY(arena, room, double);
-    for (size_t p = 0; p < lines->count; p++) {
-        const struct exit_piece *piece = &lines->pieces[p];
-        const double share = (piece->high - piece->low) / (2 * plane->pupil->half[1]);
-        const size_t here = LEAST / 2 + (size_t)(((double)most - LEAST / 2) * fmin(share, 1));
-        set_rule(rows, here);
-        for (size_t i = 0; i < rows->count; i++) {
-            points->count += put_line(piece, PI * (rows->x[i] - 0.5), PI * rows->w[i], along, rule,
-                                      points->at + points->count, weights + points->count);
-            points->ends[points->lines++] = points->count;
-        }
-    }
-    points->waves = ARENA_ARRAY(arena, points->count, double);
-    points->amplitudes = ARENA_ARRAY(arena, points->count, double);
-    exit_pupil_values(plane->pupil, (const double(*)[2])points->at, points->count, points->waves,
-                      points->amplitudes);
-    for (size_t i = 0; i < points->count; i++) {
-        points->amplitudes[i] *= weights[i];
-    }
-    return true;
-}
-
-static double total(const struct points *points)
-{
-    double sum = 0;
-    for (size_t i = 0; i < points->count; i++) {
-        sum += points->amplitudes[i];
-    }
-    return sum;
+    memset(row->re, 0, row->count * sizeof row->re[0]);
+    memset(row->im, 0, row->count * sizeof row->im[0]);
 }
 
 /* -------- plane waves -------- */
 
+/* A wave is that of its x times that of its y: rows of a line's points, then lines of rows. */
 bool psf_by_plane(struct psf_plane *plane, struct error *error)
 {
     const struct psf_kernels *kernel = kernels();
     const size_t size = plane->size;
-    const double wave = plane->pupil->n * plane->pupil->waves, first = -(double)(size / 2);
-    struct points points;
-    if (!put_points(plane, &points, error)) {
+    const double wave = plane->pupil->n * plane->pupil->waves * plane->pitch;
+    const double first = -(double)(size / 2);
+    struct psf_points points;
+    if (!psf_points_put(plane, &points, error)) {
         return false;
     }
-    struct psf_row line = {ARENA_ARRAY(plane->arena, size, double),
-                           ARENA_ARRAY(plane->arena, size, double), size};
+    const struct psf_row line = new_row(size, plane->arena), up = new_row(size, plane->arena);
+    const struct psf_row used = {line.re, line.im, size};
     for (size_t k = 0, i = 0; k < points.lines; k++) {
         if (i == points.ends[k]) {
             continue;
         }
-        const double t = points.at[i][1] * wave * plane->pitch;
-        for (size_t x = 0; x < size; x++) {
-            line.re[x] = line.im[x] = 0;
-        }
+        const double t = points.at[i][1] * wave;
+        clear_row(&line);
         for (; i < points.ends[k]; i++) {
-            const double s = points.at[i][0] * wave * plane->pitch;
+            const double s = points.at[i][0] * wave;
             const struct psf_wave one = {points.amplitudes[i], points.waves[i] - s * first, -s};
             kernel->add_wave(&one, &line);
         }
+        clear_row(&up);
+        kernel->add_wave(&(struct psf_wave){1, -t * first, -t}, &up);
         for (size_t y = 0; y < size; y++) {
             const struct psf_row row = {plane->re + y * size, plane->im + y * size, size};
-            double c, s;
-            turns_of(-t * (first + (double)y), &c, &s);
-            kernel->add_row(&line, c, s, &row);
+            kernel->add_row(&used, up.re[y], up.im[y], &row);
         }
     }
-    plane->perfect = total(&points);
+    plane->perfect = points.total;
     return true;
 }
 
 /* -------- wavelets -------- */
 
-bool psf_by_huygens(struct psf_plane *plane, struct error *error)
+/* Monomials of the Lagrange polynomial of one of the nodes. */
+static void lagrange(const double *at, size_t node, double monomials[PSF_NODES])
+{
+    double over = 1, sums[PSF_NODES] = {1}; /* of the products of other nodes, by how many */
+    for (size_t k = 0, count = 0; k < PSF_NODES; k++) {
+        if (k != node) {
+            over *= at[node] - at[k];
+            count++;
+            for (size_t m = count; m > 0; m--) {
+                sums[m] += sums[m - 1] * at[k];
+            }
+        }
+    }
+    for (size_t m = 0; m < PSF_NODES; m++) {
+        const size_t others = PSF_NODES - 1 - m;
+        monomials[m] = (others % 2 == 0 ? 1 : -1) * sums[others] / over;
+    }
+}
+
+/* Cubics through Chebyshev's nodes. */
+static struct psf_steps steps_of(size_t rows)
+{
+    /* differences at 0 of 1, j, j^2 and j^3 */
+    static const double powers[PSF_NODES][PSF_NODES] = {
+        {1, 0, 0, 0}, {0, 1, 1, 1}, {0, 0, 2, 6}, {0, 0, 0, 6}};
+    struct psf_steps steps = {.rows = rows};
+    for (size_t k = 0; k < PSF_NODES; k++) {
+        const double node = cos(PI * ((double)k + 0.5) / PSF_NODES);
+        steps.at[k] = ((double)rows * (1 + node) - 1) / 2;
+    }
+    for (size_t k = 0; k < PSF_NODES; k++) {
+        double monomials[PSF_NODES];
+        lagrange(steps.at, k, monomials);
+        for (size_t m = 0; m < PSF_NODES; m++) {
+            for (size_t power = 0; power < PSF_NODES; power++) {
+                steps.differences[m][k] += powers[m][power] * monomials[power];
+            }
+        }
+    }
+    return steps;
+}
+
+/*
+ * How many rows a cubic is good for: it leaves L^4/3072 of the fourth slope of r over a length L,
+ * which is 3/r^3 at most, as r^2 is c^2 + s^2 along a line, and the slope 3 c^2 (4 s^2 - c^2)/r^7.
+ */
+static size_t rows_at_once(const struct psf_plane *plane, double radius, double waves)
+{
+    const double half = 0.5 * (double)plane->size * plane->pitch;
+    const double near = fmax(radius - sqrt(2) * half, 0);
+    const double length = sqrt(sqrt(1024 * fine * near * near * near / waves));
+    const double rows = floor(fmin(length / plane->pitch, PSF_ROWS_MOST));
+    const size_t parts = (plane->size + (size_t)fmax(rows, 1) - 1) / (size_t)fmax(rows, 1);
+    return (plane->size + parts - 1) / parts;
+}
+
+/* All wavelets over some columns. */
+static void add_strip(const struct psf_plane *plane, const struct psf_points *points,
+                      const struct psf_strip *strip)
 {
     const struct psf_kernels *kernel = kernels();
     const struct opd_reference *sphere = &plane->pupil->reference->opd;
-    const size_t size = plane->size;
+    const double waves = plane->pupil->n * plane->pupil->waves;
+    const size_t rows = rows_at_once(plane, sphere->radius, waves);
+    for (size_t first = 0; first < plane->size; first += rows) {
+        const size_t left = plane->size - first;
+        const struct psf_steps steps = steps_of(left < rows ? left : rows);
+        const struct psf_strip part = {strip->x, strip->y + (double)first * plane->pitch,
+                                       plane->pitch, strip->re + first * PSF_LANES,
+                                       strip->im + first * PSF_LANES};
+        for (size_t i = 0; i < points->count; i++) {
+            const struct psf_wavelet one = {
+                .amplitude = points->amplitudes[i],
+                .turns = points->waves[i],
+                .waves = sphere->side * waves,
+                .radius = sphere->radius,
+                .bx = sphere->side * sphere->radius * points->at[i][0],
+                .by = sphere->side * sphere->radius * points->at[i][1],
+            };
+            kernel->add_wavelet(&one, &steps, &part);
+        }
+    }
+}
+
+bool psf_by_huygens(struct psf_plane *plane, struct error *error)
+{
+    const size_t size = plane->size, room = size * PSF_LANES;
     const double first = -(double)(size / 2) * plane->pitch;
-    struct points points;
-    if (isinf(sphere->radius)) {
+    struct psf_points points;
+    if (isinf(plane->pupil->reference->opd.radius)) {
         return fail(error, ERROR_DOMAIN,
                     "the exit pupil lies infinitely far away, its wavelets are plane: {method} "
                     "plane");
     }
-    if (!put_points(plane, &points, error)) {
+    if (!psf_points_put(plane, &points, error)) {
         return false;
     }
-    for (size_t i = 0; i < points.count; i++) {
-        struct psf_wavelet one = {
-            .amplitude = points.amplitudes[i],
-            .turns = points.waves[i],
-            .waves = sphere->side * plane->pupil->n * plane->pupil->waves,
-            .radius = sphere->radius,
-            .bx = sphere->side * sphere->radius * points.at[i][0],
-            .by = sphere->side * sphere->radius * points.at[i][1],
-            .first = first,
-            .pitch = plane->pitch,
-        };
-        for (size_t y = 0; y < size; y++) {
-            const struct psf_row row = {plane->re + y * size, plane->im + y * size, size};
-            one.y = first + (double)y * plane->pitch;
-            kernel->add_wavelet(&one, &row);
-        }
-    }
-    plane->perfect = total(&points);
-    return true;
-}
-
-/* -------- a transform -------- */
-
-/* A grid of the pupil: cell i of a row about (i - length/2) step. */
-struct grid {
-    size_t length;
-    double step, middle[2];
-    double *re, *im;
-};
-
-/* How long the transform is to be; 0 with the error: no length is enough. */
-static size_t length_for(const struct psf_plane *plane, struct error *error)
-{
-    const struct exit_pupil *pupil = plane->pupil;
-    const double wide = 2 * fmax(pupil->half[0], pupil->half[1]);
-    const double finest = 1 / (pupil->n * pupil->waves * wide); /* mm: the pupil fills the grid */
-    const double by_slope = 2 * plane->spread * 0.5 / (steepest * plane->pitch);
-    const double by_cells = CELLS * finest / plane->pitch;
-    if (!(plane->pitch < finest)) {
-        fail(error, ERROR_DOMAIN,
-             "{pitch} %.4g um is too coarse for a Fourier transform: below %.4g um, or {method} "
-             "plane",
-             1000 * plane->pitch, 1000 * finest);
-        return 0;
-    }
-    const double wanted = fmax(fmax(by_slope, by_cells), (double)plane->size);
-    if (!(by_slope <= PSF_TRANSFORM_MOST)) {
-        fail(error, ERROR_DOMAIN,
-             "the wave front is too steep for a Fourier transform of %d points: at this pitch it "
-             "wants %.0f, or {method} plane",
-             PSF_TRANSFORM_MOST, ceil(by_slope));
-        return 0;
-    }
-    return fft_length_from((size_t)fmin(ceil(wanted), PSF_TRANSFORM_MOST));
-}
-
-/* The piece that a line lies in, and its angle; null: none. */
-static const struct exit_piece *piece_at(const struct exit_lines *lines, double t, double *angle)
-{
-    for (size_t i = 0; i < lines->count; i++) {
-        const struct exit_piece *piece = &lines->pieces[i];
-        if (t > piece->low && t < piece->high) {
-            *angle = asin((2 * t - piece->low - piece->high) / (piece->high - piece->low));
-            return piece;
-        }
-    }
-    return NULL;
-}
-
-/* Points of a row of cells, and what they count, in cells. */
-struct cells {
-    double (*at)[2];
-    double *weights;
-    size_t *cells, count;
-    double *clear; /* of each cell of the row */
-};
-
-/* Where the parts of a line lie, in cells from the first. */
-static size_t parts_of(const struct exit_lines *lines, const struct grid *grid, double t,
-                       double (*parts)[2])
-{
-    double angle, slope;
-    const struct exit_piece *piece = piece_at(lines, t, &angle);
-    const double first = (double)(grid->length / 2) + 0.5;
-    struct exit_spans spans = {.count = 0};
-    if (piece != NULL) {
-        exit_piece_at(piece, angle, &slope, &spans);
-    }
-    for (size_t i = 0; i < spans.count; i++) {
-        for (int k = 0; k < 2; k++) {
-            const double at = (spans.edges[2 * i + (size_t)k] - grid->middle[0]) / grid->step;
-            parts[i][k] = fmax(0, fmin(at + first, (double)grid->length));
-        }
-    }
-    return spans.count;
-}
-
-static void put_point(const struct grid *grid, double x, double t, double weight,
-                      struct cells *cells)
-{
-    const double first = (double)(grid->length / 2) + 0.5;
-    cells->at[cells->count][0] = grid->middle[0] + (x - first) * grid->step;
-    cells->at[cells->count][1] = t;
-    cells->weights[cells->count] = weight;
-    cells->cells[cells->count++] = (size_t)x;
-}
-
-/* Parts of lines through cells that are not clear as a whole, two points of Gauss each. */
-static void put_parts(const struct grid *grid, const double (*parts)[2], size_t count, double t,
-                      struct cells *cells)
-{
-    for (size_t i = 0; i < count; i++) {
-        for (size_t x = (size_t)parts[i][0]; (double)x < parts[i][1]; x++) {
-            const double low = fmax(parts[i][0], (double)x);
-            const double high = fmin(parts[i][1], (double)x + 1);
-            for (int k = -1; k <= 1 && cells->clear[x] < whole && high > low; k += 2) {
-                put_point(grid, (low + high) / 2 + k * (high - low) / 2 * gauss, t,
-                          (high - low) / (2 * ROWS), cells);
-            }
-        }
-    }
-}
-
-/* All points of a row of cells: of whole cells two by two, of others line by line. */
-static void put_cells(const struct exit_lines *lines, const struct grid *grid, double middle,
-                      struct cells *cells)
-{
-    double parts[ROWS][EXIT_SPANS][2], t[ROWS];
-    size_t counts[ROWS];
-    cells->count = 0;
-    for (size_t x = 0; x < grid->length; x++) {
-        cells->clear[x] = 0;
-    }
-    for (size_t k = 0; k < ROWS; k++) {
-        t[k] = middle + (((double)k + 0.5) / ROWS - 0.5) * grid->step;
-        counts[k] = parts_of(lines, grid, t[k], parts[k]);
-        for (size_t i = 0; i < counts[k]; i++) {
-            for (size_t x = (size_t)parts[k][i][0]; (double)x < parts[k][i][1]; x++) {
-                const double part =
-                    fmin(parts[k][i][1], (double)x + 1) - fmax(parts[k][i][0], (double)x);
-                cells->clear[x] += fmax(part, 0) / ROWS;
-            }
-        }
-    }
-    for (size_t x = 0; x < grid->length; x++) {
-        for (int k = 0; k < 4 && cells->clear[x] >= whole; k++) {
-            const double across = k % 2 == 0 ? -gauss : gauss, up = k < 2 ? -gauss : gauss;
-            put_point(grid, (double)x + 0.5 + across / 2, middle + up / 2 * grid->step, 0.25,
-                      cells);
-        }
-    }
-    for (size_t k = 0; k < ROWS; k++) {
-        put_parts(grid, (const double(*)[2])parts[k], counts[k], t[k], cells);
-    }
-}
-
-/* The means of the amplitude over the cells. */
-static void fill_grid(struct psf_plane *plane, const struct grid *grid)
-{
-    static const double across_x[2] = {1, 0};
-    struct arena *arena = plane->arena;
-    const size_t length = grid->length, room = length * (4 + 2 * ROWS * EXIT_SPANS);
-    struct exit_lines *lines = ARENA_NEW(arena, struct exit_lines);
-    struct cells cells = {.at = arena_array(arena, room, sizeof *cells.at),
-                          .weights = ARENA_ARRAY(arena, room, double),
-                          .cells = ARENA_ARRAY(arena, room, size_t),
-                          .clear = ARENA_ARRAY(arena, length, double)};
-    double *waves = ARENA_ARRAY(arena, room, double);
-    double *amplitudes = ARENA_ARRAY(arena, room, double);
-    exit_lines_find(plane->pupil, across_x, arena, lines);
-    for (size_t y = 0; y < length; y++) {
-        const double t = grid->middle[1] + ((double)y - (double)(length / 2)) * grid->step;
-        if (fabs(t - grid->middle[1]) > plane->pupil->half[1] + grid->step) {
-            continue;
-        }
-        put_cells(lines, grid, t, &cells);
-        exit_pupil_values(plane->pupil, (const double(*)[2])cells.at, cells.count, waves,
-                          amplitudes);
-        for (size_t i = 0; i < cells.count; i++) {
-            const double amplitude = amplitudes[i] * cells.weights[i] * grid->step * grid->step;
-            double c, s;
-            turns_of(waves[i], &c, &s);
-            grid->re[y * length + cells.cells[i]] += amplitude * c;
-            grid->im[y * length + cells.cells[i]] += amplitude * s;
-            plane->perfect += amplitude;
-        }
-    }
-}
-
-/* What means over cells leave of a wave at a place, pixels from the middle. */
-static double left_by_cells(size_t i, size_t size, size_t length)
-{
-    const double x = PI * ((double)i - (double)(size / 2)) / (double)length;
-    return fabs(x) > 0 ? sin(x) / x : 1;
-}
-
-bool psf_by_fft(struct psf_plane *plane, struct error *error)
-{
-    const struct exit_pupil *pupil = plane->pupil;
-    const size_t length = length_for(plane, error), size = plane->size;
-    if (length == 0) {
-        return false;
-    }
-    const size_t room = length * length;
-    const struct grid grid = {.length = length,
-                              .step = 1 / (pupil->n * pupil->waves * (double)length * plane->pitch),
-                              .middle = {pupil->middle[0], pupil->middle[1]},
+    struct psf_strip strip = {.y = first,
                               .re = ARENA_ARRAY(plane->arena, room, double),
                               .im = ARENA_ARRAY(plane->arena, room, double)};
-    for (size_t i = 0; i < room; i++) {
-        grid.re[i] = grid.im[i] = 0;
+    for (size_t x = 0; x < size; x += PSF_LANES) {
+        strip.x = first + (double)x * plane->pitch;
+        memset(strip.re, 0, room * sizeof strip.re[0]);
+        memset(strip.im, 0, room * sizeof strip.im[0]);
+        add_strip(plane, &points, &strip);
+        for (size_t y = 0; y < size; y++) {
+            for (size_t l = 0; l < PSF_LANES && x + l < size; l++) {
+                plane->re[y * size + x + l] = strip.re[y * PSF_LANES + l];
+                plane->im[y * size + x + l] = strip.im[y * PSF_LANES + l];
+            }
+        }
     }
-    fill_grid(plane, &grid);
-    const struct fft fft = fft_open(length, plane->arena);
-    fft_plane(&fft, false, grid.re, grid.im, plane->arena);
-    for (size_t i = 0; i < size * size; i++) {
-        /* light alone: where the middles lie only turns the phase */
-        const size_t x = (i % size + length - size / 2) % length;
-        const size_t y = (i / size + length - size / 2) % length;
-        const double left =
-            left_by_cells(i % size, size, length) * left_by_cells(i / size, size, length);
-        plane->re[i] = grid.re[y * length + x] / left;
-        plane->im[i] = grid.im[y * length + x] / left;
-    }
+    plane->perfect = points.total;
     return true;
 }

@@ -1,0 +1,29 @@
+/* analysis/psf_points.h - points of an exit pupil that waves are added up from. */
+/* SPDX-License-Identifier: MIT */
+#ifndef LENSCALC_ANALYSIS_PSF_POINTS_H
+#define LENSCALC_ANALYSIS_PSF_POINTS_H
+
+#include "analysis/psf_light.h"
+
+/* Points of the pupil, line by line. */
+struct psf_points {
+    double (*at)[2];            /* direction cosines; a line has one of the second */
+    double *waves, *amplitudes; /* W, wavelengths; times what each counts */
+    size_t *ends;               /* behind each line */
+    size_t lines, count;
+    double total; /* of the amplitudes */
+};
+
+/*
+ * Gauss's points between the edges of the pupil, along lines, and over the angle that
+ * struct exit_piece has from one line to the next.
+ *
+ * Formula   exp(i k x) over -1..1 is a polynomial of degree k and some more, which half as many
+ *           points integrate: pi/2 = 1.6 a turn along a line. Of exp(i k sin u) over a half turn
+ *           of u the slope is pi/2 times that in the middle: 2.5 a turn. Some more of both leave
+ *           1e-8 of the peak, of 2 to 300 turns
+ * Errors    ERROR_DOMAIN: the phase turns too often
+ */
+bool psf_points_put(const struct psf_plane *plane, struct psf_points *points, struct error *error);
+
+#endif
