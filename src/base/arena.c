@@ -5,6 +5,7 @@
 #include "base/error.h"
 
 #include <stdarg.h>
+#include <stdbool.h>
 #include <stdint.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -61,13 +62,14 @@ _Noreturn void arena_end(void)
     _exit(ERROR_IO);
 }
 
-static struct arena_block *new_block(size_t size)
+static struct arena_block *new_block(struct arena *within, size_t size)
 {
     size_t room = size > BLOCK_SIZE ? size : BLOCK_SIZE;
     if (room > SIZE_MAX - sizeof(struct arena_block)) {
         arena_end();
     }
-    struct arena_block *block = malloc(sizeof *block + room);
+    struct arena_block *block =
+        within != NULL ? arena_buffer(within, sizeof *block + room) : malloc(sizeof *block + room);
     if (block == NULL) {
         arena_end();
     }
@@ -80,7 +82,7 @@ static void *take(struct arena *arena, size_t bytes)
 {
     if (arena->block == NULL || arena->block->size - arena->block->used < bytes) {
         struct arena_block *block = take_spare(arena, bytes);
-        block = block != NULL ? block : new_block(bytes);
+        block = block != NULL ? block : new_block(arena->within, bytes);
         block->previous = arena->block;
         block->used = 0;
         arena->block = block;
@@ -159,6 +161,11 @@ char *arena_printf(struct arena *arena, const char *format, ...)
     return string;
 }
 
+struct arena arena_within(struct arena *arena)
+{
+    return (struct arena){.within = arena};
+}
+
 struct arena_mark arena_mark(const struct arena *arena)
 {
     return (struct arena_mark){arena->block, arena->block == NULL ? 0 : arena->block->used};
@@ -166,7 +173,8 @@ struct arena_mark arena_mark(const struct arena *arena)
 
 static void give_up(struct arena *arena, struct arena_block *block)
 {
-    if (block->size > most_spare || arena->spare_size > most_spare - block->size) {
+    const bool is_own = arena->within == NULL;
+    if (is_own && (block->size > most_spare || arena->spare_size > most_spare - block->size)) {
         free(block);
         return;
     }
@@ -193,7 +201,9 @@ void arena_free(struct arena *arena)
     while (arena->spare != NULL) {
         struct arena_block *block = arena->spare;
         arena->spare = block->previous;
-        free(block);
+        if (arena->within == NULL) {
+            free(block);
+        }
     }
     arena->spare_size = 0;
 }

@@ -12,12 +12,19 @@ struct arena {
     struct arena_block *block;
     struct arena_block *spare; /* given up, and kept for what is taken next */
     size_t spare_size;         /* bytes */
+    struct arena *within;      /* takes its memory there; null: from the system */
 };
 
 struct arena_mark {
     struct arena_block *block;
     size_t used;
 };
+
+/*
+ * An arena that takes its memory from another and is given up with it: what is taken and reset in
+ * it again and again leaves that one alone.
+ */
+struct arena arena_within(struct arena *arena);
 
 /* End the program, which cannot go on without memory: "out of memory", status ERROR_IO. */
 void arena_end(void);

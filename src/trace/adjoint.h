@@ -14,6 +14,7 @@ struct adjoint_rows {
     double *odd;         /* STEP_TERMS rows; null = not wanted where there are no odd powers */
     double thickness_sign;
     bool along_behind; /* of a STEP_MOVE: the way lies along the axis that is turned to */
+    int lanes;         /* the first so many: as kernel_lanes says */
 };
 
 /*
@@ -36,6 +37,7 @@ struct displace {
     double t;                                         /* the way along z that front lacks */
     double shift[2], axes[9]; /* its decentre; the axes of its tilts, one a row */
     double *rows;
+    int lanes;
 };
 typedef void kernel_displace(const struct displace *displace);
 kernel_displace kernel_displace_sse2, kernel_displace_avx2, kernel_displace_avx512;

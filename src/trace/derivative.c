@@ -6,9 +6,20 @@
 #include "trace/frames.h"
 #include "trace/rigid.h"
 
+#include <assert.h>
 #include <math.h>
 #include <stdint.h>
 #include <string.h>
+
+/* Rows that nobody asked for: those of one step. */
+enum {
+    SCRATCH_AFTER = 1,
+    SCRATCH_THICKNESS,
+    SCRATCH_CONIC,
+    SCRATCH_EVEN,
+    SCRATCH_ODD = SCRATCH_EVEN + STEP_TERMS,
+    SCRATCH_BLOCKS = 4 /* of eight rows */
+};
 
 static struct ray_block *aligned_blocks(struct arena *arena, size_t count)
 {
@@ -19,7 +30,7 @@ static struct ray_block *aligned_blocks(struct arena *arena, size_t count)
 struct derivative_tape derivative_tape_new(const struct system *system, struct arena *arena)
 {
     size_t steps = system->begin[system->places];
-    struct ray_block *blocks = aligned_blocks(arena, steps + 3 + 2);
+    struct ray_block *blocks = aligned_blocks(arena, steps + 3 + SCRATCH_BLOCKS);
     return (struct derivative_tape){
         .blocks = blocks,
         .spare = blocks + steps + 1,
@@ -81,25 +92,37 @@ static void number(struct numbering *numbering, size_t surface, enum parameter_k
     }
 }
 
-void derivative_layout(const struct system *system, unsigned what, struct arena *arena,
-                       struct derivative_layout *layout)
+/* Numbers for one surface; a mirror has the medium before it. */
+static void number_index(struct numbering *numbering, const struct lens *lens, size_t surface)
 {
-    size_t count = system->lens->surface_count;
-    size_t entries = (count + 1) * SLOTS;
+    if (surface != LENS_NONE && surface_reflects(&lens->surfaces[surface])) {
+        *row_at(numbering, surface, PARAMETER_INDEX) =
+            *row_at(numbering, surface - 1, PARAMETER_INDEX);
+    } else {
+        number(numbering, surface, PARAMETER_INDEX, 1);
+    }
+}
+
+static struct numbering numbering_new(size_t surfaces, struct arena *arena)
+{
+    size_t entries = (surfaces + 1) * SLOTS;
     struct numbering numbering = {ARENA_ARRAY(arena, entries, size_t), 0};
     for (size_t i = 0; i < entries; i++) {
         numbering.row[i] = LENS_NONE;
     }
+    return numbering;
+}
+
+void derivative_layout(const struct system *system, unsigned what, struct arena *arena,
+                       struct derivative_layout *layout)
+{
+    size_t count = system->lens->surface_count;
+    struct numbering numbering = numbering_new(count, arena);
     number(&numbering, LENS_NONE, PARAMETER_INDEX, 1);
     for (size_t i = 0; i < count; i++) {
         const struct step *step = step_of_surface(system, system_place(system, i));
         number(&numbering, i, PARAMETER_CURVATURE, 2);
-        if (surface_reflects(&system->lens->surfaces[i])) {
-            /* the same medium as before it */
-            *row_at(&numbering, i, PARAMETER_INDEX) = *row_at(&numbering, i - 1, PARAMETER_INDEX);
-        } else {
-            number(&numbering, i, PARAMETER_INDEX, 1);
-        }
+        number_index(&numbering, system->lens, i);
         bool odd = step->kind == STEP_ODD || (what & DERIVE_ODD) != 0;
         bool series = odd || step->kind >= STEP_ASPHERE || (what & DERIVE_SERIES) != 0;
         if (series || step->kind >= STEP_CONIC || (what & DERIVE_CONIC) != 0) {
@@ -116,6 +139,70 @@ void derivative_layout(const struct system *system, unsigned what, struct arena 
         }
     }
     *layout = (struct derivative_layout){what, numbering.next, count, numbering.row};
+}
+
+/* Rows of a kind that some parameter asks for: of all that stand side by side. */
+static void number_kind(struct numbering *numbering, size_t surface, enum parameter_kind kind,
+                        bool odd)
+{
+    const bool is_break = kind >= PARAMETER_BREAK_DECENTER_X;
+    if (kind == PARAMETER_COEFFICIENT) {
+        number(numbering, surface, kind, odd ? LENS_COEFFICIENTS : LENS_EVEN);
+    } else if (kind >= PARAMETER_DECENTER_X) {
+        number(numbering, surface, is_break ? PARAMETER_BREAK_DECENTER_X : PARAMETER_DECENTER_X, 5);
+    } else {
+        number(numbering, surface, kind, 1);
+    }
+}
+
+static unsigned what_of(struct parameter parameter)
+{
+    return parameter.kind >= PARAMETER_BREAK_DECENTER_X ? DERIVE_BREAK
+           : parameter.kind >= PARAMETER_DECENTER_X     ? DERIVE_DISPLACEMENT
+                                                        : 0;
+}
+
+/* The surface that an index is of: before mirrors. */
+static size_t medium_of(const struct lens *lens, struct parameter parameter)
+{
+    size_t surface = parameter.surface;
+    while (parameter.kind == PARAMETER_INDEX && surface != LENS_NONE &&
+           surface_reflects(&lens->surfaces[surface])) {
+        surface--; /* before the first: LENS_NONE */
+    }
+    return surface;
+}
+
+static bool has_odd(const struct parameter *parameters, size_t count, size_t surface)
+{
+    bool odd = false;
+    for (size_t i = 0; i < count; i++) {
+        odd = odd || (parameters[i].surface == surface && parameters[i].order % 2 == 1);
+    }
+    return odd;
+}
+
+void derivative_layout_of(const struct system *system, const struct parameter *parameters,
+                          size_t count, struct arena *arena, struct derivative_layout *layout)
+{
+    const struct lens *lens = system->lens;
+    struct numbering numbering = numbering_new(lens->surface_count, arena);
+    unsigned what = 0;
+    for (size_t i = 0; i < count; i++) {
+        const size_t surface = medium_of(lens, parameters[i]);
+        assert(parameter_type(parameters[i].kind)->basis == parameters[i].kind);
+        if (*row_at(&numbering, surface, parameters[i].kind) == LENS_NONE) {
+            number_kind(&numbering, surface, parameters[i].kind,
+                        has_odd(parameters, count, surface));
+        }
+        what |= what_of(parameters[i]);
+    }
+    for (size_t i = 0; i < lens->surface_count; i++) {
+        if (surface_reflects(&lens->surfaces[i])) {
+            number_index(&numbering, lens, i);
+        }
+    }
+    *layout = (struct derivative_layout){what, numbering.next, lens->surface_count, numbering.row};
 }
 
 static size_t row_of(const struct derivative_layout *layout, enum parameter_kind kind, int order,
@@ -146,6 +233,7 @@ struct sweep {
     const struct derivative_tape *tape;
     struct ray_block *adjoint;
     double *gradient;
+    const struct derivative_pass *pass;
     kernel_adjoint *kernel;
     kernel_displace *displace;
 };
@@ -163,12 +251,29 @@ static double *thickness_row(const struct sweep *sweep, size_t place)
     const struct system *system = sweep->system;
     size_t count = system->lens->surface_count;
     bool reverse = system->options.reverse;
-    double *scratch = sweep->tape->scratch;
+    double *scratch = sweep->tape->scratch + SCRATCH_THICKNESS * RAYS_BLOCK;
     if (place == 0 || (place == count && reverse)) {
         return scratch;
     }
     size_t left = reverse ? count - 1 - place : place - 1;
     return row_or(sweep, PARAMETER_THICKNESS, left, scratch);
+}
+
+/* Whether they are asked for or not, a kernel fills all rows of the shape that a surface has. */
+static void set_shape_rows(const struct sweep *sweep, enum step_kind kind, size_t surface,
+                           struct adjoint_rows *rows)
+{
+    double *scratch = sweep->tape->scratch;
+    const size_t odd = row_of(sweep->layout, PARAMETER_COEFFICIENT, 1, surface);
+    rows->odd = odd != LENS_NONE   ? sweep->gradient + odd * RAYS_BLOCK
+                : kind == STEP_ODD ? scratch + SCRATCH_ODD * RAYS_BLOCK
+                                   : NULL;
+    const bool is_series = rows->odd != NULL || kind >= STEP_ASPHERE;
+    rows->coefficient = row_or(sweep, PARAMETER_COEFFICIENT, surface,
+                               is_series ? scratch + SCRATCH_EVEN * RAYS_BLOCK : NULL);
+    const bool is_conic = rows->coefficient != NULL || kind >= STEP_CONIC;
+    rows->conic = row_or(sweep, PARAMETER_CONIC, surface,
+                         is_conic ? scratch + SCRATCH_CONIC * RAYS_BLOCK : NULL);
 }
 
 static struct adjoint_rows rows_of(const struct sweep *sweep, size_t place)
@@ -177,26 +282,24 @@ static struct adjoint_rows rows_of(const struct sweep *sweep, size_t place)
     size_t count = system->lens->surface_count, surface = system_surface(system, place);
     bool reverse = system->options.reverse;
     double *scratch = sweep->tape->scratch;
-    struct adjoint_rows rows = {.thickness_sign = reverse ? 1 : -1};
+    struct adjoint_rows rows = {.thickness_sign = reverse ? 1 : -1, .lanes = sweep->tape->lanes};
     if (surface == count) {
         size_t medium = reverse ? LENS_NONE : count - 1;
         rows.curvature = scratch;
         rows.index_before = row_or(sweep, PARAMETER_INDEX, medium, scratch);
-        rows.index_after = scratch + RAYS_BLOCK;
+        rows.index_after = scratch + SCRATCH_AFTER * RAYS_BLOCK;
         return rows;
     }
     rows.curvature = row_or(sweep, PARAMETER_CURVATURE, surface, scratch);
-    rows.conic = row_or(sweep, PARAMETER_CONIC, surface, NULL);
-    rows.coefficient = row_or(sweep, PARAMETER_COEFFICIENT, surface, NULL);
-    size_t odd = row_of(sweep->layout, PARAMETER_COEFFICIENT, 1, surface);
-    rows.odd = odd != LENS_NONE ? sweep->gradient + odd * RAYS_BLOCK : NULL;
+    set_shape_rows(sweep, step_of_surface(system, place)->kind, surface, &rows);
     rows.index_before = row_or(sweep, PARAMETER_INDEX, reverse ? surface : surface - 1, scratch);
     rows.index_after = row_or(sweep, PARAMETER_INDEX, reverse ? surface - 1 : surface, scratch);
     if (reverse && place > 0) { /* the way lies along the axis before a coordinate break */
         rows.along_behind = system->lens->surfaces[surface + 1].coordinate_break != NULL;
     }
     if (rows.index_after == rows.index_before) {
-        rows.index_after = scratch + RAYS_BLOCK; /* a mirror: the kernel adds nothing there */
+        /* a mirror, to which the kernel adds nothing; or asked for neither */
+        rows.index_after = scratch + SCRATCH_AFTER * RAYS_BLOCK;
     }
     return rows;
 }
@@ -214,7 +317,11 @@ static void add_displacement(const struct sweep *sweep, size_t place, size_t fir
                            .adjoint_behind = sweep->tape->spare,
                            .t = step->t,
                            .axes = {1, 0, 0, 0, 1, 0, 0, 0, 1},
-                           .rows = sweep->gradient + row * RAYS_BLOCK};
+                           .rows = sweep->gradient + row * RAYS_BLOCK,
+                           .lanes = sweep->tape->lanes};
+    if (row == LENS_NONE) {
+        return;
+    }
     if (decentre != NULL) {
         struct frame frame = frame_of(decentre, 0);
         double ax = decentre->tilt[0].value.hi;
@@ -266,21 +373,35 @@ static void add_breaks(const struct sweep *sweep, size_t place)
     }
 }
 
+/* What stands behind the surface itself gains what is to be added there. */
+static void add_at(const struct sweep *sweep)
+{
+    const double *restrict x = sweep->pass->add_x, *restrict y = sweep->pass->add_y;
+    for (int i = 0; i < sweep->tape->lanes; i++) {
+        sweep->adjoint->x[i] += x[i];
+        sweep->adjoint->y[i] += y[i];
+    }
+}
+
 static void sweep_place(const struct sweep *sweep, size_t place)
 {
     const struct system *system = sweep->system;
     size_t begin = system->begin[place], end = system->begin[place + 1];
     size_t surface = system_surface(system, place), count = system->lens->surface_count;
     bool is_decentred = surface < count && system->lens->surfaces[surface].decentre != NULL;
-    size_t breaks = end - begin - (is_decentred ? 3 : 1);
+    size_t breaks = end - begin - (is_decentred ? 3 : 1), itself = end - (is_decentred ? 2 : 1);
     struct adjoint_rows rows = rows_of(sweep, place);
     bool displaces = surface < count && (sweep->layout->what & DERIVE_DISPLACEMENT) != 0;
+    bool adds = sweep->pass->add_x != NULL && sweep->pass->at == place;
     if (displaces) {
         *sweep->tape->spare = *sweep->adjoint;
     }
     for (size_t i = end; i-- > begin;) {
-        rows.thickness =
-            i == begin ? thickness_row(sweep, place) : sweep->tape->scratch + 2 * RAYS_BLOCK;
+        if (adds && i == itself) {
+            add_at(sweep);
+        }
+        rows.thickness = i == begin ? thickness_row(sweep, place)
+                                    : sweep->tape->scratch + SCRATCH_THICKNESS * RAYS_BLOCK;
         sweep->kernel(&system->steps[i], &sweep->tape->blocks[i], &sweep->tape->blocks[i + 1],
                       sweep->adjoint, &rows);
         if (displaces && i == begin + breaks) {
@@ -292,18 +413,39 @@ static void sweep_place(const struct sweep *sweep, size_t place)
     }
 }
 
+void derivative_pass_begin(const struct derivative_pass *pass)
+{
+    const struct ray_block *end = &pass->tape->blocks[pass->system->begin[pass->system->places]];
+    const size_t lanes = (size_t)pass->tape->lanes;
+    for (size_t row = 0; row < pass->layout->rows; row++) {
+        memset(pass->gradient + row * RAYS_BLOCK, 0, lanes * sizeof(double));
+    }
+    for (size_t i = 0; i < lanes; i++) {
+        pass->adjoint->x[i] += 0 * end->x[i]; /* NaN where a ray is lost, and so all that follows */
+    }
+}
+
+void derivative_pass_part(const struct derivative_pass *pass, size_t from, size_t to)
+{
+    const struct sweep sweep = {pass->system,
+                                pass->layout,
+                                pass->tape,
+                                pass->adjoint,
+                                pass->gradient,
+                                pass,
+                                dispatch_adjoint(pass->set),
+                                dispatch_displace(pass->set)};
+    for (size_t place = from; place-- > to;) {
+        sweep_place(&sweep, place);
+    }
+}
+
 void derivative_sweep(const struct system *system, const struct derivative_layout *layout,
                       enum instruction_set set, const struct derivative_tape *tape,
                       struct ray_block *adjoint, double *gradient)
 {
-    const struct sweep sweep = {
-        system, layout, tape, adjoint, gradient, dispatch_adjoint(set), dispatch_displace(set)};
-    const struct ray_block *end = &tape->blocks[system->begin[system->places]];
-    memset(gradient, 0, layout->rows * RAYS_BLOCK * sizeof(double));
-    for (int i = 0; i < RAYS_BLOCK; i++) {
-        adjoint->x[i] += 0 * end->x[i]; /* NaN where a ray is lost, and so all that follows */
-    }
-    for (size_t place = system->places; place-- > 0;) {
-        sweep_place(&sweep, place);
-    }
+    const struct derivative_pass pass = {system,   layout, set,  tape, adjoint,
+                                         gradient, 0,      NULL, NULL};
+    derivative_pass_begin(&pass);
+    derivative_pass_part(&pass, system->places, 0);
 }

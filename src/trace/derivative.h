@@ -35,6 +35,15 @@ void derivative_layout(const struct system *system, unsigned what, struct arena 
                        struct derivative_layout *layout);
 
 /*
+ * Number those of some parameters only: what is not asked for costs little.
+ *
+ * Given     parameters  each its own basis (optics/parameter.h); some bring their neighbours with
+ *                       them, all orders of a surface or all ways to move it
+ */
+void derivative_layout_of(const struct system *system, const struct parameter *parameters,
+                          size_t count, struct arena *arena, struct derivative_layout *layout);
+
+/*
  * The row of a parameter.
  *
  * Given     parameter  one that is its own basis (optics/parameter.h): of R ask for c and multiply
@@ -48,7 +57,7 @@ struct derivative_tape {
     struct ray_block *blocks; /* one a step and one in front; aligned */
     struct ray_block *spare;  /* two for the adjoint */
     double *scratch;
-    int lanes; /* the first so many are traced forwards: kernel_lanes of the rays, or all */
+    int lanes; /* the first so many are traced and swept: kernel_lanes of the rays, or all */
 };
 struct derivative_tape derivative_tape_new(const struct system *system, struct arena *arena);
 
@@ -83,5 +92,22 @@ const struct ray_block *derivative_trace(const struct system *system, const stru
 void derivative_sweep(const struct system *system, const struct derivative_layout *layout,
                       enum instruction_set set, const struct derivative_tape *tape,
                       struct ray_block *adjoint, double *gradient);
+
+/* A sweep that stops on its way. */
+struct derivative_pass {
+    const struct system *system;
+    const struct derivative_layout *layout;
+    enum instruction_set set;
+    const struct derivative_tape *tape;
+    struct ray_block *adjoint;
+    double *gradient;
+    size_t at;                   /* a place, where */
+    const double *add_x, *add_y; /* these are added to the adjoints of x and y, as the surface by
+                                    itself has them behind it; null: nothing is */
+};
+
+/* Begin at the end, and sweep from behind one place, `from` - 1, to before another. */
+void derivative_pass_begin(const struct derivative_pass *pass);
+void derivative_pass_part(const struct derivative_pass *pass, size_t from, size_t to);
 
 #endif

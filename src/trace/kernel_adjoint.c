@@ -4,7 +4,8 @@
 
 #include <math.h>
 
-/* See trace/kernel.c for the rules of these loops. */
+/* See trace/lanes.h for the rules of these loops. */
+#define LANES_OF(lanes)  ((lanes) / RAYS_FEW * RAYS_FEW)
 #define NAME_(name, set) name##_##set
 #define NAME(name, set)  NAME_(name, set)
 #define INLINE           static inline __attribute__((always_inline))
@@ -113,10 +114,11 @@ struct of_series {
 };
 
 /* Rows of coefficients one after the other; of the first, u^power is in S already. */
-INLINE void put_terms(double *restrict rows, int terms, double power, struct of_series *of)
+INLINE void put_terms(double *restrict rows, int terms, double power, int lanes,
+                      struct of_series *of)
 {
     for (int j = 0; j < terms; j++) {
-        for (int i = 0; i < RAYS_BLOCK; i++) {
+        for (int i = 0; i < LANES_OF(lanes); i++) {
             rows[j * RAYS_BLOCK + i] = of->value[i] + of->slope[i] * (j + power);
             of->value[i] *= of->square[i];
             of->slope[i] *= of->square[i];
@@ -127,20 +129,21 @@ INLINE void put_terms(double *restrict rows, int terms, double power, struct of_
 /* S gains A2 u + ..; and r (A1 + ..), of which the slope is u^(j + 1/2) (j + 1/2)/u. */
 INLINE void put_series(const struct adjoint_rows *rows, int terms, bool odd, struct of_series *of)
 {
+    const int lanes = rows->lanes;
     if (odd) {
         struct of_series first;
-        for (int i = 0; i < RAYS_BLOCK; i++) {
+        for (int i = 0; i < LANES_OF(lanes); i++) {
             double r = sqrt(of->square[i]), over = of->square[i] > STEP_TINY ? 1 / r : 0;
             first.value[i] = of->value[i] * r;
             first.slope[i] = of->slope[i] * over;
             first.square[i] = of->square[i];
         }
-        put_terms(rows->odd, terms, 0.5, &first);
+        put_terms(rows->odd, terms, 0.5, lanes, &first);
     }
-    for (int i = 0; i < RAYS_BLOCK; i++) {
+    for (int i = 0; i < LANES_OF(lanes); i++) {
         of->value[i] *= of->square[i];
     }
-    put_terms(rows->coefficient, terms, 1, of);
+    put_terms(rows->coefficient, terms, 1, lanes, of);
 }
 
 /* Kinds of a surface as far as derivatives are concerned. */
@@ -169,7 +172,8 @@ INLINE void surface(const struct step *restrict s, const struct ray_block *restr
     double *restrict c_row = rows->curvature, *restrict k_row = rows->conic;
     double *restrict t_row = rows->thickness;
     double *restrict before_row = rows->index_before, *restrict after_row = rows->index_after;
-    for (int i = 0; i < RAYS_BLOCK; i++) {
+    const int lanes = rows->lanes;
+    for (int i = 0; i < LANES_OF(lanes); i++) {
         struct vector X = point_of(after, i), p = direction_of(before, i);
         struct vector out = direction_of(after, i), X0 = point_of(before, i);
         struct vector a = point_of(adjoint, i), b = direction_of(adjoint, i);
@@ -228,7 +232,8 @@ static void move(const struct step *s, struct ray_block *adjoint, const struct a
         m[i] = s->turn[i];
     }
     double *restrict t_row = rows->thickness;
-    for (int i = 0; i < RAYS_BLOCK; i++) {
+    const int lanes = rows->lanes;
+    for (int i = 0; i < LANES_OF(lanes); i++) {
         struct vector a = point_of(adjoint, i), b = direction_of(adjoint, i);
         adjoint->x[i] = m[0] * a.x + m[3] * a.y + m[6] * a.z;
         adjoint->y[i] = m[1] * a.x + m[4] * a.y + m[7] * a.z;
@@ -298,7 +303,8 @@ INLINE void displace(const struct displace *all, const struct ray_block *restric
     const struct vector second = {all->axes[3], all->axes[4], all->axes[5]};
     const struct vector third = {all->axes[6], all->axes[7], all->axes[8]};
     const double t = all->t;
-    for (int i = 0; i < RAYS_BLOCK; i++) {
+    const int lanes = all->lanes;
+    for (int i = 0; i < LANES_OF(lanes); i++) {
         struct vector a = point_of(adjoint_behind, i), a0 = point_of(adjoint, i);
         struct vector b = direction_of(adjoint_behind, i), b0 = direction_of(adjoint, i);
         struct vector X = plus(point_of(behind, i), -1, at), p = direction_of(behind, i);

@@ -100,6 +100,18 @@ static void add_rigid(const struct rigid *motion, const struct ray_block *restri
     }
 }
 
+void tangent_trace_start(const struct system *system, size_t places, size_t count,
+                         enum instruction_set set, const struct derivative_tape *tape,
+                         struct ray_block *tangents)
+{
+    static const struct tangent_seed nothing[TANGENTS_MOST];
+    const struct tangent_seeds all = {nothing, count, tape->lanes};
+    for (size_t i = 0; i < system->begin[places]; i++) {
+        dispatch_tangent(set)(&system->steps[i], &tape->blocks[i], &tape->blocks[i + 1], &all,
+                              tangents);
+    }
+}
+
 void tangent_trace(const struct system *system, const struct parameter *parameters, size_t count,
                    enum instruction_set set, const struct derivative_tape *tape,
                    struct ray_block *tangents)

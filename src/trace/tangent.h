@@ -29,6 +29,16 @@ void tangent_trace(const struct system *system, const struct parameter *paramete
                    enum instruction_set set, const struct derivative_tape *tape,
                    struct ray_block *tangents);
 
+/*
+ * The same of the starting rays only, from before the first place to behind another.
+ *
+ * Given     places  how many places they pass
+ * Result    where rays are lost, numbers that mean nothing
+ */
+void tangent_trace_start(const struct system *system, size_t places, size_t count,
+                         enum instruction_set set, const struct derivative_tape *tape,
+                         struct ray_block *tangents);
+
 /* What one parameter changes of one step: derivatives of the members of that name. */
 struct tangent_seed {
     double c, k, t, n11, dn, coefficient[STEP_TERMS], odd[STEP_TERMS];
