@@ -98,9 +98,11 @@ static bool open_disc(struct bundle_source *source, struct error *error)
 {
     double radius = source->question->setup->first.entrance_diameter / 2, place[2];
     if (!(radius > 0 && isfinite(radius))) {
-        return fail(error, ERROR_DOMAIN,
-                    "the lens has neither a stop with a diameter nor an aperture: its "
-                    "{f-number} must be given");
+        fail(
+            error, ERROR_DOMAIN,
+            "the lens has neither a stop with a diameter nor an aperture: the size of its pupil is "
+            "not known");
+        return error_hint(error, "give an f-number, or a diameter in the file");
     }
     source->pupil = (struct stop_beam){.system = source->system,
                                        .beam = &source->beam,

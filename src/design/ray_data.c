@@ -69,9 +69,11 @@ static bool open_tracing(struct tracing *tracing, struct ray_data *ray_data, str
     tracing->has_stop = tracing->all->open->stop != LENS_NONE && first->stop_radius > 0;
     tracing->radius = tracing->has_stop ? first->stop_radius : first->entrance_diameter / 2;
     if (!(fabs(tracing->radius) > 0 && isfinite(tracing->radius))) {
-        return fail(error, ERROR_DOMAIN,
-                    "the lens has neither a stop with a diameter nor an aperture: its "
-                    "{f-number} must be given");
+        fail(
+            error, ERROR_DOMAIN,
+            "the lens has neither a stop with a diameter nor an aperture: the size of its pupil is "
+            "not known");
+        return error_hint(error, "give an f-number, or a diameter in the file");
     }
     for (size_t i = 0; i < setup->field_count; i++) {
         if (setup->object.is_infinite && !(fabs(field_of(setup, i)) < 1.57)) {

@@ -132,7 +132,9 @@ static void add_part(struct writer *writer, const struct section *part, const ch
     const struct embedding embedding = {command_find(text_of(part->command)), words, count,
                                         &question->lens};
     if (!command_embed(&embedding, writer->run, &page->text, &error)) {
-        page->failure = word(error.message, arena);
+        page->failure = error.hint[0] == '\0'
+                            ? word(error.message, arena)
+                            : arena_printf(arena, "%s; %s", error.message, error.hint);
         page->text = (struct text){NULL, 0};
     }
 }
