@@ -140,19 +140,16 @@ static bool find_narrow(const struct system *system, const struct beam *beam, co
                         struct arena *arena, struct narrow_beam *narrow)
 {
     const struct ray start = beam_ray(beam, at[0], at[1]);
-    const struct rays rays = rays_new(arena, 1);
+    const struct rays rays = rays_new(arena, 2 * (size_t)RAYS_BLOCK);
     struct ray_block *tangents = rays_new(arena, 2 * (size_t)RAYS_BLOCK).blocks;
-    struct derivative_tape tape = derivative_tape_new(system, arena);
-    struct rays end = rays_new(arena, 1);
     rays_set(&rays, 0, beam->n, &start);
-    *end.blocks = *derivative_trace(system, rays.blocks, SET_BEST, &tape);
-    *narrow = (struct narrow_beam){.chief = rays_get(&end, 0, system->index_last)};
+    seed(beam, at, 0, &tangents[0]);
+    seed(beam, at, 1, &tangents[1]);
+    tangent_follow(system, kernel_lanes(1), 2, rays.blocks, tangents);
+    *narrow = (struct narrow_beam){.chief = rays_get(&rays, 0, system->index_last)};
     if (narrow->chief.status != RAY_OK) {
         return false;
     }
-    seed(beam, at, 0, &tangents[0]);
-    seed(beam, at, 1, &tangents[1]);
-    tangent_trace(system, NULL, 2, SET_BEST, &tape, tangents);
     const struct spreading all = spreading_of(&narrow->chief, system->index_last, tangents);
     find_foci(&all, narrow);
     narrow->tangential_z = place_of(&narrow->chief, narrow->tangential);

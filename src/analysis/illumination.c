@@ -101,8 +101,7 @@ static double sum_film(const struct illumination_question *question, struct bund
 
 struct field_sum {
     const struct illumination_question *question;
-    struct derivative_tape tape;
-    struct ray_block *start, *tangents; /* one, and two */
+    struct ray_block *rays, *tangents; /* two each */
     double a[RAYS_BLOCK], b[RAYS_BLOCK], weights[RAYS_BLOCK];
     size_t count;
     double sum;
@@ -114,13 +113,11 @@ static void flush(struct field_sum *field)
     const struct system *system = field->question->open;
     const struct beam *beam = field->question->beam;
     struct ray_block *tangents = field->tangents;
-    const size_t lanes = (size_t)kernel_lanes(field->count);
-    field->tape.lanes = (int)lanes;
-    beam_start(beam, field->a, field->b, field->count, field->start);
-    beam_tangents(beam, (double[2]){1, 0}, field->start, lanes, &tangents[0]);
-    beam_tangents(beam, (double[2]){0, 1}, field->start, lanes, &tangents[1]);
-    derivative_trace(system, field->start, SET_BEST, &field->tape);
-    tangent_trace(system, NULL, 2, SET_BEST, &field->tape, tangents);
+    const int lanes = kernel_lanes(field->count);
+    beam_start(beam, field->a, field->b, field->count, field->rays);
+    beam_tangents(beam, (double[2]){1, 0}, field->rays, (size_t)lanes, &tangents[0]);
+    beam_tangents(beam, (double[2]){0, 1}, field->rays, (size_t)lanes, &tangents[1]);
+    tangent_follow(system, lanes, 2, field->rays, tangents);
     const double over = 1 / (system->index_first * system->index_first);
     const struct ray_block *a = &tangents[0], *b = &tangents[1];
     for (size_t i = 0; i < field->count; i++) {
@@ -147,8 +144,7 @@ static double sum_field(const struct illumination_question *question, struct bun
 {
     struct field_sum *field = ARENA_NEW(arena, struct field_sum);
     field->question = question;
-    field->tape = derivative_tape_new(question->open, arena);
-    field->start = rays_new(arena, RAYS_BLOCK).blocks;
+    field->rays = rays_new(arena, 2 * (size_t)RAYS_BLOCK).blocks;
     field->tangents = rays_new(arena, 2 * (size_t)RAYS_BLOCK).blocks;
     each_point(part, rays, arena, add_field, field);
     if (field->count > 0) {

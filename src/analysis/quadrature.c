@@ -152,8 +152,8 @@ static void put_rays(const struct quadrature_region *region, struct arena *arena
 /* What takes u, v to the stop, and areas with them. */
 struct mapping {
     const struct margins *margins;
-    struct system before; /* to the stop */
-    struct derivative_tape tape;
+    struct system before;       /* to the stop */
+    struct ray_block *rays;     /* two */
     struct ray_block *tangents; /* two */
 };
 
@@ -162,7 +162,7 @@ static struct mapping mapping_open(const struct margins *margins, bool weighs, s
     struct mapping mapping = {.margins = margins, .before = *margins->system};
     mapping.before.places = system_place(margins->system, margins->system->stop) + 1;
     if (weighs) {
-        mapping.tape = derivative_tape_new(&mapping.before, arena);
+        mapping.rays = rays_new(arena, (size_t)2 * RAYS_BLOCK).blocks;
         mapping.tangents = rays_new(arena, (size_t)2 * RAYS_BLOCK).blocks;
     }
     return mapping;
@@ -176,17 +176,16 @@ static void find_areas(const struct mapping *mapping, const double (*points)[2],
     const struct system *system = margins->system;
     struct ray_block *block = margins->work.blocks;
     const double unit = margins->beam->radius;
-    struct derivative_tape tape = mapping->tape;
-    tape.lanes = kernel_lanes(count);
+    const int lanes = kernel_lanes(count);
     margins_go(margins, points, count, 0);
     for (int k = 0; k < 2; k++) {
         const double *axes = margins->beam->axes + k;
-        beam_tangents(margins->beam->beam, (double[2]){axes[0], axes[2]}, block, (size_t)tape.lanes,
+        beam_tangents(margins->beam->beam, (double[2]){axes[0], axes[2]}, block, (size_t)lanes,
                       &mapping->tangents[k]);
     }
-    ray_block_copy(block, derivative_trace(&mapping->before, block, SET_BEST, &tape),
-                   (size_t)tape.lanes);
-    tangent_trace(&mapping->before, NULL, 2, SET_BEST, &tape, mapping->tangents);
+    ray_block_copy(&mapping->rays[0], block, (size_t)lanes);
+    tangent_follow(&mapping->before, lanes, 2, mapping->rays, mapping->tangents);
+    ray_block_copy(block, &mapping->rays[0], (size_t)lanes);
     for (size_t i = 0; i < count; i++) {
         double from[3], along[2][3];
         margins_cross(margins, system->stop, i, from);

@@ -2,6 +2,7 @@
 /* SPDX-License-Identifier: MIT */
 #include "trace/tangent.h"
 
+#include "trace/adjoint.h"
 #include "trace/rigid.h"
 
 #include <assert.h>
@@ -112,6 +113,21 @@ void tangent_trace_start(const struct system *system, size_t places, size_t coun
     }
 }
 
+/* NaN where a ray is lost. */
+static void forget_lost(const struct ray_block *end, int lanes, size_t count,
+                        struct ray_block *tangents)
+{
+    for (size_t j = 0; j < count; j++) {
+        double *of[] = {tangents[j].x, tangents[j].y, tangents[j].z,   tangents[j].p,
+                        tangents[j].q, tangents[j].r, tangents[j].path};
+        for (size_t k = 0; k < sizeof of / sizeof of[0]; k++) {
+            for (int i = 0; i < lanes; i++) {
+                of[k][i] += 0 * end->x[i];
+            }
+        }
+    }
+}
+
 void tangent_trace(const struct system *system, const struct parameter *parameters, size_t count,
                    enum instruction_set set, const struct derivative_tape *tape,
                    struct ray_block *tangents)
@@ -140,14 +156,20 @@ void tangent_trace(const struct system *system, const struct parameter *paramete
             }
         }
     }
-    const struct ray_block *end = &tape->blocks[system->begin[system->places]];
-    for (size_t j = 0; j < count; j++) {
-        double *of[] = {tangents[j].x, tangents[j].y, tangents[j].z,   tangents[j].p,
-                        tangents[j].q, tangents[j].r, tangents[j].path};
-        for (size_t k = 0; k < sizeof of / sizeof of[0]; k++) {
-            for (int i = 0; i < tape->lanes; i++) {
-                of[k][i] += 0 * end->x[i]; /* NaN where a ray is lost */
-            }
-        }
+    forget_lost(&tape->blocks[system->begin[system->places]], tape->lanes, count, tangents);
+}
+
+void tangent_follow(const struct system *system, int lanes, size_t count, struct ray_block rays[2],
+                    struct ray_block *tangents)
+{
+    kernel_tape *trace = dispatch_tape(SET_BEST);
+    kernel_tangent *kernel = dispatch_tangent(SET_BEST);
+    const struct tangent_seed seeds[TANGENTS_MOST] = {{0}};
+    const struct tangent_seeds all = {seeds, count, lanes};
+    for (size_t i = 0; i < system->begin[system->places]; i++) {
+        trace(&system->steps[i], 1, system->options.path, lanes, rays);
+        kernel(&system->steps[i], &rays[0], &rays[1], &all, tangents);
+        ray_block_copy(&rays[0], &rays[1], (size_t)lanes);
     }
+    forget_lost(&rays[0], lanes, count, tangents);
 }

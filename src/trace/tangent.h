@@ -39,6 +39,17 @@ void tangent_trace_start(const struct system *system, size_t places, size_t coun
                          enum instruction_set set, const struct derivative_tape *tape,
                          struct ray_block *tangents);
 
+/*
+ * The same for changes of the starting rays only, and no tape: rays and tangents go side by side,
+ * in memory that a tape has for one step.
+ *
+ * Given     lanes  the first so many: as kernel_lanes says
+ *           rays   two blocks. The first receives the rays behind the last surface, lost ones as
+ *                  derivative_trace leaves them; the other is worked in
+ */
+void tangent_follow(const struct system *system, int lanes, size_t count, struct ray_block rays[2],
+                    struct ray_block *tangents);
+
 /* What one parameter changes of one step: derivatives of the members of that name. */
 struct tangent_seed {
     double c, k, t, n11, dn, coefficient[STEP_TERMS], odd[STEP_TERMS];
