@@ -308,7 +308,7 @@ struct quadrature_region quadrature_open(const struct stop_beam *beam, struct ar
     return (struct quadrature_region){.beam = beam,
                                       .margins = margins_open(beam, arena),
                                       .probe = probe_open(beam->system, beam->beam, arena),
-                                      .star = ARENA_NEW(arena, struct star)};
+                                      .star = arena_buffer(arena, sizeof(struct star))};
 }
 
 static void look(struct quadrature_region *region, struct arena *arena)

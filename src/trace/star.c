@@ -256,12 +256,16 @@ struct bracket {
 
 enum { AT_ONCE = RAYS_BLOCK / 3 };
 
-/* One step of Newton's method towards the points where two excesses are 0. */
-static void step_corners(const struct margins *margins, struct bracket *const *brackets,
+/*
+ * One step of Newton's method towards the points where two excesses are 0. Result: they are there;
+ * what is asked of the margins stands in every third lane.
+ */
+static bool step_corners(const struct margins *margins, struct bracket *const *brackets,
                          size_t count, double (*at)[2])
 {
-    static const double h = 1e-6;
+    static const double h = 1e-6, there = 1e-14;
     double points[RAYS_BLOCK][2];
+    bool stands = true;
     for (size_t i = 0; i < 3 * count; i++) {
         points[i][0] = at[i / 3][0] + (i % 3 == 1 ? h : 0);
         points[i][1] = at[i / 3][1] + (i % 3 == 2 ? h : 0);
@@ -270,17 +274,23 @@ static void step_corners(const struct margins *margins, struct bracket *const *b
     for (size_t i = 0; i < count; i++) {
         const double *a = margins->rows + brackets[i]->before.limit * RAYS_BLOCK + 3 * i;
         const double *b = margins->rows + brackets[i]->after.limit * RAYS_BLOCK + 3 * i;
+        stands = stands && fabs(a[0]) <= there && fabs(b[0]) <= there;
+    }
+    for (size_t i = 0; i < count && !stands; i++) {
+        const double *a = margins->rows + brackets[i]->before.limit * RAYS_BLOCK + 3 * i;
+        const double *b = margins->rows + brackets[i]->after.limit * RAYS_BLOCK + 3 * i;
         double au = a[1] - a[0], av = a[2] - a[0], bu = b[1] - b[0], bv = b[2] - b[0];
         double scale = h / (au * bv - av * bu);
         at[i][0] -= (bv * a[0] - av * b[0]) * scale;
         at[i][1] -= (au * b[0] - bu * a[0]) * scale;
     }
+    return stands;
 }
 
 /* Corners of two margins each, all at once; those that lie elsewhere stay as they are. */
 static void meet_margins(const struct search *search, struct bracket *const *brackets, size_t count)
 {
-    enum { STEPS = 6 };
+    enum { STEPS = 7 };
     const struct edge_frame *frame = &search->star->frame;
     const struct margins *margins = search->margins;
     double at[AT_ONCE][2];
@@ -289,17 +299,15 @@ static void meet_margins(const struct search *search, struct bracket *const *bra
         edge_point(frame, (one->low + one->high) / 2, (one->before.radius + one->after.radius) / 2,
                    at[i]);
     }
-    for (int step = 0; step < STEPS; step++) {
-        step_corners(margins, brackets, count, at);
+    for (int step = 0; step < STEPS && !step_corners(margins, brackets, count, at); step++) {
     }
-    margins_look(margins, (const double(*)[2])at, count);
     for (size_t i = 0; i < count; i++) {
         struct bracket *one = brackets[i];
-        double a = margins->rows[one->before.limit * RAYS_BLOCK + i];
-        double b = margins->rows[one->after.limit * RAYS_BLOCK + i];
+        double a = margins->rows[one->before.limit * RAYS_BLOCK + 3 * i];
+        double b = margins->rows[one->after.limit * RAYS_BLOCK + 3 * i];
         edge_polar(frame, at[i], (one->low + one->high) / 2, &one->angle, &one->radius);
         one->is_found = fabs(a) <= at_corner && fabs(b) <= at_corner &&
-                        margins->excess[i] <= at_corner && one->angle > one->low - 1e-12 &&
+                        margins->excess[3 * i] <= at_corner && one->angle > one->low - 1e-12 &&
                         one->angle < one->high + 1e-12;
     }
 }
@@ -423,57 +431,38 @@ static void find_corners(const struct search *search)
     star->corner_count = count;
 }
 
-/* The last of ascending angles, a turn of which follow each other, that is not above one. */
-static size_t last_below(const double *angles, size_t count, double angle)
+/* Edges and corners in one list, ascending from the first edge on. */
+static void merge_knots(struct star *star)
 {
-    size_t low = 0, high = count;
-    while (high - low > 1) {
-        size_t middle = (low + high) / 2;
-        *(angles[middle] <= angle ? &low : &high) = middle;
+    size_t i = 0, k = 0, count = 0;
+    while (i < star->count || k < star->corner_count) {
+        const bool is_edge =
+            k == star->corner_count || (i < star->count && star->angles[i] <= star->corners[k]);
+        star->knots[count] = is_edge ? star->angles[i] : star->corners[k];
+        star->knot_radii[count++] = is_edge ? star->edges[i++].radius : star->radii[k++];
     }
-    return angles[low] <= angle ? low : count - 1;
-}
-
-/* What is known of the edge on both sides of an angle. */
-struct between {
-    double low, high, before, after; /* rad from the angle; radii */
-};
-
-/* From 0 to a turn. */
-static double within_turn(double angle)
-{
-    return angle - 2 * PI * floor(angle * (1 / (2 * PI)));
-}
-
-/* By points of the edge, of edges or corners; those that are nearer count. */
-static void draw_near(const double *angles, const struct edge *edges, const double *radii,
-                      size_t count, double angle, struct between *between)
-{
-    if (count == 0) {
-        return;
-    }
-    const size_t last = last_below(angles, count, angles[0] + within_turn(angle - angles[0]));
-    const size_t next = last + 1 < count ? last + 1 : 0;
-    const double below = -within_turn(angle - angles[last]);
-    double above = within_turn(angles[next] - angle);
-    above += above <= 0 ? 2 * PI : 0;
-    if (below > between->low) {
-        between->low = below;
-        between->before = edges != NULL ? edges[last].radius : radii[last];
-    }
-    if (above < between->high) {
-        between->high = above;
-        between->after = edges != NULL ? edges[next].radius : radii[next];
-    }
+    star->knot_count = count;
 }
 
 double star_near(const struct star *star, double angle)
 {
-    struct between between = {.low = -INFINITY, .high = INFINITY};
-    draw_near(star->angles, star->edges, NULL, star->count, angle, &between);
-    draw_near(star->corners, NULL, star->radii, star->corner_count, angle, &between);
-    const double share = -between.low / (between.high - between.low);
-    return between.before + (between.after - between.before) * share;
+    const size_t count = star->knot_count;
+    const double turns = (angle - star->knots[0]) * (1 / (2 * PI));
+    const double whole = (double)(long)turns, part = turns - whole + (turns < whole ? 1 : 0);
+    const double at = star->knots[0] + 2 * PI * part;
+    /* they lie about as far from each other everywhere */
+    size_t i = (size_t)(part * (double)count);
+    i = i < count ? i : count - 1;
+    while (i > 0 && star->knots[i] > at) {
+        i--;
+    }
+    while (i + 1 < count && star->knots[i + 1] <= at) {
+        i++;
+    }
+    const size_t next = i + 1 < count ? i + 1 : 0;
+    const double above = star->knots[next] + (next == 0 ? 2 * PI : 0), below = star->knots[i];
+    const double share = above > below ? (at - below) / (above - below) : 0;
+    return star->knot_radii[i] + (star->knot_radii[next] - star->knot_radii[i]) * share;
 }
 
 /* Is one thing all of the edge, and as far on one side of the centre as on the other? */
@@ -558,5 +547,6 @@ bool star_find(const struct margins *margins, const struct probe *probe, struct 
     }
     star->is_whole = is_whole(margins, star) || is_even(margins, star);
     find_corners(&search);
+    merge_knots(star);
     return true;
 }

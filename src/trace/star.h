@@ -17,6 +17,9 @@ struct star {
     double corners[STAR_CORNERS]; /* rad, ascending */
     double radii[STAR_CORNERS];
     size_t corner_count;
+    /* edges and corners, from the first edge on; for star_near */
+    double knots[STAR_DIRECTIONS + STAR_CORNERS], knot_radii[STAR_DIRECTIONS + STAR_CORNERS];
+    size_t knot_count;
     bool is_whole; /* the stop or the disc alone ends it, or its edge is even */
 };
 
