@@ -10,6 +10,9 @@
 /* Rays of a patch; patches that are looked at together; sectors about the star, but for corners. */
 enum { SIDE = 3, EACH = SIDE * SIDE, AT_ONCE = RAYS_BLOCK / EACH, SECTORS = 12 };
 
+/* At first: patches of a sector, rays of an arm, and sectors next to each other that share arms. */
+enum { RINGS = 2, ALONG = RINGS * (SIDE - 1) + 1, SHARING = (RAYS_BLOCK / ALONG - 1) / (SIDE - 1) };
+
 /* So many patches would cost half of what the grid does. */
 enum { CELLS = PARTS_SIDE * PARTS_SIDE, MOST = CELLS / EACH / 2 };
 
@@ -40,6 +43,7 @@ static void add(struct patches *all, double angle, double width, double low, dou
 /* All that lies beyond the edge, in sectors from corner to corner. */
 static void begin(struct patches *all)
 {
+    const double nearby = 0.25;
     const struct star *star = all->star;
     const double widest = 2 * PI / SECTORS;
     double from = star->corner_count > 0 ? star->corners[0] : 0;
@@ -50,42 +54,60 @@ static void begin(struct patches *all)
         size_t sectors = (size_t)ceil((to - from) / widest);
         for (size_t k = 0; k < sectors; k++) {
             double width = (to - from) / (double)sectors;
-            add(all, from + (double)k * width, width, 0, 0.25);
-            add(all, from + (double)k * width, width, 0.25, 1);
+            for (size_t ring = 0; ring < RINGS; ring++) {
+                add(all, from + (double)k * width, width, ring == 0 ? 0 : nearby,
+                    ring == 0 ? nearby : 1);
+            }
         }
         from = to;
     }
 }
 
-static void place_rays(const struct patches *all, const struct patch *patch, double (*points)[2])
+/* Rays in one direction. */
+static void place_arm(const struct patches *all, double angle, const double *ways, size_t count,
+                      double (*points)[2])
 {
     const struct edge_frame *frame = &all->star->frame;
-    for (size_t arm = 0; arm < SIDE; arm++) {
-        const double share = (double)arm / (SIDE - 1);
-        const double angle = patch->low[0] + share * (patch->high[0] - patch->low[0]);
-        const double edge = star_near(all->star, angle);
-        double unit[2];
-        edge_point(frame, angle, 1, unit);
-        for (size_t i = 0; i < SIDE; i++) {
-            const double part = (double)i / (SIDE - 1);
-            const double way = patch->low[1] + part * (patch->high[1] - patch->low[1]);
-            const double radius = edge + way * (all->farthest - edge);
-            for (int k = 0; k < 2; k++) {
-                points[arm * SIDE + i][k] =
-                    frame->centre[k] + radius * (unit[k] - frame->centre[k]);
-            }
+    const double edge = star_near(all->star, angle);
+    double unit[2];
+    edge_point(frame, angle, 1, unit);
+    for (size_t i = 0; i < count; i++) {
+        const double radius = edge + ways[i] * (all->farthest - edge);
+        for (int k = 0; k < 2; k++) {
+            points[i][k] = frame->centre[k] + radius * (unit[k] - frame->centre[k]);
         }
     }
 }
 
-/* Beyond the bounds on one side, all of it. */
-static bool is_beyond(const struct patches *all, const double (*points)[2])
+static void place_rays(const struct patches *all, const struct patch *patch, double (*points)[2])
 {
+    const double low = patch->low[1], high = patch->high[1];
+    const double ways[SIDE] = {low, (low + high) / 2, high};
+    for (size_t arm = 0; arm < SIDE; arm++) {
+        const double share = (double)arm / (SIDE - 1);
+        place_arm(all, patch->low[0] + share * (patch->high[0] - patch->low[0]), ways, SIDE,
+                  points + arm * SIDE);
+    }
+}
+
+/* A patch that was looked at, and which rays of the block are its own. */
+struct seen {
+    const struct patches *all;
+    struct patch patch;
+    const double (*points)[2]; /* of the block */
+    size_t lanes[EACH];
+};
+
+/* Beyond the bounds on one side, all of it. */
+static bool is_beyond(const struct seen *seen)
+{
+    const struct patches *all = seen->all;
     bool beyond[4] = {true, true, true, true};
     for (size_t i = 0; i < EACH; i++) {
+        const double *point = seen->points[seen->lanes[i]];
         for (int k = 0; k < 2; k++) {
-            beyond[k] = beyond[k] && points[i][k] < all->low[k];
-            beyond[2 + k] = beyond[2 + k] && points[i][k] > all->high[k];
+            beyond[k] = beyond[k] && point[k] < all->low[k];
+            beyond[2 + k] = beyond[2 + k] && point[k] > all->high[k];
         }
     }
     return beyond[0] || beyond[1] || beyond[2] || beyond[3];
@@ -107,14 +129,16 @@ static double lowest(double before, double here, double after)
  * What a margin is at the rays of a patch; infinite where they miss its surface, beyond any rim.
  * Result: false: of some it is not known.
  */
-static bool take_values(const struct margins *margins, size_t k, size_t first, double *values)
+static bool take_values(const struct seen *seen, size_t k, double *values)
 {
-    const double *row = margins->rows + k * RAYS_BLOCK + first;
+    const struct margins *margins = seen->all->margins;
+    const double *row = margins->rows + k * RAYS_BLOCK;
     const struct margin *margin = &margins->all[k];
     bool known = true;
     for (size_t i = 0; i < EACH; i++) {
-        bool misses = margins->limit[first + i] == margins_missed(margin->surface);
-        values[i] = misses ? (double)INFINITY : row[i];
+        const size_t lane = seen->lanes[i];
+        bool misses = margins->limit[lane] == margins_missed(margin->surface);
+        values[i] = misses ? (double)INFINITY : row[lane];
         known = known && !isnan(values[i]);
     }
     return known;
@@ -141,41 +165,44 @@ static bool blocks(const double *values, bool at_edge)
     return missed ? !at_edge && least > far : least > 0 && low > 0 && (rises || !at_edge);
 }
 
-/* The first of its rays stands at `first` of the block. */
-static bool is_dark(const struct patches *all, const struct patch *patch, size_t first)
+static bool is_dark(const struct seen *seen)
 {
-    const struct margins *margins = all->margins;
+    const struct margins *margins = seen->all->margins;
+    const size_t limit = margins->limit[seen->lanes[0]];
     double values[EACH];
-    bool dark = margins_lost(margins->limit[first]);
+    bool dark = margins_lost(limit);
     for (size_t i = 0; i < EACH; i++) {
-        dark = dark && margins->limit[first + i] == margins->limit[first];
+        dark = dark && margins->limit[seen->lanes[i]] == limit;
     }
     for (size_t k = 0; k < margins->count && !dark; k++) {
-        dark = take_values(margins, k, first, values) && blocks(values, !(patch->low[1] > 0));
+        dark = take_values(seen, k, values) && blocks(values, !(seen->patch.low[1] > 0));
     }
     return dark;
 }
 
 /* Does a ray of it pass? Those at the edge are the star's. */
-static bool has_light(const struct patches *all, const struct patch *patch, size_t first)
+static bool has_light(const struct seen *seen)
 {
     bool light = false;
     for (size_t i = 0; i < EACH; i++) {
-        bool at_edge = i % SIDE == 0 && !(patch->low[1] > 0);
-        light = light || (!at_edge && all->margins->excess[first + i] <= 0);
+        bool at_edge = i % SIDE == 0 && !(seen->patch.low[1] > 0);
+        light = light || (!at_edge && seen->all->margins->excess[seen->lanes[i]] <= 0);
     }
     return light;
 }
 
 /* Do its rays lie as closely as those of the grid? */
-static bool is_fine(const struct patches *all, const double (*points)[2])
+static bool is_fine(const struct seen *seen)
 {
+    const double(*points)[2] = seen->points, *finest = seen->all->finest;
+    const size_t *lanes = seen->lanes;
     bool fine = true;
     for (size_t i = 0; i < EACH; i++) {
+        const double *here = points[lanes[i]];
         for (int k = 0; k < 2; k++) {
-            fine =
-                fine && (i % SIDE == 0 || fabs(points[i][k] - points[i - 1][k]) <= all->finest[k]);
-            fine = fine && (i < SIDE || fabs(points[i][k] - points[i - SIDE][k]) <= all->finest[k]);
+            fine = fine &&
+                   (i % SIDE == 0 || fabs(here[k] - points[lanes[i - 1]][k]) <= finest[k]) &&
+                   (i < SIDE || fabs(here[k] - points[lanes[i - SIDE]][k]) <= finest[k]);
         }
     }
     return fine;
@@ -191,35 +218,88 @@ static void cut(struct patches *all, const struct patch *patch)
     }
 }
 
+/* False: it has light. What is not sure to be dark is cut, unless it is as fine as the grid. */
+static bool settle(struct patches *all, const struct seen *seen)
+{
+    if (is_beyond(seen) || is_dark(seen)) {
+        return true;
+    }
+    if (has_light(seen)) {
+        return false;
+    }
+    if (!is_fine(seen)) {
+        cut(all, &seen->patch);
+    }
+    return true;
+}
+
+/* The patches of sectors next to each other, which share rays; the first stands at `first`. */
+static bool settle_sectors(struct patches *all, size_t first, size_t sectors)
+{
+    double points[RAYS_BLOCK][2], ways[ALONG];
+    const size_t arms = sectors * (SIDE - 1) + 1;
+    bool dark = true;
+    for (size_t i = 0; i < ALONG; i++) {
+        const struct patch *patch = &all->list[first + i / (SIDE - 1) % RINGS];
+        const double share = (double)(i % (SIDE - 1)) / (SIDE - 1);
+        ways[i] = i + 1 == ALONG ? 1 : patch->low[1] + share * (patch->high[1] - patch->low[1]);
+    }
+    for (size_t arm = 0; arm < arms; arm++) {
+        const size_t sector = arm / (SIDE - 1) < sectors ? arm / (SIDE - 1) : sectors - 1;
+        const struct patch *patch = &all->list[first + RINGS * sector];
+        const double share = (double)(arm - sector * (SIDE - 1)) / (SIDE - 1);
+        place_arm(all, patch->low[0] + share * (patch->high[0] - patch->low[0]), ways, ALONG,
+                  points + arm * ALONG);
+    }
+    margins_look(all->margins, (const double(*)[2])points, arms * ALONG);
+    for (size_t i = 0; i < RINGS * sectors && dark; i++) {
+        struct seen seen = {all, all->list[first + i], (const double(*)[2])points, {0}};
+        const size_t corner = i / RINGS * (SIDE - 1) * ALONG + i % RINGS * (SIDE - 1);
+        for (size_t k = 0; k < EACH; k++) {
+            seen.lanes[k] = corner + k / SIDE * ALONG + k % SIDE;
+        }
+        dark = settle(all, &seen);
+    }
+    return dark;
+}
+
+/* Patches by themselves, up to AT_ONCE. */
+static bool settle_patches(struct patches *all, size_t first, size_t count)
+{
+    double points[AT_ONCE * EACH][2];
+    bool dark = true;
+    for (size_t i = 0; i < count; i++) {
+        place_rays(all, &all->list[first + i], points + i * EACH);
+    }
+    margins_look(all->margins, (const double(*)[2])points, count * EACH);
+    for (size_t i = 0; i < count && dark; i++) {
+        struct seen seen = {all, all->list[first + i], (const double(*)[2])points, {0}};
+        for (size_t k = 0; k < EACH; k++) {
+            seen.lanes[k] = i * EACH + k;
+        }
+        dark = settle(all, &seen);
+    }
+    return dark;
+}
+
 /* Does nothing pass beyond the edge of the star? False: perhaps. */
 static bool is_alone(struct patches *all)
 {
     begin(all);
-    for (size_t done = 0; done < all->count; done += AT_ONCE) {
-        double points[AT_ONCE * EACH][2];
-        if (all->count > MOST) {
-            return false;
-        }
-        const size_t left = all->count - done, here = left < AT_ONCE ? left : AT_ONCE;
-        for (size_t i = 0; i < here; i++) {
-            place_rays(all, &all->list[done + i], points + i * EACH);
-        }
-        margins_look(all->margins, (const double(*)[2])points, here * EACH);
-        for (size_t i = 0; i < here; i++) {
-            const struct patch patch = all->list[done + i];
-            const double(*own)[2] = (const double(*)[2])points + i * EACH;
-            if (is_beyond(all, own) || is_dark(all, &patch, i * EACH)) {
-                continue;
-            }
-            if (has_light(all, &patch, i * EACH)) {
-                return false;
-            }
-            if (!is_fine(all, own)) {
-                cut(all, &patch);
-            }
-        }
+    const size_t sectors = all->count / RINGS;
+    size_t done = 0;
+    bool dark = true;
+    while (dark && done < RINGS * sectors) {
+        const size_t left = sectors - done / RINGS, here = left < SHARING ? left : SHARING;
+        dark = settle_sectors(all, done, here);
+        done += RINGS * here;
     }
-    return true;
+    while (dark && done < all->count && all->count <= MOST) {
+        const size_t left = all->count - done, here = left < AT_ONCE ? left : AT_ONCE;
+        dark = settle_patches(all, done, here);
+        done += here;
+    }
+    return dark && done == all->count;
 }
 
 /* Cells that pass and may lie beyond the edge of the star. */
