@@ -305,17 +305,22 @@ static size_t rings_for(const struct star *star, size_t rays)
 
 struct quadrature_region quadrature_open(const struct stop_beam *beam, struct arena *arena)
 {
+    struct star *star = arena_buffer(arena, sizeof *star);
+    star->count = 0;
     return (struct quadrature_region){.beam = beam,
                                       .margins = margins_open(beam, arena),
                                       .probe = probe_open(beam->system, beam->beam, arena),
-                                      .star = arena_buffer(arena, sizeof(struct star))};
+                                      .star = star};
 }
 
 static void look(struct quadrature_region *region, struct arena *arena)
 {
     if (!region->is_known) {
         region->is_known = true;
-        region->is_empty = !star_find(&region->margins, &region->probe, arena, region->star);
+        if (region->near == NULL ||
+            !star_follow(&region->margins, &region->probe, region->near, region->star)) {
+            region->is_empty = !star_find(&region->margins, &region->probe, arena, region->star);
+        }
     }
 }
 

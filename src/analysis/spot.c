@@ -66,6 +66,10 @@ static bool open_sources(struct seeking *seeking, struct arena *arena, struct er
         if (!bundle_open(&seeking->questions[g], arena, &seeking->sources[g], error)) {
             return false;
         }
+        struct quadrature_region *region = seeking->sources[g].region;
+        if (g > 0 && region != NULL) {
+            region->near = seeking->sources[g - 1].region->star;
+        }
     }
     return true;
 }

@@ -16,7 +16,8 @@ struct search {
     const struct margins *margins;
     const struct probe *probe;
     struct star *star;
-    double tolerance; /* of edges that are only compared */
+    const struct star *before; /* one close by; null: nothing is known */
+    double tolerance;          /* of edges that are only compared */
 };
 
 /* -------- what ends an edge -------- */
@@ -180,11 +181,14 @@ static bool fit_frame(const struct search *search)
 static void scan(const struct search *search, size_t directions)
 {
     struct star *star = search->star;
+    double near[MORE_DIRECTIONS];
     star->count = directions;
     for (size_t i = 0; i < star->count; i++) {
         star->angles[i] = 2 * PI * ((double)i + 0.5) / (double)star->count;
+        near[i] = search->before != NULL ? star_near(search->before, star->angles[i]) : 0;
     }
-    find_limits(search, star->angles, NULL, star->count, star->edges);
+    find_limits(search, star->angles, search->before != NULL ? near : NULL, star->count,
+                star->edges);
 }
 
 /* A piece of the edge that may be hidden between directions: its excess peaks about here. */
@@ -210,7 +214,7 @@ static void look_between(const struct search *search)
 {
     struct star *star = search->star;
     const struct margins *margins = search->margins;
-    double points[DIRECTIONS][2], angles[EXTRA];
+    double points[DIRECTIONS][2], angles[EXTRA], near[EXTRA];
     struct edge edges[EXTRA];
     size_t extra = 0;
     for (size_t i = 0; i < DIRECTIONS; i++) {
@@ -225,6 +229,7 @@ static void look_between(const struct search *search)
             double where;
             if (star->edges[i].limit != k && star->edges[last].limit != k &&
                 star->edges[next].limit != k && may_peak(row[last], row[i], row[next], &where)) {
+                near[extra] = star->edges[i].radius;
                 angles[extra++] = star->angles[i] + where * gap_of(star, where > 0 ? i : last);
             }
         }
@@ -232,7 +237,7 @@ static void look_between(const struct search *search)
     if (extra == 0) {
         return;
     }
-    find_limits(search, angles, NULL, extra, edges);
+    find_limits(search, angles, near, extra, edges);
     for (size_t i = 0; i < extra; i++) {
         size_t k = star->count++;
         for (; k > 0 && star->angles[k - 1] > angles[i]; k--) {
@@ -287,6 +292,25 @@ static bool step_corners(const struct margins *margins, struct bracket *const *b
     return stands;
 }
 
+/* Where a corner is looked for first: where one was before, or in the middle. */
+static void guess_corner(const struct search *search, const struct bracket *bracket, double at[2])
+{
+    const double nearby = 0.1; /* rad */
+    const struct edge_frame *frame = &search->star->frame;
+    const double middle = (bracket->low + bracket->high) / 2;
+    edge_point(frame, middle, (bracket->before.radius + bracket->after.radius) / 2, at);
+    for (size_t k = 0; search->before != NULL && k < search->before->corner_count; k++) {
+        double point[2], angle, radius;
+        edge_point(&search->before->frame, search->before->corners[k], search->before->radii[k],
+                   point);
+        edge_polar(frame, point, middle, &angle, &radius);
+        if (angle > bracket->low - nearby && angle < bracket->high + nearby) {
+            at[0] = point[0];
+            at[1] = point[1];
+        }
+    }
+}
+
 /* Corners of two margins each, all at once; those that lie elsewhere stay as they are. */
 static void meet_margins(const struct search *search, struct bracket *const *brackets, size_t count)
 {
@@ -295,9 +319,7 @@ static void meet_margins(const struct search *search, struct bracket *const *bra
     const struct margins *margins = search->margins;
     double at[AT_ONCE][2];
     for (size_t i = 0; i < count; i++) {
-        const struct bracket *one = brackets[i];
-        edge_point(frame, (one->low + one->high) / 2, (one->before.radius + one->after.radius) / 2,
-                   at[i]);
+        guess_corner(search, brackets[i], at[i]);
     }
     for (int step = 0; step < STEPS && !step_corners(margins, brackets, count, at); step++) {
     }
@@ -521,12 +543,29 @@ static double choose_tolerance(const struct margins *margins, const double centr
     return margins->is_listed ? 1e-12 : fmin(roughly, of_depth * -margins->excess[0]);
 }
 
+/* What a frame that fits, and edges in it, do not say yet. */
+static void finish(const struct search *search)
+{
+    const struct margins *margins = search->margins;
+    struct star *star = search->star;
+    star->is_plain = !margins->is_listed && !loses(star);
+    if (star->is_plain) {
+        look_between(search);
+    } else if (!margins->is_listed) {
+        scan(search, MORE_DIRECTIONS);
+    }
+    star->is_whole = is_whole(margins, star) || is_even(margins, star);
+    find_corners(search);
+    merge_knots(star);
+}
+
 bool star_find(const struct margins *margins, const struct probe *probe, struct arena *arena,
                struct star *star)
 {
     enum { FITS = 12 };
-    struct search search = {margins, probe, star, 0};
+    struct search search = {margins, probe, star, NULL, 0};
     star->frame = (struct edge_frame){.stretch = {1, 1}};
+    star->count = 0;
     star->corner_count = 0;
     margins_widen(margins);
     if (!find_centre(margins, arena, star->frame.centre)) {
@@ -540,13 +579,29 @@ bool star_find(const struct margins *margins, const struct probe *probe, struct 
             break;
         }
     }
-    if (loses(star) && !margins->is_listed) {
-        scan(&search, MORE_DIRECTIONS);
-    } else if (!margins->is_listed) {
-        look_between(&search);
-    }
-    star->is_whole = is_whole(margins, star) || is_even(margins, star);
-    find_corners(&search);
-    merge_knots(star);
+    finish(&search);
     return true;
+}
+
+bool star_follow(const struct margins *margins, const struct probe *probe,
+                 const struct star *before, struct star *star)
+{
+    struct search search = {margins, probe, star, before, 0};
+    if (margins->is_listed || before->count == 0 || !before->is_plain) {
+        return false;
+    }
+    star->frame = before->frame;
+    star->corner_count = 0;
+    margins_widen(margins);
+    search.tolerance = choose_tolerance(margins, star->frame.centre);
+    if (!(margins->excess[0] <= 0)) {
+        return false;
+    }
+    scan(&search, DIRECTIONS);
+    const bool fits = is_whole(margins, star) || is_even(margins, star);
+    if (loses(star) || is_long(star) || (!fits && !fit_frame(&search))) {
+        return false;
+    }
+    finish(&search);
+    return star->corner_count == before->corner_count && star->is_whole == before->is_whole;
 }

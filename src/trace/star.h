@@ -21,6 +21,7 @@ struct star {
     double knots[STAR_DIRECTIONS + STAR_CORNERS], knot_radii[STAR_DIRECTIONS + STAR_CORNERS];
     size_t knot_count;
     bool is_whole; /* the stop or the disc alone ends it, or its edge is even */
+    bool is_plain; /* only margins end it: no list of apertures, and no ray that is lost otherwise */
 };
 
 /*
@@ -41,6 +42,17 @@ struct star {
  */
 bool star_find(const struct margins *margins, const struct probe *probe, struct arena *arena,
                struct star *star);
+
+/*
+ * The same from a star of a beam close by, of another field or wavelength, in a third of the time.
+ *
+ * Given     before  of the same lens; with a count of 0 there is none
+ * Result    false: it does not lead to a star of as many corners; ask star_find
+ * Formula   edges about those before, in a frame fitted anew; corners by Newton's method from those
+ *           before. What is checked of the star is what star_find does
+ */
+bool star_follow(const struct margins *margins, const struct probe *probe,
+                 const struct star *before, struct star *star);
 
 /* About where the edge is in a direction, by its neighbours: within 1 % but for narrow pieces. */
 double star_near(const struct star *star, double angle);
