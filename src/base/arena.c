@@ -122,10 +122,11 @@ void *arena_grow(struct arena *arena, void *array, size_t count, size_t *room, s
 
 char *arena_string(struct arena *arena, const char *start, size_t length)
 {
-    char *copy = arena_array(arena, length + 1, 1);
+    char *copy = arena_buffer(arena, length + 1);
     if (length > 0) {
         memcpy(copy, start, length);
     }
+    copy[length] = '\0';
     return copy;
 }
 

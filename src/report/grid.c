@@ -12,6 +12,12 @@ struct grid grid_new(struct arena *arena, size_t columns, size_t head_rows)
     return grid;
 }
 
+void grid_make_room(struct grid *grid, size_t rows)
+{
+    grid->cells = ARENA_ARRAY(grid->arena, rows * grid->columns, char *);
+    grid->capacity = rows;
+}
+
 void grid_add_row(struct grid *grid)
 {
     if (grid->rows == grid->capacity) {
@@ -34,7 +40,7 @@ void grid_set(struct grid *grid, size_t column, const char *string)
 
 void grid_make_printable(const struct grid *grid)
 {
-    for (size_t i = 0; i < grid->rows * grid->columns; i++) {
+    for (size_t i = 0; i < grid->rows * grid->columns && !grid->is_printable; i++) {
         if (grid->cells[i] != NULL) {
             text_make_printable(grid->cells[i], "");
         }

@@ -284,7 +284,7 @@ static void write_rows(const struct grid *grid, struct output *output, const siz
 }
 
 /* As many columns at a time as the terminal shows, the first one in each block. */
-static void write_blocks(const struct grid *grid, struct output *output, size_t *widths)
+static void write_blocks(const struct grid *grid, struct output *output, const size_t *widths)
 {
     struct grid block = *grid;
     size_t first = 1;
@@ -305,11 +305,12 @@ static void write_blocks(const struct grid *grid, struct output *output, size_t 
 
 void grid_write_text(const struct grid *grid, struct output *output, bool with_head)
 {
-    size_t *widths = grid->widths;
+    const size_t *widths = grid->widths != NULL ? grid->widths : grid->measured;
     grid_make_printable(grid);
     if (widths == NULL) {
-        widths = ARENA_ARRAY(grid->arena, grid->columns, size_t);
-        grid_measure(grid, widths);
+        size_t *own = ARENA_ARRAY(grid->arena, grid->columns, size_t);
+        grid_measure(grid, own);
+        widths = own;
     }
     if (grid->title != NULL && with_head) {
         output_styled(output, STYLE_HEAD, grid_printable(grid->arena, grid->title));

@@ -6,25 +6,38 @@
 #include "report/spoken.h"
 
 #include <math.h>
+#include <stddef.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
 enum { TYPED_DIGITS = 9 };
 
-static int compare(const void *a, const void *b)
-{
-    double x = *(const double *)a, y = *(const double *)b;
-    return (x > y) - (x < y);
-}
-
+/* Hoare's selection: only the part that holds the middle is sorted on. */
 double readable_median(double *values, size_t count)
 {
-    if (count == 0) {
-        return NAN;
+    const ptrdiff_t middle = (ptrdiff_t)(count / 2);
+    ptrdiff_t low = 0, high = (ptrdiff_t)count - 1;
+    while (low < high) {
+        const double pivot = values[middle];
+        ptrdiff_t i = low, j = high;
+        while (i <= j) {
+            while (values[i] < pivot) {
+                i++;
+            }
+            while (values[j] > pivot) {
+                j--;
+            }
+            if (i <= j) {
+                const double other = values[i];
+                values[i++] = values[j];
+                values[j--] = other;
+            }
+        }
+        low = j < middle ? i : low;
+        high = i > middle ? j : high;
     }
-    qsort(values, count, sizeof values[0], compare);
-    return values[count / 2];
+    return count > 0 ? values[middle] : (double)NAN;
 }
 
 static const struct unit *length_unit(const char *name)

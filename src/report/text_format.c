@@ -44,14 +44,18 @@ static void keep(struct report *report, const void *row, const struct text *pass
     if (row == NULL) {
         return;
     }
-    kept->row = arena_array(report->arena, 1, report->sheet->row_size);
+    const void *before = state->kept_count > 1 ? kept[-1].row : NULL;
+    kept->row = arena_buffer(report->arena, report->sheet->row_size);
     memcpy(kept->row, row, report->sheet->row_size);
     for (size_t i = 0; i < report->sheet->column_count; i++) {
         const struct column *column = &report->sheet->columns[i];
         if (column->type == COLUMN_TEXT && row_text(row, column) != NULL) {
             const char *string = row_text(row, column);
+            const char *above = before != NULL ? row_text(before, column) : NULL;
             *(const char **)((char *)kept->row + column->offset) =
-                arena_string(report->arena, string, strlen(string));
+                above != NULL && strcmp(above, string) == 0
+                    ? above
+                    : arena_string(report->arena, string, strlen(string));
         }
     }
 }
@@ -78,7 +82,10 @@ static void choose_units(struct report *report)
     int places = -1;
     for (size_t i = 0; i < report->shown_count; i++) {
         const struct shown *shown = &report->shown[i];
-        double size = shown->column->type == COLUMN_NUMBER ? typical(state, shown->column) : NAN;
+        /* only lengths have units that follow their sizes */
+        const bool follows = shown->column->type == COLUMN_NUMBER &&
+                             shown->column->dimension == &dimension_length;
+        double size = follows ? typical(state, shown->column) : (double)NAN;
         state->units[i] = readable_unit(shown, report->units, size);
         int own =
             readable_inch_places(shown, state->units[i], size, digits_of(report, shown->column));
@@ -137,10 +144,12 @@ static bool has_units(const struct report *report)
     return false;
 }
 
-static struct grid new_grid(struct report *report, struct arena *arena)
+/* Given     rows  so many are to follow the head */
+static struct grid new_grid(struct report *report, size_t rows, struct arena *arena)
 {
     struct text_state *state = report->state;
     struct grid grid = grid_new(arena, cell_count(report), has_units(report) ? 2 : 1);
+    grid_make_room(&grid, grid.head_rows + rows);
     grid_add_row(&grid);
     for (size_t i = 0; i < report->passed_count; i++) {
         grid_set(
@@ -217,7 +226,7 @@ static void fit_table(struct report *report, struct grid *grid)
 static void write_table(struct report *report)
 {
     struct text_state *state = report->state;
-    struct grid grid = new_grid(report, report->arena);
+    struct grid grid = new_grid(report, state->kept_count, report->arena);
     for (size_t i = 0; i < state->kept_count; i++) {
         const struct kept *kept = &state->kept[i];
         add_row(report, &grid, kept->row, kept->passed, kept->failure);
@@ -226,7 +235,10 @@ static void write_table(struct report *report)
         fit_table(report, &grid);
     } else {
         state->widths = ARENA_ARRAY(report->arena, grid.columns, size_t);
+        grid_make_printable(&grid);
+        grid.is_printable = true;
         grid_measure(&grid, state->widths);
+        grid.measured = state->widths;
     }
     grid.title = report->title;
     report->format->write_grid(&grid, report->output, true);
@@ -305,7 +317,7 @@ static void write_later_row(struct report *report, const void *row, const struct
 {
     struct text_state *state = report->state;
     struct arena_mark mark = arena_mark(&state->scratch);
-    struct grid grid = new_grid(report, &state->scratch);
+    struct grid grid = new_grid(report, 1, &state->scratch);
     if (has_width(report)) {
         grid.widths = state->widths;
         grid.hidden = state->hidden;
