@@ -17,11 +17,11 @@ struct star {
     double corners[STAR_CORNERS]; /* rad, ascending */
     double radii[STAR_CORNERS];
     size_t corner_count;
-    /* edges and corners, from the first edge on; for star_near */
+    /* both, by star_join */
     double knots[STAR_DIRECTIONS + STAR_CORNERS], knot_radii[STAR_DIRECTIONS + STAR_CORNERS];
     size_t knot_count;
     bool is_whole; /* the stop or the disc alone ends it, or its edge is even */
-    bool is_plain; /* only margins end it: no list of apertures, and no ray that is lost otherwise */
+    bool is_plain; /* only margins end it: neither lists of apertures nor rays lost otherwise */
 };
 
 /*
@@ -53,6 +53,9 @@ bool star_find(const struct margins *margins, const struct probe *probe, struct 
  */
 bool star_follow(const struct margins *margins, const struct probe *probe,
                  const struct star *before, struct star *star);
+
+/* Join edges and corners into one list, ascending from the first edge on, for star_near. */
+void star_join(struct star *star);
 
 /* About where the edge is in a direction, by its neighbours: within 1 % but for narrow pieces. */
 double star_near(const struct star *star, double angle);
