@@ -34,8 +34,8 @@ struct quadrature_region {
     const struct stop_beam *beam;
     struct margins margins;
     struct probe probe;
-    struct star *star;        /* once it is known; a count of 0: it is not */
-    const struct star *near;  /* one of a beam close by, to be set before; null: there is none */
+    struct star *star;       /* once it is known; a count of 0: it is not */
+    const struct star *near; /* one of a beam close by, to be set before; null: there is none */
     bool is_known, is_empty;
     bool in_r;    /* points are Gauss's in r, not in r^2: to be set before it is filled */
     bool in_beam; /* points stay u and v, their weights areas there, and have no rays: the same */

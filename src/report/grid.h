@@ -9,10 +9,10 @@
 struct grid {
     struct arena *arena;
     size_t columns, rows, capacity, head_rows;
-    char **cells;        /* rows x columns */
-    bool is_printable;   /* to be set behind grid_make_printable, which then has nothing to do */
-    bool *left;          /* one a column: align left (words), not right (numbers) */
-    size_t *least_width; /* one a column: print at least this wide */
+    char **cells;           /* rows x columns */
+    bool is_printable;      /* to be set behind grid_make_printable, which then has nothing to do */
+    bool *left;             /* one a column: align left (words), not right (numbers) */
+    size_t *least_width;    /* one a column: print at least this wide */
     const size_t *measured; /* by grid_measure, of printable cells; null: not yet */
     /* Of a terminal, one a column, by grid_fit; null = as wide as the widest cell, all shown. */
     size_t *widths;    /* longer words go on in another line */

@@ -83,8 +83,8 @@ static void choose_units(struct report *report)
     for (size_t i = 0; i < report->shown_count; i++) {
         const struct shown *shown = &report->shown[i];
         /* only lengths have units that follow their sizes */
-        const bool follows = shown->column->type == COLUMN_NUMBER &&
-                             shown->column->dimension == &dimension_length;
+        const bool follows =
+            shown->column->type == COLUMN_NUMBER && shown->column->dimension == &dimension_length;
         double size = follows ? typical(state, shown->column) : (double)NAN;
         state->units[i] = readable_unit(shown, report->units, size);
         int own =
