@@ -285,16 +285,18 @@ static void put_varies(struct writer *writer, const struct surface *surface)
 {
     for (size_t i = 0; i < surface->vary_count; i++) {
         const struct vary *vary = &surface->varies[i];
+        bool angle = (parameter_type(vary->kind)->is & PARAMETER_IS_ANGLE) != 0;
+        double unit = angle ? RADIANS_PER_DEGREE : 1;
         if (i == 0) {
             put_key(writer, "vary");
         }
         put(writer, i == 0 ? "[{\"what\":" : ",{\"what\":");
-        put_string(writer, parameter_name(vary->kind, vary->order, writer->out.text.arena));
+        put_string(writer, parameter_mark_name(vary->kind, vary->order, writer->out.text.arena));
         if (vary->has_bounds) {
             put_key(writer, "low");
-            put_value(writer, &vary->low, 1);
+            put_value(writer, &vary->low, unit);
             put_key(writer, "high");
-            put_value(writer, &vary->high, 1);
+            put_value(writer, &vary->high, unit);
         }
         put(writer, "}");
     }

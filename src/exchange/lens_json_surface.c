@@ -99,7 +99,8 @@ static bool read_vary(struct json_reading *reading, const struct json_value *val
         return json_wrong(reading, value, error, "'%.*s' is marked twice", text_shown(what->text),
                           what->text.start);
     }
-    int power = parameter_length(vary->kind, vary->order);
+    bool angle = (parameter_type(vary->kind)->is & PARAMETER_IS_ANGLE) != 0;
+    int power = angle ? JSON_ANGLE : parameter_length(vary->kind, vary->order);
     if (!json_check_keys(reading, value, keys, error) ||
         (low != NULL && (!json_read_figure(reading, low, power, &vary->low, error) ||
                          !json_read_figure(reading, high, power, &vary->high, error)))) {

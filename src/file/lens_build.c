@@ -148,8 +148,8 @@ size_t lens_build_variable(struct lens_build *build, const char *name, const str
     struct lens *lens = build->lens;
     lens->variables = arena_grow(build->arena, lens->variables, lens->variable_count,
                                  &build->variable_room, sizeof lens->variables[0]);
-    lens->variables[lens->variable_count] =
-        (struct lens_variable){text_of(arena_string(build->arena, name, strlen(name))), values};
+    lens->variables[lens->variable_count] = (struct lens_variable){
+        .name = text_of(arena_string(build->arena, name, strlen(name))), .values = values};
     return lens->variable_count++;
 }
 

@@ -268,7 +268,7 @@ static size_t find_variable(void *context, struct text name)
                                  &parser->variable_room, sizeof lens->variables[0]);
     parser->variable_lines = arena_grow(arena, parser->variable_lines, lens->variable_count, &room,
                                         sizeof parser->variable_lines[0]);
-    lens->variables[lens->variable_count] = (struct lens_variable){name, NULL};
+    lens->variables[lens->variable_count] = (struct lens_variable){.name = name};
     parser->variable_lines[lens->variable_count] = parser->words;
     return lens->variable_count++;
 }

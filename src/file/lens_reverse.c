@@ -135,7 +135,7 @@ static const char *join_marks(const char *all, const struct surface *surface, si
         if (owner_of(vary->kind) == owner) {
             all = arena_printf(arena, "%s%s%s~ of surface %zu", all != NULL ? all : "",
                                all != NULL ? ", " : "",
-                               parameter_name(vary->kind, vary->order, arena), number);
+                               parameter_mark_name(vary->kind, vary->order, arena), number);
         }
     }
     return all;

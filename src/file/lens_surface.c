@@ -201,7 +201,9 @@ static bool read_bounds(const struct lens_words *words, struct text bounds, stru
         memchr(bounds.start, ',', bounds.length) == NULL) {
         return lens_words_fail(words, bounds, error, "bounds are written [low,high]");
     }
-    const struct vector_form form = {"bounds", 2, length == 1 ? words->scale : NUMBER_UNSCALED, 0};
+    bool angle = (parameter_type(vary->kind)->is & PARAMETER_IS_ANGLE) != 0;
+    const struct vector_form form = {"bounds", 2, length == 1 ? words->scale : NUMBER_UNSCALED,
+                                     angle ? RADIANS_PER_DEGREE : 0};
     if (!lens_words_vector(words, inside, &form, both, error)) {
         return false;
     }

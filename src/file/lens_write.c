@@ -91,6 +91,14 @@ static void put_thick(struct writer *writer, const struct surface *surface)
     }
 }
 
+/* In which a file has the number. */
+static double unit_of(const struct writer *writer, enum parameter_kind kind, int order)
+{
+    return (parameter_type(kind)->is & PARAMETER_IS_ANGLE) != 0
+               ? RADIANS_PER_DEGREE
+               : pow(writer->unit, parameter_length(kind, order));
+}
+
 static void put_extras(struct writer *writer, const struct surface *surface)
 {
     if (surface_has(surface, SURFACE_HAS_FOCAL)) {
@@ -126,12 +134,11 @@ static void put_extras(struct writer *writer, const struct surface *surface)
     for (size_t i = 0; i < surface->vary_count; i++) {
         const struct vary *vary = &surface->varies[i];
         put(writer, " ", 1);
-        put_string(writer, parameter_name(vary->kind, vary->order, writer->arena));
+        put_string(writer, parameter_mark_name(vary->kind, vary->order, writer->arena));
         put(writer, "~", 1);
         if (vary->has_bounds) {
             const struct figure both[2] = {vary->low, vary->high};
-            put_vector(writer, "[", both, 2,
-                       pow(writer->unit, parameter_length(vary->kind, vary->order)));
+            put_vector(writer, "[", both, 2, unit_of(writer, vary->kind, vary->order));
             put(writer, "]", 1);
         }
     }
@@ -322,10 +329,8 @@ static void put_settings(struct writer *writer)
         const char *begin =
             arena_printf(arena, "set %s", parameter_write(parameter, writer->arena));
         if (one->media == NULL) {
-            bool angle = (parameter_type(parameter.kind)->is & PARAMETER_IS_ANGLE) != 0;
-            int length = parameter_length(parameter.kind, parameter.order);
             put_figures(writer, begin, one->figures, lens->position_count,
-                        angle ? RADIANS_PER_DEGREE : pow(writer->unit, length));
+                        unit_of(writer, parameter.kind, parameter.order));
             continue;
         }
         put_string(writer, begin);

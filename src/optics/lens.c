@@ -4,6 +4,7 @@
 
 #include "base/constants.h"
 #include "optics/aperture.h"
+#include "optics/pickup.h"
 #include "optics/wavelength.h"
 
 #include <math.h>
@@ -142,6 +143,9 @@ const struct lens *lens_at_position(const struct lens *lens, size_t position, st
     if (lens->apertures != NULL) {
         copy->aperture = lens->apertures[position];
     }
+    lens_pickups_put(copy, copy, arena);
+    copy->pickups = NULL;
+    copy->pickup_count = 0;
     return copy;
 }
 
@@ -360,6 +364,19 @@ bool lens_is_round(const struct lens *lens)
     return true;
 }
 
+/* What its reader found doubtful. */
+static void warn_of_file(const struct lens *lens, struct lens_warnings *warnings)
+{
+    if (lens->lost_power != NULL) {
+        warnings->texts[warnings->count++] = lens->lost_power;
+    }
+    for (size_t i = 0; i < lens->pickup_count; i++) {
+        if (lens->pickups[i].warning != NULL && warnings->count < MOST_WARNINGS) {
+            warnings->texts[warnings->count++] = lens->pickups[i].warning;
+        }
+    }
+}
+
 bool lens_check(const struct lens *lens, struct arena *arena, struct lens_warnings *warnings,
                 struct error *error)
 {
@@ -367,9 +384,7 @@ bool lens_check(const struct lens *lens, struct arena *arena, struct lens_warnin
     if (lens->surface_count == 0) {
         return fail(error, ERROR_DATA, "the lens has no surface");
     }
-    if (lens->lost_power != NULL) {
-        warnings->texts[warnings->count++] = lens->lost_power;
-    }
+    warn_of_file(lens, warnings);
     size_t positions = lens->position_count > 0 ? lens->position_count : 1;
     for (size_t i = 0; i < positions; i++) {
         const double distance = lens->objects != NULL      ? lens->objects[i].value.hi

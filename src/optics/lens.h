@@ -65,7 +65,24 @@ bool lens_field_is_same(const struct lens_field *a, const struct lens_field *b);
 /* A word that stands for one number in every position. */
 struct lens_variable {
     struct text name;
-    const struct figure *values; /* one a position */
+    const struct figure *values;      /* one a position */
+    const struct vary *const *varies; /* marks: one a position, null where the number stays; or
+                                         null: no number is marked */
+};
+
+/* A number that follows another one: factor times it, plus offset. Of a glass: the same glass. */
+struct lens_pickup {
+    struct parameter what, from;
+    struct figure factor, offset; /* 1; offset as `what`: mm, 1/mm, rad or 1 */
+    const char *warning;          /* the file had another number there; null = no other */
+};
+
+/* What the designer wants, as it was typed: cli/goals reads it. */
+struct lens_goal {
+    struct text text;
+    const char *source; /* the file, for messages; null = none */
+    long line;
+    size_t column; /* where the text begins, from 1 */
 };
 
 /*
@@ -131,11 +148,16 @@ struct lens {
     const struct figure *apertures;   /* let aperture: of the kind aperture_kind; or null */
     const struct figure *stated[STATED_COUNT]; /* null = not stated */
     size_t stated_count[STATED_COUNT];         /* 1 or one a position */
+    struct lens_pickup *pickups;               /* each behind those that it follows */
+    size_t pickup_count;
+    struct lens_goal *goals;
+    size_t goal_count;
     const char *lost_power; /* what bends light in a file that it was read from; null = all kept */
 };
 
 /*
- * The lens in one of its positions: variables replaced by their numbers, settings made.
+ * The lens in one of its positions: variables replaced by their numbers, settings made, pick-ups
+ * followed.
  *
  * Given     position  0 .. position_count - 1; 0 where the lens has only one
  */

@@ -182,13 +182,14 @@ enum {
 };
 
 /* kind, basis, what it wants of the kind of surface, where it lies; then struct parameter_type */
-#define ROW(kind, basis, wants, where, ...)                                                        \
-    [PARAMETER_##kind] = {{__VA_ARGS__, PARAMETER_##basis}, wants, where}
-#define IN(part, what)        &(part), offsetof(struct surface, what)
-#define DECENTRE(what)        &decentre, offsetof(struct displacement, what)
-#define BREAK(what)           &coordinate_break, offsetof(struct displacement, what)
-#define IN_MEDIUM(what)       NULL, offsetof(struct medium, what)
-#define ONE(kind, where, ...) [PARAMETER_##kind] = {{__VA_ARGS__, PARAMETER_##kind}, 0, where}
+#define ROW(kind, by, wants, where, ...)                                                           \
+    [PARAMETER_##kind] = {{__VA_ARGS__, .basis = PARAMETER_##by}, wants, where}
+#define IN(part, what)  &(part), offsetof(struct surface, what)
+#define DECENTRE(what)  &decentre, offsetof(struct displacement, what)
+#define BREAK(what)     &coordinate_break, offsetof(struct displacement, what)
+#define IN_MEDIUM(what) NULL, offsetof(struct medium, what)
+#define ONE(kind, where, ...)                                                                      \
+    [PARAMETER_##kind] = {{__VA_ARGS__, .basis = PARAMETER_##kind}, 0, where}
 
 /* clang-format off */
 static const struct row {
@@ -205,15 +206,20 @@ static const struct row {
     ROW(CONIC, CONIC, CURVE, IN(member, conic), "k", "conic", 0, MARK, TURN_KEEPS),
     ROW(COEFFICIENT, COEFFICIENT, CURVE, IN(coefficient, coefficient),
         "A", "coefficient", 1, MARK | ORDERS, TURN_WITH_AXES),
-    ROW(FOCAL, KINDS, FOCAL, IN(member, focal), "f", "focal length", 1, MARK, TURN_KEEPS),
+    ROW(FOCAL, KINDS, FOCAL, IN(member, focal),
+        "f", "focal length", 1, MARK, TURN_KEEPS, "focal"),
     ROW(HIATUS, KINDS, FOCAL, IN(member, hiatus), "hiatus", "hiatus", 1, 0, TURN_WITH_MIRRORS),
     ROW(INDEX, INDEX, MEDIUM, IN_MEDIUM(index), "n", "index", 0, BEHIND, TURN_KEEPS),
     ROW(ABBE, INDEX, MEDIUM, IN_MEDIUM(abbe), "V", "Abbe number", 0, BEHIND, TURN_KEEPS),
     ROW(GLASS, KINDS, MEDIUM, IN_MEDIUM(written), "glass", "glass", 0, MARK | BEHIND, TURN_KEEPS),
-    ONE(DECENTER_X, DECENTRE(decenter[0]), "decenter_x", "decentre in x", 1, 0, TURN_WITH_AXES),
-    ONE(DECENTER_Y, DECENTRE(decenter[1]), "decenter_y", "decentre in y", 1, 0, TURN_KEEPS),
-    ONE(TILT_X, DECENTRE(tilt[0]), "tilt_x", "tilt about x", 0, ANGLE, TURN_WITH_AXES),
-    ONE(TILT_Y, DECENTRE(tilt[1]), "tilt_y", "tilt about y", 0, ANGLE, TURN_KEEPS),
+    ONE(DECENTER_X, DECENTRE(decenter[0]),
+        "decenter_x", "decentre in x", 1, MARK, TURN_WITH_AXES, "dx"),
+    ONE(DECENTER_Y, DECENTRE(decenter[1]),
+        "decenter_y", "decentre in y", 1, MARK, TURN_KEEPS, "dy"),
+    ONE(TILT_X, DECENTRE(tilt[0]),
+        "tilt_x", "tilt about x", 0, MARK | ANGLE, TURN_WITH_AXES, "ax"),
+    ONE(TILT_Y, DECENTRE(tilt[1]),
+        "tilt_y", "tilt about y", 0, MARK | ANGLE, TURN_KEEPS, "ay"),
     ONE(TILT_Z, DECENTRE(tilt[2]), "tilt_z", "tilt about z", 0, ANGLE, TURN_WITH_AXES),
     ONE(BREAK_DECENTER_X, BREAK(decenter[0]),
         "bend_decenter_x", "coordinate break's decentre in x", 1, 0, TURN_WITH_AXES),
@@ -302,17 +308,21 @@ static bool check_medium(const struct medium *medium, struct parameter parameter
                 parameter.kind == PARAMETER_INDEX ? "a number or nd/Vd" : "nd/Vd");
 }
 
+bool parameter_is_same(struct parameter a, struct parameter b)
+{
+    bool same = a.kind == b.kind && a.order == b.order;
+    bool curve = rows[a.kind].type.basis == PARAMETER_CURVATURE &&
+                 rows[b.kind].type.basis == PARAMETER_CURVATURE;
+    bool glass = a.kind == PARAMETER_GLASS || b.kind == PARAMETER_GLASS;
+    bool medium = glass && rows[a.kind].stored == NULL && rows[b.kind].stored == NULL;
+    return a.surface == b.surface && (same || curve || medium);
+}
+
 /* Do the positions set it, or one that stands for the same? */
 static bool is_set(const struct lens *lens, struct parameter parameter)
 {
-    const struct row *row = &rows[parameter.kind];
     for (size_t i = 0; i < lens->setting_count; i++) {
-        const struct parameter *one = &lens->settings[i].parameter;
-        bool same = one->kind == parameter.kind && one->order == parameter.order;
-        bool curve = row->type.basis == PARAMETER_CURVATURE &&
-                     rows[one->kind].type.basis == PARAMETER_CURVATURE;
-        bool medium = row->stored == NULL && rows[one->kind].stored == NULL;
-        if (one->surface == parameter.surface && (same || curve || medium)) {
+        if (parameter_is_same(lens->settings[i].parameter, parameter)) {
             return true;
         }
     }

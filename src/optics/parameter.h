@@ -75,6 +75,7 @@ struct parameter_type {
     int length;        /* it is a length to this power; of a coefficient ask parameter_length */
     unsigned is;       /* PARAMETER_IS_ANGLE .. */
     enum parameter_turn turn;
+    const char *mark;          /* as marks, pick-ups and variables have it: "dx"; null = its name */
     enum parameter_kind basis; /* what rays are derived by for it; PARAMETER_KINDS: by nothing */
 };
 const struct parameter_type *parameter_type(enum parameter_kind kind);
@@ -90,7 +91,8 @@ struct parameter parameter_next(struct parameter parameter);
 
 /*
  * Names: "R", "A4"; and with the number of the surface, from 1, behind: "R1", "t12", "A4_2". A '_'
- * may stand before any number and must behind a digit.
+ * may stand before any number and must behind a digit. Those of marks are short: "dx", "dx3"; both
+ * are read.
  *
  * Given     takes  of parameter_read: what the caller takes, which is all that is suggested to it;
  *                  null: everything. It reads the others too: the caller says why it takes none
@@ -98,8 +100,10 @@ struct parameter parameter_next(struct parameter parameter);
  *           hint what may have been meant where something is near
  */
 const char *parameter_name(enum parameter_kind kind, int order, struct arena *arena);
+const char *parameter_mark_name(enum parameter_kind kind, int order, struct arena *arena);
 bool parameter_name_read(struct text text, enum parameter_kind *kind, int *order);
 const char *parameter_write(struct parameter parameter, struct arena *arena);
+const char *parameter_mark_write(struct parameter parameter, struct arena *arena);
 bool parameter_read(struct text text, bool (*takes)(enum parameter_kind kind),
                     struct parameter *parameter, struct error *error);
 
@@ -113,7 +117,13 @@ bool parameter_suits(enum parameter_kind kind, const struct surface *surface);
 bool parameter_is_mark(enum parameter_kind kind, const struct surface *surface);
 const char *parameter_marks(const struct surface *surface, struct arena *arena);
 bool parameter_is_marked(enum parameter_kind kind, int order, const struct surface *surface);
-enum { PARAMETER_MOST_MARKS = 16 }; /* at one surface */
+enum { PARAMETER_MOST_MARKS = 32 }; /* at one surface: all of them */
+
+/*
+ * Do the two stand for one number of a lens? R and c of a surface do, and a glass with its index
+ * and its Abbe number.
+ */
+bool parameter_is_same(struct parameter a, struct parameter b);
 
 /*
  * The number as the lens holds it, with its digits.

@@ -11,6 +11,12 @@ const char *parameter_name(enum parameter_kind kind, int order, struct arena *ar
     return order > 0 ? arena_printf(arena, "%s%d", name, order) : name;
 }
 
+const char *parameter_mark_name(enum parameter_kind kind, int order, struct arena *arena)
+{
+    const char *mark = parameter_type(kind)->mark;
+    return mark != NULL ? mark : parameter_name(kind, order, arena);
+}
+
 /* The order that a text of one or two digits names; 0 if it names none. */
 static int order_of(struct text digits)
 {
@@ -36,6 +42,9 @@ bool parameter_name_read(struct text text, enum parameter_kind *kind, int *order
         if ((type->is & PARAMETER_HAS_ORDERS) == 0 && text_equal(text, type->name)) {
             return true;
         }
+        if (type->mark != NULL && text_equal(text, type->mark)) {
+            return true;
+        }
         if ((type->is & PARAMETER_HAS_ORDERS) != 0) {
             *order = order_of(text_behind(text, type->name));
         }
@@ -54,6 +63,13 @@ const char *parameter_write(struct parameter parameter, struct arena *arena)
                                : arena_printf(arena, "%s%zu", name, number);
 }
 
+const char *parameter_mark_write(struct parameter parameter, struct arena *arena)
+{
+    const char *mark = parameter_type(parameter.kind)->mark;
+    return mark != NULL ? arena_printf(arena, "%s%zu", mark, parameter.surface + 1)
+                        : parameter_write(parameter, arena);
+}
+
 /* A name that may have been meant: in the wrong case, misspelt, or in words; null = none. */
 static const char *nearest_name(struct text name, bool (*takes)(enum parameter_kind kind))
 {
@@ -68,6 +84,9 @@ static const char *nearest_name(struct text name, bool (*takes)(enum parameter_k
             return type->name;
         }
         const char *before = nearest.best.start;
+        if (type->mark != NULL) {
+            nearest_offer(&nearest, text_of(type->mark));
+        }
         nearest_offer(&nearest, text_of(type->name));
         nearest_offer(&nearest, text_of(type->words));
         found = nearest.best.start != before ? type->name : found;
@@ -150,8 +169,8 @@ const char *parameter_marks(const struct surface *surface, struct arena *arena)
         if (last != NULL) {
             all = arena_printf(arena, "%s%s%s", all, all[0] != '\0' ? ", " : "", last);
         }
-        last =
-            parameter_name(i, (parameter_type(i)->is & PARAMETER_HAS_ORDERS) != 0 ? 4 : 0, arena);
+        bool has_orders = (parameter_type(i)->is & PARAMETER_HAS_ORDERS) != 0;
+        last = parameter_mark_name(i, has_orders ? 4 : 0, arena);
     }
     return all[0] != '\0' ? arena_printf(arena, "%s or %s", all, last) : last;
 }

@@ -136,7 +136,7 @@ static const char three[] = "3 values, but the lens has 2 positions";
 static const char number[] = "expected a number below 1e100 here";
 static const char array[] = "expected an array of numbers here";
 static const char together[] = "the kind \"reflect\" and the medium \"mirror\" go together";
-static const char marks[] = "what varies is R, c, t, k, A4 or glass";
+static const char marks[] = "what varies is R, c, t, k, A4, glass, dx, dy, ax or ay";
 
 static const struct refusal refusals[] = {
     {"{\"lens\":\"Singlet\"", "@{\"name\":\"Singlet\"",
@@ -298,7 +298,7 @@ static const struct refusal surfaces[] = {
      "cylinder belongs to a surface that is curved", NULL},
     {"\"name\":null", "\"name\":@5", "expected a text here", NULL},
     {"\"name\":null", "\"name\":\"@a\\\"b\"", "a name of a surface has no double quotes", NULL},
-    {"\"conic\":0", "\"vary\":@{}", "expected an array of at most 16 here", NULL},
+    {"\"conic\":0", "\"vary\":@{}", "expected an array of at most 32 here", NULL},
     {"\"conic\":0", "\"vary\":[\"@R\"]", marks, NULL},
     {"\"conic\":0", "\"vary\":[@{\"what\":\"Q\"}]", marks, NULL},
     {"\"conic\":0", "\"vary\":[@{\"what\":\"R\",\"low\":1}]", marks, NULL},

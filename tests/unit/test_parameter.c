@@ -157,8 +157,9 @@ static void check_kinds(void)
                               "bend_decenter_y bend_tilt_x bend_tilt_y bend_tilt_z ";
     static const char *const own[] = {" R c k A n V glass ", " R c k A ", " n V glass ",
                                       " f hiatus n V glass "};
-    static const char *const marks[] = {"R, c, t, k, A4 or glass", "R, c, t, k or A4", "t or glass",
-                                        "t, f or glass"};
+    static const char *const marks[] = {
+        "R, c, t, k, A4, glass, dx, dy, ax or ay", "R, c, t, k, A4, dx, dy, ax or ay",
+        "t, glass, dx, dy, ax or ay", "t, focal, glass, dx, dy, ax or ay"};
     const struct lens lens = lens_of(kinds);
     for (size_t i = 0; i < 4; i++) {
         const struct surface *surface = &lens.surfaces[i];
