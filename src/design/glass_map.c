@@ -1,0 +1,38 @@
+/* design/glass_map.c - where in nd and Vd optical glasses lie. */
+/* SPDX-License-Identifier: MIT */
+#include "design/glass_map.h"
+
+#include <math.h>
+
+/* A curve Vd(nd), and its slope. */
+struct edge {
+    double Vd, slope;
+};
+
+static struct edge lower(double nd)
+{
+    double x = nd - 1.2688;
+    return (struct edge){13.07 / x - 2.4, -13.07 / (x * x)};
+}
+
+static struct edge upper(double nd)
+{
+    double y = nd - 1.7;
+    return (struct edge){59.5 + y * (-96.6 + y * (94.4 - 315 * y)),
+                         -96.6 + y * (2 * 94.4 - 3 * 315 * y)};
+}
+
+struct glass_map_point glass_map_at(double nd, double share)
+{
+    const struct edge flint = lower(nd), crown = upper(nd);
+    return (struct glass_map_point){.Vd = flint.Vd + share * (crown.Vd - flint.Vd),
+                                    .by_nd = flint.slope + share * (crown.slope - flint.slope),
+                                    .by_share = crown.Vd - flint.Vd};
+}
+
+double glass_map_share(double nd, double Vd)
+{
+    const struct edge flint = lower(nd), crown = upper(nd);
+    bool inside = nd >= GLASS_MAP_LOWEST && nd <= GLASS_MAP_HIGHEST;
+    return inside ? (Vd - flint.Vd) / (crown.Vd - flint.Vd) : NAN;
+}

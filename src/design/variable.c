@@ -1,0 +1,460 @@
+/* design/variable.c - what of a lens a design varies: checked, and set up. */
+/* SPDX-License-Identifier: MIT */
+#include "design/variable.h"
+
+#include "base/constants.h"
+#include "design/glass_map.h"
+#include "optics/first_order.h"
+
+#include <math.h>
+#include <string.h>
+
+/* Is it varied by its reciprocal, so that it passes through infinity? */
+static bool is_inverse(enum parameter_kind kind)
+{
+    return kind == PARAMETER_RADIUS || kind == PARAMETER_FOCAL;
+}
+
+static bool is_of_medium(enum parameter_kind kind)
+{
+    return kind == PARAMETER_INDEX || kind == PARAMETER_ABBE;
+}
+
+static bool is_cell(const struct figure *figure, size_t word)
+{
+    return figure != NULL && figure->variable == word;
+}
+
+/* The word of the positions that stands in the cell; LENS_NONE: none. */
+static size_t word_of(const struct lens *lens, struct parameter what)
+{
+    const struct figure *figure =
+        what.surface < lens->surface_count
+            ? parameter_figure(&lens->surfaces[what.surface], what.kind, what.order)
+            : NULL;
+    return figure != NULL ? figure->variable : LENS_NONE;
+}
+
+static bool check_what(const struct lens *lens, const struct variable *one, struct error *error)
+{
+    if (one->position == LENS_NONE) {
+        return parameter_check(lens, one->what, error);
+    }
+    size_t word = word_of(lens, one->what);
+    bool known = one->position < lens->position_count && word != LENS_NONE &&
+                 (one->what.kind == PARAMETER_THICKNESS || one->what.kind == PARAMETER_FOCAL);
+    for (size_t i = 0; known && i < lens->surface_count; i++) {
+        const struct surface *surface = &lens->surfaces[i];
+        const struct figure *cells[] = {&surface->diameter, &surface->hiatus};
+        bool other = one->what.kind == PARAMETER_FOCAL
+                         ? is_cell(parameter_figure(surface, PARAMETER_THICKNESS, 0), word)
+                         : is_cell(parameter_figure(surface, PARAMETER_FOCAL, 0), word);
+        known = !other && !(surface->has_diameter && is_cell(cells[0], word)) &&
+                !(surface_has(surface, SURFACE_HAS_FOCAL) && is_cell(cells[1], word));
+    }
+    return known || fail(error, ERROR_DOMAIN,
+                         "%s: only a word that stands for thicknesses, or for focal lengths, is "
+                         "varied in one position",
+                         one->name);
+}
+
+static bool check_alone(const struct variables *variables, size_t at, struct error *error)
+{
+    const struct variable *one = &variables->list[at];
+    const struct lens *lens = variables->lens;
+    for (size_t i = 0; i < at; i++) {
+        const struct variable *other = &variables->list[i];
+        bool word =
+            one->position != LENS_NONE && word_of(lens, one->what) == word_of(lens, other->what);
+        if (one->position == other->position &&
+            (word || parameter_is_same(one->what, other->what))) {
+            return fail(error, ERROR_DOMAIN, "%s and %s are the same number, which varies once",
+                        other->name, one->name);
+        }
+    }
+    for (size_t i = 0; i < lens->pickup_count; i++) {
+        const struct lens_pickup *pickup = &lens->pickups[i];
+        bool of_medium = is_of_medium(one->what.kind) && pickup->what.kind == PARAMETER_GLASS &&
+                         pickup->what.surface == one->what.surface;
+        if (of_medium || parameter_is_same(pickup->what, one->what)) {
+            return fail(error, ERROR_DOMAIN,
+                        "%s follows surface %zu by a pick-up: vary that, or leave the pick-up out",
+                        one->name, pickup->from.surface + 1);
+        }
+    }
+    return true;
+}
+
+/* The number that something of the lens is, made where it is not there yet. */
+static size_t number_of(struct variables *variables, struct parameter what)
+{
+    struct variable_number number = {what, what.kind == PARAMETER_FOCAL};
+    number.what.kind = what.kind == PARAMETER_RADIUS ? PARAMETER_CURVATURE : what.kind;
+    for (size_t i = 0; i < variables->number_count; i++) {
+        const struct parameter *is = &variables->numbers[i].what;
+        if (is->surface == number.what.surface && is->kind == number.what.kind &&
+            is->order == number.what.order) {
+            return i;
+        }
+    }
+    variables->numbers[variables->number_count] = number;
+    return variables->number_count++;
+}
+
+static void add_drive(struct variables *variables, size_t at, struct parameter what)
+{
+    const struct variable_drive drive = {.variable = at,
+                                         .number = number_of(variables, what),
+                                         .position = variables->list[at].position,
+                                         .share = LENS_NONE};
+    variables->drives[variables->drive_count++] = drive;
+}
+
+/* Of a word all cells that it stands in. */
+static void add_drives(struct variables *variables, size_t at)
+{
+    const struct lens *lens = variables->lens;
+    const struct variable *one = &variables->list[at];
+    if (one->position == LENS_NONE) {
+        add_drive(variables, at, one->what);
+        return;
+    }
+    size_t word = word_of(lens, one->what);
+    for (size_t i = 0; i < lens->surface_count; i++) {
+        if (is_cell(parameter_figure(&lens->surfaces[i], one->what.kind, 0), word)) {
+            add_drive(variables, at, (struct parameter){i, one->what.kind, 0});
+        }
+    }
+}
+
+static bool is_free(const struct variable *one)
+{
+    return isinf(one->low) && isinf(one->high);
+}
+
+/* nd and Vd of one medium without bounds: Vd becomes the share of the glass map. */
+static void pair_glasses(struct variables *variables)
+{
+    for (size_t i = 0; i < variables->drive_count; i++) {
+        struct variable_drive *abbe = &variables->drives[i];
+        const struct variable *of = &variables->list[abbe->variable];
+        for (size_t j = 0; j < variables->drive_count && of->what.kind == PARAMETER_ABBE; j++) {
+            const struct variable_drive *index = &variables->drives[j];
+            const struct variable *n = &variables->list[index->variable];
+            if (n->what.kind == PARAMETER_INDEX && n->what.surface == of->what.surface &&
+                is_free(n) && is_free(of)) {
+                abbe->share = abbe->variable;
+                abbe->variable = index->variable;
+                break;
+            }
+        }
+    }
+}
+
+static void add_rule(struct variables *variables, const struct lens_pickup *pickup,
+                     enum parameter_kind what, enum parameter_kind from)
+{
+    struct parameter to = pickup->what, of = pickup->from;
+    to.kind = what;
+    of.kind = from;
+    struct variable_rule *rule = &variables->rules[variables->rule_count++];
+    *rule = (struct variable_rule){
+        .from = number_of(variables, of),
+        .to = number_of(variables, to),
+        .from_inverse = is_inverse(from),
+        .to_inverse = is_inverse(what),
+        .factor = what == pickup->what.kind ? pickup->factor.value.hi : 1,
+        .offset = what == pickup->what.kind ? pickup->offset.value.hi : 0,
+    };
+}
+
+/* Does a variable reach this number, itself or by the pick-ups so far? */
+static bool is_moved(const struct variables *variables, struct parameter what)
+{
+    what.kind = what.kind == PARAMETER_RADIUS ? PARAMETER_CURVATURE : what.kind;
+    for (size_t i = 0; i < variables->number_count; i++) {
+        const struct parameter *is = &variables->numbers[i].what;
+        if (is->surface == what.surface && is->kind == what.kind && is->order == what.order) {
+            return true;
+        }
+    }
+    return false;
+}
+
+/* Those pick-ups that follow a variable; of glasses their numbers. */
+static void add_rules(struct variables *variables)
+{
+    static const enum parameter_kind both[] = {PARAMETER_INDEX, PARAMETER_ABBE};
+    for (size_t i = 0; i < variables->lens->pickup_count; i++) {
+        const struct lens_pickup *pickup = &variables->lens->pickups[i];
+        if (pickup->what.kind != PARAMETER_GLASS && is_moved(variables, pickup->from)) {
+            add_rule(variables, pickup, pickup->what.kind, pickup->from.kind);
+        }
+        for (size_t k = 0; k < 2 && pickup->what.kind == PARAMETER_GLASS; k++) {
+            const struct parameter number = {pickup->from.surface, both[k], 0};
+            if (is_moved(variables, number)) {
+                add_rule(variables, pickup, both[k], both[k]);
+            }
+        }
+    }
+}
+
+/* The length that natural scales are counted in: 1, 2 or 5 times a power of ten. */
+static double size_of(const struct lens *lens, struct arena *arena)
+{
+    struct first_order first;
+    struct error none;
+    double track = 0;
+    for (size_t i = 0; i < lens->surface_count; i++) {
+        track += fabs(surface_advance(&lens->surfaces[i]).hi);
+    }
+    bool known =
+        first_order_of_lens(lens, lens_primary_wavelength(lens), SECTION_Y, arena, &first, &none);
+    double efl = known ? fabs(first.efl) : NAN;
+    double size = efl > track / 10 && efl < 10 * track ? efl : track > 0 ? track : 100;
+    double decade = 1e-9;
+    while (decade * 10 <= size && decade < 1e9) {
+        decade *= 10;
+    }
+    double steps = size / decade; /* 1 .. 10, between the steps by ratio */
+    return decade * (steps < 1.4142 ? 1 : steps < 3.1623 ? 2 : steps < 7.0711 ? 5 : 10);
+}
+
+static double scale_of(const struct lens *lens, struct parameter what, double size)
+{
+    switch (what.kind) {
+    case PARAMETER_RADIUS:
+    case PARAMETER_CURVATURE:
+    case PARAMETER_FOCAL:
+        return 1 / size;
+    case PARAMETER_THICKNESS:
+        return size / 10;
+    case PARAMETER_COEFFICIENT: {
+        const struct surface *surface = &lens->surfaces[what.surface];
+        double r = surface->has_diameter ? surface->diameter.value.hi / 2 : size / 10;
+        return pow(r, 2 - what.order) / (2 * size);
+    }
+    case PARAMETER_INDEX:
+        return 0.1;
+    case PARAMETER_ABBE:
+        return 10;
+    case PARAMETER_DECENTER_X:
+    case PARAMETER_DECENTER_Y:
+    case PARAMETER_BREAK_DECENTER_X:
+    case PARAMETER_BREAK_DECENTER_Y:
+        return size / 100;
+    case PARAMETER_TILT_X:
+    case PARAMETER_TILT_Y:
+    case PARAMETER_TILT_Z:
+    case PARAMETER_BREAK_TILT_X:
+    case PARAMETER_BREAK_TILT_Y:
+    case PARAMETER_BREAK_TILT_Z:
+        return 0.01;
+    case PARAMETER_CONIC:
+    case PARAMETER_HIATUS:
+    case PARAMETER_GLASS:
+    case PARAMETER_KINDS:
+        break;
+    }
+    return 1;
+}
+
+/* How a number is shown: its value in the unit of messages, and that unit. */
+static const char *unit_of(struct parameter what, double *factor)
+{
+    int length = parameter_length(what.kind, what.order);
+    bool angle = (parameter_type(what.kind)->is & PARAMETER_IS_ANGLE) != 0;
+    *factor = angle ? 1 / RADIANS_PER_DEGREE : 1;
+    return angle ? " deg" : length == 1 ? " mm" : length == -1 ? " /mm" : "";
+}
+
+/* What was named lies between these bounds: a radius through a plane outside of them. */
+static bool is_within(double value, double low, double high)
+{
+    return low <= high ? low <= value && value <= high : value >= low || value <= high;
+}
+
+static bool check_bounds(const struct variable *one, double value, struct error *error)
+{
+    double factor;
+    const char *unit = unit_of(one->what, &factor);
+    double low = factor * one->low, high = factor * one->high;
+    bool inverse = is_inverse(one->what.kind), turned = inverse && one->low > 0 && one->high < 0;
+    if (isnan(low) || isnan(high) || (!(low < high) && !turned)) {
+        fail(error, ERROR_DOMAIN, "%s: the bounds %.10g to %.10g%s leave nothing to vary",
+             one->name, low, high, unit);
+        return error_hint(error, "the lower one comes first; what is to stay is held, not varied");
+    }
+    if (inverse && low < 0 && high > 0 && !is_free(one)) {
+        fail(error, ERROR_DOMAIN, "%s: between the bounds %.10g and %.10g%s lies 0, which is no %s",
+             one->name, low, high, unit, parameter_type(one->what.kind)->words);
+        return isfinite(low) && isfinite(high) &&
+               error_hint(error, "through a plane it is %s[%.10g,%.10g]", one->name, high, low);
+    }
+    if (!is_within(value, one->low, one->high)) {
+        fail(error, ERROR_DOMAIN, "%s is %.10g%s, which is not within its bounds %.10g to %.10g%s",
+             one->name, factor * value, unit, low, high, unit);
+        return error_hint(error, "start within them, or make them wider");
+    }
+    return true;
+}
+
+/* The bounds of a radius as those of the curvature; an infinite one is that of a plane. */
+static void turn_bounds(const struct variable *one, double *low, double *high)
+{
+    *low = is_free(one) ? -INFINITY : 1 / one->high;
+    *high = is_free(one) ? INFINITY : 1 / one->low;
+    if (isinf(one->high) && !is_free(one)) {
+        *low = 0;
+    }
+    if (isinf(one->low) && !is_free(one)) {
+        *high = 0;
+    }
+}
+
+static bool open_variable(struct variables *variables, size_t at, struct error *error)
+{
+    const struct variable *one = &variables->list[at];
+    size_t position = one->position == LENS_NONE ? 0 : one->position;
+    double value = parameter_get(&variables->lenses[position].lens, one->what);
+    variables->low[at] = one->low;
+    variables->high[at] = one->high;
+    if (!check_bounds(one, value, error)) {
+        return false;
+    }
+    if (is_inverse(one->what.kind)) {
+        turn_bounds(one, &variables->low[at], &variables->high[at]);
+    }
+    return true;
+}
+
+/* The two variables of a glass within the map. */
+static bool open_glass(struct variables *variables, const struct variable_drive *drive,
+                       struct error *error)
+{
+    const struct lens *lens = &variables->lenses[0].lens;
+    size_t n = drive->variable, share = drive->share;
+    struct parameter what = variables->list[share].what;
+    double Vd = parameter_get(lens, what);
+    what.kind = PARAMETER_INDEX;
+    double nd = parameter_get(lens, what), at = glass_map_share(nd, Vd);
+    if (!(at >= 0 && at <= 1)) {
+        fail(error, ERROR_DOMAIN,
+             "surface %zu: %.6g/%.6g lies outside of the map of optical "
+             "glasses, within which a model glass varies",
+             what.surface + 1, nd, Vd);
+        return error_hint(error, "hold it, or give n%zu and V%zu bounds of their own",
+                          what.surface + 1, what.surface + 1);
+    }
+    variables->low[n] = GLASS_MAP_LOWEST;
+    variables->high[n] = GLASS_MAP_HIGHEST;
+    variables->low[share] = 0;
+    variables->high[share] = 1;
+    variables->scale[share] = variables->list[share].scale > 0 ? variables->list[share].scale : 0.5;
+    return true;
+}
+
+/* Do the pick-ups give numbers? */
+static bool check_rules(const struct variables *variables, struct error *error)
+{
+    for (size_t p = 0; p < variables->position_count; p++) {
+        for (size_t i = 0; i < variables->rule_count; i++) {
+            const struct variable_number *to = &variables->numbers[variables->rules[i].to];
+            if (!isfinite(
+                    variables->values[p * variables->number_count + variables->rules[i].to])) {
+                return fail(error, ERROR_DOMAIN,
+                            "the pick-up of the %s of surface %zu gives no finite number",
+                            parameter_type(to->what.kind)->words, to->what.surface + 1);
+            }
+        }
+    }
+    return true;
+}
+
+/* Room for all, and the lens in every position. */
+static void open_room(struct variables *variables, struct arena *arena)
+{
+    const struct lens *lens = variables->lens;
+    const size_t count = variables->count, cells = lens->surface_count, rules = lens->pickup_count;
+    const size_t most = count * (1 + cells) + 4 * rules;
+    variables->position_count = lens->position_count > 0 ? lens->position_count : 1;
+    variables->start = ARENA_ARRAY(arena, count + 1, double);
+    variables->low = ARENA_ARRAY(arena, count + 1, double);
+    variables->high = ARENA_ARRAY(arena, count + 1, double);
+    variables->scale = ARENA_ARRAY(arena, count + 1, double);
+    variables->numbers = ARENA_ARRAY(arena, most + 1, struct variable_number);
+    variables->drives = ARENA_ARRAY(arena, count * (1 + cells) + 1, struct variable_drive);
+    variables->rules = ARENA_ARRAY(arena, 2 * rules + 1, struct variable_rule);
+    variables->lenses = ARENA_ARRAY(arena, variables->position_count, struct lens_numbers);
+    for (size_t p = 0; p < variables->position_count; p++) {
+        lens_numbers_open(lens_at_position(lens, p, arena), arena, &variables->lenses[p]);
+    }
+}
+
+/* Where all numbers start. */
+static void open_values(struct variables *variables, struct arena *arena)
+{
+    const size_t numbers = variables->number_count;
+    variables->values = ARENA_ARRAY(arena, variables->position_count * numbers + 1, double);
+    variables->slopes = ARENA_ARRAY(arena, numbers + 1, double);
+    for (size_t p = 0; p < variables->position_count; p++) {
+        for (size_t i = 0; i < numbers; i++) {
+            const struct variable_number *number = &variables->numbers[i];
+            double value = parameter_get(&variables->lenses[p].lens, number->what);
+            variables->values[p * numbers + i] = number->is_inverse ? 1 / value : value;
+        }
+    }
+    for (size_t i = 0; i < variables->drive_count; i++) {
+        const struct variable_drive *drive = &variables->drives[i];
+        size_t position = drive->position == LENS_NONE ? 0 : drive->position;
+        double value = variables->values[position * numbers + drive->number];
+        if (drive->share == LENS_NONE) {
+            variables->start[drive->variable] = value;
+        } else {
+            struct parameter index = variables->numbers[drive->number].what;
+            index.kind = PARAMETER_INDEX;
+            double nd = parameter_get(&variables->lenses[0].lens, index);
+            variables->start[drive->share] = glass_map_share(nd, value);
+        }
+    }
+}
+
+static bool open_all(struct variables *variables, struct error *error)
+{
+    for (size_t i = 0; i < variables->count; i++) {
+        if (!check_what(variables->lens, &variables->list[i], error) ||
+            !check_alone(variables, i, error) || !open_variable(variables, i, error)) {
+            return false;
+        }
+        add_drives(variables, i);
+    }
+    pair_glasses(variables);
+    for (size_t i = 0; i < variables->drive_count; i++) {
+        const struct variable_drive *drive = &variables->drives[i];
+        if (drive->share != LENS_NONE && !open_glass(variables, drive, error)) {
+            return false;
+        }
+    }
+    add_rules(variables);
+    return true;
+}
+
+bool variables_open(const struct lens *lens, const struct variable *list, size_t count,
+                    struct arena *arena, struct variables *variables, struct error *error)
+{
+    *variables = (struct variables){.lens = lens, .count = count};
+    variables->list = ARENA_ARRAY(arena, count + 1, struct variable);
+    memcpy(variables->list, list, count * sizeof list[0]);
+    open_room(variables, arena);
+    const struct lens *first = &variables->lenses[0].lens;
+    double size = size_of(first, arena);
+    for (size_t i = 0; i < count; i++) {
+        variables->scale[i] =
+            list[i].scale > 0 ? list[i].scale : scale_of(first, list[i].what, size);
+    }
+    if (!open_all(variables, error)) {
+        return false;
+    }
+    open_values(variables, arena);
+    return check_rules(variables, error);
+}

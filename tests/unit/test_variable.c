@@ -1,0 +1,328 @@
+/* tests/unit/test_variable.c - what a design varies: numbers put, slopes, bounds, pick-ups. */
+/* SPDX-License-Identifier: MIT */
+#include "base/constants.h"
+#include "check.h"
+#include "design/glass_map.h"
+#include "design/variable.h"
+#include "file/lens_file.h"
+#include "optics/pickup.h"
+#include "optics/wavelength.h"
+
+static struct arena arena;
+
+static struct lens lens_of(const char *text)
+{
+    struct lens lens = {0};
+    struct error error = {0};
+    bool read = lens_read("test.lens", text_of(text), NULL, &arena, &lens, &error);
+    CHECK(read);
+    if (!read) {
+        printf("%s\n", error.message);
+    }
+    return lens;
+}
+
+static struct variable variable_of(const char *name, double low, double high)
+{
+    struct variable variable = {
+        .position = LENS_NONE, .low = low, .high = high, .name = name, .scale = 0};
+    struct error error;
+    CHECK(parameter_read(text_of(name), NULL, &variable.what, &error));
+    return variable;
+}
+
+static void pick_up(struct lens *lens, const char *what, const char *from, double factor,
+                    double offset)
+{
+    struct lens_pickup pickup = {
+        .what = variable_of(what, 0, 0).what,
+        .from = variable_of(from, 0, 0).what,
+        .factor = {.value = {factor, 0}, .variable = LENS_NONE},
+        .offset = {.value = {offset, 0}, .variable = LENS_NONE},
+    };
+    const char *against = lens_pickup_add(lens, pickup, &arena);
+    CHECK(against == NULL);
+    if (against != NULL) {
+        printf("%s\n", against);
+    }
+}
+
+/* A number that rays are derived by; an index is that at a wavelength. */
+static double basis_of(const struct lens *lens, struct parameter basis, double wavelength)
+{
+    struct pair index = {NAN, 0};
+    struct error error;
+    if (basis.kind != PARAMETER_INDEX) {
+        return parameter_get(lens, basis);
+    }
+    CHECK(medium_index(&lens->surfaces[basis.surface].medium, wavelength, &index, &error));
+    return index.hi;
+}
+
+static bool is_basis(enum parameter_kind kind)
+{
+    return parameter_type(kind)->basis == kind || kind == PARAMETER_FOCAL;
+}
+
+/* Every basis of every surface by every variable: five points of differences. */
+static void check_links(const struct lens *lens, const struct variable *list, size_t count,
+                        double wavelength)
+{
+    struct variables variables;
+    struct error error;
+    bool opened = variables_open(lens, list, count, &arena, &variables, &error);
+    CHECK(opened);
+    if (!opened) {
+        printf("%s\n", error.message);
+        return;
+    }
+    struct variable_link *links =
+        ARENA_ARRAY(&arena, variables_most_links(&variables), struct variable_link);
+    double *v = ARENA_ARRAY(&arena, count, double);
+    size_t linked = 0, seen = 0;
+    for (size_t p = 0; p < variables.position_count; p++) {
+        variables_get(&variables, v);
+        variables_put(&variables, v, p);
+        size_t n = variables_links(&variables, p, wavelength, links);
+        CHECK(n <= variables_most_links(&variables));
+        linked += n;
+        for (size_t j = 0; j < count; j++) {
+            for (struct parameter each = {0}; each.surface < lens->surface_count;
+                 each = parameter_next(each)) {
+                if (each.kind == PARAMETER_KINDS) {
+                    each = (struct parameter){each.surface, PARAMETER_RADIUS, 0};
+                    each.surface++;
+                }
+                if (each.surface == lens->surface_count || !is_basis(each.kind) ||
+                    (each.kind == PARAMETER_FOCAL &&
+                     !surface_has(&lens->surfaces[each.surface], SURFACE_HAS_FOCAL))) {
+                    continue;
+                }
+                static const double weights[] = {1, -8, 0, 8, -1};
+                double sum = 0, slope = 0, h = 5e-4 * variables.scale[j], start = v[j], size = 0;
+                for (int i = 0; i < 5; i++) {
+                    v[j] = start + (i - 2) * h;
+                    const struct lens *at = variables_put(&variables, v, p);
+                    double value = basis_of(at, each, wavelength);
+                    sum += weights[i] * value;
+                    size = fmax(size, fabs(value));
+                }
+                v[j] = start;
+                variables_put(&variables, v, p);
+                for (size_t i = 0; i < n; i++) {
+                    bool same = links[i].variable == j && links[i].basis.surface == each.surface &&
+                                links[i].basis.kind == each.kind &&
+                                links[i].basis.order == each.order;
+                    slope += same ? links[i].slope : 0;
+                    seen += same;
+                }
+                double tolerance = 1e-10 * fabs(slope) + 4e-16 * size / h;
+                CHECK_NEAR(sum / (12 * h), slope, tolerance, list[j].name);
+                if (!(fabs(sum / (12 * h) - slope) <= tolerance)) {
+                    printf("  basis %s of position %zu\n", parameter_write(each, &arena), p);
+                }
+            }
+        }
+    }
+    CHECK(seen == linked && linked >= count);
+}
+
+/* Everything: nd/Vd, an asphere, decentre and tilt, a mirror in glass, a thick lens, pick-ups. */
+static void check_everything(void)
+{
+    struct lens lens = lens_of("wavelength d\n"
+                               "surface 50 6 1.62/50 30 k=-0.7 A4=1e-6\n"
+                               "surface -80 3 air 30 decenter=0.1,0.2 tilt=1,2\n"
+                               "stop - 5 air 8\n"
+                               "surface - 4 1.7/30 20\n"
+                               "surface -35 9 1.5 20\n"
+                               "surface -90 -9 mirror 20\n"
+                               "surface - -12 air 20 c=0.02\n"
+                               "thick 70 3 1.2 - hiatus=1\n"
+                               "surface - 2 air -\n");
+    pick_up(&lens, "R2", "R1", -1.5, 0);
+    pick_up(&lens, "R5", "R2", 0.5, 3);
+    pick_up(&lens, "t5", "t4", 2, 1);
+    pick_up(&lens, "t6", "t5", -1, 0);
+    pick_up(&lens, "t3", "R1", 0.125, -1);
+    pick_up(&lens, "glass4", "glass1", 1, 0);
+    pick_up(&lens, "c7", "c6", -2, 0.001);
+    pick_up(&lens, "ax2", "ay2", -1, 0.1);
+    pick_up(&lens, "R9", "t1", 7, 1);
+    lens_pickups_put(&lens, lens_at_position(&lens, 0, &arena), &arena);
+    const double none = INFINITY;
+    const struct variable list[] = {
+        variable_of("R1", 20, none),      variable_of("c4", -0.1, 0.1),
+        variable_of("t1", 2, 10),         variable_of("t4", -none, none),
+        variable_of("k1", -none, none),   variable_of("A4_1", -none, none),
+        variable_of("A6_2", -none, none), variable_of("n1", -none, none),
+        variable_of("V1", -none, none),   variable_of("n5", 1.2, 2),
+        variable_of("R6", -none, -30),    variable_of("focal8", 50, none),
+        variable_of("dx2", -none, none),  variable_of("dy1", -none, none),
+        variable_of("ay2", -none, none),  variable_of("ax4", -none, none),
+    };
+    check_links(&lens, list, sizeof list / sizeof list[0], WAVELENGTH_F);
+}
+
+/* A word of three positions, in two cells; a pick-up of one of them. */
+static void check_positions(void)
+{
+    struct lens lens = lens_of("position wide mid tele\nlet d2 2.5 8 15\nlet d4 20 14.5 7.5\n"
+                               "surface 50 6 1.62/50 -\nsurface - d2 air -\n"
+                               "surface -40 2 1.5 -\nsurface - d4 air -\n"
+                               "surface 80 5 1.5 -\nsurface - d2 air -\nsurface - 3 1.5 -\n"
+                               "surface -60 30 air -\n");
+    pick_up(&lens, "t8", "t2", 0.5, 30);
+    lens_pickups_put(&lens, lens_at_position(&lens, 0, &arena), &arena);
+    struct variable list[] = {variable_of("t2", 1, 20), variable_of("t4", 0, 50),
+                              variable_of("t2", 1, 20), variable_of("R1", -INFINITY, INFINITY)};
+    list[0].position = 0;
+    list[1].position = 1;
+    list[2].position = 2;
+    list[0].name = "d2[wide]";
+    check_links(&lens, list, 4, WAVELENGTH_D);
+
+    struct variables variables;
+    struct error error;
+    CHECK(variables_open(&lens, list, 4, &arena, &variables, &error));
+    double v[4];
+    variables_get(&variables, v);
+    CHECK(v[0] == 2.5 && v[1] == 14.5 && v[2] == 15 && v[3] == 0.02);
+    v[0] = 3.25;
+    v[3] = 0.025;
+    const struct lens *wide = variables_put(&variables, v, 0);
+    CHECK(wide->surfaces[1].thickness.value.hi == 3.25);
+    CHECK(wide->surfaces[5].thickness.value.hi == 3.25);
+    CHECK(wide->surfaces[7].thickness.value.hi == 31.625);
+    CHECK(variables_put(&variables, v, 2)->surfaces[7].thickness.value.hi == 37.5);
+    const struct lens *out = variables_lens(&variables, v, &arena);
+    CHECK(out->surfaces[0].radius.value.hi == 40);
+    CHECK(out->variables[0].values[0].value.hi == 3.25);
+    CHECK_TEXT(out->variables[0].values[0].typed.start, "3.25");
+    CHECK(out->variables[0].values[2].value.hi == 15);
+    CHECK(out->surfaces[7].thickness.value.hi == 31.625);
+    CHECK(lens.variables[0].values[0].value.hi == 2.5);
+}
+
+/* Of the double Gauss: 0.01 /mm and 10 mm. */
+static void check_scales(void)
+{
+    struct lens lens =
+        lens_of("aperture epd 50\nfocus table\n"
+                "surface 58.95 7.52 1.670/47.1 50.4\nsurface 169.66 .24 air 50.4\n"
+                "surface 38.55 8.05 1.670/47.1 46\nsurface 81.54 6.55 1.699/30.1 46\n"
+                "surface 25.5 11.41 air 36\nstop - 9 air 34.2\n"
+                "surface -28.99 2.36 1.603/38.0 34\nsurface 81.54 12.13 1.658/57.3 40\n"
+                "surface -40.77 .38 air 40\nsurface 874.13 6.44 1.717/48.0 40\n"
+                "surface -79.46 72.228 air 40\n");
+    const struct variable list[] = {variable_of("R1", -INFINITY, INFINITY),
+                                    variable_of("t11", 60, 80),
+                                    variable_of("n7", -INFINITY, INFINITY),
+                                    variable_of("V7", -INFINITY, INFINITY),
+                                    variable_of("R3", 20, 100),
+                                    variable_of("R10", 100, -100)};
+    struct variables variables;
+    struct error error;
+    bool opened = variables_open(&lens, list, 6, &arena, &variables, &error);
+    CHECK(opened);
+    if (!opened) {
+        printf("%s\n", error.message);
+        return;
+    }
+    CHECK(variables.scale[0] == 0.01 && variables.scale[1] == 10);
+    CHECK(variables.low[4] == 0.01 && variables.high[4] == 0.05);
+    CHECK(variables.low[5] == -0.01 && variables.high[5] == 0.01);
+    CHECK(variables.low[3] == 0 && variables.high[3] == 1);
+    double v[6];
+    variables_get(&variables, v);
+    v[4] = 0; /* a plane */
+    const struct arena_mark before = arena_mark(&arena);
+    CHECK(variables_put(&variables, v, 0)->surfaces[2].is_plane);
+    CHECK(arena_mark(&arena).used == before.used);
+    const struct lens *out = variables_lens(&variables, v, &arena);
+    CHECK(out->surfaces[2].is_plane);
+    CHECK(out->surfaces[0].radius.typed.start == lens.surfaces[0].radius.typed.start);
+    CHECK_RELATIVE(out->surfaces[6].medium.abbe.hi, 38.0, 1e-13, "Vd");
+}
+
+static void check_refused(const char *name, double low, double high, const char *message,
+                          const char *hint)
+{
+    struct lens lens = lens_of("surface 50 6 1.5/95 -\nsurface - 3 air -\nsurface -50 1 1.5 -\n"
+                               "surface -20 4 air -\n");
+    pick_up(&lens, "R4", "R3", 0.5, 0);
+    const struct variable list[] = {variable_of("n1", 1, 2), variable_of(name, low, high)};
+    struct variables variables;
+    struct error error = {0};
+    CHECK(!variables_open(&lens, list, 2, &arena, &variables, &error));
+    CHECK(error.code == ERROR_DOMAIN);
+    CHECK_TEXT(error.message, message);
+    CHECK_TEXT(error.hint, hint);
+}
+
+static void check_errors(void)
+{
+    check_refused("R9", 1, 2, "there is no radius 9 to vary: the lens has 4 surfaces", "");
+    check_refused("n1", 1, 2, "n1 and n1 are the same number, which varies once", "");
+    check_refused("R4", 1, 2,
+                  "R4 follows surface 3 by a pick-up: vary that, or leave the pick-up out", "");
+    check_refused("t1", 7, 9, "t1 is 6 mm, which is not within its bounds 7 to 9 mm",
+                  "start within them, or make them wider");
+    check_refused("t1", 9, 7, "t1: the bounds 9 to 7 mm leave nothing to vary",
+                  "the lower one comes first; what is to stay is held, not varied");
+    check_refused("t1", 6, 6, "t1: the bounds 6 to 6 mm leave nothing to vary",
+                  "the lower one comes first; what is to stay is held, not varied");
+    check_refused("R1", -10, 70, "R1: between the bounds -10 and 70 mm lies 0, which is no radius",
+                  "through a plane it is R1[70,-10]");
+    check_refused("R1", 70, -10, "R1 is 50 mm, which is not within its bounds 70 to -10 mm",
+                  "start within them, or make them wider");
+    check_refused("ax1", 1 * RADIANS_PER_DEGREE, 2 * RADIANS_PER_DEGREE,
+                  "ax1 is 0 deg, which is not within its bounds 1 to 2 deg",
+                  "start within them, or make them wider");
+}
+
+/* Catalogue values of glasses, and what is none. */
+static void check_glass_map(void)
+{
+    static const struct {
+        double nd, Vd;
+        bool inside;
+        const char *name;
+    } glasses[] = {{1.5168, 64.17, true, "N-BK7"},     {1.43875, 94.66, true, "S-FPL53"},
+                   {1.497, 81.54, true, "S-FPL51"},    {1.4585, 67.82, true, "fused silica"},
+                   {1.84666, 23.83, true, "SF57"},     {1.62004, 36.37, true, "F2"},
+                   {1.54814, 45.75, true, "LLF1"},     {1.95906, 17.47, true, "S-NPH3"},
+                   {2.001, 29.13, true, "TAFD40"},     {1.755, 52.32, true, "S-YGH51"},
+                   {1.883, 40.76, true, "S-LAH58"},    {1.62041, 60.32, true, "N-SK16"},
+                   {1.52344, 51.49, true, "KF9"},      {1.67271, 32.21, true, "SF5"},
+                   {1.5855, 29.9, false, "a plastic"}, {1.6, 80, false, "none"},
+                   {1.35, 60, false, "none"},          {2.4, 20, false, "none"}};
+    for (size_t i = 0; i < sizeof glasses / sizeof glasses[0]; i++) {
+        double share = glass_map_share(glasses[i].nd, glasses[i].Vd);
+        check_at((share >= 0 && share <= 1) == glasses[i].inside, __FILE__, __LINE__,
+                 glasses[i].name);
+        if (share >= 0) {
+            CHECK_RELATIVE(glass_map_at(glasses[i].nd, share).Vd, glasses[i].Vd, 1e-13, "Vd");
+        }
+    }
+    struct lens lens = lens_of("surface 50 6 1.5/95 -\nsurface - 3 air -\n");
+    const struct variable list[] = {variable_of("n1", -INFINITY, INFINITY),
+                                    variable_of("V1", -INFINITY, INFINITY)};
+    struct variables variables;
+    struct error error = {0};
+    CHECK(!variables_open(&lens, list, 2, &arena, &variables, &error));
+    CHECK_TEXT(error.message,
+               "surface 1: 1.5/95 lies outside of the map of optical glasses, within "
+               "which a model glass varies");
+}
+
+int main(void)
+{
+    check_everything();
+    check_positions();
+    check_scales();
+    check_errors();
+    check_glass_map();
+    arena_free(&arena);
+    return check_report();
+}
