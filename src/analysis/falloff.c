@@ -164,6 +164,15 @@ static struct falloff_point look(const struct falloff *falloff, const double hei
     return point;
 }
 
+struct falloff falloff_apart(const struct falloff *falloff, struct arena *arena)
+{
+    struct falloff apart = *falloff;
+    apart.setup = setup_apart(&falloff->setup, arena);
+    apart.near = ARENA_NEW(arena, struct setup_near);
+    *apart.near = *falloff->near;
+    return apart;
+}
+
 struct falloff_point falloff_at(const struct falloff *falloff, const double height[2])
 {
     const struct arena_mark mark = arena_mark(falloff->setup.arena);

@@ -38,6 +38,9 @@ struct falloff_question {
 bool falloff_open(const struct falloff_question *question, struct falloff *falloff,
                   struct error *error);
 
+/* The same for another thread, which remembers nothing of heights: its memory is `arena`. */
+struct falloff falloff_apart(const struct falloff *falloff, struct arena *arena);
+
 /* A point of the image. */
 struct falloff_point {
     double height[2];          /* x, y in the image plane, mm */

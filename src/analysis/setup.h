@@ -73,6 +73,9 @@ bool setup_place_image(struct setup *setup, const struct plane_value *asked, str
 /* The same lens, aperture, fields and image plane at another wavelength, um. */
 struct setup setup_at_wavelength(const struct setup *setup, double wavelength, struct arena *arena);
 
+/* The same for another thread: with systems of its own, which lie in another arena. */
+struct setup setup_apart(const struct setup *setup, struct arena *arena);
+
 /* A setup at one wavelength, paraxially. */
 struct setup_light {
     double wavelength; /* um */

@@ -5,6 +5,15 @@
 
 #include <math.h>
 
+struct setup setup_apart(const struct setup *setup, struct arena *arena)
+{
+    struct setup other = *setup;
+    other.arena = arena;
+    other.systems =
+        ARENA_ARRAY(arena, setup->wavelength_count * SETUP_SYSTEMS, const struct system *);
+    return other;
+}
+
 struct setup setup_at_wavelength(const struct setup *setup, double wavelength, struct arena *arena)
 {
     struct setup other = *setup;
@@ -12,9 +21,7 @@ struct setup setup_at_wavelength(const struct setup *setup, double wavelength, s
     *one = (struct setup_wavelength){wavelength, 1};
     other.wavelengths = one;
     other.wavelength_count = 1;
-    other.arena = arena;
-    other.systems = ARENA_ARRAY(arena, SETUP_SYSTEMS, const struct system *);
-    return other;
+    return setup_apart(&other, arena);
 }
 
 /* -------- exact rays -------- */

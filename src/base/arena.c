@@ -196,6 +196,18 @@ void arena_reset(struct arena *arena, struct arena_mark mark)
     }
 }
 
+void arena_adopt(struct arena *arena, struct arena *other)
+{
+    struct arena_block **last = &other->block;
+    while (*last != NULL) {
+        last = &(*last)->previous;
+    }
+    *last = arena->block;
+    arena->block = other->block;
+    other->block = NULL;
+    arena_free(other);
+}
+
 void arena_free(struct arena *arena)
 {
     arena_reset(arena, (struct arena_mark){NULL, 0});

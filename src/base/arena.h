@@ -71,6 +71,9 @@ char *arena_printf(struct arena *arena, const char *format, ...)
 struct arena_mark arena_mark(const struct arena *arena);
 void arena_reset(struct arena *arena, struct arena_mark mark);
 
+/* All of `other`, which becomes empty, lives as long as what this arena hands out now. */
+void arena_adopt(struct arena *arena, struct arena *other);
+
 void arena_free(struct arena *arena);
 
 #define ARENA_NEW(arena, type)          ((type *)arena_array((arena), 1, sizeof(type)))

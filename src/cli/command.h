@@ -29,6 +29,7 @@ struct run {
     const struct arguments *arguments; /* that were typed */
     const struct part_file *parts; /* of a divided run that are merged, in order; null: none are */
     size_t part_count;
+    int threads;            /* that may answer one input, this one included; 0 is 1 */
     bool explain;           /* an artifact says of itself how it was made, on standard error */
     struct watch *watch;    /* of work on one input that may be long, see base/watch.h; or null */
     struct error shortfall; /* set by a command whose rows stand, but are less than was asked: it is
@@ -108,8 +109,8 @@ struct command {
     /* Does every input of this batch make one row? `input` as the options set it. */
     bool (*takes_blocks)(const void *input, const struct asking *asking);
     /*
-     * How many threads may answer combinations of a sweep at once; `run` then is called by all of
-     * them. Null: one.
+     * How many threads may answer at once: combinations of a sweep, when `run` is called by all of
+     * them, and within one answer those that run.threads leaves. Null: one.
      */
     int (*threads)(const void *input);
     const struct explanation *explanations; /* ends with a null column */

@@ -297,7 +297,9 @@ static bool answer(struct driver *driver, struct error *error)
 {
     const bool prints =
         !driver->collects && !driver->common.explain && driver->artifacts.count == 0;
+    const struct command *command = driver->command;
     driver->run.report = prints ? &driver->report : NULL;
+    driver->run.threads = command->threads != NULL ? command->threads(driver->input) : 1;
     if (!driver->is_inside) {
         progress_begin(&driver->progress, driver->command->name, rows_state, driver);
         driver->output.before_write = progress_make_way;

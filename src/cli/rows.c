@@ -198,11 +198,11 @@ static bool take_answer(struct driver *driver, struct team_answer *answer, struc
 }
 
 /* Every combination of a sweep, by a team. */
-static bool rows_by_team(struct driver *driver, int threads, struct error *error)
+static bool rows_by_team(struct driver *driver, struct error *error)
 {
     const size_t size = driver->command->input_size, total = driver->sweep.total;
     const bool keeps = driver->collects || driver->artifacts.count > 0;
-    driver->team = team_open(driver->command, &driver->run, driver->report.sheet->row_size, threads,
+    driver->team = team_open(driver->command, &driver->run, driver->report.sheet->row_size, total,
                              keeps, &driver->arena);
     const size_t most = team_size(driver->team);
     struct team_answer *answers = ARENA_ARRAY(&driver->arena, most, struct team_answer);
@@ -229,10 +229,8 @@ static bool rows_by_team(struct driver *driver, int threads, struct error *error
 /* Every combination of a sweep; one combination is an ordinary answer. */
 bool rows_of_sweep(struct driver *driver, struct error *error)
 {
-    const bool divides = driver->command->threads != NULL && driver->sweep.total > 1;
-    const int threads = divides ? driver->command->threads(driver->input) : 1;
-    if (threads > 1) {
-        return rows_by_team(driver, threads, error);
+    if (driver->run.threads > 1 && driver->sweep.total > 1) {
+        return rows_by_team(driver, error);
     }
     for (size_t i = 0; i < driver->sweep.total && is_going(driver); i++) {
         struct arena_mark mark = arena_mark(&driver->row_arena);

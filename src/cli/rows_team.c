@@ -66,14 +66,15 @@ static void answer_piece(void *context, const struct parallel_piece *piece)
 }
 
 struct team *team_open(const struct command *command, const struct run *run, size_t row_size,
-                       int threads, bool keeps, struct arena *arena)
+                       size_t total, bool keeps, struct arena *arena)
 {
     struct team *team = ARENA_NEW(arena, struct team);
     team->command = command;
     team->run = *run;
     team->row_size = row_size;
     team->keeps = keeps;
-    team->parallel.threads = threads;
+    team->parallel.threads = run->threads;
+    team->run.threads = (int)((size_t)run->threads / total);
     return team;
 }
 

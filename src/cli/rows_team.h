@@ -26,10 +26,11 @@ struct team;
  *
  * Given     run    what they work with: arenas, state, emit and driver are their own, and there are
  *                  neither doubts nor a watch
+ *           total  answers that will be asked for; each has its share of run.threads
  *           keeps  answers live until team_close
  */
 struct team *team_open(const struct command *command, const struct run *run, size_t row_size,
-                       int threads, bool keeps, struct arena *arena);
+                       size_t total, bool keeps, struct arena *arena);
 
 /* How many answers are asked for at once, at most. */
 size_t team_size(const struct team *team);

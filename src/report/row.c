@@ -46,6 +46,28 @@ bool row_is_absent(const void *row, const struct column *column)
     return false;
 }
 
+void row_clear(const struct sheet *sheet, void *row)
+{
+    for (size_t i = 0; i < sheet->column_count; i++) {
+        const struct column *column = &sheet->columns[i];
+        void *at = (char *)row + column->offset;
+        switch (column->type) {
+        case COLUMN_NUMBER:
+            *(double *)at = NAN;
+            break;
+        case COLUMN_INTEGER:
+            *(long *)at = NO_INTEGER;
+            break;
+        case COLUMN_TEXT:
+            *(const char **)at = NULL;
+            break;
+        case COLUMN_FLAG:
+            *(bool *)at = false;
+            break;
+        }
+    }
+}
+
 char *shown_write_number(char *to, const void *row, const struct shown *shown, int digits)
 {
     double value = row_number(row, shown->column);

@@ -25,6 +25,9 @@ const char *row_text(const void *row, const struct column *column);
 /* Is there no value? */
 bool row_is_absent(const void *row, const struct column *column);
 
+/* Make all values of a row absent, flags false; members without a column stay as they are. */
+void row_clear(const struct sheet *sheet, void *row);
+
 /*
  * Write a number of a row for machines: `digits` significant digits (0 = shortest that reads
  * back), `inf`; nothing for NaN. Room for NUMBER_LENGTH; returns the end.

@@ -3,7 +3,7 @@
 #ifndef LENSCALC_COMMANDS_ANALYSIS_ANALYSIS_MAP_H
 #define LENSCALC_COMMANDS_ANALYSIS_ANALYSIS_MAP_H
 
-#include "commands/analysis/analysis_options.h"
+#include "commands/analysis/analysis_fields.h"
 #include "draw/raster.h"
 
 /* .png, false colours; .pfm, the numbers, 0 where there is nothing. */

@@ -44,6 +44,7 @@ struct analysis_case {
     bool clip;
     const char *warning;  /* null = all is well */
     const char *spectrum; /* the wavelengths with their weights, in words; null: one of them */
+    int threads;          /* that one field may take */
 };
 
 /* What a row says of its place. */
@@ -72,13 +73,14 @@ extern const struct word analysis_aims[], analysis_weights[];
                                                    "vertex, in place of the lens's"                \
     }
 
-/* `wavelengths`: which a command takes without -w */
-#define ANALYSIS_OPTIONS(S, member, wavelengths)                                                   \
+/* `wavelengths`: which a command takes without -w; `parts`: ", or ..." that threads share */
+#define ANALYSIS_OPTIONS(S, member, wavelengths, parts)                                            \
     ANALYSIS_LENS_OPTIONS(S, member, wavelengths),                                                 \
     {                                                                                              \
-        OPTION(S, member.threads), .name = "threads", .lowest = 0, .highest = PARALLEL_MOST,       \
-                                   .value = "N", .fallback = "1",                                  \
-                                   .help = "threads that answer a sweep; 0 = one a core"           \
+        OPTION(S, member.threads),                                                                 \
+            .name = "threads", .lowest = 0, .highest = PARALLEL_MOST, .value = "N",                \
+            .fallback = "1",                                                                       \
+            .help = "threads that share the combinations of a sweep" parts "; 0 = one a core"      \
     }
 
 #define ANALYSIS_LENS_OPTIONS(S, member, wavelengths)                                              \
@@ -267,27 +269,6 @@ struct bundle_question analysis_bundle(const struct analysis_case *one, size_t f
 
 /* What the rays count by, in words. */
 const char *analysis_weight_words(const struct analysis_question *question);
-
-/* Who answers field by field. */
-struct analysis_answers {
-    /* The rows of one field; false to fail, or without an error when no more are wanted. */
-    bool (*answer)(const struct analysis_case *one, size_t field, void *context,
-                   struct error *error);
-    /* The row of a field that has failed: all but its place is absent. Null: such a field ends all.
-     */
-    bool (*lost)(const struct analysis_point *point, void *context);
-};
-
-/*
- * Answer field by field. Where one of several fields fails it keeps its place: its row has the
- * reason as its warning, and the question counts as failed (run->shortfall).
- *
- * Errors    as analysis_each and `answer`, the field named where there are several
- */
-bool analysis_each_field(const struct analysis_question *question,
-                         const struct analysis_policy *policy, struct run *run,
-                         const struct analysis_answers *answers, void *context,
-                         struct error *error);
 
 /* Does the question have several rows? */
 bool analysis_makes_many(const struct analysis_question *question,

@@ -1,5 +1,6 @@
 /* commands/analysis/cmd_color.c - lenscalc color: what wavelengths do to focus and image. */
 /* SPDX-License-Identifier: MIT */
+#include "commands/analysis/analysis_fields.h"
 #include "commands/analysis/color_case.h"
 #include "commands/analysis/color_view.h"
 
@@ -11,7 +12,7 @@ static const struct word shows[] = {
 };
 
 static const struct option options[] = {
-    ANALYSIS_OPTIONS(struct color_input, question, "all of the lens"),
+    ANALYSIS_OPTIONS(struct color_input, question, "all of the lens", ""),
     ANALYSIS_EDGE_OPTIONS(struct color_input, question),
     ANALYSIS_SPECTRUM_OPTION(struct color_input, question),
     {OPTION(struct color_input, show), .name = "show", .words = shows, .fallback = "wavelength",

@@ -1,5 +1,6 @@
 /* commands/analysis/cmd_distortion.c - lenscalc distortion: image heights against a projection. */
 /* SPDX-License-Identifier: MIT */
+#include "commands/analysis/analysis_fields.h"
 #include "commands/analysis/distortion_asked.h"
 #include "commands/photo/photo_options.h"
 
@@ -19,7 +20,7 @@ static const struct word *fit_word_at(size_t i)
 }
 
 static const struct option options[] = {
-    ANALYSIS_OPTIONS(struct distortion_input, question, LENS_PRIMARY_WAVELENGTH),
+    ANALYSIS_OPTIONS(struct distortion_input, question, LENS_PRIMARY_WAVELENGTH, ""),
     ANALYSIS_FIELD_OPTIONS(struct distortion_input, question),
     {OPTION(struct distortion_input, projection), .name = "projection",
      .word_at = projection_word_at, .fallback = "auto", .value = "KIND",
@@ -93,29 +94,6 @@ static const struct column columns[] = {
     ANALYSIS_TAIL_COLUMNS(struct row, point),
 };
 
-static struct row row_of(const struct analysis_point *point)
-{
-    return (struct row){.point = *point,
-                        .angle = NAN,
-                        .object = NAN,
-                        .ideal = NAN,
-                        .image = NAN,
-                        .x = NAN,
-                        .y = NAN,
-                        .distortion = NAN,
-                        .focal = NAN,
-                        .magnification = NAN,
-                        .calibrated_focal = NAN,
-                        .calibrated_magnification = NAN};
-}
-
-/* Where the rows go. */
-struct asked {
-    const struct distortion_input *input;
-    struct run *run;
-    struct distortion_memo *memo; /* null: lenses do not stay */
-};
-
 static void fill(const struct distortion_case *ready, const struct distortion_point *found,
                  struct row *row)
 {
@@ -132,54 +110,49 @@ static void fill(const struct distortion_case *ready, const struct distortion_po
     row->projection = ready->projection;
 }
 
+/* Null: lenses do not stay. One that ends with its row says nothing of one in the same place. */
+static struct distortion_memo *memo_of(const struct distortion_input *input, struct run *run)
+{
+    if (input->question.lens.arena == run->arena) {
+        return NULL;
+    }
+    if (run->state == NULL) {
+        run->state = distortion_memo_new(run->kept);
+    }
+    return run->state;
+}
+
 static bool answer(const struct analysis_case *one, size_t field, void *context,
                    struct error *error)
 {
-    const struct asked *asked = context;
-    const struct analysis_point point = analysis_point_of(one, field);
-    struct row row = row_of(&point);
+    const struct analysis_asked *asked = context;
     struct distortion_case ready;
     struct distortion_point found;
-    if (!distortion_ready(asked->input, one, asked->memo, &ready, error) ||
+    struct row row;
+    if (!distortion_ready(asked->input, one, memo_of(asked->input, asked->run), &ready, error) ||
         !distortion_at(&ready.map, &one->setup->fields[field].point, &found, error)) {
         return false;
     }
+    analysis_begin_row(asked, one, field, &row);
     fill(&ready, &found, &row);
     if (!found.is_lit) {
-        row.point.warning =
-            lens_warnings_join(row.point.warning,
-                               "clear apertures stop the chief ray of some field: what light "
-                               "there is lies beside it",
-                               asked->run->arena);
+        analysis_warn(asked, &row.point,
+                      "clear apertures stop the chief ray of some field: what light there is lies "
+                      "beside it");
     }
     return run_emit(asked->run, &row);
 }
 
-static bool lost(const struct analysis_point *point, void *context)
-{
-    const struct asked *asked = context;
-    const struct row row = row_of(point);
-    return run_emit(asked->run, &row);
-}
-
-static const struct analysis_answers answers = {answer, lost};
 static const struct sheet field_sheet = SHEET(columns, struct row);
 static const struct sheet *const sheets[] = {&field_sheet, &distortion_fit_sheet, NULL};
+static const struct analysis_rows rows = {
+    &distortion_by_field, &field_sheet, NULL, {.answer = answer}};
 
 static bool run(const void *data, struct run *run, struct error *error)
 {
     const struct distortion_input *input = data;
-    if (input->fit > 0) {
-        return distortion_fit_run(input, run, error);
-    }
-    /* a lens that ends with its row says nothing of one that comes to lie in the same place */
-    const bool stays = input->question.lens.arena != run->arena;
-    if (stays && run->state == NULL) {
-        run->state = distortion_memo_new(run->kept);
-    }
-    struct asked asked = {input, run, stays ? run->state : NULL};
-    return analysis_each_field(&input->question, &distortion_by_field, run, &answers, &asked,
-                               error);
+    return input->fit > 0 ? distortion_fit_run(input, run, error)
+                          : analysis_answer_rows(input, &rows, run, error);
 }
 
 static const struct sheet *choose_sheet(const void *data, const struct asking *asking)

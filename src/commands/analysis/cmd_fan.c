@@ -1,5 +1,6 @@
 /* commands/analysis/cmd_fan.c - lenscalc fan: aberrations along two sections of the pupil. */
 /* SPDX-License-Identifier: MIT */
+#include "commands/analysis/analysis_fields.h"
 #include "commands/analysis/fan_input.h"
 #include "commands/analysis/wavefront_input.h"
 
@@ -10,7 +11,8 @@ static const struct word shows[] = {
 };
 
 static const struct option options[] = {
-    ANALYSIS_OPTIONS(struct fan_input, question, "all of the lens, each by itself"),
+    ANALYSIS_OPTIONS(struct fan_input, question, "all of the lens, each by itself",
+                     ", or the fields of one question"),
     ANALYSIS_FIELD_OPTIONS(struct fan_input, question),
     ANALYSIS_SPECTRUM_OPTION(struct fan_input, question),
     {OPTION(struct fan_input, show), .name = "show", .words = shows, .fallback = "transverse",
@@ -96,43 +98,20 @@ static const struct sheet *choose_sheet(const void *data, const struct asking *a
     return ((const struct fan_input *)data)->show == FAN_OPD ? &opd_sheet : &transverse_sheet;
 }
 
-/* Where the rows go. */
-struct asked {
-    const struct fan_input *input;
-    struct run *run;
-};
-
-static struct row row_of(const struct analysis_point *point)
-{
-    return (struct row){.point = *point,
-                        .pupil_x = NAN,
-                        .pupil_y = NAN,
-                        .dx = NAN,
-                        .dy = NAN,
-                        .dx_angle = NAN,
-                        .dy_angle = NAN,
-                        .opd = NAN,
-                        .at_x = NAN,
-                        .at_y = NAN,
-                        .at_z = NAN,
-                        .radius = NAN,
-                        .surface = NO_INTEGER};
-}
-
 /* What the rows of a field have in common. */
-static struct row row_of_fan(const struct analysis_case *one, size_t field, const struct fan *fan,
-                             const struct asked *asked)
+static struct row row_of_fan(const struct analysis_asked *asked, const struct analysis_case *one,
+                             size_t field, const struct fan *fan)
 {
-    struct analysis_point point = analysis_point_of(one, field);
+    const struct fan_input *input = asked->input;
     struct arena *arena = asked->run->arena;
-    if (asked->input->reference == WAVE_CHIEF) {
-        point.spectrum = NULL; /* their weights are not used */
+    struct row row;
+    analysis_begin_row(asked, one, field, &row);
+    if (input->reference == WAVE_CHIEF) {
+        row.point.spectrum = NULL; /* their weights are not used */
     }
-    point.warning = lens_warnings_join(point.warning, fan->no_opd, arena);
-    point.warning =
-        lens_warnings_join(point.warning, lens_island_warning(&fan->islands, arena), arena);
-    struct row row = row_of(&point);
-    row.reference = wave_reference_words(one, (enum wave_about)asked->input->reference, arena);
+    analysis_warn(asked, &row.point, fan->no_opd);
+    analysis_warn(asked, &row.point, lens_island_warning(&fan->islands, arena));
+    row.reference = wave_reference_words(one, (enum wave_about)input->reference, arena);
     if (!fan->is_angular) {
         row.at_x = fan->reference[0];
         row.at_y = fan->reference[1];
@@ -153,24 +132,29 @@ static void fill(const struct fan *fan, const struct fan_ray *ray, struct row *r
     row->surface = ray->surface > 0 ? (long)ray->surface : NO_INTEGER;
 }
 
-static bool answer(const struct analysis_case *one, size_t field, void *context,
-                   struct error *error)
+static bool find(const struct analysis_case *one, size_t field, const void *context, void *found,
+                 struct error *error)
+{
+    const struct analysis_asked *asked = context;
+    return fan_of_case(one, field, asked->input, one->setup->arena, found, error);
+}
+
+static bool take(const struct analysis_case *one, size_t field, const void *found, void *context,
+                 struct error *error)
 {
     static const char *const names[FAN_SECTIONS] = {"tangential", "sagittal"};
-    const struct asked *asked = context;
-    struct fan fan;
-    if (!fan_of_case(one, field, asked->input, asked->run->arena, &fan, error)) {
-        return false;
-    }
-    struct row row = row_of_fan(one, field, &fan, asked);
-    struct fan_ray *rays = ARENA_ARRAY(asked->run->arena, fan.points + FAN_ENDS, struct fan_ray);
+    const struct analysis_asked *asked = context;
+    const struct fan *fan = found;
+    struct row row = row_of_fan(asked, one, field, fan);
+    struct fan_ray *rays = ARENA_ARRAY(asked->run->arena, fan->points + FAN_ENDS, struct fan_ray);
+    (void)error;
     for (size_t g = 0; g < one->setup->wavelength_count; g++) {
         row.point.wavelength = one->setup->wavelengths[g].wavelength;
         for (size_t s = 0; s < FAN_SECTIONS; s++) {
             row.section = names[s];
-            const size_t count = fan_line(&fan, g, (enum fan_section)s, rays);
+            const size_t count = fan_line(fan, g, (enum fan_section)s, rays);
             for (size_t i = 0; i < count; i++) {
-                fill(&fan, &rays[i], &row);
+                fill(fan, &rays[i], &row);
                 if (!run_emit(asked->run, &row)) {
                     return false;
                 }
@@ -180,25 +164,20 @@ static bool answer(const struct analysis_case *one, size_t field, void *context,
     return true;
 }
 
-static bool lost(const struct analysis_point *point, void *context)
-{
-    const struct asked *asked = context;
-    struct row row = row_of(point);
-    return run_emit(asked->run, &row);
-}
-
-static const struct analysis_answers answers = {answer, lost};
+static const struct analysis_rows rows = {
+    &fan_policy,
+    &transverse_sheet,
+    NULL,
+    {.find = find, .found_size = sizeof(struct fan), .take = take}};
 
 static bool run(const void *data, struct run *run, struct error *error)
 {
     const struct fan_input *input = data;
-    struct asked asked = {input, run};
-    if (input->points % 2 == 0) {
-        return fail(error, ERROR_USAGE,
-                    "{--points} %ld: an odd number, so that one ray lies in the middle",
-                    input->points);
-    }
-    return analysis_each_field(&input->question, &fan_policy, run, &answers, &asked, error);
+    return (input->points % 2 == 1 ||
+            fail(error, ERROR_USAGE,
+                 "{--points} %ld: an odd number, so that one ray lies in the middle",
+                 input->points)) &&
+           analysis_answer_rows(input, &rows, run, error);
 }
 
 static const struct artifact artifacts[] = {

@@ -1,6 +1,7 @@
 /* commands/analysis/cmd_field.c - lenscalc field: field curvature and astigmatism. */
 /* SPDX-License-Identifier: MIT */
 #include "analysis/field_curvature.h"
+#include "commands/analysis/analysis_fields.h"
 #include "commands/analysis/analysis_words.h"
 #include "draw/panels.h"
 
@@ -14,7 +15,7 @@ static const struct analysis_policy policy = {
     .wavelengths = WAVELENGTHS_PRIMARY, .fields = FIELDS_ALL, .one_wavelength = true};
 
 static const struct option options[] = {
-    ANALYSIS_OPTIONS(struct input, question, LENS_PRIMARY_WAVELENGTH),
+    ANALYSIS_OPTIONS(struct input, question, LENS_PRIMARY_WAVELENGTH, ""),
     ANALYSIS_FIELD_OPTIONS(struct input, question),
 };
 
@@ -72,34 +73,16 @@ static const struct column columns[] = {
     ANALYSIS_TAIL_COLUMNS(struct row, point),
 };
 
-static struct row row_of(const struct analysis_point *point)
-{
-    return (struct row){.point = *point,
-                        .tangential = NAN,
-                        .sagittal = NAN,
-                        .medial = NAN,
-                        .astigmatism = NAN,
-                        .petzval = NAN,
-                        .tangential_power = NAN,
-                        .sagittal_power = NAN,
-                        .x = NAN,
-                        .y = NAN,
-                        .tangential_z = NAN,
-                        .sagittal_z = NAN,
-                        .turn = NAN,
-                        .lost = NO_INTEGER};
-}
-
 static bool answer(const struct analysis_case *one, size_t field, void *context,
                    struct error *error)
 {
-    struct run *run = context;
+    const struct analysis_asked *asked = context;
     struct field_curvature found;
-    const struct analysis_point point = analysis_point_of(one, field);
-    struct row row = row_of(&point);
+    struct row row;
     if (!field_curvature(one->setup, 0, &one->setup->fields[field].point, &found, error)) {
         return false;
     }
+    analysis_begin_row(asked, one, field, &row);
     row.x = found.height[0];
     row.y = found.height[1];
     row.tangential = found.tangential;
@@ -116,21 +99,15 @@ static bool answer(const struct analysis_case *one, size_t field, void *context,
     row.turn = found.beam.turn;
     row.status = ray_status_name(found.status);
     row.lost = found.surface > 0 ? (long)found.surface : NO_INTEGER;
-    return run_emit(run, &row);
+    return run_emit(asked->run, &row);
 }
 
-static bool lost(const struct analysis_point *point, void *context)
-{
-    const struct row row = row_of(point);
-    return run_emit(context, &row);
-}
-
-static const struct analysis_answers answers = {answer, lost};
+static const struct sheet sheet = SHEET(columns, struct row);
+static const struct analysis_rows rows = {&policy, &sheet, NULL, {.answer = answer}};
 
 static bool run(const void *data, struct run *run, struct error *error)
 {
-    const struct input *input = data;
-    return analysis_each_field(&input->question, &policy, run, &answers, run, error);
+    return analysis_answer_rows(data, &rows, run, error);
 }
 
 static bool makes_many(const void *data)
@@ -204,7 +181,7 @@ static bool add_field(const struct analysis_case *one, size_t field, void *conte
     return true;
 }
 
-static const struct analysis_answers collecting = {add_field, NULL};
+static const struct analysis_answers collecting = {.answer = add_field};
 
 /* One panel: defocus to the right, field upwards. */
 static struct panel panel_of(const struct curves *curves, struct arena *arena)

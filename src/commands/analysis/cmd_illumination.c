@@ -1,6 +1,7 @@
 /* commands/analysis/cmd_illumination.c - lenscalc illumination: light over the image. */
 /* SPDX-License-Identifier: MIT */
 #include "analysis/falloff.h"
+#include "commands/analysis/analysis_fields.h"
 #include "commands/analysis/analysis_words.h"
 #include "draw/plot.h"
 
@@ -12,7 +13,8 @@ struct input {
 };
 
 static const struct option options[] = {
-    ANALYSIS_OPTIONS(struct input, question, LENS_PRIMARY_WAVELENGTH),
+    ANALYSIS_OPTIONS(struct input, question, LENS_PRIMARY_WAVELENGTH,
+                     ", or the heights of one question"),
     {ANALYSIS_LENGTH(struct input, question.height), .name = "height", .column = "height",
      .flags = OPTION_NO_INFINITY,
      .help = "a point in the image at this distance from the axis; a list is swept; default: from "
@@ -77,21 +79,6 @@ static const struct column columns[] = {
      .help = "fourth power of the cosine of the field angle, for comparison"},
     ANALYSIS_TAIL_COLUMNS(struct row, point),
 };
-
-static struct row row_of(const struct analysis_point *point)
-{
-    return (struct row){.point = *point,
-                        .height = NAN,
-                        .height_x = NAN,
-                        .field = NAN,
-                        .irradiance = NAN,
-                        .error = NAN,
-                        .relative_point = NAN,
-                        .relative_field = NAN,
-                        .vignetted = NAN,
-                        .cos4 = NAN,
-                        .stop_diameter = NAN};
-}
 
 /* -------- points of the image -------- */
 
@@ -167,17 +154,11 @@ static bool find_point(const struct analysis_case *one, size_t field, const stru
     return true;
 }
 
-/* Where the rows go. */
-struct asked {
-    const struct input *input;
-    struct run *run;
-};
-
-static bool emit(const struct asked *asked, const struct analysis_case *one, size_t field,
+static bool emit(const struct analysis_asked *asked, const struct analysis_case *one, size_t field,
                  double share, const struct falloff_point *found)
 {
-    const struct analysis_point point = analysis_point_of(one, field);
-    struct row row = row_of(&point);
+    struct row row;
+    analysis_begin_row(asked, one, field, &row);
     row.height = found->height[1];
     row.height_x = found->height[0];
     row.field = found->angle;
@@ -187,7 +168,6 @@ static bool emit(const struct asked *asked, const struct analysis_case *one, siz
     row.relative_field = found->relative_field;
     row.vignetted = found->vignetted;
     row.cos4 = found->cos4;
-    row.stop_diameter = asked->input->stop_diameter;
     const char *const warnings[] = {
         found->light.is_met ? NULL : "the irradiance has not converged: see its error",
         share < 1
@@ -196,42 +176,59 @@ static bool emit(const struct asked *asked, const struct analysis_case *one, siz
             : NULL,
         lens_island_warning(&found->islands, asked->run->arena)};
     for (size_t i = 0; i < sizeof warnings / sizeof warnings[0]; i++) {
-        row.point.warning = lens_warnings_join(row.point.warning, warnings[i], asked->run->arena);
+        analysis_warn(asked, &row.point, warnings[i]);
     }
     return run_emit(asked->run, &row);
+}
+
+/* Points of the image: first .. last of those that part the way from the axis to the end. */
+struct points {
+    const struct falloff *falloff;
+    double end[2]; /* mm */
+    size_t first, last;
+    struct falloff_point *found; /* from the first on */
+};
+
+static void find_light(const struct analysis_case *one, size_t item, void *context)
+{
+    const struct points *points = context;
+    const double share = (double)(points->first + item) / (double)points->last;
+    const double at[2] = {share * points->end[0], share * points->end[1]};
+    const struct falloff apart = falloff_apart(points->falloff, one->setup->arena);
+    points->found[item] = falloff_at(&apart, at);
 }
 
 static bool answer(const struct analysis_case *one, size_t field, void *context,
                    struct error *error)
 {
     enum { STEPS = 10 };
-    const struct asked *asked = context;
+    const struct analysis_asked *asked = context;
     struct falloff falloff;
     struct ending end;
     if (!open_falloff(one, asked->input, asked->run, &falloff, error) ||
         !find_point(one, field, asked->input, &falloff, &end, error)) {
         return false;
     }
-    const int first = asks_point(asked->input) ? STEPS : 0;
-    for (int step = first; step <= STEPS; step++) {
-        const double share = (double)step / STEPS;
-        const double at[2] = {share * end.height[0], share * end.height[1]};
-        const struct falloff_point found = falloff_at(&falloff, at);
-        if (!emit(asked, one, field, end.share, &found)) {
+    struct falloff_point found[STEPS + 1];
+    struct points points = {&falloff,
+                            {end.height[0], end.height[1]},
+                            asks_point(asked->input) ? STEPS : 0,
+                            STEPS,
+                            found};
+    const size_t count = STEPS + 1 - points.first;
+    analysis_divide(one, count, find_light, &points);
+    for (size_t i = 0; i < count; i++) {
+        if (!emit(asked, one, field, end.share, &found[i])) {
             return false;
         }
     }
     return true;
 }
 
-static bool lost(const struct analysis_point *point, void *context)
+static void repeat(const void *data, void *row)
 {
-    const struct asked *asked = context;
-    const struct row row = row_of(point);
-    return run_emit(asked->run, &row);
+    ((struct row *)row)->stop_diameter = ((const struct input *)data)->stop_diameter;
 }
-
-static const struct analysis_answers answers = {answer, lost};
 
 /* Without a point the edge of the field, and that is not the axis. */
 static struct analysis_policy policy_of(const struct input *input)
@@ -242,19 +239,21 @@ static struct analysis_policy policy_of(const struct input *input)
 }
 
 /* A height is one in the image, where light arrives: that of the real image. */
-static struct analysis_question question_of(const struct input *input)
+static struct input with_real_heights(const struct input *input)
 {
-    struct analysis_question question = input->question;
-    question.real = true;
-    return question;
+    struct input real = *input;
+    real.question.real = true;
+    return real;
 }
+
+static const struct sheet sheet = SHEET(columns, struct row);
 
 static bool run(const void *data, struct run *run, struct error *error)
 {
-    struct asked asked = {data, run};
-    const struct analysis_question question = question_of(data);
+    const struct input input = with_real_heights(data);
     const struct analysis_policy policy = policy_of(data);
-    return analysis_each_field(&question, &policy, run, &answers, &asked, error);
+    const struct analysis_rows rows = {&policy, &sheet, repeat, {.answer = answer}};
+    return analysis_answer_rows(&input, &rows, run, error);
 }
 
 static bool makes_many(const void *data)
@@ -270,6 +269,7 @@ static bool makes_many(const void *data)
 struct curve {
     const char *words, *name; /* analysis_case_words, whole and not */
     const char *title;        /* of the lens */
+    const struct analysis_case *one;
     struct falloff falloff;
     double farthest[2], reach; /* the point farthest from the axis, mm */
 };
@@ -318,7 +318,8 @@ static bool add_point(const struct analysis_case *one, size_t field, void *conte
         *curve =
             (struct curve){.words = words,
                            .name = with_stop(input, analysis_case_words(one, false, arena), arena),
-                           .title = one->setup->lens->title};
+                           .title = one->setup->lens->title,
+                           .one = one};
         if (!open_falloff(one, input, NULL, &curve->falloff, error)) {
             return false;
         }
@@ -336,7 +337,7 @@ static bool add_point(const struct analysis_case *one, size_t field, void *conte
     return true;
 }
 
-static const struct analysis_answers collecting = {add_point, NULL};
+static const struct analysis_answers collecting = {.answer = add_point};
 
 /* All there is to say of one case, or beside others its light alone. */
 static size_t add_series(const struct curve *curve, bool alone, const char *label, double reach,
@@ -349,14 +350,19 @@ static size_t add_series(const struct curve *curve, bool alone, const char *labe
         y[k] = ARENA_ARRAY(arena, POINTS, double);
         series[k] = (struct plot_series){.label = labels[k], .y = y[k], .style = k};
     }
+    const double beyond = reach / curve->reach; /* others have points there */
+    const size_t count = curve->reach > 0 ? 1 + (size_t)((POINTS - 1) * (1 + 1e-9) / beyond) : 0;
+    struct falloff_point found[POINTS];
+    struct points points = {&curve->falloff,
+                            {beyond * curve->farthest[0], beyond * curve->farthest[1]},
+                            0,
+                            POINTS - 1,
+                            found};
+    analysis_divide(curve->one, count, find_light, &points);
     for (size_t i = 0; i < POINTS; i++) {
-        const double share = reach * (double)i / (POINTS - 1) / curve->reach;
-        const double at[2] = {share * curve->farthest[0], share * curve->farthest[1]};
-        struct falloff_point point = {
+        const struct falloff_point none = {
             .relative_point = NAN, .relative_field = NAN, .cos4 = NAN, .vignetted = NAN};
-        if (share <= 1 + 1e-9) {
-            point = falloff_at(&curve->falloff, at);
-        }
+        const struct falloff_point point = i < count ? found[i] : none;
         y[0][i] = 100 * point.relative_point;
         y[1][i] = 100 * point.relative_field;
         y[2][i] = 100 * point.cos4;
@@ -419,12 +425,13 @@ static bool draw(const struct artifact_job *job, struct output *sink, struct err
     struct svg svg = {.arena = job->run->arena};
     struct painter painter = {.arena = svg.arena};
     for (size_t i = 0; i < job->count; i++) {
-        painter.input = job->inputs[i];
         /* cases keep their question: it must outlive them */
-        struct analysis_question *question = ARENA_NEW(svg.arena, struct analysis_question);
-        const struct analysis_policy policy = policy_of(painter.input);
-        *question = question_of(painter.input);
-        if (!analysis_each_field(question, &policy, job->run, &collecting, &painter, error)) {
+        struct input *input = ARENA_NEW(svg.arena, struct input);
+        const struct analysis_policy policy = policy_of(job->inputs[i]);
+        *input = with_real_heights(job->inputs[i]);
+        painter.input = input;
+        if (!analysis_each_field(&input->question, &policy, job->run, &collecting, &painter,
+                                 error)) {
             return false;
         }
     }

@@ -1,5 +1,6 @@
 /* commands/analysis/cmd_mtf.c - lenscalc mtf: contrast of the image, by frequency. */
 /* SPDX-License-Identifier: MIT */
+#include "commands/analysis/analysis_fields.h"
 #include "commands/analysis/mtf_input.h"
 
 static const struct word methods[] = {
@@ -9,7 +10,8 @@ static const struct word methods[] = {
 };
 
 static const struct option options[] = {
-    ANALYSIS_OPTIONS(struct mtf_input, question, "all of the lens by their weights, together"),
+    ANALYSIS_OPTIONS(struct mtf_input, question, "all of the lens by their weights, together",
+                     ", or the fields of one question"),
     ANALYSIS_FIELD_OPTIONS(struct mtf_input, question),
     ANALYSIS_SPECTRUM_OPTION(struct mtf_input, question),
     {OPTION(struct mtf_input, frequency), .name = "frequency", .quantity = "spatial frequency",
@@ -79,27 +81,14 @@ static const struct column columns[] = {
     ANALYSIS_TAIL_COLUMNS(struct row, point),
 };
 
-/* Where the rows go. */
-struct asked {
-    const struct mtf_input *input;
-    struct run *run;
+/* What is found of a field. */
+enum { FREQUENCIES = 4 };
+struct found {
+    struct mtf_source source;
+    double frequencies[FREQUENCIES];
+    struct mtf contrasts[FREQUENCIES];
+    size_t count;
 };
-
-static struct row row_of(const struct analysis_point *point, double frequency)
-{
-    return (struct row){.point = *point,
-                        .frequency = frequency,
-                        .tangential = NAN,
-                        .sagittal = NAN,
-                        .limit = NAN,
-                        .limit_tangential = NAN,
-                        .limit_sagittal = NAN,
-                        .phase_tangential = NAN,
-                        .phase_sagittal = NAN,
-                        .cutoff_tangential = NAN,
-                        .cutoff_sagittal = NAN,
-                        .error = NAN};
-}
 
 static void fill(const struct mtf *mtf, const struct mtf_source *source, struct row *row)
 {
@@ -115,35 +104,39 @@ static void fill(const struct mtf *mtf, const struct mtf_source *source, struct 
     row->error = mtf->error;
 }
 
-static bool answer(const struct analysis_case *one, size_t field, void *context,
-                   struct error *error)
+static bool find(const struct analysis_case *one, size_t field, const void *context, void *room,
+                 struct error *error)
 {
-    static const double usual[] = {10, 20, 40, 80};
-    static const char *const words[] = {
-        [MTF_BY_WAVES] = "diffraction, amplitude squared = energy per area of direction cosines in "
-                         "the image space, phase on the reference sphere",
-        [MTF_BY_RAYS] = "geometric; limits by waves"};
-    const struct asked *asked = context;
-    struct arena *arena = asked->run->arena;
-    struct mtf_source source;
-    if (!mtf_of_case(one, field, asked->input, arena, &source, error)) {
-        return false;
+    static const double usual[FREQUENCIES] = {10, 20, 40, 80};
+    const struct analysis_asked *asked = context;
+    const struct mtf_input *input = asked->input;
+    const bool one_frequency = !isnan(input->frequency);
+    struct found *found = room;
+    found->count = one_frequency ? 1 : FREQUENCIES;
+    bool done = mtf_of_case(one, field, input, one->setup->arena, &found->source, error);
+    for (size_t i = 0; i < found->count && done; i++) {
+        found->frequencies[i] = one_frequency ? input->frequency : usual[i];
+        done = mtf_with_pixels(&found->source, input, found->frequencies[i], one->setup->arena,
+                               &found->contrasts[i], error);
     }
-    const bool one_frequency = !isnan(asked->input->frequency);
-    const struct analysis_point point = analysis_point_of(one, field);
-    for (size_t i = 0; i < (one_frequency ? 1 : sizeof usual / sizeof usual[0]); i++) {
-        struct row row = row_of(&point, one_frequency ? asked->input->frequency : usual[i]);
-        struct mtf mtf;
-        if (!mtf_with_pixels(&source, asked->input, row.frequency, arena, &mtf, error)) {
-            return false;
-        }
-        fill(&mtf, &source, &row);
-        row.method = words[asked->input->method];
-        row.point.warning = lens_warnings_join(
-            row.point.warning, lens_island_warning(&source.pupils.islands, arena), arena);
-        if (!mtf.has_converged) {
-            row.point.warning = lens_warnings_join(
-                row.point.warning, "the contrast has not converged: see its error", arena);
+    return done;
+}
+
+static bool take(const struct analysis_case *one, size_t field, const void *room, void *context,
+                 struct error *error)
+{
+    const struct analysis_asked *asked = context;
+    const struct found *found = room;
+    (void)error;
+    for (size_t i = 0; i < found->count; i++) {
+        struct row row;
+        analysis_begin_row(asked, one, field, &row);
+        row.frequency = found->frequencies[i];
+        fill(&found->contrasts[i], &found->source, &row);
+        analysis_warn(asked, &row.point,
+                      lens_island_warning(&found->source.pupils.islands, asked->run->arena));
+        if (!found->contrasts[i].has_converged) {
+            analysis_warn(asked, &row.point, "the contrast has not converged: see its error");
         }
         if (!run_emit(asked->run, &row)) {
             return false;
@@ -152,20 +145,25 @@ static bool answer(const struct analysis_case *one, size_t field, void *context,
     return true;
 }
 
-static bool lost(const struct analysis_point *point, void *context)
+static void repeat(const void *data, void *room)
 {
-    const struct asked *asked = context;
-    struct row row = row_of(point, asked->input->frequency);
-    return run_emit(asked->run, &row);
+    static const char *const words[] = {
+        [MTF_BY_WAVES] = "diffraction, amplitude squared = energy per area of direction cosines in "
+                         "the image space, phase on the reference sphere",
+        [MTF_BY_RAYS] = "geometric; limits by waves"};
+    const struct mtf_input *input = data;
+    struct row *row = room;
+    row->frequency = input->frequency;
+    row->method = words[input->method];
 }
 
-static const struct analysis_answers answers = {answer, lost};
+static const struct sheet sheet = SHEET(columns, struct row);
+static const struct analysis_rows rows = {
+    &mtf_policy, &sheet, repeat, {.find = find, .found_size = sizeof(struct found), .take = take}};
 
 static bool run(const void *data, struct run *run, struct error *error)
 {
-    const struct mtf_input *input = data;
-    struct asked asked = {input, run};
-    return analysis_each_field(&input->question, &mtf_policy, run, &answers, &asked, error);
+    return analysis_answer_rows(data, &rows, run, error);
 }
 
 static bool makes_many(const void *data)

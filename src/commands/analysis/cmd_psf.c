@@ -1,5 +1,6 @@
 /* commands/analysis/cmd_psf.c - lenscalc psf: images of points by waves. */
 /* SPDX-License-Identifier: MIT */
+#include "commands/analysis/analysis_fields.h"
 #include "commands/analysis/analysis_map.h"
 #include "commands/analysis/psf_input.h"
 
@@ -13,7 +14,8 @@ static const struct word methods[] = {
 };
 
 static const struct option options[] = {
-    ANALYSIS_OPTIONS(struct psf_input, question, "all of the lens by their weights, together"),
+    ANALYSIS_OPTIONS(struct psf_input, question, "all of the lens by their weights, together",
+                     ", or the fields of one question"),
     ANALYSIS_FIELD_OPTIONS(struct psf_input, question),
     ANALYSIS_SPECTRUM_OPTION(struct psf_input, question),
     {OPTION(struct psf_input, method), .name = "method", .words = methods, .fallback = "plane",
@@ -69,29 +71,36 @@ static const struct column columns[] = {
     ANALYSIS_TAIL_COLUMNS(struct row, point),
 };
 
-/* Where the rows go. */
-struct asked {
-    const struct psf_input *input;
-    struct run *run;
-};
-
-static struct row row_of(const struct analysis_point *point)
+static bool find(const struct analysis_case *one, size_t field, const void *context, void *found,
+                 struct error *error)
 {
-    return (struct row){.point = *point,
-                        .peak = NAN,
-                        .peak_x = NAN,
-                        .peak_y = NAN,
-                        .centroid_x = NAN,
-                        .centroid_y = NAN,
-                        .width_x = NAN,
-                        .width_y = NAN,
-                        .radius80 = NAN,
-                        .pitch = NAN,
-                        .inside = NAN};
+    const struct analysis_asked *asked = context;
+    return psf_of_case(one, field, asked->input, one->setup->arena, found, error);
 }
 
-static bool answer(const struct analysis_case *one, size_t field, void *context,
-                   struct error *error)
+static bool take(const struct analysis_case *one, size_t field, const void *found, void *context,
+                 struct error *error)
+{
+    const struct analysis_asked *asked = context;
+    const struct psf *psf = found;
+    struct row row;
+    (void)error;
+    analysis_begin_row(asked, one, field, &row);
+    row.peak = psf->peak;
+    row.peak_x = psf->peak_at[0];
+    row.peak_y = psf->peak_at[1];
+    row.centroid_x = psf->centroid[0];
+    row.centroid_y = psf->centroid[1];
+    row.width_x = psf->width[0];
+    row.width_y = psf->width[1];
+    row.radius80 = psf->radius80;
+    row.pitch = psf->pitch;
+    row.inside = psf->inside;
+    analysis_warn(asked, &row.point, lens_island_warning(&psf->islands, asked->run->arena));
+    return run_emit(asked->run, &row);
+}
+
+static void repeat(const void *data, void *row)
 {
     static const char *const words[PSF_METHODS] = {
         [PSF_PLANE] = "plane waves, amplitude squared = energy per area of direction cosines in "
@@ -100,43 +109,16 @@ static bool answer(const struct analysis_case *one, size_t field, void *context,
                     "cosines in the image space, phase on the reference sphere",
         [PSF_HUYGENS] = "spherical wavelets from the reference sphere, amplitude squared = energy "
                         "per area of direction cosines in the image space"};
-    const struct asked *asked = context;
-    struct psf psf;
-    if (!psf_of_case(one, field, asked->input, asked->run->arena, &psf, error)) {
-        return false;
-    }
-    const struct analysis_point point = analysis_point_of(one, field);
-    struct row row = row_of(&point);
-    row.peak = psf.peak;
-    row.peak_x = psf.peak_at[0];
-    row.peak_y = psf.peak_at[1];
-    row.centroid_x = psf.centroid[0];
-    row.centroid_y = psf.centroid[1];
-    row.width_x = psf.width[0];
-    row.width_y = psf.width[1];
-    row.radius80 = psf.radius80;
-    row.pitch = psf.pitch;
-    row.inside = psf.inside;
-    row.method = words[asked->input->method];
-    row.point.warning = lens_warnings_join(
-        row.point.warning, lens_island_warning(&psf.islands, asked->run->arena), asked->run->arena);
-    return run_emit(asked->run, &row);
+    ((struct row *)row)->method = words[((const struct psf_input *)data)->method];
 }
 
-static bool lost(const struct analysis_point *point, void *context)
-{
-    const struct asked *asked = context;
-    struct row row = row_of(point);
-    return run_emit(asked->run, &row);
-}
-
-static const struct analysis_answers answers = {answer, lost};
+static const struct sheet sheet = SHEET(columns, struct row);
+static const struct analysis_rows rows = {
+    &psf_policy, &sheet, repeat, {.find = find, .found_size = sizeof(struct psf), .take = take}};
 
 static bool run(const void *data, struct run *run, struct error *error)
 {
-    const struct psf_input *input = data;
-    struct asked asked = {input, run};
-    return analysis_each_field(&input->question, &psf_policy, run, &answers, &asked, error);
+    return analysis_answer_rows(data, &rows, run, error);
 }
 
 static bool makes_many(const void *data)

@@ -1,5 +1,6 @@
 /* commands/analysis/cmd_spot.c - lenscalc spot: how widely the rays of a field spread. */
 /* SPDX-License-Identifier: MIT */
+#include "commands/analysis/analysis_fields.h"
 #include "commands/analysis/spot_diagram.h"
 
 static const struct word references[] = {
@@ -9,7 +10,8 @@ static const struct word references[] = {
 };
 
 static const struct option options[] = {
-    ANALYSIS_OPTIONS(struct spot_input, question, "all of the lens by their weights, as one spot"),
+    ANALYSIS_OPTIONS(struct spot_input, question, "all of the lens by their weights, as one spot",
+                     ", or the fields of one question"),
     ANALYSIS_FIELD_OPTIONS(struct spot_input, question),
     ANALYSIS_SPECTRUM_OPTION(struct spot_input, question),
     {OPTION(struct spot_input, reference), .name = "reference", .words = references,
@@ -104,39 +106,6 @@ static const struct column columns[] = {
     ANALYSIS_TAIL_COLUMNS(struct row, point),
 };
 
-static struct row row_of(const struct analysis_point *point)
-{
-    struct row row = {.point = *point, .rays = NO_INTEGER};
-    double *numbers[] = {&row.rms,
-                         &row.rms_x,
-                         &row.rms_y,
-                         &row.rms_chief,
-                         &row.radius,
-                         &row.radius_error,
-                         &row.error,
-                         &row.energy,
-                         &row.energy_radius,
-                         &row.energy_error,
-                         &row.rms_angle,
-                         &row.rms_x_angle,
-                         &row.rms_y_angle,
-                         &row.rms_chief_angle,
-                         &row.radius_angle,
-                         &row.radius_error_angle,
-                         &row.error_angle,
-                         &row.energy_angle,
-                         &row.energy_error_angle,
-                         &row.x,
-                         &row.y,
-                         &row.chief_x,
-                         &row.chief_y,
-                         &row.clear};
-    for (size_t i = 0; i < sizeof numbers / sizeof numbers[0]; i++) {
-        *numbers[i] = NAN;
-    }
-    return row;
-}
-
 static void fill(const struct spot *spot, struct row *row)
 {
     const double values[] = {spot->rms,           spot->rms_x,        spot->rms_y,
@@ -161,12 +130,6 @@ static void fill(const struct spot *spot, struct row *row)
     row->rays = (long)spot->rays;
 }
 
-/* Where the rows go. */
-struct asked {
-    const struct spot_input *input;
-    struct run *run;
-};
-
 /* The largest radius takes as long as all the rest. */
 static bool shows_radius(const struct run *run)
 {
@@ -180,48 +143,48 @@ static bool shows_radius(const struct run *run)
     return shows;
 }
 
-static bool answer(const struct analysis_case *one, size_t field, void *context,
-                   struct error *error)
+static bool find(const struct analysis_case *one, size_t field, const void *context, void *found,
+                 struct error *error)
 {
-    const struct asked *asked = context;
+    const struct analysis_asked *asked = context;
     struct spot_question question;
-    struct spot spot;
     if (!spot_question_of(one, field, asked->input, &question, error)) {
         return false;
     }
     question.no_radius = !shows_radius(asked->run);
-    if (!spot_find(&question, asked->run->arena, &spot, error)) {
-        return false;
-    }
-    const struct analysis_point point = analysis_point_of(one, field);
-    struct row row = row_of(&point);
-    fill(&spot, &row);
-    row.energy = asked->input->energy;
-    row.weight = analysis_weight_words(&asked->input->question);
-    row.point.warning =
-        lens_warnings_join(row.point.warning, lens_island_warning(&spot.islands, asked->run->arena),
-                           asked->run->arena);
-    if (question.rays == 0 && !spot.has_converged) {
-        row.point.warning = lens_warnings_join(
-            row.point.warning, "the spot has not converged: see its error", asked->run->arena);
-    }
-    return run_emit(asked->run, &row);
+    return spot_find(&question, one->setup->arena, found, error);
 }
 
-static bool lost(const struct analysis_point *point, void *context)
+static bool take(const struct analysis_case *one, size_t field, const void *found, void *context,
+                 struct error *error)
 {
-    const struct asked *asked = context;
-    struct row row = row_of(point);
+    const struct analysis_asked *asked = context;
+    const struct spot *spot = found;
+    struct row row;
+    (void)error;
+    analysis_begin_row(asked, one, field, &row);
+    fill(spot, &row);
+    analysis_warn(asked, &row.point, lens_island_warning(&spot->islands, asked->run->arena));
+    if (!(one->question->rays > 0) && !spot->has_converged) {
+        analysis_warn(asked, &row.point, "the spot has not converged: see its error");
+    }
     return run_emit(asked->run, &row);
 }
 
-static const struct analysis_answers answers = {answer, lost};
+static void repeat(const void *data, void *row)
+{
+    const struct spot_input *input = data;
+    ((struct row *)row)->energy = input->energy;
+    ((struct row *)row)->weight = analysis_weight_words(&input->question);
+}
+
+static const struct sheet sheet = SHEET(columns, struct row);
+static const struct analysis_rows rows = {
+    &spot_policy, &sheet, repeat, {.find = find, .found_size = sizeof(struct spot), .take = take}};
 
 static bool run(const void *data, struct run *run, struct error *error)
 {
-    const struct spot_input *input = data;
-    struct asked asked = {input, run};
-    return analysis_each_field(&input->question, &spot_policy, run, &answers, &asked, error);
+    return analysis_answer_rows(data, &rows, run, error);
 }
 
 static bool makes_many(const void *data)

@@ -1,5 +1,6 @@
 /* commands/analysis/cmd_wavefront.c - lenscalc wavefront: figures, Zernike's polynomials. */
 /* SPDX-License-Identifier: MIT */
+#include "commands/analysis/analysis_fields.h"
 #include "commands/analysis/analysis_map.h"
 #include "commands/analysis/wavefront_input.h"
 
@@ -13,7 +14,8 @@ static const struct word orders[] = {
 };
 
 static const struct option options[] = {
-    ANALYSIS_OPTIONS(struct wavefront_input, question, "the primary one"),
+    ANALYSIS_OPTIONS(struct wavefront_input, question, "the primary one",
+                     ", or the fields of one question"),
     ANALYSIS_FIELD_OPTIONS(struct wavefront_input, question),
     {OPTION(struct wavefront_input, reference), .name = "reference", .words = wave_references,
      .fallback = "chief", .value = "WHAT", .help = "centre of the reference sphere"},
@@ -107,83 +109,66 @@ static const struct sheet *choose_sheet(const void *data, const struct asking *a
                                                                          : &coefficient_sheet;
 }
 
-/* Where the rows go. */
-struct asked {
-    const struct wavefront_input *input;
-    struct run *run;
+/* What is found of a field: figures of the whole, or coefficients. */
+struct found {
+    struct wavefront_source source;
+    struct wavefront figures;
+    struct wavefront_fit fit;
 };
 
-static struct row row_of(const struct analysis_point *point)
+static bool find(const struct analysis_case *one, size_t field, const void *context, void *room,
+                 struct error *error)
 {
-    return (struct row){.point = *point,
-                        .rms = NAN,
-                        .pv = NAN,
-                        .strehl = NAN,
-                        .marechal = NAN,
-                        .error = NAN,
-                        .strehl_error = NAN,
-                        .mean = NAN,
-                        .clear = NAN,
-                        .radius = NAN,
-                        .coefficient = NAN,
-                        .residual = NAN,
-                        .rays = NO_INTEGER,
-                        .index = NO_INTEGER,
-                        .n = NO_INTEGER,
-                        .m = NO_INTEGER};
-}
-
-static void warn(const struct asked *asked, struct row *row, const char *words)
-{
-    row->point.warning = lens_warnings_join(row->point.warning, words, asked->run->arena);
-}
-
-static bool answer_figures(const struct asked *asked, const struct wavefront_source *source,
-                           struct row *row, struct error *error)
-{
+    const struct analysis_asked *asked = context;
+    const struct wavefront_input *input = asked->input;
     const bool wants_pv = run_shows(asked->run, offsetof(struct row, pv));
-    struct wavefront wavefront;
-    if (!wavefront_find(source, wants_pv, asked->run->arena, &wavefront, error)) {
-        return false;
-    }
-    row->rms = wavefront.rms;
-    row->pv = wavefront.pv;
-    row->strehl = wavefront.strehl;
-    row->marechal = wavefront.marechal;
-    row->error = wavefront.error;
-    row->strehl_error = wavefront.strehl_error;
-    row->mean = wavefront.mean;
-    row->clear = wavefront.clear;
-    row->rays = (long)wavefront.rays;
-    warn(asked, row, lens_island_warning(&wavefront.islands, asked->run->arena));
-    if (source->question->rays == 0 && !wavefront.has_converged) {
-        warn(asked, row, "the wave front has not converged: see its errors");
+    struct arena *arena = one->setup->arena;
+    struct found *found = room;
+    return wavefront_of_case(one, field, input, arena, &found->source, error) &&
+           (input->zernike == NO_ZERNIKE
+                ? wavefront_find(&found->source, wants_pv, arena, &found->figures, error)
+                : wavefront_fit(&found->source, (enum zernike_kind)(input->zernike - 1),
+                                (size_t)input->terms, arena, &found->fit, error));
+}
+
+static bool emit_figures(const struct analysis_asked *asked, const struct found *found,
+                         struct row *row)
+{
+    const struct wavefront *figures = &found->figures;
+    row->rms = figures->rms;
+    row->pv = figures->pv;
+    row->strehl = figures->strehl;
+    row->marechal = figures->marechal;
+    row->error = figures->error;
+    row->strehl_error = figures->strehl_error;
+    row->mean = figures->mean;
+    row->clear = figures->clear;
+    row->rays = (long)figures->rays;
+    analysis_warn(asked, &row->point, lens_island_warning(&figures->islands, asked->run->arena));
+    if (found->source.question->rays == 0 && !figures->has_converged) {
+        analysis_warn(asked, &row->point, "the wave front has not converged: see its errors");
     }
     return run_emit(asked->run, row);
 }
 
-static bool answer_coefficients(const struct asked *asked, const struct wavefront_source *source,
-                                struct row *row, struct error *error)
+static bool emit_coefficients(const struct analysis_asked *asked, const struct found *found,
+                              struct row *row)
 {
     static const char *const words[] = {
         [ZERNIKE_NOLL] = "noll, orthonormal over the pupil",
         [ZERNIKE_FRINGE] = "fringe, each 1 at the edge of the pupil",
         [ZERNIKE_ANSI] = "ansi (ISO 24157), orthonormal over the pupil"};
-    const enum zernike_kind kind = (enum zernike_kind)(asked->input->zernike - 1);
-    const size_t terms = (size_t)asked->input->terms;
-    struct wavefront_fit fit;
-    if (!wavefront_fit(source, kind, terms, asked->run->arena, &fit, error)) {
-        return false;
-    }
+    const struct wavefront_input *input = asked->input;
+    const enum zernike_kind kind = (enum zernike_kind)(input->zernike - 1);
     row->order = words[kind];
-    row->residual = fit.residual;
-    row->rays = (long)fit.rays;
-    for (size_t i = 0; i < terms; i++) {
+    row->residual = found->fit.residual;
+    row->rays = (long)found->fit.rays;
+    for (size_t i = 0; i < (size_t)input->terms; i++) {
         const struct zernike_term term = zernike_term(kind, i);
         row->index = term.index;
         row->n = term.n;
         row->m = term.m;
-        row->coefficient = fit.coefficients[i];
+        row->coefficient = found->fit.coefficients[i];
         if (!run_emit(asked->run, row)) {
             return false;
         }
@@ -191,38 +176,36 @@ static bool answer_coefficients(const struct asked *asked, const struct wavefron
     return true;
 }
 
-static bool answer(const struct analysis_case *one, size_t field, void *context,
-                   struct error *error)
+static bool take(const struct analysis_case *one, size_t field, const void *room, void *context,
+                 struct error *error)
 {
-    const struct asked *asked = context;
-    struct arena *arena = asked->run->arena;
-    struct wavefront_source source;
-    if (!wavefront_of_case(one, field, asked->input, arena, &source, error)) {
-        return false;
-    }
-    const struct analysis_point point = analysis_point_of(one, field);
-    struct row row = row_of(&point);
-    row.reference = wave_reference_words(one, (enum wave_about)asked->input->reference, arena);
-    row.weight = analysis_weight_words(&asked->input->question);
-    row.radius = source.reference.opd.is_plane ? INFINITY : source.reference.opd.radius;
-    return asked->input->zernike == NO_ZERNIKE ? answer_figures(asked, &source, &row, error)
-                                               : answer_coefficients(asked, &source, &row, error);
+    const struct analysis_asked *asked = context;
+    const struct wavefront_input *input = asked->input;
+    const struct found *found = room;
+    const struct opd_reference *sphere = &found->source.reference.opd;
+    struct row row;
+    (void)error;
+    analysis_begin_row(asked, one, field, &row);
+    row.reference = wave_reference_words(one, (enum wave_about)input->reference, asked->run->arena);
+    row.radius = sphere->is_plane ? INFINITY : sphere->radius;
+    return input->zernike == NO_ZERNIKE ? emit_figures(asked, found, &row)
+                                        : emit_coefficients(asked, found, &row);
 }
 
-static bool lost(const struct analysis_point *point, void *context)
+static void repeat(const void *data, void *row)
 {
-    const struct asked *asked = context;
-    struct row row = row_of(point);
-    return run_emit(asked->run, &row);
+    const struct wavefront_input *input = data;
+    ((struct row *)row)->weight = analysis_weight_words(&input->question);
 }
-
-static const struct analysis_answers answers = {answer, lost};
 
 static bool run(const void *data, struct run *run, struct error *error)
 {
-    const struct wavefront_input *input = data;
-    struct asked asked = {input, run};
-    return analysis_each_field(&input->question, &wavefront_policy, run, &answers, &asked, error);
+    const struct analysis_rows rows = {
+        &wavefront_policy,
+        choose_sheet(data, NULL),
+        repeat,
+        {.find = find, .found_size = sizeof(struct found), .take = take}};
+    return analysis_answer_rows(data, &rows, run, error);
 }
 
 static bool makes_many(const void *data)

@@ -1,6 +1,7 @@
 /* commands/analysis/color_view.c - the three curves of lenscalc color. */
 /* SPDX-License-Identifier: MIT */
 #include "commands/analysis/color_view.h"
+#include "commands/analysis/analysis_fields.h"
 
 #include "commands/analysis/color_case.h"
 #include "draw/panels.h"

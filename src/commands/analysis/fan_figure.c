@@ -1,5 +1,6 @@
 /* commands/analysis/fan_figure.c - the drawing of lenscalc fan: two panels a field. */
 /* SPDX-License-Identifier: MIT */
+#include "commands/analysis/analysis_fields.h"
 #include "commands/analysis/fan_input.h"
 
 #include "commands/analysis/wavefront_input.h"
@@ -260,7 +261,7 @@ static bool draw(const struct painter *painter, struct output *sink, struct erro
 
 bool fan_figure(const struct artifact_job *job, struct output *sink, struct error *error)
 {
-    static const struct analysis_answers answers = {add_fan, add_nothing};
+    static const struct analysis_answers answers = {.answer = add_fan, .lost = add_nothing};
     struct painter painter = {.job = job, .arena = job->run->arena};
     for (size_t i = 0; i < job->count; i++) {
         size_t points = (size_t)((const struct fan_input *)job->inputs[i])->points;

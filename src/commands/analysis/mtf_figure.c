@@ -1,6 +1,7 @@
 /* commands/analysis/mtf_figure.c - contrast drawn against frequency, focus or field. */
 /* SPDX-License-Identifier: MIT */
 #include "analysis/mtf_curve.h"
+#include "commands/analysis/analysis_fields.h"
 #include "commands/analysis/analysis_map.h"
 #include "commands/analysis/analysis_words.h"
 #include "commands/analysis/mtf_input.h"
@@ -100,14 +101,19 @@ static double highest_of(const struct painter *painter, const struct mtf_source 
     return isnan(painter->highest) ? fmin(cutoff, 160) : painter->highest;
 }
 
-static bool add(const struct analysis_case *one, size_t field, void *context, struct error *error)
+static bool find(const struct analysis_case *one, size_t field, const void *context, void *found,
+                 struct error *error)
 {
+    const struct painter *painter = context;
+    return mtf_of_case(one, field, painter->input, one->setup->arena, found, error);
+}
+
+static bool add(const struct analysis_case *one, size_t field, const void *found, void *context,
+                struct error *error)
+{
+    const struct mtf_source *source = found;
     struct painter *painter = context;
     struct arena *arena = painter->arena;
-    struct mtf_source source;
-    if (!mtf_of_case(one, field, painter->input, arena, &source, error)) {
-        return false;
-    }
     const struct analysis_point point = analysis_point_of(one, field);
     const double frequency = painter->input->frequency;
     struct analysis_question question = *one->question;
@@ -121,9 +127,9 @@ static bool add(const struct analysis_case *one, size_t field, void *context, st
                                      one->setup->focus);
     painter->is_angle = !isnan(point.field);
     if (painter->axis == BY_FREQUENCY) {
-        const double highest = highest_of(painter, &source);
+        const double highest = highest_of(painter, source);
         painter->highest = highest;
-        return add_curve(painter, &source, highest, &place, error);
+        return add_curve(painter, source, highest, &place, error);
     }
     if (painter->axis == BY_FOCUS) {
         place.x = point.defocus;
@@ -131,7 +137,7 @@ static bool add(const struct analysis_case *one, size_t field, void *context, st
         place.x = painter->is_angle ? degrees_from_radians(point.field) : point.height;
         place.label = arena_printf(arena, "%.4g/mm", frequency);
     }
-    return add_entry(painter, &source, frequency, &place, error);
+    return add_entry(painter, source, frequency, &place, error);
 }
 
 static bool skip(const struct analysis_point *point, void *context)
@@ -182,7 +188,8 @@ static bool choose_axis(struct painter *painter, struct error *error)
 /* All points of the sweep; against frequency the curves hold all of them anyway. */
 static bool collect(struct painter *painter, struct error *error)
 {
-    static const struct analysis_answers answers = {add, skip};
+    static const struct analysis_answers answers = {
+        .find = find, .found_size = sizeof(struct mtf_source), .take = add, .lost = skip};
     const struct artifact_job *job = painter->job;
     const double first = ((const struct mtf_input *)job->inputs[0])->frequency;
     for (size_t i = 0; i < job->count; i++) {

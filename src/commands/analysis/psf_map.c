@@ -5,21 +5,25 @@
 
 static const double decades = 5;
 
-static bool add(const struct analysis_case *one, size_t field, void *context, struct error *error)
+static bool find(const struct analysis_case *one, size_t field, const void *context, void *found,
+                 struct error *error)
+{
+    const struct map_page *page = context;
+    return psf_of_case(one, field, page->input, one->setup->arena, found, error);
+}
+
+static bool add(const struct analysis_case *one, size_t field, const void *found, void *context,
+                struct error *error)
 {
     struct map_page *page = context;
-    const struct psf_input *input = page->input;
     struct arena *arena = page->job->run->arena;
-    struct psf psf;
-    if (!psf_of_case(one, field, input, arena, &psf, error)) {
-        return false;
-    }
-    const struct raster_map map = {
-        .title = analysis_map_title(one, field, arena),
-        .note = arena_printf(arena, "peak %.3g, %.3g %% of the light", psf.peak, 100 * psf.inside),
-        .size = psf.size,
-        .values = psf.values,
-        .half = 1000 * psf.pitch * (double)psf.size / 2};
+    const struct psf *psf = found;
+    const struct raster_map map = {.title = analysis_map_title(one, field, arena),
+                                   .note = arena_printf(arena, "peak %.3g, %.3g %% of the light",
+                                                        psf->peak, 100 * psf->inside),
+                                   .size = psf->size,
+                                   .values = psf->values,
+                                   .half = 1000 * psf->pitch * (double)psf->size / 2};
     map_page_subtitle(
         page, arena_printf(arena, "focus %s; %s", one->setup->focus,
                            one->spectrum != NULL
@@ -32,7 +36,8 @@ static bool add(const struct analysis_case *one, size_t field, void *context, st
 /* The maps of all inputs of a job. */
 static bool collect(const struct artifact_job *job, struct map_page *page, struct error *error)
 {
-    static const struct analysis_answers answers = {add, map_page_skip};
+    static const struct analysis_answers answers = {
+        .find = find, .found_size = sizeof(struct psf), .take = add, .lost = map_page_skip};
     const struct psf_input *first = job->inputs[0];
     page->rasters = (struct rasters){
         .x_label = "x (\xc2\xb5m)",

@@ -1,6 +1,7 @@
 /* commands/analysis/seidel_case.c - the sums that lenscalc seidel is asked for. */
 /* SPDX-License-Identifier: MIT */
 #include "commands/analysis/seidel_case.h"
+#include "commands/analysis/analysis_fields.h"
 
 #include "optics/wavelength.h"
 

@@ -1,6 +1,7 @@
 /* commands/analysis/spot_diagram.c - spots drawn: by field, through focus, and as curves. */
 /* SPDX-License-Identifier: MIT */
 #include "commands/analysis/spot_diagram.h"
+#include "commands/analysis/analysis_fields.h"
 
 #include "commands/analysis/analysis_words.h"
 #include "draw/panels.h"
@@ -340,7 +341,7 @@ static bool draw_curves(const struct drawing *drawing, const struct grid *grid, 
 static bool collect(const struct artifact_job *job, bool with_points, struct drawing *drawing,
                     struct error *error)
 {
-    static const struct analysis_answers answers = {add, NULL};
+    static const struct analysis_answers answers = {.answer = add};
     drawing->with_points = with_points;
     drawing->count = 0;
     for (size_t i = 0; i < job->count; i++) {

@@ -30,17 +30,35 @@ static const double *level(const double *values, size_t count, struct arena *are
     return levelled;
 }
 
-static bool add(const struct analysis_case *one, size_t field, void *context, struct error *error)
+/* Room for the values of a map. */
+struct found {
+    const double *values;
+};
+
+static bool find(const struct analysis_case *one, size_t field, const void *context, void *found,
+                 struct error *error)
 {
-    struct map_page *page = context;
+    const struct map_page *page = context;
     const struct wavefront_input *input = page->input;
-    struct arena *arena = page->job->run->arena;
+    struct arena *arena = one->setup->arena;
     struct wavefront_source source;
     const size_t size = (size_t)input->size;
     if (!wavefront_of_case(one, field, input, arena, &source, error)) {
         return false;
     }
-    const double *values = level(wavefront_map(&source, size, arena), size * size, arena);
+    ((struct found *)found)->values =
+        level(wavefront_map(&source, size, arena), size * size, arena);
+    return true;
+}
+
+static bool add(const struct analysis_case *one, size_t field, const void *found, void *context,
+                struct error *error)
+{
+    struct map_page *page = context;
+    const struct wavefront_input *input = page->input;
+    struct arena *arena = page->job->run->arena;
+    const size_t size = (size_t)input->size;
+    const double *values = ((const struct found *)found)->values;
     const struct raster_map map = {.title = analysis_map_title(one, field, arena),
                                    .note = note_of(values, size * size, arena),
                                    .size = size,
@@ -56,7 +74,8 @@ static bool add(const struct analysis_case *one, size_t field, void *context, st
 /* The maps of all inputs of a job. */
 static bool collect(const struct artifact_job *job, struct map_page *page, struct error *error)
 {
-    static const struct analysis_answers answers = {add, map_page_skip};
+    static const struct analysis_answers answers = {
+        .find = find, .found_size = sizeof(struct found), .take = add, .lost = map_page_skip};
     const struct wavefront_input *first = job->inputs[0];
     const bool entrance = first->question.aim == ANALYSIS_AIM_ENTRANCE;
     page->rasters = (struct rasters){
