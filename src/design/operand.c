@@ -4,7 +4,12 @@
 
 const char *const operand_relations[OPERAND_RELATIONS] = {"=", "<", ">", "=="};
 
-enum { W = OPERAND_AT_WAVELENGTH, F = OPERAND_AT_FIELD, TARGET = OPERAND_NEEDS_TARGET };
+enum {
+    W = OPERAND_AT_WAVELENGTH,
+    F = OPERAND_AT_FIELD,
+    SURFACES = OPERAND_AT_SURFACES,
+    TARGET = OPERAND_NEEDS_TARGET
+};
 
 #define LENGTH &dimension_length, "mm"
 #define NUMBER &dimension_number, ""
@@ -26,6 +31,10 @@ static const struct operand_type types[OPERAND_KINDS] = {
     [OPERAND_S5] = {"S5", "Seidel sum of distortion", LENGTH, W | F},
     [OPERAND_HEIGHT] = {"height", "of the chief ray in the image", LENGTH,
                         W | F | OPERAND_NEEDS_FIELD | TARGET},
+    [OPERAND_EDGE] = {"edge", "thickness of glass at its edge", LENGTH, SURFACES | TARGET},
+    [OPERAND_CENTER] = {"center", "thickness of glass on the axis", LENGTH, SURFACES | TARGET},
+    [OPERAND_AIR] = {"air", "thickness of air, on the axis and at the edge", LENGTH,
+                     SURFACES | TARGET},
 };
 /* clang-format on */
 

@@ -1,0 +1,302 @@
+/* design/merit_paraxial.c - operands of paraxial rays: focal lengths, Seidel sums. */
+/* SPDX-License-Identifier: MIT */
+#include "design/merit_paraxial.h"
+
+#include <math.h>
+
+/* -------- figures of an evaluation -------- */
+
+/* The chief ray of the field of an operand, else of the edge. */
+static struct dual_question question_of(const struct merit_place *place,
+                                        const struct merit_slot *slot)
+{
+    const struct setup *setup = &place->setup;
+    const struct field_point *point =
+        slot->operand->field != NULL ? &slot->operand->field->point : &setup->edge;
+    const struct field_point field = setup_in_section(setup, point);
+    return (struct dual_question){.object = &setup->object,
+                                  .aperture = &place->aperture,
+                                  .field_kind = field.kind,
+                                  .field = field.value[setup_axis(setup)]};
+}
+
+/* The lens changed by one variable. */
+static void change(const struct merit *merit, struct merit_light *light, size_t variable)
+{
+    if (!merit->derives) {
+        return;
+    }
+    paraxial_dual_rest(&light->paraxial);
+    for (size_t i = 0; i < light->link_count; i++) {
+        const struct variable_link *link = &light->links[i];
+        if (link->variable == variable) {
+            paraxial_dual_change(&light->paraxial, link->basis, link->slope);
+        }
+    }
+}
+
+/* All columns of a light; the stop is that of the primary one. */
+static bool compute(struct merit *merit, const struct merit_place *place, struct merit_light *light,
+                    const struct dual_question *question, const struct merit_figures *primary)
+{
+    if (light->figured == merit->evaluation && light->field_kind == question->field_kind &&
+        light->field == question->field) {
+        return true;
+    }
+    if (!paraxial_dual_read(place->lens, light->wavelength, &light->paraxial, &merit->why)) {
+        return false;
+    }
+    for (size_t j = 0; j < merit_columns(merit); j++) {
+        struct dual_question here = *question;
+        here.primary = primary != NULL ? &primary[j].first : NULL;
+        change(merit, light, j);
+        paraxial_dual_first(&light->paraxial, &here, &light->figures[j].first);
+    }
+    light->figured = merit->evaluation;
+    light->field_kind = question->field_kind;
+    light->field = question->field;
+    light->summed = 0;
+    return true;
+}
+
+/* Paraxial figures of a slot, one a column; of its light, or the primary one where that is null. */
+static const struct merit_figures *figures_of(struct merit *merit, const struct merit_slot *slot,
+                                              struct merit_light *light)
+{
+    struct merit_place *place = &merit->places[slot->place];
+    struct merit_light *primary = merit_light(merit, slot, NAN);
+    const struct dual_question question = question_of(place, slot);
+    const bool done =
+        compute(merit, place, primary, &question, NULL) &&
+        (light == primary || compute(merit, place, light, &question, primary->figures));
+    return done ? light->figures : NULL;
+}
+
+/* What the kinds are of. */
+static const size_t members[OPERAND_KINDS] = {
+    [OPERAND_EFL] = offsetof(struct dual_first, power),
+    [OPERAND_BFL] = offsetof(struct dual_first, bfl),
+    [OPERAND_FFL] = offsetof(struct dual_first, ffl),
+    [OPERAND_LENGTH] = offsetof(struct dual_first, length),
+    [OPERAND_MAGNIFICATION] = offsetof(struct dual_first, magnification),
+    [OPERAND_FNUMBER] = offsetof(struct dual_first, fnumber),
+    [OPERAND_PETZVAL] = offsetof(struct dual_first, petzval),
+    [OPERAND_AXIAL] = offsetof(struct dual_first, image),
+};
+
+static struct dual member(const struct merit_figures *figures, const struct merit_slot *slot)
+{
+    const char *start = (const char *)&figures->first + members[slot->operand->kind];
+    return *(const struct dual *)(const void *)start;
+}
+
+/* One residual, unless something stands against it. */
+static size_t one_unless(bool wrong, const char *words, struct error *error)
+{
+    return wrong && !fail(error, ERROR_DOMAIN, "%s", words) ? 0 : 1;
+}
+
+/* -------- focal length, Petzval radius -------- */
+
+size_t merit_prepare_power(struct merit *merit, struct merit_slot *slot, struct arena *arena,
+                           struct error *error)
+{
+    const double target = slot->operand->target;
+    (void)merit;
+    (void)arena;
+    return one_unless(!(fabs(target) > 0) || isinf(target),
+                      "a finite length that is not 0 must be its target", error);
+}
+
+/* T/x, and how it goes on where that is far from T; and its derivative. */
+static struct dual continued(double target, struct dual x)
+{
+    double value = target / x.value, slope = -target / (x.value * x.value);
+    if (!(x.value >= 0.5)) {
+        slope = -4 * target;
+        value = 2 * target + slope * (x.value - 0.5);
+    } else if (x.value > 2) {
+        slope = -0.25 * target;
+        value = 0.5 * target + slope * (x.value - 2);
+    }
+    return (struct dual){value, slope * x.slope};
+}
+
+bool merit_fill_power(struct merit *merit, const struct merit_slot *slot, double *residuals,
+                      double *jacobian)
+{
+    const double target = slot->operand->target;
+    const struct merit_figures *figures =
+        figures_of(merit, slot, merit_light(merit, slot, slot->operand->wavelength));
+    if (figures == NULL) {
+        return false;
+    }
+    for (size_t j = 0; j < merit_columns(merit); j++) {
+        merit->change[j] = continued(target, dual_scale(member(&figures[j], slot), target));
+    }
+    const bool done = merit_put(merit, slot, 0, residuals, jacobian);
+    merit->values[slot->first] = 1 / member(&figures[0], slot).value;
+    return done;
+}
+
+/* -------- other figures of first order -------- */
+
+size_t merit_prepare_first(struct merit *merit, struct merit_slot *slot, struct arena *arena,
+                           struct error *error)
+{
+    const struct merit_place *place = &merit->places[slot->place];
+    const enum operand_kind kind = slot->operand->kind;
+    (void)arena;
+    if (kind == OPERAND_MAGNIFICATION) {
+        return one_unless(place->setup.object.is_infinite,
+                          "the object is infinitely far away, its magnification 0", error);
+    }
+    return one_unless(kind == OPERAND_FNUMBER && place->aperture.kind == APERTURE_NONE,
+                      "the lens has no aperture: state one, or give {f-number}", error);
+}
+
+bool merit_fill_first(struct merit *merit, const struct merit_slot *slot, double *residuals,
+                      double *jacobian)
+{
+    const struct merit_figures *figures =
+        figures_of(merit, slot, merit_light(merit, slot, slot->operand->wavelength));
+    for (size_t j = 0; j < merit_columns(merit) && figures != NULL; j++) {
+        merit->change[j] = member(&figures[j], slot);
+    }
+    return figures != NULL && merit_put(merit, slot, 0, residuals, jacobian);
+}
+
+/* -------- axial colour -------- */
+
+/* Of the wavelength asked for less the primary one, or of the shortest less the longest. */
+static void colours_of(const struct merit_place *place, const struct operand *operand,
+                       double colours[2])
+{
+    const struct setup *setup = &place->setup;
+    colours[0] = operand->wavelength;
+    colours[1] = place->lights[0].wavelength;
+    for (size_t i = 0; i < setup->wavelength_count && isnan(operand->wavelength); i++) {
+        const double wavelength = setup->wavelengths[i].wavelength;
+        colours[0] = fmin(colours[0], wavelength);
+        colours[1] = i == 0 ? wavelength : fmax(colours[1], wavelength);
+    }
+}
+
+size_t merit_prepare_axial(struct merit *merit, struct merit_slot *slot, struct arena *arena,
+                           struct error *error)
+{
+    double colours[2];
+    (void)arena;
+    colours_of(&merit->places[slot->place], slot->operand, colours);
+    return one_unless(colours[0] == colours[1], "there is only one wavelength, and so no colour",
+                      error);
+}
+
+bool merit_fill_axial(struct merit *merit, const struct merit_slot *slot, double *residuals,
+                      double *jacobian)
+{
+    double colours[2];
+    colours_of(&merit->places[slot->place], slot->operand, colours);
+    for (int k = 0; k < 2; k++) {
+        const struct merit_figures *figures =
+            figures_of(merit, slot, merit_light(merit, slot, colours[k]));
+        for (size_t j = 0; j < merit_columns(merit) && figures != NULL; j++) {
+            const struct dual here = member(&figures[j], slot);
+            merit->change[j] = k == 0 ? here : dual_subtract(merit->change[j], here);
+        }
+        if (figures == NULL) {
+            return false;
+        }
+    }
+    return merit_put(merit, slot, 0, residuals, jacobian);
+}
+
+/* -------- Seidel sums -------- */
+
+static bool has_cone(const struct lens *lens)
+{
+    bool is_cone = false;
+    for (size_t i = 0; i < lens->surface_count; i++) {
+        for (int order = 1; order <= 3; order += 2) {
+            is_cone = is_cone || (surface_has(&lens->surfaces[i], SURFACE_HAS_CURVE) &&
+                                  lens->surfaces[i].coefficient[surface_term(order)].value.hi != 0);
+        }
+    }
+    return is_cone;
+}
+
+size_t merit_prepare_seidel(struct merit *merit, struct merit_slot *slot, struct arena *arena,
+                            struct error *error)
+{
+    const struct merit_place *place = &merit->places[slot->place];
+    const struct setup *setup = &place->setup;
+    const bool of_field = slot->operand->kind != OPERAND_S1;
+    const bool has_field = slot->operand->field != NULL || setup->edge.kind != FIELD_NONE;
+    (void)arena;
+    return place->aperture.kind == APERTURE_NONE
+               ? one_unless(true, "the lens has no aperture: state one, or give {f-number}", error)
+           : setup->lens->stop == LENS_NONE && !setup->first.is_telecentric
+               ? one_unless(true, "the lens has no stop: it has no chief rays", error)
+           : has_cone(setup->lens)
+               ? one_unless(true,
+                            "A1 or A3 of a surface makes an aberration of lower order than the "
+                            "Seidel sums have",
+                            error)
+               : one_unless(of_field && !has_field,
+                            "the lens states no field: say which, as in S3@10deg", error);
+}
+
+bool merit_fill_seidel(struct merit *merit, const struct merit_slot *slot, double *residuals,
+                       double *jacobian)
+{
+    const size_t which = (size_t)(slot->operand->kind - OPERAND_S1);
+    struct merit_light *light = merit_light(merit, slot, slot->operand->wavelength);
+    if (figures_of(merit, slot, light) == NULL) {
+        return false;
+    }
+    for (size_t j = 0; j < merit_columns(merit); j++) {
+        struct merit_figures *figures = &light->figures[j];
+        if (light->summed != merit->evaluation) {
+            change(merit, light, j);
+            paraxial_dual_seidel(&light->paraxial, &figures->first, figures->sums);
+        }
+        merit->change[j] = figures->sums[which];
+    }
+    light->summed = merit->evaluation;
+    return merit_put(merit, slot, 0, residuals, jacobian);
+}
+
+/* -------- how far out light comes -------- */
+
+struct dual *merit_reach_new(const struct merit *merit, const struct merit_slot *slot,
+                             struct arena *arena, struct error *error)
+{
+    const struct merit_place *place = &merit->places[slot->place];
+    const size_t columns = merit->variable_count > 0 ? merit->variable_count : 1;
+    if (place->aperture.kind == APERTURE_NONE) {
+        fail(error, ERROR_DOMAIN,
+             "surfaces without a diameter are as large as the light, but the lens has no "
+             "aperture: state one, or give {f-number}");
+        return NULL;
+    }
+    return ARENA_ARRAY(arena, columns * place->lens->surface_count, struct dual);
+}
+
+bool merit_reach(struct merit *merit, const struct merit_slot *slot)
+{
+    struct merit_place *place = &merit->places[slot->place];
+    struct merit_light *light = merit_light(merit, slot, NAN);
+    if (place->reached == merit->evaluation) {
+        return true;
+    }
+    if (figures_of(merit, slot, light) == NULL) {
+        return false;
+    }
+    for (size_t j = 0; j < merit_columns(merit); j++) {
+        change(merit, light, j);
+        paraxial_dual_reach(&light->paraxial, &light->figures[j].first,
+                            place->reach + j * place->lens->surface_count);
+    }
+    place->reached = merit->evaluation;
+    return true;
+}

@@ -1,0 +1,50 @@
+/* design/merit_paraxial.h - operands of paraxial rays: focal lengths, Seidel sums. */
+/* SPDX-License-Identifier: MIT */
+#ifndef LENSCALC_DESIGN_MERIT_PARAXIAL_H
+#define LENSCALC_DESIGN_MERIT_PARAXIAL_H
+
+#include "design/merit_state.h"
+
+/*
+ * Lengths that are the inverse of a power: of the focal length, and of the Petzval radius.
+ *
+ * Formula   x = P T, T the target: (value - T)/deviation = T (1/x - 1)/deviation for x of 0.5 to 2,
+ *           beyond by the tangents there: T (1 - 4 (x - 0.5)), T (-0.5 - 0.25 (x - 2))
+ * Source    derived here; in the power it is smooth and falls all the way
+ * Errors    of merit_prepare_power: a target of 0, or infinite
+ */
+merit_fill merit_fill_power;
+merit_prepare merit_prepare_power;
+
+/* bfl, ffl, length, magnification, fnumber: first_order_compute and first_order_aperture. */
+merit_fill merit_fill_first;
+merit_prepare merit_prepare_first;
+
+/*
+ * Axial colour: the paraxial image at the wavelength of the operand less that at the primary one;
+ * or of the shortest less that of the longest.
+ *
+ * Errors    there is only one wavelength
+ */
+merit_fill merit_fill_axial;
+merit_prepare merit_prepare_axial;
+
+/*
+ * S1 .. S5 of the field, else of the one farthest from the axis, mm: paraxial_dual_seidel.
+ *
+ * Errors    no aperture, no stop, no field, a cone
+ */
+merit_fill merit_fill_seidel;
+merit_prepare merit_prepare_seidel;
+
+/*
+ * How far out light comes at each surface, and its derivatives: paraxial_dual_reach at the primary
+ * wavelength, into the slot's place.
+ *
+ * Errors    of merit_reach_new, which takes the room: null, the lens has no aperture
+ */
+struct dual *merit_reach_new(const struct merit *merit, const struct merit_slot *slot,
+                             struct arena *arena, struct error *error);
+bool merit_reach(struct merit *merit, const struct merit_slot *slot);
+
+#endif

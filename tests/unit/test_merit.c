@@ -1,0 +1,218 @@
+/* tests/unit/test_merit.c - operands of paraxial rays and of shapes, by everything. */
+/* SPDX-License-Identifier: MIT */
+#include "analysis/chromatic.h"
+#include "merit_check.h"
+#include "optics/seidel.h"
+
+static const char double_gauss[] = "wavelength d F C\n"
+                                   "object inf\n"
+                                   "aperture stop\n"
+                                   "field angle 0 10 14\n"
+                                   "surface 58.950 7.520 1.670/47.1 50.4\n"
+                                   "surface 169.660 0.240 air 50.4\n"
+                                   "surface 38.550 8.050 1.670/47.1 46.0\n"
+                                   "surface 81.540 6.550 1.699/30.1 46.0\n"
+                                   "surface 25.500 11.410 air 36.0\n"
+                                   "surface - 9.000 air 34.2 stop\n"
+                                   "surface -28.990 2.360 1.603/38.0 34.0\n"
+                                   "surface 81.540 12.130 1.658/57.3 40.0\n"
+                                   "surface -40.770 0.380 air 40.0\n"
+                                   "surface 874.130 6.440 1.717/48.0 40.0\n"
+                                   "surface -79.460 72.228 air 40.0\n";
+
+static const char relay[] = "wavelength d F C\n"
+                            "object 120\n"
+                            "aperture na 0.08\n"
+                            "field height 0 8\n"
+                            "surface 60 6 1.6/50 30 k=-0.5 A2=1e-4 A4=2e-6\n"
+                            "surface -80 20 air 30 k=0.7\n"
+                            "stop - 15 air 12\n"
+                            "surface 90 5 1.65 30\n"
+                            "surface -50 100 1.33 30 A4=-1e-6\n";
+
+static const char mirrors[] = "wavelength d F\n"
+                              "object inf\n"
+                              "aperture f/4\n"
+                              "field image 5\n"
+                              "surface -400 -120 mirror 100 k=-1 stop\n"
+                              "surface -220 140 mirror 50 k=-3\n"
+                              "surface 90 8 1.52/64 40\n"
+                              "surface -300 60 air 40\n";
+
+/* Without diameters: as large as the light. */
+static const char bare[] = "wavelength d\n"
+                           "object inf\n"
+                           "aperture epd 20\n"
+                           "field angle 0 8\n"
+                           "surface 60 6 1.6/50 - k=-0.5 A4=2e-6 A6=1e-9\n"
+                           "surface -80 3 1.7/30 -\n"
+                           "surface 200 8 air - A3=1e-6\n"
+                           "stop - 5 air -\n"
+                           "surface -40 5 1.65 - k=2 A4=-1e-6\n"
+                           "surface -50 100 air -\n";
+
+static const struct merit_case cases[] = {
+    {"double Gauss", double_gauss, "R1 R2 c3 R5 c6 t1 t5 t6 t11 n1 n3 V3 V4 A2_2 A4_1 k7 A4_6 k1",
+     "efl=100,efl@F>101,efl@C<90,bfl=70,bfl@C=71,ffl=-50,length=60,fnumber=3,fnumber@F=3,petzval=-"
+     "450,"
+     "axial,axial@F=0.1:0.01,S1,S2,S3,S4,S5,S1@F=0.1,S3@5deg=0.1,S5@C@10deg",
+     1e-9},
+    {"relay", relay, "R1 c2 t1 t2 t3 n1 V1 n4 n5 k1 k2 A2_1 A4_1 A4_5 R5 t5",
+     "magnification=-1,efl=60,bfl=80,fnumber=4,length=40,axial,S1,S2,S3,S4,S5,S2@F,S3@4mm,"
+     "S3@3deg,magnification@C=-1.2",
+     1e-9},
+    {"mirrors", mirrors, "R1 R2 c3 t1 t2 t3 n3 V3 k1 k2",
+     "efl=500,bfl=60,fnumber=4,petzval=-200,length=20,axial,S1,S2,S3,S4,S5,S5@F,edge=1,center=2,"
+     "air=10",
+     1e-9},
+    {"bare", bare, "R1 R2 c3 R5 t1 t2 t3 t4 t5 n1 V2 k1 k5 A2_1 A4_1 A6_1 A3_3 A4_5",
+     "edge=1,center 1..2 = 2,air=1,edge 5 = 3:0.1", 1e-9},
+    {"double Gauss, shape", double_gauss, "R1 R2 c3 R5 t1 t5 t6 t7 k7",
+     "edge=1,center=2,air=1,air 5=1,edge 3..4 < 0.1", 1e-9},
+};
+
+static bool open_setup(const struct lens *lens, struct arena *arena, struct setup *setup)
+{
+    struct error error;
+    const struct setup_question question = {.lens = lens,
+                                            .wavelength = NAN,
+                                            .wavelengths = WAVELENGTHS_ALL,
+                                            .fnumber = NAN,
+                                            .field_policy = FIELDS_ALL};
+    return setup_open(&question, arena, setup, &error);
+}
+
+/* As lenscalc lens has it. */
+static struct first_order first_at(const struct setup *setup, double wavelength)
+{
+    const struct setup one = setup_at_wavelength(setup, wavelength, setup->arena);
+    struct setup_light light;
+    struct error error;
+    CHECK(setup_light(&one, 0, &light, &error));
+    return light.first;
+}
+
+/* As lenscalc color has it. */
+static double axial_of(const struct setup *setup, const struct operand *operand)
+{
+    struct chromatic_focus focus[2];
+    struct error error;
+    const double all[2] = {isnan(operand->wavelength) ? 0.4861327 : operand->wavelength,
+                           !isnan(operand->wavelength) || setup->wavelength_count == 2 ? 0.5875618
+                                                                                       : 0.6562725};
+    for (int i = 0; i < 2; i++) {
+        CHECK(chromatic_focus(setup, all[i], &focus[i], &error));
+    }
+    return focus[0].image - focus[1].image;
+}
+
+/* As lenscalc seidel has it. */
+static double seidel_of(struct setup *setup, const struct operand *operand, double wavelength)
+{
+    struct setup_light light;
+    struct seidel seidel;
+    struct error error;
+    if (operand->field != NULL) {
+        setup->edge = operand->field->point;
+    }
+    const struct setup one = setup_at_wavelength(setup, wavelength, setup->arena);
+    CHECK(setup_light(&one, 0, &light, &error));
+    const struct field_point edge = setup_edge_in_object(setup);
+    const struct seidel_question question = {.lens = setup->lens,
+                                             .system = &light.system,
+                                             .section = SECTION_Y,
+                                             .object = &setup->object,
+                                             .first = &light.first,
+                                             .field_kind = edge.kind,
+                                             .field = edge.value[1]};
+    CHECK(seidel_compute(&question, setup->arena, &seidel, &error));
+    return seidel.total.sum[operand->kind - OPERAND_S1];
+}
+
+/* -------- thicknesses -------- */
+
+/* Where the marginal and the chief ray of the edge come, paraxially. */
+static double reach_at(const struct setup *setup, size_t surface)
+{
+    const struct surface *at = &setup->lens->surfaces[surface];
+    struct setup_light light;
+    struct error error;
+    if (at->has_diameter) {
+        return at->diameter.value.hi / 2;
+    }
+    CHECK(setup_light(setup, 0, &light, &error));
+    struct paraxial_ray *rays = ARENA_ARRAY(setup->arena, light.system.count, struct paraxial_ray);
+    const struct first_order *first = &light.first;
+    paraxial_follow(&light.system, pair_of(first->marginal_y), pair_of(first->marginal_v), rays);
+    const double marginal = fabs(rays[surface].y);
+    paraxial_follow(&light.system, pair_of(first->chief_y), pair_of(first->chief_v), rays);
+    return marginal + fabs(rays[surface].y);
+}
+
+/* The figures of an operand, written out for the lenses of this test: left, right, at the edge? */
+static double shape_of(const struct setup *setup, const struct operand *operand, size_t at)
+{
+    const struct lens *lens = setup->lens;
+    const bool is_air = operand->kind == OPERAND_AIR;
+    const size_t end = operand->first == LENS_NONE ? lens->surface_count : operand->last + 1;
+    double direction = 1;
+    size_t found = 0;
+    for (size_t i = 0; i + 1 < lens->surface_count && i < end; i++) {
+        const struct surface *left = &lens->surfaces[i], *right = left + 1;
+        double gap = left->thickness.value.hi;
+        direction *= left->kind == SURFACE_REFLECT ? -1 : 1;
+        if (right->kind == SURFACE_STOP) {
+            gap += right->thickness.value.hi;
+            right++;
+        }
+        if (left->kind == SURFACE_STOP || medium_is_air(&left->medium) != is_air ||
+            (operand->first != LENS_NONE && i < operand->first)) {
+            continue;
+        }
+        const double a = reach_at(setup, i), b = reach_at(setup, (size_t)(right - lens->surfaces));
+        const double r = is_air ? fmin(a, b) : fmax(a, b);
+        const double edge = gap + surface_sag(right, r) - surface_sag(left, r);
+        if (is_air && found++ == at) {
+            return direction * gap;
+        }
+        if (found++ == at) {
+            return direction * (operand->kind == OPERAND_CENTER ? gap : edge);
+        }
+    }
+    return NAN;
+}
+
+static double analyse(const struct lens *lens, const struct operand *operand, size_t at,
+                      struct arena *arena)
+{
+    struct setup setup;
+    CHECK(open_setup(lens, arena, &setup));
+    if (operand->kind >= OPERAND_EDGE && operand->kind <= OPERAND_AIR) {
+        return shape_of(&setup, operand, at);
+    }
+    const double wavelength =
+        isnan(operand->wavelength) ? lens_primary_wavelength(lens) : operand->wavelength;
+    if (operand->kind >= OPERAND_S1 && operand->kind <= OPERAND_S5) {
+        return seidel_of(&setup, operand, wavelength);
+    }
+    if (operand->kind == OPERAND_AXIAL) {
+        return axial_of(&setup, operand);
+    }
+    const struct first_order first = first_at(&setup, wavelength);
+    const double figures[OPERAND_KINDS] = {[OPERAND_EFL] = first.efl,
+                                           [OPERAND_BFL] = first.bfl,
+                                           [OPERAND_FFL] = first.ffl,
+                                           [OPERAND_LENGTH] = first.length,
+                                           [OPERAND_FNUMBER] = first.fnumber,
+                                           [OPERAND_MAGNIFICATION] = first.magnification,
+                                           [OPERAND_PETZVAL] = first.petzval_radius};
+    return figures[operand->kind];
+}
+
+int main(void)
+{
+    for (size_t i = 0; i < sizeof cases / sizeof cases[0]; i++) {
+        merit_check(&cases[i], analyse);
+    }
+    return check_report();
+}
