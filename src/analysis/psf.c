@@ -246,6 +246,7 @@ bool psf_find(const struct psf_question *question, struct arena *arena, struct p
                                   .size = psf->size,
                                   .pitch = psf->pitch,
                                   .spread = spreads[g],
+                                  .threads = question->threads,
                                   .arena = arena};
         if (pupils->lights.list[g].weight > 0 && !add_wavelength(question, &plane, &sums, error)) {
             return false;

@@ -21,6 +21,7 @@ struct psf_question {
     struct bundle_question bundle; /* its wavelength, pattern and weight are not used */
     enum psf_method method;
     size_t size;  /* pixels along a side */
+    int threads;  /* that wavelets may take; 0 is 1 */
     double pitch; /* mm; NaN: a quarter of what the waves resolve, more where rays spread farther */
 };
 

@@ -5,6 +5,7 @@
 #include "analysis/psf_kernels.h"
 #include "analysis/psf_points.h"
 #include "base/constants.h"
+#include "base/parallel.h"
 #include "base/processor.h"
 
 #include <math.h>
@@ -157,10 +158,39 @@ static void add_strip(const struct psf_plane *plane, const struct psf_points *po
     }
 }
 
-bool psf_by_huygens(struct psf_plane *plane, struct error *error)
+/* What threads add to a plane. */
+struct columns {
+    struct psf_plane *plane;
+    const struct psf_points *points;
+};
+
+/* Strips of columns. */
+static void add_columns(void *context, const struct parallel_piece *piece)
 {
+    const struct columns *columns = context;
+    const struct psf_plane *plane = columns->plane;
     const size_t size = plane->size, room = size * PSF_LANES;
     const double first = -(double)(size / 2) * plane->pitch;
+    const struct arena_mark mark = arena_mark(piece->arena);
+    for (size_t i = piece->begin; i < piece->end; i++) {
+        const size_t x = i * PSF_LANES;
+        const struct psf_strip strip = {.x = first + (double)x * plane->pitch,
+                                        .y = first,
+                                        .re = ARENA_ARRAY(piece->arena, room, double),
+                                        .im = ARENA_ARRAY(piece->arena, room, double)};
+        add_strip(plane, columns->points, &strip);
+        for (size_t y = 0; y < size; y++) {
+            for (size_t l = 0; l < PSF_LANES && x + l < size; l++) {
+                plane->re[y * size + x + l] = strip.re[y * PSF_LANES + l];
+                plane->im[y * size + x + l] = strip.im[y * PSF_LANES + l];
+            }
+        }
+        arena_reset(piece->arena, mark);
+    }
+}
+
+bool psf_by_huygens(struct psf_plane *plane, struct error *error)
+{
     struct psf_points points;
     if (isinf(plane->pupil->reference->opd.radius)) {
         return fail(error, ERROR_DOMAIN,
@@ -170,21 +200,11 @@ bool psf_by_huygens(struct psf_plane *plane, struct error *error)
     if (!psf_points_put(plane, &points, error)) {
         return false;
     }
-    struct psf_strip strip = {.y = first,
-                              .re = ARENA_ARRAY(plane->arena, room, double),
-                              .im = ARENA_ARRAY(plane->arena, room, double)};
-    for (size_t x = 0; x < size; x += PSF_LANES) {
-        strip.x = first + (double)x * plane->pitch;
-        memset(strip.re, 0, room * sizeof strip.re[0]);
-        memset(strip.im, 0, room * sizeof strip.im[0]);
-        add_strip(plane, &points, &strip);
-        for (size_t y = 0; y < size; y++) {
-            for (size_t l = 0; l < PSF_LANES && x + l < size; l++) {
-                plane->re[y * size + x + l] = strip.re[y * PSF_LANES + l];
-                plane->im[y * size + x + l] = strip.im[y * PSF_LANES + l];
-            }
-        }
-    }
+    struct parallel *parallel = ARENA_NEW(plane->arena, struct parallel);
+    struct columns columns = {plane, &points};
+    parallel->threads = plane->threads;
+    parallel_pieces(parallel, (plane->size + PSF_LANES - 1) / PSF_LANES, 1, add_columns, &columns);
+    parallel_free(parallel);
     plane->perfect = points.total;
     return true;
 }

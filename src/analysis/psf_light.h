@@ -13,6 +13,7 @@ struct psf_plane {
     double spread;   /* of rays from the reference, at most, mm: the slope of the wave front */
     double *re, *im; /* size * size, 0 at first; receive the amplitude, scaled by the pitch */
     double perfect;  /* receives the amplitude of W = 0 at the reference */
+    int threads;     /* that may work on it, for wavelets */
     struct arena *arena;
 };
 

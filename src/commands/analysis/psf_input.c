@@ -10,6 +10,7 @@ bool psf_of_case(const struct analysis_case *one, size_t field, const struct psf
     const struct psf_question question = {.bundle = analysis_bundle(one, field),
                                           .method = (enum psf_method)input->method,
                                           .size = (size_t)input->size,
+                                          .threads = one->threads,
                                           .pitch = input->pitch};
     return psf_find(&question, arena, psf, error);
 }
