@@ -54,14 +54,13 @@ static struct meeting meet(const struct exit_pupil *pupil, const struct ray_bloc
 
 /* -------- polynomials -------- */
 
-/* T_0 .. T_order of x, and their slopes. */
-static void chebyshev(double x, size_t order, double *values, double *slopes)
+/* T_0 .. T_order of x. */
+static void chebyshev(double x, size_t order, double *values)
 {
-    values[0] = 1, slopes[0] = 0;
-    values[1] = x, slopes[1] = 1;
+    values[0] = 1;
+    values[1] = x;
     for (size_t k = 2; k <= order; k++) {
         values[k] = 2 * x * values[k - 1] - values[k - 2];
-        slopes[k] = 2 * values[k - 1] + 2 * x * slopes[k - 1] - slopes[k - 2];
     }
 }
 
@@ -211,74 +210,155 @@ static void set_box(struct exit_pupil *pupil, const struct pairs *rim)
     }
 }
 
-/* W and the amplitude of one order. */
-static void fit_form(struct exit_pupil *pupil, const struct pairs *all,
-                     const struct linear_factors *factors, const double *areas, struct arena *arena)
+/* What mirrors do to a function of a and b: it stays, or its sign turns; or there is no mirror. */
+enum parity { ANY, EVEN, ODD };
+
+/* Least squares of an order, by the terms that mirrors leave. */
+struct fitting {
+    struct exit_pupil *pupil;
+    const struct pairs *all;
+    bool is_mirrored[2]; /* a to -a, b to -b */
+    struct arena *arena;
+};
+
+static bool has_term(size_t k, enum parity parity)
 {
-    const struct stop_beam *beam = &pupil->light->source.pupil;
-    double *amplitudes = ARENA_ARRAY(arena, all->count, double), mean = 0;
-    double *waves = ARENA_ARRAY(arena, all->count, double);
-    double *others = ARENA_ARRAY(arena, all->count, double);
+    return parity == ANY || k % 2 == (parity == ODD);
+}
+
+/* Rows on one side of each mirror say all. */
+static bool has_row(const struct fitting *fitting, size_t row)
+{
+    const double *to = fitting->all->to[row];
+    return (!fitting->is_mirrored[0] || to[0] >= 0) && (!fitting->is_mirrored[1] || to[1] >= 0);
+}
+
+/* Fit functions of the same parities: values, one a pair, to coefficients of all terms. */
+static void fit_alike(const struct fitting *fitting, const enum parity parities[2],
+                      const double *const *values, size_t count, double *const *forms)
+{
+    const struct arena_mark mark = arena_mark(fitting->arena);
+    const struct exit_pupil *pupil = fitting->pupil;
+    const struct pairs *all = fitting->all;
+    const size_t order = pupil->order;
+    double *a = ARENA_ARRAY(fitting->arena, all->count * TERMS_MOST, double);
+    double *b = ARENA_ARRAY(fitting->arena, all->count, double);
+    double x[ORDER_MOST + 1], y[ORDER_MOST + 1], left[TERMS_MOST];
+    size_t rows = 0, terms = 0, filled = 0;
     for (size_t row = 0; row < all->count; row++) {
-        const double *from = all->from[row];
-        amplitudes[row] = sqrt(areas[row] * stop_beam_density(beam, from[0], from[1]));
-        mean += amplitudes[row] / (double)all->count;
-        waves[row] = all->waves[row];
-        others[row] = amplitudes[row];
+        if (!has_row(fitting, row)) {
+            continue;
+        }
+        chebyshev((all->to[row][0] - pupil->middle[0]) / pupil->half[0], order, x);
+        chebyshev((all->to[row][1] - pupil->middle[1]) / pupil->half[1], order, y);
+        for (size_t i = 0; i <= order; i++) {
+            for (size_t j = 0; i + j <= order; j++) {
+                if (has_term(i, parities[0]) && has_term(j, parities[1])) {
+                    a[filled++] = x[i] * y[j];
+                }
+            }
+        }
+        rows++;
+        terms = filled / rows;
     }
-    linear_solve(factors, waves, pupil->form[0]);
-    linear_solve(factors, others, pupil->form[1]);
-    exit_pupil_form(pupil, (const double(*)[2])all->to, all->count, waves, others);
+    const struct linear_factors factors = linear_factor(a, rows, terms, 1e-12, fitting->arena);
+    for (size_t f = 0; f < count; f++) {
+        for (size_t row = 0, k = 0; row < all->count; row++) {
+            if (has_row(fitting, row)) {
+                b[k++] = values[f][row];
+            }
+        }
+        linear_solve(&factors, b, left);
+        for (size_t i = 0, term = 0, k = 0; i <= order; i++) {
+            for (size_t j = 0; i + j <= order; j++, term++) {
+                const bool has = has_term(i, parities[0]) && has_term(j, parities[1]);
+                forms[f][term] = has ? left[k++] : 0;
+            }
+        }
+    }
+    arena_reset(fitting->arena, mark);
+}
+
+/* The polynomials of one order; the worst that their u and v are off. */
+static double fit(const struct fitting *fitting, size_t order)
+{
+    struct exit_pupil *pupil = fitting->pupil;
+    const struct pairs *all = fitting->all;
+    struct arena *arena = fitting->arena;
+    enum parity even[2], odd[2];
+    const double *extent = pupil->light->source.region->star->frame.stretch;
+    const struct stop_beam *beam = &pupil->light->source.pupil;
+    double(*places)[2] = arena_array(arena, all->count, sizeof *places), worst = 0, mean = 0;
+    double *values[2] = {ARENA_ARRAY(arena, all->count, double),
+                         ARENA_ARRAY(arena, all->count, double)};
+    double *areas = ARENA_ARRAY(arena, all->count, double);
+    pupil->order = order;
+    for (int k = 0; k < 2; k++) {
+        even[k] = fitting->is_mirrored[k] ? EVEN : ANY;
+        odd[k] = fitting->is_mirrored[k] ? ODD : ANY;
+        for (size_t row = 0; row < all->count; row++) {
+            values[k][row] = all->from[row][k];
+        }
+    }
+    if (!fitting->is_mirrored[0] && !fitting->is_mirrored[1]) {
+        fit_alike(fitting, even, (const double *const *)values, 2, pupil->map);
+    } else {
+        fit_alike(fitting, (const enum parity[]){odd[0], even[1]},
+                  (const double *const[]){values[0]}, 1, &pupil->map[0]);
+        fit_alike(fitting, (const enum parity[]){even[0], odd[1]},
+                  (const double *const[]){values[1]}, 1, &pupil->map[1]);
+    }
+    way_back(pupil, (const double(*)[2])all->to, all->count, places, areas);
+    for (size_t row = 0; row < all->count; row++) {
+        for (int k = 0; k < 2; k++) {
+            worst = fmax(worst, fabs(places[row][k] - all->from[row][k]) / extent[k]);
+        }
+        const double *from = all->from[row];
+        areas[row] = sqrt(areas[row] * stop_beam_density(beam, from[0], from[1]));
+        mean += areas[row] / (double)all->count;
+    }
+    fit_alike(fitting, even, (const double *const[]){all->waves, areas}, 2, pupil->form);
+    exit_pupil_form(pupil, (const double(*)[2])all->to, all->count, values[0], values[1]);
     pupil->off_waves = pupil->off_amplitude = 0;
     for (size_t row = 0; row < all->count; row++) {
-        const double off[2] = {waves[row] - all->waves[row],
-                               others[row] / mean - amplitudes[row] / mean};
+        const double off[2] = {values[0][row] - all->waves[row],
+                               (values[1][row] - areas[row]) / mean};
         pupil->off_waves += off[0] * off[0] / (double)all->count;
         pupil->off_amplitude += off[1] * off[1] / (double)all->count;
     }
     pupil->off_waves = sqrt(pupil->off_waves);
     pupil->off_amplitude = sqrt(pupil->off_amplitude);
-}
-
-/* The polynomials of one order; the worst that they are off. */
-static double fit(struct exit_pupil *pupil, const struct pairs *all, size_t order,
-                  struct arena *arena)
-{
-    const size_t terms = (order + 1) * (order + 2) / 2;
-    double *a = ARENA_ARRAY(arena, all->count * terms, double);
-    double *b = ARENA_ARRAY(arena, all->count, double);
-    double x[ORDER_MOST + 1], y[ORDER_MOST + 1], slopes[ORDER_MOST + 1], worst = 0;
-    for (size_t row = 0; row < all->count; row++) {
-        chebyshev((all->to[row][0] - pupil->middle[0]) / pupil->half[0], order, x, slopes);
-        chebyshev((all->to[row][1] - pupil->middle[1]) / pupil->half[1], order, y, slopes);
-        for (size_t i = 0, term = 0; i <= order; i++) {
-            for (size_t j = 0; i + j <= order; j++, term++) {
-                a[row * terms + term] = x[i] * y[j];
-            }
-        }
-    }
-    const struct linear_factors factors = linear_factor(a, all->count, terms, 1e-12, arena);
-    pupil->order = order;
-    for (int k = 0; k < 2; k++) {
-        for (size_t row = 0; row < all->count; row++) {
-            b[row] = all->from[row][k];
-        }
-        linear_solve(&factors, b, pupil->map[k]);
-    }
-    const double *extent = pupil->light->source.region->star->frame.stretch;
-    double(*places)[2] = arena_array(arena, all->count, sizeof *places);
-    way_back(pupil, (const double(*)[2])all->to, all->count, places, b);
-    for (size_t row = 0; row < all->count; row++) {
-        for (int k = 0; k < 2; k++) {
-            worst = fmax(worst, fabs(places[row][k] - all->from[row][k]) / extent[k]);
-        }
-    }
-    fit_form(pupil, all, &factors, b, arena);
     return worst;
 }
 
+/* Do rays on the other side of a mirror go there too? */
+static bool is_mirrored(const struct exit_pupil *pupil, const struct pairs *all, int k,
+                        struct arena *arena)
+{
+    enum { TRIED = 24 };
+    double from[TRIED][2];
+    if (!(fabs(pupil->middle[k]) <= 1e-7 * pupil->half[k]) || all->count < TRIED) {
+        return false;
+    }
+    for (size_t i = 0; i < TRIED; i++) {
+        memcpy(from[i], all->from[i * all->count / TRIED], sizeof from[i]);
+        from[i][k] = -from[i][k];
+    }
+    const struct pairs other = trace_pairs(pupil, (const double(*)[2])from, TRIED, arena);
+    bool alike = other.count == TRIED;
+    for (size_t i = 0; i < TRIED && alike; i++) {
+        const size_t row = i * all->count / TRIED;
+        const double *to = all->to[row], sign[2] = {k == 0 ? -1 : 1, k == 1 ? -1 : 1};
+        for (int d = 0; d < 2; d++) {
+            alike = alike && fabs(other.to[i][d] - sign[d] * to[d]) <= fine / 10 * pupil->half[d];
+        }
+        alike = alike && fabs(other.waves[i] - all->waves[row]) <= fine_waves / 10;
+    }
+    return alike;
+}
+
 static void find_map(struct exit_pupil *pupil, const struct pairs *rim,
-                     const struct quadrature *inside, struct arena *arena)
+                     const struct quadrature *inside, size_t first, struct arena *arena)
 {
     const size_t count = inside->sample.count;
     double(*from)[2] = arena_array(arena, count, sizeof *from);
@@ -303,17 +383,30 @@ static void find_map(struct exit_pupil *pupil, const struct pairs *rim,
         pupil->map[k] = ARENA_ARRAY(arena, TERMS_MOST, double);
         pupil->form[k] = ARENA_ARRAY(arena, TERMS_MOST, double);
     }
-    pupil->off = INFINITY;
-    for (size_t order = ORDER_FIRST;
-         order <= ORDER_MOST && (pupil->off > fine || pupil->off_waves > fine_waves); order += 3) {
-        pupil->off = fit(pupil, &both, order, arena);
+    struct fitting fitting = {.pupil = pupil, .all = &both, .arena = arena};
+    for (int k = 0; k < 2; k++) {
+        fitting.is_mirrored[k] = is_mirrored(pupil, &both, k, arena);
+    }
+    /* as many rays again as terms */
+    size_t order = first;
+    while (order > 1 && (order + 1) * (order + 2) > both.count) {
+        order--;
+    }
+    pupil->off = fit(&fitting, order);
+    while ((pupil->off > fine || pupil->off_waves > fine_waves) && order + 3 <= ORDER_MOST &&
+           (order + 4) * (order + 5) <= both.count) {
+        order += 3;
+        pupil->off = fit(&fitting, order);
     }
 }
 
-static bool open_pupil(const struct wave_light *light, const struct wave_reference *reference,
-                       struct arena *arena, struct exit_pupil *pupil, struct error *error)
+static bool open_pupil(const struct exit_pupils *pupils, size_t g, struct arena *arena,
+                       struct error *error)
 {
     enum { RAYS = 2 * TERMS_MOST };
+    const struct wave_light *light = &pupils->lights.list[g];
+    const struct wave_reference *reference = &pupils->reference;
+    struct exit_pupil *pupil = &pupils->list[g];
     const struct bundle_source *source = &light->source;
     struct pairs rim;
     *pupil = (struct exit_pupil){.light = light,
@@ -335,7 +428,8 @@ static bool open_pupil(const struct wave_light *light, const struct wave_referen
     if (!(pupil->half[0] > 0 && pupil->half[1] > 0)) {
         return fail(error, ERROR_DOMAIN, "all light comes from one direction");
     }
-    find_map(pupil, &rim, &inside, arena);
+    /* wavelengths do not differ in what they need */
+    find_map(pupil, &rim, &inside, g > 0 ? pupils->list[0].order : ORDER_FIRST, arena);
     return true;
 }
 
@@ -360,8 +454,7 @@ bool exit_pupils_open(const struct bundle_question *bundle, struct arena *arena,
     pupils->list = ARENA_ARRAY(arena, count, struct exit_pupil);
     pupils->islands = bundle_islands(&pupils->lights.list[0].source, arena);
     for (size_t g = 0; g < count; g++) {
-        if (!open_pupil(&pupils->lights.list[g], &pupils->reference, arena, &pupils->list[g],
-                        error)) {
+        if (!open_pupil(pupils, g, arena, error)) {
             return false;
         }
     }
