@@ -46,28 +46,63 @@ static double along_of(const double direction[2], const double at[2])
     return direction[0] * at[0] + direction[1] * at[1];
 }
 
-/* Where the polygon of the rim crosses a line, a little more; false: it does not. */
-static bool crossing(const struct seeking *seeking, double t, double range[2])
+/* Where the polygon of the rim crosses a line, ascending; at most so many. */
+static size_t crossings(const struct seeking *seeking, double t, double *places, size_t most)
 {
     const struct exit_pupil *pupil = seeking->pupil;
     const struct exit_lines *lines = seeking->lines;
-    range[0] = INFINITY, range[1] = -INFINITY;
-    for (size_t i = 0; i < pupil->rim_count; i++) {
+    size_t count = 0;
+    for (size_t i = 0; i < pupil->rim_count && count < most; i++) {
         const double *a = pupil->rim[i], *b = pupil->rim[(i + 1) % pupil->rim_count];
         const double ta = along_of(lines->across, a) - t, tb = along_of(lines->across, b) - t;
         if ((ta <= 0) != (tb <= 0)) {
             const double sa = along_of(lines->along, a), sb = along_of(lines->along, b);
             const double s = sa + (sb - sa) * ta / (ta - tb);
-            range[0] = fmin(range[0], s);
-            range[1] = fmax(range[1], s);
+            size_t k = count++;
+            for (; k > 0 && places[k - 1] > s; k--) {
+                places[k] = places[k - 1];
+            }
+            places[k] = s;
         }
     }
-    range[0] -= beyond * seeking->size;
-    range[1] += beyond * seeking->size;
-    return range[1] > range[0];
+    return count;
 }
 
-/* Changes along one line, from the limits of its samples. */
+/*
+ * Changes where the polygon of the rim crosses a line. Points from the middle of each part outwards
+ * stand on both sides of its edge; what lies beyond a gap is not looked at.
+ *
+ * Result    false: they do not, and the line has to be sampled
+ */
+static bool cross_rim(const struct seeking *seeking, double t, size_t line, struct change *changes,
+                      size_t *found)
+{
+    static const double inside[] = {0.5, 0.08, 0.01, 0.001}, outside[] = {1e-4, 1e-3, 1e-2, 0.03};
+    enum { IN = sizeof inside / sizeof inside[0], OUT = sizeof outside / sizeof outside[0] };
+    double places[2 * EXIT_SPANS], at[IN + OUT][2], s[IN + OUT];
+    const size_t count = crossings(seeking, t, places, 2 * EXIT_SPANS);
+    for (size_t i = 0; i < count; i++) {
+        const double sign = i % 2 == 0 ? -1 : 1, length = places[i | 1] - places[i & ~(size_t)1];
+        size_t limits[IN + OUT], k = 1;
+        for (size_t p = 0; p < IN + OUT; p++) {
+            s[p] =
+                places[i] + sign * (p < IN ? -inside[p] * length : outside[p - IN] * seeking->size);
+            point_of(seeking->lines, s[p], t, at[p]);
+        }
+        exit_pupil_look(seeking->pupil, (const double(*)[2])at, IN + OUT, limits);
+        while (k < IN + OUT && limits[k] == EXIT_PUPIL_CLEAR) {
+            k++;
+        }
+        if (limits[0] != EXIT_PUPIL_CLEAR || k == IN + OUT) {
+            return false;
+        }
+        changes[i] = (struct change){s[k - 1], s[k], line, i, limits[k]};
+    }
+    *found = count;
+    return count % 2 == 0;
+}
+
+/* Changes along one line between neighbours of its samples. */
 static size_t find_changes(const size_t *limits, const double range[2], size_t line,
                            struct change *changes)
 {
@@ -110,6 +145,26 @@ static void bisect(const struct seeking *seeking, const struct line *list, struc
     arena_reset(seeking->arena, mark);
 }
 
+/* Changes along one line, from points all along it; they lie a little beyond the rim too. */
+static size_t sample_line(const struct seeking *seeking, double t, size_t line,
+                          struct change *changes)
+{
+    double places[EXIT_PUPIL_RIM], at[SAMPLES][2];
+    size_t limits[SAMPLES];
+    const size_t count = crossings(seeking, t, places, EXIT_PUPIL_RIM);
+    if (count == 0) {
+        return 0;
+    }
+    const double more = beyond * seeking->size;
+    const double range[2] = {places[0] - more, places[count - 1] + more};
+    for (size_t k = 0; k < SAMPLES; k++) {
+        const double share = (double)k / (SAMPLES - 1);
+        point_of(seeking->lines, range[0] + share * (range[1] - range[0]), t, at[k]);
+    }
+    exit_pupil_look(seeking->pupil, (const double(*)[2])at, SAMPLES, limits);
+    return find_changes(limits, range, line, changes);
+}
+
 /* The spans of lines whose t is set. */
 static void find_spans(const struct seeking *seeking, struct line *list, size_t count, int rounds)
 {
@@ -117,18 +172,11 @@ static void find_spans(const struct seeking *seeking, struct line *list, size_t 
     struct change *changes = ARENA_ARRAY(seeking->arena, count * 2 * EXIT_SPANS, struct change);
     size_t found = 0;
     for (size_t i = 0; i < count; i++) {
-        double range[2], at[SAMPLES][2];
-        size_t limits[SAMPLES];
-        list[i].spans.count = 0;
-        if (!crossing(seeking, list[i].t, range)) {
-            continue;
+        size_t changed;
+        if (seeking->pupil->is_blocked ||
+            !cross_rim(seeking, list[i].t, i, changes + found, &changed)) {
+            changed = sample_line(seeking, list[i].t, i, changes + found);
         }
-        for (size_t k = 0; k < SAMPLES; k++) {
-            const double share = (double)k / (SAMPLES - 1);
-            point_of(seeking->lines, range[0] + share * (range[1] - range[0]), list[i].t, at[k]);
-        }
-        exit_pupil_look(seeking->pupil, (const double(*)[2])at, SAMPLES, limits);
-        const size_t changed = find_changes(limits, range, i, changes + found);
         list[i].spans.count = changed / 2;
         found += changed;
     }
