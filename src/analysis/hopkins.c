@@ -3,37 +3,43 @@
 #include "analysis/hopkins.h"
 
 #include "base/constants.h"
-#include "base/turns.h"
+#include "base/processor.h"
 #include "trace/sample.h"
 
 #include <math.h>
+#include <string.h>
 
 enum { LOOKS = 48, ROUNDS = 44, PARTS = EXIT_SPANS * EXIT_SPANS, BREAKS = 16 };
 enum {
     RULE_STEP = 4,
     PANEL = RULE_STEP * OVERLAP_RULES,
     REFINED = 9,
-    LOOK_ALONG = 8,
-    LOOK_ACROSS = 8
+    LOOK_ALONG = 12,
+    LOOK_ACROSS = 12,
+    LANES = EXIT_SERIES_LANES
 };
 
-/* Points for each turn of the phase: Gauss's converge from pi/2 on. */
-static const double a_turn = 1.75;
+/* Points for each turn of the phase, were it as steep all along: Gauss's converge from pi/2 on. */
+static const double a_turn = 1.6;
 
 /* So many times the points of one round the next has. */
 static const double finer = 1.25;
 
+/* More points than these a round does not have: a tenth of a second. */
+static const double most_points = 1.6e7;
+
+/* A wave front of which series leave so much of contrast says nothing. */
+static const double too_rough = 0.3;
+
 /* An integral at work. */
 struct summing {
-    const struct exit_pupil *pupil;
-    const struct exit_lines *lines;
+    const struct exit_front *front;
     struct overlap_rules *rules;
     double shift;
     double least, times; /* points without a turn of the phase; times what is thought enough */
-    double more;  /* and so many more: each round must have other rules than the one before */
-    bool by_form; /* from polynomials */
-    struct arena *arena;
-    struct overlap *sum;
+    double more; /* and so many more: each round must have other rules than the one before */
+    struct range *ranges;
+    size_t count;
 };
 
 /* Gauss's points, of many in equal panels. */
@@ -42,21 +48,35 @@ struct rule {
     size_t each, panels;
 };
 
+/*
+ * Turns that the phase made if it were as steep everywhere as where it is steepest: to Gauss's
+ * points, which lie the closer the nearer to the ends, and to even ones.
+ */
+struct turns {
+    double gauss, even;
+};
+
+/* Lines between two angles, whose parts are alike. */
+struct range {
+    size_t piece, parts;
+    double low, high;           /* rad */
+    struct turns along, across; /* of the phase: along a part, and across the lines */
+};
+
 /* What is clear of a line at both places; a number of which edges end it. */
 struct parts {
     size_t count, kind;
     double low[PARTS], high[PARTS];
+    size_t from[PARTS][2]; /* the spans */
 };
 
-static double find_parts(const struct exit_piece *piece, double shift, double angle, double *slope,
-                         struct parts *parts)
+static void find_parts(const struct exit_spans *spans, double shift, struct parts *parts)
 {
-    struct exit_spans spans;
-    const double t = exit_piece_at(piece, angle, slope, &spans), half = shift / 2;
-    *parts = (struct parts){.count = 0};
-    for (size_t i = 0; i < spans.count; i++) {
-        for (size_t j = 0; j < spans.count; j++) {
-            const double *a = spans.edges + 2 * i, *b = spans.edges + 2 * j;
+    const double half = shift / 2;
+    parts->count = parts->kind = 0;
+    for (size_t i = 0; i < spans->count; i++) {
+        for (size_t j = 0; j < spans->count; j++) {
+            const double *a = spans->edges + 2 * i, *b = spans->edges + 2 * j;
             const double low = fmax(a[0] + half, b[0] - half);
             const double high = fmin(a[1] + half, b[1] - half);
             const size_t ends =
@@ -64,18 +84,21 @@ static double find_parts(const struct exit_piece *piece, double shift, double an
             parts->kind = 5 * parts->kind + (high > low ? 1 + ends : 0);
             if (high > low) {
                 parts->low[parts->count] = low;
+                parts->from[parts->count][0] = i;
+                parts->from[parts->count][1] = j;
                 parts->high[parts->count++] = high;
             }
         }
     }
-    return t;
 }
 
 static size_t kind_at(const struct exit_piece *piece, double shift, double angle)
 {
     struct parts parts;
+    struct exit_spans spans;
     double slope;
-    find_parts(piece, shift, angle, &slope, &parts);
+    exit_piece_at(piece, angle, &slope, &spans);
+    find_parts(&spans, shift, &parts);
     return parts.kind;
 }
 
@@ -125,137 +148,167 @@ static double rule_weight(const struct rule *rule, size_t i)
     return rule->w[i % rule->each] / (double)rule->panels;
 }
 
-/* Points of lines whose parts are alike: line by line, part by part. */
-struct points {
-    size_t lines, parts, along, count;
-    double (*at)[2], *weights; /* at: between both places */
-    double *phases, *products; /* W1 - W2, A1 A2 */
-};
-
-static void find_values(const struct summing *summing, struct points *points)
+static kernel_exit_overlap *overlap_kernel(void)
 {
-    struct arena *arena = summing->arena;
-    const size_t count = points->count;
-    double(*at)[2] = arena_array(arena, count, sizeof *at);
-    double *waves[2], *amplitudes[2];
-    for (int k = 0; k < 2; k++) {
-        const double half = (k == 0 ? -1 : 1) * summing->shift / 2;
-        waves[k] = ARENA_ARRAY(arena, count, double);
-        amplitudes[k] = ARENA_ARRAY(arena, count, double);
-        for (size_t i = 0; i < count; i++) {
-            at[i][0] = points->at[i][0] + half * summing->lines->along[0];
-            at[i][1] = points->at[i][1] + half * summing->lines->along[1];
-        }
-        (summing->by_form ? exit_pupil_form : exit_pupil_values)(
-            summing->pupil, (const double(*)[2])at, count, waves[k], amplitudes[k]);
-    }
-    for (size_t i = 0; i < count; i++) {
-        waves[0][i] -= waves[1][i];
-        amplitudes[0][i] *= amplitudes[1][i];
-    }
-    points->phases = waves[0];
-    points->products = amplitudes[0];
+    return processor_has_avx512() ? kernel_exit_overlap_avx512
+           : processor_has_avx2() ? kernel_exit_overlap_avx2
+                                  : kernel_exit_overlap_sse2;
 }
 
-/* Points of a piece between two angles. */
-static struct points put_points(const struct summing *summing, const struct exit_piece *piece,
-                                const double range[2], const struct rule *across,
-                                const struct rule *along)
+/* Add up a part of a line; phases: receives those of its points, or null. */
+static void add_part(const struct summing *summing, const struct exit_line *line,
+                     const struct parts *parts, size_t p, const struct rule *along, double weight,
+                     struct exit_series_lanes *lanes, double *phases)
 {
-    const struct exit_lines *lines = summing->lines;
-    struct points points = {across->each * across->panels, 0, along->each * along->panels,
-                            .count = 0};
-    struct parts parts;
-    double slope;
-    find_parts(piece, summing->shift, (range[0] + range[1]) / 2, &slope, &parts);
-    points.parts = parts.count;
-    const size_t room = points.lines * points.parts * points.along;
-    points.at = arena_array(summing->arena, room, sizeof *points.at);
-    points.weights = ARENA_ARRAY(summing->arena, room, double);
-    for (size_t i = 0; i < points.lines; i++) {
-        const double angle = range[0] + (range[1] - range[0]) * rule_at(across, i);
-        const double weight = (range[1] - range[0]) * rule_weight(across, i);
-        const double t = find_parts(piece, summing->shift, angle, &slope, &parts);
-        for (size_t p = 0; p < points.parts; p++) {
-            /* rounding at an end of the range may lose a part, which is empty there */
-            const double low = p < parts.count ? parts.low[p] : 0;
-            const double length = p < parts.count ? parts.high[p] - low : 0;
-            for (size_t j = 0; j < points.along; j++) {
-                const double s = low + length * rule_at(along, j);
-                for (int k = 0; k < 2; k++) {
-                    points.at[points.count][k] = s * lines->along[k] + t * lines->across[k];
-                }
-                points.weights[points.count++] = weight * slope * length * rule_weight(along, j);
+    kernel_exit_overlap *add = overlap_kernel();
+    const size_t count = along->each * along->panels;
+    const double low = parts->low[p], length = parts->high[p] - low;
+    struct exit_series series[2];
+    double middle[2], scale[2];
+    for (int k = 0; k < 2; k++) {
+        const size_t span = parts->from[p][k];
+        const double *edges = line->spans.edges + 2 * span;
+        series[k] = line->series[span];
+        middle[k] = (edges[0] + edges[1]) / 2 + (k == 0 ? 1 : -1) * summing->shift / 2;
+        scale[k] = 2 / (edges[1] - edges[0]);
+    }
+    const double panel = length / (double)along->panels;
+    double from = low;
+    for (size_t done = 0, i = 0; done < count; done += LANES) {
+        const size_t left = count - done < LANES ? count - done : LANES;
+        for (size_t l = 0; l < left; l++) {
+            const double s = from + panel * along->x[i];
+            lanes->x[0][l] = (s - middle[0]) * scale[0];
+            lanes->x[1][l] = (s - middle[1]) * scale[1];
+            lanes->weight[l] = weight * panel * along->w[i];
+            if (++i == along->each) {
+                i = 0;
+                from += panel;
+            }
+        }
+        for (size_t l = left; l < LANES; l++) {
+            lanes->x[0][l] = lanes->x[1][l] = lanes->weight[l] = 0;
+        }
+        add(series, lanes);
+        if (phases != NULL) {
+            memcpy(phases + done, lanes->phase, left * sizeof *phases);
+        }
+    }
+}
+/* Add up the lines of a range; phases: receives those of all points, line by line, or null. */
+static void add_lines(const struct summing *summing, const struct range *range,
+                      const struct rule *across, const struct rule *along,
+                      struct exit_series_lanes *lanes, double *phases)
+{
+    const size_t row = range->parts * along->each * along->panels;
+    const double wide = range->high - range->low;
+    for (size_t i = 0; i < across->each * across->panels; i++) {
+        struct exit_line line;
+        struct parts parts;
+        exit_front_line(summing->front, range->piece, range->low + wide * rule_at(across, i),
+                        &line);
+        find_parts(&line.spans, summing->shift, &parts);
+        const double weight = wide * rule_weight(across, i) * line.slope;
+        /* rounding at an end of the range may lose a part, which is empty there */
+        for (size_t p = 0; p < parts.count && p < range->parts; p++) {
+            add_part(summing, &line, &parts, p, along, weight, lanes,
+                     phases != NULL ? phases + i * row + p * along->each * along->panels : NULL);
+        }
+    }
+}
+
+/* The most of what was seen and phases at Gauss's points say, which are `step` apart. */
+static void see_turns(const double *phases, const struct rule *rule, size_t step,
+                      struct turns *turns)
+{
+    for (size_t i = 1; i < rule->each; i++) {
+        const double here = fabs(phases[i * step] - phases[(i - 1) * step]);
+        turns->gauss = fmax(turns->gauss, 2 / PI * (double)rule->each * here);
+        turns->even = fmax(turns->even, here / (rule->x[i] - rule->x[i - 1]));
+    }
+}
+
+static void find_turns(const struct summing *summing, struct range *range)
+{
+    enum { ROW = PARTS * LOOK_ALONG };
+    const struct rule across = rule_of(summing->rules, LOOK_ACROSS);
+    const struct rule along = rule_of(summing->rules, LOOK_ALONG);
+    const size_t row = range->parts * LOOK_ALONG;
+    struct exit_series_lanes lanes = {.re = {0}};
+    double phases[LOOK_ACROSS * ROW] = {0};
+    add_lines(summing, range, &across, &along, &lanes, phases);
+    for (size_t i = 0; i < LOOK_ACROSS * row; i += LOOK_ALONG) {
+        see_turns(phases + i, &along, 1, &range->along);
+    }
+    for (size_t j = 0; j < row; j++) {
+        see_turns(phases + j, &across, row, &range->across);
+    }
+}
+
+static void find_ranges(struct summing *summing)
+{
+    const struct exit_lines *lines = summing->front->lines;
+    for (size_t i = 0; i < lines->count; i++) {
+        double breaks[BREAKS];
+        const size_t count = find_breaks(&lines->pieces[i], summing->shift, breaks);
+        for (size_t k = 0; k < count; k++) {
+            struct exit_spans spans;
+            struct parts parts;
+            double slope;
+            exit_piece_at(&lines->pieces[i], (breaks[k] + breaks[k + 1]) / 2, &slope, &spans);
+            find_parts(&spans, summing->shift, &parts);
+            if (parts.count > 0) {
+                struct range *range = &summing->ranges[summing->count++];
+                *range = (struct range){i, parts.count, breaks[k], breaks[k + 1], {0, 0}, {0, 0}};
+                find_turns(summing, range);
             }
         }
     }
-    find_values(summing, &points);
+}
+
+/* How many points are thought to do. */
+static double points_for(const struct summing *summing, double least, const struct turns *turns)
+{
+    const double one = summing->times * (least + a_turn * turns->gauss) + summing->more;
+    const double even = summing->times * (least + a_turn * turns->even) + summing->more;
+    return one <= PANEL ? one : even;
+}
+
+/* Points of a range: across, and along each part. */
+static void find_points(const struct summing *summing, const struct range *range, double *across,
+                        double *along)
+{
+    const double share = (range->high - range->low) / PI, least = summing->least;
+    *across = points_for(summing, least * (1 + share) / 2, &range->across);
+    *along = points_for(summing, least, &range->along);
+}
+
+/* How many points a round has. */
+static double points_of(const struct summing *summing)
+{
+    double points = 0, across, along;
+    for (size_t i = 0; i < summing->count; i++) {
+        find_points(summing, &summing->ranges[i], &across, &along);
+        points += across * along * (double)summing->ranges[i].parts;
+    }
     return points;
-}
-
-/* The most turns of the phase along a part of a line, and across the lines. */
-static void find_turns(const struct points *points, double *along, double *across)
-{
-    const size_t row = points->parts * points->along;
-    *along = *across = 0;
-    for (size_t i = 0; i < points->count; i += points->along) {
-        double turns = 0;
-        for (size_t j = i + 1; j < i + points->along; j++) {
-            turns += fabs(points->phases[j] - points->phases[j - 1]);
-        }
-        *along = fmax(*along, turns);
-    }
-    for (size_t j = 0; j < row; j++) {
-        double turns = 0;
-        for (size_t i = j + row; i < points->count; i += row) {
-            turns += fabs(points->phases[i] - points->phases[i - row]);
-        }
-        *across = fmax(*across, turns);
-    }
-}
-
-/* Lines between two angles, whose parts are alike. */
-static void add_lines(const struct summing *summing, const struct exit_piece *piece,
-                      const double range[2])
-{
-    const struct arena_mark mark = arena_mark(summing->arena);
-    const struct rule look_across = rule_of(summing->rules, LOOK_ACROSS);
-    const struct rule look_along = rule_of(summing->rules, LOOK_ALONG);
-    const struct points looks = put_points(summing, piece, range, &look_across, &look_along);
-    double turns_along, turns_across;
-    find_turns(&looks, &turns_along, &turns_across);
-    const double share = (range[1] - range[0]) / PI, least = summing->least;
-    const struct rule across =
-        rule_of(summing->rules,
-                summing->more + summing->times * (least * (1 + share) / 2 + a_turn * turns_across));
-    const struct rule along =
-        rule_of(summing->rules, summing->more + summing->times * (least + a_turn * turns_along));
-    const struct points points = put_points(summing, piece, range, &across, &along);
-    for (size_t i = 0; i < points.count; i++) {
-        const double weight = points.weights[i] * points.products[i];
-        double c, s;
-        turns_of(points.phases[i], &c, &s);
-        summing->sum->re += weight * c;
-        summing->sum->im += weight * s;
-        summing->sum->perfect += weight;
-    }
-    arena_reset(summing->arena, mark);
 }
 
 static struct overlap sum_up(const struct summing *summing)
 {
+    struct exit_series_lanes lanes = {.re = {0}};
     struct overlap sum = {.re = 0};
-    struct summing here = *summing;
-    here.sum = &sum;
-    for (size_t i = 0; i < summing->lines->count; i++) {
-        double breaks[BREAKS];
-        const struct exit_piece *piece = &summing->lines->pieces[i];
-        const size_t count = find_breaks(piece, summing->shift, breaks);
-        for (size_t k = 0; k < count; k++) {
-            if (kind_at(piece, summing->shift, (breaks[k] + breaks[k + 1]) / 2) > 0) {
-                add_lines(&here, piece, breaks + k);
-            }
-        }
+    for (size_t i = 0; i < summing->count; i++) {
+        double across, along;
+        find_points(summing, &summing->ranges[i], &across, &along);
+        const struct rule rules[2] = {rule_of(summing->rules, across),
+                                      rule_of(summing->rules, along)};
+        add_lines(summing, &summing->ranges[i], &rules[0], &rules[1], &lanes, NULL);
+    }
+    for (size_t l = 0; l < LANES; l++) {
+        sum.re += lanes.re[l];
+        sum.im += lanes.im[l];
+        sum.perfect += lanes.perfect[l];
     }
     return sum;
 }
@@ -271,31 +324,52 @@ struct overlap_rules *overlap_rules_new(struct arena *arena)
     return rules;
 }
 
-struct overlap overlap_find(const struct exit_pupil *pupil, const struct exit_lines *lines,
-                            struct overlap_rules *rules, double shift, double error,
-                            struct arena *arena)
+/* Rounds of ever more points until the error is met, perhaps only that of a perfect wave front. */
+static struct overlap refine(struct summing *summing, double error, bool only_perfect)
 {
-    /* of the mean of exp(2 pi i (W1 - W2)) A1 A2 */
-    const double off = 4 * PI * pupil->off_waves + 2 * pupil->off_amplitude;
-    struct summing summing = {.pupil = pupil,
-                              .lines = lines,
-                              .rules = rules,
-                              .shift = shift,
-                              .least = 3 - 1.5 * log10(error),
-                              .times = 1,
-                              .by_form = off <= error / 2,
-                              .arena = arena};
-    const double left = summing.by_form ? error - off : error;
-    struct overlap before, here = sum_up(&summing);
-    for (int i = 0; i < REFINED && !here.has_converged; i++) {
+    struct overlap before, here = sum_up(summing);
+    here.error = INFINITY;
+    for (int i = 0; i < REFINED && here.error > error; i++) {
+        summing->times *= finer;
+        summing->more += RULE_STEP;
+        if (points_of(summing) > most_points) {
+            break;
+        }
         before = here;
-        summing.times *= finer;
-        summing.more += RULE_STEP;
-        here = sum_up(&summing);
-        here.error =
-            hypot(here.re - before.re, here.im - before.im) + fabs(here.perfect - before.perfect);
-        here.has_converged = here.error <= left * pupil->energy;
+        here = sum_up(summing);
+        here.error = fabs(here.perfect - before.perfect) +
+                     (only_perfect ? 0 : hypot(here.re - before.re, here.im - before.im));
     }
-    here.error += summing.by_form ? off * pupil->energy : 0;
     return here;
+}
+
+struct overlap overlap_find(const struct exit_front *front, struct overlap_rules *rules,
+                            const struct overlap_question *question)
+{
+    struct range ranges[EXIT_PIECES * BREAKS];
+    struct summing summing = {.front = front,
+                              .rules = rules,
+                              .shift = question->shift,
+                              .least = 3 - 1.5 * log10(question->error),
+                              .times = 1,
+                              .ranges = ranges};
+    const double energy = front->pupil->energy;
+    struct overlap sum = {.re = NAN, .im = NAN, .perfect = NAN, .error = INFINITY};
+    if (!(front->off < too_rough)) {
+        return sum;
+    }
+    find_ranges(&summing);
+    const bool is_steep = 2 * points_of(&summing) > most_points;
+    for (size_t i = 0; i < summing.count && (is_steep || question->only_perfect); i++) {
+        ranges[i].across = ranges[i].along = (struct turns){0, 0}; /* which turns nothing */
+    }
+    sum = refine(&summing, fmax(question->error - front->off, question->error / 4) * energy,
+                 is_steep || question->only_perfect);
+    sum.error += front->off * energy;
+    sum.has_converged = !is_steep && sum.error <= question->error * energy;
+    if (is_steep || question->only_perfect) {
+        sum.re = sum.im = NAN;
+        sum.error = question->only_perfect ? sum.error : INFINITY;
+    }
+    return sum;
 }

@@ -3,7 +3,7 @@
 #ifndef LENSCALC_ANALYSIS_HOPKINS_H
 #define LENSCALC_ANALYSIS_HOPKINS_H
 
-#include "analysis/exit_lines.h"
+#include "analysis/exit_front.h"
 
 #include <stdbool.h>
 #include <stddef.h>
@@ -18,7 +18,16 @@ struct overlap_rules {
 
 struct overlap_rules *overlap_rules_new(struct arena *arena);
 
-/* Integrals over the overlap: with the wave front, complex, and with a perfect one. */
+struct overlap_question {
+    double shift;      /* in a and b, 0 and more: wavelength times frequency over the index */
+    double error;      /* that is wanted, in shares of the pupil's energy */
+    bool only_perfect; /* the wave front is not asked for */
+};
+
+/*
+ * Integrals over the overlap: with the wave front, complex, and with a perfect one. NaN: not known,
+ * their error is infinite, or not asked for.
+ */
 struct overlap {
     double re, im, perfect;
     double error; /* of each */
@@ -28,18 +37,16 @@ struct overlap {
 /*
  * The pupil, and the same moved along its lines.
  *
- * Given     shift  in a and b, 0 and more: wavelength times frequency over the index
- *           error  that is wanted, in shares of pupil->energy
  * Formula   integral of A1 A2 exp(2 pi i (W1 - W2)) over what is clear at both, 1 at half the shift
  *           against the lines, 2 along them: so that its angle is that of the Fourier transform of
  *           the light over the image, which counts from the reference. Gauss's points along clear
- *           parts of lines and across them, between places where the parts change, as many as W
- *           turns the phase, ever more until the error is met; W and amplitude from polynomials
- *           where these leave less than half the error, which is counted in, else of traced rays
+ *           parts of lines and across them, between places where the parts change, as many as
+ *           W1 - W2 turns the phase, ever more until the error is met
  * Source    [Hopkins55]; tested against the closed form of a round pupil, and Fourier transforms
+ * Limits    16 million points: where W1 - W2 turns the phase some thousands of times each way, or
+ *           is so rough that its series fail, the integrals are not known
  */
-struct overlap overlap_find(const struct exit_pupil *pupil, const struct exit_lines *lines,
-                            struct overlap_rules *rules, double shift, double error,
-                            struct arena *arena);
+struct overlap overlap_find(const struct exit_front *front, struct overlap_rules *rules,
+                            const struct overlap_question *question);
 
 #endif

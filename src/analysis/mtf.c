@@ -24,6 +24,7 @@ bool mtf_open(const struct mtf_question *question, struct arena *arena, struct m
     const size_t count = source->pupils.lights.count;
     source->rules = overlap_rules_new(arena);
     source->lines = ARENA_ARRAY(arena, count * MTF_DIRECTIONS, struct exit_lines);
+    source->fronts = ARENA_ARRAY(arena, count * MTF_DIRECTIONS, struct exit_front);
     wave_section(question->bundle.field, source->along[MTF_TANGENTIAL]);
     source->along[MTF_SAGITTAL][0] = source->along[MTF_TANGENTIAL][1];
     source->along[MTF_SAGITTAL][1] = 0.0 - source->along[MTF_TANGENTIAL][0];
@@ -32,6 +33,7 @@ bool mtf_open(const struct mtf_question *question, struct arena *arena, struct m
         const size_t k = i % MTF_DIRECTIONS;
         double range[2];
         exit_lines_find(pupil, source->along[k], arena, &source->lines[i]);
+        exit_front_find(pupil, &source->lines[i], question->error, arena, &source->fronts[i]);
         exit_pupil_range(pupil, source->along[k], range);
         source->cutoff[k] =
             fmax(source->cutoff[k], (range[1] - range[0]) * pupil->n * pupil->waves);
@@ -41,16 +43,17 @@ bool mtf_open(const struct mtf_question *question, struct arena *arena, struct m
 
 /* One wavelength by waves. */
 static void add_waves(const struct mtf_source *source, size_t g, double frequency,
-                      struct arena *arena, struct sums *sums, struct mtf *mtf)
+                      struct sums *sums, struct mtf *mtf)
 {
     const struct exit_pupil *pupil = &source->pupils.list[g];
-    const double shift = frequency / (pupil->waves * pupil->n);
+    const struct overlap_question question = {.shift = frequency / (pupil->waves * pupil->n),
+                                              .error = source->question->error,
+                                              .only_perfect = source->question->by_rays};
     const double weight = exit_pupil_weight(pupil);
     sums->light += weight * pupil->energy;
     for (size_t k = 0; k < MTF_DIRECTIONS; k++) {
-        const struct exit_lines *lines = &source->lines[g * MTF_DIRECTIONS + k];
         const struct overlap sum =
-            overlap_find(pupil, lines, source->rules, shift, source->question->error, arena);
+            overlap_find(&source->fronts[g * MTF_DIRECTIONS + k], source->rules, &question);
         sums->re[k] += weight * sum.re;
         sums->im[k] += weight * sum.im;
         sums->perfect[k] += weight * sum.perfect;
@@ -127,6 +130,12 @@ static bool find_by_rays(const struct mtf_source *source, double frequency, stru
     return true;
 }
 
+/* The light and the overlap are two integrals, whose rounding differs. NaN stays. */
+static double share_of(double part, double light)
+{
+    return part > light ? 1 : part / light;
+}
+
 bool mtf_find(const struct mtf_source *source, double frequency, struct arena *arena,
               struct mtf *mtf, struct error *error)
 {
@@ -134,7 +143,7 @@ bool mtf_find(const struct mtf_source *source, double frequency, struct arena *a
     *mtf = (struct mtf){.has_converged = true, .error = 1e-12};
     for (size_t g = 0; g < source->pupils.lights.count; g++) {
         if (source->pupils.lights.list[g].weight > 0) {
-            add_waves(source, g, frequency, arena, &waves, mtf);
+            add_waves(source, g, frequency, &waves, mtf);
         }
     }
     struct sums sums = waves;
@@ -142,9 +151,8 @@ bool mtf_find(const struct mtf_source *source, double frequency, struct arena *a
         return false;
     }
     for (size_t k = 0; k < MTF_DIRECTIONS; k++) {
-        /* the light and the overlap are two integrals, whose rounding differs */
-        mtf->contrast[k] = fmin(hypot(sums.re[k], sums.im[k]) / sums.light, 1);
-        mtf->limit[k] = fmin(waves.perfect[k] / waves.light, 1);
+        mtf->contrast[k] = share_of(hypot(sums.re[k], sums.im[k]), sums.light);
+        mtf->limit[k] = share_of(waves.perfect[k], waves.light);
         /* of nothing, and of what symmetry makes real */
         const bool is_real = fabs(sums.im[k]) < 1e-9 * sums.light;
         mtf->phase[k] = !(mtf->contrast[k] > 1e-9) ? (double)NAN

@@ -20,17 +20,18 @@ enum { MTF_TANGENTIAL, MTF_SAGITTAL, MTF_DIRECTIONS };
 struct mtf_source {
     const struct mtf_question *question;
     struct exit_pupils pupils;
-    struct exit_lines *lines; /* [wavelength][direction] */
+    struct exit_lines *lines;  /* [wavelength][direction] */
+    struct exit_front *fronts; /* the same */
     struct overlap_rules *rules;
     double along[MTF_DIRECTIONS][2]; /* in the image plane, of unit length */
     double cutoff[MTF_DIRECTIONS];   /* 1/mm: no wavelength has contrast beyond it */
 };
 
 struct mtf {
-    double contrast[MTF_DIRECTIONS];
-    double phase[MTF_DIRECTIONS]; /* rad, of the Fourier transform about the reference */
-    double limit[MTF_DIRECTIONS]; /* of the same pupils with perfect wave fronts */
-    double error;                 /* of the contrasts */
+    double contrast[MTF_DIRECTIONS]; /* NaN: the wave front is too steep or too rough */
+    double phase[MTF_DIRECTIONS];    /* rad, of the Fourier transform about the reference */
+    double limit[MTF_DIRECTIONS];    /* of the same pupils with perfect wave fronts */
+    double error;                    /* of the contrasts */
     bool has_converged;
 };
 

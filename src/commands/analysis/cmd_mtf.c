@@ -136,7 +136,10 @@ static bool take(const struct analysis_case *one, size_t field, const void *room
         analysis_warn(asked, &row.point,
                       lens_island_warning(&found->source.pupils.islands, asked->run->arena));
         if (!found->contrasts[i].has_converged) {
-            analysis_warn(asked, &row.point, "the contrast has not converged: see its error");
+            analysis_warn(asked, &row.point,
+                          isnan(row.tangential) || isnan(row.sagittal)
+                              ? "the wave front is too steep or too rough for contrasts by waves"
+                              : "the contrast has not converged: see its error");
         }
         if (!run_emit(asked->run, &row)) {
             return false;
