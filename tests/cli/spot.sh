@@ -29,3 +29,6 @@ lenscalc spot double-gauss --field 0 -w d --csv --digits 3 --columns rms,error
 lenscalc spot questar-35 --to 2 --plot feet.svg > /dev/null && grep -o ">[^<]* mm<" feet.svg | sort -u
 # no exponents in labels
 lenscalc spot double-gauss -w d --field 0,14 --defocus 20 --plot wide.svg > /dev/null && grep -o ">RMS [^<]*<" wide.svg
+# without a stop the beam is weighed; on the axis nothing is left of aiming
+lenscalc spot asahi-takumar-100 --csv --digits 4 --columns rms,weights
+lenscalc spot cooke-anamorphic-bad --csv --digits 4 --columns rms,x,y,chief_x,chief_y

@@ -10,6 +10,7 @@ enum { SURFACES = 64, WAVES = 8, TERMS = 8 };
 
 struct surface {
     double c, k, z, clear, blocked, terms[TERMS], n[WAVES];
+    double bends[2]; /* 1: curved along x, along y; 0: a cylinder is straight there */
     bool is_mirror;
 };
 
@@ -22,6 +23,11 @@ struct ray {
 };
 
 /* -------- one ray -------- */
+
+static double along(const struct surface *s, const double *a, const double *b)
+{
+    return s->bends[0] * a[0] * b[0] + s->bends[1] * a[1] * b[1];
+}
 
 static double sag_of(const struct surface *s, double r2, double *slope)
 {
@@ -58,9 +64,9 @@ static bool meet_conic(const struct surface *s, double c, int way, struct ray *r
     const double *p = ray->p, *d = ray->d;
     advance(ray, -(p[0] * d[0] + p[1] * d[1] + p[2] * d[2]));
     const double e = 1 + s->k;
-    const double a = c * (d[0] * d[0] + d[1] * d[1] + e * d[2] * d[2]);
-    const double b = d[2] - c * (p[0] * d[0] + p[1] * d[1] + e * p[2] * d[2]);
-    const double f = c * (p[0] * p[0] + p[1] * p[1] + e * p[2] * p[2]) - 2 * p[2];
+    const double a = c * (along(s, d, d) + e * d[2] * d[2]);
+    const double b = d[2] - c * (along(s, p, d) + e * p[2] * d[2]);
+    const double f = c * (along(s, p, p) + e * p[2] * p[2]) - 2 * p[2];
     const double square = b * b - a * f;
     if (!(square >= 0)) {
         return false;
@@ -82,8 +88,8 @@ static bool meet(const struct surface *s, int way, struct ray *ray)
     *ray = start;
     for (int turn = 0; turn < 60; turn++) {
         double slope, *p = ray->p, *d = ray->d;
-        const double miss = sag_of(s, p[0] * p[0] + p[1] * p[1], &slope) - p[2];
-        const double step = miss / (d[2] - 2 * slope * (p[0] * d[0] + p[1] * d[1]));
+        const double miss = sag_of(s, along(s, p, p), &slope) - p[2];
+        const double step = miss / (d[2] - 2 * slope * along(s, p, d));
         if (!isfinite(step)) {
             return false;
         }
@@ -98,9 +104,9 @@ static bool meet(const struct surface *s, int way, struct ray *ray)
 static bool turn(const struct surface *s, int way, double before, double behind, struct ray *ray)
 {
     double slope, *d = ray->d, normal[3], across = 0, length = 0;
-    sag_of(s, ray->p[0] * ray->p[0] + ray->p[1] * ray->p[1], &slope);
-    normal[0] = -2 * slope * ray->p[0] * way;
-    normal[1] = -2 * slope * ray->p[1] * way;
+    sag_of(s, along(s, ray->p, ray->p), &slope);
+    normal[0] = -2 * slope * s->bends[0] * ray->p[0] * way;
+    normal[1] = -2 * slope * s->bends[1] * ray->p[1] * way;
     normal[2] = way;
     for (int i = 0; i < 3; i++) {
         across += normal[i] * d[i];

@@ -6,7 +6,8 @@
  *
  *   lens SURFACES WAVELENGTHS STOP STOP_RADIUS TRACK
  *       then each wavelength's weight, and the surfaces:
- *       curvature conic vertex_z clear_radius blocked_radius mirror A2 A4 ... A16 n n ... behind it
+ *       curvature conic vertex_z clear_radius blocked_radius mirror bends_in_x bends_in_y
+ *       A2 A4 ... A16 n n ... behind it
  *   spot TOLERANCE ANGLE   rms, rms_x, rms_y, rms_chief (mm) of light from infinity, deg
  *   film TOLERANCE HEIGHT  irradiance per radiance at that height of the image plane, primary only
  *
@@ -341,6 +342,8 @@ static void read_lens(void)
         s->clear = number();
         s->blocked = number();
         s->is_mirror = number() != 0;
+        s->bends[0] = number();
+        s->bends[1] = number();
         for (int k = 0; k < TERMS; k++) {
             s->terms[k] = number();
         }

@@ -17,9 +17,11 @@ TERMS = [f"A{power}" for power in range(2, 17, 2)]
 
 
 class Lens:
-    """A prescription in one position as clear_sums.c takes it; refused: why it does not."""
+    """A prescription in one position as clear_sums.c takes it; refused: why it does not. fnumber:
+    of a lens that states no aperture. Without a stop the beam itself is limited, where it meets
+    the first vertex: right on the axis."""
 
-    def __init__(self, program, lens, position, image):
+    def __init__(self, program, lens, position, image, fnumber=None):
         path = os.path.join(program.holder.name, "lens.json")
         program.run("convert", lens, "-o", path)
         with open(path, encoding="utf-8") as file:
@@ -30,14 +32,22 @@ class Lens:
         self.image, self.refused = image, ""
         self.waves = self.all["wavelengths"]
         self.stop = (self.all["stop_surface"] or 0) - 1
-        if self.stop < 0 or not self.all["object_is_infinite"]:
-            self.refused = "no stop, or a near object"
+        self.fnumber = fnumber or (self.one(self.all["aperture"])
+                                   if self.all["aperture_kind"] == "fnumber" else None)
+        if not self.all["object_is_infinite"]:
+            self.refused = "a near object"
         self.surfaces, z = [], 0.0
         index = [1.0] * len(self.waves)
         for surface in self.all["surfaces"]:
             index = surface.get("index") or index
             self.surfaces.append(self.read(surface, index, z))
             z += self.one(surface["thickness_mm"]) or 0.0
+        if self.stop < 0:
+            self.stop = 0
+            self.surfaces.insert(0, {"c": 0.0, "k": 0.0, "z": 0.0, "clear": math.inf, "blocked": 0.0,
+                                     "mirror": False, "bends": (1, 1), "terms": [0.0] * len(TERMS),
+                                     "n": [1.0] * len(self.waves)})
+            self.surfaces[0]["clear"] = self.stop_radius()
         self.last = self.surfaces[-1]["z"]
         self.radius = math.nan if self.refused else self.stop_radius()
 
@@ -46,7 +56,7 @@ class Lens:
 
     def read(self, surface, index, z):
         shapes = surface.get("apertures", [])
-        if surface.get("cylinder") or surface["kind"] not in ("refract", "reflect", "stop") or any(
+        if surface["kind"] not in ("refract", "reflect", "stop") or any(
                 shape["shape"] != "circle" or not shape["blocks"] or any(shape["decenter_mm"])
                 for shape in shapes):
             self.refused = f"surface {surface['surface']}"
@@ -58,13 +68,14 @@ class Lens:
                 "clear": diameter / 2 if diameter else math.inf,
                 "blocked": max([shape["size_mm"][0] / 2 for shape in shapes], default=0.0),
                 "mirror": surface["kind"] == "reflect",
+                "bends": {None: (1, 1), "x": (1, 0), "y": (0, 1)}[surface.get("cylinder")],
                 "terms": [self.one(terms.get(name, 0.0)) for name in TERMS], "n": index}
 
     def stop_radius(self):
         """The diameter of the stop, or the height there of a ray that makes the f-number."""
-        if self.all["aperture_kind"] == "stop":
+        if self.fnumber is None and self.all["aperture_kind"] == "stop":
             return self.surfaces[self.stop]["clear"]
-        if self.all["aperture_kind"] != "fnumber":
+        if self.fnumber is None:
             self.refused = f"aperture {self.all['aperture_kind']}"
             return math.nan
         y, v, n, at_stop = 1.0, 0.0, 1.0, 1.0
@@ -74,7 +85,7 @@ class Lens:
             behind = math.copysign(surface["n"][0], n) * (-1 if surface["mirror"] else 1)
             v -= y * (behind - n) * (surface["c"] + 2 * surface["terms"][0])
             n = behind
-        return abs(at_stop / v) / (2 * self.one(self.all["aperture"]))
+        return abs(at_stop / v) / (2 * self.fnumber)
 
     def open(self):
         """Nothing takes light but the stop."""
@@ -89,7 +100,7 @@ class Lens:
         words += [self.waves[i]["weight"] for i in waves]
         for one in self.surfaces:
             words += [one["c"], one["k"], one["z"], one["clear"], one["blocked"],
-                      int(one["mirror"]), *one["terms"], *(one["n"][i] for i in waves)]
+                      int(one["mirror"]), *one["bends"], *one["terms"], *(one["n"][i] for i in waves)]
         return "lens " + " ".join(repr(word) for word in words) + "\n"
 
 

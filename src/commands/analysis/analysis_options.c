@@ -187,6 +187,10 @@ const char *analysis_weight_words(const struct analysis_question *question)
         {"equal areas of the stop", "equal areas of the entrance pupil"},
         {"equal areas of the entering beam, out to the stop",
          "equal areas of the entering beam, out to the entrance pupil"}};
+    const struct lens *lens = question->lens.lens;
+    if (lens != NULL && lens->stop == LENS_NONE && question->aim == ANALYSIS_AIM_STOP) {
+        return "equal areas of the entering beam, as the lens has no stop";
+    }
     return words[question->weight][question->aim];
 }
 

@@ -106,6 +106,12 @@ static const struct column columns[] = {
     ANALYSIS_TAIL_COLUMNS(struct row, point),
 };
 
+/* What aiming leaves of a place on the axis is none. */
+static double place(double coordinate, double rms)
+{
+    return fabs(coordinate) < 1e-15 * rms ? 0 : coordinate;
+}
+
 static void fill(const struct spot *spot, struct row *row)
 {
     const double values[] = {spot->rms,           spot->rms_x,        spot->rms_y,
@@ -121,10 +127,10 @@ static void fill(const struct spot *spot, struct row *row)
         *(spot->is_angular ? angles[i] : lengths[i]) = values[i];
     }
     if (!spot->is_angular) {
-        row->x = spot->centroid[0];
-        row->y = spot->centroid[1];
-        row->chief_x = spot->chief[0];
-        row->chief_y = spot->chief[1];
+        row->x = place(spot->centroid[0], spot->rms);
+        row->y = place(spot->centroid[1], spot->rms);
+        row->chief_x = place(spot->chief[0], spot->rms);
+        row->chief_y = place(spot->chief[1], spot->rms);
     }
     row->clear = spot->clear;
     row->rays = (long)spot->rays;
