@@ -48,14 +48,23 @@ static double find_spread(const struct exit_pupil *pupil, struct arena *arena)
     return 1.15 * worst; /* steeper at the edge itself */
 }
 
-/* A pixel that resolves the waves of all wavelengths, and an image that has room for the rays. */
-static double choose_pitch(const struct exit_pupils *pupils, const double *spreads, size_t size)
+/* A pixel below which the waves of all wavelengths are told apart, mm. */
+static double find_finest(const struct exit_pupils *pupils)
 {
-    double finest = INFINITY, spread = 0;
+    double finest = INFINITY;
     for (size_t g = 0; g < pupils->lights.count; g++) {
         const struct exit_pupil *pupil = &pupils->list[g];
         const double wide = 2 * fmax(pupil->half[0], pupil->half[1]);
         finest = fmin(finest, 1 / (pupil->n * pupil->waves * wide));
+    }
+    return finest;
+}
+
+/* One that does, in an image that has room for the rays. */
+static double choose_pitch(double finest, const double *spreads, size_t count, size_t size)
+{
+    double spread = 0;
+    for (size_t g = 0; g < count; g++) {
         spread = fmax(spread, spreads[g]);
     }
     const double room = 2 * roomy * spread / (double)size;
@@ -181,7 +190,7 @@ static void measure(struct psf *psf, double total, struct arena *arena)
         const double pixels = mean[k] / paired;
         psf->centroid[k] = fabs(pixels) > noise ? pixels * psf->pitch : 0;
     }
-    psf->inside = sum / total;
+    psf->inside = psf->pitch < psf->finest ? sum / total : (double)NAN;
     psf->radius80 = psf->inside > 0.8 ? radius_of(psf, 0.8 * total, arena) : (double)NAN;
     find_peak(psf);
 }
@@ -232,12 +241,14 @@ bool psf_find(const struct psf_question *question, struct arena *arena, struct p
         spreads[g] = find_spread(&pupils->list[g], arena);
     }
     struct sums sums = {.values = ARENA_ARRAY(arena, count, double)};
-    *psf =
-        (struct psf){.size = question->size,
-                     .pitch = isnan(question->pitch) ? choose_pitch(pupils, spreads, question->size)
-                                                     : question->pitch,
-                     .values = sums.values,
-                     .islands = pupils->islands};
+    *psf = (struct psf){.size = question->size,
+                        .pitch = question->pitch,
+                        .finest = find_finest(pupils),
+                        .values = sums.values,
+                        .islands = pupils->islands};
+    if (isnan(psf->pitch)) {
+        psf->pitch = choose_pitch(psf->finest, spreads, pupils->lights.count, psf->size);
+    }
     for (size_t i = 0; i < count; i++) {
         sums.values[i] = 0;
     }

@@ -33,8 +33,9 @@ struct psf {
     double peak, peak_at[2]; /* the highest of a parabola through it; mm from the chief ray */
     double centroid[2];      /* of the pixels, mm from the chief ray */
     double width[2];         /* at half the peak, through it along x and y, mm; NaN: not inside */
+    double finest;           /* above it pixels miss light between them, mm: NaN of the next */
     double inside;           /* share of all light that the pixels have */
-    double radius80;         /* about the centroid, with 80 % of all light; NaN: not inside */
+    double radius80;         /* about the centroid, with 80 % of all light; NaN: not inside, too */
     struct islands islands;
 };
 

@@ -12,7 +12,8 @@ enum {
     LEAST = 14,  /* points along a line, and lines */
     EIGHT = 8,   /* numbers of points are multiples of it, so that few rules serve all lines */
     PANEL = 128, /* so many at once */
-    TURNS_MOST = 600
+    TURNS_MOST = 600,
+    SIZE_LEAST = 8 /* of an image that says something */
 };
 
 /* More for each turn of the phase: along a line, and lines. */
@@ -51,12 +52,46 @@ static const struct rule *rule_of(const struct putting *putting, size_t wanted)
     return rule;
 }
 
-/* Turns of the phase across the pupil in one direction, at the farthest pixel. */
-static double turns_across(const struct psf_plane *plane, int k)
+/* Turns of the phase across the pupil in one direction, at a distance from the reference, mm. */
+static double turns_across(const struct psf_plane *plane, int k, double far)
 {
-    const double far = 0.5 * (double)plane->size * plane->pitch;
     return 2 * plane->pupil->half[k] * (far + plane->spread) * plane->pupil->n *
            plane->pupil->waves;
+}
+
+static double turns_at(const struct psf_plane *plane, double far)
+{
+    return fmax(turns_across(plane, 0, far), turns_across(plane, 1, far));
+}
+
+static double farthest(const struct psf_plane *plane)
+{
+    return 0.5 * (double)plane->size * plane->pitch;
+}
+
+bool psf_points_fit(const struct psf_plane *plane, struct error *error)
+{
+    const double turns = turns_at(plane, farthest(plane)), own = turns_at(plane, 0);
+    const double share = (TURNS_MOST - own) / (turns - own); /* of the image */
+    const double size = ceil(share * (double)plane->size) - 1;
+    if (turns < TURNS_MOST) {
+        return true;
+    }
+    if (!(own < TURNS_MOST)) {
+        return fail(error, ERROR_DOMAIN,
+                    "the wave front is too steep for waves to be added up: its phase turns %.0f "
+                    "times across the pupil, and sums take %d: a smaller aperture, or rays (spot)",
+                    own, TURNS_MOST);
+    }
+    return size >= SIZE_LEAST
+               ? fail(error, ERROR_DOMAIN,
+                      "the phase turns %.0f times across the pupil at the edge of the image, and "
+                      "sums take %d: at most {size} %.0f with {pitch} %.4g um",
+                      turns, TURNS_MOST, size, 1000 * plane->pitch)
+               : fail(error, ERROR_DOMAIN,
+                      "the phase turns %.0f times across the pupil at the edge of the image, and "
+                      "sums take %d: at most {pitch} %.4g um with {size} %zu",
+                      turns, TURNS_MOST, 0.999 * share * 1000 * plane->pitch, plane->size);
 }
 
 static size_t points_along(const struct putting *putting, double length)
@@ -116,15 +151,11 @@ bool psf_points_put(const struct psf_plane *plane, struct psf_points *points, st
     struct putting putting = {
         .plane = plane,
         .points = points,
-        .turns = {turns_across(plane, 0), turns_across(plane, 1)},
+        .turns = {turns_across(plane, 0, farthest(plane)), turns_across(plane, 1, farthest(plane))},
         .rules = ARENA_ARRAY(
             arena, ((size_t)(LEAST + across_turn * TURNS_MOST) + 2 * EIGHT) / EIGHT, struct rule)};
-    const double turns = fmax(putting.turns[0], putting.turns[1]);
-    if (!(turns < TURNS_MOST)) {
-        return fail(error, ERROR_DOMAIN,
-                    "the wave front and the size of the image turn the phase %.0f times across the "
-                    "pupil, and sums take at most %d: smaller {size} or {pitch}",
-                    turns, TURNS_MOST);
+    if (!psf_points_fit(plane, error)) {
+        return false;
     }
     exit_lines_find(plane->pupil, across_x, arena, lines);
     take_room(&putting, lines);

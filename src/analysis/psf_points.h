@@ -14,6 +14,9 @@ struct psf_points {
     double total; /* of the amplitudes */
 };
 
+/* Does the phase turn as rarely as sums take? Errors: ERROR_DOMAIN: it does not, and what would. */
+bool psf_points_fit(const struct psf_plane *plane, struct error *error);
+
 /*
  * Gauss's points between the edges of the pupil, along lines, and over the angle that
  * struct exit_piece has from one line to the next.
@@ -22,7 +25,7 @@ struct psf_points {
  *           points integrate: pi/2 = 1.6 a turn along a line. Of exp(i k sin u) over a half turn
  *           of u the slope is pi/2 times that in the middle: 2.5 a turn. Some more of both leave
  *           1e-8 of the peak, of 2 to 300 turns
- * Errors    ERROR_DOMAIN: the phase turns too often
+ * Errors    as psf_points_fit
  */
 bool psf_points_put(const struct psf_plane *plane, struct psf_points *points, struct error *error);
 

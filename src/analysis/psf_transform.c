@@ -1,10 +1,12 @@
 /* analysis/psf_transform.c - the light of one wavelength by a fast Fourier transform. */
 /* SPDX-License-Identifier: MIT */
-#include "analysis/psf_light.h"
+#include "analysis/exit_lines.h"
+#include "analysis/psf_points.h"
 
 #include "base/constants.h"
 #include "base/fft.h"
 #include "base/turns.h"
+#include "trace/sample.h"
 
 #include <math.h>
 
@@ -26,13 +28,33 @@ struct grid {
     double *re, *im;
 };
 
+/* What to do where the wave front is too steep for the longest transform. */
+static bool fail_steep(const struct psf_plane *plane, double finest, struct error *error)
+{
+    const double wanted = 1.001 * plane->spread / (steepest * PSF_TRANSFORM_MOST);
+    const bool sums = psf_points_fit(plane, error);
+    if (!sums && !(wanted < finest)) {
+        return false;
+    }
+    const char *other = sums ? "plane waves" : "a smaller aperture";
+    error->code = ERROR_NONE;
+    return wanted < finest
+               ? fail(error, ERROR_DOMAIN,
+                      "the wave front is too steep for a Fourier transform of %d points at {pitch} "
+                      "%.4g um: at least %.4g um, or %s",
+                      PSF_TRANSFORM_MOST, 1000 * plane->pitch, 1000 * wanted, other)
+               : fail(error, ERROR_DOMAIN,
+                      "the wave front is too steep for a Fourier transform of %d points: %s",
+                      PSF_TRANSFORM_MOST, other);
+}
+
 /* How long the transform is to be; 0 with the error: no length is enough. */
 static size_t length_for(const struct psf_plane *plane, struct error *error)
 {
     const struct exit_pupil *pupil = plane->pupil;
     const double wide = 2 * fmax(pupil->half[0], pupil->half[1]);
     const double finest = 1 / (pupil->n * pupil->waves * wide); /* mm: the pupil fills the grid */
-    const double by_slope = 2 * plane->spread * 0.5 / (steepest * plane->pitch);
+    const double by_slope = plane->spread / (steepest * plane->pitch);
     const double by_cells = CELLS * finest / plane->pitch;
     if (!(plane->pitch < finest)) {
         fail(error, ERROR_DOMAIN,
@@ -41,56 +63,62 @@ static size_t length_for(const struct psf_plane *plane, struct error *error)
              1000 * plane->pitch, 1000 * finest);
         return 0;
     }
-    const double wanted = fmax(fmax(by_slope, by_cells), (double)plane->size);
     if (!(by_slope <= PSF_TRANSFORM_MOST)) {
-        fail(error, ERROR_DOMAIN,
-             "the wave front is too steep for a Fourier transform of %d points: at this pitch it "
-             "wants %.0f, or {method} plane",
-             PSF_TRANSFORM_MOST, ceil(by_slope));
+        fail_steep(plane, finest, error);
         return 0;
     }
-    return fft_length_from((size_t)fmin(ceil(wanted), PSF_TRANSFORM_MOST));
-}
-
-/* The piece that a line lies in, and its angle; null: none. */
-static const struct exit_piece *piece_at(const struct exit_lines *lines, double t, double *angle)
-{
-    for (size_t i = 0; i < lines->count; i++) {
-        const struct exit_piece *piece = &lines->pieces[i];
-        if (t > piece->low && t < piece->high) {
-            *angle = asin((2 * t - piece->low - piece->high) / (piece->high - piece->low));
-            return piece;
-        }
-    }
-    return NULL;
+    /* light comes back from beyond the grid, the less the farther from where rays are that lies */
+    const double filled = fmin(2 * plane->spread / ((double)plane->size * plane->pitch), 1);
+    const double by_size = (2 + 5 * filled) * (double)plane->size;
+    const double wanted = fmin(fmax(fmax(by_slope, by_cells), by_size), PSF_TRANSFORM_MOST);
+    return fft_length_from((size_t)ceil(wanted));
 }
 
 /* Points of a row of cells, and what they count, in cells. */
 struct cells {
     double (*at)[2];
     double *weights;
-    size_t *cells, count;
-    double *clear; /* of each cell of the row */
+    size_t *cells, count, whole; /* so many of the points are of whole cells, four each */
+    double *clear;               /* of each cell of the row */
 };
 
-/* Where the parts of a line lie, in cells from the first. */
-static size_t parts_of(const struct exit_lines *lines, const struct grid *grid, double t,
-                       double (*parts)[2])
+/* A line through a row of cells: its share of them, and its clear parts in cells from the first. */
+struct cut {
+    double t, share;
+    size_t count;
+    double parts[EXIT_SPANS][2];
+};
+
+static double angle_of(const struct exit_piece *piece, double t)
 {
-    double angle, slope;
-    const struct exit_piece *piece = piece_at(lines, t, &angle);
+    const double place = (2 * t - piece->low - piece->high) / (piece->high - piece->low);
+    return asin(fmax(-1, fmin(place, 1)));
+}
+
+/* Gauss's lines through a row, between the ends of the pieces that it meets. */
+static size_t cut_row(const struct exit_lines *lines, const struct grid *grid, double middle,
+                      struct cut *cuts)
+{
     const double first = (double)(grid->length / 2) + 0.5;
-    struct exit_spans spans = {.count = 0};
-    if (piece != NULL) {
-        exit_piece_at(piece, angle, &slope, &spans);
-    }
-    for (size_t i = 0; i < spans.count; i++) {
-        for (int k = 0; k < 2; k++) {
-            const double at = (spans.edges[2 * i + (size_t)k] - grid->middle[0]) / grid->step;
-            parts[i][k] = fmax(0, fmin(at + first, (double)grid->length));
+    double x[ROWS], w[ROWS], slope;
+    size_t count = 0;
+    gauss_rule(ROWS, x, w);
+    for (size_t p = 0; p < lines->count; p++) {
+        const struct exit_piece *piece = &lines->pieces[p];
+        const double low = angle_of(piece, middle - grid->step / 2);
+        const double high = angle_of(piece, middle + grid->step / 2);
+        for (size_t k = 0; k < ROWS && high > low; k++, count++) {
+            struct exit_spans spans;
+            cuts[count].t = exit_piece_at(piece, low + (high - low) * x[k], &slope, &spans);
+            cuts[count].share = slope * (high - low) * w[k] / grid->step;
+            cuts[count].count = spans.count;
+            for (size_t i = 0; i < 2 * spans.count; i++) {
+                const double at = (spans.edges[i] - grid->middle[0]) / grid->step + first;
+                cuts[count].parts[i / 2][i % 2] = fmax(0, fmin(at, (double)grid->length));
+            }
         }
     }
-    return spans.count;
+    return count;
 }
 
 static void put_point(const struct grid *grid, double x, double t, double weight,
@@ -103,17 +131,33 @@ static void put_point(const struct grid *grid, double x, double t, double weight
     cells->cells[cells->count++] = (size_t)x;
 }
 
-/* Parts of lines through cells that are not clear as a whole, two points of Gauss each. */
-static void put_parts(const struct grid *grid, const double (*parts)[2], size_t count, double t,
-                      struct cells *cells)
+/* Parts of a line through cells that are not clear as a whole, two points of Gauss each. */
+static void put_parts(const struct grid *grid, const struct cut *cut, struct cells *cells)
 {
-    for (size_t i = 0; i < count; i++) {
-        for (size_t x = (size_t)parts[i][0]; (double)x < parts[i][1]; x++) {
-            const double low = fmax(parts[i][0], (double)x);
-            const double high = fmin(parts[i][1], (double)x + 1);
+    for (size_t i = 0; i < cut->count; i++) {
+        for (size_t x = (size_t)cut->parts[i][0]; (double)x < cut->parts[i][1]; x++) {
+            const double low = fmax(cut->parts[i][0], (double)x);
+            const double high = fmin(cut->parts[i][1], (double)x + 1);
             for (int k = -1; k <= 1 && cells->clear[x] < whole && high > low; k += 2) {
-                put_point(grid, (low + high) / 2 + k * (high - low) / 2 * gauss, t,
-                          (high - low) / (2 * ROWS), cells);
+                put_point(grid, (low + high) / 2 + k * (high - low) / 2 * gauss, cut->t,
+                          (high - low) / 2 * cut->share, cells);
+            }
+        }
+    }
+}
+
+/* How much of each cell of a row is clear. */
+static void find_clear(const struct grid *grid, const struct cut *cuts, size_t count, double *clear)
+{
+    for (size_t x = 0; x < grid->length; x++) {
+        clear[x] = 0;
+    }
+    for (const struct cut *cut = cuts; cut < cuts + count; cut++) {
+        for (size_t i = 0; i < cut->count; i++) {
+            const double *part = cut->parts[i];
+            for (size_t x = (size_t)part[0]; (double)x < part[1]; x++) {
+                const double length = fmin(part[1], (double)x + 1) - fmax(part[0], (double)x);
+                clear[x] += fmax(length, 0) * cut->share;
             }
         }
     }
@@ -123,23 +167,10 @@ static void put_parts(const struct grid *grid, const double (*parts)[2], size_t 
 static void put_cells(const struct exit_lines *lines, const struct grid *grid, double middle,
                       struct cells *cells)
 {
-    double parts[ROWS][EXIT_SPANS][2], t[ROWS];
-    size_t counts[ROWS];
+    struct cut cuts[EXIT_PIECES * ROWS];
+    const size_t count = cut_row(lines, grid, middle, cuts);
+    find_clear(grid, cuts, count, cells->clear);
     cells->count = 0;
-    for (size_t x = 0; x < grid->length; x++) {
-        cells->clear[x] = 0;
-    }
-    for (size_t k = 0; k < ROWS; k++) {
-        t[k] = middle + (((double)k + 0.5) / ROWS - 0.5) * grid->step;
-        counts[k] = parts_of(lines, grid, t[k], parts[k]);
-        for (size_t i = 0; i < counts[k]; i++) {
-            for (size_t x = (size_t)parts[k][i][0]; (double)x < parts[k][i][1]; x++) {
-                const double part =
-                    fmin(parts[k][i][1], (double)x + 1) - fmax(parts[k][i][0], (double)x);
-                cells->clear[x] += fmax(part, 0) / ROWS;
-            }
-        }
-    }
     for (size_t x = 0; x < grid->length; x++) {
         for (int k = 0; k < 4 && cells->clear[x] >= whole; k++) {
             const double across = k % 2 == 0 ? -gauss : gauss, up = k < 2 ? -gauss : gauss;
@@ -147,9 +178,28 @@ static void put_cells(const struct exit_lines *lines, const struct grid *grid, d
                       cells);
         }
     }
-    for (size_t k = 0; k < ROWS; k++) {
-        put_parts(grid, (const double(*)[2])parts[k], counts[k], t[k], cells);
+    cells->whole = cells->count;
+    for (size_t k = 0; k < count; k++) {
+        put_parts(grid, &cuts[k], cells);
     }
+}
+
+/*
+ * What the mean of a wave that turns evenly is more than that of Gauss's two points: sin x/x over
+ * cos(x/sqrt 3), x from the middle to an end.
+ */
+static double more_than(double low, double high)
+{
+    const double x = 2 * PI * (high - low) / (2 * gauss), x2 = x * x;
+    return 1 + x2 * x2 / 270 * (1 + x2 * 8 / 63);
+}
+
+/* That of a point: they lie two by two along x, and those of whole cells along y. */
+static double more_at(const struct cells *cells, size_t i, const double *waves)
+{
+    const double along = more_than(waves[i - i % 2], waves[i - i % 2 + 1]);
+    const size_t below = i - i % 4 + i % 2;
+    return i < cells->whole ? along * more_than(waves[below], waves[below + 2]) : along;
 }
 
 /* The means of the amplitude over the cells. */
@@ -157,15 +207,16 @@ static void fill_grid(struct psf_plane *plane, const struct grid *grid)
 {
     static const double across_x[2] = {1, 0};
     struct arena *arena = plane->arena;
-    const size_t length = grid->length, room = length * (4 + 2 * ROWS * EXIT_SPANS);
     struct exit_lines *lines = ARENA_NEW(arena, struct exit_lines);
+    exit_lines_find(plane->pupil, across_x, arena, lines);
+    const size_t length = grid->length, cuts = lines->count * ROWS;
+    const size_t room = 4 * length + 2 * cuts * (length + 2 * EXIT_SPANS);
     struct cells cells = {.at = arena_array(arena, room, sizeof *cells.at),
                           .weights = ARENA_ARRAY(arena, room, double),
                           .cells = ARENA_ARRAY(arena, room, size_t),
                           .clear = ARENA_ARRAY(arena, length, double)};
     double *waves = ARENA_ARRAY(arena, room, double);
     double *amplitudes = ARENA_ARRAY(arena, room, double);
-    exit_lines_find(plane->pupil, across_x, arena, lines);
     for (size_t y = 0; y < length; y++) {
         const double t = grid->middle[1] + ((double)y - (double)(length / 2)) * grid->step;
         if (fabs(t - grid->middle[1]) > plane->pupil->half[1] + grid->step) {
@@ -176,10 +227,11 @@ static void fill_grid(struct psf_plane *plane, const struct grid *grid)
                           amplitudes);
         for (size_t i = 0; i < cells.count; i++) {
             const double amplitude = amplitudes[i] * cells.weights[i] * grid->step * grid->step;
+            const double corrected = amplitude * more_at(&cells, i, waves);
             double c, s;
             turns_of(waves[i], &c, &s);
-            grid->re[y * length + cells.cells[i]] += amplitude * c;
-            grid->im[y * length + cells.cells[i]] += amplitude * s;
+            grid->re[y * length + cells.cells[i]] += corrected * c;
+            grid->im[y * length + cells.cells[i]] += corrected * s;
             plane->perfect += amplitude;
         }
     }

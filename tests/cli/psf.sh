@@ -13,6 +13,10 @@ printf 'lens ideal\nobject inf\naperture stop\nstop - 0 air 10\nthick 50 0 air 1
 lenscalc psf double-gauss -N 8 --field 0 -w d --method fft --pitch 20um
 lenscalc psf double-gauss --field 14 -w d --method fft --pitch 0.05um --no-clip --size 16
 lenscalc psf double-gauss --field 14 -w d --pitch 900um --size 2048
+lenscalc psf double-gauss --field 0 -w d --pitch 20um
+lenscalc psf double-gauss --field 0 -w d --pitch 20um --size 63 --csv --digits 4 --columns peak,inside,radius80,warning
+lenscalc psf double-gauss --field 14 -w d --method fft --pitch 0.05um --size 16
+lenscalc psf fisheye-270 --field 0 -w d
 lenscalc psf double-gauss --log
 lenscalc psf double-gauss -N 8 --field 0 --size 16 --log --map map.pfm
 lenscalc psf double-gauss --size 4

@@ -32,6 +32,9 @@ LENSES = (("double-gauss", "11", "10"), ("cooke-triplet-50", "11", "15"),
           ("fisheye-16", "11", "20"), ("phone-80deg", "5.6", "0"),
           ("telephoto-200", "16", "3"), ("zeiss-biotar-100", "16", "8"))
 
+# Steep wave fronts: images as large as their rays spread, whose pixels transforms leave out most
+STEEP = (("fisheye-16", "0"), ("cs348b-telephoto-250", "0"), ("cs348b-wide-22", "30"))
+
 
 def rows(program, words, text=None):
     result = subprocess.run(program.command + words + ["--csv"], input=text, text=True,
@@ -205,6 +208,12 @@ def check_methods(checks, program, folder):
                                                     row["pitch_um"] + "um"])[1]
             worst = max(abs(u - v) for a, b in zip(plane, table) for u, v in zip(a, b))
             checks.check(worst <= allowed, f"{lens}: {method} is off by {worst} of {1e4 * allowed}")
+    for lens, field in STEEP:
+        words = [lens, "--field", field, "-w", "d", "--size", "64"]
+        plane = image(program, folder, words)[1]
+        table = image(program, folder, words + ["--method", "fft"])[1]
+        worst = max(abs(u - v) for a, b in zip(plane, table) for u, v in zip(a, b))
+        checks.check(worst <= 1e-4 * max(map(max, plane)), f"{lens}: steep, fft is off by {worst}")
 
 
 @functools.cache

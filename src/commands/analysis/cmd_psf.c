@@ -61,9 +61,12 @@ static const struct column columns[] = {
     {SMALL(width_y, COLUMN_BRIEF), .name = "width_y", .label = "width in y",
      .help = "the same upwards"},
     {SMALL(radius80, COLUMN_BRIEF), .name = "radius80", .label = "radius of 80 %",
-     .help = "about the centroid, with 80 % of all light; absent where less lies inside"},
+     .help =
+         "about the centroid, with 80 % of all light; absent where less lies inside or pixels are "
+         "coarse"},
     {COLUMN(struct row, inside), .dimension = &dimension_ratio, .unit = "%", .flags = COLUMN_BRIEF,
-     .name = "inside", .label = "light inside", .help = "share of all light that the pixels have"},
+     .name = "inside", .label = "light inside",
+     .help = "share of all light that the pixels have; absent where they are too coarse to say"},
     {SMALL(pitch, COLUMN_BRIEF), .name = "pitch", .label = "pitch", .help = "side of a pixel"},
     {COLUMN(struct row, method), .flags = COLUMN_ASSUMED, .name = "method", .depends = "method",
      .label = "method", .help = "how the waves are added up"},
@@ -96,6 +99,14 @@ static bool take(const struct analysis_case *one, size_t field, const void *foun
     row.radius80 = psf->radius80;
     row.pitch = psf->pitch;
     row.inside = psf->inside;
+    if (!(psf->pitch < psf->finest)) {
+        analysis_warn(
+            asked, &row.point,
+            arena_printf(
+                asked->run->arena,
+                "pixels of %.4g um miss light between them: shares of it want less than %.4g um",
+                1000 * psf->pitch, 1000 * psf->finest));
+    }
     analysis_warn(asked, &row.point, lens_island_warning(&psf->islands, asked->run->arena));
     return run_emit(asked->run, &row);
 }

@@ -3,6 +3,8 @@
 #include "commands/analysis/analysis_map.h"
 #include "commands/analysis/psf_input.h"
 
+#include <math.h>
+
 static const double decades = 5;
 
 static bool find(const struct analysis_case *one, size_t field, const void *context, void *found,
@@ -18,12 +20,14 @@ static bool add(const struct analysis_case *one, size_t field, const void *found
     struct map_page *page = context;
     struct arena *arena = page->job->run->arena;
     const struct psf *psf = found;
-    const struct raster_map map = {.title = analysis_map_title(one, field, arena),
-                                   .note = arena_printf(arena, "peak %.3g, %.3g %% of the light",
-                                                        psf->peak, 100 * psf->inside),
-                                   .size = psf->size,
-                                   .values = psf->values,
-                                   .half = 1000 * psf->pitch * (double)psf->size / 2};
+    const struct raster_map map = {
+        .title = analysis_map_title(one, field, arena),
+        .note = isnan(psf->inside) ? arena_printf(arena, "peak %.3g", psf->peak)
+                                   : arena_printf(arena, "peak %.3g, %.3g %% of the light",
+                                                  psf->peak, 100 * psf->inside),
+        .size = psf->size,
+        .values = psf->values,
+        .half = 1000 * psf->pitch * (double)psf->size / 2};
     map_page_subtitle(
         page, arena_printf(arena, "focus %s; %s", one->setup->focus,
                            one->spectrum != NULL
