@@ -45,6 +45,17 @@ static inline struct dual dual_divide(struct dual a, struct dual b)
     return (struct dual){quotient, (a.slope - quotient * b.slope) / b.value};
 }
 
+static inline struct dual dual_root(struct dual a)
+{
+    const double root = sqrt(a.value);
+    return (struct dual){root, a.slope / (2 * root)};
+}
+
+static inline struct dual dual_arc_tangent(struct dual a)
+{
+    return (struct dual){atan(a.value), a.slope / (1 + a.value * a.value)};
+}
+
 /* |a|; at 0 the slope is that of a. */
 static inline struct dual dual_absolute(struct dual a)
 {

@@ -2,6 +2,7 @@
 /* SPDX-License-Identifier: MIT */
 #include "design/merit.h"
 
+#include "design/merit_chief.h"
 #include "design/merit_paraxial.h"
 #include "design/merit_shape.h"
 
@@ -26,6 +27,11 @@ static const struct merit_kind {
     [OPERAND_S3] = {merit_fill_seidel, merit_prepare_seidel},
     [OPERAND_S4] = {merit_fill_seidel, merit_prepare_seidel},
     [OPERAND_S5] = {merit_fill_seidel, merit_prepare_seidel},
+    [OPERAND_HEIGHT] = {merit_fill_chief, merit_prepare_chief},
+    [OPERAND_DISTORTION] = {merit_fill_chief, merit_prepare_chief},
+    [OPERAND_LATERAL] = {merit_fill_chief, merit_prepare_chief},
+    [OPERAND_TELECENTRIC] = {merit_fill_chief, merit_prepare_chief},
+    [OPERAND_INCIDENCE] = {merit_fill_incidence, merit_prepare_incidence},
     [OPERAND_EDGE] = {merit_fill_shape, merit_prepare_shape},
     [OPERAND_CENTER] = {merit_fill_shape, merit_prepare_shape},
     [OPERAND_AIR] = {merit_fill_shape, merit_prepare_shape},
@@ -92,6 +98,7 @@ static bool open_place(const struct merit *merit, size_t position, struct arena 
     place->aperture = isnan(question->fnumber)
                           ? lens_aperture(place->lens)
                           : (struct aperture_setting){APERTURE_FNUMBER, question->fnumber};
+    place->image = ARENA_ARRAY(arena, merit->variable_count + 1, struct dual);
     list_lights(merit, place, arena);
     return true;
 }
@@ -155,7 +162,8 @@ static bool open_slots(struct merit *merit, struct arena *arena, struct error *e
 bool merit_open(const struct merit_question *question, struct arena *arena, struct merit *merit,
                 struct error *error)
 {
-    *merit = (struct merit){.question = *question, .variable_count = question->variable_count};
+    *merit = (struct merit){
+        .question = *question, .variable_count = question->variable_count, .arena = arena};
     if (!open_places(merit, arena, error) || !open_slots(merit, arena, error)) {
         return false;
     }

@@ -72,6 +72,12 @@ static const struct merit_figures *figures_of(struct merit *merit, const struct 
     return done ? light->figures : NULL;
 }
 
+const struct merit_figures *merit_figures(struct merit *merit, const struct merit_slot *slot,
+                                          double wavelength)
+{
+    return figures_of(merit, slot, merit_light(merit, slot, wavelength));
+}
+
 /* What the kinds are of. */
 static const size_t members[OPERAND_KINDS] = {
     [OPERAND_EFL] = offsetof(struct dual_first, power),
@@ -126,8 +132,7 @@ bool merit_fill_power(struct merit *merit, const struct merit_slot *slot, double
                       double *jacobian)
 {
     const double target = slot->operand->target;
-    const struct merit_figures *figures =
-        figures_of(merit, slot, merit_light(merit, slot, slot->operand->wavelength));
+    const struct merit_figures *figures = merit_figures(merit, slot, slot->operand->wavelength);
     if (figures == NULL) {
         return false;
     }
@@ -158,8 +163,7 @@ size_t merit_prepare_first(struct merit *merit, struct merit_slot *slot, struct 
 bool merit_fill_first(struct merit *merit, const struct merit_slot *slot, double *residuals,
                       double *jacobian)
 {
-    const struct merit_figures *figures =
-        figures_of(merit, slot, merit_light(merit, slot, slot->operand->wavelength));
+    const struct merit_figures *figures = merit_figures(merit, slot, slot->operand->wavelength);
     for (size_t j = 0; j < merit_columns(merit) && figures != NULL; j++) {
         merit->change[j] = member(&figures[j], slot);
     }
@@ -168,9 +172,8 @@ bool merit_fill_first(struct merit *merit, const struct merit_slot *slot, double
 
 /* -------- axial colour -------- */
 
-/* Of the wavelength asked for less the primary one, or of the shortest less the longest. */
-static void colours_of(const struct merit_place *place, const struct operand *operand,
-                       double colours[2])
+void merit_colours(const struct merit_place *place, const struct operand *operand,
+                   double colours[2])
 {
     const struct setup *setup = &place->setup;
     colours[0] = operand->wavelength;
@@ -187,7 +190,7 @@ size_t merit_prepare_axial(struct merit *merit, struct merit_slot *slot, struct 
 {
     double colours[2];
     (void)arena;
-    colours_of(&merit->places[slot->place], slot->operand, colours);
+    merit_colours(&merit->places[slot->place], slot->operand, colours);
     return one_unless(colours[0] == colours[1], "there is only one wavelength, and so no colour",
                       error);
 }
@@ -196,10 +199,9 @@ bool merit_fill_axial(struct merit *merit, const struct merit_slot *slot, double
                       double *jacobian)
 {
     double colours[2];
-    colours_of(&merit->places[slot->place], slot->operand, colours);
+    merit_colours(&merit->places[slot->place], slot->operand, colours);
     for (int k = 0; k < 2; k++) {
-        const struct merit_figures *figures =
-            figures_of(merit, slot, merit_light(merit, slot, colours[k]));
+        const struct merit_figures *figures = merit_figures(merit, slot, colours[k]);
         for (size_t j = 0; j < merit_columns(merit) && figures != NULL; j++) {
             const struct dual here = member(&figures[j], slot);
             merit->change[j] = k == 0 ? here : dual_subtract(merit->change[j], here);
@@ -299,4 +301,49 @@ bool merit_reach(struct merit *merit, const struct merit_slot *slot)
     }
     place->reached = merit->evaluation;
     return true;
+}
+
+/* -------- the image plane -------- */
+
+bool merit_image_check(const struct merit_place *place, struct error *error)
+{
+    const struct lens *lens = place->setup.lens;
+    if (lens->focus == FOCUS_TABLE && !lens->surfaces[lens->surface_count - 1].has_thickness) {
+        return fail(error, ERROR_DOMAIN, "the lens states no distance of its image plane");
+    }
+    if (lens->focus == FOCUS_BEST) {
+        fail(error, ERROR_DOMAIN, "the image plane of 'focus best' is another in every lens");
+        return error_hint(error, "'focus table' lets the last thickness vary, 'focus paraxial' "
+                                 "follows the lens");
+    }
+    return lens->focus != FOCUS_AFOCAL ||
+           fail(error, ERROR_DOMAIN, "the image of an afocal lens is infinitely far away");
+}
+
+const struct dual *merit_image(struct merit *merit, const struct merit_slot *slot)
+{
+    struct merit_place *place = &merit->places[slot->place];
+    const struct merit_light *light = merit_light(merit, slot, NAN);
+    const struct lens *lens = place->lens;
+    const size_t last = lens->surface_count - 1;
+    if (lens->focus != FOCUS_TABLE) {
+        const struct merit_figures *figures = merit_figures(merit, slot, NAN);
+        for (size_t j = 0; j < merit_columns(merit) && figures != NULL; j++) {
+            place->image[j] = figures[j].first.image;
+        }
+        return figures != NULL && (isfinite(place->image[0].value) ||
+                                   fail(&merit->why, ERROR_DOMAIN, "the image is infinitely far"))
+                   ? place->image
+                   : NULL;
+    }
+    for (size_t j = 0; j < merit_columns(merit); j++) {
+        place->image[j] = dual_of(lens->surfaces[last].thickness.value.hi);
+    }
+    for (size_t i = 0; i < light->link_count && merit->derives; i++) {
+        const struct variable_link *link = &light->links[i];
+        if (link->basis.kind == PARAMETER_THICKNESS && link->basis.surface == last) {
+            place->image[link->variable].slope += link->slope;
+        }
+    }
+    return place->image;
 }

@@ -47,4 +47,28 @@ struct dual *merit_reach_new(const struct merit *merit, const struct merit_slot 
                              struct arena *arena, struct error *error);
 bool merit_reach(struct merit *merit, const struct merit_slot *slot);
 
+/*
+ * Paraxial figures of a slot: those of its field, else of the edge.
+ *
+ * Given     wavelength  um; NaN: the primary one
+ * Result    one a column, until they are asked for with another field; null: merit->why
+ */
+const struct merit_figures *merit_figures(struct merit *merit, const struct merit_slot *slot,
+                                          double wavelength);
+
+/*
+ * The image plane from the last vertex, mm, and its derivatives: the last thickness with `focus
+ * table`, else the paraxial image at the primary wavelength.
+ *
+ * Result    one a column; null: merit->why. What has none is refused by merit_image_check: no last
+ *           thickness, an afocal lens, the best focus, which is another with every lens
+ */
+const struct dual *merit_image(struct merit *merit, const struct merit_slot *slot);
+bool merit_image_check(const struct merit_place *place, struct error *error);
+
+/* Two wavelengths of colour: that of the operand and the primary one, or the shortest and the
+   longest. The same: there is no colour. */
+void merit_colours(const struct merit_place *place, const struct operand *operand,
+                   double colours[2]);
+
 #endif

@@ -62,6 +62,7 @@ struct merit_place {
     struct aperture_setting aperture;
     struct merit_light *lights; /* every wavelength that is asked for: the primary one first */
     size_t light_count;
+    struct dual *image;    /* by merit_image: one a column */
     struct dual *reach;    /* by merit_reach: of each column one a surface; null: not wanted */
     unsigned long reached; /* the evaluation that it is of */
 };
@@ -89,6 +90,7 @@ struct merit {
                             rays the residual itself */
     struct error why;    /* why the last evaluation gave nothing */
     struct dual *change; /* one figure, by every variable */
+    struct arena *arena; /* for what is given up before an evaluation ends */
     /* internal */
     bool derives; /* derivatives are wanted */
     unsigned long evaluation;

@@ -13,6 +13,7 @@ enum {
 
 #define LENGTH &dimension_length, "mm"
 #define NUMBER &dimension_number, ""
+#define ANGLE  &dimension_angle, "deg"
 
 /* clang-format off */
 static const struct operand_type types[OPERAND_KINDS] = {
@@ -31,6 +32,11 @@ static const struct operand_type types[OPERAND_KINDS] = {
     [OPERAND_S5] = {"S5", "Seidel sum of distortion", LENGTH, W | F},
     [OPERAND_HEIGHT] = {"height", "of the chief ray in the image", LENGTH,
                         W | F | OPERAND_NEEDS_FIELD | TARGET},
+    [OPERAND_DISTORTION] = {"distortion", "of the chief ray, percent", NUMBER, W | F},
+    [OPERAND_LATERAL] = {"lateral", "lateral colour in the image", LENGTH, W | F},
+    [OPERAND_TELECENTRIC] = {"telecentric", "angle of the chief ray behind the lens", ANGLE, W | F},
+    [OPERAND_INCIDENCE] = {"incidence", "largest angle of incidence", ANGLE,
+                           W | F | SURFACES | TARGET},
     [OPERAND_EDGE] = {"edge", "thickness of glass at its edge", LENGTH, SURFACES | TARGET},
     [OPERAND_CENTER] = {"center", "thickness of glass on the axis", LENGTH, SURFACES | TARGET},
     [OPERAND_AIR] = {"air", "thickness of air, on the axis and at the edge", LENGTH,

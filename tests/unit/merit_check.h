@@ -114,7 +114,7 @@ static inline double merit_step(const struct merit_bench *bench, size_t variable
     case PARAMETER_CURVATURE:
         return 2e-5;
     case PARAMETER_COEFFICIENT:
-        return what.order == 2 ? 2e-5 : 1e-3 * pow(10, 1 - what.order);
+        return what.order == 2 ? 2e-5 : 1e-4 * pow(10, 1 - what.order);
     case PARAMETER_TILT_X:
     case PARAMETER_TILT_Y:
         return 1e-3;
@@ -144,7 +144,8 @@ static inline void merit_check_one(const struct merit_one *one, const struct mer
         const double h = merit_step(bench, j);
         const double slope = merit_difference(one, j, h), mine = row[j] * operand->deviation;
         /* of scale; and what is left of the differences where they cancel */
-        const double scale = fmax(fabs(slope), 1e-4 / h * fmax(1, 0.1 * fabs(value)));
+        const double size = operand->kind == OPERAND_DISTORTION ? 100 : fmax(1, fabs(value) / 10);
+        const double scale = fmax(fabs(slope), 1e-4 / h * size);
         const bool near = fabs(mine - slope) <= of->tolerance * scale;
         CHECK(near);
         if (!near) {
