@@ -4,6 +4,7 @@
 
 #include "design/merit_chief.h"
 #include "design/merit_paraxial.h"
+#include "design/merit_rays.h"
 #include "design/merit_shape.h"
 
 #include <math.h>
@@ -35,6 +36,8 @@ static const struct merit_kind {
     [OPERAND_EDGE] = {merit_fill_shape, merit_prepare_shape},
     [OPERAND_CENTER] = {merit_fill_shape, merit_prepare_shape},
     [OPERAND_AIR] = {merit_fill_shape, merit_prepare_shape},
+    [OPERAND_SPOT] = {merit_fill_rays, merit_prepare_rays},
+    [OPERAND_POLY] = {merit_fill_rays, merit_prepare_rays},
 };
 
 /* -------- opening -------- */

@@ -41,6 +41,8 @@ static const struct operand_type types[OPERAND_KINDS] = {
     [OPERAND_CENTER] = {"center", "thickness of glass on the axis", LENGTH, SURFACES | TARGET},
     [OPERAND_AIR] = {"air", "thickness of air, on the axis and at the edge", LENGTH,
                      SURFACES | TARGET},
+    [OPERAND_SPOT] = {"spot", "spots, each about its own centroid", LENGTH, W | F},
+    [OPERAND_POLY] = {"poly", "spots, of all wavelengths about one centroid", LENGTH, W | F},
 };
 /* clang-format on */
 

@@ -90,8 +90,7 @@ FOR_TESTS = {
     "aim_ray": "one ray, against longer arithmetic",
     "thick_residuals": "the solver calls it by its pointer; its derivatives",
     # derivatives of everything by everything, which the optimiser stands on
-    "aimed_at_entrance": "", "aimed_at_stop": "", "aimed_open": "", "aimed_sweep": "",
-    "aimed_trace": "", "aimed_work_open": "", "arena_within": "", "derivative_layout_of": "",
+    "merit_bundle_start": "where 113 bits begin", "merit_rays_look": "which rays residuals are of",
     "derivative_layout": "", "derivative_row": "", "derivative_sweep": "",
     "derivative_tape_new": "", "derivative_trace": "", "tangent_trace": "",
     # numbers that a design varies, until it does

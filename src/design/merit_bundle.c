@@ -1,0 +1,565 @@
+/* design/merit_bundle.c - the rays of a position that residuals are made of, block by block. */
+/* SPDX-License-Identifier: MIT */
+#include "design/merit_bundle.h"
+
+#include "analysis/bundle.h"
+#include "optics/lens_indices.h"
+
+#include <math.h>
+#include <string.h>
+
+/* -------- choosing -------- */
+
+/* What has no derivatives is refused. */
+static bool check(const struct bundle_wish *wish, struct error *error)
+{
+    const struct lens *lens = wish->setup->lens;
+    if (lens->focus == FOCUS_BEST) {
+        fail(error, ERROR_DOMAIN,
+             "the image plane of 'focus best' is looked for anew in every lens");
+        return error_hint(error, "focus table with the last thickness varied, or focus paraxial");
+    }
+    for (size_t i = 0; i < lens->surface_count; i++) {
+        if (surface_has(&lens->surfaces[i], SURFACE_HAS_FOCAL)) {
+            return fail(error, ERROR_DOMAIN,
+                        "surface %zu is a thick lens, whose rays have no derivatives", i + 1);
+        }
+    }
+    return true;
+}
+
+/* The points of the pupil of a field at a wavelength: a pattern, or what the lens lets through. */
+static bool find_sample(const struct bundle_wish *wish, size_t field, size_t light,
+                        struct arena *arena, struct sample *sample, struct error *error)
+{
+    if (!wish->clip) {
+        return sample_make(wish->pattern, wish->rays, wish->seed, arena, sample, error);
+    }
+    struct setup *setup = ARENA_NEW(arena, struct setup);
+    *setup = setup_at_wavelength(wish->setup, wish->wavelengths[light].wavelength, arena);
+    const struct bundle_question question = {.setup = setup,
+                                             .field = &wish->fields[field].point,
+                                             .clip = true,
+                                             .from_entrance = wish->from_entrance,
+                                             .pattern = wish->pattern,
+                                             .seed = wish->seed};
+    struct bundle_source source;
+    struct bundle bundle;
+    if (!bundle_open(&question, arena, &source, error) ||
+        !bundle_trace(&source, wish->rays, source.system->places, arena, &bundle, error)) {
+        return false;
+    }
+    sample->points = ARENA_ARRAY(arena, bundle.count, struct pupil_point);
+    sample->count = 0;
+    for (size_t i = 0; i < bundle.count; i++) {
+        const struct ray_block *block = &bundle.rays.blocks[i / RAYS_BLOCK];
+        if (ray_block_status(block, i % RAYS_BLOCK) == RAY_OK) {
+            sample->points[sample->count++] = bundle.points[i];
+        }
+    }
+    return true;
+}
+
+static enum merit_symmetry symmetry_of(const struct bundle_wish *wish, size_t field)
+{
+    const struct field_point *point = &wish->fields[field].point;
+    const bool is_none = point->kind == FIELD_NONE;
+    if (!wish->is_round || !lens_is_round(wish->setup->lens)) {
+        return SYMMETRY_NONE;
+    }
+    return is_none || (point->value[0] == 0 && point->value[1] == 0) ? SYMMETRY_ROUND
+           : point->value[0] == 0                                    ? SYMMETRY_MIRROR
+                                                                     : SYMMETRY_NONE;
+}
+
+static bool open_groups(struct merit_bundle *bundle, struct error *error)
+{
+    const struct bundle_wish *wish = &bundle->wish;
+    bundle->groups =
+        ARENA_ARRAY(bundle->arena, wish->field_count * wish->wavelength_count, struct bundle_group);
+    for (size_t light = 0; light < wish->wavelength_count; light++) {
+        for (size_t field = 0; field < wish->field_count; field++) {
+            struct bundle_group *group = &bundle->groups[bundle->group_count++];
+            struct sample sample;
+            *group = (struct bundle_group){.field = field,
+                                           .light = light,
+                                           .weight = wish->fields[field].weight *
+                                                     wish->wavelengths[light].weight};
+            if (!find_sample(wish, field, light, bundle->arena, &sample, error)) {
+                return false;
+            }
+            merit_points_of(&sample, symmetry_of(wish, field), bundle->arena, &group->points);
+        }
+    }
+    return true;
+}
+
+/* -------- blocks -------- */
+
+/* A block being filled. */
+struct filling {
+    struct bundle_block *block;
+    int used;
+};
+
+static void open_block(struct merit_bundle *bundle, size_t light, struct filling *filling)
+{
+    const size_t most = bundle->wish.field_count;
+    filling->block = &bundle->blocks[bundle->block_count++];
+    filling->used = 0;
+    *filling->block = (struct bundle_block){
+        .aimed = {.beams = ARENA_ARRAY(bundle->arena, most, struct aimed_beam)},
+        .shares = ARENA_ARRAY(bundle->arena, most, struct bundle_share),
+        .light = light};
+}
+
+static void add_share(struct merit_bundle *bundle, size_t group, size_t first, int count,
+                      struct filling *filling)
+{
+    struct aimed *aimed = &filling->block->aimed;
+    const struct bundle_group *from = &bundle->groups[group];
+    filling->block->shares[aimed->beam_count] = (struct bundle_share){group, first};
+    aimed->beams[aimed->beam_count++] = (struct aimed_beam){
+        .beam = bundle->beams[from->field], .first = filling->used, .count = count};
+    for (int i = 0; i < count; i++) {
+        aimed->x[filling->used + i] = from->points.points[first + (size_t)i].x;
+        aimed->y[filling->used + i] = from->points.points[first + (size_t)i].y;
+    }
+    filling->used += count;
+}
+
+/* aimed_open keeps beams only. */
+static void close_block(struct merit_bundle *bundle, struct filling *filling)
+{
+    struct aimed *aimed = &filling->block->aimed;
+    const struct aimed was = *aimed;
+    aimed_open(was.beams, was.beam_count, !bundle->wish.from_entrance && !bundle->has_disc,
+               &bundle->work, aimed);
+    memcpy(aimed->x, was.x, sizeof was.x);
+    memcpy(aimed->y, was.y, sizeof was.y);
+}
+
+static size_t count_blocks(const struct merit_bundle *bundle)
+{
+    size_t points = 0;
+    for (size_t i = 0; i < bundle->group_count; i++) {
+        points += bundle->groups[i].points.count;
+    }
+    return points / RAYS_BLOCK + 1 + bundle->wish.wavelength_count;
+}
+
+static void open_blocks(struct merit_bundle *bundle)
+{
+    struct filling filling = {NULL, 0};
+    bundle->blocks = ARENA_ARRAY(bundle->arena, count_blocks(bundle), struct bundle_block);
+    for (size_t i = 0; i < bundle->group_count; i++) {
+        const struct bundle_group *group = &bundle->groups[i];
+        for (size_t done = 0; done < group->points.count;) {
+            const bool is_other = filling.block != NULL && filling.block->light != group->light;
+            if (filling.block != NULL && (is_other || filling.used == RAYS_BLOCK)) {
+                close_block(bundle, &filling);
+                filling.block = NULL;
+            }
+            if (filling.block == NULL) {
+                open_block(bundle, group->light, &filling);
+            }
+            const size_t left = group->points.count - done;
+            const size_t room = (size_t)(RAYS_BLOCK - filling.used);
+            const size_t here = left < room ? left : room;
+            add_share(bundle, i, done, (int)here, &filling);
+            done += here;
+        }
+    }
+    close_block(bundle, &filling);
+}
+
+/* -------- opening -------- */
+
+static bool open_beams(struct merit_bundle *bundle, struct error *error)
+{
+    const struct bundle_wish *wish = &bundle->wish;
+    bundle->beams = ARENA_ARRAY(bundle->arena, wish->field_count, struct beam);
+    for (size_t i = 0; i < wish->field_count; i++) {
+        if (!setup_beam(wish->setup, &wish->fields[i].point, &bundle->beams[i], error)) {
+            return false;
+        }
+    }
+    return true;
+}
+
+static bool compile(struct merit_bundle *bundle, size_t light, const struct lens *lens,
+                    double stop_radius, struct error *error)
+{
+    struct bundle_light *at = &bundle->lights[light];
+    struct system_options options = system_options_default();
+    options.image = bundle->image;
+    options.path = bundle->wish.path;
+    options.stop_radius = stop_radius;
+    options.indices = at->n;
+    return lens_indices(lens, at->wavelength, at->asked, at->n, error) &&
+           system_compile(lens, at->wavelength, &options, &bundle->within, &at->system, error);
+}
+
+static void open_layout(struct merit_bundle *bundle, size_t light, const struct bundle_links *links)
+{
+    struct bundle_light *at = &bundle->lights[light];
+    const struct lens *lens = at->system.lens;
+    struct parameter *list = ARENA_ARRAY(bundle->arena, links->count + 1, struct parameter);
+    size_t count = 0;
+    for (size_t i = 0; i < links->count; i++) {
+        list[count++] = links->list[i].basis;
+    }
+    if (bundle->image_moves) {
+        list[count++] =
+            (struct parameter){.surface = lens->surface_count - 1, .kind = PARAMETER_THICKNESS};
+    }
+    derivative_layout_of(&at->system, list, count, bundle->arena, &at->layout);
+}
+
+static bool open_lights(struct merit_bundle *bundle, const struct bundle_links *links,
+                        struct error *error)
+{
+    const struct bundle_wish *wish = &bundle->wish;
+    const struct lens *lens = wish->setup->lens;
+    size_t rows = 1;
+    bundle->lights = ARENA_ARRAY(bundle->arena, wish->wavelength_count, struct bundle_light);
+    for (size_t i = 0; i < wish->wavelength_count; i++) {
+        bundle->lights[i] = (struct bundle_light){
+            .wavelength = wish->wavelengths[i].wavelength,
+            .asked = ARENA_ARRAY(bundle->arena, lens->surface_count + 1, struct medium),
+            .n = ARENA_ARRAY(bundle->arena, lens->surface_count + 1, struct pair)};
+        if (!compile(bundle, i, lens, wish->setup->first.stop_radius, error)) {
+            return false;
+        }
+        open_layout(bundle, i, &links[i]);
+        const size_t here = bundle->lights[i].layout.rows;
+        rows = here > rows ? here : rows;
+    }
+    bundle->gradient = ARENA_ARRAY(bundle->arena, rows * RAYS_BLOCK, double);
+    return true;
+}
+
+/* The image plane at the start: its kind stays. */
+static bool open_image(struct merit_bundle *bundle, struct error *error)
+{
+    struct setup setup = *bundle->wish.setup;
+    if (isnan(setup.image) &&
+        !setup_place_image(&setup, &(struct plane_value){.kind = PLANE_OF_LENS}, error)) {
+        return false;
+    }
+    bundle->image = setup.image;
+    bundle->image_moves = setup.focus != NULL && strcmp(setup.focus, "paraxial") == 0;
+    return isfinite(bundle->image) ||
+           fail(error, ERROR_DOMAIN, "the image is infinitely far away: there are no spots");
+}
+
+bool merit_bundle_open(const struct bundle_wish *wish, const struct bundle_links *links,
+                       size_t variable_count, struct arena *arena, struct merit_bundle *bundle,
+                       struct error *error)
+{
+    *bundle = (struct merit_bundle){.wish = *wish,
+                                    .arena = arena,
+                                    .within = arena_within(arena),
+                                    .has_disc = wish->setup->lens->stop == LENS_NONE};
+    bundle->rates = ARENA_ARRAY(arena, variable_count + 1, struct bundle_rate);
+    if (!check(wish, error) || !open_image(bundle, error) || !open_beams(bundle, error) ||
+        !open_lights(bundle, links, error) || !open_groups(bundle, error)) {
+        return false;
+    }
+    open_blocks(bundle);
+    return true;
+}
+
+/* -------- the lens as it is now -------- */
+
+static struct first_order first_of(const struct merit_bundle *bundle,
+                                   const struct dual_first *first)
+{
+    const struct first_order *start = &bundle->wish.setup->first;
+    struct first_order now = {.is_telecentric = start->is_telecentric,
+                              .is_afocal = first->power.value == 0,
+                              .index_object = first->index_object.value,
+                              .power = first->power.value,
+                              .magnification = first->magnification.value,
+                              .entrance_pupil = first->entrance_pupil.value,
+                              .entrance_diameter = 2 * fabs(first->entrance_radius.value),
+                              .marginal_v = first->marginal_v.value};
+    now.matrix.c.hi = -first->power.value;
+    if (bundle->has_disc) {
+        now.entrance_pupil = 0;
+    }
+    return now;
+}
+
+static bool moves_object(const struct merit_bundle *bundle, size_t field)
+{
+    return bundle->wish.fields[field].point.kind == FIELD_IMAGE;
+}
+
+static bool move_beams(struct merit_bundle *bundle, struct error *error)
+{
+    const struct bundle_wish *wish = &bundle->wish;
+    for (size_t i = 0; i < wish->field_count; i++) {
+        if (moves_object(bundle, i) && !beam_of_field(&wish->fields[i].point, &wish->setup->object,
+                                                      &bundle->first, &bundle->beams[i], error)) {
+            return false;
+        }
+    }
+    for (size_t k = 0; k < bundle->block_count; k++) {
+        struct bundle_block *block = &bundle->blocks[k];
+        for (size_t g = 0; g < block->aimed.beam_count; g++) {
+            block->aimed.beams[g].beam =
+                bundle->beams[bundle->groups[block->shares[g].group].field];
+        }
+    }
+    return true;
+}
+
+/* More steps than before: a surface that was not moved is. */
+static void make_room(struct merit_bundle *bundle)
+{
+    for (size_t i = 0; i < bundle->wish.wavelength_count; i++) {
+        const struct system *system = &bundle->lights[i].system;
+        const size_t steps = system->begin[system->places];
+        if (steps > bundle->steps) {
+            bundle->steps = steps;
+            aimed_work_open(system, bundle->arena, &bundle->work);
+        }
+    }
+}
+
+bool merit_bundle_aim(struct merit_bundle *bundle, const struct lens *lens,
+                      const struct dual_first *first, struct error *error)
+{
+    const struct surface *last = &lens->surfaces[lens->surface_count - 1];
+    bundle->first = first_of(bundle, first);
+    bundle->image = bundle->image_moves ? first->image.value : last->thickness.value.hi;
+    if (!isfinite(bundle->image)) {
+        return fail(error, ERROR_DOMAIN, "the image is infinitely far away");
+    }
+    arena_reset(&bundle->within, (struct arena_mark){NULL, 0});
+    for (size_t i = 0; i < bundle->wish.wavelength_count; i++) {
+        if (!compile(bundle, i, lens, fabs(first->stop_radius.value), error)) {
+            return false;
+        }
+    }
+    make_room(bundle);
+    if (!move_beams(bundle, error)) {
+        return false;
+    }
+    for (size_t k = 0; k < bundle->block_count; k++) {
+        struct bundle_block *block = &bundle->blocks[k];
+        const struct system *system = &bundle->lights[block->light].system;
+        const bool aims = block->aimed.at_stop
+                              ? aimed_at_stop(&block->aimed, system, &bundle->within, error)
+                              : aimed_at_entrance(&block->aimed, system, &bundle->first, error);
+        if (!aims) {
+            return false;
+        }
+    }
+    return true;
+}
+
+static bool fail_lost(const struct merit_bundle *bundle, const struct bundle_block *block,
+                      const struct ray_block *end, struct error *error)
+{
+    for (size_t g = 0; g < block->aimed.beam_count; g++) {
+        const struct aimed_beam *beam = &block->aimed.beams[g];
+        for (int i = beam->first; i < beam->first + beam->count; i++) {
+            if (end->lost[i] != 0) {
+                return fail(error, ERROR_DOMAIN, "a ray of field %zu is lost at surface %zu (%s)",
+                            bundle->groups[block->shares[g].group].field + 1,
+                            ray_block_surface(end, (size_t)i),
+                            ray_status_name(ray_block_status(end, (size_t)i)));
+            }
+        }
+    }
+    return true;
+}
+
+bool merit_bundle_trace(struct merit_bundle *bundle, size_t block, bool derives,
+                        struct ray_block *end, struct error *error)
+{
+    aimed_trace(&bundle->blocks[block].aimed, derives, end);
+    return fail_lost(bundle, &bundle->blocks[block], end, error);
+}
+
+/* -------- derivatives -------- */
+
+struct bundle_rate merit_bundle_rate(const struct merit_bundle *bundle,
+                                     const struct dual_first *first)
+{
+    const struct dual radius = bundle->wish.from_entrance || bundle->has_disc
+                                   ? first->entrance_radius
+                                   : first->stop_radius;
+    const struct dual size = dual_absolute(radius), n = first->index_object;
+    const bool far = bundle->wish.setup->object.is_infinite;
+    const struct dual field =
+        far ? dual_divide(first->power, n) : dual_divide(dual_of(1), first->magnification);
+    bool moves = false;
+    for (size_t i = 0; i < bundle->wish.field_count; i++) {
+        moves = moves || moves_object(bundle, i);
+    }
+    const bool at_pupil = bundle->wish.from_entrance && !bundle->first.is_telecentric;
+    return (struct bundle_rate){.image = bundle->image_moves ? first->image.slope : 0,
+                                .pupil = at_pupil ? first->entrance_pupil.slope : 0,
+                                .radius = isnan(size.value) ? 0 : size.slope,
+                                .field = moves ? field.slope : 0};
+}
+
+static double dot(const double a[3], const double b[3])
+{
+    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+}
+
+/*
+ * How the direction e of a ray through T changes where its object moves with the factor of image
+ * heights; and P's own way there.
+ */
+static void turn_of(const struct merit_bundle *bundle, size_t field, const double T[3],
+                    const double e[3], double turn[3], double way[3])
+{
+    const struct bundle_wish *wish = &bundle->wish;
+    const double *height = wish->fields[field].point.value;
+    const struct first_order *first = &bundle->first;
+    way[2] = 0;
+    if (wish->setup->object.is_infinite) { /* along (-h c/n, 1), the factor -c/n */
+        const double factor = first->power / first->index_object;
+        const double u[3] = {height[0] * factor, height[1] * factor, 1};
+        const double length = sqrt(dot(u, u));
+        const double du[3] = {height[0] / length, height[1] / length, 0};
+        for (int k = 0; k < 3; k++) {
+            turn[k] = du[k] - e[k] * dot(e, du);
+        }
+        way[0] = way[1] = 0;
+        return;
+    }
+    const double distance = wish->setup->object.distance.hi;
+    const double P[3] = {height[0] / first->magnification, height[1] / first->magnification,
+                         -distance};
+    const double from[3] = {T[0] - P[0], T[1] - P[1], T[2] - P[2]};
+    const double length = copysign(sqrt(dot(from, from)), dot(from, e));
+    way[0] = height[0];
+    way[1] = height[1];
+    for (int k = 0; k < 3; k++) {
+        turn[k] = -(way[k] - e[k] * dot(e, way)) / length;
+    }
+}
+
+/* By the factor of image heights, of one ray: what its start does there. */
+static double by_field(const struct merit_bundle *bundle, const struct bundle_block *block,
+                       size_t field, const struct ray_block *adjoint, int i)
+{
+    const struct aimed *aimed = &block->aimed;
+    const struct ray_block *start = aimed->work->start;
+    const double n = aimed->beams[0].beam.n, radius = bundle->first.entrance_diameter / 2;
+    const double X[3] = {start->x[i], start->y[i], start->z[i]};
+    const double e[3] = {start->p[i] / n, start->q[i] / n, start->r[i] / n};
+    double T[3] = {X[0], X[1], X[2]}, turn[3], way[3];
+    if (!aimed->at_stop) {
+        T[0] = aimed->x[i] * radius;
+        T[1] = aimed->y[i] * radius;
+        T[2] = bundle->first.entrance_pupil;
+    }
+    turn_of(bundle, field, T, e, turn, way);
+    const double back[3] = {T[0] - X[0], T[1] - X[1], T[2] - X[2]}, L = dot(back, e);
+    const double path = bundle->wish.setup->object.is_infinite ? dot(X, turn) : -dot(e, way);
+    const double a[3] = {adjoint->x[i], adjoint->y[i], adjoint->z[i]};
+    const double b[3] = {adjoint->p[i], adjoint->q[i], adjoint->r[i]};
+    return n * (dot(b, turn) + adjoint->path[i] * path) - L * dot(a, turn);
+}
+
+static void field_row(const struct merit_bundle *bundle, const struct bundle_block *block,
+                      const struct ray_block *adjoint, double *row)
+{
+    memset(row, 0, RAYS_BLOCK * sizeof *row);
+    for (size_t g = 0; g < block->aimed.beam_count; g++) {
+        const struct aimed_beam *beam = &block->aimed.beams[g];
+        const size_t field = bundle->groups[block->shares[g].group].field;
+        for (int i = beam->first; moves_object(bundle, field) && i < beam->first + beam->count;
+             i++) {
+            row[i] = by_field(bundle, block, field, adjoint, i);
+        }
+    }
+}
+
+static void add_row(double *restrict column, double factor, const double *restrict row, int lanes)
+{
+    for (int i = 0; factor != 0 && i < lanes; i++) {
+        column[i] += factor * row[i];
+    }
+}
+
+/* In a denser medium rays start with a longer n e. */
+static void add_start(double *column, double factor, const struct bundle_block *block,
+                      const struct ray_block *adjoint)
+{
+    const struct ray_block *start = block->aimed.work->start;
+    const double n = block->aimed.beams[0].beam.n;
+    for (int i = 0; i < block->aimed.lanes; i++) {
+        column[i] += factor / n *
+                     (adjoint->p[i] * start->p[i] + adjoint->q[i] * start->q[i] +
+                      adjoint->r[i] * start->r[i] + adjoint->path[i] * start->path[i]);
+    }
+}
+
+static void add_links(const struct merit_bundle *bundle, const struct bundle_block *block,
+                      const struct bundle_links *links, const struct ray_block *adjoint,
+                      double *columns)
+{
+    const struct derivative_layout *layout = &bundle->lights[block->light].layout;
+    for (size_t i = 0; i < links->count; i++) {
+        const struct variable_link *link = &links->list[i];
+        double *column = columns + link->variable * RAYS_BLOCK;
+        const size_t row = derivative_row(layout, link->basis);
+        add_row(column, link->slope, bundle->gradient + row * RAYS_BLOCK, block->aimed.lanes);
+        if (link->basis.kind == PARAMETER_INDEX && link->basis.surface == LENS_NONE) {
+            add_start(column, link->slope, block, adjoint);
+        }
+    }
+}
+
+void merit_bundle_sweep(const struct merit_bundle *bundle, size_t which,
+                        const struct bundle_links *links, size_t variable_count,
+                        struct ray_block *adjoint, double *columns)
+{
+    const struct bundle_block *block = &bundle->blocks[which];
+    const struct derivative_layout *layout = &bundle->lights[block->light].layout;
+    const int lanes = block->aimed.lanes;
+    const struct parameter last = {.surface = layout->surfaces - 1, .kind = PARAMETER_THICKNESS};
+    const size_t image = bundle->image_moves ? derivative_row(layout, last) : 0;
+    struct aimed_rates rates;
+    double field[RAYS_BLOCK];
+    aimed_sweep(&block->aimed, layout, adjoint, bundle->gradient, &rates);
+    field_row(bundle, block, adjoint, field);
+    memset(columns, 0, variable_count * RAYS_BLOCK * sizeof *columns);
+    add_links(bundle, block, links, adjoint, columns);
+    for (size_t j = 0; j < variable_count; j++) {
+        const struct bundle_rate *rate = &bundle->rates[j];
+        double *column = columns + j * RAYS_BLOCK;
+        add_row(column, rate->image, bundle->gradient + image * RAYS_BLOCK, lanes);
+        add_row(column, rate->pupil, rates.place, lanes);
+        add_row(column, rate->radius, rates.radius, lanes);
+        add_row(column, rate->field, field, lanes);
+    }
+}
+
+void merit_bundle_start(const struct merit_bundle *bundle, size_t group, size_t point,
+                        double place[2])
+{
+    for (size_t k = 0; k < bundle->block_count; k++) {
+        const struct bundle_block *block = &bundle->blocks[k];
+        for (size_t g = 0; g < block->aimed.beam_count; g++) {
+            const struct bundle_share *share = &block->shares[g];
+            const struct aimed_beam *at = &block->aimed.beams[g];
+            if (share->group != group || point < share->first ||
+                point >= share->first + (size_t)at->count) {
+                continue;
+            }
+            const size_t lane = (size_t)at->first + point - share->first;
+            const struct ray ray = beam_ray(&at->beam, block->aimed.a[lane], block->aimed.b[lane]);
+            place[0] = ray.point[0] - ray.point[2] * ray.cosine[0] / ray.cosine[2];
+            place[1] = ray.point[1] - ray.point[2] * ray.cosine[1] / ray.cosine[2];
+        }
+    }
+}

@@ -1,0 +1,146 @@
+/* design/merit_bundle.h - the rays of a position that residuals are made of, block by block. */
+/* SPDX-License-Identifier: MIT */
+#ifndef LENSCALC_DESIGN_MERIT_BUNDLE_H
+#define LENSCALC_DESIGN_MERIT_BUNDLE_H
+
+#include "analysis/setup.h"
+#include "design/merit_points.h"
+#include "design/variable.h"
+#include "optics/paraxial_dual.h"
+#include "trace/aimed.h"
+
+#include <stdbool.h>
+#include <stddef.h>
+#include <stdint.h>
+
+/* Which rays. */
+struct bundle_wish {
+    const struct setup *setup; /* one position of the lens at the start */
+    const struct setup_field *fields;
+    size_t field_count;
+    const struct setup_wavelength *wavelengths;
+    size_t wavelength_count;
+    bool from_entrance, clip, path;
+    bool is_round; /* no variable decentres or tilts anything */
+    enum pattern pattern;
+    size_t rays;
+    uint64_t seed;
+};
+
+/* One field at one wavelength. */
+struct bundle_group {
+    size_t field, light;
+    double weight; /* of the field and the wavelength */
+    struct merit_points points;
+    size_t row; /* a number for the caller */
+};
+
+/* A share of a group in a block: lanes of an aimed_beam with the same number. */
+struct bundle_share {
+    size_t group, first; /* the first of its points */
+};
+
+struct bundle_block {
+    struct aimed aimed;
+    struct bundle_share *shares; /* one a beam of the block */
+    size_t light;
+};
+
+struct bundle_light {
+    double wavelength; /* um */
+    struct medium *asked;
+    struct pair *n; /* of lens_indices */
+    struct system system;
+    struct derivative_layout layout;
+};
+
+/* What moves with paraxial rays, by one variable. */
+struct bundle_rate {
+    double image;  /* z of the image plane */
+    double pupil;  /* z of the entrance pupil */
+    double radius; /* of the stop, or of the entrance pupil */
+    double field;  /* what image heights are multiplied by: power over index, or 1/magnification */
+};
+
+struct merit_bundle {
+    struct bundle_wish wish;
+    struct bundle_light *lights; /* one a wavelength */
+    struct beam *beams;          /* one a field */
+    struct bundle_group *groups; /* of one wavelength after the other, the fields in each */
+    size_t group_count;
+    struct bundle_block *blocks;
+    size_t block_count;
+    struct aimed_work work;
+    struct bundle_rate *rates; /* one a variable; the caller's */
+    double *gradient;
+    size_t steps;             /* that there is room for in `work` */
+    struct arena *arena;      /* where all of it lies */
+    struct arena within;      /* what an evaluation takes */
+    struct first_order first; /* what beams need of the primary wavelength, as it is now */
+    double image;             /* z of the image plane behind the last vertex, mm */
+    bool image_moves;         /* with the paraxial image */
+    bool has_disc;            /* no stop: points are those of the plane of the first vertex */
+};
+
+/*
+ * Choose the rays.
+ *
+ * Given     links  of each wavelength, as variables_links has them at the start; variable_count:
+ *                  of them all
+ * Result    with `clip` the points are those that the lens at the start lets through, and stay
+ *           so; nothing is clipped later
+ * Errors    as bundle_open and sample_make; ERROR_DOMAIN: an image plane of `focus best`, one
+ *           infinitely far away, a thick lens, all of which have no derivatives
+ */
+struct bundle_links {
+    const struct variable_link *list;
+    size_t count;
+};
+bool merit_bundle_open(const struct bundle_wish *wish, const struct bundle_links *links,
+                       size_t variable_count, struct arena *arena, struct merit_bundle *bundle,
+                       struct error *error);
+
+/*
+ * The lens as it is now: compile it, and aim.
+ *
+ * Given     first  of the primary wavelength
+ * Errors    as system_compile and aimed_at_stop
+ */
+bool merit_bundle_aim(struct merit_bundle *bundle, const struct lens *lens,
+                      const struct dual_first *first, struct error *error);
+
+/* What a variable does, whose derivatives of the primary wavelength these are. */
+struct bundle_rate merit_bundle_rate(const struct merit_bundle *bundle,
+                                     const struct dual_first *first);
+
+/*
+ * Trace one block.
+ *
+ * Errors    ERROR_DOMAIN: a ray is lost
+ */
+bool merit_bundle_trace(struct merit_bundle *bundle, size_t block, bool derives,
+                        struct ray_block *end, struct error *error);
+
+/*
+ * Derivatives of a function of the final rays of the block that was traced last, by the variables.
+ *
+ * Given     links    of the wavelength; variable_count: how many rates there are
+ *           adjoint  as for aimed_sweep
+ *           columns  variable_count rows of RAYS_BLOCK; receives them
+ * Formula   the chain rule over the links; and what moves with paraxial rays (bundle->rates): the
+ *           pupil that is aimed at, the radius of the stop, the image plane of `focus paraxial`,
+ *           the object of a field that is given as an image height. A height of the real image
+ *           keeps the object that it has in the lens at the start
+ * Source    derived here. A ray through a point T that comes from elsewhere: its direction e
+ *           changes by de, its start X by -((T - X).e) de; de of a point P is -(dP - (dP.e) e)/|T
+ *           - P|, of a far object that of the unit vector along (x, y, 1)
+ */
+void merit_bundle_sweep(const struct merit_bundle *bundle, size_t block,
+                        const struct bundle_links *links, size_t variable_count,
+                        struct ray_block *adjoint, double *columns);
+
+/* Where a ray of a group crosses the plane z = 0 before the lens, mm: for tests. */
+void merit_bundle_start(const struct merit_bundle *bundle, size_t group, size_t point,
+                        double place[2]);
+
+#endif
