@@ -253,10 +253,11 @@ static bool measure(const struct seeking *seeking, size_t rays, struct arena *ar
 /*
  * By how much the root mean squares are off, by what twice the rays change. The largest of their
  * changes: one may vanish by chance, and so may all, wherefore the clear share and what the sample
- * before differed by count a little.
+ * before differed by count a little. A plain pattern is off as one over the root of its rays, by 3.4
+ * times the change.
  */
 static double rms_error(const struct spot *before, const struct spot *here,
-                        const struct spot *finer)
+                        const struct spot *finer, bool is_plain)
 {
     const double changes[] = {finer->rms - here->rms,
                               finer->rms_x - here->rms_x,
@@ -268,7 +269,7 @@ static double rms_error(const struct spot *before, const struct spot *here,
     for (size_t i = 0; i < sizeof changes / sizeof changes[0]; i++) {
         most = fmax(most, fabs(changes[i]));
     }
-    return 3 * most;
+    return (is_plain ? 4 : 3) * most;
 }
 
 /* The farthest ray of the pupil; of other patterns the farthest of their rays. */
@@ -299,6 +300,7 @@ static bool converge(const struct seeking *seeking, struct arena *arena, struct 
 {
     const struct spot_question *question = seeking->question;
     const double least = rounding(seeking);
+    const bool is_plain = question->bundle.pattern != PATTERN_GAUSS;
     const size_t first = question->bundle.clip ? FIRST_RAYS : FIRST_UNCLIPPED;
     size_t rays = question->rays > 0 ? question->rays : first;
     struct spot before, here, finer;
@@ -311,7 +313,7 @@ static bool converge(const struct seeking *seeking, struct arena *arena, struct 
             return false;
         }
         *spot = here;
-        spot->error = fmax(rms_error(&before, &here, &finer), least);
+        spot->error = fmax(rms_error(&before, &here, &finer, is_plain), least);
         /* light comes and goes at edges, so that changes are not as regular as those of means */
         spot->energy_error = 4 * fmax(fabs(finer.energy_radius - here.energy_radius),
                                       0.5 * fabs(here.energy_radius - before.energy_radius)) +

@@ -46,6 +46,10 @@ INTEGRALS = {
     "fisheye-16 --field 60 -w d --focus paraxial --weight beam --pattern sobol --rays 100000":
         (16.821149, 0.02),
 }
+# the same whole pupil by rings of equal weights, as other programs fill it
+RINGS = {127: (54.764, 306.046, 546.030), 3169: (36.078, 225.665, 407.778),
+         49537: (32.643, 210.963, 382.562)}
+CONVERGED = (31.500230, 206.056176, 374.155069)
 worst = {}
 
 
@@ -105,6 +109,24 @@ def check_integrals(checks, program):
 
 # -------- the printed error against the true one --------
 
+def check_samples(checks, program):
+    """Of defaults, few rays and rings: their values, and errors that reach to the truth, but not
+    over a hundred times farther."""
+    samples = [""] + [f" --rays {rays}" for rays in (18, 72)]
+    samples += [f" --pattern hexapolar --rays {rays}" for rays in RINGS]
+    for sample in samples:
+        rings = RINGS.get(int(sample.split()[-1])) if "hexapolar" in sample else None
+        rows = rows_of(checks, program, WHOLE + sample, *(WHOLE + "0,10,14" + sample).split())
+        for i, row in enumerate(rows):
+            value, error, name = float(row["rms_um"]), float(row["error_um"]), row["field_deg"] + sample
+            true = abs(value - CONVERGED[i])
+            checks.check(rings is None or abs(value - rings[i]) <= 6e-4, f"{name}: {value} um, by others "
+                                                                         f"{rings and rings[i]}")
+            checks.check(true - 6e-7 <= error <= 100 * (true + 6e-7),
+                         f"{name}: off by {true} um, the error printed is {error}")
+
+
+
 def sobol_rms(program, lens, field):
     """(RMS radius in um, its standard error) of 2^15 rays of the stop, by their places."""
     squares = []
@@ -153,6 +175,7 @@ def main():
         check_grids(checks, program, case)
     check_integrals(checks, program)
     check_dark(checks, program)
+    check_samples(checks, program)
     for lens, field in (("double-gauss", "14"), ("nikkor-z-58-f095", "18"), ("fisheye-16", "60"),
                         ("phone-80deg", "28"), ("mirror-tele-us5331467", "0.3")):
         check_error(checks, program, lens, field)

@@ -451,7 +451,9 @@ static const struct explanation explanations[] = {
     {"irradiance_per_radiance",
      "{E} = (n'/n)^2 integral of cos(theta) dw over all that is clear of the exit pupil, as the "
      "point sees it",
-     "[Welford86]", "a uniform scene; no loss in glass"},
+     "[Welford86]",
+     "a uniform scene; no loss in glass; light beyond a gap in the pupil is left out, and named "
+     "where it fills 1/128 of the last surface across"},
     {"relative_point", "E/L of the point over E/L on the axis", "the same", NULL},
     {"relative_field",
      "area in direction cosines behind the lens of the rays of one object point, over that on the "

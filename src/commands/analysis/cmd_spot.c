@@ -73,7 +73,8 @@ static const struct column columns[] = {
     {SMALL(energy_error, COLUMN_EXTRA), .with = "energy", .name = "energy_error",
      .label = "error of the energy radius", .help = "what the energy radius may be off"},
     {SMALL(error, COLUMN_BRIEF | COLUMN_SPARSE), .name = "error", .label = "error",
-     .help = "what the RMS figures may be off: three times what twice the rays change of them"},
+     .help = "what the RMS figures may be off: three times what twice the rays change of them, "
+             "four times of a plain pattern"},
     {ANGLE(rms_angle, COLUMN_BRIEF), .name = "rms", .label = "RMS radius",
      .help = "the same of an image at infinity: sines of angles from the chief ray"},
     {ANGLE(rms_x_angle, COLUMN_BRIEF), .name = "rms_x", .label = "RMS in x", .help = "in x alone"},
@@ -206,7 +207,9 @@ static const struct artifact artifacts[] = {
 
 static const struct explanation explanations[] = {
     {"rms", "square of it = sum w |(x, y) - centroid|^2/sum w over the clear pupil",
-     "Gauss's points in r^2 between the corners of the pupil, [Forbes88]", NULL},
+     "Gauss's points in r^2 between the corners of the pupil, [Forbes88]",
+     "light beyond a gap in the pupil is left out, and named where it fills 1/128 of the first "
+     "surface across"},
     {NULL, NULL, NULL, NULL},
 };
 
