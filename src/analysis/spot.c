@@ -253,8 +253,8 @@ static bool measure(const struct seeking *seeking, size_t rays, struct arena *ar
 /*
  * By how much the root mean squares are off, by what twice the rays change. The largest of their
  * changes: one may vanish by chance, and so may all, wherefore the clear share and what the sample
- * before differed by count a little. A plain pattern is off as one over the root of its rays, by 3.4
- * times the change.
+ * before differed by count a little. A plain pattern is off as one over the root of its rays, by
+ * 3.4 times the change.
  */
 static double rms_error(const struct spot *before, const struct spot *here,
                         const struct spot *finer, bool is_plain)
