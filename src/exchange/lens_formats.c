@@ -166,6 +166,29 @@ static bool lose_settings(struct foreign_job *job, const struct foreign_format *
                                           format->type.ending, all);
 }
 
+/* What follows what, and what is wanted, where the file has no words for it. */
+static bool lose_design(struct foreign_job *job, const struct foreign_format *format,
+                        const struct lens *lens, struct error *error)
+{
+    const char *ending = format->type.ending;
+    bool is_marked = false;
+    for (size_t i = 0; i < lens->variable_count; i++) {
+        is_marked = is_marked || lens->variables[i].varies != NULL;
+    }
+    return (lens->pickup_count == 0 ||
+            foreign_lose(job, error,
+                         "pick-ups in a %s file" LOSS_IS_MUTE LOSS_INSTEAD "their numbers are kept",
+                         ending)) &&
+           (lens->goal_count == 0 ||
+            foreign_lose(job, error, "goals in a %s file" LOSS_IS_MUTE LOSS_INSTEAD "left out",
+                         ending)) &&
+           (!is_marked ||
+            foreign_lose(job, error,
+                         "marks of what varies in a position in a %s file" LOSS_IS_MUTE LOSS_INSTEAD
+                         "left out",
+                         ending));
+}
+
 bool foreign_write(struct foreign_job *job, const struct foreign_format *format,
                    const struct lens *lens, struct text *text, struct error *error)
 {
@@ -186,6 +209,7 @@ bool foreign_write(struct foreign_job *job, const struct foreign_format *format,
         }
     }
     bool done = (format->has_settings || lose_settings(job, format, lens, error)) &&
+                (format->has_design || lose_design(job, format, lens, error)) &&
                 format->write(job, lens, text, error);
     return foreign_settle(job, done, error);
 }

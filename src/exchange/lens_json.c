@@ -4,7 +4,9 @@
 
 #include "base/constants.h"
 #include "base/number.h"
+#include "exchange/json_write.h"
 #include "exchange/writing.h"
+#include "file/lens_pickup.h"
 #include "file/lens_setting.h"
 #include "optics/aperture.h"
 
@@ -22,57 +24,6 @@ static void put(struct writer *writer, const char *string)
     growing_text(&writer->out.text, text_of(string));
 }
 
-static void put_text(struct writer *writer, struct text text)
-{
-    put(writer, "\"");
-    for (size_t i = 0; i < text.length;) {
-        const unsigned char *at = (const unsigned char *)text.start + i;
-        size_t length = text_utf8_length(text.start + i, text.length - i);
-        if (length == 0) {
-            put(writer, "\xef\xbf\xbd"); /* the replacement character */
-        } else if (*at == '"' || *at == '\\') {
-            growing_format(&writer->out.text, "\\%c", *at);
-        } else if (*at < 0x20) {
-            growing_format(&writer->out.text, "\\u%04x", *at);
-        } else {
-            growing_text(&writer->out.text, (struct text){text.start + i, length});
-        }
-        i += length > 0 ? length : 1;
-    }
-    put(writer, "\"");
-}
-
-static void put_string(struct writer *writer, const char *string)
-{
-    if (string == NULL) {
-        put(writer, "null");
-    } else {
-        put_text(writer, text_of(string));
-    }
-}
-
-static void put_number(struct writer *writer, double value)
-{
-    if (isfinite(value)) {
-        char text[NUMBER_LENGTH];
-        growing_text(&writer->out.text, text_between(text, number_write_shortest(text, value)));
-    } else {
-        put(writer, "null");
-    }
-}
-
-/* All digits that a pair has: what is read again has the same bits. */
-static void put_pair(struct writer *writer, struct pair value)
-{
-    char text[PAIR_LENGTH];
-    if (!isfinite(value.hi)) {
-        put(writer, "null");
-    } else {
-        growing_text(&writer->out.text,
-                     text_between(text, pair_write_shortest(text, value, NUMBER_UNSCALED)));
-    }
-}
-
 /* A number in mm or of no dimension, or an angle in degrees as it was typed. */
 static void put_value(struct writer *writer, const struct figure *figure, double unit)
 {
@@ -83,7 +34,7 @@ static void put_value(struct writer *writer, const struct figure *figure, double
     } else if (unit != 1) {
         value = pair_divide(value, pair_of(unit));
     }
-    put_pair(writer, value);
+    json_put_pair(&writer->out.text, value);
 }
 
 /* One number a position as an array; a number alone where they are all the same figure. */
@@ -139,17 +90,17 @@ static void put_waves(struct writer *writer)
 {
     const struct lens *lens = writer->lens;
     put_key(writer, "unit");
-    put_string(writer, lens->unit);
+    json_put_string(&writer->out.text, lens->unit);
     put_key(writer, "wavelengths");
     put(writer, "[");
     for (size_t i = 0; i < lens->wavelength_count; i++) {
         const struct lens_wavelength *one = &lens->wavelengths[i];
         put(writer, i > 0 ? ",{\"name\":" : "{\"name\":");
-        put_text(writer, one->typed);
+        json_put_text(&writer->out.text, one->typed);
         put(writer, ",\"wavelength_nm\":");
-        put_number(writer, nanometres(one->wavelength));
+        json_put_number(&writer->out.text, nanometres(one->wavelength));
         put(writer, ",\"weight\":");
-        put_number(writer, one->weight);
+        json_put_number(&writer->out.text, one->weight);
         put(writer, "}");
     }
     put(writer, "]");
@@ -162,7 +113,8 @@ static void put_object(struct writer *writer)
     if (lens->objects != NULL) {
         put_values(writer, lens->objects, writer->positions, 1);
     } else {
-        put_pair(writer, lens->object_is_infinite ? pair_of(INFINITY) : lens->object.value);
+        json_put_pair(&writer->out.text,
+                      lens->object_is_infinite ? pair_of(INFINITY) : lens->object.value);
     }
     put_key(writer, "object_is_infinite");
     if (lens->objects != NULL) {
@@ -176,7 +128,7 @@ static void put_object(struct writer *writer)
     }
     put(writer, lens->is_telecentric ? ",\"object_is_telecentric\":true" : "");
     put_key(writer, "object_medium");
-    put_text(writer, lens->object_medium.written);
+    json_put_text(&writer->out.text, lens->object_medium.written);
 }
 
 /* Their y; x and weight where some is not 0 and 1. */
@@ -210,7 +162,7 @@ static void put_fields(struct writer *writer)
     put(writer, weighted ? "],\"field_weights\":[" : "");
     for (size_t i = 0; i < lens->field_count && weighted; i++) {
         put(writer, i > 0 ? "," : "");
-        put_number(writer, lens->fields[i].weight);
+        json_put_number(&writer->out.text, lens->fields[i].weight);
     }
     put(writer, "]");
 }
@@ -230,7 +182,7 @@ static void put_use(struct writer *writer)
     } else if (lens->apertures != NULL) {
         put_values(writer, lens->apertures, writer->positions, 1);
     } else {
-        put_pair(writer, lens->aperture.value);
+        json_put_pair(&writer->out.text, lens->aperture.value);
     }
     put_key(writer, "focus");
     put(writer, focuses[lens->focus]);
@@ -280,27 +232,52 @@ static void put_coefficients(struct writer *writer, const struct surface *surfac
     put(writer, "}");
 }
 
-/* What the designer may change; bounds in mm, 1/mm .. */
+/* One more mark; bounds in mm, 1/mm .., null is none. */
+static void put_vary(struct writer *writer, enum parameter_kind kind, const struct vary *vary,
+                     const char *position, size_t *count)
+{
+    bool angle = (parameter_type(kind)->is & PARAMETER_IS_ANGLE) != 0;
+    double unit = angle ? RADIANS_PER_DEGREE : 1;
+    if (*count == 0) {
+        put_key(writer, "vary");
+    }
+    put(writer, (*count)++ == 0 ? "[{\"what\":" : ",{\"what\":");
+    json_put_string(&writer->out.text,
+                    parameter_mark_name(kind, vary->order, writer->out.text.arena));
+    if (position != NULL) {
+        put_key(writer, "position");
+        json_put_string(&writer->out.text, position);
+    }
+    if (vary->has_bounds) {
+        put_key(writer, "low");
+        put_value(writer, &vary->low, unit);
+        put_key(writer, "high");
+        put_value(writer, &vary->high, unit);
+    }
+    put(writer, "}");
+}
+
+/* What the designer may change: of the surface, and in the positions. */
 static void put_varies(struct writer *writer, const struct surface *surface)
 {
+    static const enum parameter_kind cells[] = {PARAMETER_THICKNESS, PARAMETER_FOCAL};
+    const struct lens *lens = writer->lens;
+    size_t count = 0;
     for (size_t i = 0; i < surface->vary_count; i++) {
-        const struct vary *vary = &surface->varies[i];
-        bool angle = (parameter_type(vary->kind)->is & PARAMETER_IS_ANGLE) != 0;
-        double unit = angle ? RADIANS_PER_DEGREE : 1;
-        if (i == 0) {
-            put_key(writer, "vary");
-        }
-        put(writer, i == 0 ? "[{\"what\":" : ",{\"what\":");
-        put_string(writer, parameter_mark_name(vary->kind, vary->order, writer->out.text.arena));
-        if (vary->has_bounds) {
-            put_key(writer, "low");
-            put_value(writer, &vary->low, unit);
-            put_key(writer, "high");
-            put_value(writer, &vary->high, unit);
-        }
-        put(writer, "}");
+        put_vary(writer, surface->varies[i].kind, &surface->varies[i], NULL, &count);
     }
-    put(writer, surface->vary_count > 0 ? "]" : "");
+    for (size_t i = 0; i < sizeof cells / sizeof cells[0]; i++) {
+        const struct figure *cell = parameter_figure(surface, cells[i], 0);
+        const struct vary *const *marks = cell != NULL && cell->variable != LENS_NONE
+                                              ? lens->variables[cell->variable].varies
+                                              : NULL;
+        for (size_t p = 0; p < writer->positions && marks != NULL; p++) {
+            if (marks[p] != NULL) {
+                put_vary(writer, cells[i], marks[p], lens->positions[p], &count);
+            }
+        }
+    }
+    put(writer, count > 0 ? "]" : "");
 }
 
 static bool put_medium(struct writer *writer, const struct surface *surface, struct error *error)
@@ -312,7 +289,7 @@ static bool put_medium(struct writer *writer, const struct surface *surface, str
         put(writer, "\"mirror\"");
         return true;
     }
-    put_text(writer, surface->medium.written);
+    json_put_text(&writer->out.text, surface->medium.written);
     put_key(writer, "index");
     for (size_t i = 0; i < waves; i++) {
         struct pair index;
@@ -322,7 +299,7 @@ static bool put_medium(struct writer *writer, const struct surface *surface, str
             return false;
         }
         put(writer, i == 0 ? "[" : ",");
-        put_number(writer, index.hi);
+        json_put_number(&writer->out.text, index.hi);
     }
     put(writer, "]");
     return true;
@@ -339,7 +316,7 @@ static void put_thick(struct writer *writer, const struct surface *surface)
     put_key(writer, "distortion");
     for (int i = 0; i < 3; i++) {
         put(writer, i == 0 ? "[" : ",");
-        put_number(writer, surface->distortion[i].value.hi);
+        json_put_number(&writer->out.text, surface->distortion[i].value.hi);
     }
     put(writer, "]");
 }
@@ -348,7 +325,7 @@ static void put_aperture(struct writer *writer, const struct aperture *aperture)
 {
     const struct aperture_traits *traits = &aperture_shapes[aperture->shape];
     put(writer, "{\"shape\":");
-    put_string(writer, traits->word);
+    json_put_string(&writer->out.text, traits->word);
     put_key(writer, "blocks");
     put(writer, aperture->blocks ? "true" : "false");
     put_key(writer, "size_mm");
@@ -389,7 +366,7 @@ static bool put_surface(struct writer *writer, size_t i, struct error *error)
                    i > 0 ? "," : "", i + 1, surface_traits(surface)->key,
                    surface->is_stop ? "true" : "false");
     put_key(writer, "name");
-    put_string(writer, surface->name);
+    json_put_string(&writer->out.text, surface->name);
     put_optional(writer, "radius_mm", !is_plane && !surface->has_curvature, &surface->radius);
     put_key(writer, "radius_is_infinite");
     put(writer, is_plane ? "true" : "false");
@@ -406,7 +383,7 @@ static bool put_surface(struct writer *writer, size_t i, struct error *error)
     put_thick(writer, surface);
     if (!surface_is_round(surface)) {
         put_key(writer, "cylinder");
-        put_string(writer, surface_section(surface)->key);
+        json_put_string(&writer->out.text, surface_section(surface)->key);
     }
     put_displacement(writer, "moved", surface->decentre);
     put_displacement(writer, "bend_before", surface->coordinate_break);
@@ -423,7 +400,7 @@ static void put_strings(struct writer *writer, const char *key, const char *cons
     put(writer, "[");
     for (size_t i = 0; i < count; i++) {
         put(writer, i > 0 ? "," : "");
-        put_string(writer, strings[i]);
+        json_put_string(&writer->out.text, strings[i]);
     }
     put(writer, "]");
 }
@@ -436,7 +413,7 @@ static void put_setting_values(struct writer *writer, const struct lens_setting 
     for (size_t p = 0; p < writer->positions; p++) {
         put(writer, p > 0 ? "," : "");
         if (one->media != NULL) {
-            put_text(writer, one->media[p].written);
+            json_put_text(&writer->out.text, one->media[p].written);
         } else {
             put_value(writer, &one->figures[p], angle ? RADIANS_PER_DEGREE : 1);
         }
@@ -457,7 +434,7 @@ static void put_points(struct writer *writer, const struct lens_points *points, 
         put_value(writer, &field->at[1], unit);
         if (field->weight != 1) {
             put(writer, ":");
-            put_number(writer, field->weight);
+            json_put_number(&writer->out.text, field->weight);
         }
     }
     put(writer, "\"");
@@ -489,7 +466,7 @@ static void put_settings(struct writer *writer, struct arena *arena)
         growing_format(&writer->out.text, "%s{\"name\":\"wavelength\",\"values\":[", between);
         for (size_t p = 0; p < writer->positions; p++) {
             put(writer, p > 0 ? "," : "");
-            put_string(writer, lens_light_write(&lens->lights[p], arena));
+            json_put_string(&writer->out.text, lens_light_write(&lens->lights[p], arena));
         }
         put(writer, "]}");
         between = ",";
@@ -504,15 +481,36 @@ static void put_settings(struct writer *writer, struct arena *arena)
     put(writer, "]");
 }
 
+/* What follows what, and what is wanted: as the lines of a .lens file in mm have it. */
+static void put_design(struct writer *writer, struct arena *arena)
+{
+    const struct lens *lens = writer->lens;
+    const bool in_mm = strcmp(lens->unit, "mm") == 0;
+    for (size_t i = 0; i < lens->pickup_count; i++) {
+        struct growing line = {.arena = arena};
+        struct lens_pickup pickup = lens->pickups[i];
+        pickup.offset.typed.start = in_mm ? pickup.offset.typed.start : NULL;
+        lens_pickup_write(&pickup, "mm", &line);
+        put(writer, i == 0 ? ",\"pickups\":[" : ",");
+        json_put_text(&writer->out.text, growing_done(&line));
+    }
+    put(writer, lens->pickup_count > 0 ? "]" : "");
+    for (size_t i = 0; i < lens->goal_count; i++) {
+        put(writer, i == 0 ? ",\"goals\":[" : ",");
+        json_put_text(&writer->out.text, lens->goals[i].text);
+    }
+    put(writer, lens->goal_count > 0 ? "]" : "");
+}
+
 static void put_header(struct writer *writer)
 {
     const struct lens *lens = writer->lens;
     put(writer, "{\"lens\":");
-    put_string(writer, lens->title);
+    json_put_string(&writer->out.text, lens->title);
     put_key(writer, "source");
-    put_string(writer, lens->source);
+    json_put_string(&writer->out.text, lens->source);
     put_key(writer, "kind");
-    put_string(writer, lens->kind);
+    json_put_string(&writer->out.text, lens->kind);
     put_strings(writer, "notes", lens->notes, lens->note_count);
     put_strings(writer, "positions", lens->positions, lens->position_count);
     put(writer, "\n");
@@ -538,6 +536,7 @@ static bool write_json(struct foreign_job *job, const struct lens *lens, struct 
         lens->points != NULL) {
         put_settings(&writer, job->arena);
     }
+    put_design(&writer, job->arena);
     put(&writer, "\n,\"surfaces\":[");
     for (size_t i = 0; i < lens->surface_count; i++) {
         if (!put_surface(&writer, i, error)) {
@@ -566,5 +565,6 @@ const struct foreign_format lens_json_format = {
     .write = write_json,
     .has_thick = true,
     .has_settings = true,
+    .has_design = true,
     .has_apertures = true,
 };

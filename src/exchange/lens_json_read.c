@@ -442,6 +442,8 @@ static bool read_root(struct json_reading *reading, const struct json_value *roo
                                        "field_weights",
                                        "settings",
                                        "object_is_telecentric",
+                                       "pickups",
+                                       "goals",
                                        NULL};
     return json_check_keys(reading, root, keys, error) && read_words(reading, root, error) &&
            read_unit(reading, json_item(root, "unit"), error) &&
@@ -454,7 +456,8 @@ static bool read_root(struct json_reading *reading, const struct json_value *roo
            read_stated(reading, root, error) &&
            read_surfaces(reading, json_item(root, "surfaces"), error) &&
            check_stop(reading, json_item(root, "stop_surface"), error) &&
-           json_read_settings(reading, json_item(root, "settings"), error);
+           json_read_settings(reading, json_item(root, "settings"), error) &&
+           json_read_design(reading, json_item(root, "pickups"), json_item(root, "goals"), error);
 }
 
 static bool refuse(struct json_reading *reading, struct error *error)

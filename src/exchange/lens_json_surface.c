@@ -1,6 +1,7 @@
 /* exchange/lens_json_surface.c - a surface of a lens in JSON. */
 /* SPDX-License-Identifier: MIT */
 #include "exchange/lens_json_reading.h"
+#include "file/lens_mark.h"
 
 #include <math.h>
 #include <string.h>
@@ -82,32 +83,82 @@ static bool read_coefficients(struct json_reading *reading, const struct json_va
     return json_check_keys(reading, value, keys, error);
 }
 
+/* A bound; null is none. */
+static bool read_bound(struct json_reading *reading, const struct json_value *value, int power,
+                       double none, struct figure *figure, struct error *error)
+{
+    *figure = (struct figure){{none, 0}, text_of(none < 0 ? "-inf" : "inf"), LENS_NONE};
+    return value->kind == JSON_NULL || json_read_figure(reading, value, power, figure, error);
+}
+
+static bool read_bounds(struct json_reading *reading, const struct json_value *value,
+                        struct vary *vary, struct error *error)
+{
+    const struct json_value *low = json_item(value, "low"), *high = json_item(value, "high");
+    bool angle = (parameter_type(vary->kind)->is & PARAMETER_IS_ANGLE) != 0;
+    int power = angle ? JSON_ANGLE : parameter_length(vary->kind, vary->order);
+    vary->has_bounds = low != NULL;
+    if (low == NULL) {
+        return true;
+    }
+    if (vary->kind == PARAMETER_GLASS) {
+        return json_wrong(reading, low, error, "a glass has no bounds");
+    }
+    return read_bound(reading, low, power, -INFINITY, &vary->low, error) &&
+           read_bound(reading, high, power, INFINITY, &vary->high, error) &&
+           (lens_bounds_are_sound(vary) ||
+            json_wrong(reading, low, error, "the lower bound is above the upper"));
+}
+
+/* A mark of what the surface has, and where it has one: the position. */
 static bool read_vary(struct json_reading *reading, const struct json_value *value,
                       const struct surface *surface, struct vary *vary, struct error *error)
 {
-    static const char *const keys[] = {"what", "low", "high", NULL};
+    static const char *const keys[] = {"what", "low", "high", "position", NULL};
     const struct json_value *what = json_item(value, "what"), *low = json_item(value, "low"),
                             *high = json_item(value, "high");
-    *vary = (struct vary){.has_bounds = low != NULL};
+    *vary = (struct vary){.has_bounds = false};
     if (value->kind != JSON_OBJECT || what == NULL || what->kind != JSON_STRING ||
         !parameter_name_read(what->text, &vary->kind, &vary->order) ||
         !parameter_is_mark(vary->kind, surface) || (low == NULL) != (high == NULL)) {
         return json_wrong(reading, value, error, "what varies is %s",
                           parameter_marks(surface, reading->job->arena));
     }
-    if (parameter_is_marked(vary->kind, vary->order, surface)) {
+    if (json_item(value, "position") == NULL &&
+        parameter_is_marked(vary->kind, vary->order, surface)) {
         return json_wrong(reading, value, error, "'%.*s' is marked twice", text_shown(what->text),
                           what->text.start);
     }
-    bool angle = (parameter_type(vary->kind)->is & PARAMETER_IS_ANGLE) != 0;
-    int power = angle ? JSON_ANGLE : parameter_length(vary->kind, vary->order);
-    if (!json_check_keys(reading, value, keys, error) ||
-        (low != NULL && (!json_read_figure(reading, low, power, &vary->low, error) ||
-                         !json_read_figure(reading, high, power, &vary->high, error)))) {
-        return false;
+    return json_check_keys(reading, value, keys, error) && read_bounds(reading, value, vary, error);
+}
+
+/* The mark of a number of one position. */
+static bool add_to_position(struct json_reading *reading, const struct json_value *position,
+                            const struct surface *surface, const struct vary *vary,
+                            struct error *error)
+{
+    struct lens *lens = reading->build.lens;
+    struct arena *arena = reading->job->arena;
+    size_t at =
+        position->kind == JSON_STRING ? lens_position_find(lens, position->text) : LENS_NONE;
+    const struct figure *cell = parameter_figure(surface, vary->kind, vary->order);
+    if (at == LENS_NONE || cell == NULL || cell->variable == LENS_NONE) {
+        return json_wrong(reading, position, error,
+                          "no position in which the number is another one");
     }
-    return low == NULL || vary->low.value.hi <= vary->high.value.hi ||
-           json_wrong(reading, low, error, "the lower bound is above the upper");
+    struct lens_variable *word = &lens->variables[cell->variable];
+    const struct vary **marks = ARENA_ARRAY(arena, lens->position_count, const struct vary *);
+    for (size_t p = 0; p < lens->position_count; p++) {
+        marks[p] = word->varies != NULL ? word->varies[p] : NULL;
+    }
+    if (marks[at] != NULL) {
+        return json_wrong(reading, position, error, "a number that is marked twice");
+    }
+    struct vary *mark = ARENA_NEW(arena, struct vary);
+    *mark = *vary;
+    marks[at] = mark;
+    word->varies = marks;
+    return true;
 }
 
 static bool read_varies(struct json_reading *reading, const struct json_value *value,
@@ -116,17 +167,19 @@ static bool read_varies(struct json_reading *reading, const struct json_value *v
     if (json_is_null(value)) {
         return true;
     }
-    if (value->kind != JSON_ARRAY || value->count > PARAMETER_MOST_MARKS) {
-        return json_wrong(reading, value, error, "expected an array of at most %d here",
-                          PARAMETER_MOST_MARKS);
+    if (value->kind != JSON_ARRAY) {
+        return json_wrong(reading, value, error, "expected an array here");
     }
     struct vary *varies = ARENA_ARRAY(reading->job->arena, value->count + 1, struct vary);
     surface->varies = varies;
     for (const struct json_value *item = value->first; item != NULL; item = item->next) {
-        if (!read_vary(reading, item, surface, &varies[surface->vary_count], error)) {
+        const struct json_value *position = json_item(item, "position");
+        struct vary *vary = &varies[surface->vary_count];
+        if (!read_vary(reading, item, surface, vary, error) ||
+            (position != NULL && !add_to_position(reading, position, surface, vary, error))) {
             return false;
         }
-        surface->vary_count++;
+        surface->vary_count += position == NULL ? 1 : 0;
     }
     return true;
 }
@@ -346,8 +399,8 @@ static bool read_beside(struct json_reading *reading, const struct json_value *o
            read_displacement(reading, json_item(object, "bend_before"), 3,
                              &surface->coordinate_break, error) &&
            json_read_apertures(reading, json_item(object, "apertures"), surface, error) &&
-           read_varies(reading, json_item(object, "vary"), surface, error) &&
-           read_thick(reading, object, surface, error);
+           read_thick(reading, object, surface, error) &&
+           read_varies(reading, json_item(object, "vary"), surface, error);
 }
 
 bool json_read_surface(struct json_reading *reading, const struct json_value *object,

@@ -5,6 +5,7 @@
 #include "file/lens_build.h"
 #include "file/lens_unit.h"
 #include "optics/aperture.h"
+#include "optics/pickup.h"
 
 #include <math.h>
 #include <string.h>
@@ -123,18 +124,52 @@ static void change_points(const struct change *change, struct lens *lens)
     lens->points = lens->points != NULL ? points : NULL;
 }
 
+static void change_vary(const struct change *change, struct vary *vary)
+{
+    int power = parameter_length(vary->kind, vary->order);
+    if (vary->has_bounds && power != 0) {
+        change_figure(change, power, &vary->low);
+        change_figure(change, power, &vary->high);
+    }
+}
+
 static const struct vary *change_varies(const struct change *change, const struct surface *surface)
 {
-    if (surface->vary_count == 0) {
-        return surface->varies;
-    }
     struct vary *copy = ARENA_ARRAY(change->arena, surface->vary_count, struct vary);
     for (size_t i = 0; i < surface->vary_count; i++) {
         copy[i] = surface->varies[i];
-        int power = parameter_length(copy[i].kind, copy[i].order);
-        if (copy[i].has_bounds && power != 0) {
-            change_figure(change, power, &copy[i].low);
-            change_figure(change, power, &copy[i].high);
+        change_vary(change, &copy[i]);
+    }
+    return copy;
+}
+
+/* Marks of a word, one a position. */
+static const struct vary *const *change_word(const struct change *change,
+                                             const struct vary *const *marks, size_t count)
+{
+    if (marks == NULL) {
+        return NULL;
+    }
+    const struct vary **copy = ARENA_ARRAY(change->arena, count, const struct vary *);
+    for (size_t p = 0; p < count; p++) {
+        struct vary *mark = ARENA_NEW(change->arena, struct vary);
+        if (marks[p] != NULL) {
+            *mark = *marks[p];
+            change_vary(change, mark);
+            copy[p] = mark;
+        }
+    }
+    return copy;
+}
+
+static struct lens_pickup *change_pickups(const struct change *change, const struct lens *lens)
+{
+    struct lens_pickup *copy = ARENA_ARRAY(change->arena, lens->pickup_count, struct lens_pickup);
+    for (size_t i = 0; i < lens->pickup_count; i++) {
+        copy[i] = lens->pickups[i];
+        int power = parameter_length(copy[i].what.kind, copy[i].what.order);
+        if (power != 0 && copy[i].offset.value.hi != 0) {
+            change_figure(change, power, &copy[i].offset);
         }
     }
     return copy;
@@ -205,12 +240,14 @@ static void change_system(const struct change *change, struct lens *lens)
     for (size_t i = 0; i < lens->variable_count; i++) {
         variables[i].name = lens->variables[i].name;
         variables[i].values = change_all(change, lens->variables[i].values, positions);
+        variables[i].varies = change_word(change, lens->variables[i].varies, positions);
     }
     lens->variables = variables;
+    lens->pickups = change_pickups(change, lens);
     change_settings(change, lens);
 }
 
-static const struct lens *changed(const struct change *change, const struct lens *lens)
+static struct lens *changed(const struct change *change, const struct lens *lens)
 {
     struct lens *copy = ARENA_NEW(change->arena, struct lens);
     *copy = *lens;
@@ -228,7 +265,10 @@ const struct lens *lens_scaled(const struct lens *lens, struct pair factor, bool
                                struct arena *arena)
 {
     const struct change change = {arena, lens->unit, factor, rounded};
-    return changed(&change, lens);
+    struct lens *copy = changed(&change, lens);
+    copy->goals = NULL;
+    copy->goal_count = 0;
+    return copy;
 }
 
 const struct lens *lens_in_unit(const struct lens *lens, const char *unit, struct arena *arena)
@@ -237,10 +277,55 @@ const struct lens *lens_in_unit(const struct lens *lens, const char *unit, struc
     return strcmp(unit, lens->unit) == 0 ? lens : changed(&change, lens);
 }
 
+/* The mark of a word, on the surface whose cell it stands in. */
+static void add_mark(struct surface *surface, const struct vary *mark, enum parameter_kind kind,
+                     struct arena *arena)
+{
+    struct vary *copy = ARENA_ARRAY(arena, surface->vary_count + 1, struct vary);
+    for (size_t i = 0; i < surface->vary_count; i++) {
+        copy[i] = surface->varies[i];
+    }
+    copy[surface->vary_count] = *mark;
+    copy[surface->vary_count++].kind = kind;
+    surface->varies = copy;
+}
+
+/* The first cell of a marked word has its mark, and the others follow it. */
+static void mark_cells(const struct lens *from, size_t word, const struct vary *mark,
+                       struct lens *to, struct arena *arena)
+{
+    static const enum parameter_kind kinds[] = {PARAMETER_THICKNESS, PARAMETER_FOCAL};
+    struct lens_pickup pickup = {
+        .from = {LENS_NONE, kinds[0], 0}, .factor = figure_of(1, arena), .offset = figure_zero()};
+    for (size_t i = 0; i < 2 * from->surface_count; i++) {
+        const struct parameter what = {i / 2, kinds[i % 2], 0};
+        const struct figure *cell =
+            parameter_figure(&from->surfaces[what.surface], what.kind, what.order);
+        if (cell == NULL || cell->variable != word) {
+            continue;
+        }
+        if (pickup.from.surface == LENS_NONE) {
+            add_mark(&to->surfaces[what.surface], mark, what.kind, arena);
+            pickup.from = what;
+        } else {
+            pickup.what = what;
+            lens_pickup_add(to, pickup, arena);
+        }
+    }
+}
+
 const struct lens *lens_one_position(const struct lens *lens, size_t position, struct arena *arena)
 {
     struct lens *copy = ARENA_NEW(arena, struct lens);
     *copy = *lens_at_position(lens, position, arena);
+    copy->pickups = lens->pickups;
+    copy->pickup_count = lens->pickup_count;
+    for (size_t i = 0; i < lens->variable_count; i++) {
+        const struct vary *const *marks = lens->variables[i].varies;
+        if (marks != NULL && marks[position] != NULL) {
+            mark_cells(lens, i, marks[position], copy, arena);
+        }
+    }
     copy->positions = NULL;
     copy->position_count = 0;
     copy->variables = NULL;

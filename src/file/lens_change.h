@@ -12,6 +12,8 @@
  *
  * Given     factor   above 0
  *           rounded  digits of doubles instead of all digits: for a factor that is no short decimal
+ * Result    bounds and what pick-ups add are scaled too; goals are left out: they are of the lens
+ *           as it was
  * Formula   R, t, diameters, heights k; curvatures 1/k; A2i: k^(1 - 2i)
  * Limits    products of decimals are exact to 31 digits
  */
@@ -21,7 +23,10 @@ const struct lens *lens_scaled(const struct lens *lens, struct pair factor, bool
 /* The same lens written in another unit: "mm", "cm", "m" or "in". */
 const struct lens *lens_in_unit(const struct lens *lens, const char *unit, struct arena *arena);
 
-/* The lens in one of its positions only: without variables, and what is stated of that position. */
+/*
+ * The lens in one of its positions only: without variables, and what is stated of that position.
+ * The mark of a number of a word is then one of its first cell, and others follow it by pick-ups.
+ */
 const struct lens *lens_one_position(const struct lens *lens, size_t position, struct arena *arena);
 
 /*
@@ -31,7 +36,8 @@ const struct lens *lens_one_position(const struct lens *lens, size_t position, s
  *           looks at infinity again, with the image at the paraxial focus. An aperture given as
  *           f-number, entrance pupil or NA becomes the diameter that the stop has with it. Marks
  *           of thicknesses and glasses go to the surface that they lie behind now; those behind
- *           the last are left out: lens_marks_left_out names them
+ *           the last are left out, and so are pick-ups between numbers of which one has no place,
+ *           and goals: lens_marks_left_out names the marks and pick-ups
  * Formula   an even number of mirrors: R -> -R, A -> -A, t as it is; an odd one: R and A as they
  *           are, t -> -t; the signs are in optics/parameter. A coordinate break is undone in
  *           the order z, y, x, shift, each on a plane of its own

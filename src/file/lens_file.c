@@ -3,6 +3,8 @@
 #include "file/lens_file.h"
 
 #include "file/lens_aperture.h"
+#include "file/lens_mark.h"
+#include "file/lens_pickup.h"
 #include "file/lens_setting.h"
 #include "file/lens_surface.h"
 #include "file/lens_unit.h"
@@ -17,16 +19,16 @@ struct parser {
     struct lens_words words;
     struct lens *lens;
     const struct glass_source *glasses;
-    struct surface *surfaces;
     size_t surface_room, note_room, variable_room, aperture_room;
     const struct displacement *coordinate_break; /* of the next surface */
-    struct text stop_word;                       /* where the stop was named, and in which line */
-    struct text aperture_word;
+    struct text aperture_word;                   /* where it was named, and in which line */
     struct lens_words aperture_line;
     struct lens_words *variable_lines; /* where each variable was first used */
-    struct lens_words *settings;       /* lines with `set`, from behind that word on */
-    size_t setting_count, setting_room;
-    unsigned given; /* keywords that may stand once */
+    struct lines {
+        struct lens_words *all;
+        size_t count, room;
+    } settings, pickups; /* lines with `set`, `pickup`, from behind that word on */
+    unsigned given;      /* keywords that may stand once */
 };
 
 static const char *rest_string(struct parser *parser)
@@ -66,14 +68,6 @@ static bool read_note(struct parser *parser, struct error *error)
     return true;
 }
 
-static bool end_of_line(struct parser *parser, struct error *error)
-{
-    struct text word = lens_words_next(&parser->words);
-    return word.length == 0 ||
-           lens_words_fail(&parser->words, word, error, "'%.*s' does not belong here",
-                           (int)(word.length < 40 ? word.length : 40), word.start);
-}
-
 static bool read_unit(struct parser *parser, struct error *error)
 {
     struct text word = lens_words_next(&parser->words);
@@ -87,7 +81,7 @@ static bool read_unit(struct parser *parser, struct error *error)
     }
     parser->words.scale = lens_unit_scale(unit);
     parser->lens->unit = unit;
-    return end_of_line(parser, error);
+    return lens_words_end(&parser->words, error);
 }
 
 static bool read_wavelengths(struct parser *parser, struct error *error)
@@ -97,24 +91,11 @@ static bool read_wavelengths(struct parser *parser, struct error *error)
     size_t room = 0;
     for (struct text word = lens_words_next(words); word.length > 0 || lens->wavelength_count == 0;
          word = lens_words_next(words)) {
-        struct text weight = word, name = text_cut(&weight, ':');
-        struct figure figure = {.value = {1, 0}};
-        struct lens_wavelength *one;
-        lens->wavelengths =
-            arena_grow(words->arena, lens->wavelengths, lens->wavelength_count, &room, sizeof *one);
-        one = &lens->wavelengths[lens->wavelength_count];
-        if (!lens_words_wavelength(words, name, &one->wavelength, error) ||
-            (weight.start != NULL &&
-             !lens_words_figure(words, weight, NUMBER_UNSCALED, "weight", &figure, error))) {
+        lens->wavelengths = arena_grow(words->arena, lens->wavelengths, lens->wavelength_count,
+                                       &room, sizeof lens->wavelengths[0]);
+        if (!lens_words_light(words, word, &lens->wavelengths[lens->wavelength_count++], error)) {
             return false;
         }
-        if (!(figure.value.hi >= 0)) {
-            return lens_words_fail(words, weight, error, "a weight is not below 0");
-        }
-        one->typed = name;
-        one->weight = figure.value.hi;
-        one->weight_typed = weight;
-        lens->wavelength_count++;
     }
     return true;
 }
@@ -155,7 +136,7 @@ static bool read_object(struct parser *parser, struct error *error)
     }
     lens->object_is_infinite = isinf(lens->object.value.hi);
     take_telecentric(parser);
-    return end_of_line(parser, error);
+    return lens_words_end(&parser->words, error);
 }
 
 static bool read_medium(struct parser *parser, struct error *error)
@@ -167,7 +148,7 @@ static bool read_medium(struct parser *parser, struct error *error)
     struct medium *medium = &parser->lens->object_medium;
     return lens_words_medium(&parser->words, lens_words_next(&parser->words), medium, error) &&
            lens_words_glass(&parser->words, parser->glasses, medium, error) &&
-           end_of_line(parser, error);
+           lens_words_end(&parser->words, error);
 }
 
 static bool read_field(struct parser *parser, struct error *error)
@@ -236,7 +217,7 @@ static bool read_aperture(struct parser *parser, struct error *error)
     parser->aperture_line = parser->words;
     return read_aperture_value(parser, parser->aperture_word, &parser->lens->aperture,
                                &parser->lens->aperture_kind, error) &&
-           end_of_line(parser, error);
+           lens_words_end(&parser->words, error);
 }
 
 static bool read_focus(struct parser *parser, struct error *error)
@@ -246,7 +227,7 @@ static bool read_focus(struct parser *parser, struct error *error)
     for (int i = 0; i < FOCUS_KINDS; i++) {
         if (text_equal(word, names[i])) {
             parser->lens->focus = (enum focus_kind)i;
-            return end_of_line(parser, error);
+            return lens_words_end(&parser->words, error);
         }
     }
     return lens_words_fail(&parser->words, word, error,
@@ -361,27 +342,38 @@ static bool read_let(struct parser *parser, struct error *error)
         return lens_words_fail(&parser->words, name, error, "the name of a variable is missing");
     }
     size_t index = find_variable(parser, name), count;
-    struct figure *values;
     struct lens_variable *variable = &lens->variables[index];
     if (variable->values != NULL) {
         return lens_words_fail(&parser->words, name, error, "'%.*s' has its numbers already",
                                (int)(name.length < 40 ? name.length : 40), name.start);
     }
-    if (!lens_words_figures(&parser->words, parser->words.scale, "value", &values, &count, error)) {
-        return false;
-    }
-    variable->values = values;
-    return check_count(parser, name, count, error);
+    return lens_let_read(&parser->words, lens->position_count, variable, &count, error) &&
+           check_count(parser, name, count, error);
 }
 
 /* The surfaces may still follow. */
-static bool keep_setting(struct parser *parser, struct error *error)
+static bool keep_line(struct parser *parser, struct lines *lines, struct error *error)
 {
     (void)error;
-    parser->settings = arena_grow(parser->words.arena, parser->settings, parser->setting_count,
-                                  &parser->setting_room, sizeof parser->settings[0]);
-    parser->settings[parser->setting_count++] = parser->words;
+    lines->all = arena_grow(parser->words.arena, lines->all, lines->count, &lines->room,
+                            sizeof lines->all[0]);
+    lines->all[lines->count++] = parser->words;
     return true;
+}
+
+static bool keep_setting(struct parser *parser, struct error *error)
+{
+    return keep_line(parser, &parser->settings, error);
+}
+
+static bool keep_pickup(struct parser *parser, struct error *error)
+{
+    return keep_line(parser, &parser->pickups, error);
+}
+
+static bool read_goal(struct parser *parser, struct error *error)
+{
+    return lens_goal_read(&parser->words, parser->lens, error);
 }
 
 static bool read_stated(struct parser *parser, struct error *error)
@@ -504,6 +496,8 @@ static const struct {
     {"position", 0, read_positions},
     {"let", 0, read_let},
     {"set", 0, keep_setting},
+    {"pickup", 0, keep_pickup},
+    {"goal", 0, read_goal},
     {"stated", 16, read_stated},
     {"surface", 0, read_surface},
     {"stop", 0, read_stop},
@@ -570,11 +564,17 @@ static bool finish(struct parser *parser, struct error *error)
         return lens_words_fail(&parser->aperture_line, parser->aperture_word, error,
                                "'aperture stop' needs a stop, and the lens has none");
     }
-    for (size_t i = 0; i < parser->setting_count; i++) {
-        if (!lens_setting_read(&parser->settings[i], parser->glasses, lens, error)) {
+    for (size_t i = 0; i < parser->settings.count; i++) {
+        if (!lens_setting_read(&parser->settings.all[i], parser->glasses, lens, error)) {
             return false;
         }
     }
+    for (size_t i = 0; i < parser->pickups.count; i++) {
+        if (!lens_pickup_read(&parser->pickups.all[i], lens, error)) {
+            return false;
+        }
+    }
+    lens_pickups_begin(lens, parser->words.arena);
     return true;
 }
 

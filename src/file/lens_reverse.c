@@ -10,12 +10,23 @@
 #include <math.h>
 #include <string.h>
 
+/* Of what a number is: the surface, the gap behind it, or the medium in the gap. */
+enum owner { OWNED_BY_SURFACE, OWNED_BY_GAP, OWNED_BY_MEDIUM, OWNERS };
+
+static enum owner owner_of(enum parameter_kind kind)
+{
+    return kind == PARAMETER_THICKNESS                             ? OWNED_BY_GAP
+           : (parameter_type(kind)->is & PARAMETER_IS_BEHIND) != 0 ? OWNED_BY_MEDIUM
+                                                                   : OWNED_BY_SURFACE;
+}
+
 /* A lens being turned around. */
 struct turn {
     const struct lens *from;
     struct lens_build build;
     struct arena *arena;
-    bool flips; /* an even number of mirrors: z and x change their signs */
+    size_t *places[OWNERS]; /* where each surface, gap, medium lies now, by enum owner */
+    bool flips;             /* an even number of mirrors: z and x change their signs */
 };
 
 /* Has the number the other sign in the lens turned around? */
@@ -85,16 +96,6 @@ static void turn_mark(const struct turn *turn, struct vary *vary)
     }
 }
 
-/* Of what a mark is: the surface, the gap behind it, or the medium in the gap. */
-enum owner { OWNED_BY_SURFACE, OWNED_BY_GAP, OWNED_BY_MEDIUM };
-
-static enum owner owner_of(enum parameter_kind kind)
-{
-    return kind == PARAMETER_THICKNESS                             ? OWNED_BY_GAP
-           : (parameter_type(kind)->is & PARAMETER_IS_BEHIND) != 0 ? OWNED_BY_MEDIUM
-                                                                   : OWNED_BY_SURFACE;
-}
-
 /* Marks of one owner, from a surface as it was to where the owner lies now. */
 static void add_marks(const struct turn *turn, struct surface *to, const struct surface *from,
                       enum owner owner)
@@ -113,7 +114,7 @@ static void add_marks(const struct turn *turn, struct surface *to, const struct 
 }
 
 /* Marks of the gap before a surface, and of its medium, which mirrors have from before them. */
-static void add_marks_behind(const struct turn *turn, struct surface *to, size_t index)
+static void add_marks_behind(struct turn *turn, struct surface *to, size_t index)
 {
     const struct surface *surfaces = turn->from->surfaces;
     size_t medium = index - 1;
@@ -121,8 +122,10 @@ static void add_marks_behind(const struct turn *turn, struct surface *to, size_t
     while (medium > 0 && surface_reflects(&surfaces[medium])) {
         medium--;
     }
+    turn->places[OWNED_BY_GAP][index - 1] = turn->build.lens->surface_count - 1;
     if (!surface_reflects(&surfaces[index])) {
         add_marks(turn, to, &surfaces[medium], OWNED_BY_MEDIUM);
+        turn->places[OWNED_BY_MEDIUM][medium] = turn->build.lens->surface_count - 1;
     }
 }
 
@@ -141,6 +144,25 @@ static const char *join_marks(const char *all, const struct surface *surface, si
     return all;
 }
 
+/* What lies behind the whole lens comes before it, and a coordinate break becomes planes. */
+static bool has_place(const struct lens *lens, struct parameter one)
+{
+    size_t last = lens->surface_count - 1;
+    enum owner owner = owner_of(one.kind);
+    if (owner == OWNED_BY_SURFACE) {
+        return one.kind < PARAMETER_BREAK_DECENTER_X;
+    }
+    while (owner == OWNED_BY_MEDIUM && last > 0 && surface_reflects(&lens->surfaces[last])) {
+        last--;
+    }
+    return one.surface != last;
+}
+
+static bool pickup_has_place(const struct lens *lens, const struct lens_pickup *pickup)
+{
+    return has_place(lens, pickup->what) && has_place(lens, pickup->from);
+}
+
 const char *lens_marks_left_out(const struct lens *lens, struct arena *arena)
 {
     size_t last = lens->surface_count - 1, medium = last;
@@ -148,7 +170,37 @@ const char *lens_marks_left_out(const struct lens *lens, struct arena *arena)
     while (medium > 0 && surface_reflects(&lens->surfaces[medium])) {
         medium--;
     }
-    return join_marks(all, &lens->surfaces[medium], medium + 1, OWNED_BY_MEDIUM, arena);
+    all = join_marks(all, &lens->surfaces[medium], medium + 1, OWNED_BY_MEDIUM, arena);
+    for (size_t i = 0; i < lens->pickup_count; i++) {
+        if (!pickup_has_place(lens, &lens->pickups[i])) {
+            all = arena_printf(arena, "%s%sthe pick-up of %s", all != NULL ? all : "",
+                               all != NULL ? ", " : "",
+                               parameter_mark_write(lens->pickups[i].what, arena));
+        }
+    }
+    return all;
+}
+
+/* A factor changes its sign where only one of the two numbers does. */
+static void turn_pickups(const struct turn *turn)
+{
+    const struct lens *from = turn->from;
+    struct lens *lens = turn->build.lens;
+    lens->pickups = ARENA_ARRAY(turn->arena, from->pickup_count, struct lens_pickup);
+    lens->pickup_count = 0;
+    for (size_t i = 0; i < from->pickup_count; i++) {
+        struct lens_pickup one = from->pickups[i];
+        if (!pickup_has_place(from, &one)) {
+            continue;
+        }
+        if (turns(turn, one.what.kind) != turns(turn, one.from.kind)) {
+            one.factor = figure_negate(one.factor, turn->arena);
+        }
+        one.offset = turned(turn, one.what.kind, one.offset);
+        one.what.surface = turn->places[owner_of(one.what.kind)][one.what.surface];
+        one.from.surface = turn->places[owner_of(one.from.kind)][one.from.surface];
+        lens->pickups[lens->pickup_count++] = one;
+    }
 }
 
 /* What lies on the surface itself. */
@@ -196,6 +248,7 @@ static void add_surface(struct turn *turn, size_t index)
 {
     const struct lens *from = turn->from;
     struct surface *to = lens_build_surface(&turn->build);
+    turn->places[OWNED_BY_SURFACE][index] = turn->build.lens->surface_count - 1;
     *to = from->surfaces[index];
     to->medium = index > 0 ? from->surfaces[index - 1].medium : from->object_medium;
     to->coordinate_break = NULL;
@@ -363,6 +416,9 @@ const struct lens *lens_reversed(const struct lens *lens, struct arena *arena, s
     if (!check(&turn, error)) {
         return NULL;
     }
+    for (int i = 0; i < OWNERS; i++) {
+        turn.places[i] = ARENA_ARRAY(arena, lens->surface_count, size_t);
+    }
     lens_build_begin(&turn.build, to, arena);
     *to = *lens;
     to->surfaces = NULL;
@@ -373,6 +429,9 @@ const struct lens *lens_reversed(const struct lens *lens, struct arena *arena, s
     for (size_t i = lens->surface_count; i-- > 0;) {
         add_surface(&turn, i);
     }
+    turn_pickups(&turn);
+    to->goals = NULL;
+    to->goal_count = 0;
     turn_conjugates(&turn);
     return turn_aperture(&turn, error) ? to : NULL;
 }

@@ -158,22 +158,14 @@ static bool read_number(struct lens_words *words, struct text word, struct param
                         struct figure *figure, struct error *error)
 {
     const struct parameter_type *type = parameter_type(parameter.kind);
-    int length = parameter_length(parameter.kind, parameter.order);
     bool flat = text_equal(word, "inf") || text_equal(word, "-inf") || text_equal(word, "-");
     if (parameter.kind == PARAMETER_RADIUS && flat) {
         *figure = (struct figure){{INFINITY, 0}, text_of("inf"), LENS_NONE};
         return true;
     }
     *figure = (struct figure){.variable = LENS_NONE};
-    if (!lens_words_figure(words, word, length == 1 ? words->scale : NUMBER_UNSCALED, type->words,
-                           figure, error)) {
+    if (!lens_words_number(words, word, parameter.kind, parameter.order, figure, error)) {
         return false;
-    }
-    if (length < 0) {
-        figure->value = lens_words_per_length(figure->value, words->scale, -length);
-    }
-    if ((type->is & PARAMETER_IS_ANGLE) != 0) {
-        figure->value = pair_multiply(figure->value, pair_of(RADIANS_PER_DEGREE));
     }
     return (parameter.kind != PARAMETER_RADIUS && parameter.kind != PARAMETER_FOCAL) ||
            figure->value.hi != 0 || lens_words_fail(words, word, error, "the %s is 0", type->words);
@@ -256,21 +248,12 @@ bool lens_light_read(const struct lens_words *words, struct text list, struct le
     size_t room = 0;
     *light = (struct lens_light){NULL, 0};
     while (list.start != NULL) {
-        struct text weight = text_cut(&list, ','), name = text_cut(&weight, ':');
-        struct figure figure = {.value = {1, 0}};
+        const struct text one = text_cut(&list, ',');
         light->wavelengths = arena_grow(words->arena, light->wavelengths, light->count, &room,
                                         sizeof light->wavelengths[0]);
-        struct lens_wavelength *one = &light->wavelengths[light->count++];
-        *one = (struct lens_wavelength){.typed = name, .weight_typed = weight};
-        if (!lens_words_wavelength(words, name, &one->wavelength, error) ||
-            (weight.start != NULL &&
-             !lens_words_figure(words, weight, NUMBER_UNSCALED, "weight", &figure, error))) {
+        if (!lens_words_light(words, one, &light->wavelengths[light->count++], error)) {
             return false;
         }
-        if (!(figure.value.hi >= 0)) {
-            return lens_words_fail(words, weight, error, "a weight is not below 0");
-        }
-        one->weight = figure.value.hi;
     }
     return true;
 }

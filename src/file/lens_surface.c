@@ -3,6 +3,7 @@
 #include "file/lens_surface.h"
 
 #include "base/constants.h"
+#include "file/lens_mark.h"
 
 #include <string.h>
 
@@ -190,35 +191,6 @@ static bool read_coefficient(struct reading *reading, int order, struct text val
     return true;
 }
 
-/* [2,10], in the unit that the number itself has. */
-static bool read_bounds(const struct lens_words *words, struct text bounds, struct vary *vary,
-                        struct error *error)
-{
-    int length = parameter_length(vary->kind, vary->order);
-    struct figure both[2] = {{.variable = LENS_NONE}, {.variable = LENS_NONE}};
-    struct text inside = {bounds.start + 1, bounds.length >= 2 ? bounds.length - 2 : 0};
-    if (bounds.start[0] != '[' || bounds.start[bounds.length - 1] != ']' ||
-        memchr(bounds.start, ',', bounds.length) == NULL) {
-        return lens_words_fail(words, bounds, error, "bounds are written [low,high]");
-    }
-    bool angle = (parameter_type(vary->kind)->is & PARAMETER_IS_ANGLE) != 0;
-    const struct vector_form form = {"bounds", 2, length == 1 ? words->scale : NUMBER_UNSCALED,
-                                     angle ? RADIANS_PER_DEGREE : 0};
-    if (!lens_words_vector(words, inside, &form, both, error)) {
-        return false;
-    }
-    for (int i = 0; i < 2 && length < 0; i++) {
-        both[i].value = lens_words_per_length(both[i].value, words->scale, -length);
-    }
-    if (both[0].value.hi > both[1].value.hi) {
-        return lens_words_fail(words, bounds, error, "the lower bound is above the upper");
-    }
-    vary->has_bounds = true;
-    vary->low = both[0];
-    vary->high = both[1];
-    return true;
-}
-
 /* R~, t~[2,10], glass~ */
 static bool read_vary(struct reading *reading, struct text what, struct text bounds,
                       struct error *error)
@@ -242,7 +214,7 @@ static bool read_vary(struct reading *reading, struct text what, struct text bou
         reading->varies = ARENA_ARRAY(words->arena, PARAMETER_MOST_MARKS, struct vary);
         surface->varies = reading->varies;
     }
-    if (bounds.length > 0 && !read_bounds(words, bounds, &vary, error)) {
+    if (!lens_bounds_read(words, bounds, &vary, error)) {
         return false;
     }
     reading->varies[surface->vary_count++] = vary;

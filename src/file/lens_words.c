@@ -2,6 +2,7 @@
 /* SPDX-License-Identifier: MIT */
 #include "file/lens_words.h"
 
+#include "base/constants.h"
 #include "base/quantity.h"
 #include "base/units.h"
 #include "data/lines.h"
@@ -112,6 +113,14 @@ bool lens_words_fail(const struct lens_words *words, struct text word, struct er
     return error_locate(error, words->source, words->number, column);
 }
 
+bool lens_words_end(struct lens_words *words, struct error *error)
+{
+    struct text word = lens_words_next(words);
+    return word.length == 0 ||
+           lens_words_fail(words, word, error, "'%.*s' does not belong here",
+                           (int)(word.length < 40 ? word.length : 40), word.start);
+}
+
 bool lens_words_figure(const struct lens_words *words, struct text text, struct number_scale scale,
                        const char *what, struct figure *figure, struct error *error)
 {
@@ -149,6 +158,23 @@ struct pair lens_words_per_length(struct pair value, struct number_scale scale, 
         }
     }
     return pair_divide(value, unit);
+}
+
+bool lens_words_number(const struct lens_words *words, struct text text, enum parameter_kind kind,
+                       int order, struct figure *figure, struct error *error)
+{
+    int length = parameter_length(kind, order);
+    if (!lens_words_figure(words, text, length == 1 ? words->scale : NUMBER_UNSCALED,
+                           parameter_type(kind)->words, figure, error)) {
+        return false;
+    }
+    if (length < 0) {
+        figure->value = lens_words_per_length(figure->value, words->scale, -length);
+    }
+    if ((parameter_type(kind)->is & PARAMETER_IS_ANGLE) != 0) {
+        figure->value = pair_multiply(figure->value, pair_of(RADIANS_PER_DEGREE));
+    }
+    return true;
 }
 
 bool lens_words_figures(struct lens_words *words, struct number_scale scale, const char *what,
@@ -275,6 +301,25 @@ bool lens_words_wavelength(const struct lens_words *words, struct text text, dou
                    bare < 100 ? "um" : "nm");
     }
     return false;
+}
+
+bool lens_words_light(const struct lens_words *words, struct text word,
+                      struct lens_wavelength *wavelength, struct error *error)
+{
+    struct text weight = word, name = text_cut(&weight, ':');
+    struct figure figure = {.value = {1, 0}};
+    if (!lens_words_wavelength(words, name, &wavelength->wavelength, error) ||
+        (weight.start != NULL &&
+         !lens_words_figure(words, weight, NUMBER_UNSCALED, "weight", &figure, error))) {
+        return false;
+    }
+    if (!(figure.value.hi >= 0)) {
+        return lens_words_fail(words, weight, error, "a weight is not below 0");
+    }
+    wavelength->typed = name;
+    wavelength->weight = figure.value.hi;
+    wavelength->weight_typed = weight;
+    return true;
 }
 
 static bool read_index(const struct lens_words *words, struct text text, const char *what,

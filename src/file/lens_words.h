@@ -54,6 +54,9 @@ struct text lens_words_next(struct lens_words *words);
 /* All that is left of the line, trimmed. */
 struct text lens_words_rest(struct lens_words *words);
 
+/* Is the line at its end? Says what does not belong there. */
+bool lens_words_end(struct lens_words *words, struct error *error);
+
 /* Report something wrong with a word of the line; `word` may lie behind its end. Returns false. */
 bool lens_words_fail(const struct lens_words *words, struct text word, struct error *error,
                      const char *format, ...) __attribute__((format(printf, 4, 5)));
@@ -68,6 +71,10 @@ bool lens_words_fail(const struct lens_words *words, struct text word, struct er
  */
 bool lens_words_figure(const struct lens_words *words, struct text text, struct number_scale scale,
                        const char *what, struct figure *figure, struct error *error);
+
+/* The same of a number of the lens, in the unit that a file has it in: mm, 1/mm, rad result. */
+bool lens_words_number(const struct lens_words *words, struct text text, enum parameter_kind kind,
+                       int order, struct figure *figure, struct error *error);
 
 /* A number of 1/length^power in 1/mm^power, of one in the unit of this scale. */
 struct pair lens_words_per_length(struct pair value, struct number_scale scale, int power);
@@ -93,6 +100,10 @@ bool lens_words_points(const struct lens_words *words, struct text list, enum fi
 /* A wavelength with its unit, or the name of a line, in um. */
 bool lens_words_wavelength(const struct lens_words *words, struct text text, double *wavelength,
                            struct error *error);
+
+/* The same with its weight, "F:0.5". */
+bool lens_words_light(const struct lens_words *words, struct text word,
+                      struct lens_wavelength *wavelength, struct error *error);
 
 /*
  * What stands in the column of the medium: air, an index, nd/Vd, {...}, or the name of a glass.

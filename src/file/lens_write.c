@@ -5,6 +5,8 @@
 
 #include "base/constants.h"
 #include "file/lens_aperture.h"
+#include "file/lens_mark.h"
+#include "file/lens_pickup.h"
 #include "file/lens_unit.h"
 
 #include <math.h>
@@ -133,14 +135,9 @@ static void put_extras(struct writer *writer, const struct surface *surface)
     }
     for (size_t i = 0; i < surface->vary_count; i++) {
         const struct vary *vary = &surface->varies[i];
+        const char *name = parameter_mark_name(vary->kind, vary->order, writer->arena);
         put(writer, " ", 1);
-        put_string(writer, parameter_mark_name(vary->kind, vary->order, writer->arena));
-        put(writer, "~", 1);
-        if (vary->has_bounds) {
-            const struct figure both[2] = {vary->low, vary->high};
-            put_vector(writer, "[", both, 2, unit_of(writer, vary->kind, vary->order));
-            put(writer, "]", 1);
-        }
+        lens_mark_write(vary, name, writer->lens->unit, &writer->text);
     }
     if (surface->name != NULL) {
         put_string(writer, arena_printf(writer->arena, " name=\"%s\"", surface->name));
@@ -343,6 +340,37 @@ static void put_settings(struct writer *writer)
     put_system_settings(writer);
 }
 
+/* A word of the positions, with its marks. */
+static void put_variable(struct writer *writer, const struct lens_variable *variable)
+{
+    put_string(writer, "let ");
+    put(writer, variable->name.start, variable->name.length);
+    for (size_t p = 0; p < writer->lens->position_count; p++) {
+        put(writer, " ", 1);
+        put_figure(writer, &variable->values[p], writer->unit);
+        if (variable->varies != NULL && variable->varies[p] != NULL) {
+            lens_mark_write(variable->varies[p], "", writer->lens->unit, &writer->text);
+        }
+    }
+    put(writer, "\n", 1);
+}
+
+/* What follows what, and what is wanted. */
+static void put_design(struct writer *writer)
+{
+    const struct lens *lens = writer->lens;
+    for (size_t i = 0; i < lens->pickup_count; i++) {
+        put_string(writer, "pickup      ");
+        lens_pickup_write(&lens->pickups[i], lens->unit, &writer->text);
+        put(writer, "\n", 1);
+    }
+    for (size_t i = 0; i < lens->goal_count; i++) {
+        put_string(writer, "goal        ");
+        put(writer, lens->goals[i].text.start, lens->goals[i].text.length);
+        put(writer, "\n", 1);
+    }
+}
+
 static void put_positions(struct writer *writer)
 {
     static const char *const stated[STATED_COUNT] = {"stated efl", "stated bfl", "stated fnumber",
@@ -361,9 +389,7 @@ static void put_positions(struct writer *writer)
         }
     }
     for (size_t i = 0; i < lens->variable_count; i++) {
-        struct text name = lens->variables[i].name;
-        put_figures(writer, arena_printf(writer->arena, "let %.*s", (int)name.length, name.start),
-                    lens->variables[i].values, count, writer->unit);
+        put_variable(writer, &lens->variables[i]);
     }
     put_settings(writer);
     if (lens->objects != NULL) {
@@ -381,6 +407,7 @@ struct text lens_write(const struct lens *lens, struct arena *arena)
         .arena = arena, .lens = lens, .text = {.arena = arena}, .unit = lens_unit_mm(lens->unit)};
     put_header(&writer);
     put_positions(&writer);
+    put_design(&writer);
     put_string(&writer, "#           radius        thickness   medium              diameter\n");
     for (size_t i = 0; i < lens->surface_count; i++) {
         put_surface(&writer, &lens->surfaces[i]);

@@ -65,7 +65,8 @@ struct conversion {
     struct foreign_job job;
     const struct lens *lens;
     const char *position; /* that stands for a focal length; null = none does */
-    const char *left_out; /* marks that --reverse leaves out; null = none */
+    const char *left_out; /* marks and pick-ups that --reverse leaves out; null = none */
+    size_t goals;         /* that a lens turned around or scaled has no more */
 };
 
 static bool choose_position(struct conversion *conversion, struct error *error)
@@ -127,6 +128,7 @@ static bool change(struct conversion *conversion, struct error *error)
     if (!choose_position(conversion, error)) {
         return false;
     }
+    conversion->goals = conversion->lens->goal_count;
     if (input->reverse) {
         conversion->left_out = lens_marks_left_out(conversion->lens, conversion->arena);
         conversion->lens = lens_reversed(conversion->lens, conversion->arena, error);
@@ -137,6 +139,7 @@ static bool change(struct conversion *conversion, struct error *error)
     if (!scale(conversion, error)) {
         return false;
     }
+    conversion->goals -= conversion->lens->goal_count;
     if (input->unit > 0) {
         conversion->lens =
             lens_in_unit(conversion->lens, lens_units[input->unit - 1].word, conversion->arena);
@@ -196,6 +199,10 @@ static bool convert(struct conversion *conversion, const struct foreign_format *
     if (conversion->left_out != NULL) {
         growing_format(&lost, "%s: lost: %s: --reverse has no mark for what lies before the lens\n",
                        input->lens.source, conversion->left_out);
+    }
+    if (conversion->goals > 0) {
+        growing_format(&lost, "%s: lost: %zu goals: they are of the lens as it was\n",
+                       input->lens.source, conversion->goals);
     }
     output->remarks = growing_done(&lost);
     return true;

@@ -1,0 +1,16 @@
+/* exchange/json_write.h - texts and numbers as JSON has them. */
+/* SPDX-License-Identifier: MIT */
+#ifndef LENSCALC_EXCHANGE_JSON_WRITE_H
+#define LENSCALC_EXCHANGE_JSON_WRITE_H
+
+#include "optics/growing.h"
+
+/* In quotes, escaped; what is no UTF-8 becomes the replacement character. A null one is null. */
+void json_put_text(struct growing *to, struct text text);
+void json_put_string(struct growing *to, const char *string);
+
+/* With the shortest digits that read back to the same bits; null where it is not finite. */
+void json_put_number(struct growing *to, double value);
+void json_put_pair(struct growing *to, struct pair value);
+
+#endif

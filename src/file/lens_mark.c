@@ -1,0 +1,137 @@
+/* file/lens_mark.c - what of a .lens file the designer may change, and wants. */
+/* SPDX-License-Identifier: MIT */
+#include "file/lens_mark.h"
+
+#include "base/constants.h"
+#include "file/lens_unit.h"
+
+#include <math.h>
+#include <string.h>
+
+bool lens_bounds_are_sound(const struct vary *mark)
+{
+    double low = mark->low.value.hi, high = mark->high.value.hi;
+    bool through_plane =
+        (mark->kind == PARAMETER_RADIUS || mark->kind == PARAMETER_FOCAL) && low > 0 && high < 0;
+    return low <= high || through_plane;
+}
+
+static bool read_bound(const struct lens_words *words, struct text text, const struct vary *mark,
+                       struct figure *figure, struct error *error)
+{
+    double sign = text_equal(text, "inf") ? 1 : text_equal(text, "-inf") ? -1 : 0;
+    if (sign != 0) {
+        *figure = (struct figure){{sign * (double)INFINITY, 0}, text, LENS_NONE};
+        return true;
+    }
+    return lens_words_number(words, text, mark->kind, mark->order, figure, error);
+}
+
+bool lens_bounds_read(const struct lens_words *words, struct text bounds, struct vary *mark,
+                      struct error *error)
+{
+    if (bounds.length == 0) {
+        return true;
+    }
+    if (mark->kind == PARAMETER_GLASS) {
+        return lens_words_fail(words, bounds, error,
+                               "a glass has no bounds: it stays within the map of optical glasses");
+    }
+    struct text high = {bounds.start + 1, bounds.length >= 2 ? bounds.length - 2 : 0};
+    struct text low = text_cut(&high, ',');
+    if (bounds.start[0] != '[' || bounds.start[bounds.length - 1] != ']' || high.start == NULL) {
+        return lens_words_fail(words, bounds, error, "bounds are written [low,high]");
+    }
+    if (!read_bound(words, low, mark, &mark->low, error) ||
+        !read_bound(words, high, mark, &mark->high, error)) {
+        return false;
+    }
+    mark->has_bounds = true;
+    return lens_bounds_are_sound(mark) ||
+           lens_words_fail(words, bounds, error, "the lower bound is above the upper");
+}
+
+void lens_number_write(struct growing *text, const struct figure *figure, enum parameter_kind kind,
+                       int order, const char *unit)
+{
+    int length = parameter_length(kind, order);
+    bool angle = (parameter_type(kind)->is & PARAMETER_IS_ANGLE) != 0;
+    if (figure->typed.start != NULL) {
+        growing_text(text, figure->typed);
+    } else if (angle) {
+        growing_number(text, figure->value.hi / RADIANS_PER_DEGREE);
+    } else {
+        growing_number(text, figure->value.hi / pow(lens_unit_mm(unit), length));
+    }
+}
+
+void lens_mark_write(const struct vary *mark, const char *name, const char *unit,
+                     struct growing *text)
+{
+    growing_format(text, "%s~", name);
+    if (mark->has_bounds) {
+        growing_string(text, "[");
+        lens_number_write(text, &mark->low, mark->kind, mark->order, unit);
+        growing_string(text, ",");
+        lens_number_write(text, &mark->high, mark->kind, mark->order, unit);
+        growing_string(text, "]");
+    }
+}
+
+/* 15.2, 15.2~, 15.2~[10,20] */
+static bool read_marked(const struct lens_words *words, struct text word, struct figure *value,
+                        const struct vary **mark, struct error *error)
+{
+    struct text bounds = word, number = text_cut(&bounds, '~');
+    if (!lens_words_figure(words, number, words->scale, "value", value, error)) {
+        return false;
+    }
+    if (bounds.start == NULL) {
+        *mark = NULL;
+        return true;
+    }
+    struct vary *made = ARENA_NEW(words->arena, struct vary);
+    *made = (struct vary){.kind = PARAMETER_THICKNESS};
+    *mark = made;
+    return lens_bounds_read(words, bounds, made, error);
+}
+
+bool lens_let_read(struct lens_words *words, size_t positions, struct lens_variable *variable,
+                   size_t *count, struct error *error)
+{
+    struct figure *values = ARENA_ARRAY(words->arena, positions + 1, struct figure);
+    const struct vary **marks = ARENA_ARRAY(words->arena, positions + 1, const struct vary *);
+    bool is_marked = false;
+    *count = 0;
+    for (struct text word = lens_words_next(words); word.length > 0 || *count == 0;
+         word = lens_words_next(words)) {
+        size_t at = *count < positions ? *count : positions;
+        if (!read_marked(words, word, &values[at], &marks[at], error)) {
+            return false;
+        }
+        is_marked = is_marked || marks[at] != NULL;
+        ++*count;
+    }
+    variable->values = values;
+    variable->varies = is_marked ? marks : NULL;
+    return true;
+}
+
+bool lens_goal_read(struct lens_words *words, struct lens *lens, struct error *error)
+{
+    const struct text text = lens_words_rest(words);
+    if (text.length == 0) {
+        return lens_words_fail(words, text, error, "the goal is missing: efl = 100");
+    }
+    struct lens_goal *all = ARENA_ARRAY(words->arena, lens->goal_count + 1, struct lens_goal);
+    for (size_t i = 0; i < lens->goal_count; i++) {
+        all[i] = lens->goals[i];
+    }
+    all[lens->goal_count++] =
+        (struct lens_goal){.text = text_of(arena_string(words->arena, text.start, text.length)),
+                           .source = words->source,
+                           .line = words->number,
+                           .column = (size_t)(text.start - words->line.start) + 1};
+    lens->goals = all;
+    return true;
+}
