@@ -94,7 +94,7 @@ FOR_TESTS = {
     "derivative_layout": "", "derivative_row": "", "derivative_sweep": "",
     "derivative_tape_new": "", "derivative_trace": "", "tangent_trace": "",
     # numbers that a design varies, until it does
-    "lens_pickup_add": "", "variables_get": "", "variables_lens": "", "variables_links": "",
+    "variables_get": "", "variables_lens": "", "variables_links": "",
     "variables_most_links": "", "variables_open": "", "variables_put": "",
     "lens_numbers_open": "", "lens_numbers_set": "",
     "merit_open": "until a command asks", "merit_evaluate": "",

@@ -1,6 +1,7 @@
 /* commands/design/fit_prescription.c - what of a lens must change to give what was measured. */
 /* SPDX-License-Identifier: MIT */
 #include "cli/goals.h"
+#include "cli/vary.h"
 #include "commands/design/fit.h"
 #include "design/prescription.h"
 #include "file/lens_file.h"
@@ -9,7 +10,7 @@
 
 #include <string.h>
 
-enum { MOST_GOALS = 64, MOST_PARTS = 64 };
+enum { MOST_GOALS = 64 };
 
 /* Of a goal that states none, mm: what a nodal bench measures to. */
 static const double usual_deviation = 0.01;
@@ -50,34 +51,15 @@ static const struct column columns[] = {
 const struct sheet fit_goal_sheet = {columns, sizeof columns / sizeof columns[0],
                                      sizeof(struct goal_row)};
 
-static const char parts_are[] = "parts are R1 (radius), t3[2,10] (gap, with bounds), n2 (index)";
-
 /* What was asked. */
 struct wishes {
     struct prescription_goal goals[MOST_GOALS];
     const char *goal_names[MOST_GOALS];
     size_t goal_count;
-    struct prescription_part parts[MOST_PARTS];
-    const char *part_names[MOST_PARTS];
+    struct prescription_part *parts;
+    const char **part_names;
     size_t part_count;
-    const char *ignored; /* marks that fit does not vary, in words; null = none */
 };
-
-/* The next item of a list: commas inside of brackets belong to it. */
-static struct text next_item(struct text *rest)
-{
-    size_t length = 0;
-    int depth = 0;
-    while (length < rest->length && (rest->start[length] != ',' || depth > 0)) {
-        depth += rest->start[length] == '[' ? 1 : rest->start[length] == ']' ? -1 : 0;
-        length++;
-    }
-    const struct text item = {rest->start, length};
-    *rest = length < rest->length
-                ? (struct text){rest->start + length + 1, rest->length - length - 1}
-                : (struct text){NULL, 0};
-    return text_trim(item);
-}
 
 /* What fit takes, of all that goals may be of. */
 static const enum goal_kind goal_kinds[OPERAND_KINDS + 1] = {
@@ -135,122 +117,54 @@ static bool read_goals(const char *list, struct run *run, double wavelength, str
     return true;
 }
 
-static void add_part(struct wishes *wishes, struct run *run, struct parameter what, double low,
-                     double high)
+/* A pick-up would have to follow what is fitted, and keep what it sets. */
+static bool check_pickups(const struct lens *lens, const struct variable *one, struct error *error)
 {
-    size_t at = wishes->part_count++;
-    wishes->parts[at] = (struct prescription_part){what, low, high};
-    wishes->part_names[at] = parameter_write(what, run->arena);
-}
-
-/* What has a name, but is not fitted. */
-static bool refuse_kind(struct text name, struct parameter what, struct error *error)
-{
-    const char *words =
-        what.kind >= PARAMETER_DECENTER_X ? "displacement" : parameter_type(what.kind)->words;
-    bool hisses = words[strlen(words) - 1] == 's';
-    fail(error, ERROR_USAGE,
-         "bad part '%.*s' in {--vary}: fit varies radii, thicknesses and indices, not %s%s",
-         text_shown(name), name.start, words, hisses ? "es" : "s");
-    return what.kind == PARAMETER_CURVATURE &&
-           error_hint(error, "R%zu varies the curvature", what.surface + 1);
-}
-
-/* [2,10] without the first bracket */
-static bool read_bounds(struct text bounds, double *low, double *high)
-{
-    struct text second = bounds;
-    struct error ignored;
-    if (bounds.length == 0 || bounds.start[bounds.length - 1] != ']') {
-        return false;
+    for (size_t i = 0; i < lens->pickup_count; i++) {
+        const struct lens_pickup *pickup = &lens->pickups[i];
+        const struct parameter glass = {one->what.surface, PARAMETER_GLASS, 0};
+        bool medium = one->what.kind == PARAMETER_INDEX;
+        if (parameter_is_same(pickup->what, one->what) ||
+            parameter_is_same(pickup->from, one->what) ||
+            (medium &&
+             (parameter_is_same(pickup->what, glass) || parameter_is_same(pickup->from, glass)))) {
+            return fail(error, ERROR_DOMAIN,
+                        "%s has to do with the pick-up of %c%zu, which fit does not follow",
+                        one->name, parameter_type(pickup->what.kind)->name[0],
+                        pickup->what.surface + 1);
+        }
     }
-    second.length--;
-    struct text first = text_cut(&second, ',');
-    return second.start != NULL &&
-           quantity_read(first, &dimension_number, NULL, low, NULL, &ignored) &&
-           quantity_read(second, &dimension_number, NULL, high, NULL, &ignored);
-}
-
-/* R1, t3[2,10], n2 */
-static bool read_part(struct text item, struct run *run, struct wishes *wishes, struct error *error)
-{
-    struct text bounds = item, name = text_cut(&bounds, '[');
-    struct parameter what;
-    double low = -INFINITY, high = INFINITY;
-    if (!parameter_read(name, prescription_fits, &what, error)) {
-        error_prefix(error, "bad part in {--vary}: ");
-        return error->hint[0] == '\0' && error_hint(error, "%s", parts_are);
-    }
-    if (!prescription_fits(what.kind)) {
-        return refuse_kind(name, what, error);
-    }
-    if (bounds.start != NULL && !read_bounds(bounds, &low, &high)) {
-        fail(error, ERROR_USAGE, "bad part '%.*s' in {--vary}", (int)item.length, item.start);
-        return error_hint(error, "%s", parts_are);
-    }
-    add_part(wishes, run, what, low, high);
     return true;
 }
 
-static void ignore_mark(struct wishes *wishes, const struct vary *vary, size_t number,
-                        struct arena *arena)
-{
-    wishes->ignored = arena_printf(arena, "%s%s%s~ of surface %zu",
-                                   wishes->ignored != NULL ? wishes->ignored : "",
-                                   wishes->ignored != NULL ? ", " : "",
-                                   parameter_name(vary->kind, vary->order, arena), number);
-}
-
-/* The marks R~ and t~ of the file. */
-static bool take_marks(const struct lens *lens, struct run *run, struct wishes *wishes,
-                       struct error *error)
-{
-    for (size_t i = 0; i < lens->surface_count; i++) {
-        const struct surface *surface = &lens->surfaces[i];
-        for (size_t j = 0; j < surface->vary_count; j++) {
-            const struct vary *vary = &surface->varies[j];
-            if (wishes->part_count == MOST_PARTS) {
-                return fail(error, ERROR_DOMAIN, "the lens has more than %d marks", MOST_PARTS);
-            }
-            if (!prescription_fits(vary->kind)) {
-                ignore_mark(wishes, vary, i + 1, run->arena);
-            } else {
-                add_part(wishes, run, (struct parameter){i, vary->kind, vary->order},
-                         vary->has_bounds ? vary->low.value.hi : -INFINITY,
-                         vary->has_bounds ? vary->high.value.hi : INFINITY);
-            }
-        }
-    }
-    if (wishes->ignored != NULL) {
-        doubts_add(run->doubts, "fit varies radii and thicknesses, not what is marked %s",
-                   wishes->ignored);
-    }
-    if (wishes->part_count > 0) {
-        return true;
-    }
-    fail(error, ERROR_DOMAIN, "nothing may change: give {--vary}, or mark R~ and t~ in the lens");
-    return wishes->ignored != NULL && error_hint(error, "fit does not vary %s", wishes->ignored);
-}
-
+/* --vary, or the marks of the lens that fit takes. */
 static bool read_parts(const struct fit_input *input, const struct lens *lens, struct run *run,
                        struct wishes *wishes, struct error *error)
 {
-    struct text rest = text_of(input->vary != NULL ? input->vary : "");
-    if (input->vary == NULL) {
-        return take_marks(lens, run, wishes, error);
+    const struct vary_reader reader = {lens, run->arena, prescription_fits,
+                                       "fit varies radii, thicknesses and indices"};
+    struct variable *list;
+    const char *ignored = NULL;
+    if (!(input->vary != NULL
+              ? vary_list(&reader, input->vary, NULL, &list, &wishes->part_count, error)
+              : vary_marks(&reader, &list, &wishes->part_count, &ignored, error))) {
+        return false;
     }
-    while (rest.start != NULL) {
-        struct text item = next_item(&rest);
-        if (wishes->part_count == MOST_PARTS) {
-            return fail(error, ERROR_USAGE, "{--vary} has more than %d parts", MOST_PARTS);
-        }
-        if (!read_part(item, run, wishes, error)) {
+    if (ignored != NULL) {
+        doubts_add(run->doubts, "fit varies radii and thicknesses, not what is marked %s", ignored);
+    }
+    if (wishes->part_count == 0) {
+        fail(error, ERROR_DOMAIN,
+             "nothing may change: give {--vary}, or mark R~ and t~ in the lens");
+        return ignored != NULL && error_hint(error, "fit does not vary %s", ignored);
+    }
+    wishes->parts = ARENA_ARRAY(run->arena, wishes->part_count, struct prescription_part);
+    wishes->part_names = ARENA_ARRAY(run->arena, wishes->part_count, const char *);
+    for (size_t i = 0; i < wishes->part_count; i++) {
+        wishes->parts[i] = (struct prescription_part){list[i].what, list[i].low, list[i].high};
+        wishes->part_names[i] = list[i].name;
+        if (!check_pickups(lens, &list[i], error)) {
             return false;
-        }
-        for (size_t i = 0; i + 1 < wishes->part_count; i++) {
-            if (strcmp(wishes->part_names[i], wishes->part_names[wishes->part_count - 1]) == 0) {
-                return fail(error, ERROR_USAGE, "{--vary} names %s twice", wishes->part_names[i]);
-            }
         }
     }
     return true;
