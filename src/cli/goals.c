@@ -390,30 +390,64 @@ static bool read_goal(struct goal_reading *reading, struct error *error)
     return true;
 }
 
+/* A list in the making. */
+struct goal_list {
+    struct operand *list;
+    size_t count, room;
+};
+
+/* Goals behind those that are there; `wrong` receives the one that fails. */
+static bool add_goals(const struct goals_reader *reader, struct text rest, struct goal_list *goals,
+                      struct text *wrong, struct error *error)
+{
+    while (rest.start != NULL) {
+        *wrong = text_trim(text_cut(&rest, ','));
+        if (goals->count == MOST_GOALS) {
+            return fail(error, ERROR_USAGE, "there are more than %d goals", MOST_GOALS);
+        }
+        goals->list = arena_grow(reader->arena, goals->list, goals->count, &goals->room,
+                                 sizeof(struct operand));
+        struct operand *operand = &goals->list[goals->count];
+        *operand = (struct operand){.wavelength = NAN,
+                                    .frequency = NAN,
+                                    .position = LENS_NONE,
+                                    .first = LENS_NONE,
+                                    .last = LENS_NONE};
+        struct goal_reading reading = {.reader = reader, .item = *wrong, .operand = operand};
+        if (!read_goal(&reading, error)) {
+            return false;
+        }
+        goals->count++;
+    }
+    return true;
+}
+
 bool goals_read(const struct goals_reader *reader, struct text text, struct goals *goals,
                 struct error *error)
 {
-    size_t count = 0, room = 0;
-    struct operand *list = NULL;
-    struct text rest = text;
-    while (rest.start != NULL) {
-        if (count == MOST_GOALS) {
-            return fail(error, ERROR_USAGE, "{%s} has more than %d goals", reader->where,
-                        MOST_GOALS);
+    struct goal_list list = {0};
+    struct text wrong;
+    bool done = add_goals(reader, text, &list, &wrong, error);
+    *goals = (struct goals){list.list, list.count};
+    return done || error_prefix(error, "bad goal in {%s}: ", reader->where);
+}
+
+bool goals_of_lens(const struct goals_reader *reader, const struct lens *lens, struct goals *goals,
+                   struct error *error)
+{
+    struct goal_list list = {0};
+    for (size_t i = 0; i < lens->goal_count; i++) {
+        const struct lens_goal *goal = &lens->goals[i];
+        struct text wrong;
+        if (!add_goals(reader, goal->text, &list, &wrong, error)) {
+            const size_t before = (size_t)(wrong.start - goal->text.start);
+            const size_t caret = error->caret > 0 ? (size_t)error->caret - 1 : 0;
+            error->code = error->code == ERROR_USAGE ? ERROR_DATA : error->code;
+            error_prefix(error, "bad goal: ");
+            return goal->source != NULL &&
+                   error_locate(error, goal->source, goal->line, goal->column + before + caret);
         }
-        list = arena_grow(reader->arena, list, count, &room, sizeof *list);
-        list[count] = (struct operand){.wavelength = NAN,
-                                       .frequency = NAN,
-                                       .position = LENS_NONE,
-                                       .first = LENS_NONE,
-                                       .last = LENS_NONE};
-        struct goal_reading reading = {
-            .reader = reader, .item = text_trim(text_cut(&rest, ',')), .operand = &list[count]};
-        if (!read_goal(&reading, error)) {
-            return error_prefix(error, "bad goal in {%s}: ", reader->where);
-        }
-        count++;
     }
-    *goals = (struct goals){list, count};
+    *goals = (struct goals){list.list, list.count};
     return true;
 }

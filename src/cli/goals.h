@@ -43,4 +43,14 @@ struct goals {
 bool goals_read(const struct goals_reader *reader, struct text text, struct goals *goals,
                 struct error *error);
 
+/*
+ * Read the goals that a lens states.
+ *
+ * Given     reader  `where` is not used
+ * Result    in their order; none where it states none
+ * Errors    ERROR_DATA with the line and column of its file, else as goals_read
+ */
+bool goals_of_lens(const struct goals_reader *reader, const struct lens *lens, struct goals *goals,
+                   struct error *error);
+
 #endif

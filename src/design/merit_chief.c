@@ -352,8 +352,7 @@ size_t merit_prepare_incidence(struct merit *merit, struct merit_slot *slot, str
     const struct operand *operand = slot->operand;
     const struct lens *lens = place->lens;
     size_t count = 0;
-    if (place->aperture.kind == APERTURE_NONE) {
-        fail(error, ERROR_DOMAIN, "the lens has no aperture: state one, or give {f-number}");
+    if (!merit_needs_aperture(place, error)) {
         return 0;
     }
     for (size_t i = 0; i < field_count(place, operand); i++) {

@@ -156,8 +156,7 @@ size_t merit_prepare_first(struct merit *merit, struct merit_slot *slot, struct 
         return one_unless(place->setup.object.is_infinite,
                           "the object is infinitely far away, its magnification 0", error);
     }
-    return one_unless(kind == OPERAND_FNUMBER && place->aperture.kind == APERTURE_NONE,
-                      "the lens has no aperture: state one, or give {f-number}", error);
+    return kind != OPERAND_FNUMBER || merit_needs_aperture(place, error) ? 1 : 0;
 }
 
 bool merit_fill_first(struct merit *merit, const struct merit_slot *slot, double *residuals,
@@ -235,8 +234,7 @@ size_t merit_prepare_seidel(struct merit *merit, struct merit_slot *slot, struct
     const bool of_field = slot->operand->kind != OPERAND_S1;
     const bool has_field = slot->operand->field != NULL || setup->edge.kind != FIELD_NONE;
     (void)arena;
-    return place->aperture.kind == APERTURE_NONE
-               ? one_unless(true, "the lens has no aperture: state one, or give {f-number}", error)
+    return !merit_needs_aperture(place, error) ? 0
            : setup->lens->stop == LENS_NONE && !setup->first.is_telecentric
                ? one_unless(true, "the lens has no stop: it has no chief rays", error)
            : has_cone(setup->lens)
@@ -275,10 +273,8 @@ struct dual *merit_reach_new(const struct merit *merit, const struct merit_slot 
 {
     const struct merit_place *place = &merit->places[slot->place];
     const size_t columns = merit->variable_count > 0 ? merit->variable_count : 1;
-    if (place->aperture.kind == APERTURE_NONE) {
-        fail(error, ERROR_DOMAIN,
-             "surfaces without a diameter are as large as the light, but the lens has no "
-             "aperture: state one, or give {f-number}");
+    if (!merit_needs_aperture(place, error)) {
+        error_prefix(error, "surfaces without a diameter are as large as the light: ");
         return NULL;
     }
     return ARENA_ARRAY(arena, columns * place->lens->surface_count, struct dual);

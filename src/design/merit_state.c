@@ -52,3 +52,9 @@ bool merit_put(struct merit *merit, const struct merit_slot *slot, size_t at, do
     }
     return true;
 }
+
+bool merit_needs_aperture(const struct merit_place *place, struct error *error)
+{
+    return place->aperture.kind != APERTURE_NONE ||
+           fail(error, ERROR_DOMAIN, "the lens has no aperture: state one, or give {f-number}");
+}

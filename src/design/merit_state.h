@@ -132,4 +132,7 @@ size_t merit_columns(const struct merit *merit);
 bool merit_put(struct merit *merit, const struct merit_slot *slot, size_t at, double *residuals,
                double *jacobian);
 
+/* Errors    ERROR_DOMAIN: the lens has no aperture */
+bool merit_needs_aperture(const struct merit_place *place, struct error *error);
+
 #endif

@@ -125,6 +125,59 @@ static void test_list(const struct goals_reader *reader)
     CHECK(goals.count == 4 && goals.list[2].kind == OPERAND_S2 && goals.list[3].position == 0);
 }
 
+/* The kinds with surfaces, which have places of their own. */
+static void test_surfaces(const struct goals_reader *reader)
+{
+    struct goals goals = {0};
+    struct error error;
+    CHECK(goals_read(reader, text_of("edge 1..4 > 1, center 3 > 0.5, air > 0.1:0.01"), &goals,
+                     &error));
+    CHECK(goals.count == 3);
+    CHECK(goals.list[0].first == 0 && goals.list[0].last == 3);
+    CHECK(goals.list[1].first == 2 && goals.list[1].last == 2);
+    CHECK(goals.list[2].first == LENS_NONE);
+    CHECK_TEXT(goals.list[0].name, "edge 1..4 > 1");
+    static const struct {
+        const char *text, *message;
+        int caret;
+    } wrong[] = {
+        {"edge 0..2 > 1", "bad goal in --goals: '0..2' names no surfaces", 6},
+        {"edge 4..2 > 1", "bad goal in --goals: '4..2' names no surfaces", 6},
+        {"edge two > 1", "bad goal in --goals: 'two' names no surfaces", 6},
+        {"edge 1..5 > 1", "bad goal in --goals: there is no surface 5: the lens has 4", 9},
+        {"edge 1 2 > 1", "bad goal in --goals: the surface is there twice", 8},
+        {"edge@10deg > 1", "bad goal in --goals: edge has no field", 6},
+        {"edge 1..4", "bad goal in --goals: edge has no target", 1},
+    };
+    for (size_t i = 0; i < sizeof wrong / sizeof wrong[0]; i++) {
+        CHECK(!goals_read(reader, text_of(wrong[i].text), &goals, &error));
+        CHECK_TEXT(error.message, wrong[i].message);
+        CHECK(error.caret == wrong[i].caret);
+    }
+}
+
+/* Lines of a file: what is wrong has its line and column there. */
+static void test_lines(const struct goals_reader *reader)
+{
+    struct lens_goal lines[] = {
+        {text_of("efl = 100, S1"), "zoom.lens", 7, 12},
+        {text_of("bfl > 30, efl@10deg = 3"), "zoom.lens", 8, 12},
+    };
+    struct lens lens = *reader->lens;
+    struct goals goals = {0};
+    struct error error = {.code = ERROR_NONE};
+    lens.goals = lines;
+    lens.goal_count = 1;
+    CHECK(goals_of_lens(reader, &lens, &goals, &error) && goals.count == 2);
+    lens.goal_count = 2;
+    CHECK(!goals_of_lens(reader, &lens, &goals, &error));
+    CHECK(error.code == ERROR_DATA && error.line == 8 && error.column == 12 + 10 + 4);
+    CHECK_TEXT(error.source, "zoom.lens");
+    CHECK_TEXT(error.message, "bad goal: efl has no field");
+    lens.goal_count = 0;
+    CHECK(goals_of_lens(reader, &lens, &goals, &error) && goals.count == 0);
+}
+
 int main(void)
 {
     struct arena arena = {0};
@@ -139,6 +192,8 @@ int main(void)
     test_good(&reader);
     test_bad(&reader);
     test_list(&reader);
+    test_surfaces(&reader);
+    test_lines(&reader);
     arena_free(&arena);
     return check_report();
 }

@@ -209,8 +209,144 @@ static double analyse(const struct lens *lens, const struct operand *operand, si
     return figures[operand->kind];
 }
 
+/* -------- the focal length through no power -------- */
+
+static const char singlet[] = "wavelength d\n"
+                              "object inf\n"
+                              "surface 51.68 3 1.5168 20\n"
+                              "surface - 100 air 20\n";
+
+/* One residual of one lens with a curvature; its slope. */
+static double residual_at(struct merit_bench *bench, double curvature, double *slope)
+{
+    double residual = NAN;
+    CHECK(merit_evaluate(&bench->merit, &curvature, &residual, slope));
+    return residual;
+}
+
+/*
+ * A plano-convex lens has 1/f = 0.5168 c, whatever its thickness: f = 100 mm at c = 0.01934985.
+ * Within a factor of 2 the residual is f - 100; beyond it goes on along its tangent in the power
+ * P: (200 - 4e4 (P - 0.005)) - 100, and (50 - 2500 (P - 0.02)) - 100.
+ */
+static void test_power(void)
+{
+    static const struct {
+        double power, residual, slope; /* by P */
+    } all[] = {
+        {0.01, 0, -1e4},    {0.008, 25, -15625}, {0.0125, -20, -6400},
+        {0.005, 100, -4e4}, {0.004, 140, -4e4},  {0, 300, -4e4},
+        {-0.01, 700, -4e4}, {0.02, -50, -2500},  {0.03, -75, -2500},
+    };
+    const struct merit_case of = {"singlet", singlet, "c1", "efl=100", 0};
+    struct arena arena = {0};
+    struct error error;
+    struct merit_bench *bench = ARENA_NEW(&arena, struct merit_bench);
+    CHECK(merit_bench_open(bench, &of, &arena, &error));
+    for (size_t i = 0; i < sizeof all / sizeof all[0]; i++) {
+        double slope;
+        const double residual = residual_at(bench, all[i].power / 0.5168, &slope);
+        CHECK_NEAR(residual, all[i].residual, 1e-10, "residual");
+        CHECK_RELATIVE(slope, all[i].slope * 0.5168, 1e-12, "slope");
+        if (all[i].power != 0) {
+            CHECK_RELATIVE(bench->merit.values[0], 1 / all[i].power, 1e-12, "efl");
+        }
+    }
+    arena_free(&arena);
+}
+
+/* -------- relations -------- */
+
+/* What is met counts for nothing; constraints stand last. */
+static void test_relations(void)
+{
+    const struct merit_case of = {"singlet", singlet, "c1 t1",
+                                  "length==2,efl>90,efl<90:10,efl>110,length<5,center==4:2", 0};
+    static const double expected[] = {0, 1, -10, 0, 1, -0.5};
+    struct arena arena = {0};
+    struct error error;
+    struct merit_bench *bench = ARENA_NEW(&arena, struct merit_bench);
+    double residuals[6], jacobian[12];
+    const double v[2] = {0.01 / 0.5168, 3};
+    CHECK(merit_bench_open(bench, &of, &arena, &error));
+    CHECK(bench->merit.exact_count == 2 && bench->merit.residual_count == 6);
+    CHECK(merit_evaluate(&bench->merit, v, residuals, jacobian));
+    for (size_t i = 0; i < 6; i++) {
+        CHECK_NEAR(residuals[i], expected[i], 1e-11, "residual");
+        CHECK((jacobian[2 * i] == 0 && jacobian[2 * i + 1] == 0) == (expected[i] == 0));
+    }
+    CHECK_TEXT(bench->merit.slots[4].operand->name, "length == 2");
+    arena_free(&arena);
+}
+
+/* -------- what cannot be had -------- */
+
+static const char axis_only[] = "wavelength d\n"
+                                "object inf\n"
+                                "surface 50 3 1.5168 -\n"
+                                "surface -50 10 air -\n"
+                                "surface - - air 20\n";
+
+static void test_refused(void)
+{
+    static const struct {
+        const char *text, *goals, *message;
+    } all[] = {
+        {singlet, "efl=0", "goal efl = 0: a finite length that is not 0 must be its target"},
+        {singlet, "fnumber=2",
+         "goal fnumber = 2: the lens has no aperture: state one, or give f-number"},
+        {singlet, "magnification=-1",
+         "goal magnification = -1: the object is infinitely far away, its magnification 0"},
+        {singlet, "axial", "goal axial: there is only one wavelength, and so no colour"},
+        {singlet, "S1", "goal S1: the lens has no aperture: state one, or give f-number"},
+        {axis_only, "edge=1",
+         "goal edge = 1: surfaces without a diameter are as large as the light: the lens has "
+         "no aperture: state one, or give f-number"},
+        {singlet, "center 2=1", "goal center 2 = 1: no glass lies behind these surfaces"},
+        {singlet, "air=1", "goal air = 1: no air lies behind these surfaces"},
+        {singlet, "distortion",
+         "goal distortion: the lens states no field off its axis: say which, as in "
+         "distortion@10deg"},
+        {singlet, "distortion@0deg", "goal distortion@0deg: there is no distortion on the axis"},
+        {singlet, "telecentric@3deg",
+         "goal telecentric@3deg: the lens has no stop: it has no chief rays"},
+        {double_gauss, "height@3mm=2",
+         "goal height@3mm = 2: an object at infinity has no height: give an angle"},
+        {double_gauss, "incidence 6=2", "goal incidence 6 = 2: none of these surfaces bends light"},
+    };
+    for (size_t i = 0; i < sizeof all / sizeof all[0]; i++) {
+        const struct merit_case of = {"refused", all[i].text, "c1", all[i].goals, 0};
+        struct arena arena = {0};
+        struct error error = {.code = ERROR_NONE};
+        struct merit_bench *bench = ARENA_NEW(&arena, struct merit_bench);
+        CHECK(!merit_bench_open(bench, &of, &arena, &error));
+        CHECK_TEXT(error.message, all[i].message);
+        arena_free(&arena);
+    }
+}
+
+/* A lens that has no such number on its way says so. */
+static void test_nothing(void)
+{
+    const struct merit_case of = {"singlet", singlet, "c1", "bfl=100", 0};
+    struct arena arena = {0};
+    struct error error;
+    struct merit_bench *bench = ARENA_NEW(&arena, struct merit_bench);
+    double residual, curvature = 0;
+    CHECK(merit_bench_open(bench, &of, &arena, &error));
+    CHECK(!merit_evaluate(&bench->merit, &curvature, &residual, NULL));
+    CHECK_TEXT(bench->merit.why.message, "bfl = 100 is infinite");
+    curvature = NAN;
+    CHECK(!merit_evaluate(&bench->merit, &curvature, &residual, NULL));
+    arena_free(&arena);
+}
+
 int main(void)
 {
+    test_power();
+    test_relations();
+    test_refused();
+    test_nothing();
     for (size_t i = 0; i < sizeof cases / sizeof cases[0]; i++) {
         merit_check(&cases[i], analyse);
     }
