@@ -23,15 +23,46 @@ static const double fine = 1e-7, fine_waves = 3e-6, within = 1 - 1e-12;
 /* A ray on the reference sphere. */
 struct meeting {
     double at[2];    /* a, b */
-    double slope[2]; /* dW/da, dW/db, mm */
+    double slope[2]; /* dW/da, dW/db, mm; of a plane a number */
     double path;     /* mm; NaN: lost */
 };
+
+/* Lane i of a block behind the lens, on the reference plane of an afocal image. */
+static struct meeting meet_plane(const struct exit_pupil *pupil, const struct ray_block *block,
+                                 size_t i)
+{
+    const struct opd_reference *plane = &pupil->reference->opd;
+    const double n = pupil->n, *d = plane->normal;
+    const double e[3] = {block->p[i] / n, block->q[i] / n, block->r[i] / n};
+    const double from[3] = {block->x[i] - plane->centre[0], block->y[i] - plane->centre[1],
+                            block->z[i] - plane->centre[2]};
+    double turn[3], ahead = 0, turned = 0, straight = 0;
+    for (int k = 0; k < 3; k++) {
+        turn[k] = e[k] - d[k];
+        ahead += from[k] * d[k];
+        turned += turn[k] * turn[k];
+        straight += d[k] * e[k];
+    }
+    const double way = (plane->plane_way * turned / 2 - ahead) / straight; /* less plane_way */
+    struct meeting meeting = {{0, 0}, {0, 0}, block->path[i] + n * way};
+    for (int axis = 0; axis < 2; axis++) {
+        for (int k = 0; k < 3; k++) {
+            const double across = pupil->reference->across[axis][k];
+            meeting.at[axis] -= across * (from[k] + way * e[k] + plane->plane_way * turn[k]);
+            meeting.slope[axis] += n * across * e[k];
+        }
+    }
+    return meeting;
+}
 
 /* Lane i of a block behind the lens. */
 static struct meeting meet(const struct exit_pupil *pupil, const struct ray_block *block, size_t i)
 {
     const struct opd_reference *sphere = &pupil->reference->opd;
     const double n = pupil->n, *c = sphere->centre;
+    if (sphere->is_plane) {
+        return meet_plane(pupil, block, i);
+    }
     const double e[3] = {block->p[i] / n, block->q[i] / n, block->r[i] / n};
     const double from[3] = {block->x[i] - c[0], block->y[i] - c[1], block->z[i] - c[2]};
     const double along = from[0] * e[0] + from[1] * e[1] + from[2] * e[2];
@@ -442,10 +473,6 @@ bool exit_pupils_open(const struct bundle_question *bundle, struct arena *arena,
     if (!wave_open(&asked, arena, &pupils->lights, error) ||
         !wave_reference_find(&pupils->lights, WAVE_CHIEF, arena, &pupils->reference, error)) {
         return false;
-    }
-    if (pupils->reference.is_angular) {
-        return fail(error, ERROR_DOMAIN,
-                    "the image lies infinitely far away: its light is not added up by waves");
     }
     if (pupils->reference.no_opd != NULL) {
         return fail(error, ERROR_DOMAIN, "%s", pupils->reference.no_opd);

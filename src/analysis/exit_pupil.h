@@ -14,7 +14,9 @@ enum { EXIT_PUPIL_RIM = 256 + STAR_CORNERS };
 /*
  * What passes the pupil of one field at one wavelength. Its points are named by a and b, the
  * components in x and y of the unit vector from the reference sphere to its centre, along the
- * light; of an infinite sphere that is the direction of the ray.
+ * light; of an infinite sphere that is the direction of the ray. Of an image infinitely far away
+ * they are mm on the reference plane along the axes of spot_axes, the other way round, and what
+ * is said of direction cosines and mm of an image holds of mm and sines of angles.
  */
 struct exit_pupil {
     const struct wave_light *light;
@@ -49,7 +51,7 @@ struct exit_pupils {
  * Formula   u and v of the beam as polynomials in a and b of a degree up to 14, by least squares
  *           over a quadrature and the rim; W and the amplitude alike
  * Errors    as wave_open and wave_reference_find; ERROR_DOMAIN: nothing is clear; no reference
- *           sphere; an image infinitely far away
+ *           sphere
  */
 bool exit_pupils_open(const struct bundle_question *bundle, struct arena *arena,
                       struct exit_pupils *pupils, struct error *error);

@@ -21,6 +21,10 @@ bool mtf_open(const struct mtf_question *question, struct arena *arena, struct m
     if (!exit_pupils_open(&question->bundle, arena, &source->pupils, error)) {
         return false;
     }
+    if (source->pupils.reference.is_angular) {
+        return fail(error, ERROR_DOMAIN,
+                    "the image lies infinitely far away: its lines have no frequency in mm");
+    }
     const size_t count = source->pupils.lights.count;
     source->rules = overlap_rules_new(arena);
     source->lines = ARENA_ARRAY(arena, count * MTF_DIRECTIONS, struct exit_lines);

@@ -244,6 +244,7 @@ bool psf_find(const struct psf_question *question, struct arena *arena, struct p
     *psf = (struct psf){.size = question->size,
                         .pitch = question->pitch,
                         .finest = find_finest(pupils),
+                        .is_angular = pupils->reference.is_angular,
                         .values = sums.values,
                         .islands = pupils->islands};
     if (isnan(psf->pitch)) {
@@ -257,6 +258,7 @@ bool psf_find(const struct psf_question *question, struct arena *arena, struct p
                                   .size = psf->size,
                                   .pitch = psf->pitch,
                                   .spread = spreads[g],
+                                  .unit = psf->is_angular ? "mrad" : "um",
                                   .threads = question->threads,
                                   .arena = arena};
         if (pupils->lights.list[g].weight > 0 && !add_wavelength(question, &plane, &sums, error)) {

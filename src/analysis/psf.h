@@ -20,13 +20,19 @@ enum { PSF_SIZE_MOST = 2048, PSF_TRANSFORM_MOST = 4096 };
 struct psf_question {
     struct bundle_question bundle; /* its wavelength, pattern and weight are not used */
     enum psf_method method;
-    size_t size;  /* pixels along a side */
-    int threads;  /* that wavelets may take; 0 is 1 */
-    double pitch; /* mm; NaN: a quarter of what the waves resolve, more where rays spread farther */
+    size_t size; /* pixels along a side */
+    int threads; /* that wavelets may take; 0 is 1 */
+    /* mm, or of an image infinitely far away the sine of an angle; NaN: a quarter of what the waves
+       resolve, more where rays spread farther */
+    double pitch;
 };
 
-/* The image of a point; pixel i of a row lies at (i - size/2) pitch from the chief ray. */
+/*
+ * The image of a point; pixel i of a row lies at (i - size/2) pitch from the chief ray. Of an image
+ * infinitely far away all mm are sines of angles from it, along spot_axes.
+ */
 struct psf {
+    bool is_angular;
     size_t size;
     double pitch;            /* mm */
     const double *values;    /* size * size, rows from below; 1: the peak of a perfect image */

@@ -192,10 +192,11 @@ static void add_columns(void *context, const struct parallel_piece *piece)
 bool psf_by_huygens(struct psf_plane *plane, struct error *error)
 {
     struct psf_points points;
-    if (isinf(plane->pupil->reference->opd.radius)) {
+    const struct opd_reference *reference = &plane->pupil->reference->opd;
+    if (reference->is_plane || isinf(reference->radius)) {
         return fail(error, ERROR_DOMAIN,
-                    "the exit pupil lies infinitely far away, its wavelets are plane: {method} "
-                    "plane");
+                    "the %s lies infinitely far away, wavelets are plane: {method} plane",
+                    reference->is_plane ? "image" : "exit pupil");
     }
     if (!psf_points_put(plane, &points, error)) {
         return false;

@@ -5,15 +5,16 @@
 
 #include "analysis/psf.h"
 
-/* Pixels at work. */
+/* Pixels at work; mm, or of an image infinitely far away sines of angles. */
 struct psf_plane {
     const struct exit_pupil *pupil;
     size_t size;
     double pitch;
-    double spread;   /* of rays from the reference, at most, mm: the slope of the wave front */
-    double *re, *im; /* size * size, 0 at first; receive the amplitude, scaled by the pitch */
-    double perfect;  /* receives the amplitude of W = 0 at the reference */
-    int threads;     /* that may work on it, for wavelets */
+    double spread;    /* of rays from the reference, at most: the slope of the wave front */
+    const char *unit; /* of a thousandth of that, for messages */
+    double *re, *im;  /* size * size, 0 at first; receive the amplitude, scaled by the pitch */
+    double perfect;   /* receives the amplitude of W = 0 at the reference */
+    int threads;      /* that may work on it, for wavelets */
     struct arena *arena;
 };
 

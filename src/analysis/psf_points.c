@@ -86,12 +86,13 @@ bool psf_points_fit(const struct psf_plane *plane, struct error *error)
     return size >= SIZE_LEAST
                ? fail(error, ERROR_DOMAIN,
                       "the phase turns %.0f times across the pupil at the edge of the image, and "
-                      "sums take %d: at most {size} %.0f with {pitch} %.4g um",
-                      turns, TURNS_MOST, size, 1000 * plane->pitch)
+                      "sums take %d: at most {size} %.0f with {pitch} %.4g %s",
+                      turns, TURNS_MOST, size, 1000 * plane->pitch, plane->unit)
                : fail(error, ERROR_DOMAIN,
                       "the phase turns %.0f times across the pupil at the edge of the image, and "
-                      "sums take %d: at most {pitch} %.4g um with {size} %zu",
-                      turns, TURNS_MOST, 0.999 * share * 1000 * plane->pitch, plane->size);
+                      "sums take %d: at most {pitch} %.4g %s with {size} %zu",
+                      turns, TURNS_MOST, 0.999 * share * 1000 * plane->pitch, plane->unit,
+                      plane->size);
 }
 
 static size_t points_along(const struct putting *putting, double length)

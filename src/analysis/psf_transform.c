@@ -41,8 +41,8 @@ static bool fail_steep(const struct psf_plane *plane, double finest, struct erro
     return wanted < finest
                ? fail(error, ERROR_DOMAIN,
                       "the wave front is too steep for a Fourier transform of %d points at {pitch} "
-                      "%.4g um: at least %.4g um, or %s",
-                      PSF_TRANSFORM_MOST, 1000 * plane->pitch, 1000 * wanted, other)
+                      "%.4g %s: at least %.4g, or %s",
+                      PSF_TRANSFORM_MOST, 1000 * plane->pitch, plane->unit, 1000 * wanted, other)
                : fail(error, ERROR_DOMAIN,
                       "the wave front is too steep for a Fourier transform of %d points: %s",
                       PSF_TRANSFORM_MOST, other);
@@ -58,9 +58,8 @@ static size_t length_for(const struct psf_plane *plane, struct error *error)
     const double by_cells = CELLS * finest / plane->pitch;
     if (!(plane->pitch < finest)) {
         fail(error, ERROR_DOMAIN,
-             "{pitch} %.4g um is too coarse for a Fourier transform: below %.4g um, or {method} "
-             "plane",
-             1000 * plane->pitch, 1000 * finest);
+             "{pitch} %.4g %s is too coarse for a Fourier transform: below %.4g, or {method} plane",
+             1000 * plane->pitch, plane->unit, 1000 * finest);
         return 0;
     }
     if (!(by_slope <= PSF_TRANSFORM_MOST)) {

@@ -9,6 +9,13 @@ lenscalc psf questar-35 -w d --field 0 --size 64 --csv --digits 4 --columns peak
 lenscalc psf double-gauss -N 8 --field 0,80 --size 16 --csv --digits 3 --columns field,peak,warning
 telescope='lens telescope\nobject inf\naperture epd 10\nfield angle 0\nfocus afocal\nsurface 50 0 1.5 - stop\nsurface - 150 air -\nsurface - 0 1.5 -\nsurface -25 10 air -\n'
 printf "$telescope" | lenscalc psf -
+printf "$telescope" | lenscalc psf - --field 1 --method fft --size 64 --pitch-angle 0.05mrad --json --digits 4
+printf "$telescope" | lenscalc psf - --pitch 3um
+printf "$telescope" | lenscalc psf - --method huygens
+printf "$telescope" | lenscalc psf - --method fft --pitch-angle 1mrad
+printf "$telescope" | lenscalc psf - --size 16 --columns field,width_x --plot telescope.svg && grep -o '>[^<>]*</text>' telescope.svg | sed 's/^>//; s/<.*//' | grep -v '^[−0-9.]*$'
+lenscalc psf double-gauss --field 0 -w d --pitch-angle 1mrad
+lenscalc psf double-gauss --field 0 -w d --pitch 1um --pitch-angle 1mrad
 printf 'lens ideal\nobject inf\naperture stop\nstop - 0 air 10\nthick 50 0 air 12\n' | lenscalc psf -
 lenscalc psf double-gauss -N 8 --field 0 -w d --method fft --pitch 20um
 lenscalc psf double-gauss --field 14 -w d --method fft --pitch 0.05um --no-clip --size 16

@@ -12,8 +12,8 @@ for command in wavefront psf mtf; do
     lenscalc $command double-gauss -N 8 --field 80; echo "status $?"
     lenscalc $command nobody; echo "status $?"
 done
-for command in psf mtf; do
-    printf "$afocal" | lenscalc $command - --csv; echo "status $?"
+for words in 'psf - --pitch 3um' 'mtf -'; do
+    printf "$afocal" | lenscalc $words --csv; echo "status $?"
 done
 printf "$afocal" | lenscalc wavefront - --csv --digits 4 --columns field,rms_waves,sphere; echo "status $?"
 printf "$stopless" | lenscalc psf - --method huygens; echo "status $?"

@@ -113,6 +113,23 @@ def check_perfect(checks, program, folder):
         checks.check(worst <= 2e-5, f"{name}: Airy's disc is off by {worst}")
 
 
+def check_afocal(checks, program, folder):
+    """Two paraboloids with one focus, off each other's axis by nothing: 40 mm become 10 mm."""
+    lens = ("lens mersenne\nwavelength d\nobject inf\naperture epd 40\nfield angle 0\nfocus afocal\n"
+            "surface -400 -150 mirror 40 k=-1 stop\nsurface -100 200 mirror - k=-1\n")
+    resolved = 1e3 * WAVE / 10  # mrad
+    for method in ("plane", "fft"):
+        row, table = image(program, folder, ["-", "--method", method, "--size", "32",
+                                             "--pitch-angle", f"{0.3 * resolved!r}mrad"], lens)
+        near(checks, f"afocal, {method}: peak", row["peak"], 1, 1e-5)
+        near(checks, f"afocal, {method}: width", row["width_x_mrad"], 1.029 * resolved,
+             0.02 * resolved)
+        checks.check(row["width_x_um"] == row["pitch_um"] == "", "an afocal image has um")
+        worst = max(abs(table[y][x] - airy(0.3 * math.pi * math.hypot(x - 16, y - 16)))
+                    for x in range(0, 32, 3) for y in range(0, 32, 3))
+        checks.check(worst <= 5e-5, f"afocal, {method}: Airy's disc is off by {worst}")
+
+
 def airy(x):
     return (2 * bessel(1, x) / x) ** 2 if x else 1.0
 
@@ -262,6 +279,7 @@ def main():
     program, checks = Program(sys.argv[1]), Checks()
     with tempfile.TemporaryDirectory() as folder:
         check_perfect(checks, program, folder)
+        check_afocal(checks, program, folder)
         check_terms(checks, program, folder)
         check_methods(checks, program, folder)
         check_truth(checks, program)

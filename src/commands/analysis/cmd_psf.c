@@ -27,6 +27,10 @@ static const struct option options[] = {
      .flags = OPTION_ABOVE_LOWEST, .value = "LENGTH",
      .help = "side of a pixel; default a quarter of what the waves resolve, more where rays spread "
              "farther"},
+    {OPTION(struct psf_input, pitch_angle), .name = "pitch-angle", .quantity = "pitch",
+     .dimension = &dimension_angle, .unit = "mrad", .lowest = 0, .highest = 1,
+     .flags = OPTION_ABOVE_LOWEST, .value = "ANGLE", .excludes = "pitch",
+     .help = "the same of an image infinitely far away"},
     {OPTION(struct psf_input, log), .name = "log", .wants = "plot|map",
      .help = "colours by the logarithm, over five decades"},
     {OPTION(struct psf_input, question.aim), .name = "aim", .words = analysis_aims,
@@ -36,13 +40,21 @@ static const struct option options[] = {
 
 struct row {
     struct analysis_point point;
-    double peak, peak_x, peak_y, centroid_x, centroid_y, width_x, width_y, radius80, pitch; /* mm */
+    double peak;
+    double peak_x, peak_y, centroid_x, centroid_y, width_x, width_y, radius80, pitch; /* mm */
+    /* rad */
+    double peak_x_angle, peak_y_angle, centroid_x_angle, centroid_y_angle;
+    double width_x_angle, width_y_angle, radius80_angle, pitch_angle;
     double inside;
     const char *method;
 };
 
 #define SMALL(member_name, more)                                                                   \
-    COLUMN(struct row, member_name), .dimension = &dimension_length, .unit = "um", .flags = (more)
+    COLUMN(struct row, member_name), .dimension = &dimension_length, .unit = "um",                 \
+                                     .flags = (more) | COLUMN_SPARSE
+#define ANGLE(member_name, more)                                                                   \
+    COLUMN(struct row, member_name), .dimension = &dimension_angle, .unit = "mrad",                \
+                                     .flags = (more) | COLUMN_SPARSE
 
 static const struct column columns[] = {
     ANALYSIS_POINT_COLUMNS(struct row, point),
@@ -68,6 +80,19 @@ static const struct column columns[] = {
      .name = "inside", .label = "light inside",
      .help = "share of all light that the pixels have; absent where they are too coarse to say"},
     {SMALL(pitch, COLUMN_BRIEF), .name = "pitch", .label = "pitch", .help = "side of a pixel"},
+    {ANGLE(peak_x_angle, 0), .name = "peak_x", .label = "peak x",
+     .help = "the same of an image infinitely far away: sines of angles from the chief ray"},
+    {ANGLE(peak_y_angle, 0), .name = "peak_y", .label = "peak y", .help = "the same upwards"},
+    {ANGLE(centroid_x_angle, 0), .name = "centroid_x", .label = "centroid x", .help = "in x"},
+    {ANGLE(centroid_y_angle, 0), .name = "centroid_y", .label = "centroid y",
+     .help = "the same upwards"},
+    {ANGLE(width_x_angle, COLUMN_BRIEF), .name = "width_x", .label = "width in x", .help = "in x"},
+    {ANGLE(width_y_angle, COLUMN_BRIEF), .name = "width_y", .label = "width in y",
+     .help = "the same upwards"},
+    {ANGLE(radius80_angle, COLUMN_BRIEF), .name = "radius80", .label = "radius of 80 %",
+     .help = "with 80 % of all light"},
+    {ANGLE(pitch_angle, COLUMN_BRIEF), .name = "pitch", .label = "pitch",
+     .help = "side of a pixel"},
     {COLUMN(struct row, method), .flags = COLUMN_ASSUMED, .name = "method", .depends = "method",
      .label = "method", .help = "how the waves are added up"},
     ANALYSIS_SPECTRUM_COLUMN(struct row, point),
@@ -81,6 +106,30 @@ static bool find(const struct analysis_case *one, size_t field, const void *cont
     return psf_of_case(one, field, asked->input, one->setup->arena, found, error);
 }
 
+static void fill(const struct psf *psf, struct row *row)
+{
+    const double values[] = {psf->peak_at[0], psf->peak_at[1], psf->centroid[0], psf->centroid[1],
+                             psf->width[0],   psf->width[1],   psf->radius80,    psf->pitch};
+    double *lengths[] = {&row->peak_x,  &row->peak_y,  &row->centroid_x, &row->centroid_y,
+                         &row->width_x, &row->width_y, &row->radius80,   &row->pitch};
+    double *angles[] = {&row->peak_x_angle,     &row->peak_y_angle,  &row->centroid_x_angle,
+                        &row->centroid_y_angle, &row->width_x_angle, &row->width_y_angle,
+                        &row->radius80_angle,   &row->pitch_angle};
+    for (size_t i = 0; i < sizeof values / sizeof values[0]; i++) {
+        *(psf->is_angular ? angles[i] : lengths[i]) = values[i];
+    }
+    row->peak = psf->peak;
+    row->inside = psf->inside;
+}
+
+/* What amplitudes and phases are those of, of an image infinitely far away. */
+static const char *const angular_words[PSF_METHODS] = {
+    [PSF_PLANE] = "plane waves, amplitude squared = energy per area across the chief ray, phase on "
+                  "a plane there",
+    [PSF_FFT] = "fast Fourier transform, amplitude squared = energy per area across the chief ray, "
+                "phase on a plane there",
+    [PSF_HUYGENS] = NULL};
+
 static bool take(const struct analysis_case *one, size_t field, const void *found, void *context,
                  struct error *error)
 {
@@ -89,23 +138,17 @@ static bool take(const struct analysis_case *one, size_t field, const void *foun
     struct row row;
     (void)error;
     analysis_begin_row(asked, one, field, &row);
-    row.peak = psf->peak;
-    row.peak_x = psf->peak_at[0];
-    row.peak_y = psf->peak_at[1];
-    row.centroid_x = psf->centroid[0];
-    row.centroid_y = psf->centroid[1];
-    row.width_x = psf->width[0];
-    row.width_y = psf->width[1];
-    row.radius80 = psf->radius80;
-    row.pitch = psf->pitch;
-    row.inside = psf->inside;
+    fill(psf, &row);
+    if (psf->is_angular) {
+        row.method = angular_words[((const struct psf_input *)asked->input)->method];
+    }
     if (!(psf->pitch < psf->finest)) {
         analysis_warn(
             asked, &row.point,
             arena_printf(
                 asked->run->arena,
-                "pixels of %.4g um miss light between them: shares of it want less than %.4g um",
-                1000 * psf->pitch, 1000 * psf->finest));
+                "pixels of %.4g %s miss light between them: shares of it want less than %.4g",
+                1000 * psf->pitch, psf->is_angular ? "mrad" : "um", 1000 * psf->finest));
     }
     analysis_warn(asked, &row.point, lens_island_warning(&psf->islands, asked->run->arena));
     return run_emit(asked->run, &row);

@@ -10,7 +10,7 @@ struct psf_input {
     struct analysis_question question;
     int method; /* enum psf_method */
     long size;
-    double pitch; /* mm; NaN = not given */
+    double pitch, pitch_angle; /* mm, rad; NaN = not given */
     bool log;
 };
 

@@ -4,6 +4,7 @@
 #include "commands/analysis/psf_input.h"
 
 #include <math.h>
+#include <string.h>
 
 static const double decades = 5;
 
@@ -20,6 +21,14 @@ static bool add(const struct analysis_case *one, size_t field, const void *found
     struct map_page *page = context;
     struct arena *arena = page->job->run->arena;
     const struct psf *psf = found;
+    const char *labels[] = {psf->is_angular ? "x (mrad)" : "x (\xc2\xb5m)",
+                            psf->is_angular ? "y (mrad)" : "y (\xc2\xb5m)"};
+    if (page->rasters.count > 0 && strcmp(page->rasters.x_label, labels[0]) != 0) {
+        return fail(error, ERROR_DOMAIN,
+                    "a page has no room for images in \xc2\xb5m and others infinitely far away");
+    }
+    page->rasters.x_label = labels[0];
+    page->rasters.y_label = labels[1];
     const struct raster_map map = {
         .title = analysis_map_title(one, field, arena),
         .note = isnan(psf->inside) ? arena_printf(arena, "peak %.3g", psf->peak)
@@ -29,7 +38,8 @@ static bool add(const struct analysis_case *one, size_t field, const void *found
         .values = psf->values,
         .half = 1000 * psf->pitch * (double)psf->size / 2};
     map_page_subtitle(
-        page, arena_printf(arena, "focus %s; %s", one->setup->focus,
+        page, arena_printf(arena, "%s%s; %s", psf->is_angular ? "" : "focus ",
+                           psf->is_angular ? "angles of an afocal image" : one->setup->focus,
                            one->spectrum != NULL
                                ? one->spectrum
                                : arena_printf(arena, "%.6g nm",
@@ -44,8 +54,6 @@ static bool collect(const struct artifact_job *job, struct map_page *page, struc
         .find = find, .found_size = sizeof(struct psf), .take = add, .lost = map_page_skip};
     const struct psf_input *first = job->inputs[0];
     page->rasters = (struct rasters){
-        .x_label = "x (\xc2\xb5m)",
-        .y_label = "y (\xc2\xb5m)",
         .scale_label = "share of the peak of the map",
         .colours = first->log ? RASTER_LOG : RASTER_LIGHT,
         .decades = decades,
