@@ -21,10 +21,13 @@ static void slope_on_circle(const double (*points)[2], size_t count, size_t i, d
     }
 }
 
-/* Barycentric weights of Gauss's points, and the points on 0..1. */
+/*
+ * Gauss's points on 0..1 with their barycentric weights, and what values there count in slopes:
+ * slope[i][k] at the i-th of them.
+ */
 struct nodes {
     const double *x, *gauss;
-    double weight[CLEAR_ARC];
+    double weight[CLEAR_ARC], slope[CLEAR_ARC][CLEAR_ARC];
 };
 
 static void set_nodes(const struct clear_pupil *clear, struct nodes *nodes)
@@ -35,22 +38,29 @@ static void set_nodes(const struct clear_pupil *clear, struct nodes *nodes)
         double x = nodes->x[i];
         nodes->weight[i] = (i % 2 == 0 ? 1 : -1) * sqrt(x * (1 - x) * nodes->gauss[i]);
     }
+    for (size_t i = 0; i < CLEAR_ARC; i++) {
+        nodes->slope[i][i] = 0;
+        for (size_t k = 0; k < i; k++) {
+            const double a = nodes->weight[i], b = nodes->weight[k];
+            const double over = 1 / (a * b * (nodes->x[i] - nodes->x[k]));
+            nodes->slope[i][k] = b * b * over;
+            nodes->slope[k][i] = -a * a * over;
+        }
+    }
 }
 
 /* d/dt of the polynomial through one piece at its i-th point. */
 static void slope_on_arc(const struct nodes *nodes, const double (*points)[2], size_t i,
                          double width, double slope[2])
 {
-    slope[0] = slope[1] = 0;
+    const double *counts = nodes->slope[i], x = points[i][0], y = points[i][1];
+    double along[2] = {0, 0};
     for (size_t k = 0; k < CLEAR_ARC; k++) {
-        if (k == i) {
-            continue;
-        }
-        double d = nodes->weight[k] / nodes->weight[i] / (nodes->x[i] - nodes->x[k]) / width;
-        for (int axis = 0; axis < 2; axis++) {
-            slope[axis] += d * (points[k][axis] - points[i][axis]);
-        }
+        along[0] += counts[k] * (points[k][0] - x);
+        along[1] += counts[k] * (points[k][1] - y);
     }
+    slope[0] = along[0] / width;
+    slope[1] = along[1] / width;
 }
 
 /* The polynomial through one piece at its beginning (0) or its end (1). */

@@ -232,13 +232,16 @@ static double peak_of(const struct piece *piece, double low, double high)
 {
     enum { ROUNDS = 6 };
     double middle = (low + high) / 2, half = (high - low) / 2, best = -INFINITY;
-    for (int round = 0; round < ROUNDS; round++) {
+    bool rises = true;
+    for (int round = 0; round < ROUNDS && rises; round++) {
+        const double before = best;
         const double from = fmax(middle - half, low), to = fmin(middle + half, high);
         const double a = value_at(piece, from), b = value_at(piece, (from + to) / 2);
         const double c = value_at(piece, to), bend = a - 2 * b + c;
         double step = bend < 0 ? (a - c) / (2 * bend) : a > c ? -1 : 1;
         step = fmax(-1, fmin(step, 1));
         best = fmax(best, fmax(a, fmax(b, c)));
+        rises = best > before;
         middle = (from + to) / 2 + step * (to - from) / 2;
         half = (to - from) / 8;
     }

@@ -191,27 +191,45 @@ static bool has_light(const struct seen *seen)
     return light;
 }
 
-/* Do its rays lie as closely as those of the grid? */
-static bool is_fine(const struct seen *seen)
+/* Do its rays lie as closely as those of the grid? step: 1 on the way outwards, SIDE across it. */
+static bool is_fine(const struct seen *seen, size_t step)
 {
     const double(*points)[2] = seen->points, *finest = seen->all->finest;
-    const size_t *lanes = seen->lanes;
     bool fine = true;
     for (size_t i = 0; i < EACH; i++) {
-        const double *here = points[lanes[i]];
-        for (int k = 0; k < 2; k++) {
-            fine = fine &&
-                   (i % SIDE == 0 || fabs(here[k] - points[lanes[i - 1]][k]) <= finest[k]) &&
-                   (i < SIDE || fabs(here[k] - points[lanes[i - SIDE]][k]) <= finest[k]);
-        }
+        const bool is_first = step == 1 ? i % SIDE == 0 : i < SIDE;
+        const double *here = points[seen->lanes[i]];
+        const double *before = is_first ? here : points[seen->lanes[i - step]];
+        fine = fine && fabs(here[0] - before[0]) <= finest[0] &&
+               fabs(here[1] - before[1]) <= finest[1];
     }
     return fine;
 }
 
-static void cut(struct patches *all, const struct patch *patch)
+/* Does what ends the rays change from one to the next? */
+static bool changes(const struct seen *seen, size_t step)
 {
+    const size_t *limit = seen->all->margins->limit, *lanes = seen->lanes;
+    bool changes = false;
+    for (size_t i = 0; i < EACH; i++) {
+        const bool is_first = step == 1 ? i % SIDE == 0 : i < SIDE;
+        changes = changes || (!is_first && limit[lanes[i]] != limit[lanes[i - step]]);
+    }
+    return changes;
+}
+
+/* In four; in two where what ends the rays changes only on the way outwards. */
+static void cut(struct patches *all, const struct seen *seen)
+{
+    const struct patch *patch = &seen->patch;
+    const bool outwards = changes(seen, 1) && !changes(seen, SIDE) && !is_fine(seen, 1);
     const double width = (patch->high[0] - patch->low[0]) / 2;
     const double middle = (patch->low[1] + patch->high[1]) / 2;
+    if (outwards) {
+        add(all, patch->low[0], 2 * width, patch->low[1], middle);
+        add(all, patch->low[0], 2 * width, middle, patch->high[1]);
+        return;
+    }
     for (int i = 0; i < 2; i++) {
         add(all, patch->low[0] + i * width, width, patch->low[1], middle);
         add(all, patch->low[0] + i * width, width, middle, patch->high[1]);
@@ -227,8 +245,8 @@ static bool settle(struct patches *all, const struct seen *seen)
     if (has_light(seen)) {
         return false;
     }
-    if (!is_fine(seen)) {
-        cut(all, &seen->patch);
+    if (!is_fine(seen, 1) || !is_fine(seen, SIDE)) {
+        cut(all, seen);
     }
     return true;
 }
