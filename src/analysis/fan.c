@@ -61,7 +61,7 @@ static void trace_places(const struct tracer *tracer, const struct place *places
     const struct fan *fan = tracer->fan;
     const struct wave_light *light = tracer->light;
     struct pupil_point *points = ARENA_ARRAY(tracer->arena, count, struct pupil_point);
-    struct rays rays = rays_new(tracer->arena, count);
+    struct rays rays = rays_room(tracer->arena, count);
     for (size_t i = 0; i < count; i++) {
         points[i] = point_of(fan, &places[i], light->question.clip ? edge : 1);
     }

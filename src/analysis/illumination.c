@@ -145,7 +145,7 @@ static double sum_field(const struct illumination_question *question, struct bun
     struct field_sum *field = ARENA_NEW(arena, struct field_sum);
     field->question = question;
     field->rays = rays_new(arena, 2 * (size_t)RAYS_BLOCK).blocks;
-    field->tangents = rays_new(arena, 2 * (size_t)RAYS_BLOCK).blocks;
+    field->tangents = rays_room(arena, 2 * (size_t)RAYS_BLOCK).blocks;
     each_point(part, rays, arena, add_field, field);
     if (field->count > 0) {
         flush(field);

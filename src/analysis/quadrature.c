@@ -138,7 +138,7 @@ static void put_points(const struct quadrature_region *region, const struct arms
 static void put_rays(const struct quadrature_region *region, struct arena *arena,
                      struct quadrature *all)
 {
-    all->rays = rays_new(arena, all->sample.count);
+    all->rays = rays_room(arena, all->sample.count);
     double(*at)[2] = arena_array(arena, all->sample.count, sizeof *at);
     for (size_t i = 0; i < all->sample.count; i++) {
         at[i][0] = all->sample.points[i].x;
@@ -162,8 +162,8 @@ static struct mapping mapping_open(const struct margins *margins, bool weighs, s
     struct mapping mapping = {.margins = margins, .before = *margins->system};
     mapping.before.places = system_place(margins->system, margins->system->stop) + 1;
     if (weighs) {
-        mapping.rays = rays_new(arena, (size_t)2 * RAYS_BLOCK).blocks;
-        mapping.tangents = rays_new(arena, (size_t)2 * RAYS_BLOCK).blocks;
+        mapping.rays = rays_room(arena, (size_t)2 * RAYS_BLOCK).blocks;
+        mapping.tangents = rays_room(arena, (size_t)2 * RAYS_BLOCK).blocks;
     }
     return mapping;
 }

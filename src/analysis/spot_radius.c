@@ -73,7 +73,7 @@ static void measure_with(const struct spot_radius_question *question,
     const struct arena_mark mark = arena_mark(arena);
     const struct spot_plane *plane = question->plane;
     const double n = system_index_after(system, plane->to - 1);
-    const struct rays rays = rays_new(arena, rings->count * rings->edge->count);
+    const struct rays rays = rays_room(arena, rings->count * rings->edge->count);
     quadrature_rays_within(source->region, rings->edge, rings->shares, rings->count, &rays);
     rays_trace_part(system, 0, plane->to, &rays, NULL);
     for (size_t i = 0; i < rays.count; i++) {

@@ -21,10 +21,13 @@ struct sheaf {
 struct ray wave_light_trace(const struct system *system, const struct ray *start,
                             struct arena *arena)
 {
+    const struct arena_mark mark = arena_mark(arena);
     struct rays one = rays_new(arena, 1);
     rays_set(&one, 0, system->index_first, start);
     rays_trace(system, &one, NULL);
-    return rays_get(&one, 0, system->index_last);
+    const struct ray end = rays_get(&one, 0, system->index_last);
+    arena_reset(arena, mark);
+    return end;
 }
 
 static void add_light(const struct wave_lights *lights, size_t g, struct quadrature *all,

@@ -3,26 +3,41 @@
 #include "trace/rays.h"
 
 #include <assert.h>
-#include <stddef.h>
 #include <stdint.h>
 #include <string.h>
 
-struct rays rays_new(struct arena *arena, size_t count)
+/* The axis in lanes from one on. */
+static void put_axis(struct ray_block *block, size_t from)
 {
-    size_t blocks = (count + RAYS_BLOCK - 1) / RAYS_BLOCK;
+    double *const zeros[] = {block->x, block->y,    block->z,   block->p,
+                             block->q, block->path, block->lost};
+    for (size_t k = 0; k < sizeof zeros / sizeof zeros[0]; k++) {
+        memset(zeros[k] + from, 0, (RAYS_BLOCK - from) * sizeof *zeros[k]);
+    }
+    for (size_t lane = from; lane < RAYS_BLOCK; lane++) {
+        block->r[lane] = 1;
+    }
+}
+
+struct rays rays_room(struct arena *arena, size_t count)
+{
+    const size_t blocks = (count + RAYS_BLOCK - 1) / RAYS_BLOCK, last = count % RAYS_BLOCK;
     /* the arena aligns to 16 only */
     enum { LINE = 64 };
     char *memory = arena_buffer(arena, blocks * sizeof(struct ray_block) + LINE);
-    size_t shift = (LINE - (uintptr_t)memory % LINE) % LINE;
-    struct rays rays = {(struct ray_block *)(void *)(memory + shift), count};
-    for (size_t b = 0; b < blocks; b++) {
-        struct ray_block *block = &rays.blocks[b];
-        const size_t before = offsetof(struct ray_block, r), behind = before + sizeof block->r;
-        memset(block, 0, before);
-        for (size_t lane = 0; lane < RAYS_BLOCK; lane++) {
-            block->r[lane] = 1;
-        }
-        memset((char *)block + behind, 0, sizeof *block - behind);
+    const size_t shift = (LINE - (uintptr_t)memory % LINE) % LINE;
+    const struct rays rays = {(struct ray_block *)(void *)(memory + shift), count};
+    if (last > 0) {
+        put_axis(&rays.blocks[blocks - 1], last);
+    }
+    return rays;
+}
+
+struct rays rays_new(struct arena *arena, size_t count)
+{
+    const struct rays rays = rays_room(arena, count);
+    for (size_t b = 0; b < rays_blocks(&rays); b++) {
+        put_axis(&rays.blocks[b], 0);
     }
     return rays;
 }

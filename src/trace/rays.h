@@ -48,6 +48,9 @@ struct rays {
 /* Room for `count` rays, all along the axis from the first vertex in a medium of index 1. */
 struct rays rays_new(struct arena *arena, size_t count);
 
+/* The same for who sets all of them before they are traced: they hold nothing yet. */
+struct rays rays_room(struct arena *arena, size_t count);
+
 /* How many blocks. */
 static inline size_t rays_blocks(const struct rays *rays)
 {
