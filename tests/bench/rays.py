@@ -30,16 +30,23 @@ TRACE = {
     "threads_1e6": ("rays: 2 threads, 1e6 rays", "x"),
 }
 
+# The same of tests/bench/aimed.c.
+AIMED = {
+    "aimed_anew": ("rays: aimed anew and traced / trace", "x"),
+    "aimed_derivatives": ("rays: all derivatives of aimed rays / trace", "x"),
+}
+
 
 def rays(bench):
     """The best of three runs: of ratios to a plain trace the least, of speeds the most."""
-    program, best = bench.linked("trace"), {}
-    for _ in range(3):
-        for item in printed(program, TRACE):
-            kept = best.get(item.name, item)
-            pick = min if bench.is_ceiling(item.name) else max
-            best[item.name] = pick(item, kept, key=lambda one: one.value)
-    yield from best.values()
+    for source, names in ("trace", TRACE), ("aimed", AIMED):
+        program, best = bench.linked(source), {}
+        for _ in range(3):
+            for item in printed(program, names):
+                kept = best.get(item.name, item)
+                pick = min if bench.is_ceiling(item.name) else max
+                best[item.name] = pick(item, kept, key=lambda one: one.value)
+        yield from best.values()
 
 
 def filtering(bench):
