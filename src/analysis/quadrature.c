@@ -306,10 +306,11 @@ static size_t rings_for(const struct star *star, size_t rays)
 struct quadrature_region quadrature_open(const struct stop_beam *beam, struct arena *arena)
 {
     struct star *star = arena_buffer(arena, sizeof *star);
+    const struct margins margins = margins_open(beam, arena);
     star->count = 0;
     return (struct quadrature_region){.beam = beam,
-                                      .margins = margins_open(beam, arena),
-                                      .probe = probe_open(beam->system, beam->beam, arena),
+                                      .margins = margins,
+                                      .probe = probe_share(beam->system, beam->beam, margins.work),
                                       .star = star};
 }
 

@@ -36,8 +36,9 @@ static void start_block(const struct stop_beam *beam, const struct pupil_point *
         block->miss_x[i] = block->miss_y[i] = 4 * radius;
     }
     for (size_t k = 0; k < 4; k++) {
+        const double share = axes[k] / radius;
         for (size_t i = 0; i < lanes; i++) {
-            block->m[k][i] = axes[k] / radius;
+            block->m[k][i] = share;
         }
     }
 }
@@ -46,7 +47,9 @@ static void start_block(const struct stop_beam *beam, const struct pupil_point *
 static void keep_clipped(struct ray_block *block, size_t count)
 {
     for (size_t i = 0; i < count; i++) {
-        block->lost[i] = ray_block_status(block, i) == RAY_CLIPPED ? 0 : block->lost[i];
+        if (block->lost[i] != 0 && ray_block_status(block, i) == RAY_CLIPPED) {
+            block->lost[i] = 0;
+        }
     }
 }
 
@@ -176,7 +179,7 @@ bool quadrature_whole(const struct margins *margins, size_t rays, struct arena *
     }
     all->arms = arms;
     all->rings = count / arms;
-    all->rays = rays_new(arena, count);
+    all->rays = rays_room(arena, count);
     for (size_t done = 0; done < count; done += RAYS_BLOCK) {
         size_t here = count - done < RAYS_BLOCK ? count - done : RAYS_BLOCK;
         beam_start(beam->beam, placing.a + done, placing.b + done, here,

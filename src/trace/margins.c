@@ -45,7 +45,7 @@ struct margins margins_open(const struct stop_beam *beam, struct arena *arena)
             all[count++] = (struct margin){place + 1, surface, clear * clear, clip};
         }
     }
-    double *rows = ARENA_ARRAY(arena, (count + 1) * RAYS_BLOCK, double);
+    double *rows = arena_buffer(arena, (count + 2) * RAYS_BLOCK * sizeof *rows);
     bool *counts = ARENA_ARRAY(arena, count + 1, bool);
     for (size_t k = 0; k < count; k++) {
         counts[k] = true;
@@ -59,8 +59,8 @@ struct margins margins_open(const struct stop_beam *beam, struct arena *arena)
                             .work = rays_new(arena, RAYS_BLOCK),
                             .rows = rows,
                             .excess = rows + count * RAYS_BLOCK,
-                            .limit = ARENA_ARRAY(arena, RAYS_BLOCK, size_t),
-                            .numbers = ARENA_ARRAY(arena, RAYS_BLOCK, double),
+                            .limit = arena_buffer(arena, RAYS_BLOCK * sizeof(size_t)),
+                            .numbers = rows + (count + 1) * RAYS_BLOCK,
                             .watches = ARENA_ARRAY(arena, count, struct rim_watch),
                             .is_plain = is_plain(system, all, count)};
 }

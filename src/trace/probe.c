@@ -7,12 +7,17 @@
 
 #include <math.h>
 
-struct probe probe_open(const struct system *clipped, const struct beam *beam, struct arena *arena)
+struct probe probe_share(const struct system *clipped, const struct beam *beam, struct rays work)
 {
     return (struct probe){.system = system_outer(clipped),
                           .full = clipped->outer != NULL ? clipped : NULL,
                           .beam = beam,
-                          .work = rays_new(arena, RAYS_BLOCK)};
+                          .work = work};
+}
+
+struct probe probe_open(const struct system *clipped, const struct beam *beam, struct arena *arena)
+{
+    return probe_share(clipped, beam, rays_new(arena, RAYS_BLOCK));
 }
 
 bool probe_passes_one(const struct probe *probe, const double at[2])

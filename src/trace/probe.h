@@ -24,6 +24,9 @@ struct probe {
  */
 struct probe probe_open(const struct system *clipped, const struct beam *beam, struct arena *arena);
 
+/* The same in a block that something else works in too, from rays_new. */
+struct probe probe_share(const struct system *clipped, const struct beam *beam, struct rays work);
+
 static inline bool probe_passes(const struct probe *probe, size_t lane)
 {
     return ray_block_status(probe->work.blocks, lane) == RAY_OK;
