@@ -96,6 +96,55 @@ static bool aim_points(const struct placing *placing, size_t done, struct pupil_
     return found;
 }
 
+/* Does all that a beam meets on one side of the meridional plane mirror the other, x and a too? */
+static bool is_mirrored(const struct stop_beam *beam)
+{
+    const struct beam *rays = beam->beam;
+    const double *axes = beam->axes;
+    return rays->axis[0] == 0 && rays->foot[0] == 0 && rays->across[0][1] == 0 &&
+           rays->across[0][2] == 0 && rays->across[1][0] == 0 && beam->origin[0] == 0 &&
+           axes[1] == 0 && axes[2] == 0 && lens_is_round(beam->system->lens);
+}
+
+/* All of them, in blocks. */
+static bool aim_all(const struct placing *placing, struct pupil_point *points, size_t count)
+{
+    bool found = true;
+    for (size_t done = 0; done < count && found; done += RAYS_BLOCK) {
+        size_t here = count - done < RAYS_BLOCK ? count - done : RAYS_BLOCK;
+        found = aim_points(placing, done, points + done, here);
+    }
+    return found;
+}
+
+/* The arms on one side; the others mirror them: arm k is arm `arms` - k, and arm 0 its own. */
+static bool aim_half(const struct placing *placing, struct pupil_point *points, size_t arms,
+                     size_t rings, struct arena *arena)
+{
+    const size_t half = (arms + 1) / 2, count = rings * half;
+    const struct placing part = {placing->margins, ARENA_ARRAY(arena, count, double),
+                                 ARENA_ARRAY(arena, count, double)};
+    struct pupil_point *own = ARENA_ARRAY(arena, count, struct pupil_point);
+    for (size_t i = 0; i < count; i++) {
+        own[i] = points[i / half * arms + i % half];
+    }
+    if (!aim_all(&part, own, count)) {
+        return false;
+    }
+    for (size_t i = 0; i < count; i++) {
+        const size_t k = i % half, here = i / half * arms + k;
+        const size_t there = k > 0 ? here - k + arms - k : here;
+        points[there] = own[i];
+        points[there].x = -own[i].x;
+        placing->a[there] = -part.a[i];
+        placing->b[there] = part.b[i];
+        points[here] = own[i];
+        placing->a[here] = part.a[i];
+        placing->b[here] = part.b[i];
+    }
+    return true;
+}
+
 /* Does the outermost ring go around once, the way the points do, and arrive? */
 static bool is_sound(const struct placing *placing, double turn, size_t first, size_t count)
 {
@@ -165,16 +214,15 @@ bool quadrature_whole(const struct margins *margins, size_t rays, struct arena *
     while (arms * (arms - 1) / 2 < count) {
         arms += 2;
     }
+    bool found = true;
     if (is_disc) {
         place_points(&placing, all->sample.points, count);
+    } else if (is_mirrored(beam)) {
+        found = aim_half(&placing, all->sample.points, arms, count / arms, arena);
+    } else {
+        found = aim_all(&placing, all->sample.points, count);
     }
-    for (size_t done = 0; done < count && !is_disc; done += RAYS_BLOCK) {
-        size_t here = count - done < RAYS_BLOCK ? count - done : RAYS_BLOCK;
-        if (!aim_points(&placing, done, all->sample.points + done, here)) {
-            return false;
-        }
-    }
-    if (!is_sound(&placing, turn_of(beam), count - arms, arms)) {
+    if (!found || !is_sound(&placing, turn_of(beam), count - arms, arms)) {
         return false;
     }
     all->arms = arms;
