@@ -27,6 +27,14 @@ typedef void kernel_exit_overlap(const struct exit_series series[2],
                                  struct exit_series_lanes *lanes);
 kernel_exit_overlap kernel_exit_overlap_sse2, kernel_exit_overlap_avx2, kernel_exit_overlap_avx512;
 
+/* Places of one line: x as above; receives A cos(2 pi W), with the sine, and A. */
+struct exit_wave_lanes {
+    double x[EXIT_SERIES_LANES], waves[EXIT_SERIES_LANES];
+    double re[EXIT_SERIES_LANES], im[EXIT_SERIES_LANES], amplitudes[EXIT_SERIES_LANES];
+};
+typedef void kernel_exit_wave(const struct exit_series *series, struct exit_wave_lanes *lanes);
+kernel_exit_wave kernel_exit_wave_sse2, kernel_exit_wave_avx2, kernel_exit_wave_avx512;
+
 /*
  * Numbers of many lines to those of one: to[j] = sum of share[i] from[i * count + j].
  *

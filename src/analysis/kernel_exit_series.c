@@ -70,6 +70,21 @@ void NAMED(kernel_exit_overlap, KERNEL)(const struct exit_series series[2],
     }
 }
 
+void NAMED(kernel_exit_wave, KERNEL)(const struct exit_series *series,
+                                     struct exit_wave_lanes *lanes)
+{
+    double waves[LANES], amplitudes[LANES];
+    find_values(series, lanes->x, waves, amplitudes);
+    for (size_t l = 0; l < LANES; l++) {
+        double c, s;
+        turns_of(waves[l], &c, &s);
+        lanes->waves[l] = waves[l];
+        lanes->re[l] = amplitudes[l] * c;
+        lanes->im[l] = amplitudes[l] * s;
+        lanes->amplitudes[l] = amplitudes[l];
+    }
+}
+
 void NAMED(kernel_exit_line, KERNEL)(const double *restrict from, const double *restrict shares,
                                      size_t lines, size_t count, double *restrict to)
 {

@@ -4,24 +4,37 @@
 
 #include "base/constants.h"
 #include "base/fft.h"
-#include "base/turns.h"
+#include "base/processor.h"
 #include "trace/sample.h"
 
 #include <math.h>
+#include <string.h>
 
-enum { CELLS = 112, CELLS_MOST = 4096, LINES_LEAST = 56, LINES_MOST = 1024, LOOKS = 24 };
-enum { PAIRS = FFT_LANES / 2 }; /* lines with and without their wave fronts */
+enum { CELLS = 112, CELLS_MOST = 16384, LINES_LEAST = 28, LINES_MOST = 4096, LOOKS = 24 };
+enum { LANES = EXIT_SERIES_LANES };
 
-/* Turns of the phase that two cells may lie apart, and lines for each turn across them. */
+/* Of the lines that are transformed side by side those with wave fronts are so many; two of their
+   perfect ones make one of the others. */
+enum { WAVES = 5, PERFECT = 3 };
+_Static_assert(WAVES + PERFECT == FFT_LANES && 2 * PERFECT >= WAVES, "room for all");
+
+/* Turns that W1 - W2 may make from cell to cell, and lines for each turn of one that is as steep
+   everywhere: Gauss's converge from pi/2 on. */
 static const double steepest = 0.15, a_turn = 1.75;
 
-/* What polynomials of the wave front may leave, of contrast. */
+/* What series of the wave front may leave of contrast. */
 static const double fine = 3e-4;
+
+/* How far series of n terms hold beyond their ends: T_n grows by exp(5) up to there. */
+static double beyond(const struct exit_series *series)
+{
+    const double n = fmax((double)series->wave_count, (double)series->amplitude_count);
+    return 1 + 12.5 / (n * n);
+}
 
 /* The overlap of one pupil in one direction. */
 struct overlapping {
-    const struct exit_pupil *pupil;
-    const struct exit_lines *lines;
+    const struct exit_front *front;
     double middle[2], wide[2]; /* along and across */
     double step;               /* of cells */
     size_t lag, cells, across; /* cells of one frequency, and of the pupil; lines of it */
@@ -30,78 +43,88 @@ struct overlapping {
     struct arena *arena;
 };
 
-static void find_values(const struct exit_pupil *pupil, const double (*at)[2], size_t count,
-                        double *waves, double *amplitudes)
+static kernel_exit_wave *wave_kernel(void)
 {
-    const double off = 4 * PI * pupil->off_waves + 2 * pupil->off_amplitude;
-    (off <= fine ? exit_pupil_form : exit_pupil_values)(pupil, at, count, waves, amplitudes);
+    return processor_has_avx512() ? kernel_exit_wave_avx512
+           : processor_has_avx2() ? kernel_exit_wave_avx2
+                                  : kernel_exit_wave_sse2;
 }
 
-static void put(const struct overlapping *one, double s, double t, double at[2])
-{
-    for (int k = 0; k < 2; k++) {
-        at[k] = s * one->lines->along[k] + t * one->lines->across[k];
-    }
-}
-
-static bool is_clear(const struct exit_spans *spans, double s)
-{
-    bool clear = false;
-    for (size_t i = 0; i < spans->count; i++) {
-        clear = clear || (s > spans->edges[2 * i] && s < spans->edges[2 * i + 1]);
-    }
-    return clear;
-}
-
-/* Turns of W in a coarse grid: the most from place to place along lines, and of a whole row of
-   them across. NaN stands where nothing is clear. */
-static void find_turns(const double (*waves)[LOOKS], double *along, double *across)
+/* Turns of W1 - W2 in a coarse grid, for shifts up to so many of its places: the most from place to
+   place along lines, and of all of them across if they were as steep as the steepest to Gauss's
+   points of the angle. NaN stands where nothing is clear. */
+static void find_turns(const double (*waves)[LOOKS], size_t most, double *along, double *across)
 {
     *along = *across = 0;
-    for (size_t i = 0; i < LOOKS; i++) {
-        double turns = 0;
-        for (size_t j = 0; j + 1 < LOOKS; j++) {
-            const double next = fabs(waves[i][j + 1] - waves[i][j]);
-            const double beside = fabs(waves[j + 1][i] - waves[j][i]);
-            *along = fmax(*along, next); /* not of NaN */
-            turns += isfinite(beside) ? beside : 0;
+    for (size_t shift = 1; shift <= most; shift++) {
+        double rows[LOOKS][LOOKS];
+        for (size_t i = 0; i < LOOKS; i++) {
+            for (size_t j = 0; j + shift < LOOKS; j++) {
+                rows[i][j] = waves[i][j + shift] - waves[i][j];
+            }
         }
-        *across = fmax(*across, turns);
+        for (size_t j = 0; j + shift < LOOKS; j++) {
+            for (size_t i = 0; i < LOOKS; i++) {
+                const double next = j + shift + 1 < LOOKS ? fabs(rows[i][j + 1] - rows[i][j]) : 0;
+                const double beside = i + 1 < LOOKS ? fabs(rows[i + 1][j] - rows[i][j]) : 0;
+                const double sine = 2 * ((double)i + 1) / LOOKS - 1;
+                *along = fmax(*along, next); /* not of NaN */
+                *across = fmax(*across, PI / 2 * LOOKS * sqrt(1 - sine * sine) * beside);
+            }
+        }
     }
 }
 
-static void look(const struct overlapping *one, double *along, double *across)
+/* W of a line at even places along the pupil, NaN where it is not clear. */
+static void look_along(const struct overlapping *one, const struct exit_line *line, double *waves)
 {
-    double waves[LOOKS][LOOKS], amplitudes[LOOKS], at[LOOKS][2];
-    for (size_t i = 0; i < LOOKS; i++) {
-        struct exit_spans spans = {.count = 0};
-        const double t = one->middle[1] + one->wide[1] * (((double)i + 0.5) / LOOKS - 0.5);
-        for (size_t p = 0; p < one->lines->count; p++) {
-            const struct exit_piece *piece = &one->lines->pieces[p];
-            double slope;
-            if (t > piece->low && t < piece->high) {
-                exit_piece_at(piece,
-                              asin((2 * t - piece->low - piece->high) / (piece->high - piece->low)),
-                              &slope, &spans);
-            }
-        }
-        for (size_t j = 0; j < LOOKS; j++) {
-            put(one, one->middle[0] + one->wide[0] * (((double)j + 0.5) / LOOKS - 0.5), t, at[j]);
-        }
-        find_values(one->pupil, (const double(*)[2])at, LOOKS, waves[i], amplitudes);
+    struct exit_wave_lanes lanes = {.x = {0}};
+    for (size_t j = 0; j < LOOKS; j++) {
+        waves[j] = NAN;
+    }
+    for (size_t k = 0; k < line->spans.count; k++) {
+        const double *edges = line->spans.edges + 2 * k;
         for (size_t j = 0; j < LOOKS; j++) {
             const double s = one->middle[0] + one->wide[0] * (((double)j + 0.5) / LOOKS - 0.5);
-            waves[i][j] = is_clear(&spans, s) ? waves[i][j] : (double)NAN;
+            lanes.x[j] = (2 * s - edges[0] - edges[1]) / (edges[1] - edges[0]);
+        }
+        wave_kernel()(&line->series[k], &lanes);
+        for (size_t j = 0; j < LOOKS; j++) {
+            waves[j] = fabs(lanes.x[j]) < 1 ? lanes.waves[j] : waves[j];
         }
     }
-    find_turns((const double(*)[LOOKS])waves, along, across);
+}
+
+/* Turns for shifts up to the most: of W1 - W2 from cell to cell of the grid along, and across. */
+static void look(const struct overlapping *one, double most, double *along, double *across)
+{
+    const struct exit_lines *lines = one->front->lines;
+    double waves[LOOKS][LOOKS];
+    for (size_t i = 0; i < LOOKS; i++) {
+        const double t = one->middle[1] + one->wide[1] * (((double)i + 0.5) / LOOKS - 0.5);
+        struct exit_line line;
+        line.spans.count = 0;
+        for (size_t p = 0; p < lines->count; p++) {
+            const struct exit_piece *piece = &lines->pieces[p];
+            if (t > piece->low && t < piece->high) {
+                const double x = (2 * t - piece->low - piece->high) / (piece->high - piece->low);
+                exit_front_line(one->front, p, asin(x), &line);
+            }
+        }
+        look_along(one, &line, waves[i]);
+    }
+    const double places = most * LOOKS / one->wide[0];
+    const double whole = fmin(fmax(ceil(places), 1), LOOKS - 1);
+    find_turns((const double(*)[LOOKS])waves, (size_t)whole, along, across);
+    *along *= fmin(places, 1); /* less than a place */
+    *across *= fmin(places, 1);
 }
 
 /* Cells and lines for a step of the shift; false: too many. */
-static bool set_grid(struct overlapping *one, double shift)
+static bool set_grid(struct overlapping *one, double shift, size_t count)
 {
     double along, across;
-    look(one, &along, &across);
+    look(one, shift * (double)count, &along, &across);
     const double cells = fmax(CELLS, 1.3 * LOOKS * along / steepest);
     const double lag = ceil(shift * cells / one->wide[0]);
     const double lines = LINES_LEAST + a_turn * across;
@@ -115,55 +138,62 @@ static bool set_grid(struct overlapping *one, double shift)
     one->fft = fft_open(fft_length_from(2 * one->cells), one->arena);
     for (int k = 0; k < 2; k++) {
         one->power[k] = ARENA_ARRAY(one->arena, one->fft.length, double);
-        for (size_t i = 0; i < one->fft.length; i++) {
-            one->power[k][i] = 0;
-        }
     }
     return true;
 }
 
-/* How much of a cell is clear. */
-static double share_of(const struct exit_spans *spans, double low, double step)
+/* A line's cells from the first that is clear: complex with the wave front, and real without. */
+static void put_line(const struct overlapping *one, const struct exit_line *line, double weight,
+                     double *re, double *im, double *perfect)
 {
-    double share = 0;
-    for (size_t i = 0; i < spans->count; i++) {
-        const double from = fmax(spans->edges[2 * i], low);
-        const double to = fmin(spans->edges[2 * i + 1], low + step);
-        share += fmax(0, to - from) / step;
+    kernel_exit_wave *find = wave_kernel();
+    const double first = line->spans.edges[0];
+    struct exit_wave_lanes lanes = {.x = {0}};
+    for (size_t k = 0; k < line->spans.count; k++) {
+        const double *edges = line->spans.edges + 2 * k, wide = edges[1] - edges[0];
+        const double end_x = beyond(&line->series[k]);
+        const size_t from = (size_t)((edges[0] - first) / one->step);
+        const size_t end = (size_t)fmin(ceil((edges[1] - first) / one->step), (double)one->cells);
+        for (size_t i = from; i < end; i += LANES) {
+            const size_t left = end - i < LANES ? end - i : LANES;
+            for (size_t l = 0; l < left; l++) {
+                const double s = first + one->step * ((double)(i + l) + 0.5);
+                /* the middle of a cell that is clear in part may lie beyond the edge */
+                lanes.x[l] = fmin(fmax((2 * s - edges[0] - edges[1]) / wide, -end_x), end_x);
+            }
+            find(&line->series[k], &lanes);
+            for (size_t l = 0; l < left; l++) {
+                const double low = first + one->step * (double)(i + l);
+                const double clear = fmin(edges[1], low + one->step) - fmax(edges[0], low);
+                const double share = weight * fmax(0, clear) / one->step;
+                re[i + l] += share * lanes.re[l];
+                im[i + l] += share * lanes.im[l];
+                perfect[i + l] += share * lanes.amplitudes[l];
+            }
+        }
     }
-    return share;
 }
 
-/* A line's cells from the first that is clear: complex with the wave front, and real without. */
-static void put_line(const struct overlapping *one, const struct exit_spans *spans, double t,
-                     double weight, double *re, double *im, double *perfect)
+/* The power of lines that were transformed: of the first with wave fronts, and of perfect ones. Two
+   of these are a complex line, in whose power what they have in common is odd, so that it does not
+   come back in the real part. */
+static void add_power(const struct overlapping *one, const double *re, const double *im)
 {
-    const struct arena_mark mark = arena_mark(one->arena);
-    const size_t n = one->cells;
-    double(*at)[2] = arena_array(one->arena, n, sizeof *at);
-    double *waves = ARENA_ARRAY(one->arena, n, double);
-    double *amplitudes = ARENA_ARRAY(one->arena, n, double);
-    const double first = spans->edges[0], end = spans->edges[2 * spans->count - 1];
-    const size_t count = (size_t)fmax(0, fmin(ceil((end - first) / one->step), (double)n));
-    for (size_t i = 0; i < count; i++) {
-        put(one, first + one->step * ((double)i + 0.5), t, at[i]);
+    const size_t length = one->fft.length;
+    for (size_t k = 0; k < FFT_LANES; k++) {
+        const double *x = re + k * length, *y = im + k * length;
+        double *power = one->power[k < WAVES ? 0 : 1];
+        for (size_t j = 0; j < length; j++) {
+            power[j] += x[j] * x[j] + y[j] * y[j];
+        }
     }
-    find_values(one->pupil, (const double(*)[2])at, count, waves, amplitudes);
-    for (size_t i = 0; i < count; i++) {
-        const double share = share_of(spans, first + one->step * (double)i, one->step);
-        double c, s;
-        turns_of(waves[i], &c, &s);
-        perfect[i] = share > 0 ? weight * share * amplitudes[i] : 0;
-        re[i] = share > 0 ? perfect[i] * c : 0;
-        im[i] = share > 0 ? perfect[i] * s : 0;
-    }
-    arena_reset(one->arena, mark);
 }
 
 /* Lines of one piece, each with and without its wave front. */
-static void add_piece(const struct overlapping *one, const struct exit_piece *piece)
+static void add_piece(const struct overlapping *one, size_t p)
 {
     const struct arena_mark mark = arena_mark(one->arena);
+    const struct exit_piece *piece = &one->front->lines->pieces[p];
     const size_t length = one->fft.length;
     const double share = fmin((piece->high - piece->low) / one->wide[1], 1);
     const size_t count =
@@ -172,25 +202,19 @@ static void add_piece(const struct overlapping *one, const struct exit_piece *pi
     double *re = ARENA_ARRAY(one->arena, FFT_LANES * length, double);
     double *im = ARENA_ARRAY(one->arena, FFT_LANES * length, double);
     gauss_rule(count, x, w);
-    for (size_t done = 0; done < count; done += PAIRS) {
-        for (size_t k = 0; k < FFT_LANES * length; k++) {
-            re[k] = im[k] = 0;
-        }
-        for (size_t i = 0; i < PAIRS && done + i < count; i++) {
-            struct exit_spans spans;
-            double slope, *real = re + 2 * i * length;
-            const double t = exit_piece_at(piece, PI * (x[done + i] - 0.5), &slope, &spans);
-            put_line(one, &spans, t, sqrt(PI * w[done + i] * slope), real, im + 2 * i * length,
-                     real + length);
+    for (size_t done = 0; done < count; done += WAVES) {
+        memset(re, 0, FFT_LANES * length * sizeof *re);
+        memset(im, 0, FFT_LANES * length * sizeof *im);
+        for (size_t i = 0; i < WAVES && done + i < count; i++) {
+            struct exit_line line;
+            exit_front_line(one->front, p, PI * (x[done + i] - 0.5), &line);
+            double *perfect = (i % 2 == 0 ? re : im) + (WAVES + i / 2) * length;
+            put_line(one, &line, sqrt(PI * w[done + i] * line.slope), re + i * length,
+                     im + i * length, perfect);
         }
         const struct fft_lines lines = {re, im, FFT_LANES, length, 1};
         fft_transform(&one->fft, false, &lines, FFT_BEST, one->arena);
-        for (size_t k = 0; k < FFT_LANES; k++) {
-            double *power = one->power[k % 2];
-            for (size_t i = k * length, j = 0; j < length; i++, j++) {
-                power[j] += re[i] * re[i] + im[i] * im[i];
-            }
-        }
+        add_power(one, re, im);
     }
     arena_reset(one->arena, mark);
 }
@@ -205,17 +229,14 @@ static void add_overlaps(const struct overlapping *one, size_t count, double wei
 {
     const size_t length = one->fft.length;
     double *zero = ARENA_ARRAY(one->arena, 2 * length, double);
-    for (size_t i = 0; i < 2 * length; i++) {
-        zero[i] = 0;
-    }
     for (size_t k = 0; k < 2; k++) {
         const struct fft_lines line = {one->power[k], zero + k * length, 1, length, 1};
         fft_transform(&one->fft, true, &line, FFT_BEST, one->arena);
     }
     const double unit = weight * one->step / (double)length;
     /* cells that are clear in part say too little of themselves, but not of others */
-    sums->re[0] += weight * one->pupil->energy;
-    sums->perfect[0] += weight * one->pupil->energy;
+    sums->re[0] += weight * one->front->pupil->energy;
+    sums->perfect[0] += weight * one->front->pupil->energy;
     for (size_t i = 1; i < count && i * one->lag < one->cells; i++) {
         sums->re[i] += unit * one->power[0][i * one->lag];
         sums->im[i] += unit * zero[i * one->lag];
@@ -229,17 +250,18 @@ static bool add_pupil(const struct mtf_source *source, size_t g, size_t directio
     const struct exit_pupil *pupil = &source->pupils.list[g];
     const struct arena_mark mark = arena_mark(arena);
     const double weight = exit_pupil_weight(pupil);
-    struct overlapping one = {
-        .pupil = pupil, .lines = &source->lines[g * MTF_DIRECTIONS + direction], .arena = arena};
+    const struct exit_front *front = &source->fronts[g * MTF_DIRECTIONS + direction];
+    struct overlapping one = {.front = front, .arena = arena};
     for (int k = 0; k < 2; k++) {
         double range[2];
-        exit_pupil_range(pupil, k == 0 ? one.lines->along : one.lines->across, range);
+        exit_pupil_range(pupil, k == 0 ? front->lines->along : front->lines->across, range);
         one.middle[k] = (range[0] + range[1]) / 2;
         one.wide[k] = range[1] - range[0];
     }
-    const bool done = set_grid(&one, step / (pupil->waves * pupil->n));
-    for (size_t i = 0; i < one.lines->count && done; i++) {
-        add_piece(&one, &one.lines->pieces[i]);
+    const bool done =
+        front->off < fine && set_grid(&one, step / (pupil->waves * pupil->n), count);
+    for (size_t i = 0; i < front->lines->count && done; i++) {
+        add_piece(&one, i);
     }
     if (done) {
         add_overlaps(&one, count, weight, sums);
