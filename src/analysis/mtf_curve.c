@@ -258,8 +258,7 @@ static bool add_pupil(const struct mtf_source *source, size_t g, size_t directio
         one.middle[k] = (range[0] + range[1]) / 2;
         one.wide[k] = range[1] - range[0];
     }
-    const bool done =
-        front->off < fine && set_grid(&one, step / (pupil->waves * pupil->n), count);
+    const bool done = front->off < fine && set_grid(&one, step / (pupil->waves * pupil->n), count);
     for (size_t i = 0; i < front->lines->count && done; i++) {
         add_piece(&one, i);
     }

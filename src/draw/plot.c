@@ -369,10 +369,11 @@ static void draw_band(struct svg *svg, const struct plot *plot, const struct fra
     }
 }
 
-static struct svg_style line_of(size_t style)
+static struct svg_style line_of(const struct plot_series *series)
 {
+    const size_t dash = series->dash > 0 ? series->dash - 1 : series->style;
     return (struct svg_style){
-        .stroke = palette_colour(style), .dash = dashes[style % COUNT(dashes)], .width = 2};
+        .stroke = palette_colour(series->style), .dash = dashes[dash % COUNT(dashes)], .width = 2};
 }
 
 /* An arrow at the edge that says where a curve goes; one where several would lie together. */
@@ -433,7 +434,7 @@ static void draw_curves(struct svg *svg, const struct plot *plot, struct frame *
         svg_group_end(svg);
     }
     for (size_t s = 0; s < plot->series_count; s++) {
-        struct svg_style style = line_of(plot->series[s].style);
+        struct svg_style style = line_of(&plot->series[s]);
         struct points line =
             trace(plot, frame, plot->series[s].y, 0, plot->count, false, svg->arena);
         svg_group_begin(svg, &style);
@@ -516,7 +517,7 @@ static void draw_keys(struct svg *svg, const struct plot *plot, const struct fra
     double gap = fmin(18, height / (double)(count + 1));
     spread_keys(keys, count, frame->y.stop, frame->y.start, gap);
     for (size_t i = 0; i < count; i++) {
-        struct svg_style style = line_of(keys[i].series->style);
+        struct svg_style style = line_of(keys[i].series);
         svg_group_begin(svg, &style);
         svg_line(svg, left, keys[i].y, left + 28, keys[i].y);
         svg_group_end(svg);

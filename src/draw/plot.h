@@ -22,6 +22,7 @@ struct plot_series {
     const char *label; /* beside the right end of the curve; null = none */
     const double *y;   /* plot.count values; NaN = gap, +-inf = off the edge */
     size_t style;      /* 0, 1, ...; after seven the colours come again with other dashes */
+    size_t dash;       /* 1, 2, ...: those dashes in place of the style's; 0 = the style's */
 };
 
 /* The area between two curves, tinted in the colour of `low`. */

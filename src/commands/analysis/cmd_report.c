@@ -41,6 +41,8 @@ static const struct section sections[] = {
     {"Spots in numbers", "spot", NULL, TAKES_BOTH, false},
     {"Wave fronts", "wavefront", "--plot", TAKES_BOTH, true},
     {"Wave fronts in numbers", "wavefront", NULL, TAKES_BOTH, false},
+    {"Contrast", "mtf", "--plot", TAKES_BOTH, true},
+    {"Contrast in numbers", "mtf", NULL, TAKES_BOTH, false},
     {"Field curvature", "field", "--plot", TAKES_BOTH, true},
     {"Distortion", "distortion", "--plot", TAKES_BOTH, true},
     {"Light over the image", "illumination", "--plot", TAKES_BOTH, true},

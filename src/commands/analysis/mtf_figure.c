@@ -10,7 +10,10 @@
 #include <stdlib.h>
 #include <string.h>
 
-enum { STEPS = 61, MOST = 4096, CURVES_MOST = 14, FIELDS_MANY = 4 };
+enum { STEPS = 61, MOST = 4096, CURVES_MOST = 14, FIELDS_MANY = 4, FIELDS_DRAWN = 17 };
+
+/* Colours of curves before they come again, and the dashes of the limit. */
+enum { COLOURS = 7, DOTTED = 3 };
 
 /* The default of --error; below it a drawing is made of exact points too. */
 static const double usual_error = 1e-4;
@@ -185,6 +188,44 @@ static bool choose_axis(struct painter *painter, struct error *error)
     return true;
 }
 
+/* The field or the height of an input, whichever it has. */
+static double *place_of(struct mtf_input *input)
+{
+    struct analysis_question *question = &input->question;
+    return isnan(question->field) ? &question->height : &question->field;
+}
+
+/* Fields between those that were asked for, so that curves are smooth. */
+static bool collect_between(struct painter *painter, const struct analysis_answers *answers,
+                            struct error *error)
+{
+    const struct artifact_job *job = painter->job;
+    struct mtf_input first, here;
+    double low = INFINITY, high = -INFINITY;
+    memcpy(&first, job->inputs[0], sizeof first);
+    for (size_t i = 0; i < job->count; i++) {
+        memcpy(&here, job->inputs[i], sizeof here);
+        low = fmin(low, *place_of(&here));
+        high = fmax(high, *place_of(&here));
+    }
+    for (size_t i = 0; i < job->count; i++) {
+        memcpy(&here, job->inputs[i], sizeof here);
+        if (!(fabs(*place_of(&here) - *place_of(&first)) <= 0)) {
+            continue;
+        }
+        painter->input = &here;
+        for (size_t k = 1; k + 1 < FIELDS_DRAWN; k++) {
+            *place_of(&here) = low + (high - low) * (double)k / (FIELDS_DRAWN - 1);
+            if (!analysis_each_field(&here.question, &mtf_policy, job->run, answers, painter,
+                                     error)) {
+                return false;
+            }
+        }
+    }
+    painter->input = job->inputs[0];
+    return true;
+}
+
 /* All points of the sweep; against frequency the curves hold all of them anyway. */
 static bool collect(struct painter *painter, struct error *error)
 {
@@ -201,7 +242,8 @@ static bool collect(struct painter *painter, struct error *error)
             return false;
         }
     }
-    return painter->count > 0 || fail(error, ERROR_DOMAIN, "there is no contrast to draw");
+    return (painter->axis != BY_FIELD || collect_between(painter, &answers, error)) &&
+           (painter->count > 0 || fail(error, ERROR_DOMAIN, "there is no contrast to draw"));
 }
 
 /* The title; curves of several lenses are called by them too. */
@@ -261,7 +303,7 @@ static size_t find_labels(const struct painter *painter, const char **labels, st
     return count;
 }
 
-/* The values of all curves in their places; limits: of the first, or null. */
+/* The values of all curves in their places; limits: of the first. */
 static void put_values(const struct painter *painter, const double *x, size_t points,
                        const char *const *labels, double *y, double *limits)
 {
@@ -277,22 +319,68 @@ static void put_values(const struct painter *painter, const double *x, size_t po
         for (size_t k = 0; k < MTF_DIRECTIONS; k++) {
             y[(MTF_DIRECTIONS * curve + k) * points + at] = entry->contrast[k];
         }
-        if (limits != NULL && curve == 0) {
+        if (curve == 0) {
             limits[at] = entry->limit;
         }
     }
 }
 
+/* On the axis of a lens both directions are one curve. */
+static bool is_one(const double *tangential, const double *sagittal, size_t points)
+{
+    double off = 0;
+    for (size_t i = 0; i < points; i++) {
+        off = fmax(off, fabs(tangential[i] - sagittal[i]));
+    }
+    return off < 1e-3; /* of what a drawing shows */
+}
+
+/* Series of curves, whose values are y: of a colour for each label, sagittal ones dashed. */
+static size_t put_series(const struct painter *painter, const double *y, size_t points,
+                         const char *const *labels, size_t curves, struct plot_series *series)
+{
+    size_t count = 0;
+    for (size_t k = 0; k < curves; k++) {
+        const double *both[] = {y + MTF_DIRECTIONS * k * points,
+                                y + (MTF_DIRECTIONS * k + MTF_SAGITTAL) * points};
+        const size_t again = 2 * (k / COLOURS);
+        const bool one = is_one(both[0], both[1], points);
+        series[count++] = (struct plot_series){
+            arena_printf(painter->arena, "%s %s", one ? "T, S" : "T", labels[k]), both[0], k,
+            1 + again};
+        if (!one) {
+            series[count++] = (struct plot_series){arena_printf(painter->arena, "S %s", labels[k]),
+                                                   both[1], k, 2 + again};
+        }
+    }
+    if (painter->axis == BY_FREQUENCY) {
+        series[count++] =
+            (struct plot_series){"limit", y + MTF_DIRECTIONS * curves * points, curves, DOTTED};
+    }
+    return count;
+}
+
+/* What the drawing says below its title, and of its axis. */
+static void say(const struct painter *painter, struct plot *plot)
+{
+    const bool through = painter->axis == BY_FOCUS;
+    plot->subtitle = through ? arena_printf(painter->arena, "%s; %.4g/mm", painter->subtitle,
+                                            painter->input->frequency)
+                             : painter->subtitle;
+    plot->x_label = painter->axis == BY_FREQUENCY ? "spatial frequency (1/mm)"
+                    : through                     ? "defocus (mm)"
+                    : painter->is_angle           ? "field (deg)"
+                                                  : "field (mm)";
+}
+
 static bool draw(const struct painter *painter, struct svg *svg, struct error *error)
 {
     struct arena *arena = painter->arena;
-    const char *title = name_curves(painter);
     double *x = ARENA_ARRAY(arena, painter->count, double);
-    const size_t points = find_x(painter, x);
+    struct plot plot = {.title = name_curves(painter), .y_label = "contrast", .x = x};
     const char *labels[CURVES_MOST];
-    const size_t curves = find_labels(painter, labels, error);
-    const size_t limits = painter->axis == BY_FREQUENCY ? 1 : 0;
-    const size_t count = MTF_DIRECTIONS * curves + limits;
+    const size_t points = find_x(painter, x), curves = find_labels(painter, labels, error);
+    const size_t count = MTF_DIRECTIONS * curves + 1;
     double *y = ARENA_ARRAY(arena, points * count, double);
     struct plot_series *series = ARENA_ARRAY(arena, count, struct plot_series);
     if (curves == 0) {
@@ -301,33 +389,11 @@ static bool draw(const struct painter *painter, struct svg *svg, struct error *e
     for (size_t i = 0; i < points * count; i++) {
         y[i] = NAN;
     }
-    for (size_t k = 0; k < count; k++) {
-        const bool is_limit = k == MTF_DIRECTIONS * curves;
-        series[k] = (struct plot_series){
-            is_limit ? "limit"
-                     : arena_printf(arena, "%s %s", k % 2 == 0 ? "T" : "S", labels[k / 2]),
-            y + k * points, is_limit ? MTF_DIRECTIONS * curves : k};
-    }
-    put_values(painter, x, points, labels, y,
-               limits > 0 ? y + MTF_DIRECTIONS * curves * points : NULL);
-    const struct plot plot = {
-        .title = title,
-        .subtitle =
-            painter->axis != BY_FREQUENCY
-                ? arena_printf(arena, "%s%s", painter->subtitle,
-                               painter->axis == BY_FOCUS
-                                   ? arena_printf(arena, "; %.4g/mm", painter->input->frequency)
-                                   : "")
-                : painter->subtitle,
-        .x_label = painter->axis == BY_FREQUENCY ? "spatial frequency (1/mm)"
-                   : painter->axis == BY_FOCUS   ? "defocus (mm)"
-                   : painter->is_angle           ? "field (deg)"
-                                                 : "field (mm)",
-        .y_label = "contrast",
-        .x = x,
-        .count = points,
-        .series = series,
-        .series_count = count};
+    put_values(painter, x, points, labels, y, y + MTF_DIRECTIONS * curves * points);
+    say(painter, &plot);
+    plot.count = points;
+    plot.series = series;
+    plot.series_count = put_series(painter, y, points, labels, curves, series);
     return plot_draw(&plot, svg, error);
 }
 

@@ -314,7 +314,7 @@ static bool draw_curves(const struct drawing *drawing, const struct grid *grid, 
     }
     for (size_t k = 0; k < curves; k++) {
         const char *label = focus ? drawing->all[grid->rows[k]].place.field : NULL;
-        series[k] = (struct plot_series){label, y + k * count, k};
+        series[k] = (struct plot_series){.label = label, .y = y + k * count, .style = k};
     }
     for (size_t i = 0; i < drawing->count; i++) {
         const struct place *place = &drawing->all[i].place;
