@@ -51,7 +51,35 @@ static const char bare[] = "wavelength d\n"
                            "surface -40 5 1.65 - k=2 A4=-1e-6\n"
                            "surface -50 100 air -\n";
 
+static const char zoom[] = "wavelength d F\n"
+                           "object inf\n"
+                           "aperture f/5\n"
+                           "field angle 0 6\n"
+                           "position wide tele\n"
+                           "let gap 20 6\n"
+                           "surface 60 4 1.6/50 30\n"
+                           "surface -900 gap air 30\n"
+                           "stop - 2 air 20\n"
+                           "surface -70 2 1.7/35 -\n"
+                           "surface 90 12 air -\n"
+                           "surface 50 5 1.62/60 30\n"
+                           "surface -40 50 air 30\n";
+
+static const char ideal[] = "wavelength d F\n"
+                            "object 300\n"
+                            "aperture f/5\n"
+                            "field angle 3\n"
+                            "stop - 5 air 20\n"
+                            "thick 80 10 air 30 hiatus=2\n"
+                            "surface 90 5 1.62/40 30\n"
+                            "surface -400 50 air 30\n";
+
 static const struct merit_case cases[] = {
+    {"zoom", zoom, "R1 c2 t1 t3 n1 V4 k6 A4_7",
+     "efl=80,efl@tele=70:2,bfl@wide@F=60,axial,S1,S3@tele,fnumber=4,length=30,edge=2,air=3", 1e-9},
+    {"ideal", ideal, "f2 t1 t2 R3 n3",
+     "efl=80,bfl=70,magnification=-0.5,fnumber=4,length=20,axial,petzval=-150,S1,S2,S3,S4,S5",
+     1e-9},
     {"double Gauss", double_gauss, "R1 R2 c3 R5 c6 t1 t5 t6 t11 n1 n3 V3 V4 A2_2 A4_1 k7 A4_6 k1",
      "efl=100,efl@F>101,efl@C<90,bfl=70,bfl@C=71,ffl=-50,length=60,fnumber=3,fnumber@F=3,petzval=-"
      "450,"
