@@ -3,6 +3,7 @@
 #include "design/merit.h"
 
 #include "design/merit_chief.h"
+#include "design/merit_incidence.h"
 #include "design/merit_paraxial.h"
 #include "design/merit_rays.h"
 #include "design/merit_shape.h"

@@ -1,4 +1,4 @@
-/* design/merit_chief.c - operands of real chief and edge rays. */
+/* design/merit_chief.c - operands of real chief rays. */
 /* SPDX-License-Identifier: MIT */
 #include "design/merit_chief.h"
 
@@ -6,18 +6,6 @@
 #include "design/merit_ray.h"
 
 #include <math.h>
-
-/* What a slot keeps: the chief rays found last. */
-struct chief_memory {
-    struct aim_near *near; /* one a chief ray */
-};
-
-static struct chief_memory *memory_new(size_t count, struct arena *arena)
-{
-    struct chief_memory *memory = ARENA_NEW(arena, struct chief_memory);
-    memory->near = ARENA_ARRAY(arena, count, struct aim_near);
-    return memory;
-}
 
 static const struct field_point *field_of(const struct merit_place *place,
                                           const struct operand *operand)
@@ -47,12 +35,12 @@ static bool follow(struct merit *merit, const struct merit_slot *slot, double wa
                    size_t passed, struct merit_ray *end)
 {
     const struct merit_place *place = &merit->places[slot->place];
-    const struct chief_memory *memory = slot->own;
+    struct aim_near *near = slot->own; /* chief rays found last, one a light */
     struct merit_light *light = merit_light(merit, slot, wavelength);
     const struct merit_ray_question question = {.slot = slot,
                                                 .light = light,
                                                 .field = field_of(place, slot->operand),
-                                                .near = &memory->near[light - place->lights]};
+                                                .near = &near[light - place->lights]};
     struct merit_ray *start = ARENA_ARRAY(merit->arena, merit_columns(merit), struct merit_ray);
     return merit_ray_start(merit, &question, merit->arena, start) &&
            merit_ray_follow(merit, &question, passed, start, merit->arena, end);
@@ -188,188 +176,6 @@ size_t merit_prepare_chief(struct merit *merit, struct merit_slot *slot, struct 
         (kind != OPERAND_TELECENTRIC && !merit_image_check(place, error))) {
         return 0;
     }
-    slot->own = memory_new(place->light_count, arena);
+    slot->own = ARENA_ARRAY(arena, place->light_count, struct aim_near);
     return 1;
-}
-
-/* -------- angles of incidence -------- */
-
-/* A ray of a field: a place in the stop. */
-static const double pupils[][2] = {{0, 0}, {0, 1}, {0, -1}};
-enum { PUPILS = sizeof pupils / sizeof pupils[0] };
-
-static size_t field_count(const struct merit_place *place, const struct operand *operand)
-{
-    return operand->field != NULL ? 1 : place->setup.field_count;
-}
-
-static const struct field_point *field_at(const struct merit_place *place,
-                                          const struct operand *operand, size_t i)
-{
-    return operand->field != NULL ? &operand->field->point : &place->setup.fields[i].point;
-}
-
-static size_t end_of(const struct operand *operand, const struct lens *lens)
-{
-    return operand->first == LENS_NONE ? lens->surface_count : operand->last + 1;
-}
-
-static size_t first_of(const struct operand *operand)
-{
-    return operand->first == LENS_NONE ? 0 : operand->first;
-}
-
-/* A plane that only is the stop, or one within a medium, bends nothing. */
-static bool bends(const struct lens *lens, size_t i)
-{
-    const struct surface *surface = &lens->surfaces[i];
-    const struct medium *before = i > 0 ? &lens->surfaces[i - 1].medium : &lens->object_medium;
-    return surface_reflects(surface) ||
-           (surface_has(surface, SURFACE_HAS_MEDIUM) && !medium_is_same(before, &surface->medium));
-}
-
-static struct dual cross_square(const struct dual a[3], const struct dual b[3])
-{
-    struct dual sum = dual_of(0);
-    for (int i = 0; i < 3; i++) {
-        const int k = (i + 1) % 3, l = (i + 2) % 3;
-        const struct dual part =
-            dual_subtract(dual_multiply(a[k], b[l]), dual_multiply(a[l], b[k]));
-        sum = dual_add(sum, dual_multiply(part, part));
-    }
-    return sum;
-}
-
-static struct dual square(const struct dual a[3])
-{
-    struct dual sum = dual_of(0);
-    for (int i = 0; i < 3; i++) {
-        sum = dual_add(sum, dual_multiply(a[i], a[i]));
-    }
-    return sum;
-}
-
-/* The angle whose sine is |p x p'|/(n |p' - p|): of the tangent, so that 90 deg is no pole. */
-static struct dual incidence(const struct merit_ray *before, const struct merit_ray *after)
-{
-    struct dual step[3], dot = dual_of(0);
-    for (int i = 0; i < 3; i++) {
-        step[i] = dual_subtract(after->along[i], before->along[i]);
-        dot = dual_add(dot, dual_multiply(step[i], before->along[i]));
-    }
-    const struct dual cross = cross_square(before->along, after->along);
-    const struct dual size = square(step);
-    if (!(cross.value > 1e-28 * size.value)) {
-        return dual_of(0); /* at right angles: the slope of |i| has no sign there */
-    }
-    const struct dual tangent = dual_divide(dual_root(cross), dual_absolute(dot));
-    return dual_arc_tangent(tangent);
-}
-
-/* Follow one ray to a surface; keep the angle if it is the largest so far. */
-static void compare(struct merit *merit, const struct merit_ray_question *question, size_t surface,
-                    const struct merit_ray *start, double *largest)
-{
-    const size_t columns = merit_columns(merit);
-    const struct arena_mark mark = arena_mark(merit->arena);
-    struct merit_ray *before = ARENA_ARRAY(merit->arena, columns, struct merit_ray);
-    struct merit_ray *after = ARENA_ARRAY(merit->arena, columns, struct merit_ray);
-    if (merit_ray_follow(merit, question, surface, start, merit->arena, before) &&
-        merit_ray_follow(merit, question, surface + 1, start, merit->arena, after) &&
-        incidence(&before[0], &after[0]).value > *largest) {
-        for (size_t j = 0; j < columns; j++) {
-            merit->change[j] = incidence(&before[j], &after[j]);
-        }
-        *largest = merit->change[0].value;
-    }
-    arena_reset(merit->arena, mark);
-}
-
-/* All rays at one surface, their largest angle into merit->change. */
-static bool look(struct merit *merit, const struct merit_slot *slot, size_t surface,
-                 struct merit_ray *const *starts)
-{
-    const struct merit_place *place = &merit->places[slot->place];
-    double largest = -1;
-    for (size_t i = 0; i < field_count(place, slot->operand) * PUPILS; i++) {
-        const double *pupil = pupils[i % PUPILS];
-        const struct merit_ray_question question = {
-            .slot = slot,
-            .light = merit_light(merit, slot, slot->operand->wavelength),
-            .field = field_at(place, slot->operand, i / PUPILS),
-            .pupil = {pupil[0], pupil[1]}};
-        if (starts[i] != NULL) {
-            compare(merit, &question, surface, starts[i], &largest);
-        }
-    }
-    return largest >= 0 ||
-           fail(&merit->why, ERROR_DOMAIN, "no ray arrives at surface %zu", surface + 1);
-}
-
-/* Aim all rays of a slot. */
-static struct merit_ray **aim_all(struct merit *merit, const struct merit_slot *slot)
-{
-    const struct merit_place *place = &merit->places[slot->place];
-    const struct chief_memory *memory = slot->own;
-    const size_t count = field_count(place, slot->operand) * PUPILS;
-    struct merit_ray **starts = ARENA_ARRAY(merit->arena, count, struct merit_ray *);
-    for (size_t i = 0; i < count; i++) {
-        const double *pupil = pupils[i % PUPILS];
-        const struct merit_ray_question question = {
-            .slot = slot,
-            .light = merit_light(merit, slot, slot->operand->wavelength),
-            .field = field_at(place, slot->operand, i / PUPILS),
-            .pupil = {pupil[0], pupil[1]},
-            .near = &memory->near[i / PUPILS]};
-        starts[i] = ARENA_ARRAY(merit->arena, merit_columns(merit), struct merit_ray);
-        if (!merit_ray_start(merit, &question, merit->arena, starts[i])) {
-            starts[i] = NULL;
-        }
-    }
-    return starts;
-}
-
-bool merit_fill_incidence(struct merit *merit, const struct merit_slot *slot, double *residuals,
-                          double *jacobian)
-{
-    const struct arena_mark mark = arena_mark(merit->arena);
-    const struct lens *lens = merit->places[slot->place].lens;
-    struct merit_ray **starts = aim_all(merit, slot);
-    bool done = true;
-    size_t at = 0;
-    for (size_t i = first_of(slot->operand); i < end_of(slot->operand, lens) && done; i++) {
-        done = !bends(lens, i) ||
-               (look(merit, slot, i, starts) && merit_put(merit, slot, at++, residuals, jacobian));
-    }
-    arena_reset(merit->arena, mark);
-    return done;
-}
-
-size_t merit_prepare_incidence(struct merit *merit, struct merit_slot *slot, struct arena *arena,
-                               struct error *error)
-{
-    const struct merit_place *place = &merit->places[slot->place];
-    const struct operand *operand = slot->operand;
-    const struct lens *lens = place->lens;
-    size_t count = 0;
-    if (!merit_needs_aperture(place, error)) {
-        return 0;
-    }
-    for (size_t i = 0; i < field_count(place, operand); i++) {
-        if (!merit_ray_check(place, field_at(place, operand, i), error)) {
-            return 0;
-        }
-    }
-    for (size_t i = first_of(operand); i < end_of(operand, lens) && i < lens->surface_count; i++) {
-        count += bends(lens, i);
-        if (lens->surfaces[i].coordinate_break != NULL) {
-            fail(error, ERROR_DOMAIN, "surface %zu stands behind a coordinate break", i + 1);
-            return 0;
-        }
-    }
-    if (count == 0) {
-        fail(error, ERROR_DOMAIN, "none of these surfaces bends light");
-    }
-    slot->own = memory_new(field_count(place, operand), arena);
-    return count;
 }

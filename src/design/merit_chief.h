@@ -1,4 +1,4 @@
-/* design/merit_chief.h - operands of real chief and edge rays. */
+/* design/merit_chief.h - operands of real chief rays. */
 /* SPDX-License-Identifier: MIT */
 #ifndef LENSCALC_DESIGN_MERIT_CHIEF_H
 #define LENSCALC_DESIGN_MERIT_CHIEF_H
@@ -23,19 +23,5 @@
  */
 merit_fill merit_fill_chief;
 merit_prepare merit_prepare_chief;
-
-/*
- * incidence: the largest angle at a surface, rad, a residual for each of the operand that bends
- * light: of the chief rays and those through the upper and the lower edge of the stop, of all
- * fields or that of the operand. Rays that are lost do not count.
- *
- * Formula   sin i = |p x p'|/(n |p' - p|), p and p' before and behind: their difference is along
- *           the normal
- * Source    derived here from the law of refraction
- * Errors    as merit_ray_check; a coordinate break at the surface, no such surface. Of an
- *           evaluation: no ray arrives
- */
-merit_fill merit_fill_incidence;
-merit_prepare merit_prepare_incidence;
 
 #endif
