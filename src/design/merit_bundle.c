@@ -532,7 +532,9 @@ void merit_bundle_sweep(const struct merit_bundle *bundle, size_t which,
     double field[RAYS_BLOCK];
     aimed_sweep(&block->aimed, layout, adjoint, bundle->gradient, &rates);
     field_row(bundle, block, adjoint, field);
-    memset(columns, 0, variable_count * RAYS_BLOCK * sizeof *columns);
+    for (size_t j = 0; j < variable_count; j++) {
+        memset(columns + j * RAYS_BLOCK, 0, (size_t)lanes * sizeof *columns);
+    }
     add_links(bundle, block, links, adjoint, columns);
     for (size_t j = 0; j < variable_count; j++) {
         const struct bundle_rate *rate = &bundle->rates[j];

@@ -13,7 +13,9 @@
 
 /* Rows that nobody asked for: those of one step. */
 enum {
-    SCRATCH_AFTER = 1,
+    SCRATCH_CURVATURE,
+    SCRATCH_BEFORE,
+    SCRATCH_AFTER,
     SCRATCH_THICKNESS,
     SCRATCH_CONIC,
     SCRATCH_EVEN,
@@ -281,19 +283,19 @@ static struct adjoint_rows rows_of(const struct sweep *sweep, size_t place)
     const struct system *system = sweep->system;
     size_t count = system->lens->surface_count, surface = system_surface(system, place);
     bool reverse = system->options.reverse;
-    double *scratch = sweep->tape->scratch;
+    double *scratch = sweep->tape->scratch, *before = scratch + SCRATCH_BEFORE * RAYS_BLOCK;
     struct adjoint_rows rows = {.thickness_sign = reverse ? 1 : -1, .lanes = sweep->tape->lanes};
     if (surface == count) {
         size_t medium = reverse ? LENS_NONE : count - 1;
-        rows.curvature = scratch;
-        rows.index_before = row_or(sweep, PARAMETER_INDEX, medium, scratch);
+        rows.curvature = scratch; /* the first of them */
+        rows.index_before = row_or(sweep, PARAMETER_INDEX, medium, before);
         rows.index_after = scratch + SCRATCH_AFTER * RAYS_BLOCK;
         return rows;
     }
     rows.curvature = row_or(sweep, PARAMETER_CURVATURE, surface, scratch);
     set_shape_rows(sweep, step_of_surface(system, place)->kind, surface, &rows);
-    rows.index_before = row_or(sweep, PARAMETER_INDEX, reverse ? surface : surface - 1, scratch);
-    rows.index_after = row_or(sweep, PARAMETER_INDEX, reverse ? surface - 1 : surface, scratch);
+    rows.index_before = row_or(sweep, PARAMETER_INDEX, reverse ? surface : surface - 1, before);
+    rows.index_after = row_or(sweep, PARAMETER_INDEX, reverse ? surface - 1 : surface, before);
     if (reverse && place > 0) { /* the way lies along the axis before a coordinate break */
         rows.along_behind = system->lens->surfaces[surface + 1].coordinate_break != NULL;
     }
