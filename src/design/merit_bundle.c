@@ -485,8 +485,10 @@ static void field_row(const struct merit_bundle *bundle, const struct bundle_blo
 
 static void add_row(double *restrict column, double factor, const double *restrict row, int lanes)
 {
-    for (int i = 0; factor != 0 && i < lanes; i++) {
-        column[i] += factor * row[i];
+    for (int from = 0; factor != 0 && from < lanes; from += RAYS_FEW) {
+        for (int i = from; i < from + RAYS_FEW; i++) {
+            column[i] += factor * row[i];
+        }
     }
 }
 

@@ -175,13 +175,18 @@ void aimed_trace(struct aimed *aimed, bool derives, struct ray_block *end)
     rays_trace(system, &rays, &(struct trace_way){.set = aimed->set});
 }
 
-/* What a function gains along a change of the rays. */
-static double along(const struct ray_block *adjoint, const struct ray_block *change, int i)
+/* What a function gains along a change of the rays; in parts whose size the compiler knows. */
+static void along(const struct ray_block *restrict adjoint, const struct ray_block *restrict change,
+                  int lanes, double *restrict gain)
 {
-    return adjoint->x[i] * change->x[i] + adjoint->y[i] * change->y[i] +
-           adjoint->z[i] * change->z[i] + adjoint->p[i] * change->p[i] +
-           adjoint->q[i] * change->q[i] + adjoint->r[i] * change->r[i] +
-           adjoint->path[i] * change->path[i];
+    for (int from = 0; from < lanes; from += RAYS_FEW) {
+        for (int i = from; i < from + RAYS_FEW; i++) {
+            gain[i] = adjoint->x[i] * change->x[i] + adjoint->y[i] * change->y[i] +
+                      adjoint->z[i] * change->z[i] + adjoint->p[i] * change->p[i] +
+                      adjoint->q[i] * change->q[i] + adjoint->r[i] * change->r[i] +
+                      adjoint->path[i] * change->path[i];
+        }
+    }
 }
 
 static void sweep_stop(const struct aimed *aimed, struct derivative_pass *pass,
@@ -189,13 +194,13 @@ static void sweep_stop(const struct aimed *aimed, struct derivative_pass *pass,
 {
     const struct ray_block *tangents = aimed->work->tangents;
     const size_t stop = aimed->system->stop;
-    double x[RAYS_BLOCK], y[RAYS_BLOCK];
+    double x[RAYS_BLOCK], y[RAYS_BLOCK], fa[RAYS_BLOCK], fb[RAYS_BLOCK];
     derivative_pass_part(pass, aimed->system->places, stop + 1);
+    along(pass->adjoint, &tangents[0], aimed->lanes, fa);
+    along(pass->adjoint, &tangents[1], aimed->lanes, fb);
     for (int i = 0; i < aimed->lanes; i++) {
-        const double fa = along(pass->adjoint, &tangents[0], i);
-        const double fb = along(pass->adjoint, &tangents[1], i);
-        x[i] = -(fa * aimed->inverse[0][i] + fb * aimed->inverse[2][i]);
-        y[i] = -(fa * aimed->inverse[1][i] + fb * aimed->inverse[3][i]);
+        x[i] = -(fa[i] * aimed->inverse[0][i] + fb[i] * aimed->inverse[2][i]);
+        y[i] = -(fa[i] * aimed->inverse[1][i] + fb[i] * aimed->inverse[3][i]);
         rates->radius[i] = -(x[i] * aimed->x[i] + y[i] * aimed->y[i]);
         rates->place[i] = 0;
     }
@@ -221,11 +226,12 @@ void aimed_sweep(const struct aimed *aimed, const struct derivative_layout *layo
         return;
     }
     derivative_pass_part(&pass, aimed->system->places, 0);
+    double fa[RAYS_BLOCK], fb[RAYS_BLOCK];
+    along(adjoint, &aimed->work->slopes[0], aimed->lanes, fa);
+    along(adjoint, &aimed->work->slopes[1], aimed->lanes, fb);
     for (int i = 0; i < aimed->lanes; i++) {
-        const double fa = along(adjoint, &aimed->work->slopes[0], i);
-        const double fb = along(adjoint, &aimed->work->slopes[1], i);
-        rates->radius[i] = fa * aimed->by_radius[0][i] + fb * aimed->by_radius[1][i];
-        rates->place[i] = fa * aimed->by_place[0][i] + fb * aimed->by_place[1][i];
+        rates->radius[i] = fa[i] * aimed->by_radius[0][i] + fb[i] * aimed->by_radius[1][i];
+        rates->place[i] = fa[i] * aimed->by_place[0][i] + fb[i] * aimed->by_place[1][i];
     }
 }
 
@@ -359,6 +365,10 @@ static void fill_coordinates(struct aimed *aimed)
         aimed->b[i] = aimed->b[0];
         aimed->x[i] = aimed->x[0];
         aimed->y[i] = aimed->y[0];
+        for (int k = 0; k < 2; k++) {
+            aimed->by_radius[k][i] = aimed->by_radius[k][0];
+            aimed->by_place[k][i] = aimed->by_place[k][0];
+        }
     }
 }
 
@@ -385,69 +395,67 @@ bool aimed_at_stop(struct aimed *aimed, const struct system *system, struct aren
 
 /* -------- the entrance pupil -------- */
 
-static double dot(const double a[3], const double b[3])
+/*
+ * Rays of one beam through points of the pupil at z: beam_place, and how coordinates change with
+ * the pupil's radius and place.
+ */
+static void aim_lanes(struct aimed *aimed, const struct aimed_beam *at,
+                      const struct first_order *first)
 {
-    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+    const double radius = first->entrance_diameter / 2, z = first->entrance_pupil;
+    const double *u = at->beam.across[0], *v = at->beam.across[1], *e = at->beam.axis;
+    const bool far = isinf(at->beam.distance);
+    const double d = far ? 1 : at->beam.distance, bends = far ? 0 : 1;
+    for (int i = at->first; i < at->first + at->count; i++) {
+        const double x = aimed->x[i], y = aimed->y[i];
+        const double along_e = bends * (radius * (x * e[0] + y * e[1]) + z * e[2]);
+        const double scale = d / (d + along_e), shrink = bends * scale / d;
+        const double out = x * e[0] + y * e[1];
+        const double a = scale * (radius * (x * u[0] + y * u[1]) + z * u[2]);
+        const double b = scale * (radius * (x * v[0] + y * v[1]) + z * v[2]);
+        aimed->a[i] = a;
+        aimed->b[i] = b;
+        aimed->by_radius[0][i] = scale * (x * u[0] + y * u[1]) - a * shrink * out;
+        aimed->by_radius[1][i] = scale * (x * v[0] + y * v[1]) - b * shrink * out;
+        aimed->by_place[0][i] = scale * u[2] - a * shrink * e[2];
+        aimed->by_place[1][i] = scale * v[2] - b * shrink * e[2];
+    }
 }
 
-/* How coordinates change with the target: beam_place in the direction `way`. */
-static void place_slope(const struct beam *beam, const double target[3], const double way[3],
-                        double slope[2])
+/* The cone of a numerical aperture, which the lens does not change. */
+static bool aim_cone(struct aimed *aimed, const struct aimed_beam *at,
+                     const struct first_order *first, struct error *error)
 {
-    const bool far = isinf(beam->distance);
-    const double w = far ? 1 : beam->distance + dot(target, beam->axis);
-    const double scale = far ? 1 : beam->distance / w;
-    for (int k = 0; k < 2; k++) {
-        slope[k] = scale * dot(way, beam->across[k]);
-        if (!far) {
-            slope[k] -= scale * dot(target, beam->across[k]) * dot(way, beam->axis) / w;
+    for (int i = at->first; i < at->first + at->count; i++) {
+        struct ray ray;
+        double place[2];
+        if (!aim_at_entrance(&at->beam, first, aimed->x[i], aimed->y[i], &ray, error)) {
+            return false;
+        }
+        beam_place(&at->beam, ray.point, place);
+        aimed->a[i] = place[0];
+        aimed->b[i] = place[1];
+        for (int k = 0; k < 2; k++) {
+            aimed->by_radius[k][i] = aimed->by_place[k][i] = 0;
         }
     }
-}
-
-static void aim_lane(struct aimed *aimed, const struct beam *beam, const struct first_order *first,
-                     int i)
-{
-    const double radius = first->entrance_diameter / 2, x = aimed->x[i], y = aimed->y[i];
-    const double target[3] = {x * radius, y * radius, first->entrance_pupil};
-    const double out[3] = {x, y, 0}, back[3] = {0, 0, 1};
-    double place[2], by_radius[2], by_place[2];
-    beam_place(beam, target, place);
-    place_slope(beam, target, out, by_radius);
-    place_slope(beam, target, back, by_place);
-    aimed->a[i] = place[0];
-    aimed->b[i] = place[1];
-    for (int k = 0; k < 2; k++) {
-        aimed->by_radius[k][i] = by_radius[k];
-        aimed->by_place[k][i] = by_place[k];
-    }
+    return true;
 }
 
 bool aimed_at_entrance(struct aimed *aimed, const struct system *system,
                        const struct first_order *first, struct error *error)
 {
     aimed->system = system;
-    memset(aimed->by_radius, 0, sizeof aimed->by_radius);
-    memset(aimed->by_place, 0, sizeof aimed->by_place);
     for (size_t g = 0; g < aimed->beam_count; g++) {
         const struct aimed_beam *at = &aimed->beams[g];
-        struct ray ray;
-        if (!aim_at_entrance(&at->beam, first, 0, 0, &ray, error)) {
+        struct ray chief;
+        if (!aim_at_entrance(&at->beam, first, 0, 0, &chief, error)) {
             return false;
         }
-        for (int i = at->first; i < at->first + at->count; i++) {
-            if (!first->is_telecentric) {
-                aim_lane(aimed, &at->beam, first, i);
-                continue;
-            }
-            /* the cone of a numerical aperture: the lens does not change it */
-            if (!aim_at_entrance(&at->beam, first, aimed->x[i], aimed->y[i], &ray, error)) {
-                return false;
-            }
-            double place[2];
-            beam_place(&at->beam, ray.point, place);
-            aimed->a[i] = place[0];
-            aimed->b[i] = place[1];
+        if (!first->is_telecentric) {
+            aim_lanes(aimed, at, first);
+        } else if (!aim_cone(aimed, at, first, error)) {
+            return false;
         }
     }
     fill_coordinates(aimed);
