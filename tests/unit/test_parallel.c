@@ -45,6 +45,30 @@ static void check_loop(int threads, size_t count, size_t piece)
     arena_free(&arena);
 }
 
+/* What was adopted lives until the arena goes back; both arenas can be used as before. */
+static void check_adopted(void)
+{
+    struct arena arena = {0}, other = {0};
+    const char *early = arena_printf(&arena, "early");
+    const struct arena_mark mark = arena_mark(&arena);
+    const char *large = memset(arena_array(&other, 1000000, 1), 'x', 999999);
+    const char *adopted = arena_printf(&other, "adopted");
+    arena_adopt(&arena, &other);
+    CHECK(other.block == NULL && other.spare == NULL);
+    arena_adopt(&arena, &other);
+    const char *late = arena_printf(&arena, "late");
+    const char *again = arena_printf(&other, "again");
+    CHECK(strcmp(early, "early") == 0 && strcmp(adopted, "adopted") == 0 &&
+          strlen(large) == 999999);
+    CHECK(strcmp(late, "late") == 0 && strcmp(again, "again") == 0);
+    arena_reset(&arena, mark);
+    CHECK(strcmp(early, "early") == 0 && arena.block == mark.block);
+    arena_free(&arena);
+    arena_adopt(&arena, &other);
+    CHECK(strcmp(again, "again") == 0);
+    arena_free(&arena);
+}
+
 static void add(void *context, size_t begin, size_t end)
 {
     int *seen = context;
@@ -110,6 +134,7 @@ static void check_watch(int threads)
 
 int main(void)
 {
+    check_adopted();
     check_watch(1);
     check_watch(2);
     static const int threads[] = {0, 1, 2, 3, 16, PARALLEL_MOST, 1000};
