@@ -129,34 +129,14 @@ static const struct sheet *choose_sheet(const void *data, const struct asking *a
 
 /* -------- rows -------- */
 
-/* What answers: the question, and where its rows go. */
-struct asked {
-    const struct color_input *input;
-    struct run *run;
-};
-
-static struct row row_of(const struct analysis_point *point, double wavelength)
+static struct row row_of(const struct analysis_asked *asked, const struct analysis_case *one,
+                         size_t field, double wavelength)
 {
-    struct row row = {.point = *point,
-                      .axial = NAN,
-                      .vergence = NAN,
-                      .lateral = NAN,
-                      .angle = NAN,
-                      .chief_x = NAN,
-                      .chief_y = NAN,
-                      .zone = NAN,
-                      .primary = NAN,
-                      .secondary = NAN};
+    struct row row;
+    analysis_begin_row(asked, one, field, &row);
+    analysis_warn(asked, &row.point, color_doubt(one->setup->lens));
     row.point.wavelength = wavelength;
     return row;
-}
-
-static struct analysis_point point_of(const struct analysis_case *one, size_t field)
-{
-    struct analysis_point point = analysis_point_of(one, field);
-    const struct setup *setup = one->setup;
-    point.warning = lens_warnings_join(point.warning, color_doubt(setup->lens), setup->arena);
-    return point;
 }
 
 static void put_axial(const struct setup *setup, const struct chromatic_focus *primary,
@@ -205,10 +185,9 @@ static bool find_lateral(const struct analysis_case *one, const struct field_poi
 }
 
 static bool list_wavelengths(const struct analysis_case *one, size_t field,
-                             const struct asked *asked, struct error *error)
+                             const struct analysis_asked *asked, struct error *error)
 {
     const struct setup *setup = one->setup;
-    const struct analysis_point point = point_of(one, field);
     struct chromatic_focus primary, focus;
     struct color_summary summary;
     if (!color_summarize(one, &summary, error) ||
@@ -216,7 +195,7 @@ static bool list_wavelengths(const struct analysis_case *one, size_t field,
         return false;
     }
     for (size_t i = 0; i < setup->wavelength_count; i++) {
-        struct row row = row_of(&point, setup->wavelengths[i].wavelength);
+        struct row row = row_of(asked, one, field, setup->wavelengths[i].wavelength);
         if (!chromatic_focus(setup, row.point.wavelength, &focus, error) ||
             !find_lateral(one, &setup->fields[field].point, &row, error)) {
             return false;
@@ -232,20 +211,20 @@ static bool list_wavelengths(const struct analysis_case *one, size_t field,
     return true;
 }
 
-static bool list_zones(const struct analysis_case *one, size_t field, const struct asked *asked,
-                       struct error *error)
+static bool list_zones(const struct analysis_case *one, size_t field,
+                       const struct analysis_asked *asked, struct error *error)
 {
     const struct setup *setup = one->setup;
-    const struct analysis_point point = point_of(one, field);
-    const bool entrance = asked->input->question.aim == ANALYSIS_AIM_ENTRANCE;
+    const struct color_input *input = asked->input;
+    const bool entrance = input->question.aim == ANALYSIS_AIM_ENTRANCE;
     struct chromatic_focus primary, focus;
     if (!chromatic_focus(setup, lens_primary_wavelength(setup->lens), &primary, error)) {
         return false;
     }
     for (size_t i = 0; i < setup->wavelength_count; i++) {
-        for (long k = 0; k <= asked->input->steps; k++) {
-            struct row row = row_of(&point, setup->wavelengths[i].wavelength);
-            row.zone = (double)k / (double)asked->input->steps;
+        for (long k = 0; k <= input->steps; k++) {
+            struct row row = row_of(asked, one, field, setup->wavelengths[i].wavelength);
+            row.zone = (double)k / (double)input->steps;
             if (!chromatic_zone(setup, row.point.wavelength, row.zone, entrance, &focus, error)) {
                 return false;
             }
@@ -269,21 +248,20 @@ static void keep_place(const struct field_point *at, struct run *run, struct err
     error->code = ERROR_NONE;
 }
 
-static bool list_fields(const struct analysis_case *one, size_t field, const struct asked *asked,
-                        struct error *error)
+static bool list_fields(const struct analysis_case *one, size_t field,
+                        const struct analysis_asked *asked, struct error *error)
 {
     const struct setup *setup = one->setup;
-    const struct analysis_point edge = point_of(one, field);
-    const long steps = asked->input->steps;
+    const long steps = ((const struct color_input *)asked->input)->steps;
     for (long k = 0; k <= steps; k++) {
         const struct field_point at = color_field(&setup->fields[field].point, k, steps);
-        struct analysis_point point = edge;
-        double *parts[] = {&point.field, &point.field_x, &point.height, &point.height_x};
-        for (size_t i = 0; i < sizeof parts / sizeof parts[0]; i++) {
-            *parts[i] *= (double)k / (double)steps;
-        }
         for (size_t i = 0; i < setup->wavelength_count; i++) {
-            struct row row = row_of(&point, setup->wavelengths[i].wavelength);
+            struct row row = row_of(asked, one, field, setup->wavelengths[i].wavelength);
+            double *parts[] = {&row.point.field, &row.point.field_x, &row.point.height,
+                               &row.point.height_x};
+            for (size_t j = 0; j < sizeof parts / sizeof parts[0]; j++) {
+                *parts[j] *= (double)k / (double)steps;
+            }
             if (!find_lateral(one, &at, &row, error)) {
                 keep_place(&at, asked->run, error, &row);
             }
@@ -299,26 +277,26 @@ static bool answer(const struct analysis_case *one, size_t field, void *context,
                    struct error *error)
 {
     static bool (*const lists[])(const struct analysis_case *one, size_t field,
-                                 const struct asked *asked, struct error *error) = {
+                                 const struct analysis_asked *asked, struct error *error) = {
         [COLOR_BY_WAVELENGTH] = list_wavelengths,
         [COLOR_BY_ZONE] = list_zones,
         [COLOR_BY_FIELD] = list_fields,
     };
-    const struct asked *asked = context;
-    return lists[asked->input->show](one, field, asked, error);
+    const struct analysis_asked *asked = context;
+    return lists[((const struct color_input *)asked->input)->show](one, field, asked, error);
 }
 
 static bool run(const void *data, struct run *run, struct error *error)
 {
-    static const struct analysis_answers answers = {.answer = answer};
-    struct asked asked = {data, run};
-    const struct lens *lens = asked.input->question.lens.lens;
-    if (asked.input->show == COLOR_BY_ZONE && lens != NULL && lens->stop == LENS_NONE &&
+    const struct color_input *input = data;
+    const struct lens *lens = input->question.lens.lens;
+    const struct analysis_rows rows = {
+        &color_policy, choose_sheet(data, NULL), NULL, {.answer = answer}};
+    if (input->show == COLOR_BY_ZONE && lens != NULL && lens->stop == LENS_NONE &&
         !lens->is_telecentric) {
         return fail(error, ERROR_DOMAIN, "the lens has no stop: its pupil has no zones");
     }
-    return color_check(&asked.input->question, error) &&
-           analysis_each_field(&asked.input->question, &color_policy, run, &answers, &asked, error);
+    return color_check(&input->question, error) && analysis_answer_rows(data, &rows, run, error);
 }
 
 static const struct artifact artifacts[] = {
