@@ -297,9 +297,11 @@ static bool curvature_bounds(const struct prescription_part *part, double *low, 
     if (!has_low && !has_high) {
         return true;
     }
-    if (!has_low || !has_high || !(part->low * part->high > 0) || !(part->low < part->high)) {
+    bool through_plane = part->low > 0 && part->high < 0;
+    if (!through_plane && (!(part->low * part->high > 0) || !(part->low < part->high))) {
         return fail(error, ERROR_DOMAIN,
-                    "the bounds of radius %zu must both be of one sign, the lower first",
+                    "the bounds of radius %zu must both be of one sign, the lower first; [50,-60] "
+                    "leads through a plane",
                     part->what.surface + 1);
     }
     *low = 1 / part->high;

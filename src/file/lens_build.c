@@ -24,7 +24,9 @@ struct figure figure_negate(struct figure figure, struct arena *arena)
     if (figure.variable != LENS_NONE || figure.value.hi == 0) {
         return figure;
     }
-    if (figure.typed.length > 0) {
+    if (isinf(figure.value.hi)) {
+        figure.typed = text_of(figure.value.hi > 0 ? "-inf" : "inf");
+    } else if (figure.typed.length > 0) {
         figure.typed = decimal_negate(figure.typed, arena);
     }
     figure.value = pair_negate(figure.value);

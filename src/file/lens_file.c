@@ -551,13 +551,8 @@ static bool finish(struct parser *parser, struct error *error)
         return error_locate(error, parser->words.source, 0, 0);
     }
     for (size_t i = 0; i < lens->variable_count; i++) {
-        struct text name = lens->variables[i].name;
-        if (lens->variables[i].values == NULL) {
-            lens_words_fail(&parser->variable_lines[i], name, error,
-                            "'%.*s' is not a number, and no line with 'let' gives it any",
-                            text_shown(name), name.start);
-            return error_hint(error, "a zoom has 'position wide tele' and 'let %.*s 2.4 8.3'",
-                              text_shown(name), name.start);
+        if (!lens_let_check(&parser->variable_lines[i], lens, i, error)) {
+            return false;
         }
     }
     if (lens->aperture_kind == APERTURE_STOP && lens->stop == LENS_NONE) {

@@ -117,6 +117,31 @@ bool lens_let_read(struct lens_words *words, size_t positions, struct lens_varia
     return true;
 }
 
+bool lens_let_check(const struct lens_words *words, const struct lens *lens, size_t word,
+                    struct error *error)
+{
+    const struct lens_variable *one = &lens->variables[word];
+    const struct text name = one->name;
+    if (one->values == NULL) {
+        lens_words_fail(words, name, error,
+                        "'%.*s' is not a number, and no line with 'let' gives it any",
+                        text_shown(name), name.start);
+        return error_hint(error, "a zoom has 'position wide tele' and 'let %.*s 2.4 8.3'",
+                          text_shown(name), name.start);
+    }
+    for (size_t i = 0; i < lens->surface_count && one->varies != NULL; i++) {
+        const struct figure *gap = parameter_figure(&lens->surfaces[i], PARAMETER_THICKNESS, 0);
+        const struct figure *focal = parameter_figure(&lens->surfaces[i], PARAMETER_FOCAL, 0);
+        if ((gap != NULL && gap->variable == word) || (focal != NULL && focal->variable == word)) {
+            return true;
+        }
+    }
+    return one->varies == NULL ||
+           lens_words_fail(words, name, error,
+                           "'%.*s' is marked, but stands for no thickness and no focal length",
+                           text_shown(name), name.start);
+}
+
 bool lens_goal_read(struct lens_words *words, struct lens *lens, struct error *error)
 {
     const struct text text = lens_words_rest(words);

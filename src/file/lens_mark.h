@@ -32,6 +32,14 @@ bool lens_bounds_are_sound(const struct vary *mark);
 bool lens_let_read(struct lens_words *words, size_t positions, struct lens_variable *variable,
                    size_t *count, struct error *error);
 
+/*
+ * Has a word its numbers, and may it vary where it is marked?
+ *
+ * Given     words  the line that it was first used in
+ */
+bool lens_let_check(const struct lens_words *words, const struct lens *lens, size_t word,
+                    struct error *error);
+
 /* A line with `goal`, kept as it is: cli/goals.h reads it. */
 bool lens_goal_read(struct lens_words *words, struct lens *lens, struct error *error);
 
