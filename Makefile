@@ -44,7 +44,8 @@ LINK_0   =
 LDFLAGS  =
 
 # compiled once for each instruction set; the program chooses when it runs
-kernels := $(wildcard src/trace/kernel*.c src/camera/kernel*.c src/base/kernel*.c src/analysis/kernel*.c)
+kernels := $(wildcard src/trace/kernel*.c src/camera/kernel*.c src/base/kernel*.c src/analysis/kernel*.c \
+                      src/design/kernel*.c)
 # in the order of linking: what every answer needs lies together, on as few pages as can be
 folders := base report photo cli commands commands/photo commands/tool optics analysis trace data \
            file exchange exchange/zemax exchange/codev exchange/oslo commands/lens commands/analysis \

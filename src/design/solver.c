@@ -5,6 +5,7 @@
 #include "base/linear.h"
 #include "design/solver_engine.h"
 #include "design/solver_loss.h"
+#include "design/solver_normal.h"
 
 #include <math.h>
 #include <string.h>
@@ -113,7 +114,7 @@ static bool check_problem(const struct solver_problem *problem, bool is_lean,
     if (m < n && !is_lean) {
         return fail(error, ERROR_DOMAIN, "%zu residuals do not fix %zu parameters", m, n);
     }
-    if (n > 1000 || m > 100000000 / n) {
+    if (n > SOLVER_COLUMNS || m > 100000000 / n) {
         return fail(error, ERROR_DOMAIN, "%zu residuals of %zu parameters are too many", m, n);
     }
     return check_bounds(problem, parameters, error) && check_blocks(problem, error);

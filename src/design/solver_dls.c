@@ -30,6 +30,7 @@ struct descent {
     double price; /* of the exact residuals against the cost */
     double share; /* of the exact residuals that a step takes off: less after steps too far */
     double *damped, *low, *high, *move, *none, *before, *wanted;
+    double *room; /* of the normal equations */
     struct solver_step step;
     int steady; /* steps in succession that changed next to nothing */
 };
@@ -81,6 +82,7 @@ static struct solver_rows rows_of(const struct descent *descent, const double *r
                                 .columns = descent->n,
                                 .jacobian = descent->jacobian,
                                 .residuals = residuals,
+                                .room = descent->room,
                                 .weights =
                                     descent->problem->blocks != NULL ? descent->weights : NULL};
 }
@@ -123,17 +125,25 @@ static void set_equations(struct descent *descent)
     }
 }
 
-/* Gradient of the cost and the exact residuals there, with derivatives here: `into`, scaled. */
+/* The pull of the exact residuals, by their multipliers, on top of a gradient. */
+static void add_pull(const struct descent *descent, double *gradient)
+{
+    for (size_t i = 0; i < descent->n; i++) {
+        for (size_t r = 0; r < descent->exact; r++) {
+            gradient[i] += descent->step.multipliers[r] * descent->slopes[r * descent->n + i];
+        }
+    }
+}
+
+/* The gradient that residuals there would have with the derivatives here. */
 static void carry_gradient(const struct descent *descent, const double *residuals, double *into)
 {
     const struct solver_rows rows = rows_of(descent, residuals);
-    solver_gradient(&rows, into);
+    solver_normal(&rows, NULL, into);
     for (size_t i = 0; i < descent->n; i++) {
         into[i] *= scale_of(descent, i);
-        for (size_t r = 0; r < descent->exact; r++) {
-            into[i] += descent->step.multipliers[r] * descent->slopes[r * descent->n + i];
-        }
     }
+    add_pull(descent, into);
 }
 
 static void bound_step(struct descent *descent, const double *from)
@@ -275,7 +285,8 @@ static void learn_diagonal(struct descent *descent, const double *explained, con
         most = fmax(most, fabs(descent->move[i]));
     }
     const double little = least_move * most;
-    carry_gradient(descent, descent->here.residuals, descent->none);
+    memcpy(descent->none, descent->gradient, descent->n * sizeof(double));
+    add_pull(descent, descent->none);
     for (size_t i = 0; i < descent->n; i++) {
         const double moved = descent->move[i], change = descent->none[i] - explained[i];
         const double second = fabs(change * moved) / (moved * moved + little * little);
@@ -416,6 +427,7 @@ static void open_descent(struct descent *descent, struct arena *arena)
     }
     descent->move = ARENA_ARRAY(arena, n + descent->exact, double);
     descent->wanted = ARENA_ARRAY(arena, descent->exact + 1, double);
+    descent->room = solver_normal_room(n, arena);
     solver_step_open(&descent->step, n, descent->exact, arena);
     descent->step.h = descent->damped;
     descent->step.low = descent->low;

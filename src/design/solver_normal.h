@@ -3,23 +3,35 @@
 #ifndef LENSCALC_DESIGN_SOLVER_NORMAL_H
 #define LENSCALC_DESIGN_SOLVER_NORMAL_H
 
+#include "base/arena.h"
+
+#include <stdbool.h>
 #include <stddef.h>
+
+/* Rows that are summed at once; columns at most. */
+enum { SOLVER_ROWS = 128, SOLVER_COLUMNS = 1000 };
 
 /* Derivatives row by row, residuals, and how much each counts (null: all alike). */
 struct solver_rows {
     size_t rows, columns;
     const double *jacobian, *residuals, *weights;
+    double *room; /* of solver_normal_room */
 };
+
+/* Where columns of a block of rows are put together. */
+double *solver_normal_room(size_t columns, struct arena *arena);
 
 /*
  * J^T W J and J^T W r.
  *
- * Given     normal    receives columns x columns
+ * Given     normal    receives columns x columns; null: it is not wanted
  *           gradient  receives `columns` numbers
+ * Formula   sums in the same order, so the same bits, with every instruction set
  */
 void solver_normal(const struct solver_rows *rows, double *normal, double *gradient);
 
-/* J^T W r alone. */
-void solver_gradient(const struct solver_rows *rows, double *gradient);
+/* Internal: one variant an instruction set. */
+typedef void kernel_normal(const struct solver_rows *rows, double *normal, double *gradient);
+kernel_normal kernel_normal_sse2, kernel_normal_avx2, kernel_normal_avx512;
 
 #endif
