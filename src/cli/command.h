@@ -126,6 +126,8 @@ struct command {
      * run->parts. Given the input; the question lies in run->kept. Null: it answers itself.
      */
     bool (*again)(const void *input, struct run *run, struct again *question, struct error *error);
+    bool keeps_best; /* an interrupt ends its work on one input with the best so far, an answer that
+                        run->shortfall marks as incomplete */
     bool is_divided; /* it makes parts, and takes them: see cli/division.h */
     /* When it runs in lenscalc-ceres, the program with the solver: always (""), with an option's
        word ("model=fitted"); null: never */

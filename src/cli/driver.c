@@ -305,7 +305,7 @@ static bool answer(struct driver *driver, struct error *error)
         driver->output.before_write = progress_make_way;
         driver->output.context = &driver->progress;
     }
-    if (driver->report.many) {
+    if (driver->report.many || driver->command->keeps_best) {
         interrupt_watch(); /* rows so far are worth something */
     }
     bool done = (driver->is_batch ? rows_of_batch(driver, error) : rows_of_sweep(driver, error)) &&

@@ -15,8 +15,7 @@ static const double first_after = 0.5, shown_every = 0.1, looked_every = 0.02;
 
 enum { LINE = 200, MOST_BETWEEN = 1 << 24 };
 
-/* Seconds of a clock that only runs forward. */
-static double now(void)
+double progress_clock(void)
 {
     struct timespec time;
     clock_gettime(CLOCK_MONOTONIC, &time);
@@ -82,7 +81,7 @@ static void show(struct progress *progress, double time)
 
 void progress_look(struct progress *progress)
 {
-    double time = now();
+    double time = progress_clock();
     progress->every = adapted(progress->every, time - progress->looked);
     progress->until = progress->every;
     progress->looked = time;
@@ -97,7 +96,7 @@ void progress_look(struct progress *progress)
 static void look_inside(struct watch *watch)
 {
     struct progress *progress = watch->looker;
-    double elapsed = now() - progress->looked;
+    double elapsed = progress_clock() - progress->looked;
     progress->watched = adapted(progress->watched, elapsed);
     atomic_store(&watch->next, atomic_load(&watch->done) + progress->watched);
     size_t until = progress->until, every = progress->every;
@@ -109,7 +108,7 @@ static void look_inside(struct watch *watch)
 void progress_begin(struct progress *progress, const char *command,
                     struct progress_state (*state)(const void *context), const void *context)
 {
-    double time = now();
+    double time = progress_clock();
     *progress = (struct progress){
         .until = 1,
         .every = 1,

@@ -32,6 +32,9 @@ struct progress {
     struct watch watch; /* for what one row computes for long */
 };
 
+/* Seconds of a clock that only runs forward. */
+double progress_clock(void);
+
 /*
  * Begin.
  *

@@ -246,7 +246,8 @@ bool rows_of_sweep(struct driver *driver, struct error *error)
             arena_reset(&driver->row_arena, mark);
         }
     }
-    return !interrupt_came() || interrupt_fail(error);
+    const bool is_answered = driver->command->keeps_best && driver->sweep.total == 1;
+    return is_answered || !interrupt_came() || interrupt_fail(error);
 }
 
 /* Compute the rows that wait, and print them in their order. */

@@ -513,6 +513,10 @@ static void add_links(const struct merit_bundle *bundle, const struct bundle_blo
     for (size_t i = 0; i < links->count; i++) {
         const struct variable_link *link = &links->list[i];
         double *column = columns + link->variable * RAYS_BLOCK;
+        if (bundle->image_moves && link->basis.kind == PARAMETER_THICKNESS &&
+            link->basis.surface == layout->surfaces - 1) {
+            continue; /* the image plane is where the lens has its image, not there */
+        }
         const size_t row = derivative_row(layout, link->basis);
         add_row(column, link->slope, bundle->gradient + row * RAYS_BLOCK, block->aimed.lanes);
         if (link->basis.kind == PARAMETER_INDEX && link->basis.surface == LENS_NONE) {

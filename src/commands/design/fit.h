@@ -59,6 +59,9 @@ void fit_emit(const struct fit_found *found, enum fit_show show, struct run *run
 /* Two warnings as one; null = none. */
 const char *fit_join(const char *one, const char *other, struct arena *arena);
 
+/* What a lens that is written says of how it was found; null: nothing. */
+void fit_note(struct lens *lens, const char *note, struct arena *arena);
+
 /* "converged", or in words why the fit ended otherwise. */
 const char *fit_status(const struct solver_summary *summary);
 

@@ -322,19 +322,6 @@ static bool visit(const struct lens_case *one, void *context, struct error *erro
     return true;
 }
 
-static void add_note(struct lens *lens, const char *note, struct arena *arena)
-{
-    if (note == NULL) {
-        return;
-    }
-    const char **notes = ARENA_ARRAY(arena, lens->note_count + 1, const char *);
-    for (size_t i = 0; i < lens->note_count; i++) {
-        notes[i] = lens->notes[i];
-    }
-    notes[lens->note_count++] = note;
-    lens->notes = notes;
-}
-
 /* A lens that misses its goals says so, and what became of its marks. */
 bool fit_save_prescription(const struct artifact_job *job, struct output *sink, struct error *error)
 {
@@ -342,8 +329,8 @@ bool fit_save_prescription(const struct artifact_job *job, struct output *sink, 
     struct arena *arena = job->run->arena;
     struct lens lens = fitted->lens;
     (void)error;
-    add_note(&lens, fitted->missed, arena);
-    add_note(&lens, fitted->freed, arena);
+    fit_note(&lens, fitted->missed, arena);
+    fit_note(&lens, fitted->freed, arena);
     struct text text = lens_write(&lens, arena);
     output_text(sink, text.start, text.length);
     return true;

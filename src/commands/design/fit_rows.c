@@ -80,6 +80,19 @@ const char *fit_join(const char *one, const char *other, struct arena *arena)
     return one == NULL ? other : other == NULL ? one : arena_printf(arena, "%s; %s", one, other);
 }
 
+void fit_note(struct lens *lens, const char *note, struct arena *arena)
+{
+    if (note == NULL) {
+        return;
+    }
+    const char **notes = ARENA_ARRAY(arena, lens->note_count + 1, const char *);
+    for (size_t i = 0; i < lens->note_count; i++) {
+        notes[i] = lens->notes[i];
+    }
+    notes[lens->note_count++] = note;
+    lens->notes = notes;
+}
+
 const char *fit_status(const struct solver_summary *summary)
 {
     static const char *const words[] = {

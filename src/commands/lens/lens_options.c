@@ -112,13 +112,12 @@ const char *lens_field_words(const struct field_point *field, struct arena *aren
                : arena_printf(arena, "field %.6g %s", at[1], unit);
 }
 
-/* Of the set: bare numbers are degrees of a far object, mm of a near one. */
-static bool list_fields(const struct lens_question *question, const struct setup_question *asked,
-                        struct setup_field *list, struct error *error)
+bool lens_fields_asked(const struct lens_question *question, size_t position,
+                       struct setup_field *list, struct error *error)
 {
-    const struct lens *lens = asked->lens;
-    bool far = lens->objects != NULL ? isinf(lens->objects[asked->position].value.hi)
-                                     : lens->object_is_infinite;
+    const struct lens *lens = question->lens.lens;
+    bool far =
+        lens->objects != NULL ? isinf(lens->objects[position].value.hi) : lens->object_is_infinite;
     for (size_t i = 0; i < question->fields.count; i++) {
         const struct field_item *item = &question->fields.items[i];
         bool is_angle = far || isnan(item->height);
@@ -166,7 +165,7 @@ static bool visit_position(const struct lens_question *question, const struct le
         .takes_telecentric = policy->telecentric,
     };
     fields[0] = lens_field(FIELD_ANGLE, question->field_x, question->field, question->section);
-    if (!check_pair(question, error) || !list_fields(question, &asked, fields, error)) {
+    if (!check_pair(question, error) || !lens_fields_asked(question, position, fields, error)) {
         return false;
     }
     return setup_open(&asked, arena, setup, error) &&

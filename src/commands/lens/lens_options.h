@@ -158,6 +158,16 @@ bool lens_makes_many(const struct lens_question *question, const struct lens_pol
  */
 struct setup_field lens_field(enum field_kind kind, double x, double y, int section);
 
+/*
+ * The set of fields that --field names, LENS_FIELDS_OPTION: bare numbers are degrees of a far
+ * object, mm of a near one.
+ *
+ * Given     list  receives question->fields.count
+ * Errors    ERROR_USAGE: a height where the object is far
+ */
+bool lens_fields_asked(const struct lens_question *question, size_t position,
+                       struct setup_field *list, struct error *error);
+
 /* A field in words, for messages: "field 14 deg". */
 const char *lens_field_words(const struct field_point *field, struct arena *arena);
 

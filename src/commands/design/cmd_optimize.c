@@ -1,0 +1,137 @@
+/* commands/design/cmd_optimize.c - lenscalc optimize: a lens made better. */
+/* SPDX-License-Identifier: MIT */
+#include "commands/analysis/analysis_options.h"
+#include "commands/design/optimize_job.h"
+#include "file/lens_file.h"
+#include "trace/sample.h"
+
+static const struct word shows[] = {
+    [OPTIMIZE_ANSWER] = {"answer", "the merit before and after, one row"},
+    [OPTIMIZE_MERIT] = {"merit", "each goal before and after, with its share"},
+    [OPTIMIZE_VARIABLES] = {"variables", "each variable before and after"},
+    [OPTIMIZE_SPOTS] = {"spots", "converged spots of each field and wavelength, as spot has them"},
+    {NULL, NULL},
+};
+
+static const struct word solvers[] = {
+    [SOLVER_DLS] = {"dls", "damped least squares"},
+    [SOLVER_CERES] = {"ceres", "the solver of that name, in a program of its own"},
+    {NULL, NULL},
+};
+
+static const struct option options[] = {
+    LENS_OPTION(struct optimize_input, question),
+    {OPTION(struct optimize_input, vary), .name = "vary", .value = "PARTS",
+     .help = "what may change: R1,c2[-0.04,0.04],t3[2,10],k4,A4_4,glass6 (radius, curvature, "
+             "thickness, conic, coefficient, glass, each with bounds), R1..R11, all-R, all-t; "
+             "otherwise the marks R~ and t~ in the lens"},
+    {OPTION(struct optimize_input, hold), .name = "hold", .value = "PARTS",
+     .help = "what of it stays: R3,t5"},
+    {OPTION(struct optimize_input, goals), .name = "goals", .value = "GOALS",
+     .help = "what is wanted: spot, poly, efl=100, 'bfl@F>38:0.02', 'edge 1..11 > 1'; == for what "
+             "is met exactly; otherwise the goals in the lens, or usual ones"},
+    {OPTION(struct optimize_input, waves), .name = "wavelength", .letter = 'w',
+     .dimension = &dimension_wavelength_um, .unit = "nm", .value = "WAVES",
+     .help = "the wavelengths that count, each with a weight: d:1,F:0.5; otherwise those of the "
+             "lens"},
+    LENS_FIELDS_OPTION(struct optimize_input, question),
+    {OPTION(struct optimize_input, question.position), .name = "position", .value = "NAMES",
+     .help = "the positions that are optimised together; default all"},
+    LENS_FNUMBER_OPTION(struct optimize_input, question),
+    LENS_SECTION_OPTION(struct optimize_input, question),
+    {OPTION(struct optimize_input, aim), .name = "aim", .words = analysis_aims, .fallback = "stop",
+     .value = "WHERE", .help = "pupil that the ray points lie in"},
+    {OPTION(struct optimize_input, pattern), .name = "pattern", .words = patterns,
+     .fallback = "gauss", .value = "PATTERN", .help = "points of the pupil"},
+    {OPTION(struct optimize_input, rays), .name = "rays", .lowest = 1, .highest = 1e5,
+     .fallback = "36", .value = "COUNT",
+     .help = "approximate number of rays per field and wavelength"},
+    {OPTION(struct optimize_input, seed), .name = "seed", .lowest = 0, .highest = 1e9,
+     .fallback = "0", .value = "NUMBER", .wants = "pattern=sobol", .help = "of the pattern sobol"},
+    {OPTION(struct optimize_input, clip), .name = "clip", .excludes = "no-clip",
+     .help = "clip rays at apertures and stop"},
+    {OPTION(struct optimize_input, no_clip), .name = "no-clip",
+     .help = "do not clip rays at clear apertures (default)"},
+    {OPTION(struct optimize_input, solver), .name = "solver", .words = solvers, .fallback = "dls",
+     .value = "SOLVER", .help = "what makes the steps"},
+    {OPTION(struct optimize_input, iterations), .name = "iterations", .lowest = 1, .highest = 1e6,
+     .value = "COUNT", .help = "at most so many; default 200"},
+    {OPTION(struct optimize_input, seconds), .name = "seconds", .dimension = &dimension_time,
+     .unit = "s", .lowest = 0, .highest = INFINITY, .flags = OPTION_ABOVE_LOWEST, .value = "TIME",
+     .help = "the best of so long, which depends on the machine"},
+    {OPTION(struct optimize_input, show), .name = "show", .words = shows, .fallback = "answer",
+     .value = "WHAT", .help = "which rows"},
+};
+
+static const struct sheet *choose_sheet(const void *data, const struct asking *asking)
+{
+    (void)asking;
+    return optimize_sheets[((const struct optimize_input *)data)->show];
+}
+
+static bool makes_many(const void *data)
+{
+    return ((const struct optimize_input *)data)->show != OPTIMIZE_ANSWER;
+}
+
+static bool run(const void *data, struct run *run, struct error *error)
+{
+    struct optimize_job *job = ARENA_NEW(run->arena, struct optimize_job);
+    job->input = data;
+    job->run = run;
+    run->state = job;
+    return optimize_job_run(job, error) && optimize_emit(job, error);
+}
+
+static const struct file_type *saved_types(size_t i)
+{
+    return i == 0 ? &lens_file_type : NULL;
+}
+
+static const struct artifact artifacts[] = {
+    {.option = {.kind = &kind_text,
+                .name = "output",
+                .letter = 'o',
+                .value = "NEW.lens",
+                .flags = OPTION_FILE,
+                .types = saved_types,
+                .help = "write the lens that was found; rows go to standard output"},
+     .is_kept = true,
+     .make = optimize_save},
+    {ARTIFACT_OPTION("plot", drawing_types, "draw the merit against the iteration"),
+     .is_kept = true, .make = optimize_plot},
+};
+
+static const struct explanation explanations[] = {
+    {"merit_after",
+     "sum ((value - target)/deviation)^2 over all goals, fields, wavelengths, positions and rays; "
+     "(J^T J + l D) d = -J^T r, bounds by an active set, conditions by multipliers, D after the "
+     "second derivatives",
+     "[Levenberg44]; [Spencer63]; [Dilworth78]",
+     "a local minimum: the one downhill from the start"},
+    {NULL, NULL, NULL, NULL},
+};
+
+static const struct example examples[] = {
+    {"optimize double-gauss --vary all-R,t11 --goals spot,efl=100",
+     "all radii and the image plane, for small spots of each wavelength"},
+    {"optimize double-gauss --vary all-R,t11 --goals spot,efl==100 --show merit",
+     "goal by goal, the focal length exactly"},
+    {NULL, NULL},
+};
+
+const struct command command_optimize = {
+    .name = "optimize",
+    .group = "design",
+    .summary = "make a lens better: the nearest minimum of what is wanted",
+    COMMAND_ASKS(struct optimize_input),
+    .choose_sheet = choose_sheet,
+    .sheets = optimize_sheets,
+    .makes_many = makes_many,
+    .run = run,
+    COMMAND_MAKES(artifacts),
+    .explanations = explanations,
+    .cell = "merit_after",
+    .needs_ceres = "solver=ceres",
+    .keeps_best = true,
+};

@@ -1,0 +1,127 @@
+/* commands/design/optimize_goals.c - goals of --goals, of the lens, or usual ones. */
+/* SPDX-License-Identifier: MIT */
+#include "commands/design/optimize_goals.h"
+
+#include "optics/first_order.h"
+
+#include <math.h>
+
+/* mm; NaN: an afocal lens. */
+static double focal_length(const struct lens *lens, size_t position, struct arena *arena)
+{
+    const double stated = lens_stated(lens, STATED_EFL, position);
+    struct first_order first;
+    struct error ignored;
+    if (!isnan(stated)) {
+        return stated;
+    }
+    const bool known =
+        first_order_of_lens(lens_at_position(lens, position, arena), lens_primary_wavelength(lens),
+                            SECTION_Y, arena, &first, &ignored);
+    return known && isfinite(first.efl) ? first.efl : NAN;
+}
+
+static const char *add_focal_lengths(const struct lens *lens, const char *words,
+                                     struct arena *arena, double *size)
+{
+    const size_t count = lens->position_count > 0 ? lens->position_count : 1;
+    *size = INFINITY;
+    for (size_t i = 0; i < count; i++) {
+        const double focal = focal_length(lens, i, arena);
+        if (!isnan(focal)) {
+            words = count > 1
+                        ? arena_printf(arena, "%s, efl@%s = %.6g", words, lens->positions[i], focal)
+                        : arena_printf(arena, "%s, efl = %.6g", words, focal);
+            *size = fmin(*size, fabs(focal));
+        }
+    }
+    return words;
+}
+
+/* The least of the lens's own centres, edges or gaps, mm; NaN: it cannot be told. */
+static double least_of(struct optimize_job *job, const struct merit_question *question,
+                       const char *name)
+{
+    struct arena *arena = job->run->arena;
+    const struct goals_reader reader = {job->run->db, job->lens, arena, "--goals", 1};
+    const char *words = arena_printf(arena, "%s > 0", name);
+    struct merit_question asked = *question;
+    struct merit merit;
+    struct goals goals;
+    struct error ignored;
+    if (!goals_read(&reader, text_of(words), &goals, &ignored)) {
+        return NAN;
+    }
+    asked.operands = goals.list;
+    asked.operand_count = goals.count;
+    if (!merit_open(&asked, arena, &merit, &ignored)) {
+        return NAN;
+    }
+    double *numbers = ARENA_ARRAY(arena, job->variables.count + 1, double), least = INFINITY;
+    double *residuals = ARENA_ARRAY(arena, merit.residual_count + 1, double);
+    variables_get(&job->variables, numbers);
+    if (!merit_evaluate(&merit, numbers, residuals, NULL)) {
+        return NAN;
+    }
+    for (size_t i = 0; i < merit.residual_count; i++) {
+        least = fmin(least, merit.values[i]);
+    }
+    return least;
+}
+
+/* Two digits of it, not more than it is. */
+static double round_down(double value)
+{
+    const double step = pow(10, floor(log10(value)) - 1);
+    return floor(value / step * (1 + 1e-12)) * step;
+}
+
+/* No glass and no gap thinner than so much of the focal length, or than the thinnest that is there;
+   what cannot be told, as of surfaces that end before their edges, is left out. */
+static const char *usual_goals(struct optimize_job *job, const struct merit_question *question)
+{
+    static const struct {
+        const char *name;
+        double share;
+    } limits[] = {{"center", 0.02}, {"edge", 0.01}, {"air", 0.001}};
+    struct arena *arena = job->run->arena;
+    double size;
+    const char *words = add_focal_lengths(job->lens, "poly", arena, &size);
+    for (size_t i = 0; i < sizeof limits / sizeof limits[0] && isfinite(size); i++) {
+        const double least = least_of(job, question, limits[i].name),
+                     usual = limits[i].share * size;
+        if (!isnan(least)) {
+            words = arena_printf(arena, "%s, %s > %.2g", words, limits[i].name,
+                                 round_down(least > 0 ? fmin(least, usual) : usual));
+        }
+    }
+    return words;
+}
+
+static const char *join_goals(const struct lens *lens, struct arena *arena)
+{
+    const char *words = "";
+    for (size_t i = 0; i < lens->goal_count; i++) {
+        const struct text text = lens->goals[i].text;
+        words =
+            arena_printf(arena, "%s%s%.*s", words, i > 0 ? ", " : "", (int)text.length, text.start);
+    }
+    return words;
+}
+
+bool optimize_goals(struct optimize_job *job, const struct merit_question *question,
+                    struct goals *goals, struct error *error)
+{
+    struct arena *arena = job->run->arena;
+    const char *typed = job->input->goals;
+    const bool own = typed == NULL && job->lens->goal_count > 0;
+    const struct goals_reader reader = {.db = job->run->db,
+                                        .lens = job->lens,
+                                        .arena = arena,
+                                        .where = own ? "the lens's goals" : "--goals",
+                                        .deviation = 1};
+    job->goals = typed != NULL ? typed
+                 : own         ? join_goals(job->lens, arena)
+                               : usual_goals(job, question);
+    return goals_read(&reader, text_of(job->goals), goals, error);
+}

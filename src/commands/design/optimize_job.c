@@ -1,0 +1,209 @@
+/* commands/design/optimize_job.c - what is to be optimised, from the options; and doing it. */
+/* SPDX-License-Identifier: MIT */
+#include "commands/design/optimize_job.h"
+
+#include "cli/goals.h"
+#include "cli/progress.h"
+#include "cli/vary.h"
+#include "commands/analysis/analysis_options.h"
+#include "commands/design/optimize_goals.h"
+#include "report/doubts.h"
+
+#include <string.h>
+
+/* What is seen of the lens while it changes. */
+struct view {
+    struct setup_field *fields;
+    const size_t *positions;
+    size_t position_count;
+};
+
+static bool set_view(const struct optimize_job *job, struct view *view, struct error *error)
+{
+    const struct lens_question *question = &job->input->question;
+    struct arena *arena = job->run->arena;
+    const char *names = question->position != NULL ? question->position : "all";
+    view->fields = ARENA_ARRAY(arena, question->fields.count + 1, struct setup_field);
+    return lens_positions(question->lens.lens, names, arena, &view->positions,
+                          &view->position_count, error) &&
+           lens_fields_asked(question, view->positions[0], view->fields, error);
+}
+
+/* The question of the merit, without goals. */
+static struct merit_question question_of(struct optimize_job *job, const struct view *view)
+{
+    const struct optimize_input *input = job->input;
+    return (struct merit_question){.lens = job->lens,
+                                   .variables = &job->variables,
+                                   .variable_count = job->variables.count,
+                                   .wavelengths = input->waves.items,
+                                   .wavelength_count = input->waves.count,
+                                   .fields = view->fields,
+                                   .field_count = input->question.fields.count,
+                                   .positions = view->positions,
+                                   .position_count = view->position_count,
+                                   .fnumber = input->question.fnumber,
+                                   .from_entrance = input->aim == ANALYSIS_AIM_ENTRANCE,
+                                   .clip = input->clip,
+                                   .pattern = (enum pattern)input->pattern,
+                                   .rays = (size_t)input->rays,
+                                   .seed = (uint64_t)input->seed};
+}
+
+static bool open_variables(struct optimize_job *job, struct error *error)
+{
+    struct arena *arena = job->run->arena;
+    const struct vary_reader reader = {.lens = job->lens, .arena = arena};
+    struct variable *list;
+    size_t count;
+    if (!vary_list(&reader, job->input->vary, job->input->hold, &list, &count, error) ||
+        !variables_open(job->lens, list, count, arena, &job->variables, error)) {
+        return false;
+    }
+    const char **names = ARENA_ARRAY(arena, count + 1, const char *);
+    for (size_t i = 0; i < count; i++) {
+        names[i] = list[i].name;
+    }
+    job->names = names;
+    return true;
+}
+
+/* Once an iteration. */
+static bool goes_on(void *context)
+{
+    struct optimize_job *job = context;
+    job->is_late = job->is_late || progress_clock() >= job->until;
+    return watch_add(job->run->watch, 1) && !job->is_late;
+}
+
+static const char *status_of(const struct optimize_job *job)
+{
+    static const char *const words[] = {
+        [SOLVER_CONVERGED] = "converged",
+        [SOLVER_LIMIT] = "as many iterations as allowed",
+        [SOLVER_STOPPED] = "interrupted",
+        [SOLVER_STUCK] = "no step makes it better",
+    };
+    const enum solver_status status = job->answer.summary.status;
+    return status == SOLVER_STOPPED && job->is_late ? "the time is up" : words[status];
+}
+
+static void warn(struct optimize_job *job, const char *words)
+{
+    job->warning = lens_warnings_join(job->warning, words, job->run->arena);
+}
+
+/* Variables that nothing depends on, in words. */
+static void warn_of_idle(struct optimize_job *job)
+{
+    const char *names = NULL;
+    struct arena *arena = job->run->arena;
+    size_t count = 0;
+    for (size_t i = 0; i < job->variables.count; i++) {
+        if (job->answer.is_idle[i]) {
+            names =
+                names == NULL ? job->names[i] : arena_printf(arena, "%s, %s", names, job->names[i]);
+            count++;
+        }
+    }
+    if (count > 0) {
+        warn(job, arena_printf(arena, "no goal depends on %s: %s stays as it is", names,
+                               count > 1 ? "each" : "it"));
+    }
+}
+
+/* What lenscalc would say of the lens that was found. */
+static bool check_found(struct optimize_job *job, struct error *error)
+{
+    struct arena *arena = job->run->arena;
+    struct lens_warnings warnings;
+    if (!lens_check(job->found, arena, &warnings, error)) {
+        return error_prefix(error, "the lens that was found: ");
+    }
+    for (size_t i = 0; i < warnings.count; i++) {
+        warn(job, warnings.texts[i]);
+    }
+    return true;
+}
+
+/* Conditions are met to this, in their deviations. */
+static const double exactly = 1e-10;
+
+/* The goal with == that is missed most. */
+static const char *missed_goal(const struct optimize_job *job)
+{
+    const struct merit *merit = &job->merit;
+    const char *name = "a goal with ==";
+    double most = 0;
+    for (size_t i = 0; i < merit->slot_count; i++) {
+        const struct merit_slot *slot = &merit->slots[i];
+        for (size_t k = 0; k < slot->count && slot->operand->relation == OPERAND_EXACT; k++) {
+            const double off = fabs(job->answer.after.residuals[slot->first + k]);
+            name = off > most ? slot->operand->name : name;
+            most = fmax(most, off);
+        }
+    }
+    return name;
+}
+
+static void judge(struct optimize_job *job)
+{
+    const struct solver_summary *summary = &job->answer.summary;
+    struct arena *arena = job->run->arena;
+    const char *why = NULL;
+    if (summary->status == SOLVER_STOPPED && !job->is_late) {
+        why = arena_printf(arena, "interrupted after %d iterations: the best so far, incomplete",
+                           summary->iterations);
+    } else if (!(summary->excess <= exactly)) {
+        why = arena_printf(arena,
+                           "the goal %s is missed by %.3g deviations: it contradicts another goal "
+                           "or the bounds, or wants more iterations",
+                           missed_goal(job), summary->excess);
+    }
+    job->incomplete = why;
+    if (why != NULL) {
+        fail(&job->run->shortfall, ERROR_DOMAIN, "%s", why);
+    }
+}
+
+static bool optimise(struct optimize_job *job, struct error *error)
+{
+    const struct optimize_input *input = job->input;
+    const struct optimize_task task = {
+        .merit = &job->merit,
+        .engine = (enum solver_engine)input->solver,
+        .iterations = input->iterations != NO_INTEGER ? (int)input->iterations : 0,
+        .goes_on = goes_on,
+        .context = job};
+    job->until = isnan(input->seconds) ? INFINITY : progress_clock() + input->seconds;
+    watch_begin(job->run->watch, "iterations", 0);
+    if (!optimize_run(&task, job->run->arena, &job->answer, error)) {
+        return false;
+    }
+    job->status = status_of(job);
+    job->found = variables_lens(&job->variables, job->answer.after.numbers, job->run->arena);
+    return true;
+}
+
+bool optimize_job_run(struct optimize_job *job, struct error *error)
+{
+    struct view view;
+    struct goals goals;
+    job->lens = job->input->question.lens.lens;
+    if (!set_view(job, &view, error) || !open_variables(job, error)) {
+        return false;
+    }
+    struct merit_question question = question_of(job, &view);
+    if (!optimize_goals(job, &question, &goals, error)) {
+        return false;
+    }
+    question.operands = goals.list;
+    question.operand_count = goals.count;
+    if (!merit_open(&question, job->run->arena, &job->merit, error) || !optimise(job, error)) {
+        return false;
+    }
+    warn(job, job->answer.begun);
+    warn_of_idle(job);
+    judge(job);
+    return check_found(job, error);
+}

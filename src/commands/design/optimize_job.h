@@ -1,0 +1,57 @@
+/* commands/design/optimize_job.h - what optimize is asked, and what it found. */
+/* SPDX-License-Identifier: MIT */
+#ifndef LENSCALC_COMMANDS_DESIGN_OPTIMIZE_JOB_H
+#define LENSCALC_COMMANDS_DESIGN_OPTIMIZE_JOB_H
+
+#include "commands/lens/lens_options.h"
+#include "design/optimize.h"
+
+enum optimize_show {
+    OPTIMIZE_ANSWER,
+    OPTIMIZE_MERIT,
+    OPTIMIZE_VARIABLES,
+    OPTIMIZE_SPOTS,
+    OPTIMIZE_SHOWS
+};
+
+struct optimize_input {
+    struct lens_question question;
+    struct spectrum_value waves;
+    const char *vary, *hold, *goals;
+    int show, solver, aim, pattern;
+    long rays, seed, iterations; /* iterations: NO_INTEGER = as many as it takes */
+    double seconds;              /* NaN = as long as it takes */
+    bool clip, no_clip;
+};
+
+/* One lens being optimised. */
+struct optimize_job {
+    const struct optimize_input *input;
+    struct run *run;
+    const struct lens *lens; /* as read */
+    struct variables variables;
+    const char *const *names; /* of the variables */
+    const char *goals;        /* in words that --goals takes */
+    struct merit merit;
+    struct optimize_answer answer;
+    const struct lens *found;
+    const char *status, *warning; /* null: nothing is doubtful */
+    const char *incomplete;       /* why it is not the best, in words; null: it is */
+    double until;                 /* of progress_clock; infinite: no limit */
+    bool is_late;
+};
+
+/* Read, optimise, look at what was found. */
+bool optimize_job_run(struct optimize_job *job, struct error *error);
+
+/* The rows of --show. */
+extern const struct sheet *const optimize_sheets[];
+bool optimize_emit(struct optimize_job *job, struct error *error);
+
+/* --output, after `run`. */
+bool optimize_save(const struct artifact_job *job, struct output *sink, struct error *error);
+
+/* --plot: the merit against the iteration. */
+bool optimize_plot(const struct artifact_job *job, struct output *sink, struct error *error);
+
+#endif

@@ -1,0 +1,346 @@
+/* commands/design/optimize_rows.c - what was found, as rows of --show. */
+/* SPDX-License-Identifier: MIT */
+#include "analysis/spot.h"
+#include "commands/analysis/analysis_options.h"
+#include "commands/design/optimize_job.h"
+
+#include <string.h>
+
+/* -------- the answer -------- */
+
+struct answer_row {
+    double fnumber, merit_before, merit_after;
+    long seed, evaluations, iterations, variables, residuals;
+    const char *solver, *status, *goals, *rays, *lens, *warning;
+};
+
+static const struct column answer_columns[] = {
+    {COLUMN(struct answer_row, fnumber), .flags = COLUMN_ECHO | COLUMN_EXTRA, .name = "fnumber",
+     .dimension = &dimension_fnumber, .with = "aperture", .label = "f-number",
+     .help = "f-number in place of the lens's own aperture"},
+    {COLUMN(struct answer_row, seed), .flags = COLUMN_ECHO | COLUMN_EXTRA, .name = "seed",
+     .with = "seed", .label = "seed", .help = "of the pattern sobol"},
+    {COLUMN(struct answer_row, merit_before), .flags = COLUMN_BRIEF, .name = "merit_before",
+     .digits = 6, .label = "merit before",
+     .help = "sum of squares of all goals, as the lens was; absent where it has none"},
+    {COLUMN(struct answer_row, merit_after), .flags = COLUMN_BRIEF, .name = "merit_after",
+     .digits = 6, .label = "after", .help = "and as it was found"},
+    {COLUMN(struct answer_row, evaluations), .flags = COLUMN_BRIEF, .name = "evaluations",
+     .label = "evaluations", .help = "of the merit, with or without derivatives"},
+    {COLUMN(struct answer_row, iterations), .flags = COLUMN_BRIEF, .name = "iterations",
+     .label = "iterations", .help = "steps, those that were taken back among them"},
+    {COLUMN(struct answer_row, solver), .flags = COLUMN_BRIEF, .name = "solver", .label = "solver",
+     .help = "what made the steps"},
+    {COLUMN(struct answer_row, status), .flags = COLUMN_BRIEF, .name = "status", .label = "status",
+     .help = "converged, or why it ended otherwise"},
+    {COLUMN(struct answer_row, variables), .flags = COLUMN_HIDDEN, .name = "variables",
+     .label = "variables", .help = "numbers that may change"},
+    {COLUMN(struct answer_row, residuals), .flags = COLUMN_HIDDEN, .name = "residuals",
+     .label = "residuals", .help = "squares in the sum"},
+    {COLUMN(struct answer_row, goals), .flags = COLUMN_EXTRA | COLUMN_ASSUMED, .name = "goals",
+     .depends = "goals lens", .label = "goals", .help = "what is wanted, as --goals takes it"},
+    {COLUMN(struct answer_row, rays), .flags = COLUMN_EXTRA | COLUMN_ASSUMED, .name = "rays",
+     .depends = "rays pattern aim clip no-clip", .label = "rays",
+     .help = "those of each field and wavelength"},
+    LENS_TITLE_COLUMN(struct answer_row, lens),
+    LENS_WARNING_COLUMN(struct answer_row, warning),
+};
+
+static const struct sheet answer_sheet = {
+    answer_columns, sizeof answer_columns / sizeof answer_columns[0], sizeof(struct answer_row)};
+
+static const char *rays_in_words(const struct optimize_input *input, struct arena *arena)
+{
+    return arena_printf(arena, "%ld %s, in the %s, %s", input->rays, patterns[input->pattern].word,
+                        input->aim == ANALYSIS_AIM_ENTRANCE ? "entrance pupil" : "stop",
+                        input->clip ? "clipped" : "not clipped");
+}
+
+static void emit_answer(struct optimize_job *job)
+{
+    const struct optimize_answer *answer = &job->answer;
+    const struct answer_row row = {.fnumber = job->input->question.fnumber,
+                                   .seed = job->input->seed,
+                                   .merit_before = answer->before.merit,
+                                   .merit_after = answer->after.merit,
+                                   .evaluations = answer->summary.evaluations,
+                                   .iterations = answer->summary.iterations,
+                                   .variables = (long)job->variables.count,
+                                   .residuals = (long)job->merit.residual_count,
+                                   .solver = job->input->solver == SOLVER_CERES ? "ceres" : "dls",
+                                   .status = job->status,
+                                   .goals = job->goals,
+                                   .rays = rays_in_words(job->input, job->run->arena),
+                                   .lens = job->lens->title,
+                                   .warning = job->warning};
+    run_emit(job->run, &row);
+}
+
+/* -------- goals -------- */
+
+struct goal_row {
+    const char *position, *goal, *lens, *warning;
+    double target, before, after, share_before, share_after;
+    double part;
+};
+
+static const struct column goal_columns[] = {
+    LENS_POSITION_COLUMN(struct goal_row, position, COLUMN_BRIEF),
+    {COLUMN(struct goal_row, goal), .flags = COLUMN_BRIEF, .name = "goal", .label = "goal",
+     .help = "what is wanted"},
+    {COLUMN(struct goal_row, before), .flags = COLUMN_BRIEF, .name = "value_before",
+     .label = "value before",
+     .help = "what the lens had, mm, rad or 1; of rays the root of their sum of squares"},
+    {COLUMN(struct goal_row, after), .flags = COLUMN_BRIEF, .name = "value_after",
+     .label = "value after", .help = "what the lens that was found has"},
+    {COLUMN(struct goal_row, share_before), .flags = COLUMN_BRIEF, .name = "merit_before",
+     .label = "merit before", .help = "its part of the sum of squares"},
+    {COLUMN(struct goal_row, share_after), .flags = COLUMN_BRIEF, .name = "merit_after",
+     .label = "after", .help = "the same afterwards"},
+    {COLUMN(struct goal_row, part), .dimension = &dimension_ratio, .unit = "%",
+     .flags = COLUMN_BRIEF, .name = "share", .label = "share",
+     .help = "of the merit afterwards; absent of what is met exactly"},
+    LENS_TITLE_COLUMN(struct goal_row, lens),
+    LENS_WARNING_COLUMN(struct goal_row, warning),
+};
+
+static const struct sheet goal_sheet = {goal_columns, sizeof goal_columns / sizeof goal_columns[0],
+                                        sizeof(struct goal_row)};
+
+static double squares(const double *residuals, const struct merit_slot *slot)
+{
+    double sum = 0;
+    for (size_t i = 0; i < slot->count; i++) {
+        sum += residuals[slot->first + i] * residuals[slot->first + i];
+    }
+    return sum;
+}
+
+/* A figure, or of many the root of the sum of squares. */
+static double value_of(const struct optimize_state *state, const struct merit_slot *slot)
+{
+    return slot->count == 1 ? state->values[slot->first]
+                            : sqrt(squares(state->residuals, slot)) * slot->operand->deviation;
+}
+
+static bool emit_merit(struct optimize_job *job)
+{
+    const struct merit *merit = &job->merit;
+    const struct optimize_answer *answer = &job->answer;
+    for (size_t i = 0; i < merit->slot_count; i++) {
+        const struct merit_slot *slot = &merit->slots[i];
+        const double after = squares(answer->after.residuals, slot);
+        const bool is_exact = slot->operand->relation == OPERAND_EXACT;
+        const struct goal_row row = {.position = merit->places[slot->place].setup.position,
+                                     .goal = slot->operand->name,
+                                     .before = value_of(&answer->before, slot),
+                                     .after = value_of(&answer->after, slot),
+                                     .share_before = squares(answer->before.residuals, slot),
+                                     .share_after = after,
+                                     .part = is_exact ? NAN : after / answer->after.merit,
+                                     .lens = job->lens->title,
+                                     .warning = i == 0 ? job->warning : NULL};
+        if (!run_emit(job->run, &row)) {
+            break;
+        }
+    }
+    return true;
+}
+
+/* -------- variables -------- */
+
+struct variable_row {
+    const char *variable, *note, *lens, *warning;
+    double before, after, low, high;
+};
+
+static const struct column variable_columns[] = {
+    {COLUMN(struct variable_row, variable), .flags = COLUMN_BRIEF, .name = "variable",
+     .label = "variable", .help = "what may change"},
+    {COLUMN(struct variable_row, before), .flags = COLUMN_BRIEF | COLUMN_INFINITE, .name = "before",
+     .digits = 8, .label = "before", .help = "as the lens was; lengths in mm, angles in rad"},
+    {COLUMN(struct variable_row, after), .flags = COLUMN_BRIEF | COLUMN_INFINITE, .name = "after",
+     .digits = 8, .label = "after", .help = "as it was found"},
+    {COLUMN(struct variable_row, low), .flags = COLUMN_BRIEF | COLUMN_SPARSE, .name = "low",
+     .label = "low", .help = "its lower bound; absent if there is none"},
+    {COLUMN(struct variable_row, high), .flags = COLUMN_BRIEF | COLUMN_SPARSE, .name = "high",
+     .label = "high", .help = "its upper bound"},
+    {COLUMN(struct variable_row, note), .flags = COLUMN_BRIEF, .name = "note", .label = "note",
+     .help = "at its bound, or that no goal depends on it; absent if neither"},
+    LENS_TITLE_COLUMN(struct variable_row, lens),
+    LENS_WARNING_COLUMN(struct variable_row, warning),
+};
+
+static const struct sheet variable_sheet = {variable_columns,
+                                            sizeof variable_columns / sizeof variable_columns[0],
+                                            sizeof(struct variable_row)};
+
+static double or_none(double bound)
+{
+    return isfinite(bound) ? bound : NAN;
+}
+
+/* Of a number of the solver, as it was named. */
+static double as_named(const struct variable *variable, double number)
+{
+    const bool inverse =
+        variable->what.kind == PARAMETER_RADIUS || variable->what.kind == PARAMETER_FOCAL;
+    return inverse ? 1 / number : number;
+}
+
+static bool emit_variables(struct optimize_job *job)
+{
+    const struct optimize_answer *answer = &job->answer;
+    for (size_t i = 0; i < job->variables.count; i++) {
+        const struct variable *variable = &job->variables.list[i];
+        const struct variable_row row = {.variable = variable->name,
+                                         .before = as_named(variable, answer->before.numbers[i]),
+                                         .after = as_named(variable, answer->after.numbers[i]),
+                                         .low = or_none(variable->low),
+                                         .high = or_none(variable->high),
+                                         .note = answer->is_idle[i] ? "no goal depends on it"
+                                                 : answer->summary.at_bound[i] ? "at its bound"
+                                                                               : NULL,
+                                         .lens = job->lens->title,
+                                         .warning = i == 0 ? job->warning : NULL};
+        if (!run_emit(job->run, &row)) {
+            break;
+        }
+    }
+    return true;
+}
+
+/* -------- spots -------- */
+
+struct spot_row {
+    const char *position, *lens, *warning;
+    double field, height, wavelength, before, after; /* rad, mm, um, mm */
+};
+
+static const struct column spot_columns[] = {
+    LENS_POSITION_COLUMN(struct spot_row, position, COLUMN_BRIEF),
+    {COLUMN(struct spot_row, field), .name = "field", .dimension = &dimension_angle, .unit = "deg",
+     .flags = COLUMN_ECHO | COLUMN_BRIEF | COLUMN_SPARSE, .label = "field",
+     .help = "field angle; absent for a height"},
+    {COLUMN(struct spot_row, height), .name = "height", .dimension = &dimension_length,
+     .unit = "mm", .flags = COLUMN_ECHO | COLUMN_BRIEF | COLUMN_SPARSE, .label = "field height",
+     .help = "height of the field, at the object or at the image as the lens has it"},
+    {COLUMN(struct spot_row, wavelength), .name = "wavelength",
+     .dimension = &dimension_wavelength_um, .unit = "nm", .flags = COLUMN_ECHO | COLUMN_BRIEF,
+     .label = "wavelength", .help = "wavelength"},
+    {COLUMN(struct spot_row, before), .name = "rms_before", .dimension = &dimension_length,
+     .unit = "um", .flags = COLUMN_BRIEF, .label = "RMS before",
+     .help = "root mean square distance from the centroid, converged; absent: no ray arrives"},
+    {COLUMN(struct spot_row, after), .name = "rms_after", .dimension = &dimension_length,
+     .unit = "um", .flags = COLUMN_BRIEF, .label = "RMS after",
+     .help = "of the lens that was found"},
+    LENS_TITLE_COLUMN(struct spot_row, lens),
+    LENS_WARNING_COLUMN(struct spot_row, warning),
+};
+
+static const struct sheet spot_sheet = {spot_columns, sizeof spot_columns / sizeof spot_columns[0],
+                                        sizeof(struct spot_row)};
+
+/* One lens in one position at one wavelength, its image plane placed. */
+static bool open_setup(const struct optimize_job *job, const struct lens *lens, size_t place,
+                       const struct setup_wavelength *light, struct setup *setup,
+                       struct error *error)
+{
+    const struct merit_question *asked = &job->merit.question;
+    const struct plane_value own = {.kind = PLANE_OF_LENS};
+    const struct setup_question question = {.lens = lens,
+                                            .position = job->merit.places[place].position,
+                                            .section =
+                                                (enum lens_section)job->input->question.section,
+                                            .wavelength = NAN,
+                                            .wavelengths = WAVELENGTHS_ALL,
+                                            .spectrum = light,
+                                            .spectrum_count = 1,
+                                            .fnumber = asked->fnumber,
+                                            .fields = asked->fields,
+                                            .field_count = asked->field_count,
+                                            .field_policy = FIELDS_ALL};
+    return setup_open(&question, job->run->arena, setup, error) &&
+           setup_place_image(setup, &own, error);
+}
+
+/* mm; NaN: none. */
+static double spot_of(const struct optimize_job *job, const struct setup *setup, size_t field)
+{
+    const struct spot_question question = {
+        .bundle = {.setup = setup,
+                   .field = &setup->fields[field].point,
+                   .clip = job->input->clip,
+                   .from_entrance = job->input->aim == ANALYSIS_AIM_ENTRANCE,
+                   .pattern = PATTERN_GAUSS},
+        .error = 1e-4,
+        .no_radius = true,
+        .energy = NAN};
+    struct spot spot;
+    struct error ignored;
+    const bool found = spot_find(&question, job->run->arena, &spot, &ignored);
+    return found && !spot.is_angular ? spot.rms : NAN;
+}
+
+static bool emit_spots_of(struct optimize_job *job, size_t place,
+                          const struct setup_wavelength *light, struct error *error)
+{
+    struct setup before, after;
+    if (!open_setup(job, job->lens, place, light, &before, error) ||
+        !open_setup(job, job->found, place, light, &after, error)) {
+        return false;
+    }
+    for (size_t f = 0; f < before.field_count; f++) {
+        const struct field_point *point = &before.fields[f].point;
+        const double at = point->value[setup_axis(&before)];
+        const bool is_angle = point->kind == FIELD_ANGLE || point->kind == FIELD_NONE;
+        const struct spot_row row = {.position = before.position,
+                                     .field = is_angle ? at : NAN,
+                                     .height = is_angle ? NAN : at,
+                                     .wavelength = light->wavelength,
+                                     .before = spot_of(job, &before, f),
+                                     .after = spot_of(job, &after, f),
+                                     .lens = job->lens->title,
+                                     .warning = f == 0 ? job->warning : NULL};
+        if (!run_emit(job->run, &row)) {
+            return true;
+        }
+    }
+    return true;
+}
+
+static bool emit_spots(struct optimize_job *job, struct error *error)
+{
+    for (size_t p = 0; p < job->merit.place_count; p++) {
+        const struct setup *setup = &job->merit.places[p].setup;
+        for (size_t w = 0; w < setup->wavelength_count; w++) {
+            if (!emit_spots_of(job, p, &setup->wavelengths[w], error)) {
+                return false;
+            }
+        }
+    }
+    return true;
+}
+
+const struct sheet *const optimize_sheets[] = {
+    [OPTIMIZE_ANSWER] = &answer_sheet,
+    [OPTIMIZE_MERIT] = &goal_sheet,
+    [OPTIMIZE_VARIABLES] = &variable_sheet,
+    [OPTIMIZE_SPOTS] = &spot_sheet,
+    [OPTIMIZE_SHOWS] = NULL,
+};
+
+bool optimize_emit(struct optimize_job *job, struct error *error)
+{
+    switch ((enum optimize_show)job->input->show) {
+    case OPTIMIZE_MERIT:
+        return emit_merit(job);
+    case OPTIMIZE_VARIABLES:
+        return emit_variables(job);
+    case OPTIMIZE_SPOTS:
+        return emit_spots(job, error);
+    default:
+        emit_answer(job);
+        return true;
+    }
+}

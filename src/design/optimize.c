@@ -1,0 +1,145 @@
+/* design/optimize.c - a lens made better, from where it is. */
+/* SPDX-License-Identifier: MIT */
+#include "design/optimize.h"
+
+#include "design/optimize_start.h"
+
+#include <math.h>
+#include <string.h>
+
+/* A run, as its progress is told. */
+struct running {
+    const struct optimize_task *task;
+    struct optimize_answer *answer;
+    struct arena *arena;
+    size_t room;
+};
+
+/* Steps that gain a smaller share of the merit are the last ones: a lens is not known better. */
+static const double least_gain = 1e-8;
+
+static struct optimize_state new_state(const struct merit *merit, struct arena *arena)
+{
+    return (struct optimize_state){.numbers = ARENA_ARRAY(arena, merit->variable_count + 1, double),
+                                   .residuals =
+                                       ARENA_ARRAY(arena, merit->residual_count + 1, double),
+                                   .values = ARENA_ARRAY(arena, merit->residual_count + 1, double)};
+}
+
+/* Evaluate where `state` has its numbers. */
+static bool look(struct merit *merit, struct optimize_state *state, double *jacobian)
+{
+    if (!merit_evaluate(merit, state->numbers, state->residuals, jacobian)) {
+        return false;
+    }
+    memcpy(state->values, merit->values, merit->residual_count * sizeof(double));
+    state->merit = 0;
+    for (size_t i = 0; i < merit->residual_count - merit->exact_count; i++) {
+        state->merit += state->residuals[i] * state->residuals[i];
+    }
+    return true;
+}
+
+/* Where a variable moves by its natural scale, and no residual by more than this share of the
+   largest of them, it is rounding that moves it. */
+static const double rounding = 1e-10;
+
+static void find_idle(const struct merit *merit, const double *residuals, const double *jacobian,
+                      bool *is_idle)
+{
+    double largest = 0;
+    for (size_t i = 0; i < merit->residual_count; i++) {
+        largest = fmax(largest, fabs(residuals[i]));
+    }
+    for (size_t j = 0; j < merit->variable_count; j++) {
+        const double scale = merit->question.variables->scale[j];
+        is_idle[j] = true;
+        for (size_t i = 0; i < merit->residual_count && is_idle[j]; i++) {
+            const double effect = fabs(jacobian[i * merit->variable_count + j]) * scale;
+            is_idle[j] = !(effect > rounding * largest);
+        }
+    }
+}
+
+static void note(struct running *running, double merit)
+{
+    struct optimize_answer *answer = running->answer;
+    answer->history = arena_grow(running->arena, answer->history, answer->history_count,
+                                 &running->room, sizeof *answer->history);
+    answer->history[answer->history_count++] = merit;
+}
+
+static bool progress(void *context, const struct solver_progress *progress)
+{
+    struct running *running = context;
+    note(running, 2 * progress->cost);
+    return running->task->goes_on == NULL || running->task->goes_on(running->task->context);
+}
+
+static bool begin(const struct optimize_task *task, struct arena *arena,
+                  struct optimize_answer *answer, struct error *error)
+{
+    struct merit *merit = task->merit;
+    double *jacobian =
+        ARENA_ARRAY(arena, merit->residual_count * merit->variable_count + 1, double);
+    *answer = (struct optimize_answer){.before = new_state(merit, arena),
+                                       .after = new_state(merit, arena),
+                                       .is_idle = ARENA_ARRAY(arena, merit->variable_count, bool)};
+    variables_get(merit->question.variables, answer->before.numbers);
+    memcpy(answer->after.numbers, answer->before.numbers, merit->variable_count * sizeof(double));
+    if (!optimize_begin(task, answer->after.numbers, arena, &answer->begun, error)) {
+        return false;
+    }
+    if (!look(merit, &answer->after, jacobian)) {
+        *error = merit->why;
+        return error_prefix(error, "the lens cannot be judged where it is begun: ");
+    }
+    find_idle(merit, answer->after.residuals, jacobian, answer->is_idle);
+    if (answer->begun == NULL) {
+        answer->before.merit = answer->after.merit;
+        memcpy(answer->before.residuals, answer->after.residuals,
+               merit->residual_count * sizeof(double));
+        memcpy(answer->before.values, answer->after.values, merit->residual_count * sizeof(double));
+        return true;
+    }
+    answer->before.merit = NAN;
+    for (size_t i = 0; i < merit->residual_count; i++) {
+        answer->before.residuals[i] = answer->before.values[i] = NAN;
+    }
+    return true;
+}
+
+bool optimize_run(const struct optimize_task *task, struct arena *arena,
+                  struct optimize_answer *answer, struct error *error)
+{
+    struct merit *merit = task->merit;
+    const struct variables *variables = merit->question.variables;
+    struct running running = {.task = task, .answer = answer, .arena = arena};
+    if (!begin(task, arena, answer, error)) {
+        return false;
+    }
+    note(&running, answer->after.merit);
+    const struct solver_problem problem = {.parameter_count = merit->variable_count,
+                                           .residual_count = merit->residual_count,
+                                           .exact_count = merit->exact_count,
+                                           .evaluate = merit_evaluate,
+                                           .context = merit,
+                                           .low = variables->low,
+                                           .high = variables->high,
+                                           .scale = variables->scale};
+    const struct solver_options options = {.engine = task->engine,
+                                           .iterations = task->iterations,
+                                           .function = least_gain,
+                                           .lean = true,
+                                           .progress = progress,
+                                           .progress_context = &running};
+    if (!solver_run(&problem, &options, answer->after.numbers, arena, &answer->summary, error)) {
+        return false;
+    }
+    if (!look(merit, &answer->after, NULL)) {
+        *error = merit->why;
+        return error_prefix(error, "the lens that was found cannot be judged: ");
+    }
+    note(&running, answer->after.merit);
+    return true;
+}

@@ -1,0 +1,43 @@
+/* design/optimize.h - a lens made better, from where it is. */
+/* SPDX-License-Identifier: MIT */
+#ifndef LENSCALC_DESIGN_OPTIMIZE_H
+#define LENSCALC_DESIGN_OPTIMIZE_H
+
+#include "design/merit.h"
+#include "design/solver.h"
+
+/* What is made better, and how. */
+struct optimize_task {
+    struct merit *merit;
+    enum solver_engine engine;
+    int iterations;                 /* at most so many; 0: as solver_run has it */
+    bool (*goes_on)(void *context); /* asked once an iteration; false: the best so far. Or null */
+    void *context;
+};
+
+/* Where it stands: residuals and figures as the merit has them. */
+struct optimize_state {
+    double *numbers; /* of the variables */
+    double *residuals, *values;
+    double merit; /* sum of the squares, constraints apart */
+};
+
+/* Arrays lie in the arena. */
+struct optimize_answer {
+    struct solver_summary summary;
+    struct optimize_state before, after; /* NaN before: the lens has no merit as it is */
+    const char *begun; /* what was done where the lens itself has no merit; null: nothing */
+    bool *is_idle;     /* a variable that nothing depended on at the start */
+    double *history;   /* the merit at the start and after each iteration */
+    size_t history_count;
+};
+
+/*
+ * The local minimum that damped least squares, or Ceres, finds from the lens's own numbers.
+ *
+ * Errors    ERROR_DOMAIN: the start has no merit, with the reason; as solver_run
+ */
+bool optimize_run(const struct optimize_task *task, struct arena *arena,
+                  struct optimize_answer *answer, struct error *error);
+
+#endif

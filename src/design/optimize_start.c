@@ -1,0 +1,188 @@
+/* design/optimize_start.c - from a lens that cannot be judged to one that can. */
+/* SPDX-License-Identifier: MIT */
+#include "design/optimize_start.h"
+
+#include <math.h>
+#include <string.h>
+
+enum { STAGES = 24, ITERATIONS = 40 };
+
+/* Of aperture and fields, largest first; below the last there is nothing to see. */
+static const double shares[] = {1, 0.85, 0.7, 0.55, 0.4, 0.28, 0.2, 0.1, 0.05};
+
+/* The merit that takes the place of the real one, and that one. */
+struct easing {
+    const struct optimize_task *task;
+    struct arena *arena;
+    struct merit eased;
+    double *residuals; /* of the real one */
+    double share;
+    bool is_whole, is_done; /* all goals count; the real one has a value */
+    double *numbers;
+};
+
+static bool has_value(struct merit *merit, const double *numbers, double *residuals)
+{
+    return merit_evaluate(merit, numbers, residuals, NULL);
+}
+
+/* The same question with less of the aperture and the fields. */
+static bool open_eased(struct easing *easing, const struct operand *operands, size_t count,
+                       struct error *error)
+{
+    const struct merit *merit = easing->task->merit;
+    const struct setup *setup = &merit->places[0].setup;
+    struct merit_question question = merit->question;
+    struct setup_field *fields =
+        ARENA_ARRAY(easing->arena, setup->field_count + 1, struct setup_field);
+    for (size_t i = 0; i < setup->field_count; i++) {
+        fields[i] = setup->fields[i];
+        fields[i].point.value[0] *= easing->share;
+        fields[i].point.value[1] *= easing->share;
+    }
+    question.fields = fields;
+    question.field_count = setup->field_count;
+    question.operands = operands;
+    question.operand_count = count;
+    if (!merit_open(&question, easing->arena, &easing->eased, error)) {
+        return false;
+    }
+    for (size_t i = 0; i < easing->eased.place_count; i++) {
+        struct aperture_setting *aperture = &easing->eased.places[i].aperture;
+        aperture->value *= aperture->kind == APERTURE_FNUMBER ? 1 / easing->share : easing->share;
+    }
+    return true;
+}
+
+static bool eased_has_value(struct easing *easing)
+{
+    double *residuals = ARENA_ARRAY(easing->arena, easing->eased.residual_count + 1, double);
+    return has_value(&easing->eased, easing->numbers, residuals);
+}
+
+/* Goals that have a value by themselves. */
+static bool open_some(struct easing *easing, struct error *error)
+{
+    const struct merit_question *question = &easing->task->merit->question;
+    struct operand *some = ARENA_ARRAY(easing->arena, question->operand_count, struct operand);
+    size_t count = 0;
+    for (size_t i = 0; i < question->operand_count; i++) {
+        some[count] = question->operands[i];
+        if (!open_eased(easing, &some[count], 1, error)) {
+            return false;
+        }
+        count += eased_has_value(easing);
+    }
+    easing->is_whole = false;
+    return (count > 0 || fail(error, ERROR_DOMAIN, "no goal has a value")) &&
+           open_eased(easing, some, count, error) &&
+           (eased_has_value(easing) || fail(error, ERROR_DOMAIN, "no goal has a value"));
+}
+
+/* As much as has a value. */
+static bool open_most(struct easing *easing, struct error *error)
+{
+    const struct merit_question *question = &easing->task->merit->question;
+    easing->is_whole = true;
+    for (size_t i = 1; i < sizeof shares / sizeof shares[0]; i++) {
+        easing->share = shares[i];
+        if (!open_eased(easing, question->operands, question->operand_count, error)) {
+            return false;
+        }
+        if (eased_has_value(easing)) {
+            return true;
+        }
+    }
+    return open_some(easing, error);
+}
+
+/* Until the real merit has a value. */
+static bool goes_on(void *context, const struct solver_progress *progress)
+{
+    struct easing *easing = context;
+    const struct optimize_task *task = easing->task;
+    if (has_value(task->merit, progress->parameters, easing->residuals)) {
+        memcpy(easing->numbers, progress->parameters, task->merit->variable_count * sizeof(double));
+        easing->is_done = true;
+        return false;
+    }
+    return task->goes_on == NULL || task->goes_on(task->context);
+}
+
+static bool run_stage(struct easing *easing, struct error *error)
+{
+    struct merit *merit = &easing->eased;
+    const struct variables *variables = merit->question.variables;
+    const struct solver_problem problem = {.parameter_count = merit->variable_count,
+                                           .residual_count = merit->residual_count,
+                                           .exact_count = merit->exact_count,
+                                           .evaluate = merit_evaluate,
+                                           .context = merit,
+                                           .low = variables->low,
+                                           .high = variables->high,
+                                           .scale = variables->scale};
+    const struct solver_options options = {.iterations = ITERATIONS,
+                                           .function = 1e-4,
+                                           .lean = true,
+                                           .progress = goes_on,
+                                           .progress_context = easing};
+    double *numbers = ARENA_ARRAY(easing->arena, merit->variable_count + 1, double);
+    struct solver_summary summary;
+    memcpy(numbers, easing->numbers, merit->variable_count * sizeof(double));
+    if (!solver_run(&problem, &options, numbers, easing->arena, &summary, error)) {
+        return false;
+    }
+    if (!easing->is_done) {
+        memcpy(easing->numbers, numbers, merit->variable_count * sizeof(double));
+    }
+    return true;
+}
+
+static const char *say(const struct easing *easing)
+{
+    return easing->is_whole
+               ? arena_printf(easing->arena,
+                              "rays were lost at the start: it was begun with %.0f %% of aperture "
+                              "and field",
+                              100 * easing->share)
+               : "not all goals have a value at the start: it was begun with those that have one";
+}
+
+bool optimize_begin(const struct optimize_task *task, double *numbers, struct arena *arena,
+                    const char **words, struct error *error)
+{
+    struct merit *merit = task->merit;
+    struct easing easing = {.task = task,
+                            .arena = arena,
+                            .numbers = numbers,
+                            .residuals = ARENA_ARRAY(arena, merit->residual_count + 1, double)};
+    struct error why;
+    double last = -1;
+    if (has_value(merit, numbers, easing.residuals)) {
+        *words = NULL;
+        return true;
+    }
+    why = merit->why;
+    *words = NULL;
+    for (int stage = 0; stage < STAGES && !easing.is_done; stage++) {
+        if (!open_most(&easing, error)) {
+            break;
+        }
+        *words = *words == NULL ? say(&easing) : *words;
+        const double reached = easing.is_whole ? easing.share : 0;
+        if (stage > 0 && !(reached > last)) {
+            break; /* no more of it than before */
+        }
+        last = reached;
+        if (!run_stage(&easing, error)) {
+            return false;
+        }
+    }
+    if (easing.is_done) {
+        return true;
+    }
+    *error = why;
+    return error_prefix(error, last < 0 ? "the lens cannot be judged as it is: "
+                                        : "the lens cannot be judged as it is, nor after it was "
+                                          "made better with less aperture and field: ");
+}

@@ -1,0 +1,36 @@
+# paraxial goals; what is written is found again; what is refused
+cat > achromat.lens <<'END'
+lens        Achromat from plates
+wavelength  d F C
+object      inf
+field       angle 0 1
+aperture    epd 20
+focus       table
+surface     -   6   1.5168/64.17  22  stop
+surface     -   3   1.6727/32.21  22
+surface     -   100 air           22
+END
+lenscalc optimize achromat.lens --vary c1,c2,c3 --goals 'efl==100,axial==0,S1=0' -o new.lens \
+    --columns status
+# one focal length in d, the same focus in F and C
+lenscalc lens new.lens -w d --columns efl --digits 12 --csv
+lenscalc lens new.lens --columns wavelength,bfl --digits 6 --csv
+lenscalc optimize new.lens --vary c1,c2,c3 --goals 'efl==100,axial==0,S1=0' -o new.lens
+echo "status $?"
+# at a bound; what nothing depends on
+lenscalc optimize double-gauss --vary 'R1[50,60],R11,t11' --goals efl=95,bfl=72 --show variables \
+    --digits 5
+lenscalc optimize double-gauss --vary 'R1[50,60],R11,t11' --goals efl=95,bfl=72 --show merit \
+    --digits 4 --columns goal,value_before,value_after
+# the image plane is the paraxial one: nothing depends on the last thickness
+lenscalc optimize double-gauss --vary all-R,t11 -N 4 --goals spot,efl=100 --digits 3 \
+    --columns fnumber,merit_before,merit_after,status
+# a bound that the start violates, a contradiction, other refusals
+for question in "--vary R1[60,70] --goals efl=95" "--vary R1 --goals efl==100,efl==90" \
+    "--goals efl=95" "--vary R1 --goals spott" "--vary R1 --goals efl=nan" \
+    "--vary R1,R1 --goals efl=95" "--vary R99 --goals efl=95" "--vary R1[5 --goals efl=95" \
+    "--vary R1 --goals efl=95 --seed 3" "--vary R1[3,2] --goals efl=95"
+do
+    lenscalc optimize double-gauss $question --columns status
+    echo "status $?"
+done
