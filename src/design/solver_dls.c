@@ -376,7 +376,9 @@ static bool shorten(struct descent *descent, bool has_value, double promised)
     }
     descent->damping *= has_value ? descent->growth : fmax(descent->growth, 8);
     descent->growth *= 2;
-    descent->share /= 2;
+    if (!(descent->price * descent->here.excess < promised / 2)) {
+        descent->share /= 2; /* it went far for the exact residuals' sake */
+    }
     if (!(descent->damping < 1e200)) {
         end(descent->run, ENGINE_FAILED, "no step has a value");
         return false;
@@ -452,6 +454,24 @@ static void begin_damping(struct descent *descent)
     descent->share = 1;
 }
 
+/* The last thing: exact residuals are 0 as nearly as can be. */
+static void finish(struct descent *descent)
+{
+    const double excess = descent->here.excess;
+    if (!(excess > met)) {
+        return;
+    }
+    memcpy(descent->there.parameters, descent->here.parameters, descent->n * sizeof(double));
+    memcpy(descent->there.residuals, descent->here.residuals,
+           (descent->squares + descent->exact) * sizeof(double));
+    descent->there.cost = descent->here.cost;
+    descent->there.excess = excess;
+    damp(descent);
+    if (return_to_exact(descent) && descent->there.excess < excess) {
+        descent->here = descent->there;
+    }
+}
+
 static void set_sides(const struct descent *descent)
 {
     const struct solver_problem *problem = descent->problem;
@@ -491,6 +511,7 @@ void dls_minimize(struct engine_run *run)
             break;
         }
     }
+    finish(&descent);
     memcpy(run->parameters, descent.here.parameters, descent.n * sizeof(double));
     set_sides(&descent);
 }

@@ -23,7 +23,7 @@ lenscalc optimize double-gauss --vary 'R1[50,60],R11,t11' --goals efl=95,bfl=72 
 lenscalc optimize double-gauss --vary 'R1[50,60],R11,t11' --goals efl=95,bfl=72 --show merit \
     --digits 4 --columns goal,value_before,value_after
 # the image plane is the paraxial one: nothing depends on the last thickness
-lenscalc optimize double-gauss --vary all-R,t11 -N 4 --goals spot,efl=100 --digits 3 \
+lenscalc optimize double-gauss --vary R1..R11,t11 --hold R3 -N 4 --goals spot,efl=100 --digits 3 \
     --columns fnumber,merit_before,merit_after,status
 # a bound that the start violates, a contradiction, other refusals
 for question in "--vary R1[60,70] --goals efl=95" "--vary R1 --goals efl==100,efl==90" \

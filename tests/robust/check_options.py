@@ -65,6 +65,7 @@ ASKED = {
                    "field\n5\n10\n"),
     "report": ("double-gauss -N 5.6", None, None),
     "fit": ("double-gauss -N 5.6 --distortion 0", ("N", "4,8", "w", "486,587"), "N\n4\n8\n"),
+    "optimize": ("double-gauss --vary R1 --goals efl=100", ("N", "4,8"), "N\n4\n8\n"),
     "merge": ("one.part", None, None),
     "list": ("formats", None, None),
     "glass": ("N-BK7 -w 500 --thickness 10mm", ("w", "486,587", "thickness", "5,10"),
@@ -250,7 +251,7 @@ def try_force(asked):
 
 
 def try_output(asked):
-    ending = {"draw": "out.svg", "convert": "out.lens", "fit": "out.lens",
+    ending = {"draw": "out.svg", "convert": "out.lens", "fit": "out.lens", "optimize": "out.lens",
               "render": "out.png", "merge": "out.png", "report": "out.html"}.get(asked.command, "out")
     saves = {"distortion": "double-gauss --fit poly3 -o out.xml".split()}
     if asked.command in saves:
@@ -259,7 +260,8 @@ def try_output(asked):
     path = os.path.join(asked.folder, ending)
     with open(path if os.path.exists(path) else os.devnull, "rb") as file:
         content = file.read()
-    return result.returncode == 0 and (content == asked.plain.stdout or asked.command == "fit")
+    return result.returncode == 0 and (content == asked.plain.stdout or
+                                        asked.command in ("fit", "optimize"))
 
 
 def try_lensdb(asked):
