@@ -58,8 +58,7 @@ struct answering {
     struct run *run;
     const struct analysis_answers *answers;
     void *context;
-    bool several; /* fields, or positions: one that fails keeps its place */
-    bool names;   /* the field, where it fails: there may be others */
+    bool names; /* the field, where it fails: there may be others */
 };
 
 /* What was found of the fields of a case. */
@@ -130,7 +129,7 @@ static bool keep_place(const struct analysis_case *one, size_t field,
 static bool answer_fields(const struct analysis_case *of, void *context, struct error *error)
 {
     const struct answering *answering = context;
-    const bool keeps = answering->several && answering->answers->lost != NULL;
+    const bool keeps = answering->answers->lost != NULL;
     struct analysis_case *one = ARENA_NEW(of->setup->arena, struct analysis_case);
     *one = *of;
     one->threads = answering->run->threads;
@@ -161,11 +160,17 @@ bool analysis_each_field(const struct analysis_question *question,
                          const struct analysis_policy *policy, struct run *run,
                          const struct analysis_answers *answers, void *context, struct error *error)
 {
-    struct answering answering = {run, answers, context, analysis_makes_many(question, policy),
-                                  policy->fields == FIELDS_ALL};
+    struct answering answering = {run, answers, context, policy->fields == FIELDS_ALL};
     error->code = ERROR_NONE;
     return analysis_each(question, policy, run->arena, answer_fields, &answering, error) ||
            error->code == ERROR_NONE;
+}
+
+bool analysis_skip(const struct analysis_point *point, void *context)
+{
+    (void)point;
+    (void)context;
+    return true;
 }
 
 /* -------- rows -------- */
@@ -200,7 +205,7 @@ bool analysis_answer_rows(const void *input, const struct analysis_rows *rows, s
 {
     struct analysis_answers answers = rows->answers;
     struct analysis_asked asked = {input, run, rows};
-    answers.lost = lost;
+    answers.lost = analysis_makes_many(input, rows->policy) ? lost : NULL;
     return analysis_each_field(input, rows->policy, run, &answers, &asked, error);
 }
 

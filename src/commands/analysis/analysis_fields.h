@@ -42,11 +42,14 @@ struct analysis_answers {
     bool (*lost)(const struct analysis_point *point, void *context);
 };
 
+/* For `lost`: a drawing does without the field. */
+bool analysis_skip(const struct analysis_point *point, void *context);
+
 /*
- * Answer field by field. Where one of several fields fails it keeps its place: its row has the
+ * Answer field by field. Where one fails and there is `lost`, that is told its place, with the
  * reason as its warning, and the question counts as failed (run->shortfall).
  *
- * Errors    as analysis_each and `answer`, the field named where there are several
+ * Errors    as analysis_each and `answer`, the field named where there may be several
  */
 bool analysis_each_field(const struct analysis_question *question,
                          const struct analysis_policy *policy, struct run *run,
@@ -71,7 +74,11 @@ struct analysis_asked {
     const struct analysis_rows *rows;
 };
 
-/* The rows of an input. Errors as analysis_each_field. */
+/*
+ * The rows of an input. Where one of several fields fails its row keeps its place.
+ *
+ * Errors    as analysis_each_field
+ */
 bool analysis_answer_rows(const void *input, const struct analysis_rows *rows, struct run *run,
                           struct error *error);
 

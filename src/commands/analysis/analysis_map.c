@@ -82,13 +82,6 @@ void map_page_subtitle(struct map_page *page, const char *words)
     page->rasters.subtitle = before == NULL || strcmp(before, words) == 0 ? words : "";
 }
 
-bool map_page_skip(const struct analysis_point *point, void *context)
-{
-    (void)point;
-    (void)context;
-    return true;
-}
-
 /* The title; several lenses stand below their maps. */
 static void set_heads(struct map_page *page, const char *what)
 {

@@ -38,9 +38,6 @@ bool map_page_add(struct map_page *page, const struct analysis_case *one,
 /* What stands below the title, if it is the same for all maps. */
 void map_page_subtitle(struct map_page *page, const char *words);
 
-/* For struct analysis_answers: a field without a map. */
-bool map_page_skip(const struct analysis_point *point, void *context);
-
 /* As a drawing. Errors as rasters_draw. */
 bool map_page_draw(const struct map_page *page, struct output *sink, struct error *error);
 

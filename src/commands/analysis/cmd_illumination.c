@@ -337,7 +337,7 @@ static bool add_point(const struct analysis_case *one, size_t field, void *conte
     return true;
 }
 
-static const struct analysis_answers collecting = {.answer = add_point};
+static const struct analysis_answers collecting = {.answer = add_point, .lost = analysis_skip};
 
 /* All there is to say of one case, or beside others its light alone. */
 static size_t add_series(const struct curve *curve, bool alone, const char *label, double reach,
@@ -391,6 +391,9 @@ static bool paint(struct painter *painter, struct svg *svg, struct error *error)
     for (size_t i = 0; i < painter->count; i++) {
         reach = fmax(reach, painter->curves[i].reach);
         one_lens = one_lens && strcmp(painter->curves[i].title, first->title) == 0;
+    }
+    if (painter->count == 0) {
+        return fail(error, ERROR_DOMAIN, "there is nothing to draw");
     }
     if (!(reach > 0)) {
         return fail(error, ERROR_USAGE,

@@ -143,13 +143,6 @@ static bool add(const struct analysis_case *one, size_t field, const void *found
     return add_entry(painter, source, frequency, &place, error);
 }
 
-static bool skip(const struct analysis_point *point, void *context)
-{
-    (void)point;
-    (void)context;
-    return true;
-}
-
 /* How many different values something has among the inputs. */
 static size_t values_of(const struct artifact_job *job, size_t offset)
 {
@@ -230,7 +223,7 @@ static bool collect_between(struct painter *painter, const struct analysis_answe
 static bool collect(struct painter *painter, struct error *error)
 {
     static const struct analysis_answers answers = {
-        .find = find, .found_size = sizeof(struct mtf_source), .take = add, .lost = skip};
+        .find = find, .found_size = sizeof(struct mtf_source), .take = add, .lost = analysis_skip};
     const struct artifact_job *job = painter->job;
     const double first = ((const struct mtf_input *)job->inputs[0])->frequency;
     for (size_t i = 0; i < job->count; i++) {

@@ -75,7 +75,7 @@ static bool add(const struct analysis_case *one, size_t field, const void *found
 static bool collect(const struct artifact_job *job, struct map_page *page, struct error *error)
 {
     static const struct analysis_answers answers = {
-        .find = find, .found_size = sizeof(struct found), .take = add, .lost = map_page_skip};
+        .find = find, .found_size = sizeof(struct found), .take = add, .lost = analysis_skip};
     const struct wavefront_input *first = job->inputs[0];
     const bool entrance = first->question.aim == ANALYSIS_AIM_ENTRANCE;
     page->rasters = (struct rasters){
