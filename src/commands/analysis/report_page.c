@@ -9,7 +9,8 @@
 
 /* px of the drawing: of a column and the space around it; of a line of text and its characters. */
 enum { COLUMN_WIDTH = 800, MARGIN = 40, HEAD = 46, LINE = 15, FONT = 12 };
-static const double character = 0.602 * FONT; /* of a monospaced font */
+static const double whole_width = 2 * COLUMN_WIDTH + MARGIN; /* of both columns */
+static const double character = 0.602 * FONT;                /* of a monospaced font */
 
 /* Does the text go on with these words? */
 static bool goes_on(struct text text, size_t at, const char *words)
@@ -26,6 +27,27 @@ static struct text element_of(struct text svg)
         at++;
     }
     return (struct text){svg.start + at, svg.length - at};
+}
+
+/* A number of an attribute of the element; NaN without one. */
+static double attribute(struct text svg, const char *name)
+{
+    for (size_t at = 0; at < svg.length && svg.start[at] != '>'; at++) {
+        if (goes_on(svg, at, name)) {
+            double value;
+            const char *end = svg.start + svg.length;
+            const char *from = svg.start + at + strlen(name);
+            return number_read(from, end, NUMBER_UNSCALED, &value) != NULL ? value : (double)NAN;
+        }
+    }
+    return NAN;
+}
+
+/* Is it drawn so much wider than a column that its words would be small in one? */
+static bool is_wide(const struct page_part *part)
+{
+    return part->failure == NULL && part->is_drawing &&
+           attribute(element_of(part->text), " width=\"") > 1.3 * COLUMN_WIDTH;
 }
 
 /* The names in the tags of a drawing are its own: each has the number of the part before it. */
@@ -59,6 +81,7 @@ static const char style[] =
     "main { columns: 2 34em; column-gap: 2em; }\n"
     "figure { break-inside: avoid; margin: 0 0 1.5em 0; }\n"
     "figure svg { max-width: 100%; height: auto; }\n"
+    "figure.wide { column-span: all; }\n"
     "figcaption { font-weight: bold; }\n"
     "pre { overflow-x: auto; font-size: 80%; }\n"
     "code { color: #666; font-weight: normal; font-size: 80%; }\n"
@@ -72,7 +95,8 @@ static void write_figure(const struct page_part *part, size_t number, struct out
         output_string(output, "</h2>\n");
         return;
     }
-    output_string(output, "<figure>\n<figcaption>");
+    output_string(output, is_wide(part) ? "<figure class=\"wide\">\n<figcaption>"
+                                        : "<figure>\n<figcaption>");
     output_escaped(output, text_of(part->title));
     output_string(output, " <code>");
     output_escaped(output, text_of(part->command));
@@ -111,20 +135,6 @@ void page_write_html(const struct page *page, struct output *output)
 
 /* -------- one drawing -------- */
 
-/* A number of an attribute of the element; NaN without one. */
-static double attribute(struct text svg, const char *name)
-{
-    for (size_t at = 0; at < svg.length && svg.start[at] != '>'; at++) {
-        if (goes_on(svg, at, name)) {
-            double value;
-            const char *end = svg.start + svg.length;
-            const char *from = svg.start + at + strlen(name);
-            return number_read(from, end, NUMBER_UNSCALED, &value) != NULL ? value : (double)NAN;
-        }
-    }
-    return NAN;
-}
-
 /* How tall a part is in a column, and at which scale it is drawn. */
 static double height_of(const struct page_part *part, double *scale)
 {
@@ -135,7 +145,7 @@ static double height_of(const struct page_part *part, double *scale)
     if (part->is_drawing) {
         const struct text svg = element_of(part->text);
         const double width = attribute(svg, " width=\"");
-        *scale = fmin(COLUMN_WIDTH / width, 1);
+        *scale = fmin((is_wide(part) ? whole_width : COLUMN_WIDTH) / width, 1);
         return *scale * attribute(svg, " height=\"");
     }
     size_t lines = 1, widest = 0, wide = 0;
@@ -210,6 +220,12 @@ static double place_parts(const struct page *page, double (*places)[2])
             places[i][0] = MARGIN;
             places[i][1] = fmax(ends[0], ends[1]);
             ends[0] = ends[1] = places[i][1] + HEAD;
+            continue;
+        }
+        if (is_wide(part)) {
+            places[i][0] = MARGIN;
+            places[i][1] = fmax(ends[0], ends[1]);
+            ends[0] = ends[1] = places[i][1] + HEAD + height_of(part, &scale) + MARGIN;
             continue;
         }
         const int column = ends[1] < ends[0];
