@@ -490,10 +490,7 @@ bool exit_pupils_open(const struct bundle_question *bundle, struct arena *arena,
 
 double exit_pupil_weight(const struct exit_pupil *pupil)
 {
-    const struct stop_beam *beam = &pupil->light->source.pupil;
-    const double *axes = beam->axes;
-    return pupil->light->weight *
-           (beam->has_disc ? 1 : fabs(axes[0] * axes[3] - axes[1] * axes[2]));
+    return wave_light_weight(pupil->light);
 }
 
 /* -------- asking -------- */

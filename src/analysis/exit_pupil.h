@@ -56,7 +56,7 @@ struct exit_pupils {
 bool exit_pupils_open(const struct bundle_question *bundle, struct arena *arena,
                       struct exit_pupils *pupils, struct error *error);
 
-/* What energy of 1 stands for beside other wavelengths: its weight, and the area of u and v. */
+/* That of its light: wave_light_weight. */
 double exit_pupil_weight(const struct exit_pupil *pupil);
 
 /* Where nothing ends a ray, and names of what does. */

@@ -3,44 +3,72 @@
 #include "analysis/mtf.h"
 
 #include "base/constants.h"
-#include "base/turns.h"
 
 #include <math.h>
-
-enum { FIRST_RAYS = 200, MOST_RAYS = 1 << 17 };
+#include <string.h>
 
 /* A complex sum for each direction, and what a perfect pupil has. */
 struct sums {
     double re[MTF_DIRECTIONS], im[MTF_DIRECTIONS], perfect[MTF_DIRECTIONS], light;
 };
 
-bool mtf_open(const struct mtf_question *question, struct arena *arena, struct mtf_source *source,
-              struct error *error)
+/* The pupils; by rays it does without where there are no optical paths. */
+static bool open_pupils(struct mtf_source *source, struct arena *arena, struct error *error)
 {
-    *source = (struct mtf_source){.question = question};
-    if (!exit_pupils_open(&question->bundle, arena, &source->pupils, error)) {
-        return false;
+    const struct mtf_question *question = source->question;
+    struct exit_pupils *pupils = &source->pupils;
+    if (!exit_pupils_open(&question->bundle, arena, pupils, error)) {
+        if (!question->by_rays || pupils->reference.no_opd == NULL) {
+            return false;
+        }
+        error->code = ERROR_NONE;
+        pupils->list = NULL;
+        pupils->islands = bundle_islands(&pupils->lights.list[0].source, arena);
     }
-    if (source->pupils.reference.is_angular) {
-        return fail(error, ERROR_DOMAIN,
-                    "the image lies infinitely far away: its lines have no frequency in mm");
-    }
+    return !pupils->reference.is_angular ||
+           fail(error, ERROR_DOMAIN,
+                "the image lies infinitely far away: its lines have no frequency in mm");
+}
+
+static void find_fronts(struct mtf_source *source, struct arena *arena)
+{
     const size_t count = source->pupils.lights.count;
     source->rules = overlap_rules_new(arena);
     source->lines = ARENA_ARRAY(arena, count * MTF_DIRECTIONS, struct exit_lines);
     source->fronts = ARENA_ARRAY(arena, count * MTF_DIRECTIONS, struct exit_front);
-    wave_section(question->bundle.field, source->along[MTF_TANGENTIAL]);
-    source->along[MTF_SAGITTAL][0] = source->along[MTF_TANGENTIAL][1];
-    source->along[MTF_SAGITTAL][1] = 0.0 - source->along[MTF_TANGENTIAL][0];
     for (size_t i = 0; i < count * MTF_DIRECTIONS; i++) {
         const struct exit_pupil *pupil = &source->pupils.list[i / MTF_DIRECTIONS];
         const size_t k = i % MTF_DIRECTIONS;
         double range[2];
         exit_lines_find(pupil, source->along[k], arena, &source->lines[i]);
-        exit_front_find(pupil, &source->lines[i], question->error, arena, &source->fronts[i]);
+        exit_front_find(pupil, &source->lines[i], source->question->error, arena,
+                        &source->fronts[i]);
         exit_pupil_range(pupil, source->along[k], range);
         source->cutoff[k] =
             fmax(source->cutoff[k], (range[1] - range[0]) * pupil->n * pupil->waves);
+    }
+}
+
+bool mtf_open(const struct mtf_question *question, struct arena *arena, struct mtf_source *source,
+              struct error *error)
+{
+    *source = (struct mtf_source){.question = question};
+    if (!open_pupils(source, arena, error)) {
+        return false;
+    }
+    wave_section(question->bundle.field, source->along[MTF_TANGENTIAL]);
+    source->along[MTF_SAGITTAL][0] = source->along[MTF_TANGENTIAL][1];
+    source->along[MTF_SAGITTAL][1] = 0.0 - source->along[MTF_TANGENTIAL][0];
+    if (question->by_rays) {
+        source->rays = ARENA_NEW(arena, struct mtf_rays);
+        source->rays->lights = source->pupils.lights;
+        memcpy(source->rays->along, source->along, sizeof source->along);
+        memcpy(source->rays->centre, source->pupils.reference.centre, sizeof source->rays->centre);
+    }
+    if (source->pupils.list != NULL) {
+        find_fronts(source, arena);
+    } else {
+        source->cutoff[0] = source->cutoff[1] = NAN;
     }
     return true;
 }
@@ -66,71 +94,18 @@ static void add_waves(const struct mtf_source *source, size_t g, double frequenc
     }
 }
 
-/* One wavelength by rays; its perfect sums stay as they are. */
-static bool add_rays(const struct mtf_source *source, size_t g, size_t rays, double frequency,
-                     struct arena *arena, struct sums *sums, struct error *error)
-{
-    const struct wave_light *light = &source->pupils.lights.list[g];
-    const double unit = exit_pupil_weight(&source->pupils.list[g]);
-    struct bundle bundle;
-    light->source.region->in_beam = false;
-    const bool traced =
-        bundle_trace(&light->source, rays, light->system->places, arena, &bundle, error);
-    for (size_t i = 0; traced && i < bundle.count; i++) {
-        const struct ray_block *block = &bundle.rays.blocks[i / RAYS_BLOCK];
-        const size_t lane = i % RAYS_BLOCK;
-        const double weight = unit * bundle.points[i].weight;
-        if (ray_block_status(block, lane) != RAY_OK) {
-            continue;
-        }
-        const double off[2] = {block->x[lane] - source->pupils.reference.centre[0],
-                               block->y[lane] - source->pupils.reference.centre[1]};
-        sums->light += weight;
-        for (size_t k = 0; k < MTF_DIRECTIONS; k++) {
-            double c, s;
-            const double x = off[0] * source->along[k][0] + off[1] * source->along[k][1];
-            turns_of(-frequency * x, &c, &s);
-            sums->re[k] += weight * c;
-            sums->im[k] += weight * s;
-        }
-    }
-    return traced;
-}
-
-static bool sum_rays(const struct mtf_source *source, size_t rays, double frequency,
-                     struct arena *arena, struct sums *sums, struct error *error)
-{
-    const struct arena_mark mark = arena_mark(arena);
-    *sums = (struct sums){.light = 0};
-    bool traced = true;
-    for (size_t g = 0; g < source->pupils.lights.count && traced; g++) {
-        traced = add_rays(source, g, rays, frequency, arena, sums, error);
-    }
-    arena_reset(arena, mark);
-    return traced;
-}
-
 static bool find_by_rays(const struct mtf_source *source, double frequency, struct arena *arena,
                          struct sums *sums, struct mtf *mtf, struct error *error)
 {
-    struct sums finer;
-    mtf->has_converged = false;
-    if (!sum_rays(source, FIRST_RAYS, frequency, arena, sums, error)) {
+    struct mtf_rays_sums rays;
+    if (!mtf_rays_find(source->rays, frequency, source->question->error, arena, &rays, error)) {
         return false;
     }
-    for (size_t rays = 2 * FIRST_RAYS; rays <= MOST_RAYS && !mtf->has_converged; rays *= 2) {
-        if (!sum_rays(source, rays, frequency, arena, &finer, error)) {
-            return false;
-        }
-        mtf->error = 1e-12;
-        for (size_t k = 0; k < MTF_DIRECTIONS; k++) {
-            const double change = hypot(finer.re[k] / finer.light - sums->re[k] / sums->light,
-                                        finer.im[k] / finer.light - sums->im[k] / sums->light);
-            mtf->error = fmax(mtf->error, 2 * change);
-        }
-        *sums = finer;
-        mtf->has_converged = mtf->error <= source->question->error;
-    }
+    memcpy(sums->re, rays.re, sizeof sums->re);
+    memcpy(sums->im, rays.im, sizeof sums->im);
+    sums->light = 1;
+    mtf->error = rays.error;
+    mtf->has_converged = rays.has_converged;
     return true;
 }
 
@@ -145,13 +120,13 @@ bool mtf_find(const struct mtf_source *source, double frequency, struct arena *a
 {
     struct sums waves = {.light = 0};
     *mtf = (struct mtf){.has_converged = true, .error = 1e-12};
-    for (size_t g = 0; g < source->pupils.lights.count; g++) {
+    for (size_t g = 0; g < source->pupils.lights.count && source->pupils.list != NULL; g++) {
         if (source->pupils.lights.list[g].weight > 0) {
             add_waves(source, g, frequency, &waves, mtf);
         }
     }
     struct sums sums = waves;
-    if (source->question->by_rays && !find_by_rays(source, frequency, arena, &sums, mtf, error)) {
+    if (source->rays != NULL && !find_by_rays(source, frequency, arena, &sums, mtf, error)) {
         return false;
     }
     for (size_t k = 0; k < MTF_DIRECTIONS; k++) {

@@ -4,6 +4,7 @@
 #define LENSCALC_ANALYSIS_MTF_H
 
 #include "analysis/hopkins.h"
+#include "analysis/mtf_rays.h"
 
 #include <stdbool.h>
 #include <stddef.h>
@@ -23,8 +24,9 @@ struct mtf_source {
     struct exit_lines *lines;  /* [wavelength][direction] */
     struct exit_front *fronts; /* the same */
     struct overlap_rules *rules;
+    struct mtf_rays *rays;           /* null: by waves */
     double along[MTF_DIRECTIONS][2]; /* in the image plane, of unit length */
-    double cutoff[MTF_DIRECTIONS];   /* 1/mm: no wavelength has contrast beyond it */
+    double cutoff[MTF_DIRECTIONS];   /* 1/mm: no wavelength has contrast beyond it; NaN: no paths */
 };
 
 struct mtf {
@@ -38,7 +40,8 @@ struct mtf {
 /*
  * Make a field ready.
  *
- * Errors    as exit_pupils_open
+ * Result    by rays a lens without optical paths has no pupils.list, no cut-off and no limits
+ * Errors    as exit_pupils_open; ERROR_DOMAIN: an image infinitely far away
  */
 bool mtf_open(const struct mtf_question *question, struct arena *arena, struct mtf_source *source,
               struct error *error);
@@ -49,8 +52,7 @@ bool mtf_open(const struct mtf_question *question, struct arena *arena, struct m
  * Given     frequency  1/mm in the image plane, >= 0: along the section of axis and field point
  *                      (tangential: lines across it), and across that
  * Formula   overlap_find of each wavelength at the shift wavelength frequency/n, added by their
- *           weights and light; by rays: the mean of exp(-2 pi i frequency x), by energy, rays
- *           doubled until the error is met
+ *           weights and light; by rays: mtf_rays_find
  * Source    [Hopkins55], [Goodman05] 6.3
  * Errors    as bundle_trace
  */

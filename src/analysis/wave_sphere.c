@@ -18,6 +18,13 @@ struct sheaf {
     size_t count;
 };
 
+double wave_light_weight(const struct wave_light *light)
+{
+    const struct stop_beam *beam = &light->source.pupil;
+    const double *axes = beam->axes;
+    return light->weight * (beam->has_disc ? 1 : fabs(axes[0] * axes[3] - axes[1] * axes[2]));
+}
+
 struct ray wave_light_trace(const struct system *system, const struct ray *start,
                             struct arena *arena)
 {

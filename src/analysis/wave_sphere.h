@@ -23,6 +23,9 @@ struct wave_lights {
     size_t count;
 };
 
+/* What energy of 1 stands for beside other wavelengths: its weight, and the area of u and v. */
+double wave_light_weight(const struct wave_light *light);
+
 /* One ray from its start through a system. */
 struct ray wave_light_trace(const struct system *system, const struct ray *start,
                             struct arena *arena);

@@ -11,6 +11,7 @@ lenscalc mtf double-gauss -N 5.6 --field 0,80 --frequency 40 --csv --digits 4 --
 telescope='lens telescope\nobject inf\naperture epd 10\nfield angle 0\nfocus afocal\nsurface 50 0 1.5 - stop\nsurface - 150 air -\nsurface - 0 1.5 -\nsurface -25 10 air -\n'
 printf "$telescope" | lenscalc mtf -
 printf 'lens ideal\nobject inf\naperture stop\nstop - 0 air 10\nthick 50 0 air 12\n' | lenscalc mtf -
+printf 'lens ideal\nobject inf\naperture stop\nstop - 0 air 10\nthick 50 0 air 12\n' | lenscalc mtf - --method geometric --defocus 0.1 --frequency 20 --csv --digits 4 --columns frequency,tangential,limit,cutoff_sagittal,warning
 lenscalc mtf double-gauss --frequency -1
 lenscalc mtf double-gauss --pitch 2mm
 lenscalc mtf double-gauss --spectrum d --wavelength F

@@ -228,6 +228,24 @@ def check_rays(checks, program):
                      limit * float(both[1][column]), 0.02 * loss + 1e-5)
 
 
+def check_disc(checks, program):
+    """By rays the blur of an ideal lens off its focus is an even disc of radius h d/f, whose
+    contrast is 2 J1(x)/x."""
+    lens = "lens ideal\nobject inf\naperture stop\nstop - 0 air 10\nthick 50 0 air 12\n"
+    for defocus in (0.1, 0.4):
+        for frequency in (20, 70):
+            x = 2 * math.pi * frequency * 5 * defocus / 50
+            count = 400
+            j1 = sum(math.cos(t - x * math.sin(t)) for t in
+                     (math.pi * (i + 0.5) / count for i in range(count))) / count
+            row = rows(program, ["-", "--method", "geometric", "--defocus", str(defocus),
+                                 "--frequency", str(frequency)], lens)[0]
+            for column in ("tangential", "sagittal"):
+                near(checks, f"ideal, {defocus} mm, {frequency}/mm, {column}", row[column],
+                     abs(2 * j1 / x), 1e-4)
+            checks.check(row["limit"] == "", "ideal: no limit")
+
+
 def curves(program, words, error):
     """Contrasts of the curves of --plot, from the drawing."""
     with tempfile.TemporaryDirectory() as folder:
@@ -261,6 +279,7 @@ def main():
     check_ring(checks, program)
     check_steep(checks, program)
     check_rays(checks, program)
+    check_disc(checks, program)
     check_curves(checks, program)
     checks.finish()
 

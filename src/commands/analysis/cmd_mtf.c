@@ -135,6 +135,9 @@ static bool take(const struct analysis_case *one, size_t field, const void *room
         fill(&found->contrasts[i], &found->source, &row);
         analysis_warn(asked, &row.point,
                       lens_island_warning(&found->source.pupils.islands, asked->run->arena));
+        if (found->source.pupils.list == NULL) {
+            analysis_warn(asked, &row.point, "an ideal thick lens has no optical path, no limits");
+        }
         if (!found->contrasts[i].has_converged) {
             analysis_warn(asked, &row.point,
                           isnan(row.tangential) || isnan(row.sagittal)
