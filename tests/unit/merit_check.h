@@ -144,7 +144,9 @@ static inline void merit_check_one(const struct merit_one *one, const struct mer
         const double h = merit_step(bench, j);
         const double slope = merit_difference(one, j, h), mine = row[j] * operand->deviation;
         /* of scale; and what is left of the differences where they cancel */
-        const double size = operand->kind == OPERAND_DISTORTION ? 100 : fmax(1, fabs(value) / 10);
+        const double size = operand->kind == OPERAND_DISTORTION ? 100
+                            : operand->kind == OPERAND_LATERAL  ? 10
+                                                                : fmax(1, fabs(value) / 10);
         const double scale = fmax(fabs(slope), 1e-4 / h * size);
         const bool near = fabs(mine - slope) <= of->tolerance * scale;
         CHECK(near);
@@ -185,6 +187,84 @@ static inline void merit_check(const struct merit_case *of, merit_analysis *anal
         printf("    %s: %s\n", of->name, merit->why.message);
     }
     arena_free(&arena);
+}
+
+/* -------- lenses by chance -------- */
+
+/* 0 .. 1, [Knuth97] 3.3.4: line 26 of table 1. */
+static inline double merit_chance(unsigned long long *state)
+{
+    *state = *state * 6364136223846793005ULL + 1442695040888963407ULL;
+    return (double)(*state >> 11) * 0x1p-53;
+}
+
+static inline double merit_between(unsigned long long *state, double low, double high)
+{
+    return low + (high - low) * merit_chance(state);
+}
+
+enum { MERIT_TEXT = 2000 };
+
+/* The next words behind those that are there. */
+#define MERIT_ADD(text, ...) snprintf((text) + strlen(text), MERIT_TEXT - strlen(text), __VA_ARGS__)
+
+/*
+ * A lens of weak elements with a stop among them, and names of what may vary of it.
+ *
+ * Given     moves  surfaces are decentred and tilted too
+ */
+static inline void merit_random(unsigned long long seed, bool moves, char text[MERIT_TEXT],
+                                char names[MERIT_TEXT])
+{
+    unsigned long long state = seed * 7919 + 17;
+    const int elements = 2 + (int)(merit_chance(&state) * 3), stop = 1;
+    const bool near = merit_chance(&state) < 0.4;
+    int surface = 0;
+    text[0] = names[0] = '\0';
+    MERIT_ADD(text, "wavelength d F C\nfocus paraxial\n");
+    MERIT_ADD(text, near ? "object %.3f\nfield height 6\n" : "object inf\nfield angle 4\n",
+              merit_between(&state, 200, 400));
+    MERIT_ADD(text, near ? "aperture na 0.02\n" : "aperture epd %.3f\n",
+              merit_between(&state, 5, 9));
+    for (int i = 0; i < elements; i++) {
+        if (i == stop) {
+            MERIT_ADD(text, "stop - %.3f air 20\n", merit_between(&state, 1, 4));
+            surface++;
+        }
+        for (int side = 0; side < 2; side++) {
+            const double c = merit_between(&state, 0.002, 0.014) * (side == 0 ? 1 : -1);
+            MERIT_ADD(text, "surface - %.3f ", merit_between(&state, 2, 6));
+            MERIT_ADD(text, side == 0 ? "%.4f/%.1f" : "air", merit_between(&state, 1.62, 1.68),
+                      merit_between(&state, 40, 48));
+            MERIT_ADD(text, " 40 c=%.5f k=%.2f A4=%.3e", c, merit_between(&state, -1, 1),
+                      merit_between(&state, -2e-6, 2e-6));
+            if (moves && merit_chance(&state) < 0.5) {
+                MERIT_ADD(text, " decenter=%.3f,%.3f tilt=%.2f,%.2f",
+                          merit_between(&state, -0.2, 0.2), merit_between(&state, -0.2, 0.2),
+                          merit_between(&state, -2, 2), merit_between(&state, -2, 2));
+                MERIT_ADD(names, "decenter_y%d tilt_x%d ", surface + 1, surface + 1);
+            }
+            MERIT_ADD(text, "\n");
+            MERIT_ADD(names, "c%d t%d k%d A4_%d ", surface + 1, surface + 1, surface + 1,
+                      surface + 1);
+            if (side == 0) {
+                MERIT_ADD(names, "n%d V%d ", surface + 1, surface + 1);
+            }
+            surface++;
+        }
+    }
+    names[strlen(names) - 1] = '\0';
+}
+
+/* Many of them. */
+static inline void merit_check_random(const char *goals, bool moves, merit_analysis *analysis)
+{
+    for (unsigned long long seed = 1; seed <= 8; seed++) {
+        char text[MERIT_TEXT], names[MERIT_TEXT];
+        merit_random(seed, moves, text, names);
+        const struct merit_case of = {"by chance", text, names, goals, 2e-9};
+        merit_check(&of, analysis);
+    }
 }
 
 #endif

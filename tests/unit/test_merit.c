@@ -378,5 +378,7 @@ int main(void)
     for (size_t i = 0; i < sizeof cases / sizeof cases[0]; i++) {
         merit_check(&cases[i], analyse);
     }
+    merit_check_random("bfl=100,bfl@F=90,ffl=50,length=20,axial,S1,S2,S3@3deg,S4,S5@C,edge=1,air=1",
+                       false, analyse);
     return check_report();
 }

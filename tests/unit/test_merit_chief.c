@@ -208,5 +208,6 @@ int main(void)
     for (size_t i = 0; i < sizeof cases / sizeof cases[0]; i++) {
         merit_check(&cases[i], analyse);
     }
+    merit_check_random("height@2deg=1,distortion@F,lateral,telecentric@C", true, analyse);
     return check_report();
 }
