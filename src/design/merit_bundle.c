@@ -513,9 +513,11 @@ static void add_links(const struct merit_bundle *bundle, const struct bundle_blo
     for (size_t i = 0; i < links->count; i++) {
         const struct variable_link *link = &links->list[i];
         double *column = columns + link->variable * RAYS_BLOCK;
-        if (bundle->image_moves && link->basis.kind == PARAMETER_THICKNESS &&
-            link->basis.surface == layout->surfaces - 1) {
-            continue; /* the image plane is where the lens has its image, not there */
+        /* the image plane is where the lens has its image, not there */
+        const bool is_image = bundle->image_moves && link->basis.kind == PARAMETER_THICKNESS &&
+                              link->basis.surface == layout->surfaces - 1;
+        if (is_image || variable_link_of_mirror(link, bundle->lights[block->light].system.lens)) {
+            continue;
         }
         const size_t row = derivative_row(layout, link->basis);
         add_row(column, link->slope, bundle->gradient + row * RAYS_BLOCK, block->aimed.lanes);

@@ -103,18 +103,17 @@ static bool sweep_part(struct merit *merit, const struct merit_light *light,
 }
 
 /* The row of a link in a part of the lens; LENS_NONE: nothing there depends on it. */
-static size_t row_of(const struct sweep *sweep, struct parameter basis)
+static size_t row_of(const struct sweep *sweep, const struct variable_link *link)
 {
     const struct lens *part = sweep->system.lens;
+    const struct parameter basis = link->basis;
     const bool is_there = basis.surface == LENS_NONE || basis.surface < part->surface_count;
-    /* a mirror has the medium, and the row, of the surface before it */
-    const bool is_mirror = is_there && basis.kind == PARAMETER_INDEX &&
-                           basis.surface != LENS_NONE &&
-                           surface_reflects(&part->surfaces[basis.surface]);
     /* behind the last surface stands the image plane, which moves by itself */
     const bool is_image =
         basis.kind == PARAMETER_THICKNESS && basis.surface + 1 == part->surface_count;
-    return !is_there || is_mirror || is_image ? LENS_NONE : derivative_row(&sweep->layout, basis);
+    return !is_there || is_image || variable_link_of_mirror(link, part)
+               ? LENS_NONE
+               : derivative_row(&sweep->layout, basis);
 }
 
 /* The end by one variable, where the ray starts always at the same place: added to `slopes`. */
@@ -123,8 +122,7 @@ static void add_links(const struct merit_light *light, const struct sweep *sweep
 {
     for (size_t i = 0; i < light->link_count; i++) {
         const struct variable_link *link = &light->links[i];
-        const size_t row =
-            link->variable == variable ? row_of(sweep, link->basis) : (size_t)LENS_NONE;
+        const size_t row = link->variable == variable ? row_of(sweep, link) : (size_t)LENS_NONE;
         for (size_t k = 0; k < NUMBERS && row != LENS_NONE; k++) {
             slopes[k] += sweep->gradient[row * RAYS_BLOCK + k] * link->slope;
         }

@@ -95,6 +95,15 @@ struct variable_link {
     double slope;
 };
 
+/* Is it the index behind a mirror? Of rays that has the row of the medium before the mirror, which
+   has a link too (trace/derivative.h). */
+static inline bool variable_link_of_mirror(const struct variable_link *link,
+                                           const struct lens *lens)
+{
+    return link->basis.kind == PARAMETER_INDEX && link->basis.surface < lens->surface_count &&
+           surface_reflects(&lens->surfaces[link->basis.surface]);
+}
+
 /* Room that the links of a position may need. */
 size_t variables_most_links(const struct variables *variables);
 

@@ -278,6 +278,13 @@ static void check_derivatives(void)
                                        "surface 90 3 1.5 -\nsurface 400 10 air -\n";
     check_lens(mirrors, "R2 t2 k2 R3 A4_3 t3 n4", &stop, OPERAND_SPOT);
     check_lens(mirrors, "R2 t2 tilt_x3 bend_tilt_y3 bend_decenter_x4", &stop, OPERAND_SPOT);
+    /* light goes through one glass twice */
+    static const char *const mangin = "field angle 0 1\naperture f/8\nfocus paraxial\n"
+                                      "stop - 10 air -\n"
+                                      "surface -150 8 1.52 -\n"
+                                      "surface -200 -8 mirror -\n"
+                                      "surface -150 -60 air -\n";
+    check_lens(mangin, "R2 n2 t2", &stop, OPERAND_SPOT);
 }
 
 /*
