@@ -39,6 +39,7 @@ static const struct merit_kind {
     [OPERAND_AIR] = {merit_fill_shape, merit_prepare_shape},
     [OPERAND_SPOT] = {merit_fill_rays, merit_prepare_rays},
     [OPERAND_POLY] = {merit_fill_rays, merit_prepare_rays},
+    [OPERAND_OPD] = {merit_fill_rays, merit_prepare_rays},
 };
 
 /* -------- opening -------- */

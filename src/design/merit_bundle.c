@@ -32,6 +32,12 @@ static bool check(const struct bundle_wish *wish, struct error *error)
 static bool find_sample(const struct bundle_wish *wish, size_t field, size_t light,
                         struct arena *arena, struct sample *sample, struct error *error)
 {
+    if (wish->is_chief) {
+        sample->points = ARENA_NEW(arena, struct pupil_point);
+        sample->points->weight = 1;
+        sample->count = 1;
+        return true;
+    }
     if (!wish->clip) {
         return sample_make(wish->pattern, wish->rays, wish->seed, arena, sample, error);
     }

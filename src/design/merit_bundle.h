@@ -21,6 +21,7 @@ struct bundle_wish {
     const struct setup_wavelength *wavelengths;
     size_t wavelength_count;
     bool from_entrance, clip, path;
+    bool is_chief; /* the ray through the middle of the pupil only, whatever pattern is asked for */
     bool is_round; /* no variable decentres or tilts anything */
     enum pattern pattern;
     size_t rays;

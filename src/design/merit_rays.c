@@ -1,24 +1,25 @@
-/* design/merit_rays.c - operands of many rays: spots. */
+/* design/merit_rays.c - operands of many rays: spots and wave fronts. */
 /* SPDX-License-Identifier: MIT */
 #include "design/merit_rays.h"
 
 #include "design/merit_bundle.h"
 #include "design/merit_paraxial.h"
+#include "design/merit_sphere.h"
 
 #include <math.h>
 #include <string.h>
 
-enum { COORDINATES = 2 };
-
 /* What a slot keeps. */
 struct merit_rays {
     struct merit_bundle bundle;
-    bool is_joint; /* one centroid of all wavelengths */
+    bool is_joint;               /* one centroid of all wavelengths */
+    int outputs;                 /* of a ray: x and y; of a wave front its path */
+    struct merit_spheres *waves; /* null: of a spot */
     size_t variable_count;
     struct bundle_links *links; /* one a light */
-    /* of each block and coordinate: the values, and a row of them for each variable */
+    /* of each block and output: the values, and a row of them for each variable */
     double *values;
-    double *means; /* of each set of rays that has one centroid, and coordinate: the same */
+    double *means; /* of each set of rays that has one mean, and output: the same */
     double *share; /* what a group counts in its centroid */
 };
 
@@ -72,6 +73,12 @@ static void find_links(struct merit *merit, const struct merit_slot *slot, struc
     }
 }
 
+/* Of rays about the axis x is 0. */
+static int first_output(const struct merit_rays *rays, const struct bundle_group *group)
+{
+    return rays->waves == NULL && group->points.symmetry == SYMMETRY_ROUND ? 1 : 0;
+}
+
 /* Numbers of residuals, and what each group counts in its centroid. */
 static size_t number(struct merit_rays *rays, struct arena *arena)
 {
@@ -84,8 +91,7 @@ static size_t number(struct merit_rays *rays, struct arena *arena)
         struct bundle_group *group = &bundle->groups[i];
         sums[group->field] += group->weight;
         group->row = count;
-        count += group->points.count *
-                 (group->points.symmetry == SYMMETRY_ROUND ? 1 : (size_t)COORDINATES);
+        count += group->points.count * (size_t)(rays->outputs - first_output(rays, group));
     }
     for (size_t i = 0; i < bundle->group_count; i++) {
         const struct bundle_group *group = &bundle->groups[i];
@@ -97,7 +103,7 @@ static size_t number(struct merit_rays *rays, struct arena *arena)
 static void make_room(struct merit_rays *rays, struct arena *arena)
 {
     const struct merit_bundle *bundle = &rays->bundle;
-    const size_t rows = COORDINATES * rows_of(rays);
+    const size_t rows = (size_t)rays->outputs * rows_of(rays);
     rays->values = ARENA_ARRAY(arena, bundle->block_count * rows * RAYS_BLOCK, double);
     rays->means = ARENA_ARRAY(arena, bundle->group_count * rows, double);
 }
@@ -122,6 +128,8 @@ size_t merit_prepare_rays(struct merit *merit, struct merit_slot *slot, struct a
     choose(slot, arena, &wish);
     slot->own = rays;
     rays->is_joint = slot->operand->kind == OPERAND_POLY;
+    rays->outputs = slot->operand->kind == OPERAND_OPD ? 1 : 2;
+    wish.path = slot->operand->kind == OPERAND_OPD;
     rays->variable_count = merit->variable_count;
     rays->bundle.wish = wish;
     rays->links = ARENA_ARRAY(arena, wish.wavelength_count, struct bundle_links);
@@ -135,6 +143,13 @@ size_t merit_prepare_rays(struct merit *merit, struct merit_slot *slot, struct a
                            error)) {
         return 0;
     }
+    if (wish.path) {
+        rays->waves =
+            merit_spheres_open(&wish, &rays->links[0], merit->variable_count, arena, error);
+        if (rays->waves == NULL) {
+            return 0;
+        }
+    }
     make_room(rays, arena);
     return number(rays, arena);
 }
@@ -142,47 +157,62 @@ size_t merit_prepare_rays(struct merit *merit, struct merit_slot *slot, struct a
 /* -------- filling -------- */
 
 /* x or y of a block and all of its derivatives. */
-static double *rows_at(const struct merit_rays *rays, size_t block, int coordinate)
+static double *rows_at(const struct merit_rays *rays, size_t block, int output)
 {
     const size_t rows = rows_of(rays) * RAYS_BLOCK;
-    return rays->values + (block * COORDINATES + (size_t)coordinate) * rows;
+    return rays->values + (block * (size_t)rays->outputs + (size_t)output) * rows;
 }
 
-static double *means_at(const struct merit_rays *rays, size_t group, int coordinate)
+static double *means_at(const struct merit_rays *rays, size_t group, int output)
 {
     const size_t set = rays->is_joint ? rays->bundle.groups[group].field : group;
-    return rays->means + (set * COORDINATES + (size_t)coordinate) * rows_of(rays);
+    return rays->means + (set * (size_t)rays->outputs + (size_t)output) * rows_of(rays);
 }
 
-static bool trace_block(const struct merit *merit, struct merit_rays *rays, size_t block,
+/* The values of an output of the final rays, and what it is by them. */
+static void set_output(const struct merit_rays *rays, const struct bundle_block *block, int output,
+                       const struct ray_block *end, double *values, struct ray_block *adjoint)
+{
+    memset(adjoint, 0, sizeof *adjoint);
+    if (rays->waves != NULL) {
+        merit_spheres_path(rays->waves, &rays->bundle, block, end, values, adjoint);
+        return;
+    }
+    memcpy(values, output == 0 ? end->x : end->y, RAYS_BLOCK * sizeof *values);
+    for (int i = 0; i < block->aimed.lanes; i++) {
+        *(output == 0 ? &adjoint->x[i] : &adjoint->y[i]) = 1;
+    }
+}
+
+static bool trace_block(const struct merit *merit, struct merit_rays *rays, size_t which,
                         struct error *error)
 {
     struct merit_bundle *bundle = &rays->bundle;
-    const struct bundle_links *links = &rays->links[bundle->blocks[block].light];
+    const struct bundle_block *block = &bundle->blocks[which];
     struct ray_block end, adjoint;
-    if (!merit_bundle_trace(bundle, block, merit->derives, &end, error)) {
+    if (!merit_bundle_trace(bundle, which, merit->derives, &end, error)) {
         return false;
     }
-    for (int k = 0; k < COORDINATES; k++) {
-        double *rows = rows_at(rays, block, k);
-        memcpy(rows, k == 0 ? end.x : end.y, RAYS_BLOCK * sizeof *rows);
-        if (merit->derives) {
-            memset(&adjoint, 0, sizeof adjoint);
-            for (int i = 0; i < bundle->blocks[block].aimed.lanes; i++) {
-                *(k == 0 ? &adjoint.x[i] : &adjoint.y[i]) = 1;
-            }
-            merit_bundle_sweep(bundle, block, links, rays->variable_count, &adjoint,
-                               rows + RAYS_BLOCK);
+    for (int k = 0; k < rays->outputs; k++) {
+        double *rows = rows_at(rays, which, k);
+        set_output(rays, block, k, &end, rows, &adjoint);
+        if (!merit->derives) {
+            continue;
+        }
+        merit_bundle_sweep(bundle, which, &rays->links[block->light], rays->variable_count,
+                           &adjoint, rows + RAYS_BLOCK);
+        if (rays->waves != NULL) {
+            merit_spheres_move(rays->waves, bundle, block, &end, rows + RAYS_BLOCK);
         }
     }
     return true;
 }
 
-/* A coordinate whose mean is 0 by symmetry. */
-static bool is_centred(const struct bundle_group *group, int coordinate)
+/* x or y whose mean is 0 by symmetry. */
+static bool is_centred(const struct merit_rays *rays, const struct bundle_group *group, int output)
 {
-    return group->points.symmetry == SYMMETRY_ROUND ||
-           (group->points.symmetry == SYMMETRY_MIRROR && coordinate == 0);
+    return rays->waves == NULL && (group->points.symmetry == SYMMETRY_ROUND ||
+                                   (group->points.symmetry == SYMMETRY_MIRROR && output == 0));
 }
 
 /* What the rays of a block add to the means. */
@@ -198,10 +228,10 @@ static void add_means(struct merit_rays *rays, size_t which, size_t rows)
         for (int i = 0; i < beam->count; i++) {
             weights[i] = points[i].weight * rays->share[share->group];
         }
-        for (int k = 0; k < COORDINATES; k++) {
+        for (int k = 0; k < rays->outputs; k++) {
             double *means = means_at(rays, share->group, k);
             const double *from = rows_at(rays, which, k) + beam->first;
-            for (size_t j = 0; j < rows && !is_centred(group, k); j++, from += RAYS_BLOCK) {
+            for (size_t j = 0; j < rows && !is_centred(rays, group, k); j++, from += RAYS_BLOCK) {
                 double sum = 0;
                 for (int i = 0; i < beam->count; i++) {
                     sum += weights[i] * from[i];
@@ -237,18 +267,20 @@ static void put_block(const struct merit_rays *rays, size_t which, double deviat
                       double *residuals, double *jacobian)
 {
     const struct bundle_block *block = &rays->bundle.blocks[which];
+    const double um = 1e-3, wavelength = um * rays->bundle.lights[block->light].wavelength;
+    const double unit = deviation * (rays->waves != NULL ? wavelength : 1);
     for (size_t g = 0; g < block->aimed.beam_count; g++) {
         const struct bundle_share *share = &block->shares[g];
         const struct bundle_group *group = &rays->bundle.groups[share->group];
         const struct aimed_beam *beam = &block->aimed.beams[g];
-        const bool is_round = group->points.symmetry == SYMMETRY_ROUND;
+        const int begin = first_output(rays, group);
         struct part part = {.count = beam->count};
         for (int i = 0; i < part.count; i++) {
             const double weight = group->points.points[share->first + (size_t)i].weight;
-            part.factors[i] = sqrt(weight * group->weight) / deviation;
+            part.factors[i] = sqrt(weight * group->weight) / unit;
         }
-        for (int k = is_round ? 1 : 0; k < COORDINATES; k++) {
-            const size_t before = is_round ? 0 : (size_t)k * group->points.count;
+        for (int k = begin; k < rays->outputs; k++) {
+            const size_t before = (size_t)(k - begin) * group->points.count;
             const size_t row = group->row + before + share->first;
             part.rows = rows_at(rays, which, k) + beam->first;
             part.means = means_at(rays, share->group, k);
@@ -256,6 +288,24 @@ static void put_block(const struct merit_rays *rays, size_t which, double deviat
                      jacobian != NULL ? jacobian + row * rays->variable_count : NULL);
         }
     }
+}
+
+/* The exit pupil is that of the first wavelength. */
+static bool find_spheres(struct merit *merit, const struct merit_slot *slot,
+                         const struct merit_figures *primary, struct merit_rays *rays)
+{
+    struct merit_spheres *waves = rays->waves;
+    const struct merit_figures *figures =
+        merit_figures(merit, slot, rays->bundle.wish.wavelengths[0].wavelength);
+    if (figures == NULL || !merit_bundle_aim(&waves->chief, merit->places[slot->place].lens,
+                                             &primary[0].first, &merit->why)) {
+        return false;
+    }
+    for (size_t j = 0; j < merit_columns(merit); j++) {
+        waves->pupil[j] = figures[j].first.exit_pupil;
+        waves->chief.rates[j] = merit_bundle_rate(&waves->chief, &primary[j].first);
+    }
+    return merit_spheres_find(waves, &rays->links[0], merit->derives, &merit->why);
 }
 
 bool merit_fill_rays(struct merit *merit, const struct merit_slot *slot, double *residuals,
@@ -273,7 +323,11 @@ bool merit_fill_rays(struct merit *merit, const struct merit_slot *slot, double 
         bundle->rates[j] = merit_bundle_rate(bundle, &figures[j].first);
     }
     find_links(merit, slot, rays);
-    memset(rays->means, 0, bundle->group_count * COORDINATES * rows_of(rays) * sizeof(double));
+    if (rays->waves != NULL && !find_spheres(merit, slot, figures, rays)) {
+        return false;
+    }
+    memset(rays->means, 0,
+           bundle->group_count * (size_t)rays->outputs * rows_of(rays) * sizeof(double));
     for (size_t k = 0; k < bundle->block_count; k++) {
         if (!trace_block(merit, rays, k, &merit->why)) {
             return false;

@@ -1,4 +1,4 @@
-/* design/merit_rays.h - operands of many rays: spots. */
+/* design/merit_rays.h - operands of many rays: spots and wave fronts. */
 /* SPDX-License-Identifier: MIT */
 #ifndef LENSCALC_DESIGN_MERIT_RAYS_H
 #define LENSCALC_DESIGN_MERIT_RAYS_H
@@ -14,6 +14,12 @@
  *           to 1, W that of the field times that of the wavelength. So the squares add up to the
  *           sum of W RMS^2 of the spots (analysis/spot.h), in mm^2. The mean is that of the
  *           rays of a field at one wavelength; of `poly` that of all wavelengths, by their weights
+ * opd: one residual a ray, sqrt(W w) (L - mean L)/wavelength/deviation, L the optical path to the
+ * reference sphere (analysis/opd.h) about the point where the chief ray of the first wavelength
+ * meets the image plane, through that ray's crossing of its paraxial exit pupil; the mean is that
+ * of each wavelength. The squares add up to the sum of W RMS^2 in wavelengths. Of the index of the
+ * image space itself only what it does to rays is derived
+ *
  * Errors    of merit_prepare_rays: as merit_bundle_open; a target, a relation but '='. Of
  *           merit_fill_rays: a ray that is lost, or cannot be aimed
  */

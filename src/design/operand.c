@@ -43,6 +43,7 @@ static const struct operand_type types[OPERAND_KINDS] = {
                      SURFACES | TARGET},
     [OPERAND_SPOT] = {"spot", "spots, each about its own centroid", LENGTH, W | F},
     [OPERAND_POLY] = {"poly", "spots, of all wavelengths about one centroid", LENGTH, W | F},
+    [OPERAND_OPD] = {"opd", "optical path differences, wavelengths", NUMBER, W | F},
 };
 /* clang-format on */
 

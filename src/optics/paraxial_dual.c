@@ -224,6 +224,12 @@ static void set_cardinal(const struct paraxial_dual *dual, const struct dual_que
     }
     first->entrance_scale = inverse(rays->stop_a);
     first->entrance_pupil = dual_divide(dual_multiply(n, rays->stop_b), rays->stop_a);
+    /* where the ray through the centre of the stop, of heights -b1, and a1 the slope, leaves for */
+    const struct dual chief_y = dual_subtract(dual_multiply(rays->slope.y, rays->stop_a),
+                                              dual_multiply(rays->height.y, rays->stop_b));
+    const struct dual chief_v =
+        dual_subtract(dual_multiply(rays->slope.v, rays->stop_a), dual_multiply(c, rays->stop_b));
+    first->exit_pupil = dual_scale(dual_divide(dual_multiply(last, chief_y), chief_v), -1);
 }
 
 /* Of the marginal ray of a numerical aperture: tan(asin(na/n)). */

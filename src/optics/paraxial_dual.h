@@ -68,6 +68,7 @@ struct dual_first {
     struct dual petzval;                        /* 1 over the Petzval radius: -n' sum, 1/mm */
     struct dual length;                         /* first to last vertex, mm */
     struct dual entrance_pupil, entrance_scale; /* mm; 1 */
+    struct dual exit_pupil;                     /* mm */
     struct dual stop_radius, entrance_radius;   /* mm, signed */
     struct dual fnumber, working_fnumber;
     struct dual marginal_y, marginal_v; /* before the first vertex: mm; n u */

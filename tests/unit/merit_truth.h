@@ -18,6 +18,7 @@ struct truth_first {
     real pupil, radius; /* entrance pupil: place, and radius */
     real stop;          /* radius */
     real image, power, magnification, n;
+    real exit; /* place of the exit pupil */
 };
 
 static real truth_size(real x)
@@ -95,6 +96,9 @@ static struct truth_first truth_first_of(const struct system *primary, double fn
         first.magnification = 1 / (whole.v[0] * reach + whole.v[1]);
         first.image = -last * (whole.y[0] * reach + whole.y[1]) * first.magnification;
     }
+    /* the chief ray of height -b1 and slope a1 */
+    first.exit = -last * (whole.y[1] * front.y[0] - whole.y[0] * front.y[1]) /
+                 (whole.v[1] * front.y[0] - whole.v[0] * front.y[1]);
     first.radius = truth_radius(lens, &first, last, fnumber);
     first.stop = truth_size(first.radius * front.y[0]);
     if (lens->aperture_kind == APERTURE_STOP && isnan(fnumber)) {
@@ -140,6 +144,10 @@ static struct precise_ray truth_ray(const struct lens *lens, const struct field_
         ray.x[k] = through[k] - u[k] * through[2] / u[2];
         ray.p[k] = first->n * u[k] / length;
     }
+    /* less that to the first vertex, or whatever is the same for all rays of the point */
+    ray.path = lens->object_is_infinite
+                   ? ray.x[0] * ray.p[0] + ray.x[1] * ray.p[1]
+                   : first->n * (length * (1 - through[2] / u[2]) - precise_of(lens->object.value));
     return ray;
 }
 
@@ -202,8 +210,8 @@ static bool truth_aim(const struct truth_question *q, struct precise_ray *ray)
     return true;
 }
 
-/* Where it meets the image plane. */
-static bool truth_image(const struct truth_question *q, real at[2])
+/* Where it meets the image plane, with its path. */
+static bool truth_end(const struct truth_question *q, struct precise_ray *end)
 {
     const struct truth_first *first = q->first;
     const real through[3] = {q->x * first->radius, q->y * first->radius, first->pupil};
@@ -213,15 +221,34 @@ static bool truth_image(const struct truth_question *q, real at[2])
     } else if (!truth_aim(q, &ray)) {
         return false;
     }
-    for (size_t i = 0; i < q->system->lens->surface_count; i++) {
+    const struct lens *lens = q->system->lens;
+    for (size_t i = 0; i < lens->surface_count; i++) {
         if (!precise_surface(&ray, q->system, i)) {
             return false;
         }
     }
-    for (int k = 0; k < 2; k++) {
-        at[k] = ray.x[k] + (first->image - ray.x[2]) / ray.p[2] * ray.p[k];
-    }
+    const real n = precise_of(q->system->n[lens->surface_count]);
+    ray.x[2] -= first->image;
+    precise_advance(&ray, -ray.x[2] / ray.p[2], n * n);
+    *end = ray;
     return true;
+}
+
+/* The optical path to the sphere about a chief ray's end, through its crossing of a plane. */
+static real truth_path(const struct precise_ray *chief, const struct precise_ray *ray, real pupil,
+                       real n)
+{
+    const real way = n * pupil / chief->p[2], R2 = way * way;
+    real along = 0, square = 0;
+    for (int k = 0; k < 2; k++) {
+        const real d = ray->x[k] - chief->x[k];
+        along += d * ray->p[k] / n;
+        square += d * d;
+    }
+    /* |X + t e - C| = R, on the side of the pupil */
+    const real root = precise_root(along * along - square + R2);
+    const real t = way > 0 ? -along + root : -along - root;
+    return ray->path + n * (t - way);
 }
 
 #endif
