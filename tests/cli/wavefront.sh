@@ -23,3 +23,4 @@ lenscalc wavefront double-gauss -N 5.6 --field 0 --map map.pfm --size 16 > rows 
 lenscalc wavefront double-gauss -N 5.6 --field 0 --map map.png --size 16 > rows && head -c 4 map.png | tail -c 3
 printf 'lens ideal\nobject inf\naperture stop\nstop - 0 air 10\nthick 50 0 air 12\n' | lenscalc wavefront -
 lenscalc wavefront questar-35 hubble-rc --field 0 --size 8 --columns field --csv --plot both.svg && grep -c '<image' both.svg && grep -o '>[^<>]*waves</text>' both.svg
+printf "$telescope" | lenscalc wavefront - --size 8 --columns field --csv --plot telescope.svg && grep -o '>against[^<]*' telescope.svg

@@ -2,6 +2,8 @@
 /* SPDX-License-Identifier: MIT */
 #include "commands/analysis/analysis_words.h"
 
+#include <math.h>
+
 #include "base/number.h"
 
 const char *analysis_case_words(const struct analysis_case *one, bool whole, struct arena *arena)
@@ -28,9 +30,13 @@ const char *analysis_case_words(const struct analysis_case *one, bool whole, str
                                  parts[i].behind);
         }
     }
-    return !whole ? words
-                  : arena_printf(arena, "%s; image plane %s, %.6g mm from the last vertex", words,
-                                 setup->focus != NULL ? setup->focus : "none", setup->image);
+    if (!whole) {
+        return words;
+    }
+    return isnan(setup->image)
+               ? arena_printf(arena, "%s; image infinitely far away", words)
+               : arena_printf(arena, "%s; image plane %s, %.6g mm from the last vertex", words,
+                              setup->focus != NULL ? setup->focus : "none", setup->image);
 }
 
 const char *analysis_spectrum_words(const struct setup *setup)
