@@ -174,6 +174,11 @@ static bool settle(struct gathering *all, struct real_point *point, struct error
 
 /* -------- blurs -------- */
 
+double blur_rule_reach(struct blur_rule rule)
+{
+    return rule.measure == BLUR_MTF ? lobe / (PI * rule.at) : INFINITY;
+}
+
 /* The diameter of the disc whose MTF this is, mm. */
 static double disc_of_mtf(double mtf, double frequency)
 {
@@ -221,6 +226,13 @@ static double energy_radius(const struct real_focus *focus, const struct real_po
     return radius;
 }
 
+/* Is a film so far off that contrast comes back upside down, or rays are too few to tell it? */
+static bool is_beyond(const struct real_point *point, double shift, struct blur_rule rule)
+{
+    const double disc = 2 * sqrt(2 * point->spread) * fabs(shift);
+    return disc > blur_rule_reach(rule) + 2 * sqrt(2 * point->square);
+}
+
 double real_focus_blur(const struct real_focus *focus, const struct real_point *point, double film)
 {
     const struct blur_rule rule = focus->rule;
@@ -229,16 +241,12 @@ double real_focus_blur(const struct real_focus *focus, const struct real_point *
     case BLUR_ENERGY:
         return 2 * energy_radius(focus, point, shift) / sqrt(rule.at);
     case BLUR_MTF:
-        return disc_of_mtf(mtf_of(point, shift, rule.at), rule.at);
+        return is_beyond(point, shift, rule) ? blur_rule_reach(rule)
+                                             : disc_of_mtf(mtf_of(point, shift, rule.at), rule.at);
     case BLUR_RMS:
         break;
     }
     return 2 * sqrt(2 * (point->square + point->spread * shift * shift));
-}
-
-double blur_rule_reach(struct blur_rule rule)
-{
-    return rule.measure == BLUR_MTF ? lobe / (PI * rule.at) : INFINITY;
 }
 
 /* The film of least blur, about the nearest: as far to both sides as the rays spread there. */

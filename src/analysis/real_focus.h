@@ -84,7 +84,7 @@ bool real_focus_point(const struct real_focus *focus, double object, struct real
  * Formula   RMS: 2 sqrt(2) s, s^2 = square + spread (film - nearest)^2
  *           energy: 2 r/sqrt(share), r the radius that holds the share
  *           MTF: d with 2 J1(pi d F)/(pi d F) = mean of cos(2 pi F x), in the first lobe of J1:
- *           at most 5.1356/(pi F); the mean of x and y
+ *           at most 5.1356/(pi F), and that where the film is farther off; the mean of x and y
  * Source    a disc has the mean square d^2/8, the share (2 r/d)^2, and that transform
  */
 double real_focus_blur(const struct real_focus *focus, const struct real_point *point, double film);

@@ -143,6 +143,18 @@ static double nearest_vergence(const struct equation *equation)
     return equation->front > 0 ? inside / equation->front : INFINITY;
 }
 
+/* Of the far limit; 0: infinity is sharp; NaN: it is not found. */
+static double far_vergence(struct equation *equation, double v, double step, double at_infinity)
+{
+    const bool sharp = !(at_infinity > equation->c);
+    /* contrast may come back after it was lost */
+    if (sharp && equation->focus->rule.measure != BLUR_MTF) {
+        return 0;
+    }
+    const double far = root_beyond(excess_of_object, equation, v, -step, 0);
+    return sharp && isnan(far) ? 0 : far;
+}
+
 static bool find_objects(struct equation *equation, double distance, double step,
                          struct real_range *range)
 {
@@ -152,8 +164,11 @@ static bool find_objects(struct equation *equation, double distance, double step
         return false;
     }
     near = root_beyond(excess_of_object, equation, v, step, nearest_vergence(equation));
-    if (range->blur_at_infinity > equation->c && v > 0) {
-        far = root_beyond(excess_of_object, equation, v, -step, 0);
+    if (v > 0) {
+        far = far_vergence(equation, v, step, range->blur_at_infinity);
+    }
+    if (!(range->blur_at_infinity < blur_rule_reach(equation->focus->rule))) {
+        range->blur_at_infinity = NAN;
     }
     range->near = 1 / near;
     range->far = far > 0 ? 1 / far : INFINITY;
@@ -182,7 +197,7 @@ bool real_range_find(const struct real_focus *focus, double front, double distan
     if (!(range->blur < c)) {
         return fail(error, ERROR_DOMAIN,
                     "no distance is sharp: even the sharpest image is as blurred as a disc of "
-                    "%.6g mm, the circle of confusion is %.6g mm",
+                    "%.4g mm, the circle of confusion is %.4g mm",
                     range->blur, c);
     }
     find_films(&equation, range);

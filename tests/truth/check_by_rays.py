@@ -64,6 +64,18 @@ def check_ideal(checks, program, folder, before, diameter, s):
     exit, place = diameter * f / (f - before), -before * f / (f - before)
     depth = 2 * C * (f * (1 + m) - place) / exit
     near(checks, words, "depth of focus", said["depth_of_focus_mm"], depth, 1e-9)
+    # a disc is a disc by every rule; contrast comes back beyond its first zeros, sharpness does not
+    for rule, tolerance in (("energy80", 2e-3), ("mtf@20/mm", 1e-5), ("mtf@40/mm", 1e-5)):
+        words = f"dof --lens {path} -s {s!r}mm --exact --criterion {rule}"
+        said = row(checks, program, words)
+        near(checks, words, "near", said["near_m"], (X / (1 + e) + before) / 1000, tolerance)
+        far = (X / (1 - e) + before) / 1000 if e < 1 else None
+        checks.check((said["far_m"] is None) == (far is None), f"{words}: far is {said['far_m']}")
+        if far and said["far_m"]:
+            near(checks, words, "far", said["far_m"], far, tolerance / (1 - e))
+        blur = said["blur_at_infinity_mm"]
+        checks.check(blur is None or abs(blur / (m * diameter) - 1) <= 2e-3,
+                     f"{words}: infinity is blurred by {blur} mm")
     words = f"fov --lens {path} -s {s!r}mm --exact"
     said = row(checks, program, words)
     angle = 2 * math.atan(math.hypot(18, 12) / (f * (1 + m) - place) * f / (f - before))
