@@ -25,4 +25,6 @@ for question in "spot double-gauss --field 0,5,80,10 -w d,F --json" \
     done
     rm -f spots.svg
 done
+lenscalc report double-gauss -N 8 -o one.html && lenscalc report double-gauss -N 8 -o two.html --threads 2 &&
+    cmp one.html two.html
 lenscalc spot double-gauss --threads -1

@@ -1,6 +1,7 @@
 /* commands/analysis/cmd_report.c - lenscalc report: all about a lens on one page. */
 /* SPDX-License-Identifier: MIT */
 #include "base/number.h"
+#include "base/parallel.h"
 #include "cli/driver.h"
 #include "commands/analysis/report_page.h"
 #include "commands/lens/lens_options.h"
@@ -11,6 +12,7 @@
 
 struct input {
     struct lens_question question;
+    long threads; /* 0 = one a core */
 };
 
 static const struct option options[] = {
@@ -18,10 +20,20 @@ static const struct option options[] = {
     LENS_FNUMBER_OPTION(struct input, question),
     {OPTION(struct input, question.position), .name = "position", .value = "NAME",
      .help = "a name or focal length (135mm), a list, or all; default up to three of them"},
+    {OPTION(struct input, threads), .name = "threads", .lowest = 0, .highest = PARALLEL_MOST,
+     .value = "N", .fallback = "1",
+     .help = "threads that share the fields of an analysis; 0 = one a core"},
 };
 
 /* What a part needs of the options. */
-enum { TAKES_FNUMBER = 1, TAKES_POSITION = 2, TAKES_BOTH = 3, OF_WHOLE_LENS = 4 };
+enum {
+    TAKES_FNUMBER = 1,
+    TAKES_POSITION = 2,
+    TAKES_BOTH = TAKES_FNUMBER | TAKES_POSITION,
+    OF_WHOLE_LENS = 4,
+    TAKES_THREADS = 8,
+    TAKES_ALL = TAKES_BOTH | TAKES_THREADS
+};
 
 /* A part: a command, and which of its drawings; without one its rows. */
 struct section {
@@ -36,19 +48,19 @@ static const struct section sections[] = {
     {"First-order data", "lens", NULL, TAKES_BOTH, false},
     {"Surfaces", "surfaces", NULL, TAKES_BOTH, false},
     {"Third order", "seidel", "--plot", TAKES_BOTH, true},
-    {"Ray fans", "fan", "--plot", TAKES_BOTH, true},
-    {"Spots", "spot", "--plot", TAKES_BOTH, true},
-    {"Spots in numbers", "spot", NULL, TAKES_BOTH, false},
-    {"Wave fronts", "wavefront", "--plot", TAKES_BOTH, true},
-    {"Wave fronts in numbers", "wavefront", NULL, TAKES_BOTH, false},
+    {"Ray fans", "fan", "--plot", TAKES_ALL, true},
+    {"Spots", "spot", "--plot", TAKES_ALL, true},
+    {"Spots in numbers", "spot", NULL, TAKES_ALL, false},
+    {"Wave fronts", "wavefront", "--plot", TAKES_ALL, true},
+    {"Wave fronts in numbers", "wavefront", NULL, TAKES_ALL, false},
     {"Contrast", "mtf", "--plot", TAKES_BOTH, true},
     {"Contrast in numbers", "mtf", NULL, TAKES_BOTH, false},
     {"Field curvature", "field", "--plot", TAKES_BOTH, true},
     {"Distortion", "distortion", "--plot", TAKES_BOTH, true},
-    {"Light over the image", "illumination", "--plot", TAKES_BOTH, true},
+    {"Light over the image", "illumination", "--plot", TAKES_ALL, true},
     {"Colour", "color", "--plot", TAKES_BOTH, true},
 };
-enum { SECTIONS = sizeof sections / sizeof sections[0], MOST_WORDS = 8, MOST_POSITIONS = 3 };
+enum { SECTIONS = sizeof sections / sizeof sections[0], MOST_WORDS = 10, MOST_POSITIONS = 3 };
 
 /* A page in the making. */
 struct writer {
@@ -127,6 +139,10 @@ static void add_part(struct writer *writer, const struct section *part, const ch
     *page = (struct page_part){.title = part->title,
                                .command = command_line(part, words, count, arena),
                                .is_drawing = part->is_drawing};
+    if (writer->input->threads != 1 && (part->takes & TAKES_THREADS) != 0) {
+        words[count++] = word("--threads", arena); /* which change nothing that is shown */
+        words[count++] = number_word((double)writer->input->threads, arena);
+    }
     if (part->takes == OF_WHOLE_LENS && strcmp(question->lens.name, from_pipe) == 0) {
         page->text = lens_write(question->lens.lens, arena); /* a pipe is not read again */
         return;
