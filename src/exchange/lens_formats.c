@@ -166,7 +166,7 @@ static bool lose_settings(struct foreign_job *job, const struct foreign_format *
                                           format->type.ending, all);
 }
 
-/* What follows what, and what is wanted, where the file has no words for it. */
+/* What is wanted, and what varies in a position, where the file has no words for it. */
 static bool lose_design(struct foreign_job *job, const struct foreign_format *format,
                         const struct lens *lens, struct error *error)
 {
@@ -175,11 +175,7 @@ static bool lose_design(struct foreign_job *job, const struct foreign_format *fo
     for (size_t i = 0; i < lens->variable_count; i++) {
         is_marked = is_marked || lens->variables[i].varies != NULL;
     }
-    return (lens->pickup_count == 0 ||
-            foreign_lose(job, error,
-                         "pick-ups in a %s file" LOSS_IS_MUTE LOSS_INSTEAD "their numbers are kept",
-                         ending)) &&
-           (lens->goal_count == 0 ||
+    return (lens->goal_count == 0 ||
             foreign_lose(job, error, "goals in a %s file" LOSS_IS_MUTE LOSS_INSTEAD "left out",
                          ending)) &&
            (!is_marked ||

@@ -262,5 +262,9 @@ bool sequence_finish(struct sequence *sequence, struct error *error)
         solve->is_set = false; /* 'focus paraxial' solves it whenever it is asked for */
     }
     foreign_mark_power(sequence->job, sequence->build);
-    return put_image(sequence, is_solved, error) && sequence_solve_all(sequence, indices, error);
+    if (!put_image(sequence, is_solved, error) || !sequence_solve_all(sequence, indices, error)) {
+        return false;
+    }
+    sequence_keep_pickups(sequence);
+    return true;
 }

@@ -162,6 +162,9 @@ bool sequence_finish(struct sequence *sequence, struct error *error);
  */
 bool sequence_apply_pickups(const struct sequence *sequence, struct error *error);
 
+/* What of them says the same of the lens, which is whole, becomes its own. */
+void sequence_keep_pickups(const struct sequence *sequence);
+
 /* The solves; `indices` are those of the lens's surfaces. A part of sequence_finish. */
 bool sequence_solve_all(const struct sequence *sequence, const size_t *indices,
                         struct error *error);

@@ -1,5 +1,6 @@
 /* exchange/sequence_pickup.c - numbers that follow those of other surfaces. */
 /* SPDX-License-Identifier: MIT */
+#include "exchange/keep_pickup.h"
 #include "exchange/sequence.h"
 
 #include <math.h>
@@ -219,4 +220,70 @@ bool sequence_apply_pickups(const struct sequence *sequence, struct error *error
         }
     }
     return true;
+}
+
+static void keep(const struct sequence *sequence, const struct sequence_pickup *pickup,
+                 enum parameter_kind kind, int order, struct pair factor)
+{
+    const struct parameter what = {sequence->surfaces[pickup->target].place, kind, order};
+    const struct parameter from = {sequence->surfaces[pickup->source].place, kind, order};
+    keep_pickup(sequence->build->lens, what, from, factor, pickup->offset, sequence->job->arena);
+}
+
+/* The curve of a surface, its conic and its coefficients. */
+static void keep_profile(const struct sequence *sequence, const struct sequence_pickup *pickup)
+{
+    const struct sequence_surface *source = &sequence->surfaces[pickup->source];
+    keep(sequence, pickup, PARAMETER_CURVATURE, 0, pickup->scale);
+    if (sequence_is_some(&source->conic)) {
+        keep(sequence, pickup, PARAMETER_CONIC, 0, pair_of(1));
+    }
+    for (int i = 0; i < LENS_COEFFICIENTS; i++) {
+        if ((source->coefficients & 1u << i) != 0) {
+            keep(sequence, pickup, PARAMETER_COEFFICIENT, surface_order(i),
+                 pair_of(pickup->scale.hi < 0 ? -1 : 1));
+        }
+    }
+}
+
+void sequence_keep_pickups(const struct sequence *sequence)
+{
+    for (size_t i = 0; i < sequence->pickup_count && !sequence->has_positions; i++) {
+        const struct sequence_pickup *pickup = &sequence->pickups[i];
+        const struct sequence_surface *source = &sequence->surfaces[pickup->source],
+                                      *target = &sequence->surfaces[pickup->target];
+        bool within = pickup->source > 0 && pickup->target > 0 &&
+                      pickup->source + 1 < sequence->count && pickup->target + 1 < sequence->count;
+        bool gaps = source->planes_behind == 0 && target->planes_behind == 0;
+        bool one = pickup->what != SEQUENCE_LENGTH || pickup->end == pickup->source + 1;
+        if (!within) {
+            continue;
+        }
+        switch (pickup->what) {
+        case SEQUENCE_RADIUS:
+            keep(sequence, pickup, PARAMETER_RADIUS, 0, pickup->scale);
+            break;
+        case SEQUENCE_CURVATURE:
+            keep(sequence, pickup, PARAMETER_CURVATURE, 0, pickup->scale);
+            break;
+        case SEQUENCE_PROFILE:
+            keep_profile(sequence, pickup);
+            break;
+        case SEQUENCE_CONIC:
+            keep(sequence, pickup, PARAMETER_CONIC, 0, pickup->scale);
+            break;
+        case SEQUENCE_THICKNESS:
+        case SEQUENCE_LENGTH:
+            if (gaps && one) {
+                keep(sequence, pickup, PARAMETER_THICKNESS, 0, pickup->scale);
+            }
+            break;
+        case SEQUENCE_MEDIUM:
+            keep(sequence, pickup, PARAMETER_GLASS, 0, pair_of(1));
+            break;
+        case SEQUENCE_DIAMETER:
+        case SEQUENCE_TURNS:
+            break;
+        }
+    }
 }

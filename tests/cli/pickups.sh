@@ -34,6 +34,53 @@ lenscalc convert typed.lens | diff own.lens -
 grep -v 'thick\|surface     40' own.lens | sed '/glass5/d' > plain.lens
 for to in zmx seq len dat; do lenscalc convert plain.lens --to $to > /dev/null; done
 lenscalc convert plain.lens --to zmx --lossy | tr -d '\r' | grep 'CURV\|NOTE'
+# of other programs: what the lens has to the last bit is kept
+cat > pik.seq <<'END'
+RDM
+LEN NEW
+DIM M
+EPD 10
+WL 587.6
+SO 0 1e20
+S 50 3 600600
+S -50 2
+STO
+S 80 2 600600
+S -50 2
+S 0 40
+SI 0 0
+PIK RDY S5 Z1 RDY S1 Z1 -1.0 0.0
+PIK THI S4 Z1 THI S1 Z1 0.5 1.0
+PIK CUY S2 Z1 CUY S1 Z1 -0.8
+PIK GLA S4 Z1 GLA S1 Z1
+GO
+END
+lenscalc convert pik.seq -o pik.lens; grep 'pickup\|surface' pik.lens
+lenscalc convert pik.lens | diff pik.lens -
+cat > pzup.zmx <<'END'
+MODE SEQ
+UNIT MM
+ENPD 10
+SURF 0
+  TYPE STANDARD
+  DISZ INFINITY
+SURF 1
+  STOP
+  TYPE STANDARD
+  CURV 0.02 0
+  DISZ 3
+  GLAS ___BLANK 1 0 1.6 60 0
+SURF 2
+  TYPE STANDARD
+  CURV -0.02 4 1 -1 0 0
+  DISZ 4
+  PZUP 1 1 1 0
+SURF 3
+  TYPE STANDARD
+  CURV 0 0
+  DISZ 0
+END
+lenscalc convert pzup.zmx | grep 'pickup\|surface'
 # what cannot be
 say() { printf 'position a b\nlet d2 2 5\nsurface 50 3 1.5/60 20 R~\nsurface -50 d2 air 20
 surface 60 5 N-BK7 20\nsurface -60 3 air 20\n%s\n' "$1" > bad.lens; lenscalc lens bad.lens > out; }

@@ -200,6 +200,9 @@ static bool convert(struct conversion *conversion, const struct foreign_format *
         growing_format(&lost, "%s: lost: %s: --reverse has no mark for what lies before the lens\n",
                        input->lens.source, conversion->left_out);
     }
+    if (format != NULL && !format->has_design && conversion->lens->pickup_count > 0) {
+        growing_format(&lost, "%s: lost: pick-ups: their numbers are kept\n", input->lens.source);
+    }
     if (conversion->goals > 0) {
         growing_format(&lost, "%s: lost: %zu goals: they are of the lens as it was\n",
                        input->lens.source, conversion->goals);

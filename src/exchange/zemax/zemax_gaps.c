@@ -119,5 +119,6 @@ bool zemax_thicknesses(struct zemax_file *file, const size_t *places, struct err
     }
     zemax_remark_solves(&solving);
     put_numbers(&solving);
+    zemax_keep_pickups(&solving);
     return true;
 }

@@ -2,6 +2,7 @@
 /* SPDX-License-Identifier: MIT */
 #include "exchange/zemax/zemax_solve.h"
 
+#include "exchange/keep_pickup.h"
 #include "file/lens_solve.h"
 
 #include <math.h>
@@ -402,5 +403,46 @@ void zemax_remark_solves(const struct solving *solving)
             from->thickness->count > 0) {
             remark(file, "thickness", i, &solving->thickness[i], &from->thickness->numbers[0]);
         }
+    }
+}
+
+/* CURV c 4 surface scale */
+static void keep_curve(const struct solving *solving, size_t at)
+{
+    const struct zemax_line *line = solving->file->surfaces[at].curvature;
+    double from = zemax_number(line, 2);
+    if (line != NULL && line->count > 3 && zemax_number(line, 1) == PICK_UP &&
+        solving->curvature[at].typed.start != NULL && from >= 1 && from < (double)at) {
+        keep_pickup(solving->file->build.lens,
+                    (struct parameter){solving->places[at], PARAMETER_CURVATURE, 0},
+                    (struct parameter){solving->places[(size_t)from], PARAMETER_CURVATURE, 0},
+                    line->numbers[3].value, pair_of(0), solving->file->job->arena);
+    }
+}
+
+/* PZUP surface scale offset */
+static void keep_gap(const struct solving *solving, size_t at)
+{
+    const struct zemax_file *file = solving->file;
+    const struct zemax_line *line = file->surfaces[at].solve;
+    const size_t *places = solving->places;
+    double from = zemax_number(line, 0);
+    if (line != NULL && text_same(line->keyword, "PZUP") && line->count >= 2 &&
+        zemax_number(line, 3) == 0 && from >= 1 && from < (double)at && places[at] != LENS_NONE &&
+        places[(size_t)from] != LENS_NONE) {
+        size_t what = zemax_gap_place(file, places, at);
+        size_t source = zemax_gap_place(file, places, (size_t)from);
+        keep_pickup(file->build.lens, (struct parameter){what, PARAMETER_THICKNESS, 0},
+                    (struct parameter){source, PARAMETER_THICKNESS, 0}, line->numbers[1].value,
+                    length_of(solving, line, 2), file->job->arena);
+    }
+}
+
+void zemax_keep_pickups(const struct solving *solving)
+{
+    const struct zemax_file *file = solving->file;
+    for (size_t i = 1; i + 1 < file->surface_count && file->configurations < 2; i++) {
+        keep_curve(solving, i);
+        keep_gap(solving, i);
     }
 }

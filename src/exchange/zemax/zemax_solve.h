@@ -26,6 +26,9 @@ bool zemax_solve_surface(struct solving *solving, size_t at, struct error *error
 /* Notes of the lens where a solve gives another number than the file has, beyond its rounding. */
 void zemax_remark_solves(const struct solving *solving);
 
+/* Pick-ups of curvatures and thicknesses become those of the lens, whose numbers are all set. */
+void zemax_keep_pickups(const struct solving *solving);
+
 /* A curvature of a surface, 1/mm: as a radius where a short one has it as its reciprocal. */
 void zemax_set_curvature(struct zemax_file *file, struct figure curvature, struct surface *to);
 
