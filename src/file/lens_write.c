@@ -12,11 +12,15 @@
 #include <math.h>
 #include <string.h>
 
+/* The table of surfaces. */
+enum { CELL_RADIUS, CELL_THICKNESS, CELL_MEDIUM, CELL_DIAMETER, CELLS };
+
 struct writer {
     struct arena *arena;
     const struct lens *lens;
     struct growing text;
-    double unit; /* mm */
+    double unit;        /* mm */
+    size_t tabs[CELLS]; /* where the columns of the table begin */
 };
 
 static void put(struct writer *writer, const char *start, size_t length)
@@ -144,6 +148,63 @@ static void put_extras(struct writer *writer, const struct surface *surface)
     }
 }
 
+static void put_in_table(struct writer *writer, const struct surface *surface, int cell)
+{
+    const bool is_thick = surface_has(surface, SURFACE_HAS_FOCAL);
+    switch (cell) {
+    case CELL_RADIUS:
+        put_cell(writer, is_thick || !surface->is_plane,
+                 is_thick ? &surface->focal : &surface->radius);
+        break;
+    case CELL_THICKNESS:
+        put_cell(writer, surface->has_thickness, &surface->thickness);
+        break;
+    case CELL_MEDIUM:
+        if (surface_reflects(surface)) {
+            put_string(writer, "mirror");
+        } else {
+            put(writer, surface->medium.written.start, surface->medium.written.length);
+        }
+        break;
+    default:
+        put_cell(writer, surface->has_diameter, &surface->diameter);
+    }
+}
+
+/* Columns as usual, wider where numbers are long. */
+static void set_tabs(struct writer *writer)
+{
+    static const size_t usual[CELLS] = {12, 26, 38, 58};
+    const size_t end = writer->text.length;
+    for (int cell = 0; cell < CELLS; cell++) {
+        writer->tabs[cell] = usual[cell];
+    }
+    for (int cell = 0; cell + 1 < CELLS; cell++) {
+        size_t widest = 0;
+        for (size_t i = 0; i < writer->lens->surface_count; i++) {
+            put_in_table(writer, &writer->lens->surfaces[i], cell);
+            const size_t width = writer->text.length - end;
+            widest = width > widest ? width : widest;
+            writer->text.length = end;
+        }
+        if (writer->tabs[cell] + widest >= writer->tabs[cell + 1]) {
+            writer->tabs[cell + 1] = writer->tabs[cell] + widest + 1;
+        }
+    }
+}
+
+static void put_table_head(struct writer *writer)
+{
+    static const char *const names[CELLS] = {"radius", "thickness", "medium", "diameter"};
+    const size_t start = writer->text.length;
+    put_string(writer, "#");
+    for (int cell = 0; cell < CELLS; cell++) {
+        put_tab(writer, start, writer->tabs[cell]);
+        put_string(writer, names[cell]);
+    }
+    put(writer, "\n", 1);
+}
+
 static void put_surface(struct writer *writer, const struct surface *surface)
 {
     if (surface->coordinate_break != NULL) {
@@ -152,20 +213,11 @@ static void put_surface(struct writer *writer, const struct surface *surface)
         put(writer, "\n", 1);
     }
     size_t start = writer->text.length;
-    bool is_thick = surface_has(surface, SURFACE_HAS_FOCAL);
     put_string(writer, surface_traits(surface)->word);
-    put_tab(writer, start, 12);
-    put_cell(writer, is_thick || !surface->is_plane, is_thick ? &surface->focal : &surface->radius);
-    put_tab(writer, start, 26);
-    put_cell(writer, surface->has_thickness, &surface->thickness);
-    put_tab(writer, start, 38);
-    if (surface_reflects(surface)) {
-        put_string(writer, "mirror");
-    } else {
-        put(writer, surface->medium.written.start, surface->medium.written.length);
+    for (int cell = 0; cell < CELLS; cell++) {
+        put_tab(writer, start, writer->tabs[cell]);
+        put_in_table(writer, surface, cell);
     }
-    put_tab(writer, start, 58);
-    put_cell(writer, surface->has_diameter, &surface->diameter);
     put_extras(writer, surface);
     put(writer, "\n", 1);
     for (size_t i = 0; i < surface->aperture_count; i++) {
@@ -408,7 +460,8 @@ struct text lens_write(const struct lens *lens, struct arena *arena)
     put_header(&writer);
     put_positions(&writer);
     put_design(&writer);
-    put_string(&writer, "#           radius        thickness   medium              diameter\n");
+    set_tabs(&writer);
+    put_table_head(&writer);
     for (size_t i = 0; i < lens->surface_count; i++) {
         put_surface(&writer, &lens->surfaces[i]);
     }

@@ -11,6 +11,15 @@ bool optimize_save(const struct artifact_job *job, struct output *sink, struct e
     struct arena *arena = job->run->arena;
     struct lens lens = *done->found;
     (void)error;
+    /* what a source says is of the lens that it was */
+    for (int i = 0; i < STATED_COUNT; i++) {
+        lens.stated[i] = NULL;
+        lens.stated_count[i] = 0;
+    }
+    if (lens.source != NULL) {
+        fit_note(&lens, arena_printf(arena, "optimized from: %s", lens.source), arena);
+        lens.source = NULL;
+    }
     fit_note(&lens, done->incomplete, arena);
     struct text text = lens_write(&lens, arena);
     output_text(sink, text.start, text.length);
