@@ -10,7 +10,7 @@
 #include <math.h>
 #include <string.h>
 
-enum { CELLS = 112, CELLS_MOST = 16384, LINES_LEAST = 28, LINES_MOST = 4096, LOOKS = 24 };
+enum { CELLS = 112, CELLS_MOST = 4096, LINES_LEAST = 28, LINES_MOST = 2048, LOOKS = 24 };
 enum { LANES = EXIT_SERIES_LANES };
 
 /* Of the lines that are transformed side by side those with wave fronts are so many; two of their
@@ -18,9 +18,12 @@ enum { LANES = EXIT_SERIES_LANES };
 enum { WAVES = 5, PERFECT = 3 };
 _Static_assert(WAVES + PERFECT == FFT_LANES && 2 * PERFECT >= WAVES, "room for all");
 
-/* Turns that W1 - W2 may make from cell to cell, and lines for each turn of one that is as steep
-   everywhere: Gauss's converge from pi/2 on. */
-static const double steepest = 0.15, a_turn = 1.75;
+/* Turns that W1 - W2 may make from cell to cell of CELLS: what cells at an edge get wrong goes with
+   the square of them, and with the size of a cell; and of any number. */
+static const double steep = 0.15, steepest = 0.4;
+
+/* Lines for each turn of a phase that is as steep everywhere: Gauss's converge from pi/2 on. */
+static const double a_turn = 1.75;
 
 /* What series of the wave front may leave of contrast. */
 static const double fine = 3e-4;
@@ -125,21 +128,16 @@ static bool set_grid(struct overlapping *one, double shift, size_t count)
 {
     double along, across;
     look(one, shift * (double)count, &along, &across);
-    const double cells = fmax(CELLS, 1.3 * LOOKS * along / steepest);
+    const double turns = 1.3 * LOOKS * along;
+    const double cells =
+        fmax(fmax(CELLS, turns / steepest), cbrt(CELLS * turns * turns / (steep * steep)));
     const double lag = ceil(shift * cells / one->wide[0]);
     const double lines = LINES_LEAST + a_turn * across;
     one->step = shift / lag;
-    if (!(one->wide[0] / one->step < CELLS_MOST && lines < LINES_MOST)) {
-        return false;
-    }
-    one->lag = (size_t)lag;
-    one->cells = (size_t)(1.02 * one->wide[0] / one->step) + 2;
-    one->across = (size_t)lines;
-    one->fft = fft_open(fft_length_from(2 * one->cells), one->arena);
-    for (int k = 0; k < 2; k++) {
-        one->power[k] = ARENA_ARRAY(one->arena, one->fft.length, double);
-    }
-    return true;
+    one->lag = (size_t)fmin(lag, CELLS_MOST);
+    one->cells = (size_t)(1.02 * fmin(one->wide[0] / one->step, CELLS_MOST)) + 2;
+    one->across = (size_t)fmin(lines, LINES_MOST);
+    return one->wide[0] / one->step < CELLS_MOST && lines < LINES_MOST;
 }
 
 /* A line's cells from the first that is clear: complex with the wave front, and real without. */
@@ -244,45 +242,57 @@ static void add_overlaps(const struct overlapping *one, size_t count, double wei
     }
 }
 
-static bool add_pupil(const struct mtf_source *source, size_t g, size_t direction, double step,
-                      size_t count, struct arena *arena, struct sums *sums)
+/* Plan one wavelength in one direction; false: it cannot be drawn. */
+static bool plan(const struct mtf_source *source, size_t g, size_t direction, double step,
+                 size_t count, struct overlapping *one)
 {
     const struct exit_pupil *pupil = &source->pupils.list[g];
-    const struct arena_mark mark = arena_mark(arena);
-    const double weight = exit_pupil_weight(pupil);
     const struct exit_front *front = &source->fronts[g * MTF_DIRECTIONS + direction];
-    struct overlapping one = {.front = front, .arena = arena};
+    *one = (struct overlapping){.front = front};
     for (int k = 0; k < 2; k++) {
         double range[2];
         exit_pupil_range(pupil, k == 0 ? front->lines->along : front->lines->across, range);
-        one.middle[k] = (range[0] + range[1]) / 2;
-        one.wide[k] = range[1] - range[0];
+        one->middle[k] = (range[0] + range[1]) / 2;
+        one->wide[k] = range[1] - range[0];
     }
-    const bool done = front->off < fine && set_grid(&one, step / (pupil->waves * pupil->n), count);
-    for (size_t i = 0; i < front->lines->count && done; i++) {
-        add_piece(&one, i);
+    return front->off < fine && set_grid(one, step / (pupil->waves * pupil->n), count);
+}
+
+static void add_pupil(struct overlapping *one, size_t count, struct arena *arena, struct sums *sums)
+{
+    const struct exit_pupil *pupil = one->front->pupil;
+    const struct arena_mark mark = arena_mark(arena);
+    const double weight = exit_pupil_weight(pupil);
+    one->arena = arena;
+    one->fft = fft_open(fft_length_from(2 * one->cells), arena);
+    for (int k = 0; k < 2; k++) {
+        one->power[k] = ARENA_ARRAY(arena, one->fft.length, double);
     }
-    if (done) {
-        add_overlaps(&one, count, weight, sums);
-        sums->light += weight * pupil->energy;
+    for (size_t i = 0; i < one->front->lines->count; i++) {
+        add_piece(one, i);
     }
+    add_overlaps(one, count, weight, sums);
+    sums->light += weight * pupil->energy;
     arena_reset(arena, mark);
-    return done;
 }
 
 bool mtf_curve_find(const struct mtf_source *source, double step, size_t count, struct arena *arena,
                     struct mtf_curve *curve)
 {
+    const size_t lights = source->pupils.lights.count;
+    struct overlapping *plans =
+        arena_array(arena, lights * MTF_DIRECTIONS, sizeof(struct overlapping));
+    for (size_t i = 0; i < lights * MTF_DIRECTIONS; i++) {
+        if (!plan(source, i / MTF_DIRECTIONS, i % MTF_DIRECTIONS, step, count, &plans[i])) {
+            return false;
+        }
+    }
     for (size_t k = 0; k < MTF_DIRECTIONS; k++) {
         struct sums sums = {ARENA_ARRAY(arena, count, double), ARENA_ARRAY(arena, count, double),
                             ARENA_ARRAY(arena, count, double), 0};
-        for (size_t i = 0; i < count; i++) {
-            sums.re[i] = sums.im[i] = sums.perfect[i] = 0;
-        }
-        for (size_t g = 0; g < source->pupils.lights.count; g++) {
-            if (source->pupils.lights.list[g].weight > 0 &&
-                !add_pupil(source, g, k, step, count, arena, &sums)) {
-                return false;
+        for (size_t g = 0; g < lights; g++) {
+            if (source->pupils.lights.list[g].weight > 0) {
+                add_pupil(&plans[g * MTF_DIRECTIONS + k], count, arena, &sums);
             }
         }
         curve->contrast[k] = sums.re;

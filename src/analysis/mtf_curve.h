@@ -18,8 +18,8 @@ struct mtf_curve {
  *
  * Given     step   1/mm, > 0
  *           count  of frequencies, the first is 0
- * Result    false: a grid of 16384 cells across the pupil and 4096 lines does not do, as the wave
- *           front is too steep or too rough; mtf_find says what there is
+ * Result    false: a grid of 4096 cells across the pupil and 1024 lines does not do, as the wave
+ *           front is too steep for so many frequencies, or too rough; mtf_find says what there is
  * Formula   lines across the pupil at Gauss's places, as many as the phase of an overlap wants,
  *           each sampled evenly, with the share of its last cell that is clear; the overlap of a
  *           line with itself moved is the Fourier transform of its transform's square, so that

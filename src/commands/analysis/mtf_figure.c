@@ -37,6 +37,7 @@ struct painter {
     struct entry *list;
     size_t count;
     const char *subtitle;
+    bool is_cut; /* some curve ends where its wave front is too steep for a drawing */
 };
 
 /* A point more; null: there is no room. */
@@ -66,19 +67,56 @@ static bool add_entry(struct painter *painter, const struct mtf_source *source, 
     return true;
 }
 
+/* Where contrast by waves ends, but no farther than anybody looks: twice what rows have. */
+static double highest_of(const struct painter *painter, const struct mtf_source *source)
+{
+    const double cutoff = fmax(source->cutoff[0], source->cutoff[1]);
+    return isnan(painter->highest) ? fmin(cutoff, 160) : painter->highest;
+}
+
+/*
+ * Contrasts at once, up to where the wave front is not too steep: a first curve says how far the
+ * drawing goes, others may end before.
+ *
+ * Result    how many of the STEPS; 0: each has to be found by itself
+ */
+static size_t find_curve(struct painter *painter, const struct mtf_source *source, double *highest,
+                         struct mtf_curve *curve)
+{
+    enum { LEAST = 8, TRIES = 24 };
+    const struct mtf_input *input = painter->input;
+    double end = *highest;
+    size_t count = STEPS;
+    if (input->method != MTF_BY_WAVES || input->question.error < usual_error || !(*highest > 0)) {
+        return 0;
+    }
+    for (int i = 0; i < TRIES && count >= LEAST; i++) {
+        if (mtf_curve_find(source, end / (STEPS - 1), count, painter->arena, curve)) {
+            painter->is_cut = painter->is_cut || i > 0;
+            *highest = end;
+            return count;
+        }
+        if (painter->count == 0 && isnan(input->frequency)) {
+            end *= 0.8;
+        } else {
+            count = count * 4 / 5;
+        }
+    }
+    return 0;
+}
+
 /* Against frequency, at once where nobody asks for more than a drawing shows. */
-static bool add_curve(struct painter *painter, const struct mtf_source *source, double highest,
+static bool add_curve(struct painter *painter, const struct mtf_source *source,
                       const struct entry *place, struct error *error)
 {
-    const struct mtf_input *input = painter->input;
-    const double step = highest / (STEPS - 1);
     struct mtf_curve curve;
-    const bool at_once = input->method == MTF_BY_WAVES && input->question.error >= usual_error &&
-                         step > 0 && mtf_curve_find(source, step, STEPS, painter->arena, &curve);
-    for (size_t i = 0; i < STEPS; i++) {
+    double highest = highest_of(painter, source);
+    const size_t count = find_curve(painter, source, &highest, &curve);
+    painter->highest = highest;
+    for (size_t i = 0; i < (count > 0 ? count : STEPS); i++) {
         struct entry here = *place;
         here.x = highest * (double)i / (STEPS - 1);
-        if (!at_once) {
+        if (count == 0) {
             if (!add_entry(painter, source, here.x, &here, error)) {
                 return false;
             }
@@ -88,20 +126,13 @@ static bool add_curve(struct painter *painter, const struct mtf_source *source, 
         if (entry == NULL) {
             return false;
         }
-        const double left = mtf_pixels(input, here.x);
+        const double left = mtf_pixels(painter->input, here.x);
         for (size_t k = 0; k < MTF_DIRECTIONS; k++) {
             entry->contrast[k] = left * curve.contrast[k][i];
             entry->limit = fmax(entry->limit, left * curve.limit[k][i]);
         }
     }
     return true;
-}
-
-/* Where contrast by waves ends, but no farther than anybody looks: twice what rows have. */
-static double highest_of(const struct painter *painter, const struct mtf_source *source)
-{
-    const double cutoff = fmax(source->cutoff[0], source->cutoff[1]);
-    return isnan(painter->highest) ? fmin(cutoff, 160) : painter->highest;
 }
 
 static bool find(const struct analysis_case *one, size_t field, const void *context, void *found,
@@ -130,9 +161,7 @@ static bool add(const struct analysis_case *one, size_t field, const void *found
                                      one->setup->focus);
     painter->is_angle = !isnan(point.field);
     if (painter->axis == BY_FREQUENCY) {
-        const double highest = highest_of(painter, source);
-        painter->highest = highest;
-        return add_curve(painter, source, highest, &place, error);
+        return add_curve(painter, source, &place, error);
     }
     if (painter->axis == BY_FOCUS) {
         place.x = point.defocus;
@@ -357,9 +386,13 @@ static size_t put_series(const struct painter *painter, const double *y, size_t 
 static void say(const struct painter *painter, struct plot *plot)
 {
     const bool through = painter->axis == BY_FOCUS;
-    plot->subtitle = through ? arena_printf(painter->arena, "%s; %.4g/mm", painter->subtitle,
-                                            painter->input->frequency)
-                             : painter->subtitle;
+    plot->subtitle =
+        through ? arena_printf(painter->arena, "%s; %.4g/mm", painter->subtitle,
+                               painter->input->frequency)
+        : painter->is_cut
+            ? arena_printf(painter->arena, "%s; curves end where wave fronts are too steep",
+                           painter->subtitle)
+            : painter->subtitle;
     plot->x_label = painter->axis == BY_FREQUENCY ? "spatial frequency (1/mm)"
                     : through                     ? "defocus (mm)"
                     : painter->is_angle           ? "field (deg)"
