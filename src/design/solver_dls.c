@@ -211,6 +211,16 @@ static double promise(const struct descent *descent)
     return sum;
 }
 
+/* Who lies on a bound stays there. */
+static void hold_at_bounds(struct descent *descent)
+{
+    for (size_t i = 0; i < descent->n; i++) {
+        if (descent->step.side[i] != STEP_FREE) {
+            descent->low[i] = descent->high[i] = 0;
+        }
+    }
+}
+
 /* Back to where the exact residuals are 0, which bend away from the step, by its derivatives. */
 static bool return_to_exact(struct descent *descent)
 {
@@ -218,6 +228,7 @@ static bool return_to_exact(struct descent *descent)
     for (int i = 0; i < 4 && descent->there.excess > met; i++) {
         const double excess = descent->there.excess;
         bound_step(descent, descent->there.parameters);
+        hold_at_bounds(descent);
         descent->step.g = descent->none;
         descent->step.excess = descent->there.residuals + descent->squares;
         if (!solver_step_find(&descent->step)) {

@@ -180,12 +180,11 @@ static double or_none(double bound)
     return isfinite(bound) ? bound : NAN;
 }
 
-/* Of a number of the solver, as it was named. */
-static double as_named(const struct variable *variable, double number)
+static double value_in(const struct lens *lens, const struct variable *variable,
+                       struct arena *arena)
 {
-    const bool inverse =
-        variable->what.kind == PARAMETER_RADIUS || variable->what.kind == PARAMETER_FOCAL;
-    return inverse ? 1 / number : number;
+    const size_t position = variable->position != LENS_NONE ? variable->position : 0;
+    return parameter_get(lens_at_position(lens, position, arena), variable->what);
 }
 
 static bool emit_variables(struct optimize_job *job)
@@ -194,8 +193,8 @@ static bool emit_variables(struct optimize_job *job)
     for (size_t i = 0; i < job->variables.count; i++) {
         const struct variable *variable = &job->variables.list[i];
         const struct variable_row row = {.variable = variable->name,
-                                         .before = as_named(variable, answer->before.numbers[i]),
-                                         .after = as_named(variable, answer->after.numbers[i]),
+                                         .before = value_in(job->lens, variable, job->run->arena),
+                                         .after = value_in(job->found, variable, job->run->arena),
                                          .low = or_none(variable->low),
                                          .high = or_none(variable->high),
                                          .note = answer->is_idle[i] ? "no goal depends on it"
