@@ -44,8 +44,9 @@ static bool look(struct merit *merit, struct optimize_state *state, double *jaco
    largest of them, it is rounding that moves it. */
 static const double rounding = 1e-10;
 
-static void find_idle(const struct merit *merit, const double *residuals, const double *jacobian,
-                      bool *is_idle)
+/* Who has an effect is not idle. */
+static void find_effects(const struct merit *merit, const double *residuals, const double *jacobian,
+                         bool *is_idle)
 {
     double largest = 0;
     for (size_t i = 0; i < merit->residual_count; i++) {
@@ -53,7 +54,6 @@ static void find_idle(const struct merit *merit, const double *residuals, const 
     }
     for (size_t j = 0; j < merit->variable_count; j++) {
         const double scale = merit->question.variables->scale[j];
-        is_idle[j] = true;
         for (size_t i = 0; i < merit->residual_count && is_idle[j]; i++) {
             const double effect = fabs(jacobian[i * merit->variable_count + j]) * scale;
             is_idle[j] = !(effect > rounding * largest);
@@ -77,11 +77,9 @@ static bool progress(void *context, const struct solver_progress *progress)
 }
 
 static bool begin(const struct optimize_task *task, struct arena *arena,
-                  struct optimize_answer *answer, struct error *error)
+                  struct optimize_answer *answer, double *jacobian, struct error *error)
 {
     struct merit *merit = task->merit;
-    double *jacobian =
-        ARENA_ARRAY(arena, merit->residual_count * merit->variable_count + 1, double);
     *answer = (struct optimize_answer){.before = new_state(merit, arena),
                                        .after = new_state(merit, arena),
                                        .is_idle = ARENA_ARRAY(arena, merit->variable_count, bool)};
@@ -94,7 +92,10 @@ static bool begin(const struct optimize_task *task, struct arena *arena,
         *error = merit->why;
         return error_prefix(error, "the lens cannot be judged where it is begun: ");
     }
-    find_idle(merit, answer->after.residuals, jacobian, answer->is_idle);
+    for (size_t j = 0; j < merit->variable_count; j++) {
+        answer->is_idle[j] = true;
+    }
+    find_effects(merit, answer->after.residuals, jacobian, answer->is_idle);
     if (answer->begun == NULL) {
         answer->before.merit = answer->after.merit;
         memcpy(answer->before.residuals, answer->after.residuals,
@@ -115,7 +116,9 @@ bool optimize_run(const struct optimize_task *task, struct arena *arena,
     struct merit *merit = task->merit;
     const struct variables *variables = merit->question.variables;
     struct running running = {.task = task, .answer = answer, .arena = arena};
-    if (!begin(task, arena, answer, error)) {
+    double *jacobian =
+        ARENA_ARRAY(arena, merit->residual_count * merit->variable_count + 1, double);
+    if (!begin(task, arena, answer, jacobian, error)) {
         return false;
     }
     note(&running, answer->after.merit);
@@ -136,10 +139,11 @@ bool optimize_run(const struct optimize_task *task, struct arena *arena,
     if (!solver_run(&problem, &options, answer->after.numbers, arena, &answer->summary, error)) {
         return false;
     }
-    if (!look(merit, &answer->after, NULL)) {
+    if (!look(merit, &answer->after, jacobian)) {
         *error = merit->why;
         return error_prefix(error, "the lens that was found cannot be judged: ");
     }
+    find_effects(merit, answer->after.residuals, jacobian, answer->is_idle);
     note(&running, answer->after.merit);
     return true;
 }

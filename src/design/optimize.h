@@ -27,7 +27,7 @@ struct optimize_answer {
     struct solver_summary summary;
     struct optimize_state before, after; /* NaN before: the lens has no merit as it is */
     const char *begun; /* what was done where the lens itself has no merit; null: nothing */
-    bool *is_idle;     /* a variable that nothing depended on at the start */
+    bool *is_idle;     /* a variable that nothing depends on, neither at the start nor at the end */
     double *history;   /* the merit at the start and after each iteration */
     size_t history_count;
 };

@@ -1,7 +1,15 @@
 """tests/bench/optimize.py - what an optimisation is made of."""
 # SPDX-License-Identifier: MIT
 
-from common import printed
+import csv
+import io
+import os
+import subprocess
+import sys
+import time
+
+from common import entry, printed
+from lenses import GAUSS, STARTS
 
 # Names that tests/bench/merit.c prints: what they are, and the unit.
 MERIT = {
@@ -23,4 +31,75 @@ def optimize(bench):
     yield from best.values()
 
 
-SECTIONS = {"optimize": optimize}
+SPOTS = "--vary R1..R11,t11 --goals spot,efl=100 --aim entrance"
+RINGS = SPOTS + " --pattern hexapolar --rays 127"
+# ten curvatures and nine thicknesses, the latter within bounds: 217 residuals
+BOUNDED = ("--vary all-R,t1[2,12],t2[0.2,5],t3[2,12],t4[2,12],t5[5,20],t7[2,12],t8[2,15],"
+           "t9[0.2,5],t10[2,12] --goals spot,efl=100 --rays 12 --aim entrance --iterations 1000")
+
+
+def solved(bench, lens, question, turns=1):
+    """The rows of a question, and the least seconds that it took."""
+    if "\n" in lens:
+        with open(bench.path("start.lens"), "w", encoding="ascii") as file:
+            file.write(lens)
+        lens = bench.path("start.lens")
+    least = float("inf")
+    for _ in range(turns):
+        began = time.perf_counter()
+        result = subprocess.run([bench.lenscalc, "optimize", lens, *question.split(), "--csv"],
+                                capture_output=True, text=True, check=False)
+        least = min(least, time.perf_counter() - began)
+        if result.returncode != 0:
+            sys.exit(f"bench: {question}: {result.stderr}")
+    return list(csv.DictReader(io.StringIO(result.stdout))), least
+
+
+def lecture(bench):
+    """The double Gauss by its radii and image plane, whole processes."""
+    for name, question in (("127 rays in rings", RINGS), ("36 of Gauss", SPOTS)):
+        rows, seconds = solved(bench, GAUSS, question, 5)
+        spots, _ = solved(bench, GAUSS, question + " --show spots")
+        converged = sum(float(row["rms_after_um"]) ** 2 for row in spots) * 1e-6
+        before, after = (float(rows[0][f"merit_{when}"]) for when in ("before", "after"))
+        yield entry(f"optimize: double Gauss, {name}: merit", after, "mm2",
+                    f"{before:.6g} to {after:.6g} in {rows[0]['iterations']} iterations, spots that "
+                    f"converged {converged:.5f}")
+        yield entry(f"optimize: double Gauss, {name}: time", seconds * 1e3, "ms")
+
+
+def bounded(bench, solvers):
+    """Nineteen variables: no worse than the other solver."""
+    found = {}
+    for solver in solvers:
+        rows, seconds = solved(bench, GAUSS, f"{BOUNDED} --solver {solver}", 10)
+        found[solver] = float(rows[0]["merit_after"])
+        yield entry(f"optimize: 19 variables, {solver}: time", seconds * 1e3, "ms",
+                    f"merit {found[solver]:.6g}, {rows[0]['iterations']} iterations")
+    if "ceres" in found:
+        yield entry("optimize: 19 variables, dls / ceres", found["dls"] / found["ceres"], "x")
+
+
+def starts(bench, solvers):
+    """Ten starts by each solver; a tie is a merit alike to a thousandth."""
+    best = 0
+    for name, (lens, question) in STARTS.items():
+        merits = []
+        for solver in solvers:
+            rows, seconds = solved(bench, lens,
+                                   f"{question} --iterations 1000 --solver {solver}")
+            merits.append(float(rows[0]["merit_after"]))
+            yield entry(f"optimize: {name}, {solver}", seconds * 1e3, "ms",
+                        f"merit {merits[-1]:.6g}, {rows[0]['evaluations']} evaluations")
+        best += merits[0] <= 1.001 * min(merits)
+    yield entry("optimize: starts that dls wins or ties", best, f"of {len(STARTS)}")
+
+
+def lenses(bench):
+    solvers = ("dls", "ceres") if os.path.exists(bench.lenscalc + "-ceres") else ("dls",)
+    yield from lecture(bench)
+    yield from bounded(bench, solvers)
+    yield from starts(bench, solvers)
+
+
+SECTIONS = {"optimize": optimize, "optimize-lenses": lenses}

@@ -34,3 +34,25 @@ do
     lenscalc optimize double-gauss $question --columns status
     echo "status $?"
 done
+# marks and goals of the file; what is wrong with them has a place
+cat > marked.lens <<'END'
+lens        Triplet with marks
+wavelength  d F C
+field       angle 0 10 14
+aperture    epd 12
+focus       table
+goal        poly, efl == 50
+surface     -   4     1.6204/60.3   20  c~
+surface     -   6     air           20  c~
+surface     -   1.5   1.6200/36.4   14  c~
+surface     -   0.5   air           14  c~
+stop        -   5.5   air           12
+surface     -   4     1.6204/60.3   18  c~
+surface     -   42    air           18  c~ t~[30,44]
+END
+lenscalc optimize marked.lens --digits 3 --show merit --columns goal,value_after
+lenscalc optimize marked.lens --digits 4 --show variables --columns variable,low,high,note \
+    --hold c2
+sed 's/efl ==/elf ==/' marked.lens > wrong.lens
+lenscalc optimize wrong.lens
+echo "status $?"

@@ -115,13 +115,12 @@ bool optimize_goals(struct optimize_job *job, const struct merit_question *quest
     struct arena *arena = job->run->arena;
     const char *typed = job->input->goals;
     const bool own = typed == NULL && job->lens->goal_count > 0;
-    const struct goals_reader reader = {.db = job->run->db,
-                                        .lens = job->lens,
-                                        .arena = arena,
-                                        .where = own ? "the lens's goals" : "--goals",
-                                        .deviation = 1};
-    job->goals = typed != NULL ? typed
-                 : own         ? join_goals(job->lens, arena)
-                               : usual_goals(job, question);
+    const struct goals_reader reader = {
+        .db = job->run->db, .lens = job->lens, .arena = arena, .where = "--goals", .deviation = 1};
+    if (own) {
+        job->goals = join_goals(job->lens, arena);
+        return goals_of_lens(&reader, job->lens, goals, error);
+    }
+    job->goals = typed != NULL ? typed : usual_goals(job, question);
     return goals_read(&reader, text_of(job->goals), goals, error);
 }
