@@ -66,6 +66,10 @@ enum { EXIT_PUPIL_CLEAR = 0 };
 void exit_pupil_look(const struct exit_pupil *pupil, const double (*at)[2], size_t count,
                      size_t *limits);
 
+/* W and the amplitude at points. */
+typedef void exit_pupil_ask(const struct exit_pupil *pupil, const double (*at)[2], size_t count,
+                            double *waves, double *amplitudes);
+
 /*
  * The wave front and the amplitude at points, whether they are clear or not.
  *
@@ -74,12 +78,10 @@ void exit_pupil_look(const struct exit_pupil *pupil, const double (*at)[2], size
  *           slope dW/da = n (e_z m_x - e_x m_z)/c, m from the centre across to the ray, c the third
  *           component: what is left is of second order in `off`
  */
-void exit_pupil_values(const struct exit_pupil *pupil, const double (*at)[2], size_t count,
-                       double *waves, double *amplitudes);
+exit_pupil_ask exit_pupil_values;
 
 /* The same from polynomials, at once, as well as off_waves and off_amplitude say. */
-void exit_pupil_form(const struct exit_pupil *pupil, const double (*at)[2], size_t count,
-                     double *waves, double *amplitudes);
+exit_pupil_ask exit_pupil_form;
 
 /* From where to where it reaches in a direction of unit length. */
 void exit_pupil_range(const struct exit_pupil *pupil, const double along[2], double range[2]);

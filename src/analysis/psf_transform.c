@@ -18,6 +18,9 @@ enum {
 /* A cell that is all clear but for rounding; Gauss's two points, from the middle to an end. */
 static const double whole = 1 - 1e-9, gauss = 0.57735026918962576451;
 
+/* Polynomials of the pupil serve that are off so little: waves, and of the amplitude. */
+static const double smooth = 1e-5;
+
 /* So much of a turn neighbouring points of a grid may differ at most. */
 static const double steepest = 0.2;
 
@@ -216,14 +219,16 @@ static void fill_grid(struct psf_plane *plane, const struct grid *grid)
                           .clear = ARENA_ARRAY(arena, length, double)};
     double *waves = ARENA_ARRAY(arena, room, double);
     double *amplitudes = ARENA_ARRAY(arena, room, double);
+    const struct exit_pupil *pupil = plane->pupil;
+    const bool is_smooth = pupil->off_waves <= smooth && pupil->off_amplitude <= smooth;
+    exit_pupil_ask *find = is_smooth ? exit_pupil_form : exit_pupil_values;
     for (size_t y = 0; y < length; y++) {
         const double t = grid->middle[1] + ((double)y - (double)(length / 2)) * grid->step;
         if (fabs(t - grid->middle[1]) > plane->pupil->half[1] + grid->step) {
             continue;
         }
         put_cells(lines, grid, t, &cells);
-        exit_pupil_values(plane->pupil, (const double(*)[2])cells.at, cells.count, waves,
-                          amplitudes);
+        find(plane->pupil, (const double(*)[2])cells.at, cells.count, waves, amplitudes);
         for (size_t i = 0; i < cells.count; i++) {
             const double amplitude = amplitudes[i] * cells.weights[i] * grid->step * grid->step;
             const double corrected = amplitude * more_at(&cells, i, waves);
