@@ -11,7 +11,7 @@
 /* What the items have come to so far. */
 struct naming {
     const struct vary_reader *reader;
-    const char *option; /* "vary" */
+    const char *option; /* "vary"; null: these are the marks of the lens */
     struct entry {
         struct variable variable;
         bool is_group; /* it came with a range, and an item of its own takes its place */
@@ -37,6 +37,11 @@ static bool add(struct naming *naming, struct variable variable, struct error *e
         if (old->variable.position != variable.position ||
             !parameter_is_same(old->variable.what, variable.what)) {
             continue;
+        }
+        if (naming->option == NULL) {
+            return fail(error, ERROR_DOMAIN,
+                        "the lens has marks of %s and %s, which are one number", old->variable.name,
+                        variable.name);
         }
         if (!naming->is_group && !old->is_group) {
             bool same = strcmp(old->variable.name, variable.name) == 0;
@@ -475,7 +480,7 @@ static bool add_marks(struct naming *naming, const char **ignored, struct error 
 bool vary_marks(const struct vary_reader *reader, struct variable **list, size_t *count,
                 const char **ignored, struct error *error)
 {
-    struct naming naming = {.reader = reader, .option = "vary"};
+    struct naming naming = {.reader = reader};
     if (!add_marks(&naming, ignored, error)) {
         return false;
     }
@@ -513,7 +518,7 @@ static bool hold_items(struct naming *naming, const char *hold, struct error *er
 bool vary_list(const struct vary_reader *reader, const char *vary, const char *hold,
                struct variable **list, size_t *count, struct error *error)
 {
-    struct naming naming = {.reader = reader, .option = "vary"};
+    struct naming naming = {.reader = reader, .option = vary != NULL ? "vary" : NULL};
     const char *ignored;
     if (!(vary != NULL ? read_items(&naming, vary, error) : add_marks(&naming, &ignored, error))) {
         return false;

@@ -35,6 +35,15 @@ static size_t word_of(const struct lens *lens, struct parameter what)
     return figure != NULL ? figure->variable : LENS_NONE;
 }
 
+/* Are there derivatives by it, and a place in a file? */
+static bool check_kind(enum parameter_kind kind, struct error *error)
+{
+    bool derived = parameter_type(kind)->basis != PARAMETER_KINDS || kind == PARAMETER_FOCAL;
+    return (derived && kind != PARAMETER_TILT_Z) ||
+           fail(error, ERROR_DOMAIN, "the %s of a surface does not vary",
+                parameter_type(kind)->words);
+}
+
 static bool check_what(const struct lens *lens, const struct variable *one, struct error *error)
 {
     if (one->position == LENS_NONE) {
@@ -422,7 +431,8 @@ static void open_values(struct variables *variables, struct arena *arena)
 static bool open_all(struct variables *variables, struct error *error)
 {
     for (size_t i = 0; i < variables->count; i++) {
-        if (!check_what(variables->lens, &variables->list[i], error) ||
+        if (!check_kind(variables->list[i].what.kind, error) ||
+            !check_what(variables->lens, &variables->list[i], error) ||
             !check_alone(variables, i, error) || !open_variable(variables, i, error)) {
             return false;
         }

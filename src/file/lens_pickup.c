@@ -211,6 +211,9 @@ static const char *warning_of(const struct lens_pickup *pickup, const struct bef
 
 void lens_pickups_begin(struct lens *lens, struct arena *arena)
 {
+    if (lens->pickup_count == 0) {
+        return;
+    }
     struct before *all = ARENA_ARRAY(arena, lens->pickup_count, struct before);
     for (size_t i = 0; i < lens->pickup_count; i++) {
         all[i] = look(lens, lens->pickups[i].what);

@@ -178,6 +178,8 @@ static void check_refused(void)
         {"pickup R2 = R3\npickup R3 = R4\npickup R4 = R2", 8,
          "R4 follows R2, which follows it: pick-ups in a circle"},
         {"pickup R2 = R3\npickup c2 = c4", 8, "c2 has a pick-up already: it follows R3"},
+        {"surface 60 - air 20 R~ R~", 24, "'R~' is there twice"},
+        {"surface 60 - air 20 R~[60,-50] t~[-inf,3] k~[1]", 45, "bounds are written [low,high]"},
         {"goal", 5, "the goal is missing: efl = 100"},
         {"let a1 1~ 2", 21, "'a1' is marked, but stands for no thickness and no focal length"},
         {"let a1 1~[3,2] 2", 10, "the lower bound is above the upper"},

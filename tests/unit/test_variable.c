@@ -152,14 +152,24 @@ static void check_everything(void)
     lens_pickups_put(&lens, lens_at_position(&lens, 0, &arena), &arena);
     const double none = INFINITY;
     const struct variable list[] = {
-        variable_of("R1", 20, none),      variable_of("c4", -0.1, 0.1),
-        variable_of("t1", 2, 10),         variable_of("t4", -none, none),
-        variable_of("k1", -none, none),   variable_of("A4_1", -none, none),
-        variable_of("A6_2", -none, none), variable_of("n1", -none, none),
-        variable_of("V1", -none, none),   variable_of("n5", 1.2, 2),
-        variable_of("R6", -none, -30),    variable_of("focal8", 50, none),
-        variable_of("dx2", -none, none),  variable_of("dy1", -none, none),
-        variable_of("ay2", -none, none),  variable_of("ax4", -none, none),
+        variable_of("R1", 20, none),
+        variable_of("c4", -0.1, 0.1),
+        variable_of("t1", 2, 10),
+        variable_of("t4", -none, none),
+        variable_of("k1", -none, none),
+        variable_of("A4_1", -none, none),
+        variable_of("A6_2", -none, none),
+        variable_of("n1", -none, none),
+        variable_of("V1", -none, none),
+        variable_of("n5", 1.2, 2),
+        variable_of("R6", -none, -30),
+        variable_of("focal8", 50, none),
+        variable_of("dx2", -none, none),
+        variable_of("dy1", -none, none),
+        variable_of("ay2", -none, none),
+        variable_of("ax4", -none, none),
+        variable_of("bend_tilt_x6", -none, none),
+        variable_of("bend_decenter_y3", -none, none),
     };
     check_links(&lens, list, sizeof list / sizeof list[0], WAVELENGTH_F);
 }
@@ -276,6 +286,7 @@ static void check_errors(void)
                   "through a plane it is R1[70,-10]");
     check_refused("R1", 70, -10, "R1 is 50 mm, which is not within its bounds 70 to -10 mm",
                   "start within them, or make them wider");
+    check_refused("tilt_z1", 1, 2, "the tilt about z of a surface does not vary", "");
     check_refused("ax1", 1 * RADIANS_PER_DEGREE, 2 * RADIANS_PER_DEGREE,
                   "ax1 is 0 deg, which is not within its bounds 1 to 2 deg",
                   "start within them, or make them wider");

@@ -222,7 +222,9 @@ static void free_marks(struct lens *fitted, const struct wishes *wishes,
             struct vary *mark = &copy[i];
             *mark = surface->varies[i];
             double low = mark->low.value.hi, high = mark->high.value.hi, value = fit->values[j];
-            if (mark->kind != what.kind || !mark->has_bounds || (low <= value && value <= high)) {
+            bool within = low <= high ? low <= value && value <= high
+                                      : low <= value || value <= high; /* through a plane */
+            if (mark->kind != what.kind || !mark->has_bounds || within) {
                 continue;
             }
             mark->has_bounds = false;
