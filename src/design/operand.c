@@ -8,7 +8,8 @@ enum {
     W = OPERAND_AT_WAVELENGTH,
     F = OPERAND_AT_FIELD,
     SURFACES = OPERAND_AT_SURFACES,
-    TARGET = OPERAND_NEEDS_TARGET
+    TARGET = OPERAND_NEEDS_TARGET,
+    RAYS = OPERAND_OF_RAYS
 };
 
 #define LENGTH &dimension_length, "mm"
@@ -41,9 +42,9 @@ static const struct operand_type types[OPERAND_KINDS] = {
     [OPERAND_CENTER] = {"center", "thickness of glass on the axis", LENGTH, SURFACES | TARGET},
     [OPERAND_AIR] = {"air", "thickness of air, on the axis and at the edge", LENGTH,
                      SURFACES | TARGET},
-    [OPERAND_SPOT] = {"spot", "spots, each about its own centroid", LENGTH, W | F},
-    [OPERAND_POLY] = {"poly", "spots, of all wavelengths about one centroid", LENGTH, W | F},
-    [OPERAND_OPD] = {"opd", "optical path differences, wavelengths", NUMBER, W | F},
+    [OPERAND_SPOT] = {"spot", "spots, each about its own centroid", LENGTH, W | F | RAYS},
+    [OPERAND_POLY] = {"poly", "spots, of all wavelengths about one centroid", LENGTH, W | F | RAYS},
+    [OPERAND_OPD] = {"opd", "optical path differences, wavelengths", NUMBER, W | F | RAYS},
 };
 /* clang-format on */
 

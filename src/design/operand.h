@@ -77,7 +77,8 @@ enum {
     OPERAND_HAS_ORIENTATION = 16,
     OPERAND_NEEDS_FIELD = 32,
     OPERAND_NEEDS_FREQUENCY = 64,
-    OPERAND_NEEDS_TARGET = 128 /* others have the target 0, and may be written without one */
+    OPERAND_NEEDS_TARGET = 128, /* others have the target 0, and may be written without one */
+    OPERAND_OF_RAYS = 256 /* its residuals are those of rays, without a meaning of their own */
 };
 
 /* A kind of operand, as goals are written and rows are printed. */

@@ -97,7 +97,6 @@ FOR_TESTS = {
     "variables_get": "", "variables_lens": "", "variables_links": "",
     "variables_most_links": "", "variables_open": "", "variables_put": "",
     "lens_numbers_open": "", "lens_numbers_set": "",
-    "merit_open": "until a command asks", "merit_evaluate": "", "goals_of_lens": "",
     # every set of instructions gives the same bits
     "instruction_set_name": "", "instruction_set_works": "",
     "first_order_compute_portable": "", "paraxial_trace_portable": "",

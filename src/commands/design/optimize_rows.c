@@ -79,8 +79,8 @@ static void emit_answer(struct optimize_job *job)
 /* -------- goals -------- */
 
 struct goal_row {
-    const char *position, *goal, *lens, *warning;
-    double target, before, after, share_before, share_after;
+    const char *position, *goal, *unit, *lens, *warning;
+    double before, after, share_before, share_after;
     double part;
 };
 
@@ -90,9 +90,12 @@ static const struct column goal_columns[] = {
      .help = "what is wanted"},
     {COLUMN(struct goal_row, before), .flags = COLUMN_BRIEF, .name = "value_before",
      .label = "value before",
-     .help = "what the lens had, mm, rad or 1; of rays the root of their sum of squares"},
+     .help = "what the lens had, of many surfaces the worst; of rays the root of their sum of "
+             "squares"},
     {COLUMN(struct goal_row, after), .flags = COLUMN_BRIEF, .name = "value_after",
      .label = "value after", .help = "what the lens that was found has"},
+    {COLUMN(struct goal_row, unit), .flags = COLUMN_BRIEF, .name = "unit", .label = "unit",
+     .help = "of the two values; a plain number has none"},
     {COLUMN(struct goal_row, share_before), .flags = COLUMN_BRIEF, .name = "merit_before",
      .label = "merit before", .help = "its part of the sum of squares"},
     {COLUMN(struct goal_row, share_after), .flags = COLUMN_BRIEF, .name = "merit_after",
@@ -116,11 +119,35 @@ static double squares(const double *residuals, const struct merit_slot *slot)
     return sum;
 }
 
-/* A figure, or of many the root of the sum of squares. */
+/* How far a figure is on the wrong side of what is wanted; of '=' how far away. */
+static double wrong_by(const struct operand *operand, double value)
+{
+    const double off = value - operand->target;
+    return operand->relation == OPERAND_BELOW   ? off
+           : operand->relation == OPERAND_ABOVE ? -off
+                                                : fabs(off);
+}
+
+/* A figure, of many the worst, in the unit that the goal has; of rays their root sum square. */
 static double value_of(const struct optimize_state *state, const struct merit_slot *slot)
 {
-    return slot->count == 1 ? state->values[slot->first]
-                            : sqrt(squares(state->residuals, slot)) * slot->operand->deviation;
+    const struct operand *operand = slot->operand;
+    const struct operand_type *type = operand_type(operand->kind);
+    double worst = state->values[slot->first];
+    for (size_t i = slot->first; i < slot->first + slot->count; i++) {
+        if (wrong_by(operand, state->values[i]) > wrong_by(operand, worst)) {
+            worst = state->values[i];
+        }
+    }
+    if ((type->is & OPERAND_OF_RAYS) != 0) {
+        worst = sqrt(squares(state->residuals, slot)) * operand->deviation;
+    }
+    return unit_from_own(unit_find(type->dimension, text_of(type->unit)), worst);
+}
+
+static const char *unit_words(const char *unit)
+{
+    return unit[0] != '\0' ? unit : NULL;
 }
 
 static bool emit_merit(struct optimize_job *job)
@@ -133,6 +160,7 @@ static bool emit_merit(struct optimize_job *job)
         const bool is_exact = slot->operand->relation == OPERAND_EXACT;
         const struct goal_row row = {.position = merit->places[slot->place].setup.position,
                                      .goal = slot->operand->name,
+                                     .unit = unit_words(operand_type(slot->operand->kind)->unit),
                                      .before = value_of(&answer->before, slot),
                                      .after = value_of(&answer->after, slot),
                                      .share_before = squares(answer->before.residuals, slot),

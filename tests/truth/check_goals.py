@@ -1,0 +1,143 @@
+#!/usr/bin/env python3
+"""tests/truth/check_goals.py - what goals are of, against the analyses and by hand:
+check_goals.py BUILD_DIR
+
+The value that optimize --show merit has of each goal before anything changes is the number that
+lens, seidel, color, distortion, trace and spot print of the same lens. Of a thick lens of two
+spheres focal length, thickness at the edge and angles of incidence are written out here.
+"""
+# SPDX-License-Identifier: MIT
+
+import csv
+import io
+import math
+import os
+import sys
+import tempfile
+
+sys.dont_write_bytecode = True
+sys.path.insert(0, os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
+from harness import Checks, Program
+
+RELATIVE = 1e-9
+# lens, a variable, a field of it in deg, two wavelengths: what is shorter, what is longer
+LENSES = (("double-gauss", "R1", 10, "F", "C"), ("cooke-triplet-50", "R1", 15, "F", "C"),
+          ("brendel-tessar-100", "R1", 5, "F", "C"),
+          ("canon-ef35-f2", "R1", 20, "F", "C"), ("edmund-achromat-120", "R1", 1, "F", "C"))
+RADII, THICKNESS, INDEX, DIAMETER = (52.0, -97.0), 9.0, 1.6, 24.0
+
+
+def first(program, *words):
+    """The first row of a command."""
+    return program.rows(*words)[0]
+
+
+def values(program, lens, vary, goals, *more):
+    """The values that the lens has, goal by goal; it is left before a minimum, which has a status."""
+    text = program.run("optimize", lens, "--vary", vary, "--goals", ",".join(goals), "--show",
+                       "merit", "--iterations", "1", "--csv", *more).stdout.decode()
+    return [float(row["value_before"]) for row in csv.DictReader(io.StringIO(text, newline=""))]
+
+
+def figures(program, lens, field, short, long):
+    """What the analyses have: by goal, with a deviation that lets no goal weigh much."""
+    d = first(program, "lens", lens, "-w", "d")
+    f = first(program, "lens", lens, "-w", short)
+    seidel = program.rows("seidel", lens, "--field", str(field))[-1]
+    color = program.rows("color", lens, "-w", f"{short},d,{long}", "--columns", "axial_color")
+    bent = first(program, "distortion", lens, "--field", str(field))
+    blue = first(program, "distortion", lens, "--field", str(field), "-w", short)
+    red = first(program, "distortion", lens, "--field", str(field), "-w", long)
+    height, at = float(bent["image_height_mm"]), f"@{field}deg"
+    found = {f"efl={d['efl_mm']}": d["efl_mm"], f"efl@{short}={d['efl_mm']}": f["efl_mm"],
+             "bfl=1": d["bfl_mm"], f"bfl@{short}<1": f["bfl_mm"], "ffl=1": d["ffl_mm"],
+             "fnumber=1": d["fnumber"],
+             f"petzval={d['petzval_radius_mm']}": d["petzval_radius_mm"],
+             "axial": color[0]["axial_color_mm"],
+             f"height{at}=1": height, f"distortion{at}": bent["distortion_percent"],
+             f"lateral{at}": float(blue["image_height_mm"]) - float(red["image_height_mm"]),
+             f"lateral@{short}{at}": float(blue["image_height_mm"]) - height}
+    found.update({f"S{i}{at}": seidel[f"S{i}_mm" if f"S{i}_mm" in seidel else f"S{i}"]
+                  for i in range(1, 6)})
+    rays = program.rows("trace", lens, "--field", str(field), "--all", "--no-clip")
+    chief = [row for row in rays if row["ray"] == "chief"]
+    found[f"telecentric{at}"] = math.degrees(math.atan2(float(chief[-1]["cos_y_out"]),
+                                                        float(chief[-1]["cos_z_out"])))
+    angles = [float(row["incidence_deg"]) for row in rays
+              if row["surface"] == "1" and row["ray"] in ("chief", "upper", "lower")]
+    found[f"incidence 1{at}=1"] = max(angles)
+    return found
+
+
+def check_analyses(program, checks):
+    """Goal by goal, the numbers of the analyses."""
+    for lens, vary, field, short, long in LENSES:
+        wanted = figures(program, lens, field, short, long)
+        got = values(program, lens, vary, list(wanted))
+        checks.check(len(got) == len(wanted), f"{lens}: {len(got)} of {len(wanted)} goals")
+        for goal, value in zip(wanted, got):
+            expected = float(wanted[goal])
+            checks.near("analyses", f"{lens}: {goal}", value, expected,
+                        RELATIVE * max(1, abs(expected)))
+
+
+def check_spots(program, checks):
+    """The squares of the spots add up to what their goal is the root of."""
+    for lens, _, _, _, _ in LENSES:
+        words = ("--rays", "36", "--no-clip")
+        spots = [first(program, "spot", lens, "--field", str(field), "-w", line, *words)
+                 for field in (0, 7) for line in ("d", "F")]
+        total = math.sqrt(sum(float(row["rms_um"]) ** 2 for row in spots)) / 1000
+        got = values(program, lens, "R1", ["spot"], "--field", "0,7", "-w", "d,F", "--rays", "36")[0]
+        checks.near("spots", f"{lens}: spot", got, total, 1e-9)
+
+
+def sag(radius, height):
+    """z of a sphere."""
+    return height ** 2 / radius / (1 + math.sqrt(1 - (height / radius) ** 2))
+
+
+def check_by_hand(program, checks, folder):
+    """A thick lens of two spheres; its stop is the first, rays along the axis."""
+    first_radius, second_radius = RADII
+    path = os.path.join(folder, "thick.lens")
+    with open(path, "w", encoding="utf-8") as file:
+        file.write(f"wavelength d\nobject inf\naperture epd 20\nfield angle 0\n"
+                   f"surface {first_radius} {THICKNESS} {INDEX} {DIAMETER} stop\n"
+                   f"surface {second_radius} 80 air {DIAMETER + 2}\n")
+    n, c, k = INDEX, 1 / first_radius, 1 / second_radius
+    power = (n - 1) * (c - k + (n - 1) * THICKNESS * c * k / n)
+    edge = (DIAMETER + 2) / 2
+    # the ray at 10 mm: angles by its triangles
+    inside = math.asin(10 / first_radius)
+    bent = math.asin(10 / first_radius / n)
+    slope = bent - inside
+    x, y = sag(first_radius, 10), 10
+    # from the centre of the second sphere, which lies at THICKNESS + second_radius
+    distance = abs((THICKNESS + second_radius - x) * math.sin(slope) + y * math.cos(slope))
+    wanted = {"efl=100": 1 / power, "length=1": THICKNESS,
+              "bfl=100": (1 - (n - 1) * THICKNESS * c / n) / power,
+              "center=1": THICKNESS,
+              "edge=1": THICKNESS - sag(first_radius, edge) + sag(second_radius, edge),
+              "petzval=-100": -1 / ((n - 1) / n * (c - k)),
+              "incidence 1=1": math.degrees(inside),
+              "incidence 2=1": math.degrees(math.asin(distance / abs(second_radius)))}
+    for goal, value in zip(wanted, values(program, path, "R1", list(wanted))):
+        checks.near("by hand", f"a thick lens: {goal}", value, wanted[goal],
+                    1e-12 * abs(wanted[goal]))
+
+
+def main():
+    """All of it."""
+    program, checks = Program(sys.argv[1]), Checks()
+    check_analyses(program, checks)
+    check_spots(program, checks)
+    with tempfile.TemporaryDirectory() as folder:
+        check_by_hand(program, checks, folder)
+    for kind, (share, where) in sorted(checks.worst.items()):
+        print(f"{kind}: at worst {share:.2g} of what is allowed, {where}")
+    checks.finish()
+
+
+if __name__ == "__main__":
+    main()
