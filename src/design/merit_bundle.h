@@ -110,10 +110,6 @@ bool merit_bundle_open(const struct bundle_wish *wish, const struct bundle_links
 bool merit_bundle_aim(struct merit_bundle *bundle, const struct lens *lens,
                       const struct dual_first *first, struct error *error);
 
-/* What a variable does, whose derivatives of the primary wavelength these are. */
-struct bundle_rate merit_bundle_rate(const struct merit_bundle *bundle,
-                                     const struct dual_first *first);
-
 /*
  * Trace one block.
  *
@@ -121,6 +117,26 @@ struct bundle_rate merit_bundle_rate(const struct merit_bundle *bundle,
  */
 bool merit_bundle_trace(struct merit_bundle *bundle, size_t block, bool derives,
                         struct ray_block *end, struct error *error);
+
+/* Where a ray of a group crosses the plane z = 0 before the lens, mm: for tests. */
+void merit_bundle_start(const struct merit_bundle *bundle, size_t group, size_t point,
+                        double place[2]);
+
+/* Is a field given as an image height, whose object moves with the lens? */
+static inline bool merit_bundle_moves(const struct merit_bundle *bundle, size_t field)
+{
+    return bundle->wish.fields[field].point.kind == FIELD_IMAGE;
+}
+
+/* -------- design/merit_bundle_sweep.c -------- */
+
+/* How fast a variable moves the image plane: as merit_bundle_sweep has it. */
+double merit_bundle_image_slope(const struct merit_bundle *bundle, const struct bundle_links *links,
+                                size_t variable);
+
+/* What a variable does, whose derivatives of the primary wavelength these are. */
+struct bundle_rate merit_bundle_rate(const struct merit_bundle *bundle,
+                                     const struct dual_first *first);
 
 /*
  * Derivatives of a function of the final rays of the block that was traced last, by the variables.
@@ -139,9 +155,5 @@ bool merit_bundle_trace(struct merit_bundle *bundle, size_t block, bool derives,
 void merit_bundle_sweep(const struct merit_bundle *bundle, size_t block,
                         const struct bundle_links *links, size_t variable_count,
                         struct ray_block *adjoint, double *columns);
-
-/* Where a ray of a group crosses the plane z = 0 before the lens, mm: for tests. */
-void merit_bundle_start(const struct merit_bundle *bundle, size_t group, size_t point,
-                        double place[2]);
 
 #endif

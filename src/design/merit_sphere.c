@@ -45,8 +45,8 @@ static bool set_sphere(const struct merit_spheres *spheres, double n, const stru
 }
 
 /* dR from that of e_z, which is r/n, and of the planes; the columns hold one part of all rays. */
-static void put_part(struct merit_spheres *spheres, const struct bundle_block *block, int part,
-                     const struct ray_block *end)
+static void put_part(struct merit_spheres *spheres, const struct bundle_block *block,
+                     const struct bundle_links *links, int part, const struct ray_block *end)
 {
     const struct merit_bundle *chief = &spheres->chief;
     const double n = chief->lights[0].system.index_last;
@@ -62,7 +62,8 @@ static void put_part(struct merit_spheres *spheres, const struct bundle_block *b
             }
             const double cosine = end->r[i] / n;
             const double way = (spheres->pupil[0].value - chief->image) / cosine;
-            const double moves = spheres->pupil[j].slope - chief->rates[j].image;
+            const double moves =
+                spheres->pupil[j].slope - merit_bundle_image_slope(chief, links, j);
             sphere->radius[j] = (way < 0 ? -1 : 1) * (moves - way * slope / n) / cosine;
             if (isinf(sphere->sphere.radius)) {
                 sphere->radius[j] = 0;
@@ -84,7 +85,7 @@ static void derive(struct merit_spheres *spheres, size_t which, const struct bun
         }
         merit_bundle_sweep(&spheres->chief, which, links, spheres->variable_count, &adjoint,
                            spheres->columns);
-        put_part(spheres, block, part, end);
+        put_part(spheres, block, links, part, end);
     }
 }
 
