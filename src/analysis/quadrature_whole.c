@@ -96,16 +96,6 @@ static bool aim_points(const struct placing *placing, size_t done, struct pupil_
     return found;
 }
 
-/* Does all that a beam meets on one side of the meridional plane mirror the other, x and a too? */
-static bool is_mirrored(const struct stop_beam *beam)
-{
-    const struct beam *rays = beam->beam;
-    const double *axes = beam->axes;
-    return rays->axis[0] == 0 && rays->foot[0] == 0 && rays->across[0][1] == 0 &&
-           rays->across[0][2] == 0 && rays->across[1][0] == 0 && beam->origin[0] == 0 &&
-           axes[1] == 0 && axes[2] == 0 && lens_is_round(beam->system->lens);
-}
-
 /* All of them, in blocks. */
 static bool aim_all(const struct placing *placing, struct pupil_point *points, size_t count)
 {
@@ -217,7 +207,7 @@ bool quadrature_whole(const struct margins *margins, size_t rays, struct arena *
     bool found = true;
     if (is_disc) {
         place_points(&placing, all->sample.points, count);
-    } else if (is_mirrored(beam)) {
+    } else if (stop_beam_is_mirrored(beam)) {
         found = aim_half(&placing, all->sample.points, arms, count / arms, arena);
     } else {
         found = aim_all(&placing, all->sample.points, count);

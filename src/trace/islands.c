@@ -40,27 +40,35 @@ static void add(struct patches *all, double angle, double width, double low, dou
     all->count++;
 }
 
-/* All that lies beyond the edge, in sectors from corner to corner. */
+/* Sectors between two angles. */
+static void add_sectors(struct patches *all, double from, double to)
+{
+    const double widest = 2 * PI / SECTORS, nearby = 0.25;
+    const size_t sectors = (size_t)ceil((to - from) / widest);
+    const double width = (to - from) / (double)sectors;
+    for (size_t k = 0; k < sectors; k++) {
+        for (size_t ring = 0; ring < RINGS; ring++) {
+            add(all, from + (double)k * width, width, ring == 0 ? 0 : nearby,
+                ring == 0 ? nearby : 1);
+        }
+    }
+}
+
+/* All that lies beyond the edge, in sectors from corner to corner; of twin halves one. */
 static void begin(struct patches *all)
 {
-    const double nearby = 0.25;
     const struct star *star = all->star;
-    const double widest = 2 * PI / SECTORS;
-    double from = star->corner_count > 0 ? star->corners[0] : 0;
-    for (size_t i = 0; i < star->corner_count || i == 0; i++) {
-        double to = i + 1 < star->corner_count ? star->corners[i + 1]
-                    : star->corner_count > 0   ? star->corners[0] + 2 * PI
-                                               : 2 * PI;
-        size_t sectors = (size_t)ceil((to - from) / widest);
-        for (size_t k = 0; k < sectors; k++) {
-            double width = (to - from) / (double)sectors;
-            for (size_t ring = 0; ring < RINGS; ring++) {
-                add(all, from + (double)k * width, width, ring == 0 ? 0 : nearby,
-                    ring == 0 ? nearby : 1);
-            }
+    const bool is_half = all->margins->is_mirrored && star->frame.centre[0] == 0;
+    const double first = star->corner_count > 0 && !is_half ? star->corners[0] : 0;
+    const double end = first + (is_half ? PI : 2 * PI);
+    double from = first;
+    for (size_t i = 0; i < star->corner_count; i++) {
+        if (star->corners[i] > from && star->corners[i] < end) {
+            add_sectors(all, from, star->corners[i]);
+            from = star->corners[i];
         }
-        from = to;
     }
+    add_sectors(all, from, end);
 }
 
 /* Rays in one direction. */

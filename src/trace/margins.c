@@ -62,6 +62,7 @@ struct margins margins_open(const struct stop_beam *beam, struct arena *arena)
                             .limit = arena_buffer(arena, RAYS_BLOCK * sizeof(size_t)),
                             .numbers = rows + (count + 1) * RAYS_BLOCK,
                             .watches = ARENA_ARRAY(arena, count, struct rim_watch),
+                            .is_mirrored = stop_beam_is_mirrored(beam),
                             .is_plain = is_plain(system, all, count)};
 }
 

@@ -34,7 +34,8 @@ struct margins {
     size_t *limit;   /* which that is; margins_lost: lost there */
     double *numbers; /* the same while a kernel works */
     struct rim_watch *watches;
-    bool is_plain; /* all are clear radii of surfaces that stand where the lens does */
+    bool is_mirrored; /* what lies on one side of u = 0 mirrors the other */
+    bool is_plain;    /* all are clear radii of surfaces that stand where the lens does */
 };
 
 struct margins margins_open(const struct stop_beam *beam, struct arena *arena);

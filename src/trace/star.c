@@ -187,8 +187,13 @@ static void scan(const struct search *search, size_t directions)
         star->angles[i] = 2 * PI * ((double)i + 0.5) / (double)star->count;
         near[i] = search->before != NULL ? star_near(search->before, star->angles[i]) : 0;
     }
-    find_limits(search, star->angles, search->before != NULL ? near : NULL, star->count,
-                star->edges);
+    /* angles count from u = 0 */
+    const bool is_half = search->margins->is_mirrored && star->frame.centre[0] == 0;
+    const size_t own = is_half ? directions / 2 : directions;
+    find_limits(search, star->angles, search->before != NULL ? near : NULL, own, star->edges);
+    for (size_t i = own; i < directions; i++) {
+        star->edges[i] = star->edges[directions - 1 - i];
+    }
 }
 
 /* A piece of the edge that may be hidden between directions: its excess peaks about here. */

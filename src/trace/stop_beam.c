@@ -95,3 +95,13 @@ double stop_beam_share(const struct stop_beam *all, const double from[2], const 
     double first = way_to(all, from[0], from[1]), last = way_to(all, to[0], to[1]);
     return share * first / (last - share * (last - first));
 }
+
+bool stop_beam_is_mirrored(const struct stop_beam *beam)
+{
+    const struct beam *rays = beam->beam;
+    const double *axes = beam->axes;
+    const bool centred = beam->has_disc ? beam->disc[0] == 0 : beam->origin[0] == 0;
+    return centred && (beam->has_disc || (axes[1] == 0 && axes[2] == 0)) && rays->axis[0] == 0 &&
+           rays->foot[0] == 0 && rays->across[0][1] == 0 && rays->across[0][2] == 0 &&
+           rays->across[1][0] == 0 && lens_is_round(beam->system->lens);
+}

@@ -36,6 +36,9 @@ struct stop_beam {
     double disc[3], extent; /* its centre in the frame of the first vertex, and its radius, mm */
 };
 
+/* Does what rays meet on one side of u = 0, in the beam and in the stop, mirror the other? */
+bool stop_beam_is_mirrored(const struct stop_beam *beam);
+
 /* Over the stop, about the ray that the aim has; clear: the system that may lose rays. */
 struct stop_beam stop_beam_of_stop(const struct aim *aim, const struct system *clear,
                                    enum stop_weight weight);
