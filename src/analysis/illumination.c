@@ -47,6 +47,7 @@ static void open_part(const struct illumination_question *question, struct arena
     part->region = quadrature_open(&part->beam, arena);
     part->region.in_r = true;
     part->region.in_beam = true;
+    part->region.in_half = true;
 }
 
 /* All points of a quadrature of so many rays; weights add up to the area, mm^2. */

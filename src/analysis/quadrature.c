@@ -12,6 +12,9 @@
 /* An excess that counts as none at the ends of arms; a step of differences, in u and v. */
 static const double finely = 1e-13, step = 1e-5;
 
+/* The sine of an angle at which an arm is its own mirror image, but for rounding. */
+static const double on_axis = 1e-12;
+
 /* c of the arcs, rad. */
 static const double rounder = 8;
 
@@ -69,11 +72,29 @@ static void spread(const struct star *star, size_t wanted, struct arena *arena, 
     }
 }
 
-static void make_arms(const struct margins *margins, const struct probe *probe,
-                      const struct star *star, size_t wanted, struct arena *arena,
+/* Of arms that mirror each other about u = 0 one counts twice. */
+static void keep_half(struct arms *arms)
+{
+    size_t kept = 0;
+    for (size_t i = 0; i < arms->count; i++) {
+        const double side = sin(arms->angles[i]);
+        if (side > -on_axis) {
+            arms->angles[kept] = arms->angles[i];
+            arms->shares[kept++] = arms->shares[i] * (side > on_axis ? 2 : 1);
+        }
+    }
+    arms->count = kept;
+}
+
+static void make_arms(const struct quadrature_region *region, size_t wanted, struct arena *arena,
                       struct arms *arms)
 {
+    const struct margins *margins = &region->margins;
+    const struct star *star = region->star;
     spread(star, wanted, arena, arms);
+    if (region->in_half && margins->is_mirrored && star->frame.centre[0] == 0) {
+        keep_half(arms);
+    }
     double *near = ARENA_ARRAY(arena, arms->count, double);
     for (size_t i = 0; i < arms->count; i++) {
         near[i] = star_near(star, arms->angles[i]);
@@ -87,7 +108,7 @@ static void make_arms(const struct margins *margins, const struct probe *probe,
     arms->spans = ARENA_ARRAY(arena, arms->count, struct spans);
     const struct edge_directions directions = {star->frame, arms->angles, near, arms->count, 0};
     edges_find(margins, &directions, finely, arms->edges);
-    star_spans(margins, probe, &directions, arms->edges, arms->spans);
+    star_spans(margins, &region->probe, &directions, arms->edges, arms->spans);
 }
 
 /* -------- points -------- */
@@ -396,7 +417,7 @@ struct quadrature quadrature_fill(struct quadrature_region *region, size_t rays,
     }
     const struct star *star = region->star;
     const size_t rings = rings_for(star, rays), wanted = arms_for(star, rings);
-    make_arms(margins, &region->probe, star, wanted, arena, &arms);
+    make_arms(region, wanted, arena, &arms);
     put_points(region, &arms, rings, arena, &all);
     all.is_empty = all.sample.count == 0;
     if (region->in_beam) {

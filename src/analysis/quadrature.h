@@ -39,6 +39,7 @@ struct quadrature_region {
     bool is_known, is_empty;
     bool in_r;    /* points are Gauss's in r, not in r^2: to be set before it is filled */
     bool in_beam; /* points stay u and v, their weights areas there, and have no rays: the same */
+    bool in_half; /* what is integrated mirrors as the pupil does: half of it, twice; the same */
 };
 
 /* Make ready; nothing is traced yet. All lies in the arena. */

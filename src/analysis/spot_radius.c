@@ -28,7 +28,32 @@ struct rim {
     double angles[MOST];            /* ascending */
     double distances[RINGS * MOST]; /* ring after ring */
     size_t count;
+    bool is_half; /* from 0 to half a turn: the other half mirrors it */
 };
+
+/* The direction beside the i-th on one side of it, or its mirror image. */
+static size_t previous_of(const struct rim *rim, size_t i)
+{
+    return i > 0 ? i - 1 : rim->is_half ? 1 : rim->count - 1;
+}
+
+static size_t next_of(const struct rim *rim, size_t i)
+{
+    return i + 1 < rim->count ? i + 1 : rim->is_half ? rim->count - 2 : 0;
+}
+
+/* Its angle, below or above that one. */
+static double angle_before(const struct rim *rim, size_t i)
+{
+    const double angle = rim->angles[previous_of(rim, i)];
+    return i > 0 ? angle : rim->is_half ? -angle : angle - 2 * PI;
+}
+
+static double angle_after(const struct rim *rim, size_t i)
+{
+    const double angle = rim->angles[next_of(rim, i)];
+    return i + 1 < rim->count ? angle : 2 * PI + (rim->is_half ? -angle : angle);
+}
 
 static const double *ring_of(const struct rim *rim, size_t ring)
 {
@@ -107,7 +132,7 @@ static void measure(const struct spot_radius_question *question, const struct bu
 static void set_angles(const struct star *star, struct rim *rim)
 {
     rim->count = 0;
-    for (size_t i = 0; i < AROUND; i++) {
+    for (size_t i = 0; i < (rim->is_half ? AROUND / 2 : AROUND); i++) {
         const double angle = 2 * PI * (double)i / AROUND, next = angle + 2 * PI / AROUND;
         rim->angles[rim->count++] = angle;
         for (size_t k = 0; k < star->corner_count; k++) {
@@ -117,6 +142,19 @@ static void set_angles(const struct star *star, struct rim *rim)
             }
         }
     }
+    if (rim->is_half) {
+        rim->angles[rim->count++] = PI;
+    }
+}
+
+/* Does the image mirror itself as the pupil does? */
+static bool is_mirrored(const struct spot_radius_question *question,
+                        const struct bundle_source *source, const struct star *star)
+{
+    const struct spot_plane *plane = question->plane;
+    return source->region->margins.is_mirrored && star->frame.centre[0] == 0 &&
+           plane->origin[0] == 0 && question->about[0] == 0 && plane->across[0][1] == 0 &&
+           plane->across[0][2] == 0 && plane->across[1][0] == 0;
 }
 
 static void look_around(const struct spot_radius_question *question, struct arena *arena,
@@ -129,6 +167,7 @@ static void look_around(const struct spot_radius_question *question, struct aren
     if (star == NULL) {
         return;
     }
+    rim->is_half = is_mirrored(question, rim->source, star);
     set_angles(star, rim);
     const struct edge_directions directions = {.angles = rim->angles, .count = rim->count};
     const struct quadrature_rim edge = quadrature_edge(rim->source->region, &directions, arena);
@@ -152,7 +191,7 @@ static double rise_of(double before, double here, double after, double reach)
 /* No neighbour is farther off. */
 static bool is_peak(const struct rim *rim, size_t ring, size_t i)
 {
-    const size_t last = (i + rim->count - 1) % rim->count, next = (i + 1) % rim->count;
+    const size_t last = previous_of(rim, i), next = next_of(rim, i);
     const double here = ring_of(rim, ring)[i];
     const size_t low = ring > 0 ? ring - 1 : 0, high = ring + 1 < RINGS ? ring + 1 : ring;
     bool peak = here >= 0;
@@ -165,7 +204,7 @@ static bool is_peak(const struct rim *rim, size_t ring, size_t i)
 
 static struct peak peak_of(const struct rim *rim, size_t ring, size_t i)
 {
-    const size_t last = (i + rim->count - 1) % rim->count, next = (i + 1) % rim->count;
+    const size_t last = previous_of(rim, i), next = next_of(rim, i);
     const double *row = ring_of(rim, ring), here = row[i];
     const bool at_edge = ring + 1 == RINGS;
     const size_t middle = at_edge ? ring - 1 : ring;
@@ -175,12 +214,11 @@ static struct peak peak_of(const struct rim *rim, size_t ring, size_t i)
         const double low = ring_of(rim, middle - 1)[i], mid = ring_of(rim, middle)[i];
         along = mid + rise_of(low, mid, ring_of(rim, middle + 1)[i], 1) - here;
     }
-    return (struct peak){
-        .source = rim->source,
-        .low = {rim->angles[last] - (i == 0 ? 2 * PI : 0), (double)ring / RINGS},
-        .high = {rim->angles[next] + (next == 0 ? 2 * PI : 0), fmin((double)(ring + 2) / RINGS, 1)},
-        .distance = here,
-        .height = here + fmax(along, 0) + rise_of(row[last], here, row[next], 1)};
+    return (struct peak){.source = rim->source,
+                         .low = {angle_before(rim, i), (double)ring / RINGS},
+                         .high = {angle_after(rim, i), fmin((double)(ring + 2) / RINGS, 1)},
+                         .distance = here,
+                         .height = here + fmax(along, 0) + rise_of(row[last], here, row[next], 1)};
 }
 
 /* Enter a peak among the highest, which descend. */

@@ -117,7 +117,11 @@ void tangent_trace_start(const struct system *system, size_t places, size_t coun
 static void forget_lost(const struct ray_block *end, int lanes, size_t count,
                         struct ray_block *tangents)
 {
-    for (size_t j = 0; j < count; j++) {
+    double none = 0;
+    for (int i = 0; i < lanes; i++) {
+        none += 0 * end->x[i];
+    }
+    for (size_t j = 0; j < count && isnan(none); j++) {
         double *of[] = {tangents[j].x, tangents[j].y, tangents[j].z,   tangents[j].p,
                         tangents[j].q, tangents[j].r, tangents[j].path};
         for (size_t k = 0; k < sizeof of / sizeof of[0]; k++) {
