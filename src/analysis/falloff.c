@@ -164,6 +164,16 @@ static struct falloff_point look(const struct falloff *falloff, const double hei
     return point;
 }
 
+void falloff_begin(const struct falloff *falloff, const double height[2])
+{
+    const struct field_point at = {FIELD_REAL, {height[0], height[1]}};
+    struct beam beam;
+    struct error ignored;
+    if (!setup_beam_near(&falloff->setup, &at, falloff->near, &beam, &ignored)) {
+        falloff->near->is_known = false;
+    }
+}
+
 struct falloff falloff_apart(const struct falloff *falloff, struct arena *arena)
 {
     struct falloff apart = *falloff;

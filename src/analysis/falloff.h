@@ -38,7 +38,11 @@ struct falloff_question {
 bool falloff_open(const struct falloff_question *question, struct falloff *falloff,
                   struct error *error);
 
-/* The same for another thread, which remembers nothing of heights: its memory is `arena`. */
+/* Search for the chief rays of heights from that of this one on, mm: all as if it was the last. */
+void falloff_begin(const struct falloff *falloff, const double height[2]);
+
+/* The same for another thread, which remembers no height but that of falloff_begin: its memory is
+   `arena`. */
 struct falloff falloff_apart(const struct falloff *falloff, struct arena *arena);
 
 /* A point of the image. */

@@ -216,6 +216,9 @@ static bool answer(const struct analysis_case *one, size_t field, void *context,
                             STEPS,
                             found};
     const size_t count = STEPS + 1 - points.first;
+    if (count > 1) {
+        falloff_begin(&falloff, (double[2]){end.height[0] / 2, end.height[1] / 2});
+    }
     analysis_divide(one, count, find_light, &points);
     for (size_t i = 0; i < count; i++) {
         if (!emit(asked, one, field, end.share, &found[i])) {
