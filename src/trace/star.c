@@ -94,6 +94,7 @@ static void find_limits(const struct search *search, const double *angles, const
 
 /* -------- the centre -------- */
 
+/* A ray that passes; it is the one looked at last. */
 static bool find_centre(const struct margins *margins, struct arena *arena, double centre[2])
 {
     static const double middle[1][2] = {{0, 0}}, low[2] = {-1.5, -1.5}, high[2] = {1.5, 1.5};
@@ -111,6 +112,10 @@ static bool find_centre(const struct margins *margins, struct arena *arena, doub
         found = parts_middle(parts, centre);
     }
     arena_reset(arena, mark);
+    if (found) {
+        const double at[1][2] = {{centre[0], centre[1]}};
+        margins_look(margins, at, 1);
+    }
     return found;
 }
 
@@ -178,6 +183,12 @@ static bool fit_frame(const struct search *search)
 
 /* -------- directions -------- */
 
+/* Are the halves of a star on both sides of u = 0, from where angles count, mirror images? */
+static bool is_mirrored(const struct search *search)
+{
+    return search->margins->is_mirrored && search->star->frame.centre[0] == 0;
+}
+
 static void scan(const struct search *search, size_t directions)
 {
     struct star *star = search->star;
@@ -187,9 +198,7 @@ static void scan(const struct search *search, size_t directions)
         star->angles[i] = 2 * PI * ((double)i + 0.5) / (double)star->count;
         near[i] = search->before != NULL ? star_near(search->before, star->angles[i]) : 0;
     }
-    /* angles count from u = 0 */
-    const bool is_half = search->margins->is_mirrored && star->frame.centre[0] == 0;
-    const size_t own = is_half ? directions / 2 : directions;
+    const size_t own = is_mirrored(search) ? directions / 2 : directions;
     find_limits(search, star->angles, search->before != NULL ? near : NULL, own, star->edges);
     for (size_t i = own; i < directions; i++) {
         star->edges[i] = star->edges[directions - 1 - i];
@@ -430,14 +439,17 @@ static void find_corners(const struct search *search)
 {
     struct star *star = search->star;
     struct bracket brackets[STAR_CORNERS];
+    const bool is_half = is_mirrored(search);
+    const size_t most = is_half ? STAR_CORNERS / 2 : STAR_CORNERS;
     size_t count = 0;
     star->corner_count = 0;
     for (size_t i = 0; i < star->count; i++) {
         const size_t next = (i + 1) % star->count;
-        if (star->edges[i].limit == star->edges[next].limit) {
+        const bool is_other = is_half && !(sin(star->angles[i] + gap_of(star, i) / 2) > 0);
+        if (star->edges[i].limit == star->edges[next].limit || is_other) {
             continue;
         }
-        if (count == STAR_CORNERS) {
+        if (count == most) {
             return;
         }
         brackets[count++] = (struct bracket){.low = star->angles[i],
@@ -447,7 +459,7 @@ static void find_corners(const struct search *search)
     }
     for (int round = 0; round < ROUNDS && narrow(search, brackets, &count); round++) {
     }
-    if (count > STAR_CORNERS) {
+    if (count > most) {
         return;
     }
     for (size_t k = 0; k < count; k++) {
@@ -456,6 +468,9 @@ static void find_corners(const struct search *search)
         star->radii[k] = one->is_found ? one->radius : (one->before.radius + one->after.radius) / 2;
     }
     star->corner_count = count;
+    if (is_half) {
+        star_mirror_corners(star);
+    }
 }
 
 /* Is one thing all of the edge, and as far on one side of the centre as on the other? */
@@ -506,11 +521,9 @@ static bool loses(const struct star *star)
     return some;
 }
 
-/* An excess that says enough of where an edge is to compare it with others. */
-static double choose_tolerance(const struct margins *margins, const double centre[2])
+/* An excess that says enough of where an edge is, about the ray looked at last, the centre. */
+static double choose_tolerance(const struct margins *margins)
 {
-    const double point[1][2] = {{centre[0], centre[1]}};
-    margins_look(margins, point, 1);
     return margins->is_listed ? 1e-12 : fmin(roughly, of_depth * -margins->excess[0]);
 }
 
@@ -543,7 +556,7 @@ bool star_find(const struct margins *margins, const struct probe *probe, struct 
         return false;
     }
     for (int fit = 0;; fit++) {
-        search.tolerance = choose_tolerance(margins, star->frame.centre);
+        search.tolerance = choose_tolerance(margins);
         scan(&search, margins->is_listed ? MORE_DIRECTIONS : DIRECTIONS);
         bool fits = (is_whole(margins, star) || is_even(margins, star)) && !is_long(star);
         if (fits || margins->is_listed || fit == FITS || fit_frame(&search)) {
@@ -564,7 +577,8 @@ bool star_follow(const struct margins *margins, const struct probe *probe,
     star->frame = before->frame;
     star->corner_count = 0;
     margins_widen(margins);
-    search.tolerance = choose_tolerance(margins, star->frame.centre);
+    margins_look(margins, (const double(*)[2])star->frame.centre, 1);
+    search.tolerance = choose_tolerance(margins);
     if (!(margins->excess[0] <= 0)) {
         return false;
     }

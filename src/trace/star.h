@@ -54,6 +54,9 @@ bool star_find(const struct margins *margins, const struct probe *probe, struct 
 bool star_follow(const struct margins *margins, const struct probe *probe,
                  const struct star *before, struct star *star);
 
+/* Corners on one side of u = 0, with those on the other that mirror them. */
+void star_mirror_corners(struct star *star);
+
 /* Join edges and corners into one list, ascending from the first edge on, for star_near. */
 void star_join(struct star *star);
 

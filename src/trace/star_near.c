@@ -3,6 +3,35 @@
 #include "base/constants.h"
 #include "trace/star.h"
 
+#include <math.h>
+#include <string.h>
+
+/* Enter a corner in its place. */
+static void enter(struct star *star, double angle, double radius)
+{
+    size_t k = star->corner_count++;
+    for (; k > 0 && star->corners[k - 1] > angle; k--) {
+        star->corners[k] = star->corners[k - 1];
+        star->radii[k] = star->radii[k - 1];
+    }
+    star->corners[k] = angle;
+    star->radii[k] = radius;
+}
+
+void star_mirror_corners(struct star *star)
+{
+    double angles[STAR_CORNERS], radii[STAR_CORNERS];
+    const size_t half = star->corner_count;
+    memcpy(angles, star->corners, half * sizeof *angles);
+    memcpy(radii, star->radii, half * sizeof *radii);
+    star->corner_count = 0;
+    for (size_t i = 0; i < half; i++) {
+        const double angle = angles[i] - 2 * PI * floor(angles[i] / (2 * PI));
+        enter(star, angle, radii[i]);
+        enter(star, 2 * PI - angle, radii[i]);
+    }
+}
+
 void star_join(struct star *star)
 {
     size_t i = 0, k = 0, count = 0;
