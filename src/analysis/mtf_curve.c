@@ -10,7 +10,16 @@
 #include <math.h>
 #include <string.h>
 
-enum { CELLS = 112, CELLS_MOST = 4096, LINES_LEAST = 28, LINES_MOST = 2048, LOOKS = 24 };
+/* Cells and lines: these at least, as overlaps end with a kink that Gauss's rule does not know; and
+   without a turn of the phase. */
+enum {
+    CELLS = 112,
+    CELLS_MOST = 4096,
+    LINES_LEAST = 72,
+    LINES_STILL = 28,
+    LINES_MOST = 2048,
+    LOOKS = 24
+};
 enum { LANES = EXIT_SERIES_LANES };
 
 /* Of the lines that are transformed side by side those with wave fronts are so many; two of their
@@ -22,8 +31,9 @@ _Static_assert(WAVES + PERFECT == FFT_LANES && 2 * PERFECT >= WAVES, "room for a
    the square of them, and with the size of a cell; and of any number. */
 static const double steep = 0.15, steepest = 0.4;
 
-/* Lines for each turn of a phase that is as steep everywhere: Gauss's converge from pi/2 on. */
-static const double a_turn = 1.75;
+/* Lines for each turn of a phase that is as steep everywhere: Gauss's converge from pi/2 on, but
+   those kinks are the worse the more it turns. */
+static const double a_turn = 2.2;
 
 /* What series of the wave front may leave of contrast. */
 static const double fine = 3e-4;
@@ -132,7 +142,7 @@ static bool set_grid(struct overlapping *one, double shift, size_t count)
     const double cells =
         fmax(fmax(CELLS, turns / steepest), cbrt(CELLS * turns * turns / (steep * steep)));
     const double lag = ceil(shift * cells / one->wide[0]);
-    const double lines = LINES_LEAST + a_turn * across;
+    const double lines = fmax(LINES_LEAST, LINES_STILL + a_turn * across);
     one->step = shift / lag;
     one->lag = (size_t)fmin(lag, CELLS_MOST);
     one->cells = (size_t)(1.02 * fmin(one->wide[0] / one->step, CELLS_MOST)) + 2;
@@ -194,8 +204,7 @@ static void add_piece(const struct overlapping *one, size_t p)
     const struct exit_piece *piece = &one->front->lines->pieces[p];
     const size_t length = one->fft.length;
     const double share = fmin((piece->high - piece->low) / one->wide[1], 1);
-    const size_t count =
-        LINES_LEAST / 2 + (size_t)((double)(one->across - LINES_LEAST / 2) * share);
+    const size_t count = (size_t)((double)one->across * (1 + share) / 2);
     double *x = ARENA_ARRAY(one->arena, count, double), *w = ARENA_ARRAY(one->arena, count, double);
     double *re = ARENA_ARRAY(one->arena, FFT_LANES * length, double);
     double *im = ARENA_ARRAY(one->arena, FFT_LANES * length, double);
