@@ -85,6 +85,7 @@ static bool open_place(const struct merit *merit, size_t position, struct arena 
     const struct merit_question *question = &merit->question;
     const struct setup_question asked = {.lens = question->lens,
                                          .position = position,
+                                         .section = question->section,
                                          .wavelength = NAN,
                                          .wavelengths = WAVELENGTHS_ALL,
                                          .spectrum = question->wavelengths,

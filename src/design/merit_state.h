@@ -29,7 +29,8 @@ struct merit_question {
     size_t field_count;
     const size_t *positions; /* count 0: all */
     size_t position_count;
-    double fnumber; /* NaN: the lens's own aperture */
+    enum lens_section section; /* of paraxial figures */
+    double fnumber;            /* NaN: the lens's own aperture */
     bool from_entrance, clip;
     enum pattern pattern;
     size_t rays;

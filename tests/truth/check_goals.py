@@ -92,6 +92,24 @@ def check_spots(program, checks):
         checks.near("spots", f"{lens}: spot", got, total, 1e-9)
 
 
+def check_sections(program, checks, folder):
+    """A cylinder: the figures of each section."""
+    path = os.path.join(folder, "cylinder.lens")
+    with open(path, "w", encoding="utf-8") as file:
+        file.write("object inf\naperture epd 10\nfield angle 0 5\nsurface 50 5 1.5 20 cyl=x\n"
+                   "surface -80 3 1.6 20\nsurface -300 60 air 20\nstop - 1 air 10\n")
+    for section in ("x", "y"):
+        words = ("--section", section)
+        lens = first(program, "lens", path, *words)
+        sums = program.rows("seidel", path, *words)[-1]
+        wanted = {f"efl={lens['efl_mm']}": lens["efl_mm"], "bfl=1": lens["bfl_mm"],
+                  "S1": sums["S1"], "S3": sums["S3"]}
+        for goal, value in zip(wanted, values(program, path, "R2", list(wanted), *words)):
+            expected = float(wanted[goal])
+            checks.near("sections", f"section {section}: {goal}", value, expected,
+                        RELATIVE * abs(expected))
+
+
 def sag(radius, height):
     """z of a sphere."""
     return height ** 2 / radius / (1 + math.sqrt(1 - (height / radius) ** 2))
@@ -133,6 +151,7 @@ def main():
     check_analyses(program, checks)
     check_spots(program, checks)
     with tempfile.TemporaryDirectory() as folder:
+        check_sections(program, checks, folder)
         check_by_hand(program, checks, folder)
     for kind, (share, where) in sorted(checks.worst.items()):
         print(f"{kind}: at worst {share:.2g} of what is allowed, {where}")

@@ -7,8 +7,11 @@
 #include <math.h>
 
 /* mm; NaN: an afocal lens. */
-static double focal_length(const struct lens *lens, size_t position, struct arena *arena)
+static double focal_length(const struct optimize_job *job, size_t position)
 {
+    const struct lens *lens = job->lens;
+    const enum lens_section section = (enum lens_section)job->input->question.section;
+    struct arena *arena = job->run->arena;
     const double stated = lens_stated(lens, STATED_EFL, position);
     struct first_order first;
     struct error ignored;
@@ -17,17 +20,19 @@ static double focal_length(const struct lens *lens, size_t position, struct aren
     }
     const bool known =
         first_order_of_lens(lens_at_position(lens, position, arena), lens_primary_wavelength(lens),
-                            SECTION_Y, arena, &first, &ignored);
+                            section, arena, &first, &ignored);
     return known && isfinite(first.efl) ? first.efl : NAN;
 }
 
-static const char *add_focal_lengths(const struct lens *lens, const char *words,
-                                     struct arena *arena, double *size)
+static const char *add_focal_lengths(const struct optimize_job *job, const char *words,
+                                     double *size)
 {
+    const struct lens *lens = job->lens;
+    struct arena *arena = job->run->arena;
     const size_t count = lens->position_count > 0 ? lens->position_count : 1;
     *size = INFINITY;
     for (size_t i = 0; i < count; i++) {
-        const double focal = focal_length(lens, i, arena);
+        const double focal = focal_length(job, i);
         if (!isnan(focal)) {
             words = count > 1
                         ? arena_printf(arena, "%s, efl@%s = %.6g", words, lens->positions[i], focal)
@@ -86,7 +91,7 @@ static const char *usual_goals(struct optimize_job *job, const struct merit_ques
     } limits[] = {{"center", 0.02}, {"edge", 0.01}, {"air", 0.001}};
     struct arena *arena = job->run->arena;
     double size;
-    const char *words = add_focal_lengths(job->lens, "poly", arena, &size);
+    const char *words = add_focal_lengths(job, "poly", &size);
     for (size_t i = 0; i < sizeof limits / sizeof limits[0] && isfinite(size); i++) {
         const double least = least_of(job, question, limits[i].name),
                      usual = limits[i].share * size;

@@ -42,6 +42,7 @@ static struct merit_question question_of(struct optimize_job *job, const struct 
                                    .field_count = input->question.fields.count,
                                    .positions = view->positions,
                                    .position_count = view->position_count,
+                                   .section = (enum lens_section)input->question.section,
                                    .fnumber = input->question.fnumber,
                                    .from_entrance = input->aim == ANALYSIS_AIM_ENTRANCE,
                                    .clip = input->clip,
