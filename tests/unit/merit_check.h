@@ -65,7 +65,8 @@ static inline bool merit_bench_open(struct merit_bench *bench, const struct meri
                                             .variable_count = bench->count,
                                             .operands = bench->goals.list,
                                             .operand_count = bench->goals.count,
-                                            .fnumber = NAN};
+                                            .fnumber = NAN,
+                                            .rays = 36};
     variables_get(&bench->variables, bench->v);
     return merit_open(&question, arena, &bench->merit, error);
 }

@@ -77,7 +77,10 @@ static bool makes_many(const void *data)
 static bool run(const void *data, struct run *run, struct error *error)
 {
     struct optimize_job *job = ARENA_NEW(run->arena, struct optimize_job);
-    job->input = data;
+    struct optimize_input *input = ARENA_NEW(run->arena, struct optimize_input);
+    *input = *(const struct optimize_input *)data; /* a sweep changes it */
+    job->earlier = run->state;
+    job->input = input;
     job->run = run;
     run->state = job;
     return optimize_job_run(job, error) && optimize_emit(job, error);
@@ -99,7 +102,7 @@ static const struct artifact artifacts[] = {
      .is_kept = true,
      .make = optimize_save},
     {ARTIFACT_OPTION("plot", drawing_types, "draw the merit against the iteration"),
-     .is_kept = true, .make = optimize_plot},
+     .scope = ARTIFACT_OF_SWEEP, .is_kept = true, .make = optimize_plot},
 };
 
 static const struct explanation explanations[] = {

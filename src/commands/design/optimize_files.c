@@ -4,6 +4,9 @@
 #include "commands/design/optimize_job.h"
 #include "draw/plot.h"
 #include "file/lens_file.h"
+#include "trace/sample.h"
+
+#include <math.h>
 
 bool optimize_save(const struct artifact_job *job, struct output *sink, struct error *error)
 {
@@ -26,25 +29,61 @@ bool optimize_save(const struct artifact_job *job, struct output *sink, struct e
     return true;
 }
 
+/* "f/2.8", "seed 3"; null: there is only one. */
+static const char *label_of(const struct optimize_job *job, bool several)
+{
+    const struct optimize_input *input = job->input;
+    struct arena *arena = job->run->arena;
+    const char *aperture = isnan(input->question.fnumber)
+                               ? ""
+                               : arena_printf(arena, "f/%.4g ", input->question.fnumber);
+    return !several ? NULL
+           : input->pattern == PATTERN_SOBOL
+               ? arena_printf(arena, "%sseed %ld", aperture, input->seed)
+               : aperture;
+}
+
+/* A curve as long as the longest. */
+static const double *curve_of(const struct optimize_answer *answer, size_t length,
+                              struct arena *arena)
+{
+    double *y = ARENA_ARRAY(arena, length, double);
+    for (size_t i = 0; i < length; i++) {
+        y[i] = i < answer->history_count ? answer->history[i] : NAN;
+    }
+    return y;
+}
+
 bool optimize_plot(const struct artifact_job *job, struct output *sink, struct error *error)
 {
-    const struct optimize_job *done = job->run->state;
-    const struct optimize_answer *answer = &done->answer;
+    const struct optimize_job *last = job->run->state;
     struct arena *arena = job->run->arena;
     struct svg svg = {.arena = arena};
-    double *x = ARENA_ARRAY(arena, answer->history_count, double);
-    for (size_t i = 0; i < answer->history_count; i++) {
+    struct plot_series *series = ARENA_ARRAY(arena, job->count, struct plot_series);
+    size_t length = 0, at = job->count;
+    bool is_positive = true;
+    for (const struct optimize_job *one = last; one != NULL; one = one->earlier) {
+        length = one->answer.history_count > length ? one->answer.history_count : length;
+        is_positive = is_positive && one->answer.after.merit > 0;
+    }
+    for (const struct optimize_job *one = last; one != NULL && at > 0; one = one->earlier) {
+        at--;
+        series[at] = (struct plot_series){.label = label_of(one, job->count > 1),
+                                          .y = curve_of(&one->answer, length, arena),
+                                          .style = at};
+    }
+    double *x = ARENA_ARRAY(arena, length, double);
+    for (size_t i = 0; i < length; i++) {
         x[i] = (double)i;
     }
-    const struct plot_series series = {.y = answer->history};
-    const struct plot plot = {.title = done->lens->title,
-                              .subtitle = arena_printf(arena, "%s, %s", done->goals, done->status),
+    const struct plot plot = {.title = last->lens->title,
+                              .subtitle = last->goals,
                               .x_label = "iteration",
                               .y_label = "merit",
                               .x = x,
-                              .count = answer->history_count,
-                              .series = &series,
-                              .series_count = 1,
-                              .log_y = answer->after.merit > 0};
+                              .count = length,
+                              .series = series + at,
+                              .series_count = job->count - at,
+                              .log_y = is_positive};
     return plot_draw(&plot, &svg, error) && drawing_write(job, &svg, sink, error);
 }

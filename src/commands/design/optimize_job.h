@@ -26,6 +26,7 @@ struct optimize_input {
 
 /* One lens being optimised. */
 struct optimize_job {
+    const struct optimize_job *earlier; /* of a sweep, while its jobs are kept; null: the first */
     const struct optimize_input *input;
     struct run *run;
     const struct lens *lens; /* as read */

@@ -1,0 +1,101 @@
+/* tests/unit/test_optimize.c - lenses made better whose best is known by hand. */
+/* SPDX-License-Identifier: MIT */
+#include "design/optimize.h"
+#include "merit_check.h"
+
+/* A plano-convex lens of index 1.5: efl = 2 R whatever its thickness. */
+#define PLANO(radius, pupil)                                                                       \
+    "wavelength d\naperture epd " pupil "\nfield angle 0\nfocus table\n"                           \
+    "surface " radius " 20 1.5 - stop\nsurface - 150 air -\n"
+
+static bool optimise(const struct merit_case *of, struct arena *arena, struct merit_bench *bench,
+                     struct optimize_answer *answer, struct error *error)
+{
+    if (!merit_bench_open(bench, of, arena, error)) {
+        return false;
+    }
+    const struct optimize_task task = {.merit = &bench->merit};
+    return optimize_run(&task, arena, answer, error);
+}
+
+static void test_plano(void)
+{
+    static const struct merit_case efl = {
+        .name = "efl", .text = PLANO("80", "10"), .variables = "R1 t1", .goals = "efl = 100"};
+    static const struct merit_case exact = {.name = "exact",
+                                            .text = PLANO("80", "10"),
+                                            .variables = "c1",
+                                            .goals = "efl == 100, bfl = 70"};
+    struct arena arena = {0};
+    struct merit_bench bench;
+    struct optimize_answer answer;
+    struct error error;
+    CHECK(optimise(&efl, &arena, &bench, &answer, &error));
+    CHECK_NEAR(answer.before.merit, 60.0 * 60, 1e-9, "(160 - 100)^2");
+    CHECK_RELATIVE(answer.after.numbers[0], 1.0 / 50, 1e-6, "1/R");
+    CHECK(!answer.is_idle[0] && answer.is_idle[1]);
+    CHECK_NEAR(answer.after.numbers[1], 20, 0, "the thickness stays");
+    CHECK(answer.begun == NULL && answer.history_count >= 2);
+    /* bfl = efl - t/n: 100 - 20/1.5, 16.7 off */
+    CHECK(optimise(&exact, &arena, &bench, &answer, &error));
+    CHECK_RELATIVE(answer.after.numbers[0], 1.0 / 50, 1e-12, "c");
+    CHECK(answer.summary.excess <= 1e-10);
+    CHECK_RELATIVE(answer.after.merit, (30 - 20 / 1.5) * (30 - 20 / 1.5), 1e-9, "what bfl is off");
+    arena_free(&arena);
+}
+
+/* Rays at 55 mm miss a sphere of 50 mm: with less of the pupil it grows until none does. */
+static void test_lost(void)
+{
+    static const struct merit_case lost = {.name = "lost",
+                                           .text = PLANO("50", "110"),
+                                           .variables = "R1 t2",
+                                           .goals = "poly, efl = 240"};
+    static const struct merit_case hopeless = {
+        .name = "hopeless", .text = PLANO("50", "110"), .variables = "t2", .goals = "poly"};
+    struct arena arena = {0};
+    struct merit_bench bench;
+    struct optimize_answer answer;
+    struct error error = {0};
+    CHECK(optimise(&lost, &arena, &bench, &answer, &error));
+    CHECK(answer.begun != NULL && strstr(answer.begun, "aperture") != NULL);
+    CHECK(isnan(answer.before.merit) && isfinite(answer.after.merit));
+    CHECK(1 / answer.after.numbers[0] > 55);
+    CHECK(!optimise(&hopeless, &arena, &bench, &answer, &error));
+    CHECK(strstr(error.message, "cannot be judged") != NULL);
+    arena_free(&arena);
+}
+
+/* Told to stop at once it keeps what there is. */
+static bool stops(void *context)
+{
+    ++*(int *)context;
+    return false;
+}
+
+static void test_stopped(void)
+{
+    static const struct merit_case efl = {.name = "efl",
+                                          .text = PLANO("80", "10"),
+                                          .variables = "R1",
+                                          .goals = "efl = 100, bfl = 70"};
+    struct arena arena = {0};
+    struct merit_bench bench;
+    struct optimize_answer answer;
+    struct error error;
+    int asked = 0;
+    CHECK(merit_bench_open(&bench, &efl, &arena, &error));
+    const struct optimize_task task = {.merit = &bench.merit, .goes_on = stops, .context = &asked};
+    CHECK(optimize_run(&task, &arena, &answer, &error));
+    CHECK(asked == 1 && answer.summary.status == SOLVER_STOPPED);
+    CHECK(answer.after.merit <= answer.before.merit);
+    arena_free(&arena);
+}
+
+int main(void)
+{
+    test_plano();
+    test_lost();
+    test_stopped();
+    return check_report();
+}
