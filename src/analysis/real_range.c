@@ -209,7 +209,7 @@ bool real_range_find(const struct real_focus *focus, double front, double distan
 }
 
 bool real_range_hyperfocal(const struct real_focus *focus, double front, double c,
-                           double *hyperfocal, struct error *error)
+                           double *hyperfocal, double *blur, struct error *error)
 {
     struct equation equation = {.focus = focus, .front = front, .c = c, .error = error};
     const struct arena_mark mark = arena_mark(focus->arena);
@@ -219,7 +219,8 @@ bool real_range_hyperfocal(const struct real_focus *focus, double front, double 
     if (!check_reach(focus, c, error) || !real_focus_point(focus, INFINITY, &infinity, error)) {
         return false;
     }
-    if (!(real_focus_blur(focus, &infinity, infinity.sharpest) < c)) {
+    *blur = real_focus_blur(focus, &infinity, infinity.sharpest);
+    if (!(*blur < c)) {
         return true;
     }
     equation.point = &infinity;

@@ -14,7 +14,7 @@ struct real_range {
     double film_near, film_far; /* where these are sharpest themselves; film_near: NaN none */
     double film, blur;          /* the film, and the blur of the subject on it */
     double film_low, film_high; /* where the film may stand for the subject */
-    double blur_at_infinity;
+    double blur_at_infinity;    /* NaN: more than the rule can tell */
 };
 
 /*
@@ -33,9 +33,10 @@ bool real_range_find(const struct real_focus *focus, double front, double distan
 /*
  * The nearest distance on which the lens may be focused with infinity still sharp.
  *
- * Result    NaN: it never is, so blurred is infinity at its sharpest
+ * Given     blur  receives that of infinity at its sharpest, mm
+ * Result    NaN: it never is sharp, so large is its blur
  */
 bool real_range_hyperfocal(const struct real_focus *focus, double front, double c,
-                           double *hyperfocal, struct error *error);
+                           double *hyperfocal, double *blur, struct error *error);
 
 #endif

@@ -121,6 +121,7 @@ static bool find_by_rays(const struct input *input, const struct photo_lens *len
                          struct run *run, struct row *row, struct error *error)
 {
     const double front = lens->measuring.front;
+    double blur;
     struct real_focus focus;
     struct real_range range;
     if (!isnan(input->hyperfocal) || !isnan(input->near) || !isnan(input->squeeze)) {
@@ -132,14 +133,14 @@ static bool find_by_rays(const struct input *input, const struct photo_lens *len
     }
     const struct by_rays_question question = {&input->rays, &input->lens, lens, INFINITY, c};
     if (!by_rays_open(&question, run, &focus, &row->rays, error) ||
-        !real_range_hyperfocal(&focus, front, c, &row->hyperfocal, error)) {
+        !real_range_hyperfocal(&focus, front, c, &row->hyperfocal, &blur, error)) {
         return false;
     }
     if (isnan(row->hyperfocal)) {
         return fail(error, ERROR_DOMAIN,
-                    "infinity is never sharp: even its sharpest image is more blurred than the "
-                    "circle of confusion, %.6g mm",
-                    c);
+                    "infinity is never sharp: even its sharpest image is as blurred as a disc of "
+                    "%.4g mm, the circle of confusion is %.4g mm",
+                    blur, c);
     }
     if (!real_range_find(&focus, front, row->hyperfocal, c, &range, error)) {
         return false;

@@ -141,6 +141,7 @@ bool dof_question_by_rays(const struct dof_question *input, const struct attache
     struct dof *dof = &traced->dof;
     struct real_focus focus;
     struct real_range range;
+    double blur; /* of infinity */
     const struct by_rays_question question = {&input->rays, &input->lens, lens, setting->s,
                                               setting->c};
     if (!by_rays_open(&question, run, &focus, &traced->rays, error)) {
@@ -151,7 +152,7 @@ bool dof_question_by_rays(const struct dof_question *input, const struct attache
         return false;
     }
     if (!real_range_find(&focus, front, setting->s, setting->c, &range, error) ||
-        !real_range_hyperfocal(&focus, front, setting->c, &dof->hyperfocal, error)) {
+        !real_range_hyperfocal(&focus, front, setting->c, &dof->hyperfocal, &blur, error)) {
         return false;
     }
     take_range(&range, lens->real->rear, dof);
