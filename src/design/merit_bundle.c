@@ -91,6 +91,10 @@ static bool open_groups(struct merit_bundle *bundle, struct error *error)
                                            .light = light,
                                            .weight = wish->fields[field].weight *
                                                      wish->wavelengths[light].weight};
+            if (light > 0 && !wish->clip) { /* the same at all wavelengths */
+                group->points = bundle->groups[field].points;
+                continue;
+            }
             if (!find_sample(wish, field, light, bundle->arena, &sample, error)) {
                 return false;
             }

@@ -8,6 +8,9 @@
 /* Points nearer than this are one, and weights that differ by less. */
 static const double alike = 1e-9;
 
+/* Each point is compared with each: in larger samples that would cost more than it saves. */
+enum { MOST_COMPARED = 2000 };
+
 static bool is_near(double a, double b)
 {
     return fabs(a - b) <= alike;

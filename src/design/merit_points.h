@@ -30,7 +30,7 @@ struct merit_points {
  *
  * Given     sample    its weights may have any sum above 0
  *           symmetry  of the beam; that of the sample is looked for: if it has not as much, less
- *                     is made use of
+ *                     is made use of; of more than 2000 points none
  */
 void merit_points_of(const struct sample *sample, enum merit_symmetry symmetry, struct arena *arena,
                      struct merit_points *points);
