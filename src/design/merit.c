@@ -79,6 +79,25 @@ static void list_lights(const struct merit *merit, struct merit_place *place, st
     }
 }
 
+/* A lens that begins without power has no f-number as yet: its fields and wavelengths are known. */
+static bool open_setup(const struct setup_question *question, struct merit_place *place,
+                       struct arena *arena, struct error *error)
+{
+    struct setup_question bare = *question;
+    struct lens *lens = ARENA_NEW(arena, struct lens);
+    struct error ignored;
+    if (setup_open(question, arena, &place->setup, error)) {
+        return true;
+    }
+    *lens = *question->lens;
+    lens->aperture_kind = APERTURE_NONE;
+    lens->apertures = NULL;
+    bare.lens = lens;
+    bare.fnumber = NAN;
+    return place->aperture.kind == APERTURE_FNUMBER && place->setup.first.is_afocal &&
+           setup_open(&bare, arena, &place->setup, &ignored);
+}
+
 static bool open_place(const struct merit *merit, size_t position, struct arena *arena,
                        struct merit_place *place, struct error *error)
 {
@@ -96,14 +115,14 @@ static bool open_place(const struct merit *merit, size_t position, struct arena 
                                          .field_policy = FIELDS_ALL,
                                          .takes_telecentric = true};
     *place = (struct merit_place){.position = position};
-    if (!setup_open(&asked, arena, &place->setup, error)) {
-        return place->setup.position == NULL ||
-               error_prefix(error, "position %s: ", place->setup.position);
-    }
-    place->lens = place->setup.lens;
+    place->lens = lens_at_position(question->lens, position, arena);
     place->aperture = isnan(question->fnumber)
                           ? lens_aperture(place->lens)
                           : (struct aperture_setting){APERTURE_FNUMBER, question->fnumber};
+    if (!open_setup(&asked, place, arena, error)) {
+        return place->setup.position != NULL &&
+               error_prefix(error, "position %s: ", place->setup.position);
+    }
     place->image = ARENA_ARRAY(arena, merit->variable_count + 1, struct dual);
     list_lights(merit, place, arena);
     return true;

@@ -315,11 +315,24 @@ static const char axis_only[] = "wavelength d\n"
                                 "surface -50 10 air -\n"
                                 "surface - - air 20\n";
 
+static const char plate[] = "wavelength d\n"
+                            "object inf\n"
+                            "aperture f/4\n"
+                            "surface - 3 1.5168 20\n"
+                            "surface - 10 air 20\n";
+
+static const char astray[] = "wavelength d\n"
+                             "object inf\n"
+                             "aperture na 0.1\n"
+                             "surface 50 3 1.5168 20\n"
+                             "surface - 10 air 20\n";
+
 static void test_refused(void)
 {
     static const struct {
         const char *text, *goals, *message;
     } all[] = {
+        {astray, "length=2", "an object at infinity has no numerical aperture"},
         {singlet, "efl=0", "goal efl = 0: a finite length that is not 0 must be its target"},
         {singlet, "fnumber=2",
          "goal fnumber = 2: the lens has no aperture: state one, or give f-number"},
@@ -353,6 +366,24 @@ static void test_refused(void)
     }
 }
 
+/* A plate has no f-number, but may become a lens that has one: 1/f = 0.5168 c. */
+static void test_plate(void)
+{
+    const struct merit_case of = {"plate", plate, "c1", "efl=100,fnumber=4,length=3", 0};
+    struct arena arena = {0};
+    struct error error;
+    struct merit_bench *bench = ARENA_NEW(&arena, struct merit_bench);
+    double residuals[3], curvature = 0.01 / 0.5168;
+    CHECK(merit_bench_open(bench, &of, &arena, &error));
+    CHECK(!merit_evaluate(&bench->merit, bench->v, residuals, NULL));
+    CHECK_TEXT(bench->merit.why.message, "fnumber = 4 is not there");
+    CHECK(merit_evaluate(&bench->merit, &curvature, residuals, NULL));
+    for (size_t i = 0; i < 3; i++) {
+        CHECK_NEAR(residuals[i], 0, 1e-11, "residual");
+    }
+    arena_free(&arena);
+}
+
 /* A lens that has no such number on its way says so. */
 static void test_nothing(void)
 {
@@ -375,6 +406,7 @@ int main(void)
     test_relations();
     test_refused();
     test_nothing();
+    test_plate();
     for (size_t i = 0; i < sizeof cases / sizeof cases[0]; i++) {
         merit_check(&cases[i], analyse);
     }
