@@ -114,7 +114,6 @@ bool optimize_run(const struct optimize_task *task, struct arena *arena,
                   struct optimize_answer *answer, struct error *error)
 {
     struct merit *merit = task->merit;
-    const struct variables *variables = merit->question.variables;
     struct running running = {.task = task, .answer = answer, .arena = arena};
     double *jacobian =
         ARENA_ARRAY(arena, merit->residual_count * merit->variable_count + 1, double);
@@ -122,14 +121,7 @@ bool optimize_run(const struct optimize_task *task, struct arena *arena,
         return false;
     }
     note(&running, answer->after.merit);
-    const struct solver_problem problem = {.parameter_count = merit->variable_count,
-                                           .residual_count = merit->residual_count,
-                                           .exact_count = merit->exact_count,
-                                           .evaluate = merit_evaluate,
-                                           .context = merit,
-                                           .low = variables->low,
-                                           .high = variables->high,
-                                           .scale = variables->scale};
+    const struct solver_problem problem = optimize_problem(merit);
     const struct solver_options options = {.engine = task->engine,
                                            .iterations = task->iterations,
                                            .function = least_gain,

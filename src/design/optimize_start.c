@@ -96,6 +96,19 @@ static bool open_most(struct easing *easing, struct error *error)
     return open_some(easing, error);
 }
 
+struct solver_problem optimize_problem(struct merit *merit)
+{
+    const struct variables *variables = merit->question.variables;
+    return (struct solver_problem){.parameter_count = merit->variable_count,
+                                   .residual_count = merit->residual_count,
+                                   .exact_count = merit->exact_count,
+                                   .evaluate = merit_evaluate,
+                                   .context = merit,
+                                   .low = variables->low,
+                                   .high = variables->high,
+                                   .scale = variables->scale};
+}
+
 /* Until the real merit has a value. */
 static bool goes_on(void *context, const struct solver_progress *progress)
 {
@@ -112,15 +125,7 @@ static bool goes_on(void *context, const struct solver_progress *progress)
 static bool run_stage(struct easing *easing, struct error *error)
 {
     struct merit *merit = &easing->eased;
-    const struct variables *variables = merit->question.variables;
-    const struct solver_problem problem = {.parameter_count = merit->variable_count,
-                                           .residual_count = merit->residual_count,
-                                           .exact_count = merit->exact_count,
-                                           .evaluate = merit_evaluate,
-                                           .context = merit,
-                                           .low = variables->low,
-                                           .high = variables->high,
-                                           .scale = variables->scale};
+    const struct solver_problem problem = optimize_problem(merit);
     const struct solver_options options = {.iterations = ITERATIONS,
                                            .function = 1e-4,
                                            .lean = true,

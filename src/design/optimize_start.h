@@ -5,6 +5,9 @@
 
 #include "design/optimize.h"
 
+/* A merit as the solver takes it. */
+struct solver_problem optimize_problem(struct merit *merit);
+
 /*
  * Numbers of the variables with which the merit has a value: that of plates have no image, that of
  * a rough layout loses rays.

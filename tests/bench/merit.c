@@ -122,8 +122,12 @@ static double time_merit(struct fixture *fixture, bool derives)
             stop(&fixture->merit.why);
         }
         if (derives) {
-            const struct solver_rows rows = {fixture->merit.residual_count, VARIABLES,
-                                             fixture->jacobian, fixture->residuals, NULL};
+            static double room[(VARIABLES + 1) * SOLVER_ROWS];
+            const struct solver_rows rows = {.rows = fixture->merit.residual_count,
+                                             .columns = VARIABLES,
+                                             .jacobian = fixture->jacobian,
+                                             .residuals = fixture->residuals,
+                                             .room = room};
             solver_normal(&rows, normal, gradient);
         }
         best = fmin(best, processor_time() - began);

@@ -21,8 +21,8 @@ MERIT = {
 }
 
 
-def optimize(bench):
-    """The least of three runs."""
+def parts(bench):
+    """Of one step, the least of three runs."""
     program, best = bench.linked("merit"), {}
     for _ in range(3):
         for item in printed(program, MERIT):
@@ -33,7 +33,7 @@ def optimize(bench):
 
 SPOTS = "--vary R1..R11,t11 --goals spot,efl=100 --aim entrance"
 RINGS = SPOTS + " --pattern hexapolar --rays 127"
-# ten curvatures and nine thicknesses, the latter within bounds: 217 residuals
+# ten curvatures and nine thicknesses, the latter within bounds
 BOUNDED = ("--vary all-R,t1[2,12],t2[0.2,5],t3[2,12],t4[2,12],t5[5,20],t7[2,12],t8[2,15],"
            "t9[0.2,5],t10[2,12] --goals spot,efl=100 --rays 12 --aim entrance --iterations 1000")
 
@@ -95,11 +95,12 @@ def starts(bench, solvers):
     yield entry("optimize: starts that dls wins or ties", best, f"of {len(STARTS)}")
 
 
-def lenses(bench):
+def optimize(bench):
     solvers = ("dls", "ceres") if os.path.exists(bench.lenscalc + "-ceres") else ("dls",)
+    yield from parts(bench)
     yield from lecture(bench)
     yield from bounded(bench, solvers)
     yield from starts(bench, solvers)
 
 
-SECTIONS = {"optimize": optimize, "optimize-lenses": lenses}
+SECTIONS = {"optimize": optimize}

@@ -346,6 +346,27 @@ def check_interrupted(checks, program):
     found = json.loads(answer)["rows"]
     checks.check(process.returncode == 1 and 1 < len(found) < 14000 and
                  "interrupted" in found[-1]["error"], f"a sweep: {len(found)} rows, {error!r}")
+    check_interrupted_lens(checks, program)
+
+
+def check_interrupted_lens(checks, program):
+    """An optimisation that is interrupted writes the best so far, marked."""
+    with tempfile.TemporaryDirectory() as folder:
+        path = os.path.join(folder, "best.lens")
+        process = subprocess.Popen(program.command +
+                                   ["optimize", "hubble-rc", "--vary", "all-R,k1,k2", "--rays",
+                                    "20000", "--iterations", "1000000", "--json", "-o", path],
+                                   stdout=subprocess.PIPE, stderr=subprocess.PIPE,
+                                   env=program.environment())
+        time.sleep(0.4)
+        process.send_signal(signal.SIGINT)
+        answer, error = process.communicate()
+        row = json.loads(answer)["rows"][0]
+        with open(path, encoding="utf-8") as file:
+            text = file.read()
+        checks.check(process.returncode == 1 and row["status"] == "interrupted" and
+                     row["merit_after"] < row["merit_before"] and b"interrupted after" in error and
+                     "note        interrupted after" in text, f"a lens: {row}, {error!r}")
 
 
 def check_picture(checks, program):
