@@ -526,10 +526,36 @@ static void put_header(struct writer *writer)
     put_stated(writer);
 }
 
+/* In JSON each cell has numbers of its own: a marked word in two of them would vary twice. */
+static bool check_words(const struct lens *lens, struct error *error)
+{
+    for (size_t i = 0; i < lens->variable_count; i++) {
+        const struct lens_variable *word = &lens->variables[i];
+        size_t cells = 0;
+        for (size_t k = 0; k < lens->surface_count && word->varies != NULL; k++) {
+            const struct figure *gap = parameter_figure(&lens->surfaces[k], PARAMETER_THICKNESS, 0);
+            const struct figure *focal = parameter_figure(&lens->surfaces[k], PARAMETER_FOCAL, 0);
+            cells += gap != NULL && gap->variable == i ? 1 : 0;
+            cells += focal != NULL && focal->variable == i ? 1 : 0;
+        }
+        if (cells > 1) {
+            return fail(
+                error, ERROR_DATA,
+                "%.*s is marked and stands in %zu places: JSON has no words, and each would "
+                "vary by itself",
+                text_shown(word->name), word->name.start, cells);
+        }
+    }
+    return true;
+}
+
 static bool write_json(struct foreign_job *job, const struct lens *lens, struct text *text,
                        struct error *error)
 {
     struct writer writer = {.lens = lens, .positions = lens->position_count};
+    if (!check_words(lens, error)) {
+        return false;
+    }
     writing_begin(&writer.out, lens, true, job->arena);
     put_header(&writer);
     if (lens->setting_count > 0 || lens->stops != NULL || lens->lights != NULL ||

@@ -97,3 +97,6 @@ say 'pickup R2 = R1 + R3'
 say 'pickup r2 = R1'
 say 'pickup n4 = n3'
 say 'goal'
+printf 'position a b\nlet d1 2~ 3\nsurface 50 d1 1.5 -\nsurface -50 d1 air -\nsurface - 3 air -\n' > words.lens
+lenscalc convert words.lens --to json
+lenscalc convert words.lens --position a | grep 'pickup\|~'
