@@ -13,7 +13,7 @@
  *           asked for, rays do not reach the stop by whole steps of Broyden's method, or those of
  *           the outermost ring are lost behind it
  * Formula   rays are aimed at points of the stop to 1e-10 of its radius, and named by where they
- *           cross it
+ *           cross it; of halves that mirror each other (stop_beam_is_mirrored) those of one
  */
 bool quadrature_whole(const struct margins *margins, size_t rays, struct arena *arena,
                       struct quadrature *all);

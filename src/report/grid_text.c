@@ -193,14 +193,12 @@ size_t grid_fit(struct grid *grid, size_t width, const size_t *least, const size
 
 /* -------- printing -------- */
 
-/* One line of a cell padded to its width; nothing behind the last of a line. */
-static void write_padded(struct output *output, struct text text, size_t width, bool left,
-                         bool last)
+/* One line of a cell padded to its width, behind a gap; nothing behind the last of a line. */
+static void write_padded(struct output *output, size_t gap, struct text text, size_t width,
+                         bool left, bool last)
 {
     size_t used = width_of(text), blanks = width > used ? width - used : 0;
-    if (!left) {
-        output_spaces(output, blanks);
-    }
+    output_spaces(output, left ? gap : gap + blanks);
     output_text(output, text.start, text.length);
     if (left && !last) {
         output_spaces(output, blanks);
@@ -220,7 +218,7 @@ static void write_line(const struct grid *grid, struct output *output, const siz
     while (behind > 0 && (pieces[behind - 1].length == 0 || is_hidden(grid, behind - 1))) {
         behind--;
     }
-    const char *gap = "";
+    size_t gap = 0;
     if (style != STYLE_PLAIN) {
         output_style(output, style);
     }
@@ -228,9 +226,8 @@ static void write_line(const struct grid *grid, struct output *output, const siz
         if (is_hidden(grid, j)) {
             continue;
         }
-        output_string(output, gap);
-        write_padded(output, pieces[j], widths[j], grid->left[j], j + 1 == behind);
-        gap = "  ";
+        write_padded(output, gap, pieces[j], widths[j], grid->left[j], j + 1 == behind);
+        gap = GAP;
     }
     if (style != STYLE_PLAIN) {
         output_style(output, STYLE_PLAIN);

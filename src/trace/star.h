@@ -36,7 +36,8 @@ struct star {
  *           Two neighbours that end at different things hold a corner: where both excesses are 0,
  *           by Newton's method; where that does not lead to a corner between the two, by cutting
  *           the angle in five. A piece that no direction meets is looked for where its excess, a
- *           parabola through three neighbours, has its peak above or near 0
+ *           parabola through three neighbours, has its peak above or near 0. Of halves that mirror
+ *           each other (stop_beam_is_mirrored) one is looked in
  * Limits    more than STAR_CORNERS corners are none. What lies behind a gap, seen from the centre,
  *           is not found
  */

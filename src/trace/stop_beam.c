@@ -2,6 +2,8 @@
 /* SPDX-License-Identifier: MIT */
 #include "trace/stop_beam.h"
 
+#include "optics/lens.h"
+
 #include <math.h>
 
 struct stop_beam stop_beam_of_stop(const struct aim *aim, const struct system *clear,
