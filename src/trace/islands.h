@@ -21,8 +21,9 @@ struct islands {
  *           by more than it can fall between them, by its second differences; at the edge, where
  *           it begins at 0, if it rises from there; or where all nine are lost in the same place
  *           in the same way. What is not is cut in four, or in two where only the way outwards
- *           changes what ends the rays. Of halves that mirror each other one is looked at. Only where a ray passes, or too much is left, a grid (trace/parts.h): what passes
- *           of it beyond the edge in its direction, be it joined with the star elsewhere or not
+ *           changes what ends the rays. Of halves that mirror each other one is looked at. Only
+ *           where a ray passes, or too much is left, a grid (trace/parts.h): what passes of it
+ *           beyond the edge in its direction, be it joined with the star elsewhere or not
  * Limits    islands smaller than a cell, 1/128 of what the first surface lets in, are not seen; the
  *           share of thin ones is a quarter off. Far from the chief ray of a point of the film the
  *           same area of its beam holds less light
