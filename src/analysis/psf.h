@@ -52,10 +52,11 @@ struct psf {
  *           wavelets with the way from the points of the sphere in place of the plane wave. The
  *           light |E|^2/wavelength^2 of all wavelengths by their weights, over that of W = 0 at
  *           the reference. A transform takes the means over cells of a grid, 128 across the pupil
- *           or what the slope of the wave front wants, and undoes what they leave of the waves
+ *           or what the slope of the wave front and the spread of its rays want, and undoes what
+ *           they leave of the waves; sums take Gauss's points, see psf_points_put
  * Source    [Goodman05] 5.2, [Hopkins55]
  * Errors    as exit_pupils_open; ERROR_DOMAIN: pixels too coarse for the transform, a wave front
- *           too steep for PSF_TRANSFORM_MOST or Gauss's points, wavelets without a sphere
+ *           too steep for PSF_TRANSFORM_MOST or psf_points_fit, wavelets without a sphere
  */
 bool psf_find(const struct psf_question *question, struct arena *arena, struct psf *psf,
               struct error *error);

@@ -24,7 +24,7 @@ static bool add(const struct analysis_case *one, size_t field, const void *found
     const char *labels[] = {psf->is_angular ? "x (mrad)" : "x (\xc2\xb5m)",
                             psf->is_angular ? "y (mrad)" : "y (\xc2\xb5m)"};
     if (page->rasters.count > 0 && strcmp(page->rasters.x_label, labels[0]) != 0) {
-        return fail(error, ERROR_DOMAIN,
+        return fail(error, ERROR_USAGE,
                     "a page has no room for images in \xc2\xb5m and others infinitely far away");
     }
     page->rasters.x_label = labels[0];
