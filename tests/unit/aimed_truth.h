@@ -3,13 +3,7 @@
 #ifndef LENSCALC_TESTS_UNIT_AIMED_TRUTH_H
 #define LENSCALC_TESTS_UNIT_AIMED_TRUTH_H
 
-#if defined(__SIZEOF_FLOAT128__) || defined(__FLOAT128__)
-__extension__ typedef __float128 real;
-#else
-typedef long double real;
-#endif
-#define REAL real
-#include "trace/precise.h"
+#include "quad.h"
 
 #include "trace/beam.h"
 
@@ -32,23 +26,11 @@ static struct precise_ray truth_start(const struct beam *beam, const real at[2])
     return ray;
 }
 
-/* Where it crosses the stop, about the vertex and in the axes of that surface by itself. */
+/* Where it crosses the stop. */
 static bool truth_stop(const struct system *system, const struct beam *beam, const real at[2],
                        real place[2])
 {
-    struct precise_ray ray = truth_start(beam, at);
-    for (size_t i = 0; i <= system->stop; i++) {
-        if (!precise_surface(&ray, system, i)) {
-            return false;
-        }
-    }
-    const struct displacement *decentre = system->lens->surfaces[system->stop].decentre;
-    if (decentre != NULL) {
-        precise_move(&ray, decentre, 0);
-    }
-    place[0] = ray.x[0];
-    place[1] = ray.x[1];
-    return true;
+    return quad_to_stop(system, truth_start(beam, at), place);
 }
 
 /* d(a, b)/d(x, y in the stop), by differences. */

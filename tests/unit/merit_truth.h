@@ -3,13 +3,7 @@
 #ifndef LENSCALC_TESTS_UNIT_MERIT_TRUTH_H
 #define LENSCALC_TESTS_UNIT_MERIT_TRUTH_H
 
-#if defined(__SIZEOF_FLOAT128__) || defined(__FLOAT128__)
-__extension__ typedef __float128 real;
-#else
-typedef long double real;
-#endif
-#define REAL real
-#include "trace/precise.h"
+#include "quad.h"
 
 #include "design/merit_bundle.h"
 
@@ -151,23 +145,6 @@ static struct precise_ray truth_ray(const struct lens *lens, const struct field_
     return ray;
 }
 
-/* Where it crosses the stop, about the vertex and in the axes of that surface by itself. */
-static bool truth_stop(const struct system *system, struct precise_ray ray, real place[2])
-{
-    for (size_t i = 0; i <= system->stop; i++) {
-        if (!precise_surface(&ray, system, i)) {
-            return false;
-        }
-    }
-    const struct displacement *decentre = system->lens->surfaces[system->stop].decentre;
-    if (decentre != NULL) {
-        precise_move(&ray, decentre, 0);
-    }
-    place[0] = ray.x[0];
-    place[1] = ray.x[1];
-    return true;
-}
-
 /* One ray to be traced. */
 struct truth_question {
     const struct system *system; /* at its wavelength */
@@ -186,7 +163,7 @@ static bool truth_aim(const struct truth_question *q, struct precise_ray *ray)
     real at[3] = {q->begin[0], q->begin[1], 0};
     for (int turn = 0; turn < 6; turn++) {
         real here[2], beside[2], m[4];
-        if (!truth_stop(q->system, truth_ray(lens, q->field, q->first, at), here)) {
+        if (!quad_to_stop(q->system, truth_ray(lens, q->field, q->first, at), here)) {
             return false;
         }
         const real x = goal[0] - here[0], y = goal[1] - here[1];
@@ -196,7 +173,7 @@ static bool truth_aim(const struct truth_question *q, struct precise_ray *ray)
         for (int k = 0; k < 2; k++) {
             real moved[3] = {at[0], at[1], 0};
             moved[k] += h;
-            if (!truth_stop(q->system, truth_ray(lens, q->field, q->first, moved), beside)) {
+            if (!quad_to_stop(q->system, truth_ray(lens, q->field, q->first, moved), beside)) {
                 return false;
             }
             m[k] = (beside[0] - here[0]) / h;

@@ -1,15 +1,9 @@
 /* tests/unit/test_trace_derivative.c - adjoint derivatives against differences of 113 bits. */
 /* SPDX-License-Identifier: MIT */
-#if defined(__SIZEOF_FLOAT128__) || defined(__FLOAT128__)
-__extension__ typedef __float128 real;
-#else
-typedef long double real;
-#endif
-#define REAL real
 #include "check.h"
 #include "file/lens_file.h"
+#include "quad.h"
 #include "trace/derivative.h"
-#include "trace/precise.h"
 #include "trace/tangent.h"
 
 /* A lens, its derivatives, and how far they are off. */
