@@ -56,3 +56,6 @@ lenscalc optimize marked.lens --digits 4 --show variables --columns variable,low
 sed 's/efl ==/elf ==/' marked.lens > wrong.lens
 lenscalc optimize wrong.lens
 echo "status $?"
+# a goal of a position that is left out is said not to count
+lenscalc optimize itoh-zoom-100-146 --vary R1 --position tele --goals efl@wide=100,efl@tele=146 \
+    --columns status,goals

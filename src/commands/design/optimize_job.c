@@ -113,6 +113,25 @@ static void warn_of_idle(struct optimize_job *job)
     }
 }
 
+/* Goals of positions that are not optimised. */
+static void warn_of_elsewhere(struct optimize_job *job)
+{
+    const struct merit *merit = &job->merit;
+    for (size_t i = 0; i < merit->question.operand_count; i++) {
+        const struct operand *operand = &merit->question.operands[i];
+        bool counts = false;
+        for (size_t k = 0; k < merit->slot_count && !counts; k++) {
+            counts = merit->slots[k].operand == operand;
+        }
+        if (!counts) {
+            warn(job, arena_printf(job->run->arena,
+                                   "the goal %s is of a position that is not optimised: it does "
+                                   "not count",
+                                   operand->name));
+        }
+    }
+}
+
 /* What lenscalc would say of the lens that was found. */
 static bool check_found(struct optimize_job *job, struct error *error)
 {
@@ -204,6 +223,7 @@ bool optimize_job_run(struct optimize_job *job, struct error *error)
         return false;
     }
     warn(job, job->answer.begun);
+    warn_of_elsewhere(job);
     warn_of_idle(job);
     judge(job);
     return check_found(job, error);
