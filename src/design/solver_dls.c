@@ -27,8 +27,9 @@ struct descent {
     double *normal, *gradient, *slopes; /* here; slopes are those of the exact residuals */
     double *diagonal;                   /* what the damping is multiplied with */
     double damping, growth;
-    double price; /* of the exact residuals against the cost */
-    double share; /* of the exact residuals that a step takes off: less after steps too far */
+    double first_cost; /* at the start */
+    double price;      /* of the exact residuals against the cost */
+    double share;      /* of the exact residuals that a step takes off: less after steps too far */
     double *damped, *low, *high, *move, *none, *before, *wanted;
     double *room; /* of the normal equations */
     struct solver_step step;
@@ -375,7 +376,8 @@ static bool has_arrived(struct descent *descent, double gain, double moved)
 static bool shorten(struct descent *descent, bool has_value, double promised)
 {
     const double cost = height(descent, &descent->here);
-    const bool blurred = promised <= 1e-8 * cost; /* rounding moves the cost by as much */
+    /* rounding moves the cost by as much, or it is nothing against what it was */
+    const bool blurred = promised <= 1e-8 * cost || cost <= 1e-20 * descent->first_cost;
     if (!isnan(promised) && !(promised > 1e-16 * cost)) {
         end(descent->run, ENGINE_CONVERGED, "nothing more is gained");
         return false;
@@ -512,6 +514,7 @@ void dls_minimize(struct engine_run *run)
         end(run, ENGINE_FAILED, "there is no value at the start");
         return;
     }
+    descent.first_cost = descent.here.cost;
     set_equations(&descent);
     begin_damping(&descent);
     end(run, ENGINE_LIMIT, "as many iterations as allowed");
