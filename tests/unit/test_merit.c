@@ -74,7 +74,18 @@ static const char ideal[] = "wavelength d F\n"
                             "surface 90 5 1.62/40 30\n"
                             "surface -400 50 air 30\n";
 
+static const char telecentric[] = "wavelength d F\n"
+                                  "object 80 telecentric\n"
+                                  "aperture na 0.05\n"
+                                  "field height 0 5\n"
+                                  "surface 60 6 1.62/45 40\n"
+                                  "surface -80 40 air -\n"
+                                  "surface 50 5 1.65 30\n"
+                                  "surface -70 100 air 30\n";
+
 static const struct merit_case cases[] = {
+    {"telecentric", telecentric, "R1 c2 t1 t2 n1 V1 n3 k3 A4_4",
+     "efl=50,bfl=40,magnification=-0.5,S1,S2@3mm,S3,S4,S5@F,axial,edge=1", 1e-9},
     {"zoom", zoom, "R1 c2 t1 t3 n1 V4 k6 A4_7",
      "efl=80,efl@tele=70:2,bfl@wide@F=60,axial,S1,S3@tele,fnumber=4,length=30,edge=2,air=3", 1e-9},
     {"ideal", ideal, "f2 t1 t2 R3 n3",
@@ -99,14 +110,19 @@ static const struct merit_case cases[] = {
      "edge=1,center=2,air=1,air 5=1,edge 3..4 < 0.1", 1e-9},
 };
 
-static bool open_setup(const struct lens *lens, struct arena *arena, struct setup *setup)
+/* With the fields of the lens, or that of the operand. */
+static bool open_setup(const struct lens *lens, const struct operand *operand, struct arena *arena,
+                       struct setup *setup)
 {
     struct error error;
     const struct setup_question question = {.lens = lens,
                                             .wavelength = NAN,
                                             .wavelengths = WAVELENGTHS_ALL,
                                             .fnumber = NAN,
-                                            .field_policy = FIELDS_ALL};
+                                            .field_policy = FIELDS_ALL,
+                                            .takes_telecentric = true,
+                                            .fields = operand->field,
+                                            .field_count = operand->field != NULL};
     return setup_open(&question, arena, setup, &error);
 }
 
@@ -140,9 +156,6 @@ static double seidel_of(struct setup *setup, const struct operand *operand, doub
     struct setup_light light;
     struct seidel seidel;
     struct error error;
-    if (operand->field != NULL) {
-        setup->edge = operand->field->point;
-    }
     const struct setup one = setup_at_wavelength(setup, wavelength, setup->arena);
     CHECK(setup_light(&one, 0, &light, &error));
     const struct field_point edge = setup_edge_in_object(setup);
@@ -214,7 +227,7 @@ static double analyse(const struct lens *lens, const struct operand *operand, si
                       struct arena *arena)
 {
     struct setup setup;
-    CHECK(open_setup(lens, arena, &setup));
+    CHECK(open_setup(lens, operand, arena, &setup));
     if (operand->kind >= OPERAND_EDGE && operand->kind <= OPERAND_AIR) {
         return shape_of(&setup, operand, at);
     }

@@ -70,7 +70,19 @@ static const char near_image[] = "wavelength d\n"
                                  "surface 90 5 1.65 30\n"
                                  "surface -50 100 air 30\n";
 
+static const char telecentric[] = "wavelength d F\n"
+                                  "object 80 telecentric\n"
+                                  "aperture na 0.05\n"
+                                  "field height 0 5\n"
+                                  "focus paraxial\n"
+                                  "surface 60 6 1.62/45 40\n"
+                                  "surface -80 40 air 40\n"
+                                  "surface 50 5 1.65 30\n"
+                                  "surface -70 100 air 30\n";
+
 static const struct merit_case cases[] = {
+    {"telecentric", telecentric, "R1 c2 t1 t2 n1 V1 n3 k3 A4_4",
+     "height@4mm=-5,distortion,lateral,telecentric,incidence=3", 1e-9},
     {"double Gauss", double_gauss,
      "R1 R2 c3 R5 c6 t1 t5 t6 t11 n1 n3 V3 V4 A2_2 A4_1 k7 A4_6 A3_9 k1",
      "height@10deg=17,height@14deg@F=25,distortion,distortion@10deg@C=1,lateral:0.01,"
@@ -96,7 +108,8 @@ static bool open_setup(const struct lens *lens, struct arena *arena, struct setu
                                             .wavelength = NAN,
                                             .wavelengths = WAVELENGTHS_ALL,
                                             .fnumber = NAN,
-                                            .field_policy = FIELDS_ALL};
+                                            .field_policy = FIELDS_ALL,
+                                            .takes_telecentric = true};
     return setup_open(&question, arena, setup, &error) && setup_place_image(setup, &plane, &error);
 }
 
@@ -145,8 +158,14 @@ static double incidence_of(const struct setup *setup, const struct operand *oper
         struct beam beam;
         struct aim aim;
         CHECK(setup_beam(&one, field, &beam, &error));
-        CHECK(aim_open(system, &beam, setup->arena, &aim, &error));
-        const struct ray start = aim_ray(&aim, pupils[i % 3][0], pupils[i % 3][1]);
+        struct ray start;
+        if (one.first.is_telecentric) {
+            CHECK(aim_at_entrance(&beam, &one.first, pupils[i % 3][0], pupils[i % 3][1], &start,
+                                  &error));
+        } else {
+            CHECK(aim_open(system, &beam, setup->arena, &aim, &error));
+            start = aim_ray(&aim, pupils[i % 3][0], pupils[i % 3][1]);
+        }
         struct rays rays = rays_new(setup->arena, 2);
         rays_set(&rays, 0, system->index_first, &start);
         rays_set(&rays, 1, system->index_first, &start);
