@@ -49,7 +49,8 @@ struct exit_pupils {
  *
  * Given     bundle  its wavelength, pattern and weight are not used
  * Formula   u and v of the beam as polynomials in a and b of a degree up to 14, by least squares
- *           over a quadrature and the rim; W and the amplitude alike
+ *           over a quadrature and the rim, of the terms that mirrors leave where it has some; W
+ *           and the amplitude alike
  * Errors    as wave_open and wave_reference_find; ERROR_DOMAIN: nothing is clear; no reference
  *           sphere
  */

@@ -264,8 +264,18 @@ static bool collect(struct painter *painter, struct error *error)
             return false;
         }
     }
-    return (painter->axis != BY_FIELD || collect_between(painter, &answers, error)) &&
-           (painter->count > 0 || fail(error, ERROR_DOMAIN, "there is no contrast to draw"));
+    bool any = false;
+    if (painter->axis == BY_FIELD && !collect_between(painter, &answers, error)) {
+        return false;
+    }
+    for (size_t i = 0; i < painter->count; i++) {
+        const double *contrast = painter->list[i].contrast;
+        any = any || isfinite(contrast[0]) || isfinite(contrast[1]);
+    }
+    return any || fail(error, ERROR_DOMAIN,
+                       painter->count == 0
+                           ? "there is no contrast to draw"
+                           : "wave fronts are too steep or too rough for contrasts by waves");
 }
 
 /* The title; curves of several lenses are called by them too. */
