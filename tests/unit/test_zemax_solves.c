@@ -56,6 +56,10 @@ static const struct refusal of_wrong_paraxial[] = {
 #define SINGLET                                                                                    \
     "SURF 1\n  STOP\n  CURV 0.02\n  DISZ 4\n  GLAS ___BLANK 1 0 1.5 0\nSURF 2\n  CURV -0.02\n"     \
     "  DISZ 90\n"
+/* Its second curve by a solve. */
+#define BENT(code)                                                                                 \
+    "SURF 1\n  STOP\n  CURV 0.02\n  DISZ 4\n  GLAS ___BLANK 1 0 1.5 0\nSURF 2\n"                   \
+    "  CURV -0.02 " code " 0 0 0\n  DISZ 90\n"
 #define PARAXIAL                                                                                   \
     "SURF 1\n  STOP\n  DISZ 20\nSURF 2\n  TYPE PARAXIAL\n  DISZ 50\n  PARM 1 50\n  PARM 2 1\n"
 
@@ -74,6 +78,10 @@ static const struct meaning of_kept[] = {
      "note line 18: a solve that follows another column; the file's number is kept"},
     {PARAXIAL, SINGLET "  PZUP 3 1 0\n",
      "note line 18: a solve that follows no earlier surface; the file's number is kept"},
+    {PARAXIAL, BENT("40"),
+     "note line 16: a solve that lenscalc does not know; the file's number is kept"},
+    {PARAXIAL, BENT("1e17"),
+     "note line 16: a solve that lenscalc does not know; the file's number is kept"},
 };
 
 /* In several it is that of one of them. */

@@ -142,11 +142,12 @@ static bool fail_waves(const struct zemax_file *file, struct error *error, const
 /* The primary one first. Without a count, the repeated default at the end is passed over. */
 static bool set_waves(struct zemax_file *file, struct error *error)
 {
-    size_t count = file->wave_count, stated = (size_t)fabs(zemax_number(file->fields, 3));
-    if (stated >= 1 && stated < count) {
-        count = stated;
+    const double stated = fabs(zemax_number(file->fields, 3));
+    size_t count = file->wave_count;
+    if (stated >= 1 && stated < (double)count) {
+        count = (size_t)stated;
     }
-    while (stated == 0 && count > 1 &&
+    while (!(stated >= 1) && count > 1 &&
            file->waves[count - 1].value.hi == file->waves[count - 2].value.hi) {
         count--;
     }

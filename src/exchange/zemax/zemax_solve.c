@@ -348,12 +348,18 @@ static bool solved_curvature(struct solving *solving, size_t at, int code, struc
     return true;
 }
 
+/* Which solve a curvature has; those beyond the last are all unknown. */
+static int code_of(const struct zemax_line *line)
+{
+    return (int)fmax(0, fmin(zemax_number(line, 1), F_NUMBER + 1));
+}
+
 /* The curvature of a surface by its solve; the file's digits where they are the same number. */
 static bool solve_curve(struct solving *solving, size_t at, struct error *error)
 {
     struct zemax_surface *from = &solving->file->surfaces[at];
     const struct zemax_line *line = from->curvature;
-    int code = line != NULL && !from->has_free_curvature ? (int)zemax_number(line, 1) : 0;
+    int code = line != NULL && !from->has_free_curvature ? code_of(line) : 0;
     struct pair value = {0, 0};
     bool kept;
     if (code < MARGINAL_ANGLE || solving->places[at] == LENS_NONE ||
