@@ -334,6 +334,17 @@ static void make_room(struct merit_bundle *bundle)
     }
 }
 
+void merit_bundle_forget(struct merit_bundle *bundle)
+{
+    for (size_t k = 0; k < bundle->block_count; k++) {
+        struct aimed *aimed = &bundle->blocks[k].aimed;
+        aimed->is_known = false;
+        for (size_t g = 0; g < aimed->beam_count; g++) {
+            aimed->beams[g].near.is_known = false;
+        }
+    }
+}
+
 bool merit_bundle_aim(struct merit_bundle *bundle, const struct lens *lens,
                       const struct dual_first *first, struct error *error)
 {

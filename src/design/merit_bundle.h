@@ -101,6 +101,9 @@ bool merit_bundle_open(const struct bundle_wish *wish, const struct bundle_links
                        size_t variable_count, struct arena *arena, struct merit_bundle *bundle,
                        struct error *error);
 
+/* The next aim begins with nothing, not with the rays of the lens before. */
+void merit_bundle_forget(struct merit_bundle *bundle);
+
 /*
  * The lens as it is now: compile it, and aim.
  *

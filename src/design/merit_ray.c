@@ -213,7 +213,8 @@ static bool aim_with(struct merit *merit, const struct merit_ray_question *quest
     options.stop_radius = first->stop_radius > 0 ? first->stop_radius : 1;
     if (!system_compile(place->lens, question->light->wavelength, &options, arena, &system,
                         &merit->why) ||
-        !aim_open_near(&system, &aiming->beam, question->near, arena, &aim, &merit->why)) {
+        !aim_open_near(&system, &aiming->beam, merit->forgets ? NULL : question->near, arena, &aim,
+                       &merit->why)) {
         return false;
     }
     const bool is_chief = question->pupil[0] == 0 && question->pupil[1] == 0;

@@ -297,6 +297,9 @@ static bool find_spheres(struct merit *merit, const struct merit_slot *slot,
     struct merit_spheres *waves = rays->waves;
     const struct merit_figures *figures =
         merit_figures(merit, slot, rays->bundle.wish.wavelengths[0].wavelength);
+    if (merit->forgets) {
+        merit_bundle_forget(&waves->chief);
+    }
     if (figures == NULL || !merit_bundle_aim(&waves->chief, merit->places[slot->place].lens,
                                              &primary[0].first, &merit->why)) {
         return false;
@@ -315,6 +318,9 @@ bool merit_fill_rays(struct merit *merit, const struct merit_slot *slot, double 
     struct merit_bundle *bundle = &rays->bundle;
     const size_t rows = merit->derives ? rows_of(rays) : 1;
     const struct merit_figures *figures = merit_figures(merit, slot, NAN);
+    if (merit->forgets) {
+        merit_bundle_forget(bundle);
+    }
     if (figures == NULL || !merit_bundle_aim(bundle, merit->places[slot->place].lens,
                                              &figures[0].first, &merit->why)) {
         return false;

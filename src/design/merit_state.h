@@ -94,6 +94,8 @@ struct merit {
     struct arena *arena; /* for what is given up before an evaluation ends */
     /* internal */
     bool derives; /* derivatives are wanted */
+    bool forgets; /* rays are aimed without those of the lens before: slower, but a lens has a
+                     value or none whichever came before it */
     unsigned long evaluation;
 };
 

@@ -110,6 +110,35 @@ static bool begin(const struct optimize_task *task, struct arena *arena,
     return true;
 }
 
+/* From the start; ends where the lens has a value. */
+static bool run_once(struct running *running, double *jacobian, struct error *error)
+{
+    const struct optimize_task *task = running->task;
+    struct optimize_answer *answer = running->answer;
+    struct merit *merit = task->merit;
+    running->room = 0;
+    if (!begin(task, running->arena, answer, jacobian, error)) {
+        return false;
+    }
+    note(running, answer->after.merit);
+    const struct solver_problem problem = optimize_problem(merit);
+    const struct solver_options options = {.engine = task->engine,
+                                           .iterations = task->iterations,
+                                           .function = least_gain,
+                                           .lean = true,
+                                           .progress = progress,
+                                           .progress_context = running};
+    if (!solver_run(&problem, &options, answer->after.numbers, running->arena, &answer->summary,
+                    error)) {
+        return false;
+    }
+    if (!look(merit, &answer->after, jacobian)) {
+        *error = merit->why;
+        return error_prefix(error, "the lens that was found cannot be judged: ");
+    }
+    return true;
+}
+
 bool optimize_run(const struct optimize_task *task, struct arena *arena,
                   struct optimize_answer *answer, struct error *error)
 {
@@ -117,23 +146,12 @@ bool optimize_run(const struct optimize_task *task, struct arena *arena,
     struct running running = {.task = task, .answer = answer, .arena = arena};
     double *jacobian =
         ARENA_ARRAY(arena, merit->residual_count * merit->variable_count + 1, double);
-    if (!begin(task, arena, answer, jacobian, error)) {
-        return false;
-    }
-    note(&running, answer->after.merit);
-    const struct solver_problem problem = optimize_problem(merit);
-    const struct solver_options options = {.engine = task->engine,
-                                           .iterations = task->iterations,
-                                           .function = least_gain,
-                                           .lean = true,
-                                           .progress = progress,
-                                           .progress_context = &running};
-    if (!solver_run(&problem, &options, answer->after.numbers, arena, &answer->summary, error)) {
-        return false;
-    }
-    if (!look(merit, &answer->after, jacobian)) {
-        *error = merit->why;
-        return error_prefix(error, "the lens that was found cannot be judged: ");
+    if (!run_once(&running, jacobian, error)) {
+        /* where rays are just lost, some are found only from a lens that still has them */
+        merit->forgets = true;
+        if (!run_once(&running, jacobian, error)) {
+            return false;
+        }
     }
     find_effects(merit, answer->after.residuals, jacobian, answer->is_idle);
     note(&running, answer->after.merit);

@@ -372,14 +372,9 @@ static void fill_coordinates(struct aimed *aimed)
     }
 }
 
-bool aimed_at_stop(struct aimed *aimed, const struct system *system, struct arena *arena,
-                   struct error *error)
+/* From nothing: all of them. */
+static bool search(struct aimed *aimed, struct arena *arena, struct error *error)
 {
-    aimed->system = system;
-    if (aimed->is_known && steer(aimed)) {
-        return true;
-    }
-    aimed->is_known = false;
     for (size_t g = 0; g < aimed->beam_count; g++) {
         if (!search_beam(aimed, &aimed->beams[g], arena, error)) {
             return false;
@@ -390,6 +385,23 @@ bool aimed_at_stop(struct aimed *aimed, const struct system *system, struct aren
     start_rays(aimed, aimed->a, aimed->b, aimed->work->start);
     trace_tape(aimed);
     aimed->is_known = true;
+    return true;
+}
+
+bool aimed_at_stop(struct aimed *aimed, const struct system *system, struct arena *arena,
+                   struct error *error)
+{
+    aimed->system = system;
+    if (aimed->is_known && steer(aimed)) {
+        return true;
+    }
+    /* a lens that cannot be aimed through leaves what was known of the one before it */
+    struct aimed *before = ARENA_NEW(arena, struct aimed);
+    *before = *aimed;
+    if (!search(aimed, arena, error)) {
+        *aimed = *before;
+        return false;
+    }
     return true;
 }
 

@@ -59,3 +59,27 @@ echo "status $?"
 # a goal of a position that is left out is said not to count
 lenscalc optimize itoh-zoom-100-146 --vary R1 --position tele --goals efl@wide=100,efl@tele=146 \
     --columns status,goals
+# rays that are just lost: a lens is found that has a value
+cat > edge.lens << 'END'
+lens        rays at an edge
+position    wide tele
+let d2 5 15
+let d4 20 5
+wavelength  d
+field       angle 0 3
+aperture    epd 8
+focus       table
+goal        efl@wide = 60, efl@tele = 75, spot
+pickup      R5 = -R6
+surface     80 3 1.6/50 30
+surface     -80 d2 air 30
+surface     -60 2 1.5/64 20
+surface     60 d4 air 20
+surface     40 4 1.6/50 20
+surface     -40 50 air 20
+stop        - 30 air 12
+END
+lenscalc optimize edge.lens --vary R2 --digits 3 --columns merit_after,status
+# a stop does not move into glass
+lenscalc optimize itoh-zoom-100-146 --vary all-R,all-t --iterations 20 --show variables --csv |
+    sed -n '1p;/^t9/p' | cut -d, -f1,4-6

@@ -51,14 +51,41 @@ static struct merit_question question_of(struct optimize_job *job, const struct 
                                    .seed = (uint64_t)input->seed};
 }
 
+/*
+ * A stop is no glass, so that goals of air pass over it; but it cannot lie within a lens. Gaps
+ * beside it that no bounds are given for stay on their side of 0.
+ */
+static void bound_at_stop(const struct lens *lens, struct variable *variable)
+{
+    const size_t at = variable->what.surface;
+    if (variable->what.kind != PARAMETER_THICKNESS || !isinf(variable->low) ||
+        !isinf(variable->high) ||
+        (lens->surfaces[at].kind != SURFACE_STOP &&
+         !(at + 1 < lens->surface_count && lens->surfaces[at + 1].kind == SURFACE_STOP))) {
+        return;
+    }
+    const double now = parameter_get(lens, variable->what);
+    if (now >= 0) {
+        variable->low = 0;
+    } else {
+        variable->high = 0;
+    }
+}
+
 static bool open_variables(struct optimize_job *job, struct error *error)
 {
     struct arena *arena = job->run->arena;
     const struct vary_reader reader = {.lens = job->lens, .arena = arena};
     struct variable *list;
     size_t count;
-    if (!vary_list(&reader, job->input->vary, job->input->hold, &list, &count, error) ||
-        !variables_open(job->lens, list, count, arena, &job->variables, error)) {
+    if (!vary_list(&reader, job->input->vary, job->input->hold, &list, &count, error)) {
+        return false;
+    }
+    for (size_t i = 0; i < count; i++) {
+        const size_t position = list[i].position != LENS_NONE ? list[i].position : 0;
+        bound_at_stop(lens_at_position(job->lens, position, arena), &list[i]);
+    }
+    if (!variables_open(job->lens, list, count, arena, &job->variables, error)) {
         return false;
     }
     const char **names = ARENA_ARRAY(arena, count + 1, const char *);
