@@ -78,7 +78,7 @@ def main():
         check_page(checks, program, folder, ["double-gauss"], 12)
         check_page(checks, program, folder, ["double-gauss", "-N", "4"], 12)
         check_page(checks, program, folder, ["canon-nfd-70-210"], 30)
-        check_page(checks, program, folder, ["questar-35"], 12)
+        check_page(checks, program, folder, ["questar-35", "--images"], 16)
         check_page(checks, program, folder, ["bare & plain.lens"], 12)
     checks.finish()
 

@@ -12,6 +12,7 @@
 
 struct input {
     struct lens_question question;
+    bool images;
     long threads; /* 0 = one a core */
 };
 
@@ -20,6 +21,8 @@ static const struct option options[] = {
     LENS_FNUMBER_OPTION(struct input, question),
     {OPTION(struct input, question.position), .name = "position", .value = "NAME",
      .help = "a name or focal length (135mm), a list, or all; default up to three of them"},
+    {OPTION(struct input, images), .name = "images",
+     .help = "images of points too (psf), which take longer than all the rest"},
     {OPTION(struct input, threads), .name = "threads", .lowest = 0, .highest = PARALLEL_MOST,
      .value = "N", .fallback = "1",
      .help = "threads that share the fields of an analysis; 0 = one a core"},
@@ -32,7 +35,8 @@ enum {
     TAKES_BOTH = TAKES_FNUMBER | TAKES_POSITION,
     OF_WHOLE_LENS = 4,
     TAKES_THREADS = 8,
-    TAKES_ALL = TAKES_BOTH | TAKES_THREADS
+    TAKES_ALL = TAKES_BOTH | TAKES_THREADS,
+    IS_IMAGE = 16
 };
 
 /* A part: a command, and which of its drawings; without one its rows. */
@@ -53,6 +57,8 @@ static const struct section sections[] = {
     {"Spots in numbers", "spot", NULL, TAKES_ALL, false},
     {"Wave fronts", "wavefront", "--plot", TAKES_ALL, true},
     {"Wave fronts in numbers", "wavefront", NULL, TAKES_ALL, false},
+    {"Images of points", "psf", "--plot", TAKES_ALL | IS_IMAGE, true},
+    {"Images of points in numbers", "psf", NULL, TAKES_ALL | IS_IMAGE, false},
     {"Contrast", "mtf", "--plot", TAKES_BOTH, true},
     {"Contrast in numbers", "mtf", NULL, TAKES_BOTH, false},
     {"Field curvature", "field", "--plot", TAKES_BOTH, true},
@@ -188,7 +194,8 @@ static bool fill_page(struct writer *writer, struct page *page, struct error *er
                 (struct page_part){.title = arena_printf(arena, "Position %s", name)};
         }
         for (size_t k = 0; k < SECTIONS; k++) {
-            if (i == 0 || sections[k].takes != OF_WHOLE_LENS) {
+            if ((i == 0 || sections[k].takes != OF_WHOLE_LENS) &&
+                (writer->input->images || (sections[k].takes & IS_IMAGE) == 0)) {
                 add_part(writer, &sections[k], name);
             }
         }
