@@ -2,20 +2,13 @@
 /* SPDX-License-Identifier: MIT */
 #include "check.h"
 #include "file/lens_file.h"
+#include "lens_of.h"
 #include "optics/lens_indices.h"
 #include "optics/lens_numbers.h"
 #include "trace/dispatch.h"
 #include "trace/system.h"
 
 static struct arena arena;
-
-static struct lens lens_of(const char *text)
-{
-    struct lens lens = {0};
-    struct error error = {0};
-    CHECK(lens_read("test.lens", text_of(text), NULL, &arena, &lens, &error));
-    return lens;
-}
 
 /* Has everything: a pair's digits, nd/Vd, an asphere, a decentre, a break, a mirror's medium. */
 static const char *const text =
@@ -27,7 +20,7 @@ static const char *const text =
 /* Every number that the lens has: as parameter_apply has it, and back again. */
 static void check_every(void)
 {
-    const struct lens lens = lens_of(text);
+    const struct lens lens = lens_of(text, &arena);
     size_t tested = 0;
     for (size_t i = LENS_NONE; i + 1 < lens.surface_count + 1; i++) {
         for (struct parameter each = {0}; each.kind < PARAMETER_KINDS;
@@ -67,7 +60,7 @@ static void check_every(void)
 static void check_compiled(void)
 {
     static const double values[] = {-0.02, 0.01, 0, 0.031};
-    const struct lens lens = lens_of(text);
+    const struct lens lens = lens_of(text, &arena);
     const struct parameter c2 = {1, PARAMETER_CURVATURE, 0}, V1 = {0, PARAMETER_ABBE, 0};
     struct error error;
     struct lens_numbers numbers;
@@ -100,7 +93,7 @@ static void check_compiled(void)
 /* An index that cannot be is not taken for known when it is asked again. */
 static void check_refused(void)
 {
-    const struct lens lens = lens_of("surface 50 6 1.6 -\nsurface -80 3 air -\n");
+    const struct lens lens = lens_of("surface 50 6 1.6 -\nsurface -80 3 air -\n", &arena);
     struct lens_numbers numbers;
     struct error error = {0};
     struct medium asked[3] = {{.kind = MEDIUM_CONSTANT}};

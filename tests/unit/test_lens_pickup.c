@@ -4,6 +4,7 @@
 #include "check.h"
 #include "file/lens_change.h"
 #include "file/lens_file.h"
+#include "lens_of.h"
 
 static struct arena arena;
 
@@ -12,18 +13,6 @@ static bool read_lens(const char *text, struct lens *lens, struct error *error)
     *lens = (struct lens){0};
     *error = (struct error){.code = ERROR_NONE};
     return lens_read("test.lens", text_of(text), NULL, &arena, lens, error);
-}
-
-static struct lens lens_of(const char *text)
-{
-    struct lens lens;
-    struct error error;
-    bool read = read_lens(text, &lens, &error);
-    CHECK(read);
-    if (!read) {
-        printf("%ld:%d: %s\n", error.line, error.column, error.message);
-    }
-    return lens;
 }
 
 static double number(const struct lens *lens, const char *name)
@@ -59,7 +48,7 @@ static const char *const text = "lens t\n"
 
 static void check_values(void)
 {
-    const struct lens lens = lens_of(text);
+    const struct lens lens = lens_of(text, &arena);
     CHECK_NEAR(number(&lens, "R3"), -50, 0, "-R1, cm");
     CHECK_NEAR(number(&lens, "R5"), -50, 0, "by a chain");
     CHECK_NEAR(number(&lens, "t3"), 21.5, 1e-14, "0.5 0.3 cm + 2 cm");
@@ -87,7 +76,7 @@ static void check_values(void)
 
     /* what is written says the same, without a warning */
     const struct text written = lens_write(&lens, &arena);
-    const struct lens again = lens_of(arena_string(&arena, written.start, written.length));
+    const struct lens again = lens_of(arena_string(&arena, written.start, written.length), &arena);
     for (size_t i = 0; i < again.pickup_count; i++) {
         CHECK(again.pickups[i].warning == NULL);
     }
@@ -99,7 +88,7 @@ static void check_values(void)
 static void check_follows(const struct lens *lens, const char *what)
 {
     const struct text written = lens_write(lens, &arena);
-    const struct lens again = lens_of(arena_string(&arena, written.start, written.length));
+    const struct lens again = lens_of(arena_string(&arena, written.start, written.length), &arena);
     size_t warnings = 0;
     for (size_t i = 0; i < again.pickup_count; i++) {
         warnings += again.pickups[i].warning != NULL;
@@ -121,7 +110,8 @@ static void check_changed(void)
                 "pickup glass5 = glass1\ngoal efl = 50\n"
                 "surface 50 3 1.6/50 20 k=-1 R~[20,90]\nsurface -80 1 air 20 c~[-0.1,0.05]\n"
                 "surface -50 3.25 1.7/30 20 k=-1\nsurface 90 d4 air 20 ay~[-1,2]\n"
-                "surface 40 2 1.6/50 20\nsurface - d4 air 20\n");
+                "surface 40 2 1.6/50 20\nsurface - d4 air 20\n",
+                &arena);
     check_follows(&zoom, "zoom");
     CHECK_NEAR(number(lens_at_position(&zoom, 1, &arena), "t3"), 9.5, 0, "0.5 15 + 2");
     const struct lens *reversed = lens_reversed(&zoom, &arena, &error);

@@ -1,24 +1,14 @@
 /* tests/unit/test_merit.c - operands of paraxial rays and of shapes, by everything. */
 /* SPDX-License-Identifier: MIT */
 #include "analysis/chromatic.h"
+#include "double_gauss.h"
 #include "merit_check.h"
 #include "optics/seidel.h"
 
 static const char double_gauss[] = "wavelength d F C\n"
                                    "object inf\n"
                                    "aperture stop\n"
-                                   "field angle 0 10 14\n"
-                                   "surface 58.950 7.520 1.670/47.1 50.4\n"
-                                   "surface 169.660 0.240 air 50.4\n"
-                                   "surface 38.550 8.050 1.670/47.1 46.0\n"
-                                   "surface 81.540 6.550 1.699/30.1 46.0\n"
-                                   "surface 25.500 11.410 air 36.0\n"
-                                   "surface - 9.000 air 34.2 stop\n"
-                                   "surface -28.990 2.360 1.603/38.0 34.0\n"
-                                   "surface 81.540 12.130 1.658/57.3 40.0\n"
-                                   "surface -40.770 0.380 air 40.0\n"
-                                   "surface 874.130 6.440 1.717/48.0 40.0\n"
-                                   "surface -79.460 72.228 air 40.0\n";
+                                   "field angle 0 10 14\n" DOUBLE_GAUSS("34.2");
 
 static const char relay[] = "wavelength d F C\n"
                             "object 120\n"

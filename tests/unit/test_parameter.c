@@ -4,21 +4,10 @@
 #include "check.h"
 #include "file/lens_change.h"
 #include "file/lens_file.h"
+#include "lens_of.h"
 #include "optics/parameter.h"
 
 static struct arena arena;
-
-static struct lens lens_of(const char *text)
-{
-    struct lens lens = {0};
-    struct error error = {0};
-    bool read = lens_read("test.lens", text_of(text), NULL, &arena, &lens, &error);
-    CHECK(read);
-    if (!read) {
-        printf("%s\n", error.message);
-    }
-    return lens;
-}
 
 static struct parameter named(const char *name)
 {
@@ -160,7 +149,7 @@ static void check_kinds(void)
     static const char *const marks[] = {
         "R, c, t, k, A4, glass, dx, dy, ax or ay", "R, c, t, k, A4, dx, dy, ax or ay",
         "t, glass, dx, dy, ax or ay", "t, focal, glass, dx, dy, ax or ay"};
-    const struct lens lens = lens_of(kinds);
+    const struct lens lens = lens_of(kinds, &arena);
     for (size_t i = 0; i < 4; i++) {
         const struct surface *surface = &lens.surfaces[i];
         CHECK(surface->kind == (enum surface_kind)i);
@@ -183,7 +172,7 @@ static void check_kinds(void)
 
 static void check_refused(const char *text, const char *name, const char *message)
 {
-    const struct lens lens = lens_of(text);
+    const struct lens lens = lens_of(text, &arena);
     struct error error = {0};
     CHECK(!parameter_check(&lens, named(name), &error) && error.code == ERROR_DOMAIN);
     CHECK_TEXT(error.message, message);
@@ -213,7 +202,7 @@ static void check_refused_lenses(void)
 /* Every number of every kind of surface: what is set is got, and nothing else changes. */
 static void check_round_trips(void)
 {
-    const struct lens lens = lens_of(kinds);
+    const struct lens lens = lens_of(kinds, &arena);
     size_t tried = 0;
     for (struct parameter each = {0}; each.kind < PARAMETER_KINDS; each = parameter_next(each)) {
         for (each.surface = 0; each.surface < 5; each.surface++) {
@@ -249,7 +238,7 @@ static void check_round_trips(void)
 
 static void check_numbers(void)
 {
-    const struct lens lens = lens_of(kinds);
+    const struct lens lens = lens_of(kinds, &arena);
     CHECK_NEAR(parameter_get(&lens, named("c1")), 0.02, 0, "1/50");
     CHECK_NEAR(parameter_get(&lens, named("R5")), 50, 0, "1/0.02");
     CHECK_NEAR(parameter_get(&lens, named("R6")), INFINITY, 0, "a plane");
@@ -283,7 +272,7 @@ static void check_numbers(void)
 /* Against differences of what the derivative is of; n of nd/Vd is linear in nd and in 1/Vd. */
 static void check_slopes(void)
 {
-    const struct lens lens = lens_of(kinds);
+    const struct lens lens = lens_of(kinds, &arena);
     CHECK_RELATIVE(parameter_slope(&lens, named("R1"), 0.5), -0.0004, 1e-15, "-1/50^2");
     CHECK_RELATIVE(parameter_slope(&lens, named("R5"), 0.5), -0.0004, 1e-15, "of a curvature");
     CHECK_NEAR(parameter_slope(&lens, named("R6"), 0.5), 0, 0, "of a plane");
@@ -332,7 +321,7 @@ static const char marked[] =
 /* Twice as large: lengths times 2, curvatures by 2, A4 by 8, A6 by 32; numbers and angles stay. */
 static void check_scaling(void)
 {
-    const struct lens lens = lens_of(marked);
+    const struct lens lens = lens_of(marked, &arena);
     const struct lens *to = lens_scaled(&lens, pair_of(2), false, &arena);
     static const struct {
         const char *name;
@@ -375,7 +364,7 @@ static void check_scaling(void)
 /* Turned by half a turn about y: what points to x or z changes its sign. */
 static void check_reversal(void)
 {
-    struct lens lens = lens_of(marked);
+    struct lens lens = lens_of(marked, &arena);
     struct error error;
     parameter_set(&lens, named("tilt_z1"), 0.125, &arena);
     const struct lens *to = lens_reversed(&lens, &arena, &error);
@@ -416,7 +405,8 @@ static void check_reversed_marks(void)
                                      "surface -80 3 air - t~[2,4]\n"
                                      "bend tilt=0,0,10\n"
                                      "surface 70 2 1.6 - k~\n"
-                                     "surface -60 - air - c~ t~\n");
+                                     "surface -60 - air - c~ t~\n",
+                                     &arena);
     struct error error;
     const struct lens *to = lens_reversed(&lens, &arena, &error);
     /* the surfaces backwards, with a plane that undoes the bend behind the third */
@@ -438,7 +428,8 @@ static void check_reversed_mangin(void)
 {
     const struct lens lens = lens_of("surface -50 6 1.5 - glass~ t~[5,7]\n"
                                      "surface -80 -6 mirror - R~\n"
-                                     "surface -50 -90 air -\n");
+                                     "surface -50 -90 air -\n",
+                                     &arena);
     struct error error;
     const struct lens *to = lens_reversed(&lens, &arena, &error);
     CHECK(to != NULL && to->surface_count == 3);
@@ -457,7 +448,8 @@ static void check_reversed_mangin(void)
 static void check_reversed_hiatus(void)
 {
     const struct lens lens = lens_of("thick 100 50 air - hiatus=4\nsurface -200 -40 mirror -\n"
-                                     "surface - - air -\n");
+                                     "surface - - air -\n",
+                                     &arena);
     struct error error;
     const struct lens *to = lens_reversed(&lens, &arena, &error);
     CHECK(to != NULL && to->surface_count == 3);
@@ -471,7 +463,8 @@ static void check_units(void)
 {
     const struct lens lens = lens_of("unit in\n"
                                      "surface - 1 1.5 - c=0.5 A4=3 R~[2,4] c~[0.5,1] A4~[2,4] "
-                                     "k~[-1,1]\nthick 4 1 air - f~[3,5]\n");
+                                     "k~[-1,1]\nthick 4 1 air - f~[3,5]\n",
+                                     &arena);
     const struct lens *to = lens_in_unit(&lens, "mm", &arena);
     const double inch = 25.4, cube = 25.4 * 25.4 * 25.4;
     for (int i = 0; i < 2; i++) {
@@ -502,7 +495,7 @@ static void check_reversed_break(void)
     static const char *const names[5] = {"bend_tilt_z2", "bend_tilt_y3", "bend_tilt_x4",
                                          "bend_decenter_x5", "bend_decenter_y5"};
     for (int i = 0; i < 2; i++) {
-        const struct lens lens = lens_of(texts[i]);
+        const struct lens lens = lens_of(texts[i], &arena);
         struct error error;
         const struct lens *to = lens_reversed(&lens, &arena, &error);
         CHECK(to != NULL && to->surface_count == 6);
@@ -516,7 +509,8 @@ static void check_reversed_break(void)
 static void check_reversed_mirror(void)
 {
     struct lens lens = lens_of("surface 50 6 1.5 - A4=1e-5 tilt=3,-2 R~[40,60]\n"
-                               "surface -200 -8 mirror -\nsurface 70 - air -\n");
+                               "surface -200 -8 mirror -\nsurface 70 - air -\n",
+                               &arena);
     struct error error;
     parameter_set(&lens, named("tilt_z1"), 0.125, &arena);
     const struct lens *to = lens_reversed(&lens, &arena, &error);

@@ -5,22 +5,11 @@
 #include "design/glass_map.h"
 #include "design/variable.h"
 #include "file/lens_file.h"
+#include "lens_of.h"
 #include "optics/pickup.h"
 #include "optics/wavelength.h"
 
 static struct arena arena;
-
-static struct lens lens_of(const char *text)
-{
-    struct lens lens = {0};
-    struct error error = {0};
-    bool read = lens_read("test.lens", text_of(text), NULL, &arena, &lens, &error);
-    CHECK(read);
-    if (!read) {
-        printf("%s\n", error.message);
-    }
-    return lens;
-}
 
 static struct variable variable_of(const char *name, double low, double high)
 {
@@ -139,7 +128,8 @@ static void check_everything(void)
                                "surface -90 -9 mirror 20\n"
                                "surface - -12 air 20 c=0.02\n"
                                "thick 70 3 1.2 - hiatus=1\n"
-                               "surface - 2 air -\n");
+                               "surface - 2 air -\n",
+                               &arena);
     pick_up(&lens, "R2", "R1", -1.5, 0);
     pick_up(&lens, "R5", "R2", 0.5, 3);
     pick_up(&lens, "t5", "t4", 2, 1);
@@ -181,7 +171,8 @@ static void check_positions(void)
                                "surface 50 6 1.62/50 -\nsurface - d2 air -\n"
                                "surface -40 2 1.5 -\nsurface - d4 air -\n"
                                "surface 80 5 1.5 -\nsurface - d2 air -\nsurface - 3 1.5 -\n"
-                               "surface -60 30 air -\n");
+                               "surface -60 30 air -\n",
+                               &arena);
     pick_up(&lens, "t8", "t2", 0.5, 30);
     lens_pickups_put(&lens, lens_at_position(&lens, 0, &arena), &arena);
     struct variable list[] = {variable_of("t2", 1, 20), variable_of("t4", 0, 50),
@@ -224,7 +215,8 @@ static void check_scales(void)
                 "surface 25.5 11.41 air 36\nstop - 9 air 34.2\n"
                 "surface -28.99 2.36 1.603/38.0 34\nsurface 81.54 12.13 1.658/57.3 40\n"
                 "surface -40.77 .38 air 40\nsurface 874.13 6.44 1.717/48.0 40\n"
-                "surface -79.46 72.228 air 40\n");
+                "surface -79.46 72.228 air 40\n",
+                &arena);
     const struct variable list[] = {variable_of("R1", -INFINITY, INFINITY),
                                     variable_of("t11", 60, 80),
                                     variable_of("n7", -INFINITY, INFINITY),
@@ -259,7 +251,8 @@ static void check_refused(const char *name, double low, double high, const char 
                           const char *hint)
 {
     struct lens lens = lens_of("surface 50 6 1.5/95 -\nsurface - 3 air -\nsurface -50 1 1.5 -\n"
-                               "surface -20 4 air -\n");
+                               "surface -20 4 air -\n",
+                               &arena);
     pick_up(&lens, "R4", "R3", 0.5, 0);
     const struct variable list[] = {variable_of("n1", 1, 2), variable_of(name, low, high)};
     struct variables variables;
@@ -316,7 +309,7 @@ static void check_glass_map(void)
             CHECK_RELATIVE(glass_map_at(glasses[i].nd, share).Vd, glasses[i].Vd, 1e-13, "Vd");
         }
     }
-    struct lens lens = lens_of("surface 50 6 1.5/95 -\nsurface - 3 air -\n");
+    struct lens lens = lens_of("surface 50 6 1.5/95 -\nsurface - 3 air -\n", &arena);
     const struct variable list[] = {variable_of("n1", -INFINITY, INFINITY),
                                     variable_of("V1", -INFINITY, INFINITY)};
     struct variables variables;
