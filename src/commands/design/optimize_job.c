@@ -9,6 +9,7 @@
 #include "commands/design/optimize_goals.h"
 #include "report/doubts.h"
 
+#include <math.h>
 #include <string.h>
 
 /* What is seen of the lens while it changes. */
@@ -159,6 +160,33 @@ static void warn_of_elsewhere(struct optimize_job *job)
     }
 }
 
+/* Small spots are easiest to have of a short lens: one that has become so by itself is told. */
+static bool warn_of_power(struct optimize_job *job, const struct goals *goals, struct error *error)
+{
+    static const double most = 0.05; /* of a change that goes without saying */
+    const struct merit_place *place = &job->merit.places[0];
+    struct arena *arena = job->run->arena;
+    const struct lens *found = lens_at_position(job->found, place->position, arena);
+    struct first_order first;
+    for (size_t i = 0; i < goals->count; i++) {
+        const enum operand_kind kind = goals->list[i].kind;
+        if (kind == OPERAND_EFL || kind == OPERAND_MAGNIFICATION || kind == OPERAND_HEIGHT ||
+            kind == OPERAND_FNUMBER) {
+            return true;
+        }
+    }
+    if (!first_order_of_lens(found, lens_primary_wavelength(found), place->setup.section, arena,
+                             &first, error)) {
+        return error_prefix(error, "the lens that was found: ");
+    }
+    const double before = place->setup.first.efl, after = first.efl;
+    if (isfinite(before) && !(fabs(after / before - 1) <= most)) {
+        warn(job, arena_printf(arena, "no goal holds the focal length: it was %.4g mm and is %.4g",
+                               before, after));
+    }
+    return true;
+}
+
 /* What lenscalc would say of the lens that was found. */
 static bool check_found(struct optimize_job *job, struct error *error)
 {
@@ -253,5 +281,5 @@ bool optimize_job_run(struct optimize_job *job, struct error *error)
     warn_of_elsewhere(job);
     warn_of_idle(job);
     judge(job);
-    return check_found(job, error);
+    return warn_of_power(job, &goals, error) && check_found(job, error);
 }
