@@ -209,5 +209,6 @@ int main(int count, char **words)
     }
     printf("operands of rays: %ld lenses of %ld, worst error of a derivative %.2g of scale\n",
            lenses, tried, worst);
+    CHECK(4 * lenses > tried); /* others have rays that are lost, or no image */
     return check_report();
 }

@@ -92,9 +92,6 @@ FOR_TESTS = {
     # derivatives of everything by everything, which the optimiser stands on
     "merit_bundle_start": "where 113 bits begin", "merit_rays_look": "which rays residuals are of",
     "derivative_layout": "", "derivative_sweep": "", "tangent_trace": "",
-    # numbers that a design varies, until it does
-    "variables_get": "", "variables_lens": "", "variables_links": "",
-    "variables_most_links": "", "variables_open": "", "variables_put": "",
     # every set of instructions gives the same bits
     "instruction_set_name": "", "instruction_set_works": "",
     "first_order_compute_portable": "", "paraxial_trace_portable": "",

@@ -34,9 +34,12 @@ def first(program, *words):
 
 def values(program, lens, vary, goals, *more):
     """The values that the lens has, goal by goal; it is left before a minimum, which has a status."""
-    text = program.run("optimize", lens, "--vary", vary, "--goals", ",".join(goals), "--show",
-                       "merit", "--iterations", "1", "--csv", *more).stdout.decode()
-    return [float(row["value_before"]) for row in csv.DictReader(io.StringIO(text, newline=""))]
+    result = program.run("optimize", lens, "--vary", vary, "--goals", ",".join(goals), "--show",
+                         "merit", "--iterations", "1", "--csv", *more)
+    rows = list(csv.DictReader(io.StringIO(result.stdout.decode(), newline="")))
+    if len(rows) != len(goals):
+        sys.exit(f"{lens}: {len(rows)} of {len(goals)} goals: {result.stderr.decode()}")
+    return [float(row["value_before"]) for row in rows]
 
 
 def figures(program, lens, field, short, long):
@@ -73,9 +76,7 @@ def check_analyses(program, checks):
     """Goal by goal, the numbers of the analyses."""
     for lens, vary, field, short, long in LENSES:
         wanted = figures(program, lens, field, short, long)
-        got = values(program, lens, vary, list(wanted))
-        checks.check(len(got) == len(wanted), f"{lens}: {len(got)} of {len(wanted)} goals")
-        for goal, value in zip(wanted, got):
+        for goal, value in zip(wanted, values(program, lens, vary, list(wanted))):
             expected = float(wanted[goal])
             checks.near("analyses", f"{lens}: {goal}", value, expected,
                         RELATIVE * max(1, abs(expected)))

@@ -65,7 +65,8 @@ static bool rosenbrock(void *context, const double *p, double *r, double *jacobi
     return true;
 }
 
-/* With x <= 0.5 the best is (0.5, 0.25); with y <= 0.25 too; with y >= 0.5, x <= 0.5 a corner. */
+/* With x <= 0.5 the best is (0.5, 0.25); with y <= 0.25 too; with y >= 0.5, x <= 0.5 a corner
+   is the best nearby: from x < 0 engines may end at (-0.699, 0.5), which is lower. */
 static void test_bounds(enum solver_engine engine)
 {
     const struct solver_options usual = {.engine = engine};

@@ -98,7 +98,9 @@ static void check_starts(void)
                                                 .pattern = cases[i].pattern,
                                                 .rays = cases[i].rays};
         struct error error;
-        if (open_test(&test, text, "R1", &question, OPERAND_SPOT, &error)) {
+        const bool opens = open_test(&test, text, "R1", &question, OPERAND_SPOT, &error);
+        CHECK(opens);
+        if (opens) {
             double *residuals = ARENA_ARRAY(&test.arena, test.merit.residual_count, double);
             struct truth truth;
             CHECK(merit_evaluate(&test.merit, test.v, residuals, NULL) &&

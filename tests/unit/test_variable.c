@@ -4,6 +4,7 @@
 #include "check.h"
 #include "design/glass_map.h"
 #include "design/variable.h"
+#include "double_gauss.h"
 #include "file/lens_file.h"
 #include "lens_of.h"
 #include "optics/pickup.h"
@@ -208,15 +209,7 @@ static void check_positions(void)
 /* Of the double Gauss: 0.01 /mm and 10 mm. */
 static void check_scales(void)
 {
-    struct lens lens =
-        lens_of("aperture epd 50\nfocus table\n"
-                "surface 58.95 7.52 1.670/47.1 50.4\nsurface 169.66 .24 air 50.4\n"
-                "surface 38.55 8.05 1.670/47.1 46\nsurface 81.54 6.55 1.699/30.1 46\n"
-                "surface 25.5 11.41 air 36\nstop - 9 air 34.2\n"
-                "surface -28.99 2.36 1.603/38.0 34\nsurface 81.54 12.13 1.658/57.3 40\n"
-                "surface -40.77 .38 air 40\nsurface 874.13 6.44 1.717/48.0 40\n"
-                "surface -79.46 72.228 air 40\n",
-                &arena);
+    struct lens lens = lens_of("aperture epd 50\nfocus table\n" DOUBLE_GAUSS("34.2"), &arena);
     const struct variable list[] = {variable_of("R1", -INFINITY, INFINITY),
                                     variable_of("t11", 60, 80),
                                     variable_of("n7", -INFINITY, INFINITY),

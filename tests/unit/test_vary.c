@@ -3,7 +3,7 @@
 #include "base/constants.h"
 #include "check.h"
 #include "cli/vary.h"
-#include "file/lens_file.h"
+#include "lens_of.h"
 
 static struct arena arena;
 
@@ -12,18 +12,6 @@ static const char *const text =
     "surface 50 3 1.5/60 20 R~[60,-40] k~ glass~\nsurface - d2 air 20 t~\n"
     "surface 60 5 1.7/30 20 A4~[-1,1]\nsurface - 3 air 20 c~ c=0.02 ax~[-2,1]\n"
     "surface -50 4 1.7/30 20\nsurface 40 d6 1.5 20\nsurface -60 d2 air 20\nsurface - 30 air 20\n";
-
-static struct lens lens_of(const char *file)
-{
-    struct lens lens = {0};
-    struct error error = {0};
-    bool read = lens_read("test.lens", text_of(file), NULL, &arena, &lens, &error);
-    CHECK(read);
-    if (!read) {
-        printf("%s\n", error.message);
-    }
-    return lens;
-}
 
 /* "R1 t2[2,10]", or the message. */
 static const char *said(const struct lens *lens, const char *vary, const char *hold)
@@ -47,7 +35,7 @@ static const char *said(const struct lens *lens, const char *vary, const char *h
 
 static void check_lists(void)
 {
-    const struct lens lens = lens_of(text);
+    const struct lens lens = lens_of(text, &arena);
     static const struct {
         const char *vary, *hold, *said;
     } cases[] = {
@@ -93,10 +81,10 @@ static void check_lists(void)
     for (size_t i = 0; i < sizeof cases / sizeof cases[0]; i++) {
         CHECK_TEXT(said(&lens, cases[i].vary, cases[i].hold), cases[i].said);
     }
-    const struct lens bare = lens_of("surface 50 3 1.5 20\nsurface - 3 air 20\n");
+    const struct lens bare = lens_of("surface 50 3 1.5 20\nsurface - 3 air 20\n", &arena);
     CHECK_TEXT(said(&bare, NULL, NULL),
                "nothing may change: give --vary, or mark R~ and t~ in the lens");
-    const struct lens both = lens_of("surface 50 3 1.5 20 R~ c~\nsurface - 3 air 20\n");
+    const struct lens both = lens_of("surface 50 3 1.5 20 R~ c~\nsurface - 3 air 20\n", &arena);
     CHECK_TEXT(said(&both, NULL, NULL), "the lens has marks of R1 and c1, which are one number");
 }
 
