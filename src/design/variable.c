@@ -278,8 +278,12 @@ static const char *unit_of(struct parameter what, double *factor)
 }
 
 /* What was named lies between these bounds: a radius through a plane outside of them. */
+/* A number that was written with fewer digits lies on its bound still. */
 static bool is_within(double value, double low, double high)
 {
+    const double slack = 1e-12;
+    low -= isfinite(low) ? slack * fabs(low) : 0;
+    high += isfinite(high) ? slack * fabs(high) : 0;
     return low <= high ? low <= value && value <= high : value >= low || value <= high;
 }
 
@@ -418,7 +422,8 @@ static void open_values(struct variables *variables, struct arena *arena)
         size_t position = drive->position == LENS_NONE ? 0 : drive->position;
         double value = variables->values[position * numbers + drive->number];
         if (drive->share == LENS_NONE) {
-            variables->start[drive->variable] = value;
+            const size_t at = drive->variable; /* is_within gives it some slack */
+            variables->start[at] = fmin(fmax(value, variables->low[at]), variables->high[at]);
         } else {
             struct parameter index = variables->numbers[drive->number].what;
             index.kind = PARAMETER_INDEX;

@@ -86,3 +86,21 @@ lenscalc optimize itoh-zoom-100-146 --vary all-R,all-t --iterations 20 --show va
 # small spots alone are had of another focal length: it is said
 lenscalc optimize double-gauss --vary all-R --goals poly --digits 3 --columns warning --csv |
     sed 's/and is .*/and is another/'
+# a lens that was written on its bound begins there; a field of no weight counts for nothing
+cat > singlet.lens << 'END'
+wavelength  d F
+object      200
+field       height 0 10
+aperture    epd 10
+focus       paraxial
+surface     50 3 SCHOTT:N-BK7 22 stop
+surface     -50 40 air 22
+END
+lenscalc optimize singlet.lens --vary 'c1[0.01,0.03]' --goals efl=10 -o bound.lens > bound.txt
+lenscalc optimize bound.lens --vary 'c1[0.01,0.03]' --goals efl=10 --show variables --csv --digits 6
+lenscalc optimize singlet.lens --vary R1 --goals poly,efl=49 --field 0:1,10:0 --digits 3 \
+    --columns merit_after,status
+# sheets of a sweep tell its rows apart; positions that are left out set no usual goals
+lenscalc optimize singlet.lens --vary R1 --goals poly,efl=49 -N 8,16 --show merit --csv \
+    --columns goal,unit
+lenscalc optimize itoh-zoom-100-146 --vary R1 --position tele --columns goals --csv

@@ -24,19 +24,22 @@ static double focal_length(const struct optimize_job *job, size_t position)
     return known && isfinite(first.efl) ? first.efl : NAN;
 }
 
-static const char *add_focal_lengths(const struct optimize_job *job, const char *words,
+static const char *add_focal_lengths(const struct optimize_job *job,
+                                     const struct merit_question *question, const char *words,
                                      double *size)
 {
     const struct lens *lens = job->lens;
     struct arena *arena = job->run->arena;
-    const size_t count = lens->position_count > 0 ? lens->position_count : 1;
+    const size_t all = lens->position_count > 0 ? lens->position_count : 1;
+    const size_t count = question->position_count > 0 ? question->position_count : all;
     *size = INFINITY;
     for (size_t i = 0; i < count; i++) {
-        const double focal = focal_length(job, i);
+        const size_t at = question->position_count > 0 ? question->positions[i] : i;
+        const double focal = focal_length(job, at);
         if (!isnan(focal)) {
-            words = count > 1
-                        ? arena_printf(arena, "%s, efl@%s = %.6g", words, lens->positions[i], focal)
-                        : arena_printf(arena, "%s, efl = %.6g", words, focal);
+            words = all > 1 ? arena_printf(arena, "%s, efl@%s = %.6g", words, lens->positions[at],
+                                           focal)
+                            : arena_printf(arena, "%s, efl = %.6g", words, focal);
             *size = fmin(*size, fabs(focal));
         }
     }
@@ -91,7 +94,7 @@ static const char *usual_goals(struct optimize_job *job, const struct merit_ques
     } limits[] = {{"center", 0.02}, {"edge", 0.01}, {"air", 0.001}};
     struct arena *arena = job->run->arena;
     double size;
-    const char *words = add_focal_lengths(job, "poly", &size);
+    const char *words = add_focal_lengths(job, question, "poly", &size);
     for (size_t i = 0; i < sizeof limits / sizeof limits[0] && isfinite(size); i++) {
         const double least = least_of(job, question, limits[i].name),
                      usual = limits[i].share * size;

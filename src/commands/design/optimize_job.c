@@ -160,29 +160,41 @@ static void warn_of_elsewhere(struct optimize_job *job)
     }
 }
 
-/* Small spots are easiest to have of a short lens: one that has become so by itself is told. */
-static bool warn_of_power(struct optimize_job *job, const struct goals *goals, struct error *error)
+/* Does a goal that counts in a place hold the focal length there? */
+static bool holds_power(const struct merit *merit, size_t place)
+{
+    bool holds = false;
+    for (size_t i = 0; i < merit->slot_count; i++) {
+        const enum operand_kind kind = merit->slots[i].operand->kind;
+        holds = holds ||
+                (merit->slots[i].place == place &&
+                 (kind == OPERAND_EFL || kind == OPERAND_MAGNIFICATION || kind == OPERAND_HEIGHT));
+    }
+    return holds;
+}
+
+/* Small spots are easiest to have of a lens that is another: one that has become so is told. */
+static bool warn_of_power(struct optimize_job *job, struct error *error)
 {
     static const double most = 0.05; /* of a change that goes without saying */
-    const struct merit_place *place = &job->merit.places[0];
     struct arena *arena = job->run->arena;
-    const struct lens *found = lens_at_position(job->found, place->position, arena);
-    struct first_order first;
-    for (size_t i = 0; i < goals->count; i++) {
-        const enum operand_kind kind = goals->list[i].kind;
-        if (kind == OPERAND_EFL || kind == OPERAND_MAGNIFICATION || kind == OPERAND_HEIGHT ||
-            kind == OPERAND_FNUMBER) {
-            return true;
+    for (size_t i = 0; i < job->merit.place_count; i++) {
+        const struct merit_place *place = &job->merit.places[i];
+        const struct lens *found = lens_at_position(job->found, place->position, arena);
+        const char *position = place->setup.position;
+        const double before = place->setup.first.efl;
+        struct first_order first;
+        if (!first_order_of_lens(found, lens_primary_wavelength(found), place->setup.section, arena,
+                                 &first, error)) {
+            return error_prefix(error, "the lens that was found: ");
         }
-    }
-    if (!first_order_of_lens(found, lens_primary_wavelength(found), place->setup.section, arena,
-                             &first, error)) {
-        return error_prefix(error, "the lens that was found: ");
-    }
-    const double before = place->setup.first.efl, after = first.efl;
-    if (isfinite(before) && !(fabs(after / before - 1) <= most)) {
-        warn(job, arena_printf(arena, "no goal holds the focal length: it was %.4g mm and is %.4g",
-                               before, after));
+        if (isfinite(before) && !(fabs(first.efl / before - 1) <= most) &&
+            !holds_power(&job->merit, i)) {
+            warn(job, arena_printf(arena,
+                                   "%s%sno goal holds the focal length: it was %.4g mm and is %.4g",
+                                   position != NULL ? position : "", position != NULL ? ": " : "",
+                                   before, first.efl));
+        }
     }
     return true;
 }
@@ -281,5 +293,5 @@ bool optimize_job_run(struct optimize_job *job, struct error *error)
     warn_of_elsewhere(job);
     warn_of_idle(job);
     judge(job);
-    return warn_of_power(job, &goals, error) && check_found(job, error);
+    return warn_of_power(job, error) && check_found(job, error);
 }

@@ -8,6 +8,20 @@
 
 /* -------- the answer -------- */
 
+/* What a sweep varies: in every sheet, so that its rows can be told apart. */
+#define SWEPT_COLUMNS(row)                                                                         \
+    {COLUMN(row, fnumber),                                                                         \
+     .flags = COLUMN_ECHO | COLUMN_EXTRA,                                                          \
+     .name = "fnumber",                                                                            \
+     .dimension = &dimension_fnumber,                                                              \
+     .with = "aperture",                                                                           \
+     .label = "f-number",                                                                          \
+     .help = "f-number in place of the lens's own aperture"},                                      \
+    {                                                                                              \
+        COLUMN(row, seed), .flags = COLUMN_ECHO | COLUMN_EXTRA, .name = "seed", .with = "seed",    \
+                           .label = "seed", .help = "of the pattern sobol"                         \
+    }
+
 struct answer_row {
     double fnumber, merit_before, merit_after;
     long seed, evaluations, iterations, variables, residuals;
@@ -15,11 +29,7 @@ struct answer_row {
 };
 
 static const struct column answer_columns[] = {
-    {COLUMN(struct answer_row, fnumber), .flags = COLUMN_ECHO | COLUMN_EXTRA, .name = "fnumber",
-     .dimension = &dimension_fnumber, .with = "aperture", .label = "f-number",
-     .help = "f-number in place of the lens's own aperture"},
-    {COLUMN(struct answer_row, seed), .flags = COLUMN_ECHO | COLUMN_EXTRA, .name = "seed",
-     .with = "seed", .label = "seed", .help = "of the pattern sobol"},
+    SWEPT_COLUMNS(struct answer_row),
     {COLUMN(struct answer_row, merit_before), .flags = COLUMN_BRIEF, .name = "merit_before",
      .digits = 6, .label = "merit before",
      .help = "sum of squares of all goals, as the lens was; absent where it has none"},
@@ -82,9 +92,12 @@ struct goal_row {
     const char *position, *goal, *unit, *lens, *warning;
     double before, after, share_before, share_after;
     double part;
+    double fnumber;
+    long seed;
 };
 
 static const struct column goal_columns[] = {
+    SWEPT_COLUMNS(struct goal_row),
     LENS_POSITION_COLUMN(struct goal_row, position, COLUMN_BRIEF),
     {COLUMN(struct goal_row, goal), .flags = COLUMN_BRIEF, .name = "goal", .label = "goal",
      .help = "what is wanted"},
@@ -158,7 +171,9 @@ static bool emit_merit(struct optimize_job *job)
         const struct merit_slot *slot = &merit->slots[i];
         const double after = squares(answer->after.residuals, slot);
         const bool is_exact = slot->operand->relation == OPERAND_EXACT;
-        const struct goal_row row = {.position = merit->places[slot->place].setup.position,
+        const struct goal_row row = {.fnumber = job->input->question.fnumber,
+                                     .seed = job->input->seed,
+                                     .position = merit->places[slot->place].setup.position,
                                      .goal = slot->operand->name,
                                      .unit = unit_words(operand_type(slot->operand->kind)->unit),
                                      .before = value_of(&answer->before, slot),
@@ -180,9 +195,12 @@ static bool emit_merit(struct optimize_job *job)
 struct variable_row {
     const char *variable, *note, *lens, *warning;
     double before, after, low, high;
+    double fnumber;
+    long seed;
 };
 
 static const struct column variable_columns[] = {
+    SWEPT_COLUMNS(struct variable_row),
     {COLUMN(struct variable_row, variable), .flags = COLUMN_BRIEF, .name = "variable",
      .label = "variable", .help = "what may change"},
     {COLUMN(struct variable_row, before), .flags = COLUMN_BRIEF | COLUMN_INFINITE, .name = "before",
@@ -220,7 +238,9 @@ static bool emit_variables(struct optimize_job *job)
     const struct optimize_answer *answer = &job->answer;
     for (size_t i = 0; i < job->variables.count; i++) {
         const struct variable *variable = &job->variables.list[i];
-        const struct variable_row row = {.variable = variable->name,
+        const struct variable_row row = {.fnumber = job->input->question.fnumber,
+                                         .seed = job->input->seed,
+                                         .variable = variable->name,
                                          .before = value_in(job->lens, variable, job->run->arena),
                                          .after = value_in(job->found, variable, job->run->arena),
                                          .low = or_none(variable->low),
@@ -242,9 +262,12 @@ static bool emit_variables(struct optimize_job *job)
 struct spot_row {
     const char *position, *lens, *warning;
     double field, height, wavelength, before, after; /* rad, mm, um, mm */
+    double fnumber;
+    long seed;
 };
 
 static const struct column spot_columns[] = {
+    SWEPT_COLUMNS(struct spot_row),
     LENS_POSITION_COLUMN(struct spot_row, position, COLUMN_BRIEF),
     {COLUMN(struct spot_row, field), .name = "field", .dimension = &dimension_angle, .unit = "deg",
      .flags = COLUMN_ECHO | COLUMN_BRIEF | COLUMN_SPARSE, .label = "field",
@@ -312,23 +335,28 @@ static double spot_of(const struct optimize_job *job, const struct setup *setup,
 static bool emit_spots_of(struct optimize_job *job, size_t place,
                           const struct setup_wavelength *light, struct error *error)
 {
+    const struct merit_place *at_place = &job->merit.places[place];
+    const bool is_first = place == 0 && light == at_place->setup.wavelengths;
+    const struct setup_wavelength alone = {light->wavelength, 1}; /* whatever it counted for */
     struct setup before, after;
-    if (!open_setup(job, job->lens, place, light, &before, error) ||
-        !open_setup(job, job->found, place, light, &after, error)) {
+    if (!open_setup(job, job->lens, place, &alone, &before, error) ||
+        !open_setup(job, job->found, place, &alone, &after, error)) {
         return false;
     }
     for (size_t f = 0; f < before.field_count; f++) {
         const struct field_point *point = &before.fields[f].point;
         const double at = point->value[setup_axis(&before)];
         const bool is_angle = point->kind == FIELD_ANGLE || point->kind == FIELD_NONE;
-        const struct spot_row row = {.position = before.position,
+        const struct spot_row row = {.fnumber = job->input->question.fnumber,
+                                     .seed = job->input->seed,
+                                     .position = before.position,
                                      .field = is_angle ? at : NAN,
                                      .height = is_angle ? NAN : at,
                                      .wavelength = light->wavelength,
                                      .before = spot_of(job, &before, f),
                                      .after = spot_of(job, &after, f),
                                      .lens = job->lens->title,
-                                     .warning = f == 0 ? job->warning : NULL};
+                                     .warning = f == 0 && is_first ? job->warning : NULL};
         if (!run_emit(job->run, &row)) {
             return true;
         }
