@@ -45,6 +45,11 @@ static bool hint_kinds(struct goal_reading *reading, struct text name, struct er
         const char *kind = operand_type((enum operand_kind)i)->name;
         if (kind != NULL) {
             nearest_offer(&nearest, text_of(kind));
+        }
+        if (i == OPERAND_S1) {
+            kind = "S1..S5";
+        }
+        if (kind != NULL && !(i > OPERAND_S1 && i <= OPERAND_S5)) {
             all = ARENA_JOIN(reading->reader->arena, all, all[0] != '\0' ? " " : "", kind);
         }
     }

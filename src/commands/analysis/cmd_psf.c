@@ -15,7 +15,7 @@ static const struct word methods[] = {
 
 static const struct option options[] = {
     ANALYSIS_OPTIONS(struct psf_input, question, "all of the lens by their weights, together",
-                     ", or the fields of one question"),
+                     ", or the fields of one question and the pixels of wavelets"),
     ANALYSIS_FIELD_OPTIONS(struct psf_input, question),
     ANALYSIS_SPECTRUM_OPTION(struct psf_input, question),
     {OPTION(struct psf_input, method), .name = "method", .words = methods, .fallback = "plane",

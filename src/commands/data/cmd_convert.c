@@ -166,6 +166,36 @@ static bool check(const struct artifact_job *job, struct error *error)
            fail(error, ERROR_USAGE, "which lens? Give a name, a file or -");
 }
 
+/* What is said beside the lens: of numbers that are others now, and of all that is lost. */
+static struct text remarks_of(struct conversion *conversion, const struct lens *read,
+                              const struct foreign_format *format)
+{
+    const struct input *input = conversion->input;
+    struct growing lost = {.arena = input->lens.arena};
+    for (size_t i = 0; i < read->pickup_count; i++) {
+        if (read->pickups[i].warning != NULL) {
+            growing_format(&lost, "%s: %s\n", input->lens.source, read->pickups[i].warning);
+        }
+    }
+    foreign_losses(&conversion->job, &lost);
+    if (conversion->position != NULL) {
+        growing_format(&lost, "%s: position '%s' is the nearest to %s\n", input->lens.source,
+                       conversion->position, input->position);
+    }
+    if (conversion->left_out != NULL) {
+        growing_format(&lost, "%s: lost: %s: --reverse has no mark for what lies before the lens\n",
+                       input->lens.source, conversion->left_out);
+    }
+    if (format != NULL && !format->has_design && conversion->lens->pickup_count > 0) {
+        growing_format(&lost, "%s: lost: pick-ups: their numbers are kept\n", input->lens.source);
+    }
+    if (conversion->goals > 0) {
+        growing_format(&lost, "%s: lost: %zu goals: they are of the lens as it was\n",
+                       input->lens.source, conversion->goals);
+    }
+    return growing_done(&lost);
+}
+
 static bool convert(struct conversion *conversion, const struct foreign_format *format,
                     struct output *output, struct error *error)
 {
@@ -190,24 +220,7 @@ static bool convert(struct conversion *conversion, const struct foreign_format *
         return false;
     }
     output_text(output, text.start, text.length);
-    struct growing lost = {.arena = input->lens.arena};
-    foreign_losses(&conversion->job, &lost);
-    if (conversion->position != NULL) {
-        growing_format(&lost, "%s: position '%s' is the nearest to %s\n", input->lens.source,
-                       conversion->position, input->position);
-    }
-    if (conversion->left_out != NULL) {
-        growing_format(&lost, "%s: lost: %s: --reverse has no mark for what lies before the lens\n",
-                       input->lens.source, conversion->left_out);
-    }
-    if (format != NULL && !format->has_design && conversion->lens->pickup_count > 0) {
-        growing_format(&lost, "%s: lost: pick-ups: their numbers are kept\n", input->lens.source);
-    }
-    if (conversion->goals > 0) {
-        growing_format(&lost, "%s: lost: %zu goals: they are of the lens as it was\n",
-                       input->lens.source, conversion->goals);
-    }
-    output->remarks = growing_done(&lost);
+    output->remarks = remarks_of(conversion, lens, format);
     return true;
 }
 

@@ -116,9 +116,9 @@ static const struct explanation explanations[] = {
 };
 
 static const struct example examples[] = {
-    {"optimize double-gauss --vary all-R,t11 --goals spot,efl=100",
-     "all radii and the image plane, for small spots of each wavelength"},
-    {"optimize double-gauss --vary all-R,t11 --goals spot,efl==100 --show merit",
+    {"optimize double-gauss --vary all-R --goals spot,efl=100",
+     "all radii, for small spots of each wavelength"},
+    {"optimize double-gauss --vary all-R --goals spot,efl==100 --show merit",
      "goal by goal, the focal length exactly"},
     {NULL, NULL},
 };

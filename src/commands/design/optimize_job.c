@@ -246,6 +246,7 @@ static void judge(struct optimize_job *job)
                            "the goal %s is missed by %.3g deviations: it contradicts another goal "
                            "or the bounds, or wants more iterations",
                            missed_goal(job), summary->excess);
+        job->status = "a goal with == is missed";
     }
     job->incomplete = why;
     if (why != NULL) {

@@ -306,7 +306,7 @@ static bool put_details(struct codev_output *output, const struct surface *surfa
     }
     if (surface->vary_count > 0 &&
         !foreign_lose(output->job, error,
-                      "marks for the designer (R~, t~)" LOSS_INSTEAD "left out")) {
+                      "marks for the designer (R~, t~)" LOSS_IS_MUTE LOSS_INSTEAD "left out")) {
         return false;
     }
     return put_asphere(output, surface, error);

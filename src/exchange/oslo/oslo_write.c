@@ -394,7 +394,7 @@ static bool put_surface(struct output *output, size_t index, struct error *error
     }
     return surface->vary_count == 0 ||
            foreign_lose(output->job, error,
-                        "marks for the designer (R~, t~)" LOSS_INSTEAD "left out");
+                        "marks for the designer (R~, t~)" LOSS_IS_MUTE LOSS_INSTEAD "left out");
 }
 
 static void put_waves(struct output *output)

@@ -450,7 +450,9 @@ static bool check_surface(struct zemax_writer *writer, const struct surface *sur
 {
     return surface->vary_count == 0 ||
            foreign_lose(writer->job, error,
-                        "surface %zu: the marks of what may vary" LOSS_INSTEAD "left out", number);
+                        "surface %zu: the marks of what may vary" LOSS_IS_MUTE LOSS_INSTEAD
+                        "left out",
+                        number);
 }
 
 bool zemax_put_surface(struct zemax_writer *writer, size_t index, struct error *error)
