@@ -104,6 +104,9 @@ FOR_TESTS = {
     # what divided runs stand on
     "digest_add": "", "digest_begin": "", "digest_end": "", "digest_item": "",
     "part_parse": "", "part_range": "", "part_read": "", "part_write": "", "parts_order": "",
+    # tolerances, which trials stand on
+    "distribution_words": "", "spread_of": "", "spread_quantile": "", "spread_variance": "",
+    "elements_of": "", "element_at": "",
     # what there is to try
     "foreign_formats": "the fuzzer's list of formats",
 }
