@@ -5,6 +5,7 @@
 #   install    into PREFIX (and DESTDIR)             uninstall  take it away again
 #   dist       a source archive                      format     clang-format over the sources
 #   fuzz       long fuzzing: SECONDS=600 JOBS=2      clean      remove build/
+#   faults     memory, reading and writing fail call by call: every command
 #   stress     the worst errors where arithmetic is hardest: SECONDS=60 SEED=1
 #   coverage   lines and branches that the fast tests reach, by folder
 #   mutate     is a changed sign noticed? COUNT=60 SEED=1,2,3
@@ -205,6 +206,11 @@ bench: deps all
 fuzz: deps
 	@tests/fuzz/run $(SECONDS) $(JOBS) $(BUILD)
 
+# a static program asks nobody for its memory
+faults: deps
+	@$(MAKE) -s BUILD=$(BUILD)/dynamic STATIC=0 all
+	@tests/faults/run $(BUILD)/dynamic
+
 stress: all
 	@tests/stress/run $(SECONDS) $(BUILD) $(SEED)
 
@@ -262,4 +268,4 @@ dist:
 clean:
 	rm -rf $(BUILD)
 
-.PHONY: FORCE all deps demo check check-all accept bench fuzz stress coverage mutate cluster cross format install uninstall dist clean
+.PHONY: FORCE all deps demo check check-all accept bench fuzz faults stress coverage mutate cluster cross format install uninstall dist clean

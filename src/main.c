@@ -17,6 +17,9 @@ static int print_version(void)
 {
     static const char line[] = "lenscalc " LENSCALC_VERSION "\n";
     if (write(STDOUT_FILENO, line, sizeof line - 1) != (ssize_t)(sizeof line - 1)) {
+        if (errno == EPIPE) {
+            return ERROR_PIPE;
+        }
         fprintf(stderr, "lenscalc: cannot write to standard output: %s\n", strerror(errno));
         return ERROR_IO;
     }
@@ -42,7 +45,7 @@ static int unknown_command(const char *name)
 
 int main(int argc, char **argv)
 {
-    /* a closed pipe is a failed write like any other, and is reported */
+    /* a pipe that nobody reads is a failed write: files are settled before the program ends */
     signal(SIGPIPE, SIG_IGN);
     if (argc < 2) {
         help_short();

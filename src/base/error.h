@@ -15,7 +15,9 @@ enum error_code {
     ERROR_USAGE = 2,  /* the command line is wrong */
     ERROR_ROWS = 3,   /* some rows of a batch failed */
     ERROR_DATA = 4,   /* a data file is bad */
-    ERROR_IO = 5      /* reading or writing failed, or memory is used up */
+    ERROR_IO = 5,     /* reading or writing failed, or memory is used up */
+    ERROR_PIPE = 141  /* who read standard output has left, and is told nothing: the status that
+                         shells give to a program that SIGPIPE ended */
 };
 
 /*

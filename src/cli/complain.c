@@ -72,6 +72,9 @@ static void write_caret(struct output *output, const struct error *error)
 
 void error_print(const struct error *error, const char *command, enum color_when color)
 {
+    if (error->code == ERROR_PIPE) {
+        return; /* as programs do that the signal ends: `| head` is no failure */
+    }
     struct voice voice;
     struct output *output = begin(&voice, color);
     bool named = command != NULL && command[0] != '\0';

@@ -12,7 +12,7 @@
 #include <stdbool.h>
 #include <stddef.h>
 
-/* Print an error as people expect it: place, message, text with caret, hint. */
+/* Print an error as people expect it: place, message, text with caret, hint; ERROR_PIPE not. */
 void error_print(const struct error *error, const char *command, enum color_when color);
 
 /*

@@ -309,6 +309,8 @@ extern "C" void ceres_minimize(engine_run *run)
 {
     /* nothing of its log reaches standard error */
     FLAGS_minloglevel = google::GLOG_FATAL;
+    /* an exception on its way through what runs threads would abort */
+    std::set_new_handler(arena_end);
     try {
         minimize(run);
     } catch (const std::bad_alloc &) {

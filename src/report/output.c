@@ -299,6 +299,16 @@ static void settle(struct output *output, bool keep)
     }
 }
 
+static bool fail_written(const struct output *output, struct error *error)
+{
+    if (output->path != NULL) {
+        return fail(error, ERROR_IO, "cannot write %s: %s", output->path,
+                    strerror(output->failure));
+    }
+    return fail(error, output->failure == EPIPE ? ERROR_PIPE : ERROR_IO,
+                "cannot write to standard output: %s", strerror(output->failure));
+}
+
 bool output_close(struct output *output, bool keep, struct error *error)
 {
     output_flush(output);
@@ -317,10 +327,5 @@ bool output_close(struct output *output, bool keep, struct error *error)
     if (output->is_renamed) {
         settle(output, keep);
     }
-    if (output->failure != 0) {
-        return fail(error, ERROR_IO, "cannot write %s: %s",
-                    output->path != NULL ? output->path : "to standard output",
-                    strerror(output->failure));
-    }
-    return true;
+    return output->failure == 0 || fail_written(output, error);
 }

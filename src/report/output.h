@@ -91,7 +91,8 @@ void output_flush(struct output *output);
 /*
  * Finish. With `keep` false, or after a failed write, a file is removed instead of renamed.
  *
- * Errors    ERROR_IO naming the file and the reason
+ * Errors    ERROR_IO naming the file and the reason; ERROR_PIPE: standard output is a pipe that
+ *           nobody reads any more
  */
 bool output_close(struct output *output, bool keep, struct error *error);
 

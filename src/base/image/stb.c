@@ -12,12 +12,35 @@
 #endif
 
 /*
- * No files, no messages in variables, the same arithmetic on all processors; and memory that is
- * empty, since tables that a damaged JPEG lacks are read all the same.
+ * Memory for stb, or the end of the program: it asserts what it writes, and calls a picture damaged
+ * that it has no memory for. What is new is empty, since tables that a damaged JPEG lacks are read
+ * all the same.
  */
-#define STBI_MALLOC(size)          calloc(1, size)
-#define STBI_REALLOC(memory, size) realloc(memory, size)
-#define STBI_FREE(memory)          free(memory)
+static void *take(size_t size)
+{
+    void *memory = calloc(1, size);
+    if (memory == NULL) {
+        arena_end();
+    }
+    return memory;
+}
+
+static void *take_more(void *memory, size_t size)
+{
+    void *more = realloc(memory, size);
+    if (more == NULL) {
+        arena_end();
+    }
+    return more;
+}
+
+/* No files, no messages in variables, the same arithmetic on all processors. */
+#define STBI_MALLOC(size)           take(size)
+#define STBI_REALLOC(memory, size)  take_more(memory, size)
+#define STBI_FREE(memory)           free(memory)
+#define STBIW_MALLOC(size)          take(size)
+#define STBIW_REALLOC(memory, size) take_more(memory, size)
+#define STBIW_FREE(memory)          free(memory)
 #define STB_IMAGE_STATIC
 #define STB_IMAGE_IMPLEMENTATION
 #define STBI_ONLY_PNG
