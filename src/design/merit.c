@@ -7,6 +7,7 @@
 #include "design/merit_paraxial.h"
 #include "design/merit_rays.h"
 #include "design/merit_shape.h"
+#include "design/solver_loss.h"
 
 #include <math.h>
 #include <string.h>
@@ -184,6 +185,20 @@ static bool open_slots(struct merit *merit, struct arena *arena, struct error *e
     return merit->slot_count > 0 || fail(error, ERROR_DOMAIN, "nothing is wanted: no goals");
 }
 
+/* Which residuals are those of '<' and '>'. */
+static void set_sides(struct merit *merit, struct arena *arena)
+{
+    static const enum solver_side sides[OPERAND_RELATIONS] = {
+        [OPERAND_BELOW] = SIDE_ABOVE, [OPERAND_ABOVE] = SIDE_BELOW};
+    merit->sides = ARENA_ARRAY(arena, merit->residual_count, enum solver_side);
+    for (size_t i = 0; i < merit->slot_count; i++) {
+        const struct merit_slot *slot = &merit->slots[i];
+        for (size_t k = 0; k < slot->count; k++) {
+            merit->sides[slot->first + k] = sides[slot->operand->relation];
+        }
+    }
+}
+
 bool merit_open(const struct merit_question *question, struct arena *arena, struct merit *merit,
                 struct error *error)
 {
@@ -193,13 +208,14 @@ bool merit_open(const struct merit_question *question, struct arena *arena, stru
         return false;
     }
     merit->values = ARENA_ARRAY(arena, merit->residual_count, double);
+    set_sides(merit, arena);
     merit->change = ARENA_ARRAY(arena, merit->variable_count + 1, struct dual);
     return true;
 }
 
 /* -------- evaluating -------- */
 
-bool merit_evaluate(void *context, const double *parameters, double *residuals, double *jacobian)
+bool merit_measure(void *context, const double *parameters, double *residuals, double *jacobian)
 {
     struct merit *merit = context;
     merit->evaluation++;
@@ -217,6 +233,24 @@ bool merit_evaluate(void *context, const double *parameters, double *residuals, 
             jacobian != NULL ? jacobian + slot->first * merit->variable_count : (double *)NULL;
         if (!kinds[slot->operand->kind].fill(merit, slot, residuals + slot->first, rows)) {
             return false;
+        }
+    }
+    return true;
+}
+
+bool merit_evaluate(void *context, const double *parameters, double *residuals, double *jacobian)
+{
+    const struct merit *merit = context;
+    const size_t n = merit->variable_count;
+    if (!merit_measure(context, parameters, residuals, jacobian)) {
+        return false;
+    }
+    for (size_t i = 0; i < merit->residual_count; i++) {
+        if (merit->sides[i] != SIDE_BOTH && solver_counted(merit->sides, i, residuals[i]) == 0) {
+            residuals[i] = 0;
+            if (jacobian != NULL) {
+                memset(jacobian + i * n, 0, n * sizeof *jacobian);
+            }
         }
     }
     return true;

@@ -15,14 +15,17 @@ bool merit_open(const struct merit_question *question, struct arena *arena, stru
                 struct error *error);
 
 /*
- * Evaluate: context is the merit, parameters those of variables_get.
+ * Measure: context is the merit, parameters those of variables_get.
  *
  * Result    false: there is no value, merit->why says it
- * Formula   each residual (value - target)/deviation; of '<' and '>' 0 where it is met; those of
- *           rays as design/merit_rays.h has them. A focal length that is off by more than a factor
+ * Formula   each residual (value - target)/deviation, whichever side counts; those of rays as
+ *           design/merit_rays.h has them. A focal length that is off by more than a factor
  *           of 2 goes on along its tangent in the power, where it has no pole: a lens may pass
  *           through no power on its way
  */
+solver_function merit_measure;
+
+/* The same with what counts only: of '<' and '>' 0 where it is met. */
 solver_function merit_evaluate;
 
 #endif

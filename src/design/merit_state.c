@@ -39,16 +39,14 @@ bool merit_put(struct merit *merit, const struct merit_slot *slot, size_t at, do
     const struct dual *figure = merit->change;
     const struct operand *operand = slot->operand;
     const double off = (figure[0].value - operand->target) / operand->deviation;
-    const bool met = (operand->relation == OPERAND_BELOW && off <= 0) ||
-                     (operand->relation == OPERAND_ABOVE && off >= 0);
     if (!isfinite(off)) {
         return fail(&merit->why, ERROR_DOMAIN, "%s is %s", operand->name,
                     isnan(off) ? "not there" : "infinite");
     }
     merit->values[slot->first + at] = figure[0].value;
-    residuals[at] = met ? 0 : off;
+    residuals[at] = off;
     for (size_t j = 0; j < merit->variable_count && jacobian != NULL; j++) {
-        jacobian[at * merit->variable_count + j] = met ? 0 : figure[j].slope / operand->deviation;
+        jacobian[at * merit->variable_count + j] = figure[j].slope / operand->deviation;
     }
     return true;
 }

@@ -8,6 +8,7 @@
 #include "base/dual.h"
 #include "base/error.h"
 #include "design/operand.h"
+#include "design/solver.h"
 #include "design/variable.h"
 #include "optics/paraxial_dual.h"
 #include "trace/sample.h"
@@ -87,11 +88,12 @@ struct merit {
     struct merit_slot *slots;
     size_t slot_count;
     size_t residual_count, exact_count, variable_count;
-    double *values;      /* one a residual, of the last evaluation: a figure in its own unit, of
+    enum solver_side *sides; /* one a residual: on which side of its target a figure counts */
+    double *values;          /* one a residual, of the last evaluation: a figure in its own unit, of
                             rays the residual itself */
-    struct error why;    /* why the last evaluation gave nothing */
-    struct dual *change; /* one figure, by every variable */
-    struct arena *arena; /* for what is given up before an evaluation ends */
+    struct error why;        /* why the last evaluation gave nothing */
+    struct dual *change;     /* one figure, by every variable */
+    struct arena *arena;     /* for what is given up before an evaluation ends */
     /* internal */
     bool derives; /* derivatives are wanted */
     bool forgets; /* rays are aimed without those of the lens before: slower, but a lens has a

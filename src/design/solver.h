@@ -25,6 +25,9 @@ struct solver_block {
     double scale; /* a, above 0, in units of the residual; not read without a loss */
 };
 
+/* On which side of 0 a residual counts: on the other it is as if it were 0. */
+enum solver_side { SIDE_BOTH, SIDE_ABOVE, SIDE_BELOW };
+
 /*
  * Residuals, and where `jacobian` is not null their derivatives, residual by residual.
  *
@@ -44,6 +47,9 @@ struct solver_problem {
     const double *scale;
     /* So many residuals, the last, are to be 0: they are no part of the cost. SOLVER_DLS */
     size_t exact_count;
+    /* Of each residual; null = both. `evaluate` gives it and its derivatives on the other side too:
+       steps look ahead. Neither with losses nor of exact ones */
+    const enum solver_side *sides;
 };
 
 /*
@@ -114,7 +120,8 @@ bool solver_has(enum solver_engine engine);
  *           slopes times d making up for them, by multipliers; l by the gain against what the step
  *           promised. D is 1 in natural scales at first, then follows the second derivatives that
  *           steps meet, |change of J^T r at the same r| over the move; without scales the diagonal
- *           of J^T J. Exact residuals bend: a step is followed by some that only return to them.
+ *           of J^T J. Residuals of one side are part of the step where they count at its end.
+ *           Exact residuals bend: a step is followed by some that only return to them.
  *           SOLVER_CERES: Levenberg-Marquardt with orthogonal factors, and bounds by an active set:
  *           as soon as a parameter lies on a bound and the cost falls beyond it, it is held there
  *           and the rest goes on (a projected step alone stalls: the others then move as if it had
@@ -125,7 +132,8 @@ bool solver_has(enum solver_engine engine);
  *           [Nielsen99] 2.2 (damping); [Ceres22]; [Nocedal06] 10.3, 16.5 (active sets)
  * Errors    ERROR_DOMAIN: fewer residuals than parameters, bounds that contradict each other, a
  *           start outside of them or without finite residuals and derivatives, a loss without
- *           scale; Ceres where it is not part of the program, or asked for exact residuals
+ *           scale, sides and losses at once; Ceres where it is not part of the program, or asked
+ *           for exact residuals
  * Limits    a local minimum. No random numbers, no clock, one thread: the same every time
  */
 bool solver_run(const struct solver_problem *problem, const struct solver_options *options,

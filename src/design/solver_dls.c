@@ -1,313 +1,10 @@
 /* design/solver_dls.c - damped least squares, the classic of lens design. */
 /* SPDX-License-Identifier: MIT */
-#include "design/solver_engine.h"
+#include "design/solver_descent.h"
 #include "design/solver_loss.h"
-#include "design/solver_normal.h"
-#include "design/solver_step.h"
 
-#include <math.h>
 #include <stdio.h>
 #include <string.h>
-
-/* Residuals at some parameters, and what is made of them. */
-struct place {
-    double *parameters, *residuals;
-    double cost;   /* half the sum of rho */
-    double excess; /* sum of the exact residuals' sizes */
-};
-
-/* A descent; parameters are measured in their scales. */
-struct descent {
-    struct engine_run *run;
-    const struct solver_problem *problem;
-    size_t n, squares, exact;
-    struct place here, there;
-    double *jacobian, *weights; /* here */
-    double *scale;
-    double *normal, *gradient, *slopes; /* here; slopes are those of the exact residuals */
-    double *diagonal;                   /* what the damping is multiplied with */
-    double damping, growth;
-    double first_cost; /* at the start */
-    double price;      /* of the exact residuals against the cost */
-    double share;      /* of the exact residuals that a step takes off: less after steps too far */
-    double *damped, *low, *high, *move, *none, *before, *wanted;
-    double *room; /* of the normal equations */
-    struct solver_step step;
-    int steady; /* steps in succession that changed next to nothing */
-};
-
-/*
- * Second-order damping: the damping of a parameter follows the second derivatives of the residuals
- * by it, as the change of the gradient tells that the normal equations do not explain; a share of
- * each step's goes into the mean. At first all are alike in natural scales.
- */
-static const double newest = 0.2, first_diagonal = 3e-4, first_damping = 1e-5;
-
-/* Of parameters without scales, which are damped as their derivatives are large. */
-static const double plain_damping = 1e-3;
-
-/* A parameter that moved less than this share of the one that moved most tells little. */
-static const double least_move = 0.01;
-
-/* As exactly as anybody asks. */
-static const double met = 1e-12;
-
-static bool measure(struct descent *descent, struct place *place, double *jacobian)
-{
-    const struct solver_problem *problem = descent->problem;
-    descent->run->evaluations++;
-    descent->run->derivatives += jacobian != NULL;
-    place->cost = place->excess = NAN;
-    if (!problem->evaluate(problem->context, place->parameters, place->residuals, jacobian)) {
-        return false;
-    }
-    place->cost =
-        solver_cost(problem, place->residuals, jacobian != NULL ? descent->weights : NULL);
-    place->excess = 0;
-    for (size_t i = 0; i < descent->exact; i++) {
-        place->excess += fabs(place->residuals[descent->squares + i]);
-    }
-    return isfinite(place->cost) && isfinite(place->excess);
-}
-
-/* What the descent makes small. */
-static double height(const struct descent *descent, const struct place *place)
-{
-    return place->cost + descent->price * (place->excess > met ? place->excess : 0);
-}
-
-/* Derivatives here times residuals there. */
-static struct solver_rows rows_of(const struct descent *descent, const double *residuals)
-{
-    return (struct solver_rows){.rows = descent->squares,
-                                .columns = descent->n,
-                                .jacobian = descent->jacobian,
-                                .residuals = residuals,
-                                .room = descent->room,
-                                .weights =
-                                    descent->problem->blocks != NULL ? descent->weights : NULL};
-}
-
-/* Without natural scales a parameter is measured by the largest effect that it had so far. */
-static void set_scales(struct descent *descent)
-{
-    const size_t n = descent->n;
-    for (size_t i = 0; i < n && descent->problem->scale == NULL; i++) {
-        const double effect = sqrt(descent->normal[i * n + i]);
-        if (effect > 0 && !(descent->scale[i] <= 1 / effect)) {
-            descent->scale[i] = 1 / effect;
-        }
-    }
-}
-
-static double scale_of(const struct descent *descent, size_t i)
-{
-    return isfinite(descent->scale[i]) ? descent->scale[i] : 1;
-}
-
-/* What follows from residuals and derivatives here. */
-static void set_equations(struct descent *descent)
-{
-    const size_t n = descent->n;
-    const struct solver_rows rows = rows_of(descent, descent->here.residuals);
-    solver_normal(&rows, descent->normal, descent->gradient);
-    set_scales(descent);
-    for (size_t i = 0; i < n; i++) {
-        descent->gradient[i] *= scale_of(descent, i);
-        for (size_t j = 0; j < n; j++) {
-            descent->normal[i * n + j] *= scale_of(descent, i) * scale_of(descent, j);
-        }
-    }
-    for (size_t r = 0; r < descent->exact; r++) {
-        for (size_t j = 0; j < n; j++) {
-            descent->slopes[r * n + j] =
-                descent->jacobian[(descent->squares + r) * n + j] * scale_of(descent, j);
-        }
-    }
-}
-
-/* The pull of the exact residuals, by their multipliers, on top of a gradient. */
-static void add_pull(const struct descent *descent, double *gradient)
-{
-    for (size_t i = 0; i < descent->n; i++) {
-        for (size_t r = 0; r < descent->exact; r++) {
-            gradient[i] += descent->step.multipliers[r] * descent->slopes[r * descent->n + i];
-        }
-    }
-}
-
-/* The gradient that residuals there would have with the derivatives here. */
-static void carry_gradient(const struct descent *descent, const double *residuals, double *into)
-{
-    const struct solver_rows rows = rows_of(descent, residuals);
-    solver_normal(&rows, NULL, into);
-    for (size_t i = 0; i < descent->n; i++) {
-        into[i] *= scale_of(descent, i);
-    }
-    add_pull(descent, into);
-}
-
-static void bound_step(struct descent *descent, const double *from)
-{
-    const struct solver_problem *problem = descent->problem;
-    for (size_t i = 0; i < descent->n; i++) {
-        const double scale = scale_of(descent, i), at = from[i];
-        const bool is_free = descent->run->is_free[i];
-        descent->low[i] = !is_free               ? 0
-                          : problem->low != NULL ? (problem->low[i] - at) / scale
-                                                 : -INFINITY;
-        descent->high[i] = !is_free                ? 0
-                           : problem->high != NULL ? (problem->high[i] - at) / scale
-                                                   : INFINITY;
-    }
-}
-
-static void damp(struct descent *descent)
-{
-    const size_t n = descent->n;
-    memcpy(descent->damped, descent->normal, n * n * sizeof(double));
-    for (size_t i = 0; i < n; i++) {
-        descent->damped[i * n + i] += descent->damping * descent->diagonal[i];
-    }
-}
-
-/* Set parameters that much further, and not beyond bounds by rounding. */
-static void move(const struct descent *descent, const double *from, double *to)
-{
-    const struct solver_problem *problem = descent->problem;
-    for (size_t i = 0; i < descent->n; i++) {
-        to[i] = from[i] + descent->step.d[i] * scale_of(descent, i);
-        if (problem->low != NULL &&
-            (descent->step.side[i] == STEP_AT_LOW || to[i] < problem->low[i])) {
-            to[i] = problem->low[i];
-        }
-        if (problem->high != NULL &&
-            (descent->step.side[i] == STEP_AT_HIGH || to[i] > problem->high[i])) {
-            to[i] = problem->high[i];
-        }
-        to[i] = descent->run->is_free[i] ? to[i] : from[i];
-    }
-}
-
-/* By how much the step lowers the height, as far as the equations tell. */
-static double promise(const struct descent *descent)
-{
-    const size_t n = descent->n;
-    const double *d = descent->step.d;
-    double sum = descent->price * descent->here.excess;
-    for (size_t i = 0; i < n; i++) {
-        double slope = descent->gradient[i];
-        for (size_t j = 0; j < n; j++) {
-            slope += descent->normal[i * n + j] * d[j] / 2;
-        }
-        sum -= d[i] * slope;
-    }
-    for (size_t r = 0; r < descent->exact; r++) {
-        double left = descent->here.residuals[descent->squares + r];
-        for (size_t j = 0; j < n; j++) {
-            left += descent->slopes[r * n + j] * d[j];
-        }
-        sum -= descent->price * fabs(left);
-    }
-    return sum;
-}
-
-/* Who lies on a bound stays there. */
-static void hold_at_bounds(struct descent *descent)
-{
-    for (size_t i = 0; i < descent->n; i++) {
-        if (descent->step.side[i] != STEP_FREE) {
-            descent->low[i] = descent->high[i] = 0;
-        }
-    }
-}
-
-/* Back to where the exact residuals are 0, which bend away from the step, by its derivatives. */
-static bool return_to_exact(struct descent *descent)
-{
-    double *d = descent->step.d, *other = descent->before;
-    for (int i = 0; i < 4 && descent->there.excess > met; i++) {
-        const double excess = descent->there.excess;
-        bound_step(descent, descent->there.parameters);
-        hold_at_bounds(descent);
-        descent->step.g = descent->none;
-        descent->step.excess = descent->there.residuals + descent->squares;
-        if (!solver_step_find(&descent->step)) {
-            break;
-        }
-        memcpy(other, descent->there.parameters, descent->n * sizeof *d);
-        move(descent, other, descent->there.parameters);
-        if (!measure(descent, &descent->there, NULL)) {
-            return false;
-        }
-        if (!(descent->there.excess < excess / 2)) {
-            break;
-        }
-    }
-    return true;
-}
-
-/* Above all multipliers, so that nothing is gained by leaving the exact residuals; but what they
-   were far from the end is forgotten. */
-static void set_price(struct descent *descent)
-{
-    double most = 0;
-    for (size_t r = 0; r < descent->exact; r++) {
-        most = fmax(most, fmin(fabs(descent->step.multipliers[r]), 1e150));
-    }
-    descent->price = fmin(fmax(descent->price, 2 * most), 20 * most);
-}
-
-/* Find the step and what there is behind it. Result: false: no value there; NaN promise: no step */
-static bool try_step(struct descent *descent, double *promised)
-{
-    struct solver_step *step = &descent->step;
-    damp(descent);
-    bound_step(descent, descent->here.parameters);
-    step->g = descent->gradient;
-    for (size_t r = 0; r < descent->exact; r++) {
-        descent->wanted[r] = descent->share * descent->here.residuals[descent->squares + r];
-    }
-    step->excess = descent->wanted;
-    *promised = NAN;
-    if (!solver_step_find(step)) {
-        return false;
-    }
-    set_price(descent);
-    *promised = promise(descent);
-    move(descent, descent->here.parameters, descent->there.parameters);
-    if (!measure(descent, &descent->there, NULL)) {
-        return false;
-    }
-    if (descent->there.excess > met && !(descent->share < 1)) {
-        memcpy(descent->move, step->multipliers, descent->exact * sizeof(double));
-        const bool good = return_to_exact(descent);
-        memcpy(step->multipliers, descent->move, descent->exact * sizeof(double));
-        return good;
-    }
-    return true;
-}
-
-/* Second derivatives by each parameter, from the gradient that the step did not explain. */
-static void learn_diagonal(struct descent *descent, const double *explained, const double *from)
-{
-    double most = 0;
-    for (size_t i = 0; i < descent->n; i++) {
-        descent->move[i] = (descent->here.parameters[i] - from[i]) / scale_of(descent, i);
-        most = fmax(most, fabs(descent->move[i]));
-    }
-    const double little = least_move * most;
-    memcpy(descent->none, descent->gradient, descent->n * sizeof(double));
-    add_pull(descent, descent->none);
-    for (size_t i = 0; i < descent->n; i++) {
-        const double moved = descent->move[i], change = descent->none[i] - explained[i];
-        const double second = fabs(change * moved) / (moved * moved + little * little);
-        if (isfinite(second)) {
-            descent->diagonal[i] += newest * (second - descent->diagonal[i]);
-        }
-    }
-    memset(descent->none, 0, descent->n * sizeof(double));
-}
 
 /* Go there. Result: false: there are no derivatives there */
 static bool accept(struct descent *descent, double gained)
@@ -316,17 +13,17 @@ static bool accept(struct descent *descent, double gained)
     double *explained = descent->before;
     const double share = 2 * gained - 1;
     if (learns) {
-        carry_gradient(descent, descent->there.residuals, explained);
+        descent_carry(descent, descent->there.residuals, explained);
     }
     const struct place left = descent->here;
     descent->here = descent->there;
     descent->there = left;
-    if (!measure(descent, &descent->here, descent->jacobian)) {
+    if (!descent_measure(descent, &descent->here, descent->jacobian)) {
         return false;
     }
-    set_equations(descent);
+    descent_set_equations(descent);
     if (learns) {
-        learn_diagonal(descent, explained, left.parameters);
+        descent_learn(descent, explained, left.parameters);
     }
     /* [Nielsen99] (2.4): no jumps between what is good and what is not */
     descent->damping *= fmax(1.0 / 3, 1 - share * share * share);
@@ -340,7 +37,7 @@ static double longest(const struct descent *descent)
     double most = 0;
     for (size_t i = 0; i < descent->n; i++) {
         const double moved = descent->there.parameters[i] - descent->here.parameters[i];
-        const double size = fabs(descent->here.parameters[i]) + 1e-6 * scale_of(descent, i);
+        const double size = fabs(descent->here.parameters[i]) + 1e-6 * descent_scale(descent, i);
         most = fmax(most, fabs(moved) / size);
     }
     return most;
@@ -357,7 +54,7 @@ static bool is_flat(const struct descent *descent)
 {
     double most = 0;
     for (size_t i = 0; i < descent->n; i++) {
-        most = fmax(most, fabs(descent->gradient[i]) / scale_of(descent, i));
+        most = fmax(most, fabs(descent->gradient[i]) / descent_scale(descent, i));
     }
     return descent->exact == 0 && most <= descent->run->options.gradient;
 }
@@ -366,8 +63,8 @@ static bool is_flat(const struct descent *descent)
 static bool has_arrived(struct descent *descent, double gain, double moved)
 {
     const struct solver_options *options = &descent->run->options;
-    const bool is_met = descent->exact == 0 || descent->here.excess <= met;
-    const bool small = gain <= options->function * (height(descent, &descent->here) + gain);
+    const bool is_met = descent->exact == 0 || descent->here.excess <= DESCENT_MET;
+    const bool small = gain <= options->function * (descent_height(descent, &descent->here) + gain);
     descent->steady = is_met && small ? descent->steady + 1 : 0;
     return descent->steady >= 3 || (is_met && moved <= options->parameter) || is_flat(descent);
 }
@@ -375,7 +72,7 @@ static bool has_arrived(struct descent *descent, double gain, double moved)
 /* A step that brings nothing. Result: shall a shorter one be tried? */
 static bool shorten(struct descent *descent, bool has_value, double promised)
 {
-    const double cost = height(descent, &descent->here);
+    const double cost = descent_height(descent, &descent->here);
     /* rounding moves the cost by as much, or it is nothing against what it was */
     const bool blurred = promised <= 1e-8 * cost || cost <= 1e-20 * descent->first_cost;
     if (!isnan(promised) && !(promised > 1e-16 * cost)) {
@@ -403,8 +100,9 @@ static bool shorten(struct descent *descent, bool has_value, double promised)
 static bool advance(struct descent *descent)
 {
     double promised;
-    const bool has_value = try_step(descent, &promised);
-    const double gain = height(descent, &descent->here) - height(descent, &descent->there);
+    const bool has_value = descent_step(descent, &promised);
+    const double gain =
+        descent_height(descent, &descent->here) - descent_height(descent, &descent->there);
     const double moved = longest(descent);
     descent->run->iterations++;
     if (!has_value || !(gain > 0)) {
@@ -419,70 +117,6 @@ static bool advance(struct descent *descent)
         return false;
     }
     return true;
-}
-
-static void open_descent(struct descent *descent, struct arena *arena)
-{
-    const size_t n = descent->n, m = descent->squares + descent->exact;
-    struct place *places[2] = {&descent->here, &descent->there};
-    for (int i = 0; i < 2; i++) {
-        places[i]->parameters = ARENA_ARRAY(arena, n, double);
-        places[i]->residuals = ARENA_ARRAY(arena, m + 1, double);
-    }
-    descent->jacobian = ARENA_ARRAY(arena, m * n, double);
-    descent->weights = ARENA_ARRAY(arena, m + 1, double);
-    descent->scale = ARENA_ARRAY(arena, n, double);
-    descent->normal = ARENA_ARRAY(arena, n * n, double);
-    descent->damped = ARENA_ARRAY(arena, n * n, double);
-    descent->slopes = ARENA_ARRAY(arena, descent->exact * n + 1, double);
-    double **const each[] = {&descent->gradient, &descent->diagonal, &descent->low,
-                             &descent->high,     &descent->none,     &descent->before};
-    for (size_t i = 0; i < sizeof each / sizeof each[0]; i++) {
-        *each[i] = ARENA_ARRAY(arena, n, double);
-    }
-    descent->move = ARENA_ARRAY(arena, n + descent->exact, double);
-    descent->wanted = ARENA_ARRAY(arena, descent->exact + 1, double);
-    descent->room = solver_normal_room(n, arena);
-    solver_step_open(&descent->step, n, descent->exact, arena);
-    descent->step.h = descent->damped;
-    descent->step.low = descent->low;
-    descent->step.high = descent->high;
-    descent->step.slopes = descent->slopes;
-}
-
-static void begin_damping(struct descent *descent)
-{
-    const bool learns = descent->problem->scale != NULL;
-    double most = 0;
-    for (size_t i = 0; i < descent->n; i++) {
-        most = fmax(most, descent->normal[i * descent->n + i]);
-    }
-    most = most > 0 ? most : 1;
-    const double diagonal = learns ? first_diagonal : 1;
-    for (size_t i = 0; i < descent->n; i++) {
-        descent->diagonal[i] = diagonal * most;
-    }
-    descent->damping = (learns ? first_damping : plain_damping) / diagonal;
-    descent->growth = 2;
-    descent->share = 1;
-}
-
-/* The last thing: exact residuals are 0 as nearly as can be. */
-static void finish(struct descent *descent)
-{
-    const double excess = descent->here.excess;
-    if (!(excess > met)) {
-        return;
-    }
-    memcpy(descent->there.parameters, descent->here.parameters, descent->n * sizeof(double));
-    memcpy(descent->there.residuals, descent->here.residuals,
-           (descent->squares + descent->exact) * sizeof(double));
-    descent->there.cost = descent->here.cost;
-    descent->there.excess = excess;
-    damp(descent);
-    if (return_to_exact(descent) && descent->there.excess < excess) {
-        descent->here = descent->there;
-    }
 }
 
 static void set_sides(const struct descent *descent)
@@ -505,18 +139,18 @@ void dls_minimize(struct engine_run *run)
                               .n = problem->parameter_count,
                               .squares = solver_squares(problem),
                               .exact = problem->exact_count};
-    open_descent(&descent, run->arena);
+    descent_open(&descent, run->arena);
     for (size_t i = 0; i < descent.n; i++) {
         descent.scale[i] = problem->scale != NULL ? problem->scale[i] : INFINITY;
         descent.here.parameters[i] = run->parameters[i];
     }
-    if (!measure(&descent, &descent.here, descent.jacobian)) {
+    if (!descent_measure(&descent, &descent.here, descent.jacobian)) {
         end(run, ENGINE_FAILED, "there is no value at the start");
         return;
     }
     descent.first_cost = descent.here.cost;
-    set_equations(&descent);
-    begin_damping(&descent);
+    descent_set_equations(&descent);
+    descent_begin(&descent);
     end(run, ENGINE_LIMIT, "as many iterations as allowed");
     while (run->iterations < run->options.iterations && advance(&descent)) {
         if (!run->watch(run->watch_context, run->iterations, descent.here.cost,
@@ -525,7 +159,7 @@ void dls_minimize(struct engine_run *run)
             break;
         }
     }
-    finish(&descent);
+    descent_finish(&descent);
     memcpy(run->parameters, descent.here.parameters, descent.n * sizeof(double));
     set_sides(&descent);
 }

@@ -34,11 +34,13 @@ double solver_cost(const struct solver_problem *problem, const double *residuals
     for (size_t i = 0; i < count; i++) {
         double s = 0, slope;
         for (size_t j = 0; j < blocks[i].residuals; j++) {
-            s += residuals[at + j] * residuals[at + j];
+            const double r = solver_counted(problem->sides, at + j, residuals[at + j]);
+            s += r * r;
         }
         cost += loss_value(&blocks[i], s, &slope) / 2;
         for (size_t j = 0; j < blocks[i].residuals && weights != NULL; j++) {
-            weights[at + j] = slope;
+            const double r = residuals[at + j];
+            weights[at + j] = solver_counted(problem->sides, at + j, r) == r ? slope : 0;
         }
         at += blocks[i].residuals;
     }

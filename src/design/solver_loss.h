@@ -11,10 +11,20 @@ static inline size_t solver_squares(const struct solver_problem *problem)
     return problem->residual_count - problem->exact_count;
 }
 
+/* What of a residual counts. */
+static inline double solver_counted(const enum solver_side *sides, size_t i, double residual)
+{
+    const enum solver_side side = sides != NULL ? sides[i] : SIDE_BOTH;
+    return (side == SIDE_ABOVE && residual <= 0) || (side == SIDE_BELOW && residual >= 0)
+               ? 0
+               : residual;
+}
+
 /*
  * Half the sum of rho.
  *
- * Given     weights  receives rho' of each residual; null: they are not wanted
+ * Given     weights  receives rho' of each residual, 0 of one on the side that does not count;
+ *                    null: they are not wanted
  */
 double solver_cost(const struct solver_problem *problem, const double *residuals, double *weights);
 

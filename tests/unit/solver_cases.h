@@ -52,6 +52,59 @@ static void test_nist(enum solver_engine engine)
     }
 }
 
+/* x_i = 3, and a steep wall from sum x_i = 4 on; another, x_1 = -5, is behind the start. */
+enum { WALL_PARAMETERS = 3 };
+static bool wall(void *context, const double *x, double *r, double *jacobian)
+{
+    const double w = *(const double *)context;
+    r[WALL_PARAMETERS] = -4 * w;
+    r[WALL_PARAMETERS + 1] = w * (x[0] + 5);
+    for (int i = 0; i < WALL_PARAMETERS; i++) {
+        r[i] = x[i] - 3;
+        r[WALL_PARAMETERS] += w * x[i];
+        for (int k = 0; k < WALL_PARAMETERS && jacobian != NULL; k++) {
+            jacobian[k * WALL_PARAMETERS + i] = k == i ? 1 : 0;
+        }
+        if (jacobian != NULL) {
+            jacobian[WALL_PARAMETERS * WALL_PARAMETERS + i] = w;
+            jacobian[(WALL_PARAMETERS + 1) * WALL_PARAMETERS + i] = i == 0 ? w : 0;
+        }
+    }
+    return true;
+}
+
+/*
+ * By symmetry x - 3 = t with t = -w^2 (3 n + n t - 4). Walls that a step runs into, and those that
+ * it leaves, are part of it: what is linear is found at once, however steep.
+ */
+static void test_sides(enum solver_engine engine)
+{
+    enum { N = WALL_PARAMETERS };
+    static const enum solver_side sides[N + 2] = {[N] = SIDE_ABOVE, [N + 1] = SIDE_BELOW};
+    static const double starts[] = {0, 10, -20};
+    double w = 1000;
+    for (int s = 0; s < 3; s++) {
+        const struct solver_problem problem = {.parameter_count = N,
+                                               .residual_count = N + 2,
+                                               .evaluate = wall,
+                                               .context = &w,
+                                               .scale = (const double[N]){1, 1, 1},
+                                               .sides = sides};
+        const struct solver_options options = {.engine = engine};
+        const double t = -w * w * (3 * N - 4) / (1 + N * w * w);
+        struct arena arena = {0};
+        struct solver_summary summary;
+        struct error error;
+        double x[N] = {starts[s], starts[s], starts[s]};
+        CHECK(solver_run(&problem, &options, x, &arena, &summary, &error));
+        CHECK_NEAR(x[0], 3 + t, 1e-9, "before a wall");
+        CHECK_NEAR(x[2], 3 + t, 1e-9, "before a wall");
+        CHECK_RELATIVE(2 * summary.final_cost, N * t * t + t * t / (w * w), 1e-9, "its cost");
+        CHECK(engine != SOLVER_DLS || summary.iterations <= 12);
+        arena_free(&arena);
+    }
+}
+
 /* Rosenbrock's valley as least squares: (10 (y - x^2), 1 - x). */
 static bool rosenbrock(void *context, const double *p, double *r, double *jacobian)
 {
@@ -305,6 +358,7 @@ static inline void test_solver(enum solver_engine engine)
 {
     CHECK(solver_has(engine));
     test_nist(engine);
+    test_sides(engine);
     test_bounds(engine);
     test_losses(engine);
     test_covariance(engine);
