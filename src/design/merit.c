@@ -203,7 +203,9 @@ bool merit_open(const struct merit_question *question, struct arena *arena, stru
                 struct error *error)
 {
     *merit = (struct merit){
-        .question = *question, .variable_count = question->variable_count, .arena = arena};
+        .question = *question,
+        .variable_count = question->variable_count + question->irregularity_count,
+        .arena = arena};
     if (!open_places(merit, arena, error) || !open_slots(merit, arena, error)) {
         return false;
     }

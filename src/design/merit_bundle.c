@@ -214,8 +214,13 @@ static void open_layout(struct merit_bundle *bundle, size_t light, const struct 
 {
     struct bundle_light *at = &bundle->lights[light];
     const struct lens *lens = at->system.lens;
-    struct parameter *list = ARENA_ARRAY(bundle->arena, links->count + 1, struct parameter);
+    const struct bundle_wish *wish = &bundle->wish;
+    struct parameter *list =
+        ARENA_ARRAY(bundle->arena, links->count + wish->irregularity_count + 1, struct parameter);
     size_t count = 0;
+    for (size_t i = 0; i < wish->irregularity_count; i++) {
+        list[count++] = irregularity_basis(&wish->irregularities[i]);
+    }
     for (size_t i = 0; i < links->count; i++) {
         list[count++] = links->list[i].basis;
     }

@@ -4,6 +4,7 @@
 #define LENSCALC_DESIGN_MERIT_BUNDLE_H
 
 #include "analysis/setup.h"
+#include "design/irregularity.h"
 #include "design/merit_points.h"
 #include "design/variable.h"
 #include "optics/paraxial_dual.h"
@@ -23,6 +24,8 @@ struct bundle_wish {
     bool from_entrance, clip, path;
     bool is_chief; /* the ray through the middle of the pupil only, whatever pattern is asked for */
     bool is_round; /* no variable decentres or tilts anything */
+    const struct irregularity *irregularities; /* whose columns are the last of all */
+    size_t irregularity_count;
     enum pattern pattern;
     size_t rays;
     uint64_t seed;
@@ -146,7 +149,7 @@ struct bundle_rate merit_bundle_rate(const struct merit_bundle *bundle,
  *
  * Given     links    of the wavelength; variable_count: how many rates there are
  *           adjoint  as for aimed_sweep
- *           columns  variable_count rows of RAYS_BLOCK; receives them
+ *           columns  variable_count rows of RAYS_BLOCK; receives them, those of irregularities last
  * Formula   the chain rule over the links; and what moves with paraxial rays (bundle->rates): the
  *           pupil that is aimed at, the radius of the stop, the image plane of `focus paraxial`,
  *           the object of a field that is given as an image height. A height of the real image

@@ -167,6 +167,17 @@ static void add_links(const struct merit_bundle *bundle, const struct bundle_blo
     }
 }
 
+static void add_irregularities(const struct merit_bundle *bundle, const struct bundle_block *block,
+                               double *columns)
+{
+    const struct bundle_light *light = &bundle->lights[block->light];
+    const struct irregularity_sweep sweep = {&light->system, &light->layout, &bundle->work.tape,
+                                             bundle->gradient};
+    for (size_t i = 0; i < bundle->wish.irregularity_count; i++) {
+        irregularity_column(&bundle->wish.irregularities[i], &sweep, columns + i * RAYS_BLOCK);
+    }
+}
+
 void merit_bundle_sweep(const struct merit_bundle *bundle, size_t which,
                         const struct bundle_links *links, size_t variable_count,
                         struct ray_block *adjoint, double *columns)
@@ -184,6 +195,8 @@ void merit_bundle_sweep(const struct merit_bundle *bundle, size_t which,
         memset(columns + j * RAYS_BLOCK, 0, (size_t)lanes * sizeof *columns);
     }
     add_links(bundle, block, links, adjoint, columns);
+    add_irregularities(bundle, block,
+                       columns + (variable_count - bundle->wish.irregularity_count) * RAYS_BLOCK);
     for (size_t j = 0; j < variable_count; j++) {
         const struct bundle_rate *rate = &bundle->rates[j];
         double *column = columns + j * RAYS_BLOCK;

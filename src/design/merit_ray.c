@@ -18,12 +18,13 @@ struct sweep {
     struct ray_block *adjoint; /* receives the derivatives by the start */
     double *gradient;
     double end[NUMBERS]; /* x, y, z, p, q, r */
+    double (*irregular)[RAYS_BLOCK]; /* columns of the irregularities */
 };
 
 /* What rays are derived by, of all links. */
-static unsigned kinds_of(const struct merit_light *light)
+static unsigned kinds_of(const struct merit *merit, const struct merit_light *light)
 {
-    unsigned what = 0;
+    unsigned what = merit->question.irregularity_count > 0 ? DERIVE_DISPLACEMENT : 0;
     for (size_t i = 0; i < light->link_count; i++) {
         const struct parameter basis = light->links[i].basis;
         what |= basis.kind >= PARAMETER_BREAK_DECENTER_X ? DERIVE_BREAK
@@ -63,6 +64,20 @@ static void get(const struct ray_block *block, size_t lane, double numbers[NUMBE
     }
 }
 
+static void derive_irregular(const struct merit *merit, const struct derivative_tape *tape,
+                             struct arena *arena, struct sweep *sweep)
+{
+    const struct merit_question *question = &merit->question;
+    const struct irregularity_sweep swept = {&sweep->system, &sweep->layout, tape, sweep->gradient};
+    sweep->irregular =
+        arena_array(arena, question->irregularity_count + 1, sizeof *sweep->irregular);
+    for (size_t i = 0; i < question->irregularity_count; i++) {
+        if (question->irregularities[i].surface < sweep->system.lens->surface_count) {
+            irregularity_column(&question->irregularities[i], &swept, sweep->irregular[i]);
+        }
+    }
+}
+
 /* Through a part of the lens, and back: `wanted` are the adjoints, one row a lane. */
 static bool sweep_part(struct merit *merit, const struct merit_light *light,
                        const struct lens *part, double image, const double start[NUMBERS],
@@ -94,10 +109,11 @@ static bool sweep_part(struct merit *merit, const struct merit_light *light,
         put(sweep->adjoint, lane, one);
     }
     if (merit->derives) {
-        derivative_layout(&sweep->system, kinds_of(light), arena, &sweep->layout);
+        derivative_layout(&sweep->system, kinds_of(merit, light), arena, &sweep->layout);
         sweep->gradient = ARENA_ARRAY(arena, sweep->layout.rows * RAYS_BLOCK, double);
         derivative_sweep(&sweep->system, &sweep->layout, SET_BEST, &tape, sweep->adjoint,
                          sweep->gradient);
+        derive_irregular(merit, &tape, arena, sweep);
     }
     return true;
 }
@@ -117,9 +133,13 @@ static size_t row_of(const struct sweep *sweep, const struct variable_link *link
 }
 
 /* The end by one variable, where the ray starts always at the same place: added to `slopes`. */
-static void add_links(const struct merit_light *light, const struct sweep *sweep, size_t variable,
-                      double slopes[NUMBERS])
+static void add_links(const struct merit *merit, const struct merit_light *light,
+                      const struct sweep *sweep, size_t variable, double slopes[NUMBERS])
 {
+    const size_t irregular = merit->question.variable_count;
+    for (size_t k = 0; k < NUMBERS && variable >= irregular; k++) {
+        slopes[k] += sweep->irregular[variable - irregular][k];
+    }
     for (size_t i = 0; i < light->link_count; i++) {
         const struct variable_link *link = &light->links[i];
         const size_t row = link->variable == variable ? row_of(sweep, link) : (size_t)LENS_NONE;
@@ -371,7 +391,7 @@ static bool derive_start(struct merit *merit, const struct merit_ray_question *q
     for (size_t j = 0; j < merit->variable_count; j++) {
         double change[NUMBERS], end[NUMBERS] = {0}, at[2], way[2];
         object_change(merit, question, aiming, &figures[j].first, j, change);
-        add_links(light, &sweep, j, end);
+        add_links(merit, light, &sweep, j, end);
         add_stop(light, part, j, end);
         add_start(&sweep, change, end);
         own(axes, end, at);
@@ -466,7 +486,7 @@ bool merit_ray_follow(struct merit *merit, const struct merit_ray_question *ques
             change[i] = start[j].at[i].slope;
             change[i + 3] = start[j].along[i].slope;
         }
-        add_links(question->light, &sweep, j, slopes);
+        add_links(merit, question->light, &sweep, j, slopes);
         add_start(&sweep, change, slopes);
         put_change(slopes, &end[j]);
         if (to_image) {

@@ -121,7 +121,9 @@ size_t merit_prepare_rays(struct merit *merit, struct merit_slot *slot, struct a
                                .pattern = question->pattern,
                                .rays = question->rays,
                                .seed = question->seed,
-                               .is_round = true};
+                               .is_round = question->irregularity_count == 0,
+                               .irregularities = question->irregularities,
+                               .irregularity_count = question->irregularity_count};
     if (slot->operand->relation != OPERAND_NEAR || slot->operand->target != 0) {
         fail(error, ERROR_DOMAIN, "it is made as small as can be, and has no target");
         return 0;

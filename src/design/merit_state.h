@@ -7,6 +7,7 @@
 #include "base/arena.h"
 #include "base/dual.h"
 #include "base/error.h"
+#include "design/irregularity.h"
 #include "design/operand.h"
 #include "design/solver.h"
 #include "design/variable.h"
@@ -22,6 +23,8 @@ struct merit_question {
     const struct lens *lens; /* with all its positions */
     struct variables *variables;
     size_t variable_count;
+    const struct irregularity *irregularities; /* columns behind those of the variables */
+    size_t irregularity_count;
     const struct operand *operands;
     size_t operand_count;
     const struct setup_wavelength *wavelengths; /* count 0: those of each position */
@@ -87,7 +90,8 @@ struct merit {
     size_t place_count;
     struct merit_slot *slots;
     size_t slot_count;
-    size_t residual_count, exact_count, variable_count;
+    size_t residual_count, exact_count;
+    size_t variable_count;   /* columns: those of irregularities too */
     enum solver_side *sides; /* one a residual: on which side of its target a figure counts */
     double *values;          /* one a residual, of the last evaluation: a figure in its own unit, of
                             rays the residual itself */

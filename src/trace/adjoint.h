@@ -30,7 +30,8 @@ typedef void kernel_adjoint(const struct step *step, const struct ray_block *bef
                             const struct adjoint_rows *rows);
 kernel_adjoint kernel_adjoint_sse2, kernel_adjoint_avx2, kernel_adjoint_avx512;
 
-/* A surface that moves by itself: rows for decentre x, y and tilt about x, y, z. */
+/* A surface that moves by itself: six rows: decentre x, y, tilt about x, y, z,
+   shift along z. */
 struct displace {
     const struct ray_block *front, *behind;           /* rays, in the frame of the axis */
     const struct ray_block *adjoint, *adjoint_behind; /* there */

@@ -85,6 +85,9 @@ static size_t *row_at(const struct numbering *numbering, size_t surface, enum pa
     return &numbering->row[(surface + 1) * SLOTS + slot_of(kind, 0)];
 }
 
+/* Decentre and tilt; of a surface by itself there is one more row, which no parameter asks for. */
+enum { DISPLACEMENTS = 5 };
+
 /* Number `count` kinds, or orders of one, that follow one another. */
 static void number(struct numbering *numbering, size_t surface, enum parameter_kind kind, int count)
 {
@@ -92,6 +95,12 @@ static void number(struct numbering *numbering, size_t surface, enum parameter_k
     for (int i = 0; i < count; i++) {
         row[i] = numbering->next++;
     }
+}
+
+static void number_displacement(struct numbering *numbering, size_t surface)
+{
+    number(numbering, surface, PARAMETER_DECENTER_X, DISPLACEMENTS);
+    numbering->next++;
 }
 
 /* Numbers for one surface; a mirror has the medium before it. */
@@ -134,10 +143,10 @@ void derivative_layout(const struct system *system, unsigned what, struct arena 
             number(&numbering, i, PARAMETER_COEFFICIENT, odd ? LENS_COEFFICIENTS : LENS_EVEN);
         }
         if ((what & DERIVE_DISPLACEMENT) != 0) {
-            number(&numbering, i, PARAMETER_DECENTER_X, 5);
+            number_displacement(&numbering, i);
         }
         if ((what & DERIVE_BREAK) != 0) {
-            number(&numbering, i, PARAMETER_BREAK_DECENTER_X, 5);
+            number(&numbering, i, PARAMETER_BREAK_DECENTER_X, DISPLACEMENTS);
         }
     }
     *layout = (struct derivative_layout){what, numbering.next, count, numbering.row};
@@ -147,11 +156,12 @@ void derivative_layout(const struct system *system, unsigned what, struct arena 
 static void number_kind(struct numbering *numbering, size_t surface, enum parameter_kind kind,
                         bool odd)
 {
-    const bool is_break = kind >= PARAMETER_BREAK_DECENTER_X;
     if (kind == PARAMETER_COEFFICIENT) {
         number(numbering, surface, kind, odd ? LENS_COEFFICIENTS : LENS_EVEN);
+    } else if (kind >= PARAMETER_BREAK_DECENTER_X) {
+        number(numbering, surface, PARAMETER_BREAK_DECENTER_X, DISPLACEMENTS);
     } else if (kind >= PARAMETER_DECENTER_X) {
-        number(numbering, surface, is_break ? PARAMETER_BREAK_DECENTER_X : PARAMETER_DECENTER_X, 5);
+        number_displacement(numbering, surface);
     } else {
         number(numbering, surface, kind, 1);
     }
@@ -306,6 +316,19 @@ static struct adjoint_rows rows_of(const struct sweep *sweep, size_t place)
     return rows;
 }
 
+void displacement_axes(const struct displacement *decentre, double axes[9])
+{
+    static const double straight[9] = {1, 0, 0, 0, 1, 0, 0, 0, 1};
+    memcpy(axes, straight, sizeof straight);
+    if (decentre != NULL) {
+        const struct frame frame = frame_of(decentre, 0);
+        const double ax = decentre->tilt[0].value.hi;
+        axes[4] = cos(ax);
+        axes[5] = sin(ax);
+        memcpy(axes + 6, frame.turn + 6, 3 * sizeof(double));
+    }
+}
+
 static void add_displacement(const struct sweep *sweep, size_t place, size_t first, size_t end)
 {
     const struct system *system = sweep->system;
@@ -318,21 +341,16 @@ static void add_displacement(const struct sweep *sweep, size_t place, size_t fir
                            .adjoint = sweep->adjoint,
                            .adjoint_behind = sweep->tape->spare,
                            .t = step->t,
-                           .axes = {1, 0, 0, 0, 1, 0, 0, 0, 1},
                            .rows = sweep->gradient + row * RAYS_BLOCK,
                            .lanes = sweep->tape->lanes};
     if (row == LENS_NONE) {
         return;
     }
+    displacement_axes(decentre, all.axes);
     if (decentre != NULL) {
-        struct frame frame = frame_of(decentre, 0);
-        double ax = decentre->tilt[0].value.hi;
         all.t = step->shift[2];
-        all.shift[0] = frame.shift[0];
-        all.shift[1] = frame.shift[1];
-        all.axes[4] = cos(ax);
-        all.axes[5] = sin(ax);
-        memcpy(all.axes + 6, frame.turn + 6, 3 * sizeof(double));
+        all.shift[0] = decentre->decenter[0].value.hi;
+        all.shift[1] = decentre->decenter[1].value.hi;
     }
     sweep->displace(&all);
 }
@@ -364,7 +382,7 @@ static void add_breaks(const struct sweep *sweep, size_t place)
         return;
     }
     size_t surface = system_surface(system, acting);
-    for (int i = 0; i < 5; i++) {
+    for (int i = 0; i < DISPLACEMENTS; i++) {
         enum parameter_kind kind = (enum parameter_kind)(PARAMETER_BREAK_DECENTER_X + i);
         size_t row = row_of(sweep->layout, kind, 0, surface);
         struct rigid motion;

@@ -52,6 +52,16 @@ void derivative_layout_of(const struct system *system, const struct parameter *p
  */
 size_t derivative_row(const struct derivative_layout *layout, struct parameter parameter);
 
+/*
+ * Beside decentre and tilt of a surface by itself, which lie in five rows from that of
+ * PARAMETER_DECENTER_X on, there is a sixth behind them: by its shift along z, everything else at
+ * rest. The axes that the tilts are about, one a row, in the frame of the axis.
+ *
+ * Given     decentre  of the surface; null: it has none
+ */
+enum { DERIVE_SHIFT_Z = 5 };
+void displacement_axes(const struct displacement *decentre, double axes[9]);
+
 /* A block of rays with its state behind every step. */
 struct derivative_tape {
     struct ray_block *blocks; /* one a step and one in front; aligned */

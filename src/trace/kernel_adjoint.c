@@ -317,6 +317,7 @@ INLINE void displace(const struct displace *all, const struct ray_block *restric
         rows[2 * RAYS_BLOCK + i] = dot(first, turn);
         rows[3 * RAYS_BLOCK + i] = dot(second, turn);
         rows[4 * RAYS_BLOCK + i] = dot(third, turn);
+        rows[5 * RAYS_BLOCK + i] = a.z - a0.z;
     }
 }
 
