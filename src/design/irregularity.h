@@ -15,9 +15,6 @@ enum irregularity_form {
     IRREGULARITY_FORMS
 };
 
-/* Height of a surface that is one fringe, mm: half a wave of mercury's green line, 546.07 nm. */
-#define IRREGULARITY_FRINGE (546.07e-6 / 2)
-
 /* One form on one surface: its amount is the height from valley to peak, mm. */
 struct irregularity {
     size_t surface; /* from 0 */

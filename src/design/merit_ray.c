@@ -17,7 +17,7 @@ struct sweep {
     struct derivative_layout layout;
     struct ray_block *adjoint; /* receives the derivatives by the start */
     double *gradient;
-    double end[NUMBERS]; /* x, y, z, p, q, r */
+    double end[NUMBERS];             /* x, y, z, p, q, r */
     double (*irregular)[RAYS_BLOCK]; /* columns of the irregularities */
 };
 

@@ -86,6 +86,7 @@ FOR_TESTS = {
     # formulas that are tested where their numbers come out, before others use them up
     "text_distance": "edit distance, by hand",
     "air_refractivity": "tables of air",
+    "irregularity_height": "a map of it has the span that is said",
     "rays_best_focus": "lines given as numbers",
     "aim_ray": "one ray, against longer arithmetic",
     "thick_residuals": "the solver calls it by its pointer; its derivatives",

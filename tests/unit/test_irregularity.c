@@ -182,7 +182,8 @@ static void check_astigmatism(void)
         enum irregularity_form form;
         const char *x, *y;
     } cases[] = {
-        {IRREGULARITY_COS, LENS("surface - 3 air - cyl=x c=1e-14"), LENS("surface - 3 air - cyl=y c=1e-14")},
+        {IRREGULARITY_COS, LENS("surface - 3 air - cyl=x c=1e-14"),
+         LENS("surface - 3 air - cyl=y c=1e-14")},
         {IRREGULARITY_SIN, LENS(TURNED("surface - 3 air - cyl=x c=1e-14")),
          LENS(TURNED("surface - 3 air - cyl=y c=1e-14"))},
     };
@@ -225,10 +226,8 @@ static void check_first(void)
     const double same[] = {1};
     for (int form = 0; form < IRREGULARITY_FORMS; form++) {
         struct irregularity of = {0, (enum irregularity_form)form, 6};
-        struct look look = {.text = first,
-                            .irregularities = &of,
-                            .irregularity_count = 1,
-                            .kind = OPERAND_SPOT};
+        struct look look = {
+            .text = first, .irregularities = &of, .irregularity_count = 1, .kind = OPERAND_SPOT};
         look_at(&look, &one);
         of.surface = 1;
         look.text = second;
@@ -273,10 +272,8 @@ static void check_path(void)
                                      "surface 30 90 1.5 - k=-0.44444444444444444\n";
     const struct irregularity of = {1, IRREGULARITY_SPHERICAL, 4};
     static struct looked wave;
-    const struct look look = {.text = ideal,
-                              .irregularities = &of,
-                              .irregularity_count = 1,
-                              .kind = OPERAND_OPD};
+    const struct look look = {
+        .text = ideal, .irregularities = &of, .irregularity_count = 1, .kind = OPERAND_OPD};
     look_at(&look, &wave);
     /* RMS over the disc of 6 r^4 - 6 r^2 + 1 is 1/sqrt(5), and its mean 0 */
     double sum = 0;

@@ -203,6 +203,33 @@ static void check_surface(struct under_test *test, size_t i)
     surface->coordinate_break = was;
 }
 
+/* A surface that shifts along z makes the way before it longer and that behind it shorter. */
+static void check_shift(struct under_test *test, size_t i)
+{
+    const struct surface *surface = &test->lens.surfaces[i];
+    const bool bends = surface->coordinate_break != NULL || surface[1].coordinate_break != NULL;
+    if (bends || test->system.options.reverse) {
+        return;
+    }
+    const size_t before =
+        derivative_row(&test->layout, (struct parameter){i - 1, PARAMETER_THICKNESS, 0});
+    const size_t behind =
+        derivative_row(&test->layout, (struct parameter){i, PARAMETER_THICKNESS, 0});
+    const size_t shift =
+        derivative_row(&test->layout, (struct parameter){i, PARAMETER_DECENTER_X, 0}) +
+        DERIVE_SHIFT_Z;
+    for (int output = 0; output < OUTPUTS; output++) {
+        const double *rows = test->gradient[output];
+        for (size_t lane = 0; lane < LANES; lane++) {
+            const double longer = rows[before * RAYS_BLOCK + lane];
+            const double shorter = rows[behind * RAYS_BLOCK + lane];
+            const double scale = fabs(longer) + fabs(shorter) + 4;
+            compare(test, (int)lane, output, (real)(longer - shorter),
+                    rows[shift * RAYS_BLOCK + lane], scale, "shift along z", i);
+        }
+    }
+}
+
 /* Forwards a few at a time, against the rows of the sweeps back. */
 static void check_tangents(struct under_test *test, const struct parameter *by, size_t count,
                            enum instruction_set set)
@@ -254,7 +281,8 @@ static void check_forward(struct under_test *test, enum instruction_set set)
         }
     }
     check_tangents(test, all, count, set);
-    CHECK(tested >= test->layout.rows);
+    /* and of each surface by itself its shift along z: check_shift */
+    CHECK(tested + test->lens.surface_count >= test->layout.rows);
 }
 
 /* Of the starting rays: the columns of the matrix whose rows the sweeps give. */
@@ -368,6 +396,9 @@ int main(void)
         }
         for (size_t s = 0; s < test.lens.surface_count; s++) {
             check_surface(&test, s);
+            if (s > 0 && s + 1 < test.lens.surface_count) {
+                check_shift(&test, s);
+            }
         }
         check_start(&test);
         check_forward(&test, SET_SSE2);
@@ -383,6 +414,9 @@ int main(void)
         sweep(&test, SET_BEST);
         for (size_t s = 0; s < test.lens.surface_count; s++) {
             check_surface(&test, s);
+            if (s > 0 && s + 1 < test.lens.surface_count) {
+                check_shift(&test, s);
+            }
         }
         check_start(&test);
         check_forward(&test, SET_BEST);
