@@ -341,6 +341,16 @@ static bool open_variable(struct variables *variables, size_t at, struct error *
     return true;
 }
 
+/* Of a glass within the map; one that was written with fewer digits lies on its border still. */
+static double share_within(double nd, double Vd)
+{
+    if (is_within(nd, GLASS_MAP_LOWEST, GLASS_MAP_HIGHEST)) {
+        nd = fmin(fmax(nd, GLASS_MAP_LOWEST), GLASS_MAP_HIGHEST);
+    }
+    const double share = glass_map_share(nd, Vd);
+    return is_within(1 + share, 1, 2) ? fmin(fmax(share, 0), 1) : NAN;
+}
+
 /* The two variables of a glass within the map. */
 static bool open_glass(struct variables *variables, const struct variable_drive *drive,
                        struct error *error)
@@ -350,8 +360,8 @@ static bool open_glass(struct variables *variables, const struct variable_drive 
     struct parameter what = variables->list[share].what;
     double Vd = parameter_get(lens, what);
     what.kind = PARAMETER_INDEX;
-    double nd = parameter_get(lens, what), at = glass_map_share(nd, Vd);
-    if (!(at >= 0 && at <= 1)) {
+    double nd = parameter_get(lens, what);
+    if (isnan(share_within(nd, Vd))) {
         fail(error, ERROR_DOMAIN,
              "surface %zu: %.6g/%.6g lies outside of the map of optical "
              "glasses, within which a model glass varies",
@@ -428,7 +438,7 @@ static void open_values(struct variables *variables, struct arena *arena)
             struct parameter index = variables->numbers[drive->number].what;
             index.kind = PARAMETER_INDEX;
             double nd = parameter_get(&variables->lenses[0].lens, index);
-            variables->start[drive->share] = glass_map_share(nd, value);
+            variables->start[drive->share] = share_within(nd, value);
         }
     }
 }

@@ -311,6 +311,11 @@ static void check_glass_map(void)
     CHECK_TEXT(error.message,
                "surface 1: 1.5/95 lies outside of the map of optical glasses, within "
                "which a model glass varies");
+    /* the border at 1.6 is 13.07/0.3312 - 2.4 = 37.06256038647343 */
+    lens = lens_of("surface 50 6 1.6/37.062560386473 -\nsurface - 3 air -\n", &arena);
+    CHECK(variables_open(&lens, list, 2, &arena, &variables, &error) && variables.start[1] == 0);
+    lens = lens_of("surface 50 6 1.6/37.06256 -\nsurface - 3 air -\n", &arena);
+    CHECK(!variables_open(&lens, list, 2, &arena, &variables, &error));
 }
 
 int main(void)
