@@ -1,5 +1,6 @@
 /* commands/design/cmd_optimize.c - lenscalc optimize: a lens made better. */
 /* SPDX-License-Identifier: MIT */
+#include "base/parallel.h"
 #include "commands/analysis/analysis_options.h"
 #include "commands/design/optimize_job.h"
 #include "file/lens_file.h"
@@ -10,6 +11,7 @@ static const struct word shows[] = {
     [OPTIMIZE_MERIT] = {"merit", "each goal before and after, with its share"},
     [OPTIMIZE_VARIABLES] = {"variables", "each variable before and after"},
     [OPTIMIZE_SPOTS] = {"spots", "converged spots of each field and wavelength, as spot has them"},
+    [OPTIMIZE_GLASSES] = {"glasses", "each glass that took a model's place, and what it lost"},
     {NULL, NULL},
 };
 
@@ -30,6 +32,9 @@ static const struct option options[] = {
     {OPTION(struct optimize_input, goals), .name = "goals", .value = "GOALS",
      .help = "what is wanted: spot, poly, efl=100, 'bfl@F>38:0.02', 'edge 1..11 > 1'; == for what "
              "is met exactly; otherwise the goals in the lens, or usual ones"},
+    {OPTION(struct optimize_input, glasses), .name = "glasses", .value = "GLASSES",
+     .help = "catalogues and glasses that take the place of the model glasses that vary: "
+             "SCHOTT,OHARA or N-BK7,N-SF5"},
     {OPTION(struct optimize_input, waves), .name = "wavelength", .letter = 'w',
      .dimension = &dimension_wavelength_um, .unit = "nm", .value = "WAVES",
      .help = "the wavelengths that count, each with a weight: d:1,F:0.5; otherwise those of the "
@@ -59,6 +64,9 @@ static const struct option options[] = {
     {OPTION(struct optimize_input, seconds), .name = "seconds", .dimension = &dimension_time,
      .unit = "s", .lowest = 0, .highest = INFINITY, .flags = OPTION_ABOVE_LOWEST, .value = "TIME",
      .help = "the best of so long, which depends on the machine"},
+    {OPTION(struct optimize_input, threads), .name = "threads", .lowest = 0,
+     .highest = PARALLEL_MOST, .value = "N", .fallback = "1", .flags = OPTION_ASIDE,
+     .wants = "glasses", .help = "threads that try glasses; 0 = one a core"},
     {OPTION(struct optimize_input, show), .name = "show", .words = shows, .fallback = "answer",
      .value = "WHAT", .help = "which rows"},
 };

@@ -6,6 +6,7 @@
 #include "cli/progress.h"
 #include "cli/vary.h"
 #include "commands/analysis/analysis_options.h"
+#include "commands/design/optimize_glasses.h"
 #include "commands/design/optimize_goals.h"
 #include "report/doubts.h"
 
@@ -97,12 +98,11 @@ static bool open_variables(struct optimize_job *job, struct error *error)
     return true;
 }
 
-/* Once an iteration. */
+/* Once an iteration, from any thread. */
 static bool goes_on(void *context)
 {
-    struct optimize_job *job = context;
-    job->is_late = job->is_late || progress_clock() >= job->until;
-    return watch_add(job->run->watch, 1) && !job->is_late;
+    const struct optimize_job *job = context;
+    return watch_add(job->run->watch, 1) && progress_clock() < job->until;
 }
 
 static const char *status_of(const struct optimize_job *job)
@@ -238,9 +238,15 @@ static void judge(struct optimize_job *job)
     const struct solver_summary *summary = &job->answer.summary;
     struct arena *arena = job->run->arena;
     const char *why = NULL;
+    const size_t missing = job->choice != NULL ? job->choice->missing : 0;
+    const char *left = missing == 0 ? ""
+                                    : arena_printf(arena, ", %zu model glass%s left", missing,
+                                                   missing > 1 ? "es" : "");
     if (summary->status == SOLVER_STOPPED && !job->is_late) {
-        why = arena_printf(arena, "interrupted after %d iterations: the best so far, incomplete",
-                           summary->iterations);
+        why = arena_printf(arena, "interrupted after %d iterations: the best so far, incomplete%s",
+                           summary->iterations, left);
+    } else if (missing > 0) {
+        why = arena_printf(arena, "the time was up: the best so far, incomplete%s", left);
     } else if (!(summary->excess <= exactly)) {
         why = arena_printf(arena,
                            "the goal %s is missed by %.3g deviations: it contradicts another goal "
@@ -257,7 +263,7 @@ static void judge(struct optimize_job *job)
 static bool optimise(struct optimize_job *job, struct error *error)
 {
     const struct optimize_input *input = job->input;
-    const struct optimize_task task = {
+    job->task = (struct optimize_task){
         .merit = &job->merit,
         .engine = (enum solver_engine)input->solver,
         .iterations = input->iterations != NO_INTEGER ? (int)input->iterations : 0,
@@ -265,11 +271,15 @@ static bool optimise(struct optimize_job *job, struct error *error)
         .context = job};
     job->until = isnan(input->seconds) ? INFINITY : progress_clock() + input->seconds;
     watch_begin(job->run->watch, "iterations", 0);
-    if (!optimize_run(&task, job->run->arena, &job->answer, error)) {
+    if (!optimize_run(&job->task, job->run->arena, &job->answer, error)) {
         return false;
     }
-    job->status = status_of(job);
     job->found = variables_lens(&job->variables, job->answer.after.numbers, job->run->arena);
+    if (!optimize_glasses_choose(job, error)) {
+        return false;
+    }
+    job->is_late = !watch_is_ended(job->run->watch) && progress_clock() >= job->until;
+    job->status = status_of(job);
     return true;
 }
 
@@ -287,7 +297,8 @@ bool optimize_job_run(struct optimize_job *job, struct error *error)
     }
     question.operands = goals.list;
     question.operand_count = goals.count;
-    if (!merit_open(&question, job->run->arena, &job->merit, error) || !optimise(job, error)) {
+    if (!merit_open(&question, job->run->arena, &job->merit, error) ||
+        !optimize_glasses_open(job, error) || !optimise(job, error)) {
         return false;
     }
     warn(job, job->answer.begun);

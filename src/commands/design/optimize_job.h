@@ -4,6 +4,7 @@
 #define LENSCALC_COMMANDS_DESIGN_OPTIMIZE_JOB_H
 
 #include "commands/lens/lens_options.h"
+#include "design/glass_choice.h"
 #include "design/optimize.h"
 
 enum optimize_show {
@@ -11,15 +12,17 @@ enum optimize_show {
     OPTIMIZE_MERIT,
     OPTIMIZE_VARIABLES,
     OPTIMIZE_SPOTS,
+    OPTIMIZE_GLASSES,
     OPTIMIZE_SHOWS
 };
 
 struct optimize_input {
     struct lens_question question;
     struct spectrum_value waves;
-    const char *vary, *hold, *goals;
+    const char *vary, *hold, *goals, *glasses;
     int show, solver, aim, pattern;
     long rays, seed, iterations; /* iterations: NO_INTEGER = as many as it takes */
+    long threads;                /* 0: one a core */
     double seconds;              /* NaN = as long as it takes */
     bool clip, no_clip;
 };
@@ -34,6 +37,10 @@ struct optimize_job {
     const char *const *names; /* of the variables */
     const char *goals;        /* in words that --goals takes */
     struct merit merit;
+    struct optimize_task task;
+    const struct glass_candidate *glasses; /* of --glasses */
+    size_t glass_count;
+    const struct glass_choice *choice; /* what they were used for; null: there are none */
     struct optimize_answer answer;
     const struct lens *found;
     const char *status, *warning; /* null: nothing is doubtful */
@@ -44,6 +51,20 @@ struct optimize_job {
 
 /* Read, optimise, look at what was found. */
 bool optimize_job_run(struct optimize_job *job, struct error *error);
+
+/* What a sweep varies: in every sheet, so that its rows can be told apart. */
+#define OPTIMIZE_SWEPT_COLUMNS(row)                                                                \
+    {COLUMN(row, fnumber),                                                                         \
+     .flags = COLUMN_ECHO | COLUMN_EXTRA,                                                          \
+     .name = "fnumber",                                                                            \
+     .dimension = &dimension_fnumber,                                                              \
+     .with = "aperture",                                                                           \
+     .label = "f-number",                                                                          \
+     .help = "f-number in place of the lens's own aperture"},                                      \
+    {                                                                                              \
+        COLUMN(row, seed), .flags = COLUMN_ECHO | COLUMN_EXTRA, .name = "seed", .with = "seed",    \
+                           .label = "seed", .help = "of the pattern sobol"                         \
+    }
 
 /* The rows of --show. */
 extern const struct sheet *const optimize_sheets[];

@@ -2,25 +2,12 @@
 /* SPDX-License-Identifier: MIT */
 #include "analysis/spot.h"
 #include "commands/analysis/analysis_options.h"
-#include "commands/design/optimize_job.h"
+#include "commands/design/optimize_glasses.h"
+#include "file/lens_glass.h"
 
 #include <string.h>
 
 /* -------- the answer -------- */
-
-/* What a sweep varies: in every sheet, so that its rows can be told apart. */
-#define SWEPT_COLUMNS(row)                                                                         \
-    {COLUMN(row, fnumber),                                                                         \
-     .flags = COLUMN_ECHO | COLUMN_EXTRA,                                                          \
-     .name = "fnumber",                                                                            \
-     .dimension = &dimension_fnumber,                                                              \
-     .with = "aperture",                                                                           \
-     .label = "f-number",                                                                          \
-     .help = "f-number in place of the lens's own aperture"},                                      \
-    {                                                                                              \
-        COLUMN(row, seed), .flags = COLUMN_ECHO | COLUMN_EXTRA, .name = "seed", .with = "seed",    \
-                           .label = "seed", .help = "of the pattern sobol"                         \
-    }
 
 struct answer_row {
     double fnumber, merit_before, merit_after;
@@ -29,7 +16,7 @@ struct answer_row {
 };
 
 static const struct column answer_columns[] = {
-    SWEPT_COLUMNS(struct answer_row),
+    OPTIMIZE_SWEPT_COLUMNS(struct answer_row),
     {COLUMN(struct answer_row, merit_before), .flags = COLUMN_BRIEF, .name = "merit_before",
      .digits = 6, .label = "merit before",
      .help = "sum of squares of all goals, as the lens was; absent where it has none"},
@@ -97,7 +84,7 @@ struct goal_row {
 };
 
 static const struct column goal_columns[] = {
-    SWEPT_COLUMNS(struct goal_row),
+    OPTIMIZE_SWEPT_COLUMNS(struct goal_row),
     LENS_POSITION_COLUMN(struct goal_row, position, COLUMN_BRIEF),
     {COLUMN(struct goal_row, goal), .flags = COLUMN_BRIEF, .name = "goal", .label = "goal",
      .help = "what is wanted"},
@@ -200,7 +187,7 @@ struct variable_row {
 };
 
 static const struct column variable_columns[] = {
-    SWEPT_COLUMNS(struct variable_row),
+    OPTIMIZE_SWEPT_COLUMNS(struct variable_row),
     {COLUMN(struct variable_row, variable), .flags = COLUMN_BRIEF, .name = "variable",
      .label = "variable", .help = "what may change"},
     {COLUMN(struct variable_row, before), .flags = COLUMN_BRIEF | COLUMN_INFINITE, .name = "before",
@@ -226,10 +213,25 @@ static double or_none(double bound)
     return isfinite(bound) ? bound : NAN;
 }
 
+/* The real glass that a number was of a model of; null: it was none. */
+static const struct medium *exchanged(const struct lens *lens, const struct variable *variable)
+{
+    const enum parameter_kind kind = variable->what.kind;
+    const struct medium *medium = &lens->surfaces[variable->what.surface].medium;
+    return (kind == PARAMETER_INDEX || kind == PARAMETER_ABBE) && medium->kind == MEDIUM_GLASS
+               ? medium
+               : NULL;
+}
+
 static double value_in(const struct lens *lens, const struct variable *variable,
                        struct arena *arena)
 {
     const size_t position = variable->position != LENS_NONE ? variable->position : 0;
+    const struct medium *glass = exchanged(lens, variable);
+    if (glass != NULL) {
+        const struct glass_abbe real = glass_abbe(lens_glass_of(glass));
+        return variable->what.kind == PARAMETER_INDEX ? real.nd : real.Vd;
+    }
     return parameter_get(lens_at_position(lens, position, arena), variable->what);
 }
 
@@ -238,6 +240,7 @@ static bool emit_variables(struct optimize_job *job)
     const struct optimize_answer *answer = &job->answer;
     for (size_t i = 0; i < job->variables.count; i++) {
         const struct variable *variable = &job->variables.list[i];
+        const struct medium *glass = exchanged(job->found, variable);
         const struct variable_row row = {.fnumber = job->input->question.fnumber,
                                          .seed = job->input->seed,
                                          .variable = variable->name,
@@ -245,7 +248,8 @@ static bool emit_variables(struct optimize_job *job)
                                          .after = value_in(job->found, variable, job->run->arena),
                                          .low = or_none(variable->low),
                                          .high = or_none(variable->high),
-                                         .note = answer->is_idle[i] ? "no goal depends on it"
+                                         .note = glass != NULL        ? glass->written.start
+                                                 : answer->is_idle[i] ? "no goal depends on it"
                                                  : answer->summary.at_bound[i] ? "at its bound"
                                                                                : NULL,
                                          .lens = job->lens->title,
@@ -267,7 +271,7 @@ struct spot_row {
 };
 
 static const struct column spot_columns[] = {
-    SWEPT_COLUMNS(struct spot_row),
+    OPTIMIZE_SWEPT_COLUMNS(struct spot_row),
     LENS_POSITION_COLUMN(struct spot_row, position, COLUMN_BRIEF),
     {COLUMN(struct spot_row, field), .name = "field", .dimension = &dimension_angle, .unit = "deg",
      .flags = COLUMN_ECHO | COLUMN_BRIEF | COLUMN_SPARSE, .label = "field",
@@ -378,11 +382,9 @@ static bool emit_spots(struct optimize_job *job, struct error *error)
 }
 
 const struct sheet *const optimize_sheets[] = {
-    [OPTIMIZE_ANSWER] = &answer_sheet,
-    [OPTIMIZE_MERIT] = &goal_sheet,
-    [OPTIMIZE_VARIABLES] = &variable_sheet,
-    [OPTIMIZE_SPOTS] = &spot_sheet,
-    [OPTIMIZE_SHOWS] = NULL,
+    [OPTIMIZE_ANSWER] = &answer_sheet,          [OPTIMIZE_MERIT] = &goal_sheet,
+    [OPTIMIZE_VARIABLES] = &variable_sheet,     [OPTIMIZE_SPOTS] = &spot_sheet,
+    [OPTIMIZE_GLASSES] = &optimize_glass_sheet, [OPTIMIZE_SHOWS] = NULL,
 };
 
 bool optimize_emit(struct optimize_job *job, struct error *error)
@@ -394,6 +396,8 @@ bool optimize_emit(struct optimize_job *job, struct error *error)
         return emit_variables(job);
     case OPTIMIZE_SPOTS:
         return emit_spots(job, error);
+    case OPTIMIZE_GLASSES:
+        return optimize_emit_glasses(job);
     default:
         emit_answer(job);
         return true;

@@ -1,0 +1,321 @@
+/* commands/design/optimize_glasses.c - optimize --glasses: model glasses end as real ones. */
+/* SPDX-License-Identifier: MIT */
+#include "commands/design/optimize_glasses.h"
+
+#include "base/parallel.h"
+#include "data/glass_catalog.h"
+#include "file/lens_glass.h"
+
+#include <math.h>
+#include <string.h>
+
+/* -------- which glasses -------- */
+
+/* A word of --glasses. */
+struct glass_word {
+    struct text text;
+    bool is_catalog, has_current; /* some of its glasses are said to be made */
+    struct nearest nearest;       /* a catalogue's name, where it is none */
+};
+
+/* The list, while it is read. */
+struct glass_list {
+    struct optimize_job *job;
+    struct arena *arena;
+    struct lens_glasses place;
+    struct glass_candidate *glasses;
+    size_t count, room;
+    struct glass_word *words;
+    size_t word_count;
+    double *wavelengths; /* um: all that the lens is looked at with */
+    size_t wavelength_count, wavelength_room;
+};
+
+static void add_wavelength(struct glass_list *list, double wavelength)
+{
+    list->wavelengths = arena_grow(list->arena, list->wavelengths, list->wavelength_count,
+                                   &list->wavelength_room, sizeof wavelength);
+    list->wavelengths[list->wavelength_count++] = wavelength;
+}
+
+/* Of the merit, and of the lens in all its positions: it is to be usable. */
+static void list_wavelengths(struct glass_list *list)
+{
+    const struct optimize_job *job = list->job;
+    for (size_t p = 0; p == 0 || p < job->lens->position_count; p++) {
+        const struct lens *lens = lens_at_position(job->lens, p, list->arena);
+        for (size_t i = 0; i < lens->wavelength_count; i++) {
+            add_wavelength(list, lens->wavelengths[i].wavelength);
+        }
+    }
+    for (size_t p = 0; p < job->merit.place_count; p++) {
+        for (size_t i = 0; i < job->merit.places[p].light_count; i++) {
+            add_wavelength(list, job->merit.places[p].lights[i].wavelength);
+        }
+    }
+}
+
+/* The glass as a lens file finds it by its full name; not twice. */
+static bool add_glass(struct glass_list *list, const struct glass *glass, struct error *error)
+{
+    const struct glass_source source = lens_glass_source(&list->place);
+    const char *name =
+        arena_printf(list->arena, "%.*s:%.*s", (int)glass->catalog.length, glass->catalog.start,
+                     (int)glass->name.length, glass->name.start);
+    struct glass_candidate one = {.medium = {.kind = MEDIUM_GLASS, .written = text_of(name)}};
+    struct pair index;
+    for (size_t i = 0; i < list->count; i++) {
+        if (text_same(list->glasses[i].medium.written, name)) {
+            return true;
+        }
+    }
+    if (!source.find(source.context, &one.medium, error)) {
+        return false;
+    }
+    for (size_t i = 0; i < list->wavelength_count; i++) {
+        if (!medium_index(&one.medium, list->wavelengths[i], &index, error)) {
+            return false;
+        }
+    }
+    const struct glass_summary summary = glass_summary(lens_glass_of(&one.medium));
+    one.nd = summary.nd;
+    one.Vd = summary.Vd;
+    one.deviation = summary.deviation;
+    if (!isfinite(one.nd) || !isfinite(one.Vd)) {
+        return fail(error, ERROR_DOMAIN, "glass %s has no nd and Vd to choose it by", name);
+    }
+    list->glasses = arena_grow(list->arena, list->glasses, list->count, &list->room, sizeof one);
+    list->glasses[list->count++] = one;
+    return true;
+}
+
+/* Is it made, as far as the catalogue says? */
+static bool is_current(struct text status)
+{
+    return text_equal(status, "current") || text_equal(status, "preferred") ||
+           text_equal(status, "standard");
+}
+
+/*
+ * Go through all catalogues: first which of the words name one, then for their glasses. Of one that
+ * does not say what is made all but what is not made any more.
+ */
+static bool read_catalogs(struct glass_list *list, bool takes, struct error *error)
+{
+    struct glass_catalogs catalogs;
+    struct glass_record record;
+    struct error ignored;
+    if (!glass_catalogs_open(&catalogs, list->job->run->db, list->arena, false, error)) {
+        return false;
+    }
+    while (glass_catalogs_next(&catalogs, &record, error)) {
+        const bool current = is_current(record.status);
+        for (size_t i = 0; i < list->word_count; i++) {
+            struct glass_word *word = &list->words[i];
+            if (!text_same_name(word->text, record.glass.catalog)) {
+                nearest_offer(&word->nearest, record.glass.catalog);
+                continue;
+            }
+            word->is_catalog = true;
+            word->has_current = word->has_current || current;
+            if (takes && (word->has_current ? current : !text_equal(record.status, "obsolete"))) {
+                add_glass(list, &record.glass, &ignored); /* or it does not reach far enough */
+            }
+        }
+    }
+    return error->code == ERROR_NONE;
+}
+
+/* A word that is no catalogue is a glass. */
+static bool add_named(struct glass_list *list, const struct glass_word *word, struct error *error)
+{
+    struct glass_record record;
+    if (glass_find(list->job->run->db, word->text, GLASS_OWN_NAMES, list->arena, &record, error)) {
+        return add_glass(list, &record.glass, error);
+    }
+    if (error->code == ERROR_USAGE && word->nearest.best.start != NULL) {
+        const struct text meant = word->nearest.best;
+        fail(error, ERROR_USAGE, "'%.*s' is neither a catalogue nor a glass of one",
+             text_shown(word->text), word->text.start);
+        return error_hint(error, "did you mean '%.*s'?", (int)meant.length, meant.start);
+    }
+    return false;
+}
+
+static bool read_words(struct glass_list *list, const char *typed, struct error *error)
+{
+    size_t most = 1;
+    for (const char *at = typed; *at != '\0'; at++) {
+        most += *at == ',';
+    }
+    list->words = ARENA_ARRAY(list->arena, most, struct glass_word);
+    for (struct text rest = text_of(typed); rest.start != NULL;) {
+        const struct text word = text_trim(text_cut(&rest, ','));
+        if (word.length == 0) {
+            return fail(error, ERROR_USAGE, "a name is missing in '%s'", typed);
+        }
+        list->words[list->word_count++] =
+            (struct glass_word){.text = word, .nearest = {.typed = word}};
+    }
+    if (!read_catalogs(list, false, error) || !read_catalogs(list, true, error)) {
+        return false;
+    }
+    for (size_t i = 0; i < list->word_count; i++) {
+        if (!list->words[i].is_catalog && !add_named(list, &list->words[i], error)) {
+            return false;
+        }
+    }
+    return list->count > 0 || fail(error, ERROR_DOMAIN,
+                                   "'%s' has no glass that is made, has nd and Vd, and reaches "
+                                   "to all wavelengths",
+                                   typed);
+}
+
+bool optimize_glasses_open(struct optimize_job *job, struct error *error)
+{
+    struct arena *arena = job->run->arena;
+    struct glass_list list = {.job = job, .arena = arena, .place = {job->run->db, arena}};
+    size_t *surfaces = ARENA_ARRAY(arena, job->variables.count + 1, size_t);
+    if (job->input->glasses == NULL) {
+        return job->input->show != OPTIMIZE_GLASSES ||
+               fail(error, ERROR_USAGE, "{--show} glasses needs {--glasses}");
+    }
+    if (glass_choice_models(&job->variables, surfaces) == 0) {
+        fail(error, ERROR_DOMAIN, "{--glasses}: no model glass nd/Vd varies");
+        return error_hint(error, "those that do are replaced: {--vary} glass3, or the mark glass~");
+    }
+    list_wavelengths(&list);
+    if (!read_words(&list, job->input->glasses, error)) {
+        return error_prefix(error, "{--glasses}: ");
+    }
+    job->glasses = list.glasses;
+    job->glass_count = list.count;
+    return true;
+}
+
+/* -------- what they do -------- */
+
+/* The answer to the whole question: of the start, of all trials together, of the last step. */
+static void merge_answer(struct optimize_job *job, const struct glass_choice *choice)
+{
+    struct arena *arena = job->run->arena;
+    struct optimize_answer *answer = &job->answer;
+    const struct optimize_answer *last = &choice->answer;
+    const struct solver_summary first = answer->summary;
+    const size_t count = job->variables.count;
+    double *history = ARENA_ARRAY(arena, answer->history_count + last->history_count + 1, double);
+    memcpy(history, answer->history, answer->history_count * sizeof(double));
+    memcpy(history + answer->history_count, last->history, last->history_count * sizeof(double));
+    answer->history = history;
+    answer->history_count += last->history_count;
+    answer->after = last->after;
+    answer->summary = last->summary;
+    answer->summary.evaluations = first.evaluations;
+    answer->summary.iterations = first.iterations;
+    answer->summary.at_bound = ARENA_ARRAY(arena, count, bool);
+    bool *is_idle = ARENA_ARRAY(arena, count, bool); /* what became a glass is not */
+    for (size_t i = 0; i < choice->variables.count; i++) {
+        const size_t at = choice->origin[i];
+        answer->summary.at_bound[at] = last->summary.at_bound[i];
+        is_idle[at] = answer->is_idle[at] && last->is_idle[i];
+    }
+    answer->is_idle = is_idle;
+}
+
+bool optimize_glasses_choose(struct optimize_job *job, struct error *error)
+{
+    struct glass_choice *choice = ARENA_NEW(job->run->arena, struct glass_choice);
+    const struct glass_choice_task task = {
+        .question = &job->merit.question,
+        .how = &job->task,
+        .candidates = job->glasses,
+        .candidate_count = job->glass_count,
+        .lens = job->found,
+        .merit = job->answer.after.merit,
+        .missed = job->answer.summary.excess,
+        /* the other solver is not known to be at home in several */
+        .threads = job->task.engine == SOLVER_DLS ? parallel_threads(job->input->threads) : 1};
+    if (job->input->glasses == NULL) {
+        return true;
+    }
+    if (!glass_choose(&task, job->run->arena, choice, error)) {
+        return error_prefix(error, "{--glasses}: ");
+    }
+    job->choice = choice;
+    if (choice->count > 0) {
+        merge_answer(job, choice);
+        job->found = choice->lens;
+        job->merit = choice->merit;
+    }
+    job->answer.summary.evaluations += (int)choice->evaluations;
+    job->answer.summary.iterations += (int)choice->iterations;
+    if (choice->is_stopped) {
+        job->answer.summary.status = SOLVER_STOPPED;
+    }
+    return true;
+}
+
+/* -------- rows -------- */
+
+struct glass_row {
+    const char *glass, *lens, *warning;
+    double model_nd, model_Vd, nd, Vd, distance, before, after, loss;
+    double fnumber;
+    long seed, surface;
+};
+
+static const struct column glass_columns[] = {
+    OPTIMIZE_SWEPT_COLUMNS(struct glass_row),
+    {COLUMN(struct glass_row, surface), .flags = COLUMN_BRIEF, .name = "surface",
+     .label = "surface", .help = "that the glass lies behind, in the order of the exchanges"},
+    {COLUMN(struct glass_row, model_nd), .flags = COLUMN_BRIEF, .digits = 5, .name = "model_nd",
+     .label = "model nd", .help = "of the model glass, as it was optimised"},
+    {COLUMN(struct glass_row, model_Vd), .flags = COLUMN_BRIEF, .name = "model_vd",
+     .label = "model Vd", .help = "its Abbe number"},
+    {COLUMN(struct glass_row, glass), .flags = COLUMN_BRIEF, .name = "glass", .label = "glass",
+     .help = "what took its place; absent: there was no time"},
+    {COLUMN(struct glass_row, nd), .flags = COLUMN_BRIEF, .digits = 5, .name = "nd", .label = "nd",
+     .help = "of that glass"},
+    {COLUMN(struct glass_row, Vd), .flags = COLUMN_BRIEF, .name = "vd", .label = "Vd",
+     .help = "its Abbe number"},
+    {COLUMN(struct glass_row, distance), .name = "distance", .label = "distance",
+     .help = "between the two: sqrt((dnd/0.1)^2 + (dVd/10)^2 + (dP/0.02)^2), dP of PgF from the "
+             "normal line"},
+    {COLUMN(struct glass_row, before), .flags = COLUMN_BRIEF, .name = "merit_before",
+     .label = "merit before", .help = "before this exchange"},
+    {COLUMN(struct glass_row, after), .flags = COLUMN_BRIEF, .name = "merit_after",
+     .label = "merit after", .help = "after it, everything else optimised again"},
+    {COLUMN(struct glass_row, loss), .flags = COLUMN_BRIEF, .name = "loss", .label = "loss",
+     .help = "how much the merit has grown"},
+    LENS_TITLE_COLUMN(struct glass_row, lens),
+    LENS_WARNING_COLUMN(struct glass_row, warning),
+};
+
+const struct sheet optimize_glass_sheet = {
+    glass_columns, sizeof glass_columns / sizeof glass_columns[0], sizeof(struct glass_row)};
+
+bool optimize_emit_glasses(struct optimize_job *job)
+{
+    const struct glass_choice *choice = job->choice;
+    for (size_t i = 0; i < choice->count; i++) {
+        const struct glass_exchange *exchange = &choice->exchanges[i];
+        const struct glass_row row = {.fnumber = job->input->question.fnumber,
+                                      .seed = job->input->seed,
+                                      .surface = (long)exchange->surface + 1,
+                                      .model_nd = exchange->nd,
+                                      .model_Vd = exchange->Vd,
+                                      .glass = exchange->glass->medium.written.start,
+                                      .nd = exchange->glass->nd,
+                                      .Vd = exchange->glass->Vd,
+                                      .distance = exchange->distance,
+                                      .before = exchange->before,
+                                      .after = exchange->after,
+                                      .loss = exchange->after - exchange->before,
+                                      .lens = job->lens->title,
+                                      .warning = i == 0 ? job->warning : NULL};
+        if (!run_emit(job->run, &row)) {
+            break;
+        }
+    }
+    return true;
+}

@@ -1,0 +1,456 @@
+/* design/glass_choice.c - model glasses of a lens replaced by real ones. */
+/* SPDX-License-Identifier: MIT */
+#include "design/glass_choice.h"
+
+#include "base/parallel.h"
+#include "optics/pickup.h"
+
+#include <math.h>
+#include <string.h>
+
+enum {
+    NEAREST = 8, /* candidates that are tried for one model glass */
+    LAST = 3     /* glasses whose combinations are searched */
+};
+
+/* Conditions are met to this, in their deviations. */
+static const double exactly = 1e-10;
+
+/* How good a lens is. */
+struct rank {
+    double missed; /* of a condition; 0: it is met */
+    double merit;
+};
+
+/* A lens some of whose glasses are real. */
+struct node {
+    const struct node *parent;       /* null: none is */
+    const struct lens *lens, *start; /* as optimised, and with the numbers of the question's lens */
+    struct variable *list;           /* what still varies */
+    size_t *origin;                  /* of these in the question's list */
+    size_t count, depth;
+    struct glass_exchange exchange; /* that made it of its parent */
+    bool from_start;                /* it was found from there */
+    struct rank rank;
+};
+
+/* A candidate in the place of a model glass, optimised. */
+struct trial {
+    const struct glass_candidate *glass;
+    double distance;
+    struct rank rank; /* infinite: the lens has no merit with it */
+    double *numbers;
+    bool from_start, is_stopped;
+    long evaluations, iterations;
+    struct error why;
+};
+
+struct search {
+    const struct glass_choice_task *task;
+    struct arena *arena;
+    const struct node *best;    /* all of its glasses are real; null: none was found yet */
+    const struct node *deepest; /* most of its glasses are */
+    struct error why;           /* of a candidate that the lens had no merit with */
+    struct glass_choice *choice;
+};
+
+/* What is optimised once. */
+struct outcome {
+    struct variables variables;
+    struct merit merit;
+    struct optimize_answer answer;
+};
+
+static bool is_of_medium(enum parameter_kind kind)
+{
+    return kind == PARAMETER_INDEX || kind == PARAMETER_ABBE;
+}
+
+static bool is_better(struct rank a, struct rank b)
+{
+    return a.missed < b.missed || (a.missed == b.missed && a.merit < b.merit);
+}
+
+static struct rank rank_of(double merit, double missed)
+{
+    return (struct rank){missed <= exactly ? 0 : missed, merit};
+}
+
+/* -------- glasses -------- */
+
+static size_t list_models(const struct lens *lens, const struct variable *list, size_t count,
+                          size_t *surfaces)
+{
+    size_t found = 0;
+    for (size_t i = 0; i < count; i++) {
+        const size_t surface = list[i].what.surface;
+        bool is_new = is_of_medium(list[i].what.kind) && surface < lens->surface_count &&
+                      lens->surfaces[surface].medium.kind == MEDIUM_MODEL;
+        for (size_t k = 0; k < found && is_new; k++) {
+            is_new = surfaces[k] != surface;
+        }
+        if (is_new) {
+            surfaces[found++] = surface;
+        }
+    }
+    return found;
+}
+
+size_t glass_choice_models(const struct variables *variables, size_t *surfaces)
+{
+    return list_models(variables->lens, variables->list, variables->count, surfaces);
+}
+
+/* Do the bounds of nd and Vd allow it? */
+static bool is_allowed(const struct node *node, size_t surface, const struct glass_candidate *glass)
+{
+    bool allowed = true;
+    for (size_t i = 0; i < node->count; i++) {
+        const struct variable *one = &node->list[i];
+        if (one->what.surface == surface && is_of_medium(one->what.kind)) {
+            const double value = one->what.kind == PARAMETER_INDEX ? glass->nd : glass->Vd;
+            allowed = allowed && one->low <= value && value <= one->high;
+        }
+    }
+    return allowed;
+}
+
+static double distance_of(const struct medium *model, const struct glass_candidate *glass)
+{
+    const double nd = (glass->nd - model->index.hi) / 0.1, Vd = (glass->Vd - model->abbe.hi) / 10;
+    const double P = isnan(glass->deviation) ? 0 : glass->deviation / 0.02;
+    return sqrt(nd * nd + Vd * Vd + P * P);
+}
+
+/* The candidates nearest to a model glass, nearest first; how many. */
+static size_t find_nearest(const struct search *search, const struct node *node, size_t surface,
+                           struct trial trials[NEAREST])
+{
+    const struct glass_choice_task *task = search->task;
+    const struct medium *model = &node->lens->surfaces[surface].medium;
+    size_t count = 0;
+    for (size_t i = 0; i < task->candidate_count; i++) {
+        const struct glass_candidate *glass = &task->candidates[i];
+        const double distance = distance_of(model, glass);
+        if (!is_allowed(node, surface, glass) ||
+            (count == NEAREST && !(distance < trials[count - 1].distance))) {
+            continue;
+        }
+        size_t at = count < NEAREST ? count++ : count - 1;
+        for (; at > 0 && distance < trials[at - 1].distance; at--) {
+            trials[at] = trials[at - 1];
+        }
+        trials[at] = (struct trial){.glass = glass, .distance = distance};
+    }
+    return count;
+}
+
+/* The model glass that is farthest from all candidates; what is tried in its place. */
+static size_t choose_surface(const struct search *search, const struct node *node,
+                             struct trial trials[NEAREST], size_t *count)
+{
+    size_t *surfaces = ARENA_ARRAY(search->arena, node->count + 1, size_t), chosen = LENS_NONE;
+    const size_t models = list_models(node->lens, node->list, node->count, surfaces);
+    double farthest = -1;
+    for (size_t i = 0; i < models; i++) {
+        struct trial nearest[NEAREST];
+        const size_t found = find_nearest(search, node, surfaces[i], nearest);
+        const double distance = found > 0 ? nearest[0].distance : INFINITY;
+        if (distance > farthest) {
+            farthest = distance;
+            chosen = surfaces[i];
+            *count = found;
+            memcpy(trials, nearest, found * sizeof nearest[0]);
+        }
+    }
+    return chosen;
+}
+
+/* -------- lenses -------- */
+
+/* Marks of a glass that does not vary any more. */
+static void drop_marks(struct surface *surface, struct arena *arena)
+{
+    struct vary *kept = ARENA_ARRAY(arena, surface->vary_count + 1, struct vary);
+    size_t count = 0;
+    for (size_t i = 0; i < surface->vary_count; i++) {
+        const enum parameter_kind kind = surface->varies[i].kind;
+        if (kind != PARAMETER_GLASS && !is_of_medium(kind)) {
+            kept[count++] = surface->varies[i];
+        }
+    }
+    surface->varies = kept;
+    surface->vary_count = count;
+}
+
+/* The lens with a real glass behind a surface, all numbers as they are. */
+static const struct lens *put_medium(const struct lens *from, size_t surface,
+                                     const struct medium *medium, struct arena *arena)
+{
+    struct lens *lens = parameter_apply(from, NULL, NULL, 0, arena);
+    drop_marks(&lens->surfaces[surface], arena);
+    parameter_put_medium(lens, surface, medium);
+    lens_pickups_put(lens, lens_at_position(lens, 0, arena), arena);
+    return lens;
+}
+
+static struct node put_glass(const struct node *parent, size_t surface,
+                             const struct glass_candidate *glass, struct arena *arena)
+{
+    struct node child = {.parent = parent, .depth = parent->depth + 1};
+    child.lens = put_medium(parent->lens, surface, &glass->medium, arena);
+    child.start = put_medium(parent->start, surface, &glass->medium, arena);
+    child.list = ARENA_ARRAY(arena, parent->count + 1, struct variable);
+    child.origin = ARENA_ARRAY(arena, parent->count + 1, size_t);
+    for (size_t i = 0; i < parent->count; i++) {
+        const struct parameter *what = &parent->list[i].what;
+        if (what->surface != surface || !is_of_medium(what->kind)) {
+            child.list[child.count] = parent->list[i];
+            child.origin[child.count++] = parent->origin[i];
+        }
+    }
+    return child;
+}
+
+/* Optimise what varies of a lens: one of the node's two. */
+static bool optimise(const struct node *node, const struct lens *lens,
+                     const struct glass_choice_task *asked, struct arena *arena,
+                     struct outcome *outcome, struct error *error)
+{
+    struct merit_question question = *asked->question;
+    struct optimize_task task = *asked->how;
+    if (!variables_open(lens, node->list, node->count, arena, &outcome->variables, error)) {
+        return false;
+    }
+    question.lens = lens;
+    question.variables = &outcome->variables;
+    question.variable_count = node->count;
+    task.merit = &outcome->merit;
+    return merit_open(&question, arena, &outcome->merit, error) &&
+           optimize_run(&task, arena, &outcome->answer, error);
+}
+
+/* -------- trials -------- */
+
+struct trying {
+    const struct search *search;
+    const struct node *node;
+    size_t surface;
+    struct trial *trials;
+};
+
+/* From one of the two lenses; the better is kept. */
+static void try_from(const struct trying *trying, bool from_start, struct arena *arena,
+                     struct trial *trial)
+{
+    const struct node child = put_glass(trying->node, trying->surface, trial->glass, arena);
+    struct outcome *outcome = ARENA_NEW(arena, struct outcome);
+    const struct optimize_answer *answer = &outcome->answer;
+    if (!optimise(&child, from_start ? child.start : child.lens, trying->search->task, arena,
+                  outcome, &trial->why)) {
+        return;
+    }
+    const struct rank rank = rank_of(answer->after.merit, answer->summary.excess);
+    trial->is_stopped = trial->is_stopped || answer->summary.status == SOLVER_STOPPED;
+    trial->evaluations += answer->summary.evaluations;
+    trial->iterations += answer->summary.iterations;
+    if (is_better(rank, trial->rank)) {
+        trial->rank = rank;
+        trial->from_start = from_start;
+        memcpy(trial->numbers, answer->after.numbers, child.count * sizeof(double));
+    }
+}
+
+static void try_pieces(void *context, const struct parallel_piece *piece)
+{
+    const struct trying *trying = context;
+    for (size_t i = piece->begin; i < piece->end; i++) {
+        struct trial *trial = &trying->trials[i];
+        trial->rank = (struct rank){INFINITY, INFINITY};
+        for (int from_start = 0; from_start < 2; from_start++) {
+            const struct arena_mark mark = arena_mark(piece->arena);
+            try_from(trying, from_start == 1, piece->arena, trial);
+            arena_reset(piece->arena, mark);
+        }
+    }
+}
+
+/* Those that lose least first; of equal ones the nearer. */
+static void sort_trials(struct trial *trials, size_t count)
+{
+    for (size_t i = 1; i < count; i++) {
+        const struct trial one = trials[i];
+        size_t at = i;
+        for (; at > 0 && is_better(one.rank, trials[at - 1].rank); at--) {
+            trials[at] = trials[at - 1];
+        }
+        trials[at] = one;
+    }
+}
+
+/* All of them, in the order of their loss; false: there is no time for it. */
+static bool try_all(struct search *search, const struct node *node, size_t surface,
+                    struct trial *trials, size_t count)
+{
+    struct trying trying = {search, node, surface, trials};
+    struct parallel *parallel = ARENA_NEW(search->arena, struct parallel);
+    struct glass_choice *choice = search->choice;
+    parallel->threads = search->task->threads;
+    for (size_t i = 0; i < count; i++) {
+        trials[i].numbers = ARENA_ARRAY(search->arena, node->count + 1, double);
+    }
+    parallel_pieces(parallel, count, 1, try_pieces, &trying);
+    parallel_free(parallel);
+    for (size_t i = 0; i < count; i++) {
+        choice->is_stopped = choice->is_stopped || trials[i].is_stopped;
+        choice->evaluations += trials[i].evaluations;
+        choice->iterations += trials[i].iterations;
+        if (isinf(trials[i].rank.merit)) {
+            search->why = trials[i].why;
+        }
+    }
+    sort_trials(trials, count);
+    return !choice->is_stopped;
+}
+
+/* -------- the search -------- */
+
+/* The lens of a trial, with its numbers. */
+static const struct node *enter(struct search *search, const struct node *parent, size_t surface,
+                                const struct trial *trial)
+{
+    const struct medium *model = &parent->lens->surfaces[surface].medium;
+    struct node *node = ARENA_NEW(search->arena, struct node);
+    struct variables variables;
+    struct error ignored;
+    *node = put_glass(parent, surface, trial->glass, search->arena);
+    node->rank = trial->rank;
+    node->from_start = trial->from_start;
+    node->exchange =
+        (struct glass_exchange){surface,         model->index.hi,    model->abbe.hi,   trial->glass,
+                                trial->distance, parent->rank.merit, trial->rank.merit};
+    /* as its trial has opened them */
+    if (variables_open(node->lens, node->list, node->count, search->arena, &variables, &ignored)) {
+        node->lens = variables_lens(&variables, trial->numbers, search->arena);
+    }
+    return node;
+}
+
+static void descend(struct search *search, const struct node *node)
+{
+    struct trial trials[NEAREST];
+    size_t *surfaces = ARENA_ARRAY(search->arena, node->count + 1, size_t), count = 0;
+    const size_t models = list_models(node->lens, node->list, node->count, surfaces);
+    if (search->deepest == NULL || node->depth > search->deepest->depth) {
+        search->deepest = node;
+    }
+    if (models == 0) {
+        search->best = node; /* as it was entered, it is better */
+        return;
+    }
+    const size_t surface = choose_surface(search, node, trials, &count);
+    if (!try_all(search, node, surface, trials, count)) {
+        return;
+    }
+    const size_t width = models > LAST ? 1 : count;
+    for (size_t i = 0; i < width && i < count && !search->choice->is_stopped; i++) {
+        const bool may_be_best =
+            search->best == NULL || is_better(trials[i].rank, search->best->rank);
+        if (!may_be_best || isinf(trials[i].rank.merit)) {
+            break;
+        }
+        descend(search, enter(search, node, surface, &trials[i]));
+    }
+}
+
+/* A pick-up of a number has nothing to follow in a real glass. */
+static bool check_pickups(const struct lens *lens, const size_t *surfaces, size_t count,
+                          struct arena *arena, struct error *error)
+{
+    for (size_t i = 0; i < lens->pickup_count; i++) {
+        const struct lens_pickup *pickup = &lens->pickups[i];
+        for (size_t k = 0; k < count; k++) {
+            if (is_of_medium(pickup->from.kind) && pickup->from.surface == surfaces[k]) {
+                return fail(error, ERROR_DOMAIN,
+                            "%s follows a number of the glass behind surface %zu by a pick-up, "
+                            "which a real glass cannot: let the glass follow, or hold it",
+                            parameter_mark_write(pickup->what, arena), surfaces[k] + 1);
+            }
+        }
+    }
+    return true;
+}
+
+static bool check_allowed(const struct search *search, const struct node *root,
+                          const size_t *surfaces, size_t count, struct error *error)
+{
+    struct trial trials[NEAREST];
+    for (size_t i = 0; i < count; i++) {
+        if (find_nearest(search, root, surfaces[i], trials) == 0) {
+            return fail(error, ERROR_DOMAIN, "no glass lies within the bounds of glass%zu",
+                        surfaces[i] + 1);
+        }
+    }
+    return true;
+}
+
+/* The last step once more, of which all is kept now; to its end, as it was. */
+static bool keep(struct search *search, const struct node *found, struct error *error)
+{
+    struct glass_choice *choice = search->choice;
+    struct optimize_task how = *search->task->how;
+    struct glass_choice_task task = *search->task;
+    struct outcome *outcome = ARENA_NEW(search->arena, struct outcome);
+    const struct node last =
+        put_glass(found->parent, found->exchange.surface, found->exchange.glass, search->arena);
+    how.goes_on = NULL;
+    task.how = &how;
+    if (!optimise(&last, found->from_start ? last.start : last.lens, &task, search->arena, outcome,
+                  error)) {
+        return false;
+    }
+    choice->variables = outcome->variables;
+    choice->merit = outcome->merit;
+    choice->merit.question.variables = &choice->variables;
+    choice->answer = outcome->answer;
+    choice->origin = last.origin;
+    choice->lens = variables_lens(&choice->variables, choice->answer.after.numbers, search->arena);
+    choice->count = found->depth;
+    choice->exchanges = ARENA_ARRAY(search->arena, found->depth, struct glass_exchange);
+    for (const struct node *node = found; node->parent != NULL; node = node->parent) {
+        choice->exchanges[node->depth - 1] = node->exchange;
+    }
+    return true;
+}
+
+bool glass_choose(const struct glass_choice_task *task, struct arena *arena,
+                  struct glass_choice *choice, struct error *error)
+{
+    const struct variables *variables = task->question->variables;
+    struct search search = {.task = task, .arena = arena, .choice = choice};
+    struct node *root = ARENA_NEW(arena, struct node);
+    size_t *surfaces = ARENA_ARRAY(arena, variables->count + 1, size_t);
+    const size_t count = glass_choice_models(variables, surfaces);
+    *choice = (struct glass_choice){.lens = task->lens};
+    *root = (struct node){.lens = task->lens,
+                          .start = variables->lens,
+                          .list = variables->list,
+                          .origin = ARENA_ARRAY(arena, variables->count + 1, size_t),
+                          .count = variables->count,
+                          .rank = rank_of(task->merit, task->missed)};
+    for (size_t i = 0; i < variables->count; i++) {
+        root->origin[i] = i;
+    }
+    if (!check_pickups(task->lens, surfaces, count, arena, error) ||
+        !check_allowed(&search, root, surfaces, count, error)) {
+        return false;
+    }
+    descend(&search, root);
+    const struct node *found = search.best != NULL ? search.best : search.deepest;
+    choice->missing = count - found->depth;
+    if (choice->missing > 0 && !choice->is_stopped) {
+        *error = search.why;
+        return error_prefix(error, "with no glass has the lens a merit: ");
+    }
+    return found->depth == 0 || keep(&search, found, error);
+}
