@@ -218,9 +218,31 @@ static bool fit_from(struct fitting *fitting, double *c, struct arena *arena,
     return solver_run(&problem, &options, c, arena, summary, error);
 }
 
+enum { ENOUGH = 300 }; /* measured indices to tell which start is the best */
+
+/* At most ENOUGH of the measured indices, evenly among them, the first and the last too. */
+static struct dispersion_data thinned(const struct dispersion_data *data, struct arena *arena)
+{
+    if (data->count <= ENOUGH) {
+        return *data;
+    }
+    double *wavelength = ARENA_ARRAY(arena, ENOUGH, double);
+    double *index = ARENA_ARRAY(arena, ENOUGH, double);
+    double *deviation = data->deviation != NULL ? ARENA_ARRAY(arena, ENOUGH, double) : NULL;
+    for (size_t i = 0; i < ENOUGH; i++) {
+        const size_t from = i * (data->count - 1) / (ENOUGH - 1);
+        wavelength[i] = data->wavelength[from];
+        index[i] = data->index[from];
+        if (deviation != NULL) {
+            deviation[i] = data->deviation[from];
+        }
+    }
+    return (struct dispersion_data){ENOUGH, wavelength, index, deviation};
+}
+
 /* The starts of Sellmeier: k resonances, of which the last may be in the infrared. */
-static bool fit_sellmeier(struct fitting *fitting, double *best, struct arena *arena,
-                          struct solver_summary *summary, struct error *error)
+static bool fit_starts(struct fitting *fitting, double *best, struct arena *arena,
+                       struct solver_summary *summary, struct error *error)
 {
     const struct dispersion_data *data = fitting->data;
     size_t terms = fitting->count / 2;
@@ -246,6 +268,17 @@ static bool fit_sellmeier(struct fitting *fitting, double *best, struct arena *a
         }
     }
     return found;
+}
+
+/* The best of all starts; of long data by some of it, and then once by all. */
+static bool fit_sellmeier(struct fitting *fitting, double *best, struct arena *arena,
+                          struct solver_summary *summary, struct error *error)
+{
+    const struct dispersion_data few = thinned(fitting->data, arena);
+    struct fitting starting = *fitting;
+    starting.data = &few;
+    return fit_starts(&starting, best, arena, summary, error) &&
+           (few.count == fitting->data->count || fit_from(fitting, best, arena, summary, error));
 }
 
 static void set_glass(const struct fitting *fitting, const double *c, struct dispersion_fit *fit)

@@ -38,7 +38,8 @@ struct dispersion_fit {
  * Formula   smallest sum of squared differences of the index, each over its deviation. All but
  *           Sellmeier are linear in n or n^2, and start from the solution of that. Sellmeier
  *           starts from resonances on a grid, each with its best strengths, and keeps the best
- *           end; resonances stay outside of the range of the data
+ *           end: of more than 300 indices by 300 of them, from which all are fitted then;
+ *           resonances stay outside of the range of the data
  * Source    [Schott16] for the forms
  * Errors    ERROR_DOMAIN: fewer indices than coefficients, wavelengths that do not rise, an index
  *           not above 0, a deviation not above 0, a number of terms the formula cannot have

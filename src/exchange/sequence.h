@@ -15,8 +15,6 @@
 #include <stdbool.h>
 #include <stddef.h>
 
-enum { SEQUENCE_MOST = 1000 }; /* surfaces */
-
 /* How a shifted and turned surface moves what comes after it. */
 enum sequence_move {
     SEQUENCE_ALONG, /* the axis goes on in the turned system */

@@ -408,6 +408,10 @@ static bool add_surface(struct parser *parser, enum surface_kind kind, struct er
         return lens_words_fail(&parser->words, word, error,
                                "a surface after one without a thickness");
     }
+    if (last == LENS_MOST_SURFACES) {
+        return lens_words_fail(&parser->words, word, error, "more than %d surfaces",
+                               LENS_MOST_SURFACES);
+    }
     lens->surfaces = arena_grow(parser->words.arena, lens->surfaces, last, &parser->surface_room,
                                 sizeof lens->surfaces[0]);
     struct surface *surface = &lens->surfaces[last];

@@ -384,6 +384,9 @@ bool lens_check(const struct lens *lens, struct arena *arena, struct lens_warnin
     if (lens->surface_count == 0) {
         return fail(error, ERROR_DATA, "the lens has no surface");
     }
+    if (lens->surface_count > LENS_MOST_SURFACES) {
+        return fail(error, ERROR_DATA, "more than %d surfaces", LENS_MOST_SURFACES);
+    }
     warn_of_file(lens, warnings);
     size_t positions = lens->position_count > 0 ? lens->position_count : 1;
     for (size_t i = 0; i < positions; i++) {

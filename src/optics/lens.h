@@ -23,6 +23,8 @@ enum aperture_kind { APERTURE_NONE, APERTURE_STOP, APERTURE_FNUMBER, APERTURE_EP
 /* Where the image plane is; FOCUS_AFOCAL: the image is looked at from infinity, by angles. */
 enum focus_kind { FOCUS_PARAXIAL, FOCUS_TABLE, FOCUS_BEST, FOCUS_AFOCAL, FOCUS_KINDS };
 
+enum { LENS_MOST_SURFACES = 10000 }; /* of a file: more is no lens but a mistake, or mischief */
+
 /* A point of the field, and how much it counts. */
 struct lens_field {
     struct figure at[2]; /* x, y: rad, or mm */
@@ -187,9 +189,9 @@ struct lens_warnings {
  *                     ((1+k) c^2 r^2 > 1), surfaces that overlap inside their apertures, negative
  *                     air gaps, a cone at the vertex. What is stated of a focal length is
  *                     checked in optics/first_order.
- * Errors    ERROR_DATA: no surface, two stops, a telecentric object space of an infinite object,
- *           `aperture stop` without a stop or without its diameter, an index of 0 or less, a radius
- *           or diameter of 0, numbers beyond 1e100
+ * Errors    ERROR_DATA: no surface or more than LENS_MOST_SURFACES, two stops, a telecentric
+ *           object space of an infinite object, `aperture stop` without a stop or without its
+ *           diameter, an index of 0 or less, a radius or diameter of 0, numbers beyond 1e100
  */
 bool lens_check(const struct lens *lens, struct arena *arena, struct lens_warnings *warnings,
                 struct error *error);

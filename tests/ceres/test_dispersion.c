@@ -222,8 +222,36 @@ static void test_valley(void)
     }
 }
 
+/* Of long data all counts at the end, whatever the starts were chosen by. */
+static void test_long(void)
+{
+    enum { MANY = 4001, STEP = 10, FEW = (MANY - 1) / STEP + 1 };
+    static double l[MANY], n[MANY], few_l[FEW], few_n[FEW];
+    struct arena arena = {0};
+    struct error error;
+    for (int i = 0; i < MANY; i++) {
+        l[i] = 0.4 + 0.6 * i / (MANY - 1);
+        n[i] = n_bk7(l[i]) + 1e-6 * sin(17.0 * i); /* as good as scatter */
+        few_l[i / STEP] = i % STEP == 0 ? l[i] : few_l[i / STEP];
+        few_n[i / STEP] = i % STEP == 0 ? n[i] : few_n[i / STEP];
+    }
+    struct dispersion_fit all, some;
+    const struct dispersion_data data = {MANY, l, n, NULL}, thin = {FEW, few_l, few_n, NULL};
+    CHECK(dispersion_fit(&data, GLASS_SELLMEIER, 3, &arena, &all, &error));
+    CHECK(dispersion_fit(&thin, GLASS_SELLMEIER, 3, &arena, &some, &error));
+    double cost_all = 0, cost_some = 0;
+    for (int i = 0; i < MANY; i++) {
+        cost_all += pow(glass_n(&all.glass, l[i]) - n[i], 2);
+        cost_some += pow(glass_n(&some.glass, l[i]) - n[i], 2);
+    }
+    CHECK(cost_all < cost_some);
+    CHECK_NEAR(sqrt(cost_all / MANY), 1e-6 / sqrt(2), 2e-8, "the scatter");
+    arena_free(&arena);
+}
+
 int main(void)
 {
+    test_long();
     test_weighted();
     test_valley();
     test_recovered();

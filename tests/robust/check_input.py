@@ -207,6 +207,42 @@ def check_huge(tester):
             tester.checks.check(len(result.stdout) > 10**6, f"{what}: the note is cut")
 
 
+MOST_SURFACES = 10000
+
+
+def many_surfaces(count):
+    """A pile of plates as each reader has it: (name of the file, content)."""
+    plates = [(100 + i % 7, i % 2 == 0) for i in range(count)]
+    yield "many.lens", "lens Many\n" + "".join(
+        f"surface {r} 1 {'1.5' if is_glass else 'air'} 20\n" for r, is_glass in plates)
+    yield "many.dat", "# Many\n" + "".join(f"{r} 1 {'1.5' if is_glass else '1'} 20\n"
+                                           for r, is_glass in plates)
+    yield "many.seq", "RDM\nLEN\nSO 0 1e20\n" + "".join(
+        f"S {r} 1 {'1.5' if is_glass else ''}\n" for r, is_glass in plates) + "SI 0 0\n"
+    yield "many.len", 'LEN NEW "Many" 100 %d\n' % count + "UNI 1\nAIR\nTH 1e20\nNXT\n" + "".join(
+        f"RD {r}\nTH 1\n{'GLA BK7' if is_glass else 'AIR'}\nNXT\n" for r, is_glass in plates) + "END\n"
+    yield "many.zmx", "MODE SEQ\nUNIT MM\nSURF 0\n  DISZ INFINITY\n" + "".join(
+        f"SURF {i + 1}\n  CURV {1 / r}\n  DISZ 1\n"
+        + ("  GLAS ___BLANK 1 0 1.5 0\n" if is_glass else "")
+        for i, (r, is_glass) in enumerate(plates)) + f"SURF {count + 1}\n"
+
+
+def check_surfaces(tester):
+    """One limit for all readers; what is below it is read at once."""
+    with tempfile.TemporaryDirectory() as folder:
+        for count in (2000, MOST_SURFACES + 2):
+            for name, content in many_surfaces(count):
+                path = os.path.join(folder, name)
+                with open(path, "w") as file:
+                    file.write(content)
+                result = tester.program.run("lens", path, "--csv")
+                what = f"{name} of {count} surfaces"
+                error = tester.sane(what, result, (4,) if count > MOST_SURFACES else (0,))
+                tester.checks.check(count < MOST_SURFACES or
+                                    f"more than {MOST_SURFACES} surfaces" in error,
+                                    f"{what}: {error[:200]!r}")
+
+
 def check_memory(tester):
     """1e6 rows in at most 16 MiB, rows streamed: the first answer before the last question."""
     program = tester.program
@@ -307,7 +343,7 @@ def main():
         resource.setrlimit(resource.RLIMIT_AS, (2048 * MEGABYTE, 2048 * MEGABYTE))
     resource.setrlimit(resource.RLIMIT_CORE, (0, 0))
     tester = Tester(checks, program)
-    for check in (check_values, check_ranges, check_files, check_huge, check_memory, check_words,
+    for check in (check_values, check_ranges, check_files, check_huge, check_surfaces, check_memory, check_words,
                   check_lensdb):
         check(tester)
     checks.finish()

@@ -91,8 +91,9 @@ static bool next_surface(struct oslo *oslo, int what, struct error *error)
 {
     (void)what;
     const struct command_word at = oslo->commands.words[0];
-    if (oslo->sequence.count == SEQUENCE_MOST) {
-        return commands_fail(&oslo->commands, &at, error, "more than %d surfaces", SEQUENCE_MOST);
+    if (oslo->sequence.count == LENS_MOST_SURFACES) {
+        return commands_fail(&oslo->commands, &at, error, "more than %d surfaces",
+                             LENS_MOST_SURFACES);
     }
     oslo->surface = oslo->sequence.count;
     sequence_add(&oslo->sequence, at);
