@@ -108,3 +108,22 @@ double spread_variance(const struct spread *spread)
     }
     return 1.0 / 3;
 }
+
+double spread_fourth(const struct spread *spread)
+{
+    const double s = spread->sigmas, square = s * s;
+    switch (spread->distribution) {
+    case DISTRIBUTION_NORMAL:
+        return 3 / (square * square);
+    case DISTRIBUTION_TRUNCATED:
+        return (3 - 2 * s * (square + 3) * density(s) / spread->within) / (square * square);
+    case DISTRIBUTION_PARABOLIC:
+        return 3.0 / 7;
+    case DISTRIBUTION_TWO_POINT:
+        return 1;
+    case DISTRIBUTION_UNIFORM:
+    case DISTRIBUTIONS:
+        break;
+    }
+    return 0.2;
+}

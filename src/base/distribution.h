@@ -57,4 +57,11 @@ double spread_quantile(const struct spread *spread, double p);
  */
 double spread_variance(const struct spread *spread);
 
+/*
+ * The mean of the fourth power, in units of the half range.
+ *
+ * Formula   1/5; 3/s^4; (3 - 2 (s^3 + 3s) phi(s)/within)/s^4; 1; 3/7
+ */
+double spread_fourth(const struct spread *spread);
+
 #endif

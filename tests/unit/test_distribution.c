@@ -77,18 +77,18 @@ static void test_quantiles(void)
 /* By mpmath; the others by hand. */
 static const struct variance {
     enum distribution distribution;
-    double sigmas, variance;
+    double sigmas, variance, fourth;
 } variances[] = {
-    {DISTRIBUTION_TRUNCATED, 0.5, 0.32235661840324679371},
-    {DISTRIBUTION_TRUNCATED, 1, 0.29112509477279321119},
-    {DISTRIBUTION_TRUNCATED, 2, 0.19343532588748081179},
-    {DISTRIBUTION_TRUNCATED, 3, 0.10814854718472683073},
-    {DISTRIBUTION_TRUNCATED, 6, 0.027777775752483490507},
-    {DISTRIBUTION_UNIFORM, 2, 1.0 / 3},
-    {DISTRIBUTION_NORMAL, 2, 0.25},
-    {DISTRIBUTION_NORMAL, 4, 0.0625},
-    {DISTRIBUTION_TWO_POINT, 2, 1},
-    {DISTRIBUTION_PARABOLIC, 2, 3.0 / 5},
+    {DISTRIBUTION_TRUNCATED, 0.5, 0.32235661840324679371, 0.190636039242208318268},
+    {DISTRIBUTION_TRUNCATED, 1, 0.29112509477279321119, 0.164500379091172844764},
+    {DISTRIBUTION_TRUNCATED, 2, 0.19343532588748081179, 0.0885118203030914206412},
+    {DISTRIBUTION_TRUNCATED, 3, 0.10814854718472683073, 0.0330869518018579965316},
+    {DISTRIBUTION_TRUNCATED, 6, 0.027777775752483490507, 0.0023148126207460036049},
+    {DISTRIBUTION_UNIFORM, 2, 1.0 / 3, 1.0 / 5},
+    {DISTRIBUTION_NORMAL, 2, 0.25, 3.0 / 16},
+    {DISTRIBUTION_NORMAL, 4, 0.0625, 3.0 / 256},
+    {DISTRIBUTION_TWO_POINT, 2, 1, 1},
+    {DISTRIBUTION_PARABOLIC, 2, 3.0 / 5, 3.0 / 7},
 };
 
 /*
@@ -103,6 +103,7 @@ static void test_moments(void)
         const struct spread spread = spread_of(one->distribution, one->sigmas);
         double squares = 0, fourths = 0;
         CHECK_RELATIVE(spread_variance(&spread), one->variance, 1e-13, "variance");
+        CHECK_RELATIVE(spread_fourth(&spread), one->fourth, 1e-11, "fourth power");
         for (uint64_t k = 0; k < COUNT; k++) {
             const double p = random_unit(7, k, (uint32_t)i);
             const double x = spread_quantile(&spread, p);

@@ -1,0 +1,167 @@
+/* tests/unit/test_differential.c - quadratic forms of figures, by functions that are quadratic. */
+/* SPDX-License-Identifier: MIT */
+#include "check.h"
+
+#include "base/processor.h"
+#include "base/random.h"
+#include "design/differential.h"
+#include "optics/surface.h"
+
+#include <string.h>
+
+enum { ERRORS = 7, FIGURES = 3, RESIDUALS = 5 };
+
+/* Some number between -1 and 1. */
+static double number(uint64_t which)
+{
+    return 2 * random_unit(7, which, 0) - 1;
+}
+
+/* The root of a sum of squares of linear functions; a quadratic function; one that is cubic. */
+static bool trial(void *context, const double *p, double *figures, struct error *why)
+{
+    (void)context;
+    double sum = 0;
+    for (uint64_t k = 0; k < RESIDUALS; k++) {
+        double residual = number(k);
+        for (uint64_t i = 0; i < ERRORS; i++) {
+            residual += 0.1 * number(100 + k * ERRORS + i) * p[i];
+        }
+        sum += residual * residual;
+    }
+    figures[0] = sqrt(sum);
+    figures[1] = 3;
+    figures[2] = 2 + 0.5 * p[0] + 0.25 * p[0] * p[0] * p[0];
+    for (uint64_t i = 0; i < ERRORS; i++) {
+        figures[1] += number(200 + i) * p[i];
+        for (uint64_t j = 0; j <= i; j++) {
+            figures[1] += number(300 + i * ERRORS + j) * p[i] * p[j];
+        }
+    }
+    return p[1] < 5 || fail(why, ERROR_DOMAIN, "too much");
+}
+
+static const bool is_root[FIGURES] = {true, false, false};
+static const char *const names[ERRORS] = {"R1", "R2", "R3", "t1", "t2", "t3", "t4"};
+static const struct differential_problem problem = {.trial = trial,
+                                                    .error_count = ERRORS,
+                                                    .figure_count = FIGURES,
+                                                    .is_root = is_root,
+                                                    .names = names};
+
+static void check_trials(void)
+{
+    struct arena arena = {0};
+    struct differential differential;
+    struct error error = {.code = ERROR_NONE};
+    CHECK(differential_open(&problem, &arena, &differential, &error));
+    double errors[ERRORS * DIFFERENTIAL_LANES], figures[FIGURES * DIFFERENTIAL_LANES];
+    for (size_t i = 0; i < ERRORS * (size_t)DIFFERENTIAL_LANES; i++) {
+        errors[i] = number(1000 + i);
+    }
+    differential_trials(&differential, errors, figures);
+    for (size_t l = 0; l < DIFFERENTIAL_LANES; l++) {
+        double p[ERRORS], expected[FIGURES];
+        for (size_t i = 0; i < ERRORS; i++) {
+            p[i] = errors[i * DIFFERENTIAL_LANES + l];
+        }
+        CHECK(trial(NULL, p, expected, &error));
+        for (size_t f = 0; f < 2; f++) {
+            CHECK_NEAR(figures[f * DIFFERENTIAL_LANES + l], expected[f], 1e-12, "a trial");
+        }
+    }
+    /* of a cubic function the slope has no error */
+    CHECK_NEAR(differential.forms[2].slope[0], 0.5, 1e-14, "slope");
+    arena_free(&arena);
+}
+
+/* Every set of instructions gives the same bits. */
+static void check_sets(void)
+{
+    enum { COUNT = 20 };
+    static double rows[COUNT * (COUNT + 3) / 2], errors[COUNT * DIFFERENTIAL_LANES];
+    double sums[3][DIFFERENTIAL_LANES] = {{0}};
+    for (size_t i = 0; i < sizeof rows / sizeof *rows; i++) {
+        rows[i] = number(i);
+    }
+    for (size_t i = 0; i < sizeof errors / sizeof *errors; i++) {
+        errors[i] = number(5000 + i);
+    }
+    kernel_differential_sse2(rows, COUNT, errors, sums[0]);
+    if (processor_has_avx2()) {
+        kernel_differential_avx2(rows, COUNT, errors, sums[1]);
+        CHECK(memcmp(sums[0], sums[1], sizeof sums[0]) == 0);
+    }
+    if (processor_has_avx512()) {
+        kernel_differential_avx512(rows, COUNT, errors, sums[2]);
+        CHECK(memcmp(sums[0], sums[2], sizeof sums[0]) == 0);
+    }
+}
+
+/*
+ * p0 + 2 p1 + 3 p0 p1 + p2^2 of evenly spread numbers: variances 1/3, 4/3, 9/9 and 1/5 - 1/9, by
+ * hand.
+ */
+static bool by_hand(void *context, const double *p, double *figures, struct error *why)
+{
+    (void)context;
+    (void)why;
+    figures[0] = p[0] + 2 * p[1] + 3 * p[0] * p[1] + p[2] * p[2];
+    return true;
+}
+
+static void check_shares(void)
+{
+    const struct differential_problem simple = {.trial = by_hand,
+                                                .error_count = 4,
+                                                .figure_count = 1,
+                                                .is_root = is_root + 1,
+                                                .names = names};
+    const struct spread even = spread_of(DISTRIBUTION_UNIFORM, 2);
+    const struct spread spreads[4] = {even, even, even, even};
+    struct arena arena = {0};
+    struct differential differential;
+    struct differential_share shares[4];
+    struct error error = {.code = ERROR_NONE};
+    CHECK(differential_open(&simple, &arena, &differential, &error));
+    const double all = 1.0 / 3 + 4.0 / 3 + 1 + 4.0 / 45;
+    const double deviation = differential_shares(&differential, spreads, LENS_NONE, shares);
+    CHECK_NEAR(deviation * deviation, all, 1e-13, "variance");
+    CHECK_NEAR(shares[0].first, 1 / 3.0 / all, 1e-13, "first");
+    CHECK_NEAR(shares[0].total, 4 / 3.0 / all, 1e-13, "total");
+    CHECK_NEAR(shares[1].first, 4 / 3.0 / all, 1e-13, "first");
+    CHECK_NEAR(shares[1].total, 7 / 3.0 / all, 1e-13, "total");
+    CHECK_NEAR(shares[2].first, 4 / 45.0 / all, 1e-13, "first");
+    CHECK_NEAR(shares[2].total, 4 / 45.0 / all, 1e-13, "total");
+    CHECK_NEAR(shares[3].total, 0, 1e-13, "of what does nothing");
+    arena_free(&arena);
+}
+
+static bool never(void *context, const double *p, double *figures, struct error *why)
+{
+    figures[0] = p[1];
+    (void)context;
+    return p[1] == 0 || fail(why, ERROR_DOMAIN, "a ray is lost");
+}
+
+static void check_failure(void)
+{
+    struct differential_problem simple = problem;
+    struct arena arena = {0};
+    struct differential differential;
+    struct error error = {.code = ERROR_NONE};
+    simple.trial = never;
+    simple.figure_count = 1;
+    CHECK(!differential_open(&simple, &arena, &differential, &error));
+    CHECK_TEXT(error.message, "R2 of 0.5 times its tolerance: a ray is lost");
+    arena_free(&arena);
+}
+
+int main(void)
+{
+    check_trials();
+    check_sets();
+    check_shares();
+    check_failure();
+    return check_report();
+}

@@ -1,0 +1,97 @@
+/* tests/unit/test_sensitivity.c - costs of single errors, by functions that are known. */
+/* SPDX-License-Identifier: MIT */
+#include "check.h"
+
+#include "design/sensitivity.h"
+
+enum { ERRORS = 4 };
+
+/* sqrt(1 + 0.2 p0 + p1^2), and 5 + p0 - 3 p2 + p2^2; too much of p3 is no lens. */
+static bool trial(void *context, const double *p, double *figures, struct error *why)
+{
+    (void)context;
+    figures[0] = sqrt(1 + 0.2 * p[0] + p[1] * p[1]);
+    figures[1] = 5 + p[0] - 3 * p[2] + p[2] * p[2];
+    return p[3] < 0.75 || fail(why, ERROR_DOMAIN, "a ray is lost");
+}
+
+static const bool is_root[] = {true, false};
+static const char *const names[ERRORS] = {"R1", "R2", "t1", "t2"};
+static const struct differential_problem problem = {
+    .trial = trial, .error_count = ERRORS, .figure_count = 2, .is_root = is_root, .names = names};
+
+static void check_table(void)
+{
+    struct arena arena = {0};
+    struct sensitivity table[ERRORS][2];
+    const double nominal[] = {1, 5};
+    const char *failure;
+    sensitivity_find(&problem, nominal, &arena, table[0], &failure);
+    CHECK_NEAR(table[0][0].plus, sqrt(1.2) - 1, 1e-15, "plus");
+    CHECK_NEAR(table[0][0].minus, sqrt(0.8) - 1, 1e-15, "minus");
+    CHECK_NEAR(table[0][0].linear, 0.1, 1e-15, "linear");
+    CHECK_NEAR(table[0][0].quadratic, (sqrt(1.2) + sqrt(0.8)) / 2 - 1, 1e-15, "quadratic");
+    CHECK_NEAR(table[1][0].linear, 0, 1e-15, "linear");
+    CHECK(table[1][0].plus == table[1][0].minus);
+    CHECK_NEAR(table[2][1].linear, -3, 1e-14, "linear");
+    CHECK_NEAR(table[2][1].quadratic, 1, 1e-14, "quadratic");
+    CHECK(isnan(table[3][0].plus) && isnan(table[3][0].linear) && table[3][0].minus == 0);
+    CHECK_TEXT(failure, "t2 of 1 times its tolerance: a ray is lost");
+    arena_free(&arena);
+}
+
+/* How much the second figure is off. */
+static double off(void *context, const double *figures)
+{
+    (void)context;
+    return fabs(figures[1] - 5);
+}
+
+static bool linear(void *context, const double *p, double *figures, struct error *why)
+{
+    (void)context;
+    (void)why;
+    figures[0] = 0;
+    figures[1] = 5 + 1 * p[0] - 2 * p[1] + 4 * p[2] + 100 * p[3];
+    return true;
+}
+
+/* Four of slopes 1, 2, 4 and 100 that cost 2 together. */
+static void check_inverse(void)
+{
+    struct differential_problem of = problem;
+    of.trial = linear;
+    struct arena arena = {0};
+    struct inverse answers[ERRORS];
+    const double wide[] = {1e-6, 1e-6, 1e-6, 1e-6}, far[] = {1e6, 1e6, 1e6, 1e6};
+    struct inverse_question question = {
+        .problem = &of, .cost = off, .drop = 2, .low = wide, .high = far};
+    const double slopes[] = {1, 2, 4, 100};
+    CHECK_NEAR(inverse_find(&question, &arena, answers), 2, 1e-6, "free");
+    for (size_t i = 0; i < ERRORS; i++) {
+        CHECK(answers[i].limit == INVERSE_FREE);
+        CHECK_RELATIVE(answers[i].factor, 1 / slopes[i], 1e-6, "an even share");
+    }
+    /* the last costs 1.2 at least, the first 0.3 at most: 2^2 - 1.2^2 - 0.3^2 is left for two */
+    const double low[] = {1e-6, 1e-6, 1e-6, 0.012}, high[] = {0.3, 1e6, 1e6, 1e6};
+    const double share = sqrt((4 - 1.44 - 0.09) / 2);
+    question.low = low;
+    question.high = high;
+    CHECK_NEAR(inverse_find(&question, &arena, answers), 2, 1e-6, "limited");
+    CHECK(answers[0].limit == INVERSE_LOOSEST && answers[0].factor == 0.3);
+    CHECK(answers[3].limit == INVERSE_TIGHTEST && answers[3].factor == 0.012);
+    CHECK_RELATIVE(answers[1].factor, share / 2, 1e-6, "the rest");
+    CHECK_RELATIVE(answers[2].factor, share / 4, 1e-6, "the rest");
+    /* what cannot be had: all at their tightest */
+    question.drop = 1;
+    CHECK_NEAR(inverse_find(&question, &arena, answers), 1.2, 1e-5, "too much");
+    CHECK(answers[1].limit == INVERSE_TIGHTEST && answers[1].factor == 1e-6);
+    arena_free(&arena);
+}
+
+int main(void)
+{
+    check_table();
+    check_inverse();
+    return check_report();
+}
