@@ -145,6 +145,18 @@ struct text text_cut(struct text *rest, char separator)
     return text_between(all.start, at);
 }
 
+struct text text_cut_range(struct text *rest)
+{
+    const struct text whole = *rest;
+    for (size_t i = 0; i + 1 < whole.length; i++) {
+        if (whole.start[i] == '.' && whole.start[i + 1] == '.') {
+            *rest = (struct text){whole.start + i + 2, whole.length - i - 2};
+            return (struct text){whole.start, i};
+        }
+    }
+    return whole;
+}
+
 static int smaller(int a, int b)
 {
     return a < b ? a : b;

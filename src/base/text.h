@@ -66,6 +66,11 @@ struct text text_trim(struct text text);
 struct text text_cut(struct text *rest, char separator);
 
 /*
+ * Of "1..11" the first part, and the second in `rest`; of a text without ".." both are the whole.
+ */
+struct text text_cut_range(struct text *rest);
+
+/*
  * Edit distance with transpositions (optimal string alignment), without regard to case.
  *
  * Result    number of edits; `limit` + 1 as soon as it must exceed `limit`. Words longer than

@@ -83,7 +83,7 @@ struct foreign_format {
                   struct error *error);
     bool has_thick;     /* it can hold a thick lens among the surfaces */
     bool has_settings;  /* and what the positions set anew: struct lens_setting, stops, lights */
-    bool has_design;    /* marks of positions, pick-ups, goals */
+    bool has_design;    /* marks of positions, pick-ups, goals, tolerances */
     bool has_apertures; /* `write` keeps the apertures of surfaces, or says which it cannot */
     const struct word_group *words; /* what becomes of each word when it is read; null: not told */
 };

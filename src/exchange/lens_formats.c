@@ -166,7 +166,7 @@ static bool lose_settings(struct foreign_job *job, const struct foreign_format *
                                           format->type.ending, all);
 }
 
-/* What is wanted, and what varies in a position, where the file has no words for it. */
+/* What is wanted, allowed, and varies in a position, where the file has no words for it. */
 static bool lose_design(struct foreign_job *job, const struct foreign_format *format,
                         const struct lens *lens, struct error *error)
 {
@@ -177,6 +177,9 @@ static bool lose_design(struct foreign_job *job, const struct foreign_format *fo
     }
     return (lens->goal_count == 0 ||
             foreign_lose(job, error, "goals in a %s file" LOSS_IS_MUTE LOSS_INSTEAD "left out",
+                         ending)) &&
+           (lens->tolerance_count == 0 ||
+            foreign_lose(job, error, "tolerances in a %s file" LOSS_IS_MUTE LOSS_INSTEAD "left out",
                          ending)) &&
            (!is_marked ||
             foreign_lose(job, error,

@@ -5,8 +5,8 @@
 #include "base/constants.h"
 #include "base/number.h"
 #include "exchange/json_write.h"
+#include "exchange/lens_json_design.h"
 #include "exchange/writing.h"
-#include "file/lens_pickup.h"
 #include "file/lens_setting.h"
 #include "optics/aperture.h"
 
@@ -481,27 +481,6 @@ static void put_settings(struct writer *writer, struct arena *arena)
     put(writer, "]");
 }
 
-/* What follows what, and what is wanted: as the lines of a .lens file in mm have it. */
-static void put_design(struct writer *writer, struct arena *arena)
-{
-    const struct lens *lens = writer->lens;
-    const bool in_mm = strcmp(lens->unit, "mm") == 0;
-    for (size_t i = 0; i < lens->pickup_count; i++) {
-        struct growing line = {.arena = arena};
-        struct lens_pickup pickup = lens->pickups[i];
-        pickup.offset.typed.start = in_mm ? pickup.offset.typed.start : NULL;
-        lens_pickup_write(&pickup, "mm", &line);
-        put(writer, i == 0 ? ",\"pickups\":[" : ",");
-        json_put_text(&writer->out.text, growing_done(&line));
-    }
-    put(writer, lens->pickup_count > 0 ? "]" : "");
-    for (size_t i = 0; i < lens->goal_count; i++) {
-        put(writer, i == 0 ? ",\"goals\":[" : ",");
-        json_put_text(&writer->out.text, lens->goals[i].text);
-    }
-    put(writer, lens->goal_count > 0 ? "]" : "");
-}
-
 static void put_header(struct writer *writer)
 {
     const struct lens *lens = writer->lens;
@@ -562,7 +541,7 @@ static bool write_json(struct foreign_job *job, const struct lens *lens, struct 
         lens->points != NULL) {
         put_settings(&writer, job->arena);
     }
-    put_design(&writer, job->arena);
+    json_put_design(&writer.out.text, lens, job->arena);
     put(&writer, "\n,\"surfaces\":[");
     for (size_t i = 0; i < lens->surface_count; i++) {
         if (!put_surface(&writer, i, error)) {

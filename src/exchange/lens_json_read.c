@@ -1,6 +1,7 @@
 /* exchange/lens_json_read.c - a lens from the JSON that lenscalc writes. */
 /* SPDX-License-Identifier: MIT */
 #include "exchange/lens_json.h"
+#include "exchange/lens_json_design.h"
 #include "exchange/lens_json_reading.h"
 
 #include "base/constants.h"
@@ -444,6 +445,7 @@ static bool read_root(struct json_reading *reading, const struct json_value *roo
                                        "object_is_telecentric",
                                        "pickups",
                                        "goals",
+                                       "tolerances",
                                        NULL};
     return json_check_keys(reading, root, keys, error) && read_words(reading, root, error) &&
            read_unit(reading, json_item(root, "unit"), error) &&
@@ -457,7 +459,8 @@ static bool read_root(struct json_reading *reading, const struct json_value *roo
            read_surfaces(reading, json_item(root, "surfaces"), error) &&
            check_stop(reading, json_item(root, "stop_surface"), error) &&
            json_read_settings(reading, json_item(root, "settings"), error) &&
-           json_read_design(reading, json_item(root, "pickups"), json_item(root, "goals"), error);
+           json_read_design(reading, json_item(root, "pickups"), json_item(root, "goals"),
+                            json_item(root, "tolerances"), error);
 }
 
 static bool refuse(struct json_reading *reading, struct error *error)

@@ -84,8 +84,4 @@ bool json_read_surface(struct json_reading *reading, const struct json_value *ob
 bool json_read_settings(struct json_reading *reading, const struct json_value *value,
                         struct error *error);
 
-/* Pick-ups and goals; the lens has all else. */
-bool json_read_design(struct json_reading *reading, const struct json_value *pickups,
-                      const struct json_value *goals, struct error *error);
-
 #endif

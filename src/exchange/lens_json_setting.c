@@ -1,8 +1,6 @@
 /* exchange/lens_json_setting.c - what the positions of a lens in JSON set anew. */
 /* SPDX-License-Identifier: MIT */
 #include "exchange/lens_json_reading.h"
-#include "file/lens_mark.h"
-#include "file/lens_pickup.h"
 #include "file/lens_setting.h"
 #include "file/lens_unit.h"
 
@@ -165,43 +163,5 @@ bool json_read_settings(struct json_reading *reading, const struct json_value *v
             return false;
         }
     }
-    return true;
-}
-
-/* Texts as the lines of a .lens file in mm have them. */
-static bool read_lines(struct json_reading *reading, const struct json_value *value,
-                       bool (*read)(struct lens_words *words, struct lens *lens,
-                                    struct error *error),
-                       struct error *error)
-{
-    if (!json_check_array(reading, value, "texts", error)) {
-        return false;
-    }
-    for (const struct json_value *item = json_is_null(value) ? NULL : value->first; item != NULL;
-         item = item->next) {
-        if (item->kind != JSON_STRING ||
-            memchr(item->text.start, '\n', item->text.length) != NULL) {
-            return json_wrong(reading, item, error, "expected a line of text here");
-        }
-        struct lens_words words = json_place(reading, item);
-        words.line = item->text;
-        words.at = item->text.start;
-        words.scale = lens_unit_scale("mm");
-        if (!read(&words, reading->build.lens, error)) {
-            return false;
-        }
-    }
-    return true;
-}
-
-bool json_read_design(struct json_reading *reading, const struct json_value *pickups,
-                      const struct json_value *goals, struct error *error)
-{
-    struct lens *lens = reading->build.lens;
-    if (!read_lines(reading, pickups, lens_pickup_read, error) ||
-        !read_lines(reading, goals, lens_goal_read, error)) {
-        return false;
-    }
-    lens_pickups_begin(lens, reading->job->arena);
     return true;
 }

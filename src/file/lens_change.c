@@ -6,6 +6,7 @@
 #include "file/lens_unit.h"
 #include "optics/aperture.h"
 #include "optics/pickup.h"
+#include "optics/tolerance.h"
 
 #include <math.h>
 #include <string.h>
@@ -96,6 +97,26 @@ static void change_settings(const struct change *change, struct lens *lens)
                                       copy[i].figures, lens->position_count);
     }
     lens->settings = copy;
+}
+
+/* Lengths and fringes, which are lengths of sag; the others are shares, angles and numbers. */
+static void change_tolerances(const struct change *change, struct lens *lens)
+{
+    struct lens_tolerance *copy =
+        ARENA_ARRAY(change->arena, lens->tolerance_count, struct lens_tolerance);
+    const bool scales = change->factor.hi != 1 || change->factor.lo != 0;
+    for (size_t i = 0; i < lens->tolerance_count; i++) {
+        struct figure *amount = &copy[i].amount;
+        copy[i] = lens->tolerances[i];
+        if (copy[i].kind == TOLERANCE_COEFFICIENT && copy[i].unit == TOLERANCE_NUMBER) {
+            change_figure(change, 1 - copy[i].order, amount);
+        } else if (scales &&
+                   (copy[i].unit == TOLERANCE_LENGTH || copy[i].unit == TOLERANCE_FRINGES)) {
+            amount->value = pair_multiply(amount->value, change->factor);
+            amount->typed.start = NULL;
+        }
+    }
+    lens->tolerances = copy;
 }
 
 static struct lens_field *change_fields(const struct change *change,
@@ -245,6 +266,7 @@ static void change_system(const struct change *change, struct lens *lens)
     lens->variables = variables;
     lens->pickups = change_pickups(change, lens);
     change_settings(change, lens);
+    change_tolerances(change, lens);
 }
 
 static struct lens *changed(const struct change *change, const struct lens *lens)

@@ -12,8 +12,8 @@
  *
  * Given     factor   above 0
  *           rounded  digits of doubles instead of all digits: for a factor that is no short decimal
- * Result    bounds and what pick-ups add are scaled too; goals are left out: they are of the lens
- *           as it was
+ * Result    bounds, what pick-ups add, and tolerances are scaled too, fringes as the lengths of sag
+ *           that they are; goals are left out: they are of the lens as it was
  * Formula   R, t, diameters, heights k; curvatures 1/k; A2i: k^(1 - 2i)
  * Limits    products of decimals are exact to 31 digits
  */
@@ -37,7 +37,7 @@ const struct lens *lens_one_position(const struct lens *lens, size_t position, s
  *           f-number, entrance pupil or NA becomes the diameter that the stop has with it. Marks
  *           of thicknesses and glasses go to the surface that they lie behind now; those behind
  *           the last are left out, and so are pick-ups between numbers of which one has no place,
- *           and goals: lens_marks_left_out names the marks and pick-ups
+ *           tolerances behind the last surface, and goals: lens_marks_left_out names all but goals
  * Formula   an even number of mirrors: R -> -R, A -> -A, t as it is; an odd one: R and A as they
  *           are, t -> -t; the signs are in optics/parameter. A coordinate break is undone in
  *           the order z, y, x, shift, each on a plane of its own

@@ -7,12 +7,17 @@
 #include "file/lens_pickup.h"
 #include "file/lens_setting.h"
 #include "file/lens_surface.h"
+#include "file/lens_tolerance.h"
 #include "file/lens_unit.h"
 #include "file/lens_words.h"
 
 #include <math.h>
 
 const struct file_type lens_file_type = {{"lens", "lenscalc's own"}, ".lens"};
+
+/* Lines that are read when all surfaces are there, in this order, by their first words. */
+enum kept { KEPT_SETTING, KEPT_PICKUP, KEPT_TOLERANCE, KEPT_KINDS };
+static const char *const kept_words[KEPT_KINDS] = {"set", "pickup", "tolerance"};
 
 /* A file being read. Arrays grow by doubling in the arena. */
 struct parser {
@@ -27,7 +32,8 @@ struct parser {
     struct lines {
         struct lens_words *all;
         size_t count, room;
-    } settings, pickups; /* lines with `set`, `pickup`, from behind that word on */
+    } kept[KEPT_KINDS];  /* lines, from behind their first word on */
+    struct text keyword; /* of the present line */
     unsigned given;      /* keywords that may stand once */
 };
 
@@ -351,24 +357,18 @@ static bool read_let(struct parser *parser, struct error *error)
            check_count(parser, name, count, error);
 }
 
-/* The surfaces may still follow. */
-static bool keep_line(struct parser *parser, struct lines *lines, struct error *error)
+static bool keep_line(struct parser *parser, struct error *error)
 {
+    int kind = 0;
     (void)error;
+    while (kind < KEPT_KINDS - 1 && !text_equal(parser->keyword, kept_words[kind])) {
+        kind++;
+    }
+    struct lines *lines = &parser->kept[kind];
     lines->all = arena_grow(parser->words.arena, lines->all, lines->count, &lines->room,
                             sizeof lines->all[0]);
     lines->all[lines->count++] = parser->words;
     return true;
-}
-
-static bool keep_setting(struct parser *parser, struct error *error)
-{
-    return keep_line(parser, &parser->settings, error);
-}
-
-static bool keep_pickup(struct parser *parser, struct error *error)
-{
-    return keep_line(parser, &parser->pickups, error);
 }
 
 static bool read_goal(struct parser *parser, struct error *error)
@@ -499,9 +499,10 @@ static const struct {
     {"medium", 0, read_medium},
     {"position", 0, read_positions},
     {"let", 0, read_let},
-    {"set", 0, keep_setting},
-    {"pickup", 0, keep_pickup},
+    {"set", 0, keep_line},
+    {"pickup", 0, keep_line},
     {"goal", 0, read_goal},
+    {"tolerance", 0, keep_line},
     {"stated", 16, read_stated},
     {"surface", 0, read_surface},
     {"stop", 0, read_stop},
@@ -543,6 +544,7 @@ static bool read_line(struct parser *parser, struct error *error)
                                keywords[i].word);
     }
     parser->given |= keywords[i].once;
+    parser->keyword = word;
     return keywords[i].read(parser, error);
 }
 
@@ -563,14 +565,14 @@ static bool finish(struct parser *parser, struct error *error)
         return lens_words_fail(&parser->aperture_line, parser->aperture_word, error,
                                "'aperture stop' needs a stop, and the lens has none");
     }
-    for (size_t i = 0; i < parser->settings.count; i++) {
-        if (!lens_setting_read(&parser->settings.all[i], parser->glasses, lens, error)) {
-            return false;
-        }
-    }
-    for (size_t i = 0; i < parser->pickups.count; i++) {
-        if (!lens_pickup_read(&parser->pickups.all[i], lens, error)) {
-            return false;
+    for (int kind = 0; kind < KEPT_KINDS; kind++) {
+        for (size_t i = 0; i < parser->kept[kind].count; i++) {
+            struct lens_words *line = &parser->kept[kind].all[i];
+            if (kind == KEPT_SETTING  ? !lens_setting_read(line, parser->glasses, lens, error)
+                : kind == KEPT_PICKUP ? !lens_pickup_read(line, lens, error)
+                                      : !lens_tolerance_read(line, lens, error)) {
+                return false;
+            }
         }
     }
     lens_pickups_begin(lens, parser->words.arena);

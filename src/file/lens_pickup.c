@@ -50,18 +50,6 @@ static struct text cut_name(struct sum *sum)
     return cut(sum, length);
 }
 
-/* parameter_read with its message at the name. */
-static bool read_parameter(const struct lens_words *words, struct text name,
-                           struct parameter *parameter, struct error *error)
-{
-    if (parameter_read(name, NULL, parameter, error)) {
-        return true;
-    }
-    const struct error found = *error;
-    lens_words_fail(words, name, error, "%s", found.message);
-    return found.hint[0] != '\0' && error_hint(error, "%s", found.hint);
-}
-
 /* Digits of the term with its sign, so that it is written as it was typed. */
 static bool read_figure(struct sum *sum, bool minus, struct text digits, bool is_factor,
                         struct figure *figure, struct error *error)
@@ -99,7 +87,7 @@ static bool read_term(struct sum *sum, bool minus, struct error *error)
     }
     sum->has_from = true;
     const struct text one = digits.length > 0 ? digits : text_of("1");
-    return read_parameter(sum->words, name, &pickup->from, error) &&
+    return lens_words_parameter(sum->words, name, NULL, &pickup->from, error) &&
            read_figure(sum, minus, one, true, &pickup->factor, error);
 }
 
@@ -131,7 +119,7 @@ bool lens_pickup_read(struct lens_words *words, struct lens *lens, struct error 
                                "a pick-up is written R6 = -R3 or t9 = 0.5 t4 + 2");
     }
     struct sum sum = {.words = words, .rest = text_trim(value), .pickup = &pickup};
-    if (!read_parameter(words, name, &pickup.what, error) || !read_sum(&sum, error)) {
+    if (!lens_words_parameter(words, name, NULL, &pickup.what, error) || !read_sum(&sum, error)) {
         return false;
     }
     bool plain = pickup.factor.value.hi == 1 && pickup.offset.value.hi == 0;

@@ -5,7 +5,9 @@
 #include "file/lens_change.h"
 #include "file/lens_unit.h"
 #include "optics/aperture.h"
+#include "optics/element.h"
 #include "optics/first_order.h"
+#include "optics/tolerance.h"
 
 #include <math.h>
 #include <string.h>
@@ -163,6 +165,108 @@ static bool pickup_has_place(const struct lens *lens, const struct lens_pickup *
     return has_place(lens, pickup->what) && has_place(lens, pickup->from);
 }
 
+/* -------- tolerances -------- */
+
+static enum owner owner_of_tolerance(enum tolerance_kind kind)
+{
+    const enum parameter_kind parameter = tolerance_type(kind)->parameter;
+    return kind == TOLERANCE_AIR          ? OWNED_BY_GAP
+           : parameter == PARAMETER_KINDS ? OWNED_BY_SURFACE
+                                          : owner_of(parameter);
+}
+
+/* Has the tolerance of this surface a place in the lens turned around? */
+static bool tolerance_has_place(const struct lens *lens, enum tolerance_kind kind, size_t surface)
+{
+    static const enum parameter_kind of_owner[OWNERS] = {
+        [OWNED_BY_SURFACE] = PARAMETER_RADIUS,
+        [OWNED_BY_GAP] = PARAMETER_THICKNESS,
+        [OWNED_BY_MEDIUM] = PARAMETER_INDEX,
+    };
+    const struct parameter one = {surface, of_owner[owner_of_tolerance(kind)], 0};
+    return has_place(lens, one);
+}
+
+/* What is of one end of an element by itself is of the other end now, and must be named. */
+static size_t turn_pivot(const struct turn *turn, const struct lens_tolerance *from,
+                         const struct lens_tolerance *to)
+{
+    const bool is_wedge = from->kind == TOLERANCE_WEDGE;
+    const bool has_end = is_wedge || from->kind == TOLERANCE_ELEMENT_ROLL;
+    size_t pivot = from->pivot;
+    if (pivot == LENS_NONE && has_end) {
+        pivot = is_wedge ? from->last : from->first;
+    }
+    pivot = pivot == LENS_NONE ? LENS_NONE : turn->places[OWNED_BY_SURFACE][pivot];
+    return has_end && pivot == (is_wedge ? to->last : to->first) ? LENS_NONE : pivot;
+}
+
+/* One tolerance, whose surfaces are others now; those that have no place are left out. */
+static void turn_tolerance(const struct turn *turn, const struct lens_tolerance *from)
+{
+    const enum owner owner = owner_of_tolerance(from->kind);
+    struct lens *lens = turn->build.lens;
+    struct lens_tolerance to = *from;
+    to.first = LENS_NONE;
+    to.last = 0;
+    for (size_t i = from->first; i <= from->last; i++) {
+        const bool follows = owner == OWNED_BY_MEDIUM && surface_reflects(&turn->from->surfaces[i]);
+        const size_t place = turn->places[owner][i];
+        if (!follows && tolerance_has_place(turn->from, from->kind, i)) {
+            to.first = place < to.first ? place : to.first;
+            to.last = place > to.last ? place : to.last;
+        }
+    }
+    if (to.first != LENS_NONE) {
+        to.pivot = turn_pivot(turn, from, &to);
+        lens->tolerances[lens->tolerance_count++] = to;
+    }
+}
+
+static void turn_tolerances(const struct turn *turn)
+{
+    const struct lens *from = turn->from;
+    struct lens *lens = turn->build.lens;
+    struct element *elements;
+    const size_t count = elements_of(from, turn->arena, &elements);
+    lens->tolerances =
+        ARENA_ARRAY(turn->arena, from->tolerance_count * (count + 1), struct lens_tolerance);
+    lens->tolerance_count = 0;
+    for (size_t i = 0; i < from->tolerance_count; i++) {
+        struct lens_tolerance one = from->tolerances[i];
+        if (!one.is_range || (one.kind != TOLERANCE_WEDGE && one.kind != TOLERANCE_ELEMENT_ROLL)) {
+            turn_tolerance(turn, &one);
+            continue;
+        }
+        one.is_range = false;
+        for (size_t e = 0; e < count; e++) {
+            if (elements[e].first >= from->tolerances[i].first &&
+                elements[e].last <= from->tolerances[i].last) {
+                one.first = elements[e].first;
+                one.last = elements[e].last;
+                turn_tolerance(turn, &one);
+            }
+        }
+    }
+}
+
+/* Those of the gap or the glass behind the lens, in words behind `all`. */
+static const char *join_tolerances(const char *all, const struct lens *lens, struct arena *arena)
+{
+    for (size_t i = 0; i < lens->tolerance_count; i++) {
+        struct lens_tolerance one = lens->tolerances[i];
+        for (size_t k = one.first; k <= one.last && one.kind != TOLERANCE_FOCUS; k++) {
+            struct lens_tolerance missing = one;
+            missing.first = missing.last = k;
+            if (!tolerance_has_place(lens, one.kind, k)) {
+                all = arena_printf(arena, "%s%sthe tolerance of %s", all != NULL ? all : "",
+                                   all != NULL ? ", " : "", tolerance_name(&missing, arena));
+            }
+        }
+    }
+    return all;
+}
+
 const char *lens_marks_left_out(const struct lens *lens, struct arena *arena)
 {
     size_t last = lens->surface_count - 1, medium = last;
@@ -178,7 +282,7 @@ const char *lens_marks_left_out(const struct lens *lens, struct arena *arena)
                                parameter_mark_write(lens->pickups[i].what, arena));
         }
     }
-    return all;
+    return join_tolerances(all, lens, arena);
 }
 
 /* A factor changes its sign where only one of the two numbers does. */
@@ -430,6 +534,7 @@ const struct lens *lens_reversed(const struct lens *lens, struct arena *arena, s
         add_surface(&turn, i);
     }
     turn_pickups(&turn);
+    turn_tolerances(&turn);
     to->goals = NULL;
     to->goal_count = 0;
     turn_conjugates(&turn);

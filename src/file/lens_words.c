@@ -177,6 +177,18 @@ bool lens_words_number(const struct lens_words *words, struct text text, enum pa
     return true;
 }
 
+bool lens_words_parameter(const struct lens_words *words, struct text name,
+                          bool (*takes)(enum parameter_kind kind), struct parameter *parameter,
+                          struct error *error)
+{
+    if (parameter_read(name, takes, parameter, error)) {
+        return true;
+    }
+    const struct error found = *error;
+    lens_words_fail(words, name, error, "%s", found.message);
+    return found.hint[0] != '\0' && error_hint(error, "%s", found.hint);
+}
+
 bool lens_words_figures(struct lens_words *words, struct number_scale scale, const char *what,
                         struct figure **figures, size_t *count, struct error *error)
 {

@@ -76,6 +76,11 @@ bool lens_words_figure(const struct lens_words *words, struct text text, struct 
 bool lens_words_number(const struct lens_words *words, struct text text, enum parameter_kind kind,
                        int order, struct figure *figure, struct error *error);
 
+/* The name of a number of a surface, as parameter_read has it, with its message at the name. */
+bool lens_words_parameter(const struct lens_words *words, struct text name,
+                          bool (*takes)(enum parameter_kind kind), struct parameter *parameter,
+                          struct error *error);
+
 /* A number of 1/length^power in 1/mm^power, of one in the unit of this scale. */
 struct pair lens_words_per_length(struct pair value, struct number_scale scale, int power);
 

@@ -7,6 +7,7 @@
 #include "file/lens_aperture.h"
 #include "file/lens_mark.h"
 #include "file/lens_pickup.h"
+#include "file/lens_tolerance.h"
 #include "file/lens_unit.h"
 
 #include <math.h>
@@ -407,7 +408,7 @@ static void put_variable(struct writer *writer, const struct lens_variable *vari
     put(writer, "\n", 1);
 }
 
-/* What follows what, and what is wanted. */
+/* What follows what, what is wanted, and how well it is made. */
 static void put_design(struct writer *writer)
 {
     const struct lens *lens = writer->lens;
@@ -419,6 +420,11 @@ static void put_design(struct writer *writer)
     for (size_t i = 0; i < lens->goal_count; i++) {
         put_string(writer, "goal        ");
         put(writer, lens->goals[i].text.start, lens->goals[i].text.length);
+        put(writer, "\n", 1);
+    }
+    for (size_t i = 0; i < lens->tolerance_count; i++) {
+        put_string(writer, "tolerance   ");
+        lens_tolerance_write(&lens->tolerances[i], lens->unit, &writer->text);
         put(writer, "\n", 1);
     }
 }

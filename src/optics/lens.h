@@ -79,6 +79,8 @@ struct lens_pickup {
     const char *warning;          /* the file had another number there; null = no other */
 };
 
+struct lens_tolerance;
+
 /* What the designer wants, as it was typed: cli/goals reads it. */
 struct lens_goal {
     struct text text;
@@ -154,6 +156,8 @@ struct lens {
     size_t pickup_count;
     struct lens_goal *goals;
     size_t goal_count;
+    struct lens_tolerance *tolerances; /* optics/tolerance.h */
+    size_t tolerance_count;
     const char *lost_power; /* what bends light in a file that it was read from; null = all kept */
 };
 

@@ -88,6 +88,8 @@ struct lens thick_element_lens(const struct lens *lens, const struct thick_stand
     all.position_count = all.variable_count = 0;
     all.objects = all.apertures = NULL;
     memset(all.stated, 0, sizeof all.stated);
+    all.tolerances = NULL; /* they are of surfaces that are no more */
+    all.tolerance_count = 0;
     all.stop = LENS_NONE;
     all.surfaces = ARENA_ARRAY(arena, 4, struct surface);
     set_surfaces(&all, stand_in, &lens->surfaces[lens->surface_count - 1].medium);

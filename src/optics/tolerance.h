@@ -3,6 +3,7 @@
 #ifndef LENSCALC_OPTICS_TOLERANCE_H
 #define LENSCALC_OPTICS_TOLERANCE_H
 
+#include "base/arena.h"
 #include "base/distribution.h"
 #include "optics/surface.h"
 
@@ -43,21 +44,37 @@ enum tolerance_unit {
 #define TOLERANCE_WAVE_MM   546.07e-6
 #define TOLERANCE_FRINGE_MM (TOLERANCE_WAVE_MM / 2)
 
+/* What a tolerance belongs to. */
+enum tolerance_owner { TOLERANCE_OF_SURFACE, TOLERANCE_OF_ELEMENT, TOLERANCE_OF_LENS };
+
+struct tolerance_type {
+    const char *word;              /* in files, behind `surface 3` or `element 3..5`: "radius" */
+    enum parameter_kind parameter; /* whose name is another way to write it: R3; _KINDS: none */
+    enum tolerance_owner owner;
+    unsigned units; /* bits of enum tolerance_unit: 1 << TOLERANCE_LENGTH */
+};
+const struct tolerance_type *tolerance_type(enum tolerance_kind kind);
+
 /* A line with `tolerance`. */
 struct lens_tolerance {
     enum tolerance_kind kind;
     size_t first, last;   /* surfaces, from 0; of the focus 0 */
-    bool is_range;        /* first..last are asked each by itself; false: they are one thing */
+    bool is_range;        /* each surface or element of first..last; false: they are one thing */
     int order;            /* of a coefficient */
-    struct figure amount; /* half the range, plus and minus, above 0: by `unit`; typed has it */
+    struct figure amount; /* half the range, plus and minus, above 0; typed with its unit,
+                             but of a coefficient in that of the file */
     enum tolerance_unit unit;
     enum distribution distribution;
     double sigmas;      /* of normal and truncated: the amount in standard deviations */
-    size_t pivot;       /* surface about whose vertex an element tilts, or on which it rolls;
-                           LENS_NONE: its first */
+    size_t pivot;       /* surface about whose vertex an element tilts (LENS_NONE: about the middle
+                           between its outer vertices), on which it rolls (its first), whose wedge
+                           it is (its last) */
     const char *source; /* the file, for messages; null = none */
     long line;
     size_t column; /* where what it is of begins, from 1 */
 };
+
+/* What it is of, as files have it: "R1..R11", "surface 3 tilt", "element 3..5 decenter". */
+const char *tolerance_name(const struct lens_tolerance *tolerance, struct arena *arena);
 
 #endif

@@ -110,7 +110,7 @@ FOR_TESTS = {
     "part_parse": "", "part_range": "", "part_read": "", "part_write": "", "parts_order": "",
     # tolerances, which trials stand on
     "distribution_words": "", "spread_of": "", "spread_quantile": "", "spread_variance": "",
-    "elements_of": "", "element_at": "",
+    "elements_of": "", "element_at": "", "lens_tolerances_read": "",
     # what there is to try
     "foreign_formats": "the fuzzer's list of formats",
 }

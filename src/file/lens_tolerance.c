@@ -1,0 +1,508 @@
+/* file/lens_tolerance.c - tolerances of a .lens file, and of a file of their own. */
+/* SPDX-License-Identifier: MIT */
+#include "file/lens_tolerance.h"
+
+#include "base/constants.h"
+#include "base/units.h"
+#include "file/lens_mark.h"
+#include "file/lens_unit.h"
+
+#include <string.h>
+
+/* A line being read. */
+struct reading {
+    struct lens_words *words;
+    const struct lens *lens;
+    struct lens_tolerance *one;
+};
+
+/* -------- what it is of -------- */
+
+/* The kind that such a number of a surface is; TOLERANCE_KINDS: none. */
+static enum tolerance_kind kind_of(enum parameter_kind parameter)
+{
+    int kind = 0;
+    while (kind < TOLERANCE_KINDS &&
+           tolerance_type((enum tolerance_kind)kind)->parameter != parameter) {
+        kind++;
+    }
+    return (enum tolerance_kind)kind;
+}
+
+static bool takes(enum parameter_kind parameter)
+{
+    return kind_of(parameter) != TOLERANCE_KINDS;
+}
+
+static bool check_surface(const struct reading *reading, struct text word, size_t surface,
+                          struct error *error)
+{
+    return surface < reading->lens->surface_count ||
+           lens_words_fail(reading->words, word, error,
+                           "there is no surface %.*s: the lens has %zu", text_shown(word),
+                           word.start, reading->lens->surface_count);
+}
+
+/* A number from 1. */
+static bool read_surface(const struct reading *reading, struct text word, size_t *surface,
+                         struct error *error)
+{
+    size_t number = 0;
+    for (size_t i = 0; i < word.length; i++) {
+        if (!char_is_digit(word.start[i]) || number > 1000000) {
+            number = 0;
+            break;
+        }
+        number = 10 * number + (size_t)(word.start[i] - '0');
+    }
+    *surface = number - 1;
+    return number > 0
+               ? check_surface(reading, word, *surface, error)
+               : lens_words_fail(reading->words, word, error,
+                                 "'%.*s' is no surface: they are counted from 1, as in 3 or 3..5",
+                                 text_shown(word), word.start);
+}
+
+static bool check_order(const struct reading *reading, struct text word, struct error *error)
+{
+    return reading->one->first <= reading->one->last ||
+           lens_words_fail(reading->words, word, error, "the range %.*s ends before it begins",
+                           text_shown(word), word.start);
+}
+
+/* Kinds of an owner, for messages. */
+static bool fail_kind(const struct reading *reading, enum tolerance_owner owner, struct text word,
+                      struct error *error)
+{
+    struct growing all = {.arena = reading->words->arena};
+    struct nearest nearest = {.typed = word};
+    for (int i = 0; i < TOLERANCE_KINDS; i++) {
+        const struct tolerance_type *type = tolerance_type((enum tolerance_kind)i);
+        if (type->owner == owner && i != TOLERANCE_COEFFICIENT) {
+            growing_format(&all, "%s%s", all.length > 0 ? ", " : "", type->word);
+            nearest_offer(&nearest, text_of(type->word));
+        }
+    }
+    const struct text done = growing_done(&all);
+    const char *list = arena_string(all.arena, done.start, done.length);
+    const char *what = owner == TOLERANCE_OF_ELEMENT ? "an element" : "a surface";
+    word.length == 0
+        ? lens_words_fail(reading->words, word, error, "what of %s is missing", what)
+        : lens_words_fail(reading->words, word, error, "unknown tolerance '%.*s' of %s",
+                          text_shown(word), word.start, what);
+    return nearest.best.start != NULL ? error_hint(error, "did you mean '%.*s'?",
+                                                   text_shown(nearest.best), nearest.best.start)
+                                      : error_hint(error, "%s has %s", what, list);
+}
+
+/* `surface 3..5 tilt`, `element 3..5 tilt`, `elements 1..11 tilt` */
+static bool read_owned(struct reading *reading, enum tolerance_owner owner, struct error *error)
+{
+    struct lens_tolerance *one = reading->one;
+    const struct text range = lens_words_next(reading->words);
+    struct text last = range, first = text_cut_range(&last);
+    if (!read_surface(reading, first, &one->first, error) ||
+        !read_surface(reading, last, &one->last, error) || !check_order(reading, range, error)) {
+        return false;
+    }
+    const struct text word = lens_words_next(reading->words);
+    for (int i = 0; i < TOLERANCE_KINDS; i++) {
+        const struct tolerance_type *type = tolerance_type((enum tolerance_kind)i);
+        if (type->owner == owner && i != TOLERANCE_COEFFICIENT && text_equal(word, type->word)) {
+            one->kind = (enum tolerance_kind)i;
+            return true;
+        }
+    }
+    return fail_kind(reading, owner, word, error);
+}
+
+/* `R1`, `t3..t5` */
+static bool read_named(struct reading *reading, struct text word, struct error *error)
+{
+    struct lens_tolerance *one = reading->one;
+    struct parameter from, to;
+    struct text last = word, first = text_cut_range(&last);
+    if (!lens_words_parameter(reading->words, first, takes, &from, error) ||
+        !lens_words_parameter(reading->words, last, takes, &to, error) ||
+        !check_surface(reading, first, from.surface, error) ||
+        !check_surface(reading, last, to.surface, error)) {
+        return false;
+    }
+    if (from.kind != to.kind || from.order != to.order) {
+        return lens_words_fail(reading->words, word, error,
+                               "a range is of one kind of numbers: R1..R11");
+    }
+    one->kind = kind_of(from.kind);
+    one->order = from.order;
+    one->first = from.surface;
+    one->last = to.surface;
+    one->is_range = one->first != one->last;
+    if (one->kind == TOLERANCE_KINDS) {
+        lens_words_fail(reading->words, word, error, "'%.*s' has no tolerance by this name",
+                        text_shown(word), word.start);
+        return error_hint(error,
+                          "numbers are R, t, n, V, k and A4; tilts and decentres 'surface "
+                          "%zu tilt', 'surface %zu decenter'",
+                          one->first + 1, one->first + 1);
+    }
+    return check_order(reading, word, error);
+}
+
+static bool read_subject(struct reading *reading, struct error *error)
+{
+    static const struct {
+        const char *word;
+        enum tolerance_owner owner;
+        bool each;
+    } owners[] = {{"surface", TOLERANCE_OF_SURFACE, true},
+                  {"element", TOLERANCE_OF_ELEMENT, false},
+                  {"elements", TOLERANCE_OF_ELEMENT, true}};
+    const struct text word = lens_words_next(reading->words);
+    struct lens_tolerance *one = reading->one;
+    one->column = (size_t)(word.start - reading->words->line.start) + 1;
+    if (word.length == 0) {
+        return lens_words_fail(reading->words, word, error,
+                               "the tolerance is missing: R1 0.1%% uniform");
+    }
+    for (size_t i = 0; i < sizeof owners / sizeof owners[0]; i++) {
+        if (text_equal(word, owners[i].word)) {
+            bool read = read_owned(reading, owners[i].owner, error);
+            one->is_range = owners[i].each && (one->first != one->last || i == 2);
+            return read;
+        }
+    }
+    if (text_equal(word, tolerance_type(TOLERANCE_FOCUS)->word)) {
+        one->kind = TOLERANCE_FOCUS;
+        return true;
+    }
+    if (read_named(reading, word, error)) {
+        return true;
+    }
+    struct nearest nearest = {.typed = word};
+    for (size_t i = 0; i < sizeof owners / sizeof owners[0]; i++) {
+        nearest_offer(&nearest, text_of(owners[i].word));
+    }
+    return error->hint[0] == '\0' && nearest.best.start != NULL &&
+           error_hint(error, "did you mean '%.*s'?", text_shown(nearest.best), nearest.best.start);
+}
+
+/* -------- by how much -------- */
+
+/* What an amount of a kind may be, in words. */
+static const char *amounts_of(const struct tolerance_type *type, struct arena *arena)
+{
+    static const char *const words[TOLERANCE_UNITS] = {"a length (0.02mm)", "an angle (2arcmin)",
+                                                       "a bare number", "a percentage (0.1%)",
+                                                       "fringes (3fringes)"};
+    const char *all = "", *last = NULL;
+    for (int i = 0; i < TOLERANCE_UNITS; i++) {
+        if ((type->units & 1U << i) != 0) {
+            all = last == NULL ? all : ARENA_JOIN(arena, all, all[0] != '\0' ? ", " : "", last);
+            last = words[i];
+        }
+    }
+    return all[0] != '\0' ? ARENA_JOIN(arena, all, " or ", last) : last;
+}
+
+/* What an amount was typed in; `named` is null without a unit, for percent and fringes. */
+static bool find_unit(struct text text, enum tolerance_unit *unit, const struct unit **named)
+{
+    *named = NULL;
+    if (text_equal(text, "%")) {
+        *unit = TOLERANCE_PERCENT;
+        return true;
+    }
+    if (text_equal(text, "fringe") || text_equal(text, "fringes")) {
+        *unit = TOLERANCE_FRINGES;
+        return true;
+    }
+    *unit = TOLERANCE_LENGTH;
+    *named = unit_find(&dimension_length, text);
+    if (*named == NULL) {
+        *unit = TOLERANCE_ANGLE;
+        *named = unit_find(&dimension_angle, text);
+    }
+    return *named != NULL;
+}
+
+/* What a bare number is: of the kind's units the first but percent and fringes. */
+static bool bare_unit(const struct tolerance_type *type, enum tolerance_unit *unit)
+{
+    for (int i = 0; i < TOLERANCE_PERCENT; i++) {
+        if ((type->units & 1U << i) != 0) {
+            *unit = (enum tolerance_unit)i;
+            return true;
+        }
+    }
+    return false;
+}
+
+/* The unit that bare lengths of the line are in: a word on its own in any file. */
+static const char *bare_length(const struct lens_words *words)
+{
+    int i = 0;
+    while (i < LENS_UNITS - 1) {
+        const struct number_scale scale = lens_unit_scale(lens_units[i].word);
+        if (scale.multiplier == words->scale.multiplier && scale.power == words->scale.power) {
+            break;
+        }
+        i++;
+    }
+    return lens_units[i].word;
+}
+
+/* The number, in the unit that was found. */
+static bool read_number(const struct reading *reading, struct text digits, const struct unit *named,
+                        struct error *error)
+{
+    struct lens_words *words = reading->words;
+    struct lens_tolerance *one = reading->one;
+    struct figure *amount = &one->amount;
+    const bool is_length = one->unit == TOLERANCE_LENGTH;
+    if (one->kind == TOLERANCE_COEFFICIENT && one->unit == TOLERANCE_NUMBER) {
+        return lens_words_number(words, digits, PARAMETER_COEFFICIENT, one->order, amount, error);
+    }
+    const struct number_scale scale = named != NULL ? named->scale
+                                      : is_length   ? words->scale
+                                                    : NUMBER_UNSCALED;
+    if (!lens_words_figure(words, digits, scale, "tolerance", amount, error)) {
+        return false;
+    }
+    const double factor = named != NULL                  ? named->factor
+                          : one->unit == TOLERANCE_ANGLE ? RADIANS_PER_DEGREE
+                                                         : 1;
+    if (factor != 1) {
+        amount->value = pair_multiply(amount->value, pair_of(factor));
+    }
+    if (named == NULL && is_length) {
+        amount->typed = text_of(arena_printf(words->arena, "%.*s%s", (int)digits.length,
+                                             digits.start, bare_length(words)));
+    }
+    return true;
+}
+
+static bool check_amount(const struct reading *reading, struct text word, struct error *error)
+{
+    const struct lens_tolerance *one = reading->one;
+    const double value = one->amount.value.hi;
+    if (!(value > 0)) {
+        return lens_words_fail(reading->words, word, error,
+                               "a tolerance is above 0: so much plus and minus");
+    }
+    if (one->unit == TOLERANCE_PERCENT && value >= 100) {
+        return lens_words_fail(reading->words, word, error,
+                               "a tolerance of %.*s is as wide as the number itself",
+                               text_shown(word), word.start);
+    }
+    return one->unit != TOLERANCE_ANGLE || value < PI / 2 ||
+           lens_words_fail(reading->words, word, error, "a tilt is below 90deg");
+}
+
+static bool read_amount(struct reading *reading, struct error *error)
+{
+    struct lens_words *words = reading->words;
+    struct lens_tolerance *one = reading->one;
+    const struct tolerance_type *type = tolerance_type(one->kind);
+    const struct text word = lens_words_next(words);
+    double ignored;
+    const char *end = word.start + word.length;
+    const char *behind = number_read(word.start, end, NUMBER_UNSCALED, &ignored);
+    if (behind == NULL) {
+        return lens_words_fail(words, word, error, "by how much is missing: %s",
+                               amounts_of(type, words->arena));
+    }
+    const struct text digits = text_between(word.start, behind), name = text_between(behind, end);
+    const struct unit *named = NULL;
+    if (name.length == 0 ? !bare_unit(type, &one->unit) : !find_unit(name, &one->unit, &named)) {
+        name.length == 0 ? lens_words_fail(words, word, error, "'%.*s' has no unit",
+                                           text_shown(word), word.start)
+                         : lens_words_fail(words, name, error, "unknown unit '%.*s'",
+                                           text_shown(name), name.start);
+        return error_hint(error, "it is %s", amounts_of(type, words->arena));
+    }
+    if ((type->units & 1U << one->unit) == 0) {
+        return lens_words_fail(words, name, error, "the %s has no tolerance in %.*s: it is %s",
+                               type->word, text_shown(name), name.start,
+                               amounts_of(type, words->arena));
+    }
+    if (!read_number(reading, digits, named, error)) {
+        return false;
+    }
+    if (name.length > 0) {
+        one->amount.typed = word;
+    }
+    return check_amount(reading, word, error);
+}
+
+/* -------- how it is spread -------- */
+
+/* "3sigma" */
+static bool read_sigmas(struct reading *reading, struct text word, struct error *error)
+{
+    struct lens_tolerance *one = reading->one;
+    struct figure figure;
+    const struct text digits = {word.start, word.length - strlen("sigma")};
+    if (!lens_words_figure(reading->words, digits, NUMBER_UNSCALED, "number of standard deviations",
+                           &figure, error)) {
+        return false;
+    }
+    one->sigmas = figure.value.hi;
+    if (one->distribution != DISTRIBUTION_NORMAL && one->distribution != DISTRIBUTION_TRUNCATED) {
+        return lens_words_fail(reading->words, word, error,
+                               "only normal and truncated have standard deviations: normal %.*s",
+                               text_shown(word), word.start);
+    }
+    return (one->sigmas >= DISTRIBUTION_SIGMAS_LEAST && one->sigmas <= DISTRIBUTION_SIGMAS_MOST) ||
+           lens_words_fail(reading->words, word, error,
+                           "the amount is %g to %g standard deviations", DISTRIBUTION_SIGMAS_LEAST,
+                           DISTRIBUTION_SIGMAS_MOST);
+}
+
+static bool read_pivot(struct reading *reading, struct text word, struct error *error)
+{
+    const struct lens_tolerance *one = reading->one;
+    if (tolerance_type(one->kind)->owner != TOLERANCE_OF_ELEMENT || one->is_range ||
+        one->kind == TOLERANCE_ELEMENT_DECENTER) {
+        return lens_words_fail(reading->words, word, error,
+                               "a pivot belongs to the tilt, the roll or the wedge of one element");
+    }
+    return read_surface(reading, lens_words_next(reading->words), &reading->one->pivot, error);
+}
+
+static bool fail_word(const struct reading *reading, struct text word, struct error *error)
+{
+    struct nearest nearest = {.typed = word};
+    enum tolerance_unit unit;
+    const struct unit *named;
+    lens_words_fail(reading->words, word, error, "unknown distribution '%.*s'", text_shown(word),
+                    word.start);
+    if (find_unit(word, &unit, &named)) {
+        return error_hint(error, "no blank stands between a number and its unit");
+    }
+    for (const struct word *each = distribution_words; each->word != NULL; each++) {
+        nearest_offer(&nearest, text_of(each->word));
+    }
+    nearest_offer(&nearest, text_of("pivot"));
+    return nearest.best.start != NULL
+               ? error_hint(error, "did you mean '%.*s'?", text_shown(nearest.best),
+                            nearest.best.start)
+               : error_hint(error, "it is uniform, normal, truncated, two-point or parabolic");
+}
+
+/* How it is spread, and about what: up to the end of the line. */
+static bool read_rest(struct reading *reading, struct error *error)
+{
+    struct lens_tolerance *one = reading->one;
+    bool has_distribution = false;
+    for (struct text word = lens_words_next(reading->words); word.length > 0;
+         word = lens_words_next(reading->words)) {
+        int i = 0;
+        while (i < DISTRIBUTIONS && !text_equal(word, distribution_words[i].word)) {
+            i++;
+        }
+        const bool has_sigma =
+            word.length > 5 && memcmp(word.start + word.length - 5, "sigma", 5) == 0;
+        if (i < DISTRIBUTIONS && has_distribution) {
+            return lens_words_fail(reading->words, word, error, "a second distribution");
+        }
+        if (i < DISTRIBUTIONS) {
+            has_distribution = true;
+            one->distribution = (enum distribution)i;
+        } else if (text_equal(word, "pivot") ? !read_pivot(reading, word, error)
+                   : has_sigma               ? !read_sigmas(reading, word, error)
+                                             : !fail_word(reading, word, error)) {
+            return false;
+        }
+    }
+    return true;
+}
+
+bool lens_tolerance_read(struct lens_words *words, struct lens *lens, struct error *error)
+{
+    struct lens_tolerance one = {.distribution = DISTRIBUTION_UNIFORM,
+                                 .sigmas = DISTRIBUTION_SIGMAS,
+                                 .pivot = LENS_NONE,
+                                 .source = words->source,
+                                 .line = words->number};
+    struct reading reading = {words, lens, &one};
+    if (!read_subject(&reading, error) || !read_amount(&reading, error) ||
+        !read_rest(&reading, error)) {
+        return false;
+    }
+    struct lens_tolerance *all =
+        ARENA_ARRAY(words->arena, lens->tolerance_count + 1, struct lens_tolerance);
+    for (size_t i = 0; i < lens->tolerance_count; i++) {
+        all[i] = lens->tolerances[i];
+    }
+    all[lens->tolerance_count++] = one;
+    lens->tolerances = all;
+    return true;
+}
+
+bool lens_tolerances_read(const char *source, struct text content, const struct lens *lens,
+                          struct arena *arena, struct lens_tolerances *tolerances,
+                          struct error *error)
+{
+    struct lens_words words;
+    struct lens marked = *lens;
+    marked.tolerances = NULL;
+    marked.tolerance_count = 0;
+    if (!lens_words_open(&words, source, content, arena, error) ||
+        !lens_words_plain(source, content, error)) {
+        return false;
+    }
+    words.scale = lens_unit_scale(lens->unit);
+    while (lens_words_line(&words)) {
+        const struct text word = lens_words_next(&words);
+        if (!text_equal(word, "tolerance")) {
+            return lens_words_fail(&words, word, error,
+                                   "unknown word '%.*s': lines of this file begin with 'tolerance'",
+                                   text_shown(word), word.start);
+        }
+        if (!lens_tolerance_read(&words, &marked, error)) {
+            return false;
+        }
+    }
+    *tolerances = (struct lens_tolerances){marked.tolerances, marked.tolerance_count};
+    if (marked.tolerance_count == 0) {
+        fail(error, ERROR_DATA, "no line with 'tolerance'");
+        return error_locate(error, source, 0, 0);
+    }
+    return true;
+}
+
+/* -------- and back -------- */
+
+/* A computed amount, in mm and degrees. */
+static void write_amount(const struct lens_tolerance *tolerance, const char *unit,
+                         struct growing *text)
+{
+    static const char *const endings[TOLERANCE_UNITS] = {"mm", "deg", "", "%", "fringes"};
+    const struct figure *amount = &tolerance->amount;
+    if (tolerance->kind == TOLERANCE_COEFFICIENT && tolerance->unit == TOLERANCE_NUMBER) {
+        lens_number_write(text, amount, PARAMETER_COEFFICIENT, tolerance->order, unit);
+    } else if (amount->typed.start != NULL) {
+        growing_text(text, amount->typed);
+    } else {
+        growing_number(text, tolerance->unit == TOLERANCE_ANGLE
+                                 ? amount->value.hi / RADIANS_PER_DEGREE
+                                 : amount->value.hi);
+        growing_string(text, endings[tolerance->unit]);
+    }
+}
+
+void lens_tolerance_write(const struct lens_tolerance *tolerance, const char *unit,
+                          struct growing *text)
+{
+    growing_format(text, "%s ", tolerance_name(tolerance, text->arena));
+    write_amount(tolerance, unit, text);
+    growing_format(text, " %s", distribution_words[tolerance->distribution].word);
+    if (tolerance->sigmas != DISTRIBUTION_SIGMAS) {
+        growing_string(text, " ");
+        growing_number(text, tolerance->sigmas);
+        growing_string(text, "sigma");
+    }
+    if (tolerance->pivot != LENS_NONE) {
+        growing_format(text, " pivot %zu", tolerance->pivot + 1);
+    }
+}

@@ -1,0 +1,44 @@
+/* file/lens_tolerance.h - tolerances of a .lens file, and of a file of their own. */
+/* SPDX-License-Identifier: MIT */
+#ifndef LENSCALC_FILE_LENS_TOLERANCE_H
+#define LENSCALC_FILE_LENS_TOLERANCE_H
+
+#include "file/lens_words.h"
+#include "optics/growing.h"
+#include "optics/tolerance.h"
+
+/*
+ * Read what follows the word `tolerance`: R1 0.1% uniform, t3..t5 0.02mm normal 3sigma,
+ * element 3..5 tilt 2arcmin pivot 4.
+ *
+ * Given     words  the line; the lens has all its surfaces
+ * Result    one more of the lens
+ * Errors    ERROR_DATA with line and column: what it is of, the unit or the distribution is unknown
+ *           or does not belong to it, a surface that the lens has not, an amount of 0 or less, or
+ *           of 100 % and more
+ */
+bool lens_tolerance_read(struct lens_words *words, struct lens *lens, struct error *error);
+
+/* The same, as a line of a file in this unit has it. */
+void lens_tolerance_write(const struct lens_tolerance *tolerance, const char *unit,
+                          struct growing *text);
+
+/* The list of a file that has nothing but such lines and comments. */
+struct lens_tolerances {
+    struct lens_tolerance *list;
+    size_t count;
+};
+
+/*
+ * Read such a file.
+ *
+ * Given     source   its name, for messages
+ *           content  the list points into it
+ *           lens     that they are for: bare lengths are in its unit
+ * Errors    ERROR_DATA as lens_tolerance_read; another line; no line at all
+ */
+bool lens_tolerances_read(const char *source, struct text content, const struct lens *lens,
+                          struct arena *arena, struct lens_tolerances *tolerances,
+                          struct error *error);
+
+#endif
