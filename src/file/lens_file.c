@@ -269,10 +269,10 @@ static bool read_positions(struct parser *parser, struct error *error)
          word = lens_words_next(words)) {
         if (word.length == 0 || text_equal(word, "all") ||
             lens_position_find(lens, word) != LENS_NONE) {
-            return lens_words_fail(words, word, error,
-                                   word.length == 0 ? "the positions have no names"
-                                                    : "a position's name that cannot be used: "
-                                                      "twice, or 'all'");
+            return lens_words_fail(words, word, error, "%s",
+                                   word.length == 0
+                                       ? "the positions have no names"
+                                       : "a position's name that cannot be used: twice, or 'all'");
         }
         lens->positions = arena_grow(words->arena, lens->positions, lens->position_count, &room,
                                      sizeof lens->positions[0]);
@@ -342,16 +342,14 @@ static bool read_let(struct parser *parser, struct error *error)
     if (text_equal(name, "aperture")) {
         return let_apertures(parser, name, error);
     }
-    bool is_letter =
-        name.length > 0 && ((name.start[0] | 32) >= 'a' && (name.start[0] | 32) <= 'z');
-    if (!is_letter) {
+    if (name.length == 0 || (name.start[0] | 32) < 'a' || (name.start[0] | 32) > 'z') {
         return lens_words_fail(&parser->words, name, error, "the name of a variable is missing");
     }
     size_t index = find_variable(parser, name), count;
     struct lens_variable *variable = &lens->variables[index];
     if (variable->values != NULL) {
         return lens_words_fail(&parser->words, name, error, "'%.*s' has its numbers already",
-                               (int)(name.length < 40 ? name.length : 40), name.start);
+                               text_shown(name), name.start);
     }
     return lens_let_read(&parser->words, lens->position_count, variable, &count, error) &&
            check_count(parser, name, count, error);
@@ -519,8 +517,8 @@ static bool refuse_keyword(struct parser *parser, struct text word, struct error
     for (size_t i = 0; i < sizeof keywords / sizeof keywords[0]; i++) {
         nearest_offer(&nearest, text_of(keywords[i].word));
     }
-    lens_words_fail(&parser->words, word, error, "unknown word '%.*s'",
-                    (int)(word.length < 40 ? word.length : 40), word.start);
+    lens_words_fail(&parser->words, word, error, "unknown word '%.*s'", text_shown(word),
+                    word.start);
     return nearest.best.start != NULL &&
            error_hint(error, "did you mean '%.*s'?", (int)nearest.best.length, nearest.best.start);
 }
@@ -566,8 +564,8 @@ static bool finish(struct parser *parser, struct error *error)
                                "'aperture stop' needs a stop, and the lens has none");
     }
     for (int kind = 0; kind < KEPT_KINDS; kind++) {
-        for (size_t i = 0; i < parser->kept[kind].count; i++) {
-            struct lens_words *line = &parser->kept[kind].all[i];
+        const struct lines *lines = &parser->kept[kind];
+        for (struct lens_words *line = lines->all; line < lines->all + lines->count; line++) {
             if (kind == KEPT_SETTING  ? !lens_setting_read(line, parser->glasses, lens, error)
                 : kind == KEPT_PICKUP ? !lens_pickup_read(line, lens, error)
                                       : !lens_tolerance_read(line, lens, error)) {
