@@ -4,6 +4,7 @@
 
 #include "base/quantity.h"
 #include "data/lines.h"
+#include "optics/wavelength.h"
 
 #include <math.h>
 #include <string.h>
@@ -94,8 +95,8 @@ static bool put_wavelength(struct goal_reading *reading, double wavelength, stru
         return false;
     }
     operand->wavelength = wavelength;
-    return (wavelength > 0 && isfinite(wavelength)) ||
-           WRONG_AT(reading, place, error, "a wavelength is above 0");
+    return (wavelength >= WAVELENGTH_SHORTEST && wavelength <= WAVELENGTH_LONGEST) ||
+           WRONG_AT(reading, place, error, "the wavelength is not within 1 nm to 100 mm");
 }
 
 static bool put_field(struct goal_reading *reading, enum field_kind kind, double value,

@@ -64,12 +64,21 @@ static bool table_index(const struct medium *medium, double wavelength, struct p
     return true;
 }
 
+/* um: no glass is clear below, and A + B/l^2 grows beyond all bounds */
+static const double shortest_of_model = 0.1;
+
 bool medium_index(const struct medium *medium, double wavelength, struct pair *index,
                   struct error *error)
 {
     bool done = true;
     if (medium->kind == MEDIUM_CONSTANT) {
         *index = medium->index;
+    } else if (medium->kind == MEDIUM_MODEL && wavelength < shortest_of_model) {
+        done = fail(error, ERROR_DOMAIN,
+                    "the model glass %.*s has no index at %.7g nm: nd and Vd say nothing of light "
+                    "below %.3g nm",
+                    (int)medium->written.length, medium->written.start, 1000 * wavelength,
+                    1000 * shortest_of_model);
     } else if (medium->kind == MEDIUM_MODEL) {
         const struct glass model = glass_nd_vd(medium->index, medium->abbe);
         *index = glass_index(&model, pair_of(wavelength)).n;

@@ -54,8 +54,8 @@ bool medium_is_same(const struct medium *a, const struct medium *b);
  * Formula   model: as glass_nd_vd
  *           table: polynomial in 1/l^2 through the three nearest points (two: a line, one: the
  *           index itself at all wavelengths)
- * Errors    ERROR_DOMAIN: outside the table's or the glass's range, an index of 0 or less, a
- *           glass that is in no catalogue
+ * Errors    ERROR_DOMAIN: outside the table's or the glass's range, a model below 100 nm, an index
+ *           of 0 or less, a glass that is in no catalogue
  */
 bool medium_index(const struct medium *medium, double wavelength, struct pair *index,
                   struct error *error);

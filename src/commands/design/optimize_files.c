@@ -8,6 +8,24 @@
 
 #include <math.h>
 
+/* Goals of --goals take the place of the lens's own. */
+static void put_goals(const struct optimize_job *job, struct lens *lens)
+{
+    struct arena *arena = job->run->arena;
+    struct lens_goal *goal = ARENA_NEW(arena, struct lens_goal);
+    if (job->input->goals == NULL || lens->goal_count == 0) {
+        return;
+    }
+    char *words = arena_printf(arena, "%s", job->input->goals);
+    for (char *at = words; *at != '\0'; at++) {
+        *at = (char)(*at < ' ' ? ' ' : *at); /* it is one line */
+    }
+    goal->text = text_of(words);
+    lens->goals = goal;
+    lens->goal_count = 1;
+    fit_note(lens, "its goals are those that it was optimized for, no longer its own", arena);
+}
+
 bool optimize_save(const struct artifact_job *job, struct output *sink, struct error *error)
 {
     const struct optimize_job *done = job->run->state;
@@ -23,6 +41,7 @@ bool optimize_save(const struct artifact_job *job, struct output *sink, struct e
         fit_note(&lens, arena_printf(arena, "optimized from: %s", lens.source), arena);
         lens.source = NULL;
     }
+    put_goals(done, &lens);
     fit_note(&lens, done->incomplete, arena);
     struct text text = lens_write(&lens, arena);
     output_text(sink, text.start, text.length);

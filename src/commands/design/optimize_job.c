@@ -20,6 +20,20 @@ struct view {
     size_t position_count;
 };
 
+/* A position that is named twice would count twice. */
+static bool check_once(const struct lens *lens, const struct view *view, struct error *error)
+{
+    for (size_t i = 0; i < view->position_count; i++) {
+        for (size_t k = 0; k < i; k++) {
+            if (view->positions[i] == view->positions[k]) {
+                return fail(error, ERROR_USAGE, "{--position} has '%s' twice",
+                            lens->positions[view->positions[i]]);
+            }
+        }
+    }
+    return true;
+}
+
 static bool set_view(const struct optimize_job *job, struct view *view, struct error *error)
 {
     const struct lens_question *question = &job->input->question;
@@ -28,6 +42,7 @@ static bool set_view(const struct optimize_job *job, struct view *view, struct e
     view->fields = ARENA_ARRAY(arena, question->fields.count + 1, struct setup_field);
     return lens_positions(question->lens.lens, names, arena, &view->positions,
                           &view->position_count, error) &&
+           check_once(question->lens.lens, view, error) &&
            lens_fields_asked(question, view->positions[0], view->fields, error);
 }
 
@@ -156,6 +171,23 @@ static void warn_of_elsewhere(struct optimize_job *job)
                                    "the goal %s is of a position that is not optimised: it does "
                                    "not count",
                                    operand->name));
+        }
+    }
+}
+
+/* Goals of an f-number that is given. */
+static void warn_of_fnumber(struct optimize_job *job)
+{
+    const struct operand *told = NULL;
+    for (size_t i = 0; i < job->merit.slot_count; i++) {
+        const struct merit_slot *slot = &job->merit.slots[i];
+        const bool is_given = job->merit.places[slot->place].aperture.kind == APERTURE_FNUMBER;
+        if (slot->operand->kind == OPERAND_FNUMBER && is_given && slot->operand != told) {
+            told = slot->operand;
+            warn(job, arena_printf(job->run->arena,
+                                   "the goal %s does nothing: the f-number is given, whatever the "
+                                   "lens",
+                                   told->name));
         }
     }
 }
@@ -303,6 +335,7 @@ bool optimize_job_run(struct optimize_job *job, struct error *error)
     }
     warn(job, job->answer.begun);
     warn_of_elsewhere(job);
+    warn_of_fnumber(job);
     warn_of_idle(job);
     judge(job);
     return warn_of_power(job, error) && check_found(job, error);
