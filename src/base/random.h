@@ -40,6 +40,7 @@ enum random_purpose {
     RANDOM_NOISE,      /* sensor_expose */
     RANDOM_GRAIN,      /* emulsion_expose */
     RANDOM_STARS,      /* card_look */
+    RANDOM_ESCAPES,    /* global_descend */
 };
 
 /* Numbers `which` of a purpose, for one sample of a run. */

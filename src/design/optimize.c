@@ -44,9 +44,8 @@ static bool look(struct merit *merit, struct optimize_state *state, double *jaco
    largest of them, it is rounding that moves it. */
 static const double rounding = 1e-10;
 
-/* Who has an effect is not idle. */
-static void find_effects(const struct merit *merit, const double *residuals, const double *jacobian,
-                         bool *is_idle)
+void optimize_find_effects(const struct merit *merit, const double *residuals,
+                           const double *jacobian, bool *is_idle)
 {
     double largest = 0;
     for (size_t i = 0; i < merit->residual_count; i++) {
@@ -76,6 +75,27 @@ static bool progress(void *context, const struct solver_progress *progress)
     return running->task->goes_on == NULL || running->task->goes_on(running->task->context);
 }
 
+/* The lens as it was, where it was not begun with the numbers that are known already. */
+static void judge_before(const struct optimize_task *task, struct optimize_answer *answer)
+{
+    struct merit *merit = task->merit;
+    struct optimize_state *before = &answer->before;
+    const size_t size = merit->residual_count * sizeof(double);
+    if (task->start == NULL && answer->begun == NULL) {
+        before->merit = answer->after.merit;
+        memcpy(before->residuals, answer->after.residuals, size);
+        memcpy(before->values, answer->after.values, size);
+        return;
+    }
+    if (task->start != NULL && look(merit, before, NULL)) {
+        return;
+    }
+    before->merit = NAN;
+    for (size_t i = 0; i < merit->residual_count; i++) {
+        before->residuals[i] = before->values[i] = NAN;
+    }
+}
+
 static bool begin(const struct optimize_task *task, struct arena *arena,
                   struct optimize_answer *answer, double *jacobian, struct error *error)
 {
@@ -84,7 +104,8 @@ static bool begin(const struct optimize_task *task, struct arena *arena,
                                        .after = new_state(merit, arena),
                                        .is_idle = ARENA_ARRAY(arena, merit->variable_count, bool)};
     variables_get(merit->question.variables, answer->before.numbers);
-    memcpy(answer->after.numbers, answer->before.numbers, merit->variable_count * sizeof(double));
+    memcpy(answer->after.numbers, task->start != NULL ? task->start : answer->before.numbers,
+           merit->variable_count * sizeof(double));
     if (!optimize_begin(task, answer->after.numbers, arena, &answer->begun, error)) {
         return false;
     }
@@ -95,18 +116,8 @@ static bool begin(const struct optimize_task *task, struct arena *arena,
     for (size_t j = 0; j < merit->variable_count; j++) {
         answer->is_idle[j] = true;
     }
-    find_effects(merit, answer->after.residuals, jacobian, answer->is_idle);
-    if (answer->begun == NULL) {
-        answer->before.merit = answer->after.merit;
-        memcpy(answer->before.residuals, answer->after.residuals,
-               merit->residual_count * sizeof(double));
-        memcpy(answer->before.values, answer->after.values, merit->residual_count * sizeof(double));
-        return true;
-    }
-    answer->before.merit = NAN;
-    for (size_t i = 0; i < merit->residual_count; i++) {
-        answer->before.residuals[i] = answer->before.values[i] = NAN;
-    }
+    optimize_find_effects(merit, answer->after.residuals, jacobian, answer->is_idle);
+    judge_before(task, answer);
     return true;
 }
 
@@ -153,7 +164,7 @@ bool optimize_run(const struct optimize_task *task, struct arena *arena,
             return false;
         }
     }
-    find_effects(merit, answer->after.residuals, jacobian, answer->is_idle);
+    optimize_find_effects(merit, answer->after.residuals, jacobian, answer->is_idle);
     note(&running, answer->after.merit);
     return true;
 }

@@ -11,6 +11,7 @@ struct optimize_task {
     struct merit *merit;
     enum solver_engine engine;
     int iterations;                 /* at most so many; 0: as solver_run has it */
+    const double *start;            /* where it begins; null: the lens's own numbers */
     bool (*goes_on)(void *context); /* asked once an iteration; false: the best so far. Or null */
     void *context;
 };
@@ -39,5 +40,9 @@ struct optimize_answer {
  */
 bool optimize_run(const struct optimize_task *task, struct arena *arena,
                   struct optimize_answer *answer, struct error *error);
+
+/* Who has an effect on a residual there is no longer idle. */
+void optimize_find_effects(const struct merit *merit, const double *residuals,
+                           const double *jacobian, bool *is_idle);
 
 #endif

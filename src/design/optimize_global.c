@@ -1,0 +1,324 @@
+/* design/optimize_global.c - the best lenses that are found from starts between bounds. */
+/* SPDX-License-Identifier: MIT */
+#include "design/optimize_global.h"
+
+#include "base/parallel.h"
+#include "design/optimize_start.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+enum {
+    STARTS_A_THREAD = 16, /* from one pause to the next */
+    STARTS_LOOKED_AT = 4  /* for variables that nothing depends on */
+};
+
+/* -------- where starts lie -------- */
+
+struct global_range optimize_global_range(const struct variables *variables, double spread,
+                                          struct arena *arena)
+{
+    double *low = ARENA_ARRAY(arena, variables->count + 1, double);
+    double *high = ARENA_ARRAY(arena, variables->count + 1, double);
+    bool *is_spread = ARENA_ARRAY(arena, variables->count + 1, bool);
+    for (size_t j = 0; j < variables->count; j++) {
+        const double at = variables->start[j], reach = spread * variables->scale[j];
+        const bool is_gap =
+            j < variables->count && variables->list[j].what.kind == PARAMETER_THICKNESS;
+        low[j] = variables->low[j];
+        high[j] = variables->high[j];
+        is_spread[j] = isinf(low[j]) || isinf(high[j]);
+        if (is_spread[j]) {
+            low[j] = fmax(low[j], is_gap && at >= 0 ? fmax(at - reach, 0) : at - reach);
+            high[j] = fmin(high[j], is_gap && at < 0 ? fmin(at + reach, 0) : at + reach);
+        }
+    }
+    return (struct global_range){low, high, is_spread};
+}
+
+/* -------- one lens -------- */
+
+/* A merit that no other lens was judged by. */
+struct fresh {
+    struct variables variables;
+    struct merit merit;
+};
+
+static bool open_fresh(const struct merit *like, struct arena *arena, struct fresh *fresh,
+                       struct error *error)
+{
+    struct merit_question question = like->question;
+    const struct variables *variables = question.variables;
+    question.variables = &fresh->variables;
+    return variables_open(variables->lens, variables->list, variables->count, arena,
+                          &fresh->variables, error) &&
+           merit_open(&question, arena, &fresh->merit, error);
+}
+
+/* -------- the search -------- */
+
+struct searching {
+    const struct optimize_global *global;
+    struct global_range range;
+    size_t first; /* of the starts of this round */
+};
+
+static struct searching open_search(const struct optimize_global *global, struct arena *arena)
+{
+    const struct variables *variables = global->merit->question.variables;
+    return (struct searching){.global = global,
+                              .range = optimize_global_range(variables, global->spread, arena),
+                              .first = global->begin};
+}
+
+static struct global_search search_of(const struct searching *searching,
+                                      const struct solver_problem *problem)
+{
+    const struct optimize_global *global = searching->global;
+    return (struct global_search){.problem = problem,
+                                  .low = searching->range.low,
+                                  .high = searching->range.high,
+                                  .seed = global->seed,
+                                  .escapes = global->escapes,
+                                  .iterations = global->iterations,
+                                  .goes_on = global->goes_on,
+                                  .context = global->context};
+}
+
+/* A start that has a merit, as it is or made so. */
+static bool begin_at(const struct searching *searching, const struct global_search *search,
+                     size_t start, struct merit *merit, double *numbers)
+{
+    const struct optimize_task task = {.merit = merit,
+                                       .goes_on = searching->global->goes_on,
+                                       .context = searching->global->context};
+    const char *ignored;
+    struct error why;
+    if (start == 0) {
+        variables_get(merit->question.variables, numbers);
+    } else {
+        global_start(search, (uint32_t)(start - 1), numbers);
+    }
+    return optimize_begin(&task, numbers, merit->arena, &ignored, &why);
+}
+
+/* Result: it came to its end. */
+static bool search_from(const struct searching *searching, size_t start, struct arena *arena,
+                        struct global_chain *chain)
+{
+    const struct optimize_global *global = searching->global;
+    struct fresh fresh;
+    struct error ignored;
+    *chain = (struct global_chain){0};
+    if (!open_fresh(global->merit, arena, &fresh, &ignored)) {
+        return true;
+    }
+    const struct solver_problem problem = optimize_problem(&fresh.merit);
+    const struct global_search search = search_of(searching, &problem);
+    double *numbers = ARENA_ARRAY(arena, fresh.variables.count + 1, double);
+    if (!begin_at(searching, &search, start, &fresh.merit, numbers)) {
+        return global->goes_on == NULL || global->goes_on(global->context);
+    }
+    global_descend(&search, (uint32_t)start, numbers, arena, chain);
+    return !chain->is_stopped;
+}
+
+bool optimize_global_idle(const struct optimize_global *global, struct arena *arena, bool *is_idle)
+{
+    const struct searching searching = open_search(global, arena);
+    const size_t n = global->merit->variable_count, m = global->merit->residual_count;
+    double *numbers = ARENA_ARRAY(arena, n + 1, double);
+    double *residuals = ARENA_ARRAY(arena, m + 1, double);
+    double *jacobian = ARENA_ARRAY(arena, m * n + 1, double);
+    bool found = false;
+    for (size_t j = 0; j < n; j++) {
+        is_idle[j] = true;
+    }
+    for (size_t start = 0; start < STARTS_LOOKED_AT && start < global->start_count; start++) {
+        struct fresh fresh;
+        struct error ignored;
+        if (!open_fresh(global->merit, arena, &fresh, &ignored)) {
+            continue;
+        }
+        const struct solver_problem problem = optimize_problem(&fresh.merit);
+        const struct global_search search = search_of(&searching, &problem);
+        if (begin_at(&searching, &search, start, &fresh.merit, numbers) &&
+            merit_evaluate(&fresh.merit, numbers, residuals, jacobian)) {
+            optimize_find_effects(&fresh.merit, residuals, jacobian, is_idle);
+            found = true;
+        }
+    }
+    return found;
+}
+
+/* Minima out of an arena that is reset. */
+static void copy_minima(const struct global_chain *chain, size_t numbers, struct arena *arena,
+                        struct global_result *result)
+{
+    result->count = chain->count;
+    result->evaluations = chain->evaluations;
+    result->minima = ARENA_ARRAY(arena, chain->count + 1, struct global_minimum);
+    for (size_t i = 0; i < chain->count; i++) {
+        result->minima[i] = chain->minima[i];
+        result->minima[i].parameters = ARENA_ARRAY(arena, numbers + 1, double);
+        memcpy(result->minima[i].parameters, chain->minima[i].parameters, numbers * sizeof(double));
+    }
+}
+
+static void work(void *context, const struct parallel_piece *piece)
+{
+    struct searching *searching = context;
+    const struct optimize_global *global = searching->global;
+    for (size_t k = searching->first + piece->begin; k < searching->first + piece->end; k++) {
+        struct global_result *result = &global->results[k];
+        struct global_chain chain;
+        struct arena arena = {0};
+        if (!result->is_done && !watch_is_ended(global->watch)) {
+            result->is_done = search_from(searching, k, &arena, &chain);
+            copy_minima(&chain, global->merit->variable_count, piece->arena, result);
+            watch_add(global->watch, 1);
+        }
+        arena_free(&arena);
+    }
+}
+
+void optimize_global_search(struct optimize_global *global, struct arena *arena)
+{
+    const size_t round = (size_t)global->threads * STARTS_A_THREAD;
+    struct searching searching = open_search(global, arena);
+    struct parallel *team = ARENA_NEW(arena, struct parallel);
+    team->threads = global->threads;
+    for (; searching.first < global->end; searching.first += round) {
+        const size_t left = global->end - searching.first;
+        parallel_pieces(team, left < round ? left : round, 1, work, &searching);
+        if (watch_is_ended(global->watch)) {
+            break;
+        }
+        if (global->pause != NULL) {
+            global->pause(global->context);
+        }
+    }
+    for (int i = 0; i < global->threads; i++) {
+        arena_adopt(arena, &team->arenas[i]);
+    }
+    parallel_free(team);
+}
+
+/* -------- the best -------- */
+
+/* A minimum, and which start it is of. */
+struct candidate {
+    const struct global_minimum *minimum;
+    size_t start;
+};
+
+/* The best first; of two alike that of the earlier start. */
+static int compare(const void *one, const void *other)
+{
+    const struct candidate *a = one, *b = other;
+    if (global_is_better(a->minimum, b->minimum)) {
+        return -1;
+    }
+    if (global_is_better(b->minimum, a->minimum)) {
+        return 1;
+    }
+    return a->start < b->start ? -1 : a->start > b->start;
+}
+
+static struct candidate *list_candidates(const struct optimize_global *global, size_t *count,
+                                         struct arena *arena)
+{
+    size_t all = 0;
+    for (size_t k = 0; k < global->start_count; k++) {
+        all += global->results[k].count;
+    }
+    struct candidate *list = ARENA_ARRAY(arena, all + 1, struct candidate);
+    *count = 0;
+    for (size_t k = 0; k < global->start_count; k++) {
+        for (size_t i = 0; i < global->results[k].count; i++) {
+            list[(*count)++] = (struct candidate){&global->results[k].minima[i], k};
+        }
+    }
+    qsort(list, *count, sizeof *list, compare);
+    return list;
+}
+
+/* Does a lens that is there already lie there? */
+static bool is_known(const struct solver_problem *problem, const struct global_kept *kept,
+                     size_t count, const double *numbers)
+{
+    bool found = false;
+    for (size_t i = 0; i < count; i++) {
+        found = found || global_is_same(problem, kept[i].answer.after.numbers, numbers);
+    }
+    return found;
+}
+
+/* Starts with a minimum there. */
+static size_t count_hits(const struct optimize_global *global, const struct solver_problem *problem,
+                         const double *numbers)
+{
+    size_t hits = 0;
+    for (size_t k = 0; k < global->start_count; k++) {
+        bool hit = false;
+        for (size_t i = 0; i < global->results[k].count; i++) {
+            hit = hit || global_is_same(problem, global->results[k].minima[i].parameters, numbers);
+        }
+        hits += hit;
+    }
+    return hits;
+}
+
+/* Down to its minimum. */
+static bool finish(const struct optimize_task *task, const struct candidate *candidate,
+                   struct arena *arena, struct global_kept *kept)
+{
+    struct optimize_task fine = *task;
+    struct fresh *fresh = ARENA_NEW(arena, struct fresh);
+    struct error ignored;
+    fine.merit = &fresh->merit;
+    fine.start = candidate->minimum->parameters;
+    kept->start = candidate->start;
+    return open_fresh(task->merit, arena, fresh, &ignored) &&
+           optimize_run(&fine, arena, &kept->answer, &ignored);
+}
+
+static int compare_kept(const void *one, const void *other)
+{
+    const struct global_kept *a = one, *b = other;
+    const struct global_minimum first = {NULL, a->answer.after.merit, a->answer.summary.excess},
+                                second = {NULL, b->answer.after.merit, b->answer.summary.excess};
+    if (global_is_better(&first, &second)) {
+        return -1;
+    }
+    if (global_is_better(&second, &first)) {
+        return 1;
+    }
+    return a->start < b->start ? -1 : a->start > b->start;
+}
+
+size_t optimize_global_keep(const struct optimize_global *global, const struct optimize_task *task,
+                            size_t most, struct arena *arena, struct global_kept *kept)
+{
+    const struct solver_problem problem = optimize_problem(task->merit);
+    size_t candidates, count = 0, tried = 0;
+    const struct candidate *list = list_candidates(global, &candidates, arena);
+    /* what ends in one minimum may have stopped here and there in its valley */
+    const size_t most_tried = 8 * most + 16;
+    for (size_t i = 0; i < candidates && count < most && tried < most_tried; i++) {
+        if (is_known(&problem, kept, count, list[i].minimum->parameters)) {
+            continue;
+        }
+        tried++;
+        if (finish(task, &list[i], arena, &kept[count]) &&
+            !is_known(&problem, kept, count, kept[count].answer.after.numbers)) {
+            count++;
+        }
+    }
+    for (size_t i = 0; i < count; i++) {
+        kept[i].hits = count_hits(global, &problem, kept[i].answer.after.numbers);
+    }
+    qsort(kept, count, sizeof *kept, compare_kept);
+    return count;
+}

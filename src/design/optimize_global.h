@@ -1,0 +1,83 @@
+/* design/optimize_global.h - the best lenses that are found from starts between bounds. */
+/* SPDX-License-Identifier: MIT */
+#ifndef LENSCALC_DESIGN_OPTIMIZE_GLOBAL_H
+#define LENSCALC_DESIGN_OPTIMIZE_GLOBAL_H
+
+#include "base/watch.h"
+#include "design/global.h"
+#include "design/optimize.h"
+
+/* What one start led to. */
+struct global_result {
+    bool is_done;
+    size_t count; /* of minima; 0: it could not be judged */
+    struct global_minimum *minima;
+    long evaluations;
+};
+
+/* What is searched; the results are the same whatever the number of threads is. */
+struct optimize_global {
+    const struct merit *merit; /* for its question, which each start asks anew: no rays of one are
+                                  seen by another */
+    int iterations;            /* of a descent at most; 0: as solver_run has it */
+    int escapes;
+    uint64_t seed;
+    double
+        spread; /* of starts about the lens, in natural scales, where variables are not bounded */
+    int threads;
+    struct watch *watch;            /* counts starts */
+    bool (*goes_on)(void *context); /* asked by all threads, once an iteration; or null */
+    void (*pause)(void *context);   /* by one, now and then while no other works; or null */
+    void *context;
+    size_t start_count;
+    struct global_result *results; /* of the starts; what is done is not searched again */
+    size_t begin, end;             /* those that are searched */
+};
+
+/* Where starts lie. */
+struct global_range {
+    double *low, *high;    /* of the solver's numbers */
+    const bool *is_spread; /* the variable has no two bounds: it lies about the lens */
+};
+
+/*
+ * Between the bounds of a variable; without two of them within `spread` natural scales of the
+ * lens, and a thickness then keeps its sign.
+ */
+struct global_range optimize_global_range(const struct variables *variables, double spread,
+                                          struct arena *arena);
+
+/*
+ * Variables that nothing depends on: neither in the lens nor in the first starts.
+ *
+ * Result    is_idle of each variable; false where no start has a merit
+ */
+bool optimize_global_idle(const struct optimize_global *global, struct arena *arena, bool *is_idle);
+
+/*
+ * Search from all starts that are not done. The first is the lens itself, so that nothing worse
+ * than its own minimum is found; the others are global_start. Who has no merit, as rays are lost,
+ * is first made one that has (optimize_begin).
+ *
+ * Result    results in the arena; is_done only of starts that goes_on let come to their end
+ */
+void optimize_global_search(struct optimize_global *global, struct arena *arena);
+
+/* A lens that was kept. */
+struct global_kept {
+    struct optimize_answer answer;
+    size_t start; /* that led to it, from 0 */
+    size_t hits;  /* starts that led to it, or very near */
+};
+
+/*
+ * The best that are different, the best first, each brought to its minimum.
+ *
+ * Given     task  of them; its merit lends its question alone
+ *           kept  room for `most`; receives them
+ * Result    how many there are
+ */
+size_t optimize_global_keep(const struct optimize_global *global, const struct optimize_task *task,
+                            size_t most, struct arena *arena, struct global_kept *kept);
+
+#endif
