@@ -86,9 +86,7 @@ static bool check_scope(const struct artifact_job *job, const struct artifact_se
             return fail(error, ERROR_USAGE, "--%s would be %zu files: at most %d", name, total,
                         MOST_INPUTS);
         }
-        return total == 1 || (job->path != NULL && strcmp(job->path, "-") != 0) ||
-               fail(error, ERROR_USAGE, "%zu files do not go to standard output: --%s FILE", total,
-                    name);
+        return true;
     }
     if (job->artifact->scope == ARTIFACT_OF_SWEEP) {
         if (setting->is_batch) {
@@ -187,6 +185,14 @@ static bool check_terminal(const struct artifact_job *job, struct error *error)
     return error_hint(error, "--%s FILE writes one", job->artifact->option.name);
 }
 
+/* Several files want names. */
+static bool check_names(const struct artifact_job *job, struct error *error)
+{
+    return job->files == 1 || (job->path != NULL && strcmp(job->path, "-") != 0) ||
+           fail(error, ERROR_USAGE, "%zu files do not go to standard output: --%s FILE", job->files,
+                job->artifact->option.name);
+}
+
 /* One more, if nothing speaks against it. */
 static bool order(struct artifacts *artifacts, const struct artifact_setting *setting,
                   struct artifact_job job, struct error *error)
@@ -206,8 +212,10 @@ static bool order(struct artifacts *artifacts, const struct artifact_setting *se
     const bool gathers = artifact->gathers != NULL && job.type != NULL &&
                          strcmp(job.type->ending, artifact->gathers) == 0;
     job.first = artifacts->files;
-    job.files = is_each && !gathers ? job.count : 1;
-    if ((artifact->check != NULL && !artifact->check(&job, error)) ||
+    job.files = is_each && !gathers       ? job.count
+                : artifact->count != NULL ? artifact->count(job.inputs[0])
+                                          : 1;
+    if (!check_names(&job, error) || (artifact->check != NULL && !artifact->check(&job, error)) ||
         !check_place(artifacts, &job, setting, error)) {
         return false;
     }

@@ -45,7 +45,7 @@ struct artifact_job {
     const struct file_type *type; /* of artifact->option.types; null if it has none */
     const void *const *inputs;    /* as the options set them; of one answer inputs[0] alone */
     size_t count;
-    size_t first, files; /* of its sinks, and how many it has: one, or `count` */
+    size_t first, files; /* of its sinks, and how many it has: one, or one each */
     const struct asking *asking;
     struct run *run;     /* arena, database, and `state` as the command's `run` left it */
     const void *context; /* the driver's own */
@@ -61,6 +61,8 @@ struct artifact {
     /* The type that the input asks for, whatever the file is called; null: its name decides. */
     const struct file_type *(*choose)(const void *input);
     const char *chooser; /* the option that does that */
+    /* How many files one answer is, numbered as those of a sweep are; null: one. */
+    size_t (*count)(const void *input);
     /* Refuse what cannot be made, before anything is computed; null: nothing is refused. */
     bool (*check)(const struct artifact_job *job, struct error *error);
     /*
@@ -69,7 +71,7 @@ struct artifact {
      * Given     job   after `run` has answered, if the command has one: what that allocated in
      *                 run->arena is still there
      *           sink  takes any bytes; what it got is kept only if all goes well;
-     *                 ARTIFACT_OF_EACH: an array of job->files
+     *                 an array of job->files where there are several
      */
     bool (*make)(const struct artifact_job *job, struct output *sink, struct error *error);
 };

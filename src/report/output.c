@@ -311,6 +311,7 @@ static bool fail_written(const struct output *output, struct error *error)
 
 bool output_close(struct output *output, bool keep, struct error *error)
 {
+    keep = keep && !output->is_unused;
     output_flush(output);
     bool whole = output->is_renamed && keep && output->failure == 0;
     if (whole) {

@@ -17,6 +17,7 @@ struct output {
     const char *path;    /* null = standard output */
     bool is_renamed;     /* to `path` when it is complete */
     bool is_nameless;    /* the file has no name before that */
+    bool is_unused;      /* set by who has nothing to write: there will be no file */
     const char *beside;  /* its name before that, if it has one */
     struct arena *arena; /* of the names */
     char *buffer;
