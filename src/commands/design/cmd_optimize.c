@@ -2,7 +2,7 @@
 /* SPDX-License-Identifier: MIT */
 #include "base/parallel.h"
 #include "commands/analysis/analysis_options.h"
-#include "commands/design/optimize_job.h"
+#include "commands/design/optimize_search.h"
 #include "file/lens_file.h"
 #include "trace/sample.h"
 
@@ -52,7 +52,8 @@ static const struct option options[] = {
      .fallback = "36", .value = "COUNT",
      .help = "approximate number of rays per field and wavelength"},
     {OPTION(struct optimize_input, seed), .name = "seed", .lowest = 0, .highest = 1e9,
-     .fallback = "0", .value = "NUMBER", .wants = "pattern=sobol", .help = "of the pattern sobol"},
+     .fallback = "0", .value = "NUMBER", .wants = "global|pattern=sobol",
+     .help = "of the starts of --global, of the pattern sobol"},
     {OPTION(struct optimize_input, clip), .name = "clip", .excludes = "no-clip",
      .help = "clip rays at apertures and stop"},
     {OPTION(struct optimize_input, no_clip), .name = "no-clip",
@@ -66,7 +67,22 @@ static const struct option options[] = {
      .help = "the best of so long, which depends on the machine"},
     {OPTION(struct optimize_input, threads), .name = "threads", .lowest = 0,
      .highest = PARALLEL_MOST, .value = "N", .fallback = "1", .flags = OPTION_ASIDE,
-     .wants = "glasses", .help = "threads that try glasses; 0 = one a core"},
+     .wants = "glasses|global",
+     .help = "threads that try glasses, or search from starts; 0 = one a core"},
+    {OPTION(struct optimize_input, global), .name = "global", .lowest = 1, .highest = 1e6,
+     .value = "COUNT", .excludes = "glasses",
+     .help = "search from so many starts between the bounds of what varies: the lens itself, and "
+             "others all over"},
+    {OPTION(struct optimize_input, keep), .name = "keep", .lowest = 1, .highest = 1000,
+     .fallback = "1", .value = "COUNT", .wants = "global",
+     .help = "the best different lenses that are kept: NEW-1.lens, NEW-2.lens, ..."},
+    {OPTION(struct optimize_input, escapes), .name = "escapes", .lowest = 0, .highest = 1000,
+     .fallback = "2", .value = "COUNT", .wants = "global",
+     .help = "ways out of what was found that are tried from each start"},
+    {OPTION(struct optimize_input, spread), .name = "spread", .dimension = &dimension_number,
+     .lowest = 0, .highest = 1000, .fallback = "1", .flags = OPTION_ABOVE_LOWEST, .value = "NUMBER",
+     .wants = "global",
+     .help = "where starts lie of what has no two bounds: so many natural scales about the lens"},
     {OPTION(struct optimize_input, show), .name = "show", .words = shows, .fallback = "answer",
      .value = "WHAT", .help = "which rows"},
 };
@@ -79,7 +95,8 @@ static const struct sheet *choose_sheet(const void *data, const struct asking *a
 
 static bool makes_many(const void *data)
 {
-    return ((const struct optimize_input *)data)->show != OPTIMIZE_ANSWER;
+    return ((const struct optimize_input *)data)->show != OPTIMIZE_ANSWER ||
+           optimize_keep_count(data) > 1;
 }
 
 static bool run(const void *data, struct run *run, struct error *error)
@@ -108,8 +125,10 @@ static const struct artifact artifacts[] = {
                 .types = saved_types,
                 .help = "write the lens that was found; rows go to standard output"},
      .is_kept = true,
+     .count = optimize_keep_count,
      .make = optimize_save},
-    {ARTIFACT_OPTION("plot", drawing_types, "draw the merit against the iteration"),
+    {ARTIFACT_OPTION("plot", drawing_types,
+                     "draw the merit against the iteration, or where the starts ended"),
      .scope = ARTIFACT_OF_SWEEP, .is_kept = true, .make = optimize_plot},
 };
 
@@ -128,13 +147,15 @@ static const struct example examples[] = {
      "all radii, for small spots of each wavelength"},
     {"optimize double-gauss --vary all-R --goals spot,efl==100 --show merit",
      "goal by goal, the focal length exactly"},
+    {"optimize cooke-triplet-50 --vary all-R,t2,t4 --goals poly,efl=50 --rays 12 --global 4",
+     "the best of what four starts lead to"},
     {NULL, NULL},
 };
 
 const struct command command_optimize = {
     .name = "optimize",
     .group = "design",
-    .summary = "make a lens better: the nearest minimum of what is wanted",
+    .summary = "make a lens better: the nearest minimum of what is wanted, or the best of many",
     COMMAND_ASKS(struct optimize_input),
     .choose_sheet = choose_sheet,
     .sheets = optimize_sheets,

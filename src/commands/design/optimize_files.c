@@ -1,7 +1,7 @@
 /* commands/design/optimize_files.c - the lens that was found, and how the merit fell. */
 /* SPDX-License-Identifier: MIT */
 #include "commands/design/fit.h"
-#include "commands/design/optimize_job.h"
+#include "commands/design/optimize_search.h"
 #include "draw/plot.h"
 #include "file/lens_file.h"
 #include "trace/sample.h"
@@ -26,12 +26,10 @@ static void put_goals(const struct optimize_job *job, struct lens *lens)
     fit_note(lens, "its goals are those that it was optimized for, no longer its own", arena);
 }
 
-bool optimize_save(const struct artifact_job *job, struct output *sink, struct error *error)
+static void save(const struct optimize_job *done, struct output *sink)
 {
-    const struct optimize_job *done = job->run->state;
-    struct arena *arena = job->run->arena;
+    struct arena *arena = done->run->arena;
     struct lens lens = *done->found;
-    (void)error;
     /* what a source says is of the lens that it was */
     for (int i = 0; i < STATED_COUNT; i++) {
         lens.stated[i] = NULL;
@@ -45,6 +43,23 @@ bool optimize_save(const struct artifact_job *job, struct output *sink, struct e
     fit_note(&lens, done->incomplete, arena);
     struct text text = lens_write(&lens, arena);
     output_text(sink, text.start, text.length);
+}
+
+bool optimize_save(const struct artifact_job *job, struct output *sink, struct error *error)
+{
+    const struct optimize_job *done = job->run->state;
+    (void)error;
+    if (done->kept_count == 0) {
+        save(done, sink);
+        return true;
+    }
+    for (size_t i = 0; i < job->files; i++) {
+        if (i < done->kept_count) {
+            save(&done->kept[i], &sink[i]);
+        } else {
+            sink[i].is_unused = true;
+        }
+    }
     return true;
 }
 
@@ -57,20 +72,40 @@ static const char *label_of(const struct optimize_job *job, bool several)
                                ? ""
                                : arena_printf(arena, "f/%.4g ", input->question.fnumber);
     return !several ? NULL
-           : input->pattern == PATTERN_SOBOL
+           : input->pattern == PATTERN_SOBOL || optimize_is_global(input)
                ? arena_printf(arena, "%sseed %ld", aperture, input->seed)
                : aperture;
 }
 
-/* A curve as long as the longest. */
-static const double *curve_of(const struct optimize_answer *answer, size_t length,
-                              struct arena *arena)
+/* What is drawn of a job: its merit after each iteration, or where its starts ended. */
+struct curve {
+    const double *y;
+    size_t count;
+};
+
+static struct curve curve_of(const struct optimize_job *job)
+{
+    return job->kept_count > 0 ? (struct curve){job->ends, job->end_count}
+                               : (struct curve){job->answer.history, job->answer.history_count};
+}
+
+/* As long as the longest. */
+static const double *stretch(struct curve curve, size_t length, struct arena *arena)
 {
     double *y = ARENA_ARRAY(arena, length, double);
     for (size_t i = 0; i < length; i++) {
-        y[i] = i < answer->history_count ? answer->history[i] : NAN;
+        y[i] = i < curve.count ? curve.y[i] : NAN;
     }
     return y;
+}
+
+static bool is_positive(struct curve curve)
+{
+    bool positive = true;
+    for (size_t i = 0; i < curve.count; i++) {
+        positive = positive && curve.y[i] > 0;
+    }
+    return positive;
 }
 
 bool optimize_plot(const struct artifact_job *job, struct output *sink, struct error *error)
@@ -80,29 +115,31 @@ bool optimize_plot(const struct artifact_job *job, struct output *sink, struct e
     struct svg svg = {.arena = arena};
     struct plot_series *series = ARENA_ARRAY(arena, job->count, struct plot_series);
     size_t length = 0, at = job->count;
-    bool is_positive = true;
+    bool log_y = true;
     for (const struct optimize_job *one = last; one != NULL; one = one->earlier) {
-        length = one->answer.history_count > length ? one->answer.history_count : length;
-        is_positive = is_positive && one->answer.after.merit > 0;
+        const struct curve curve = curve_of(one);
+        length = curve.count > length ? curve.count : length;
+        log_y = log_y && is_positive(curve);
     }
     for (const struct optimize_job *one = last; one != NULL && at > 0; one = one->earlier) {
         at--;
         series[at] = (struct plot_series){.label = label_of(one, job->count > 1),
-                                          .y = curve_of(&one->answer, length, arena),
+                                          .y = stretch(curve_of(one), length, arena),
                                           .style = at};
     }
+    const bool is_search = last->kept_count > 0;
     double *x = ARENA_ARRAY(arena, length, double);
     for (size_t i = 0; i < length; i++) {
-        x[i] = (double)i;
+        x[i] = (double)i + is_search;
     }
     const struct plot plot = {.title = last->lens->title,
                               .subtitle = last->goals,
-                              .x_label = "iteration",
+                              .x_label = is_search ? "starts, the best first" : "iteration",
                               .y_label = "merit",
                               .x = x,
                               .count = length,
                               .series = series + at,
                               .series_count = job->count - at,
-                              .log_y = is_positive};
+                              .log_y = log_y};
     return plot_draw(&plot, &svg, error) && drawing_write(job, &svg, sink, error);
 }

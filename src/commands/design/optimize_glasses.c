@@ -261,7 +261,7 @@ struct glass_row {
     const char *glass, *lens, *warning;
     double model_nd, model_Vd, nd, Vd, distance, before, after, loss;
     double fnumber;
-    long seed, surface;
+    long seed, rank, surface;
 };
 
 static const struct column glass_columns[] = {
@@ -301,6 +301,7 @@ bool optimize_emit_glasses(struct optimize_job *job)
         const struct glass_exchange *exchange = &choice->exchanges[i];
         const struct glass_row row = {.fnumber = job->input->question.fnumber,
                                       .seed = job->input->seed,
+                                      .rank = job->rank,
                                       .surface = (long)exchange->surface + 1,
                                       .model_nd = exchange->nd,
                                       .model_Vd = exchange->Vd,

@@ -132,7 +132,7 @@ static const char *status_of(const struct optimize_job *job)
     return status == SOLVER_STOPPED && job->is_late ? "the time is up" : words[status];
 }
 
-static void warn(struct optimize_job *job, const char *words)
+void optimize_warn(struct optimize_job *job, const char *words)
 {
     job->warning = lens_warnings_join(job->warning, words, job->run->arena);
 }
@@ -151,8 +151,8 @@ static void warn_of_idle(struct optimize_job *job)
         }
     }
     if (count > 0) {
-        warn(job, arena_printf(arena, "no goal depends on %s: %s stays as it is", names,
-                               count > 1 ? "each" : "it"));
+        optimize_warn(job, arena_printf(arena, "no goal depends on %s: %s stays as it is", names,
+                                        count > 1 ? "each" : "it"));
     }
 }
 
@@ -167,10 +167,11 @@ static void warn_of_elsewhere(struct optimize_job *job)
             counts = merit->slots[k].operand == operand;
         }
         if (!counts) {
-            warn(job, arena_printf(job->run->arena,
-                                   "the goal %s is of a position that is not optimised: it does "
-                                   "not count",
-                                   operand->name));
+            optimize_warn(
+                job, arena_printf(job->run->arena,
+                                  "the goal %s is of a position that is not optimised: it does "
+                                  "not count",
+                                  operand->name));
         }
     }
 }
@@ -184,10 +185,11 @@ static void warn_of_fnumber(struct optimize_job *job)
         const bool is_given = job->merit.places[slot->place].aperture.kind == APERTURE_FNUMBER;
         if (slot->operand->kind == OPERAND_FNUMBER && is_given && slot->operand != told) {
             told = slot->operand;
-            warn(job, arena_printf(job->run->arena,
-                                   "the goal %s does nothing: the f-number is given, whatever the "
-                                   "lens",
-                                   told->name));
+            optimize_warn(
+                job, arena_printf(job->run->arena,
+                                  "the goal %s does nothing: the f-number is given, whatever the "
+                                  "lens",
+                                  told->name));
         }
     }
 }
@@ -222,10 +224,11 @@ static bool warn_of_power(struct optimize_job *job, struct error *error)
         }
         if (isfinite(before) && !(fabs(first.efl / before - 1) <= most) &&
             !holds_power(&job->merit, i)) {
-            warn(job, arena_printf(arena,
-                                   "%s%sno goal holds the focal length: it was %.4g mm and is %.4g",
-                                   position != NULL ? position : "", position != NULL ? ": " : "",
-                                   before, first.efl));
+            optimize_warn(
+                job, arena_printf(arena,
+                                  "%s%sno goal holds the focal length: it was %.4g mm and is %.4g",
+                                  position != NULL ? position : "", position != NULL ? ": " : "",
+                                  before, first.efl));
         }
     }
     return true;
@@ -240,7 +243,7 @@ static bool check_found(struct optimize_job *job, struct error *error)
         return error_prefix(error, "the lens that was found: ");
     }
     for (size_t i = 0; i < warnings.count; i++) {
-        warn(job, warnings.texts[i]);
+        optimize_warn(job, warnings.texts[i]);
     }
     return true;
 }
@@ -295,12 +298,11 @@ static void judge(struct optimize_job *job)
 static bool optimise(struct optimize_job *job, struct error *error)
 {
     const struct optimize_input *input = job->input;
-    job->task = (struct optimize_task){
-        .merit = &job->merit,
-        .engine = (enum solver_engine)input->solver,
-        .iterations = input->iterations != NO_INTEGER ? (int)input->iterations : 0,
-        .goes_on = goes_on,
-        .context = job};
+    job->task = (struct optimize_task){.merit = &job->merit,
+                                       .engine = (enum solver_engine)input->solver,
+                                       .iterations = (int)input->iterations,
+                                       .goes_on = goes_on,
+                                       .context = job};
     job->until = isnan(input->seconds) ? INFINITY : progress_clock() + input->seconds;
     watch_begin(job->run->watch, "iterations", 0);
     if (!optimize_run(&job->task, job->run->arena, &job->answer, error)) {
@@ -311,11 +313,21 @@ static bool optimise(struct optimize_job *job, struct error *error)
         return false;
     }
     job->is_late = !watch_is_ended(job->run->watch) && progress_clock() >= job->until;
-    job->status = status_of(job);
     return true;
 }
 
-bool optimize_job_run(struct optimize_job *job, struct error *error)
+bool optimize_judge(struct optimize_job *job, struct error *error)
+{
+    job->status = status_of(job);
+    optimize_warn(job, job->answer.begun);
+    warn_of_elsewhere(job);
+    warn_of_fnumber(job);
+    warn_of_idle(job);
+    judge(job);
+    return warn_of_power(job, error) && check_found(job, error);
+}
+
+bool optimize_open(struct optimize_job *job, struct merit_question *question, struct error *error)
 {
     struct view view;
     struct goals goals;
@@ -323,20 +335,17 @@ bool optimize_job_run(struct optimize_job *job, struct error *error)
     if (!set_view(job, &view, error) || !open_variables(job, error)) {
         return false;
     }
-    struct merit_question question = question_of(job, &view);
-    if (!optimize_goals(job, &question, &goals, error)) {
+    *question = question_of(job, &view);
+    if (!optimize_goals(job, question, &goals, error)) {
         return false;
     }
-    question.operands = goals.list;
-    question.operand_count = goals.count;
-    if (!merit_open(&question, job->run->arena, &job->merit, error) ||
-        !optimize_glasses_open(job, error) || !optimise(job, error)) {
-        return false;
-    }
-    warn(job, job->answer.begun);
-    warn_of_elsewhere(job);
-    warn_of_fnumber(job);
-    warn_of_idle(job);
-    judge(job);
-    return warn_of_power(job, error) && check_found(job, error);
+    question->operands = goals.list;
+    question->operand_count = goals.count;
+    return merit_open(question, job->run->arena, &job->merit, error) &&
+           optimize_glasses_open(job, error);
+}
+
+bool optimize_near(struct optimize_job *job, struct error *error)
+{
+    return optimise(job, error) && optimize_judge(job, error);
 }

@@ -21,9 +21,11 @@ struct optimize_input {
     struct spectrum_value waves;
     const char *vary, *hold, *goals, *glasses;
     int show, solver, aim, pattern;
-    long rays, seed, iterations; /* iterations: NO_INTEGER = as many as it takes */
+    long rays, seed, iterations; /* iterations: 0 = as many as it takes */
     long threads;                /* 0: one a core */
-    double seconds;              /* NaN = as long as it takes */
+    long global, keep, escapes;  /* global: 0 = from the lens alone */
+    double spread;
+    double seconds; /* NaN = as long as it takes */
     bool clip, no_clip;
 };
 
@@ -47,10 +49,21 @@ struct optimize_job {
     const char *incomplete;       /* why it is not the best, in words; null: it is */
     double until;                 /* of progress_clock; infinite: no limit */
     bool is_late;
+    /* of --global */
+    const char *search;        /* in words; null: there is none */
+    struct optimize_job *kept; /* the best first, each a job with an answer */
+    size_t kept_count;
+    long rank, hits;  /* of one of them; starts that led to it */
+    long evaluations; /* of the search */
+    double *ends;     /* the best merit of each start that has one, the best first */
+    size_t end_count;
 };
 
-/* Read, optimise, look at what was found. */
-bool optimize_job_run(struct optimize_job *job, struct error *error);
+/* Read what is asked; the merit is that of the question. */
+bool optimize_open(struct optimize_job *job, struct merit_question *question, struct error *error);
+
+/* Optimise from the lens itself, and look at what was found. */
+bool optimize_near(struct optimize_job *job, struct error *error);
 
 /* What a sweep varies: in every sheet, so that its rows can be told apart. */
 #define OPTIMIZE_SWEPT_COLUMNS(row)                                                                \
@@ -61,10 +74,19 @@ bool optimize_job_run(struct optimize_job *job, struct error *error);
      .with = "aperture",                                                                           \
      .label = "f-number",                                                                          \
      .help = "f-number in place of the lens's own aperture"},                                      \
+        {COLUMN(row, seed), .flags = COLUMN_ECHO | COLUMN_EXTRA,                                   \
+         .name = "seed",    .with = "seed",                                                        \
+         .label = "seed",   .help = "of the starts of --global, of the pattern sobol"},            \
     {                                                                                              \
-        COLUMN(row, seed), .flags = COLUMN_ECHO | COLUMN_EXTRA, .name = "seed", .with = "seed",    \
-                           .label = "seed", .help = "of the pattern sobol"                         \
+        COLUMN(row, rank), .flags = COLUMN_EXTRA, .name = "rank", .with = "global",                \
+                           .label = "rank", .help = "of the lenses that are kept, 1 the best"      \
     }
+
+/* After an answer: the lens that was found, how it ended, and what is doubtful about it. */
+bool optimize_judge(struct optimize_job *job, struct error *error);
+
+/* One doubt more. */
+void optimize_warn(struct optimize_job *job, const char *words);
 
 /* The rows of --show. */
 extern const struct sheet *const optimize_sheets[];

@@ -11,8 +11,8 @@
 
 struct answer_row {
     double fnumber, merit_before, merit_after;
-    long seed, evaluations, iterations, variables, residuals;
-    const char *solver, *status, *goals, *rays, *lens, *warning;
+    long seed, rank, hits, evaluations, iterations, variables, residuals;
+    const char *solver, *status, *goals, *rays, *search, *lens, *warning;
 };
 
 static const struct column answer_columns[] = {
@@ -22,10 +22,14 @@ static const struct column answer_columns[] = {
      .help = "sum of squares of all goals, as the lens was; absent where it has none"},
     {COLUMN(struct answer_row, merit_after), .flags = COLUMN_BRIEF, .name = "merit_after",
      .digits = 6, .label = "merit after", .help = "and as it was found"},
+    {COLUMN(struct answer_row, hits), .flags = COLUMN_EXTRA, .name = "starts", .with = "global",
+     .label = "starts", .help = "those that led to this lens"},
     {COLUMN(struct answer_row, evaluations), .flags = COLUMN_BRIEF, .name = "evaluations",
-     .label = "evaluations", .help = "of the merit, with or without derivatives"},
+     .label = "evaluations",
+     .help = "of the merit, with or without derivatives; of a search those of all its starts"},
     {COLUMN(struct answer_row, iterations), .flags = COLUMN_BRIEF, .name = "iterations",
-     .label = "iterations", .help = "steps, those that were taken back among them"},
+     .label = "iterations",
+     .help = "steps, those that were taken back among them; of a search those of its last descent"},
     {COLUMN(struct answer_row, solver), .flags = COLUMN_BRIEF, .name = "solver", .label = "solver",
      .help = "what made the steps"},
     {COLUMN(struct answer_row, status), .flags = COLUMN_BRIEF, .name = "status", .label = "status",
@@ -39,6 +43,9 @@ static const struct column answer_columns[] = {
     {COLUMN(struct answer_row, rays), .flags = COLUMN_EXTRA | COLUMN_ASSUMED, .name = "rays",
      .depends = "rays pattern aim clip no-clip", .label = "rays",
      .help = "those of each field and wavelength"},
+    {COLUMN(struct answer_row, search), .flags = COLUMN_EXTRA | COLUMN_ASSUMED, .name = "search",
+     .depends = "global escapes spread seed", .label = "search",
+     .help = "how many starts there were, and where"},
     LENS_TITLE_COLUMN(struct answer_row, lens),
     LENS_WARNING_COLUMN(struct answer_row, warning),
 };
@@ -58,9 +65,12 @@ static void emit_answer(struct optimize_job *job)
     const struct optimize_answer *answer = &job->answer;
     const struct answer_row row = {.fnumber = job->input->question.fnumber,
                                    .seed = job->input->seed,
+                                   .rank = job->rank,
+                                   .hits = job->hits,
                                    .merit_before = answer->before.merit,
                                    .merit_after = answer->after.merit,
-                                   .evaluations = answer->summary.evaluations,
+                                   .evaluations = job->rank > 0 ? job->evaluations
+                                                                : answer->summary.evaluations,
                                    .iterations = answer->summary.iterations,
                                    .variables = (long)job->variables.count,
                                    .residuals = (long)job->merit.residual_count,
@@ -68,6 +78,7 @@ static void emit_answer(struct optimize_job *job)
                                    .status = job->status,
                                    .goals = job->goals,
                                    .rays = rays_in_words(job->input, job->run->arena),
+                                   .search = job->search,
                                    .lens = job->lens->title,
                                    .warning = job->warning};
     run_emit(job->run, &row);
@@ -80,7 +91,7 @@ struct goal_row {
     double before, after, share_before, share_after;
     double part;
     double fnumber;
-    long seed;
+    long seed, rank;
 };
 
 static const struct column goal_columns[] = {
@@ -160,6 +171,7 @@ static bool emit_merit(struct optimize_job *job)
         const bool is_exact = slot->operand->relation == OPERAND_EXACT;
         const struct goal_row row = {.fnumber = job->input->question.fnumber,
                                      .seed = job->input->seed,
+                                     .rank = job->rank,
                                      .position = merit->places[slot->place].setup.position,
                                      .goal = slot->operand->name,
                                      .unit = unit_words(operand_type(slot->operand->kind)->unit),
@@ -183,7 +195,7 @@ struct variable_row {
     const char *variable, *note, *lens, *warning;
     double before, after, low, high;
     double fnumber;
-    long seed;
+    long seed, rank;
 };
 
 static const struct column variable_columns[] = {
@@ -243,6 +255,7 @@ static bool emit_variables(struct optimize_job *job)
         const struct medium *glass = exchanged(job->found, variable);
         const struct variable_row row = {.fnumber = job->input->question.fnumber,
                                          .seed = job->input->seed,
+                                         .rank = job->rank,
                                          .variable = variable->name,
                                          .before = value_in(job->lens, variable, job->run->arena),
                                          .after = value_in(job->found, variable, job->run->arena),
@@ -267,7 +280,7 @@ struct spot_row {
     const char *position, *lens, *warning;
     double field, height, wavelength, before, after; /* rad, mm, um, mm */
     double fnumber;
-    long seed;
+    long seed, rank;
 };
 
 static const struct column spot_columns[] = {
@@ -353,6 +366,7 @@ static bool emit_spots_of(struct optimize_job *job, size_t place,
         const bool is_angle = point->kind == FIELD_ANGLE || point->kind == FIELD_NONE;
         const struct spot_row row = {.fnumber = job->input->question.fnumber,
                                      .seed = job->input->seed,
+                                     .rank = job->rank,
                                      .position = before.position,
                                      .field = is_angle ? at : NAN,
                                      .height = is_angle ? NAN : at,
@@ -387,7 +401,7 @@ const struct sheet *const optimize_sheets[] = {
     [OPTIMIZE_GLASSES] = &optimize_glass_sheet, [OPTIMIZE_SHOWS] = NULL,
 };
 
-bool optimize_emit(struct optimize_job *job, struct error *error)
+static bool emit(struct optimize_job *job, struct error *error)
 {
     switch ((enum optimize_show)job->input->show) {
     case OPTIMIZE_MERIT:
@@ -402,4 +416,13 @@ bool optimize_emit(struct optimize_job *job, struct error *error)
         emit_answer(job);
         return true;
     }
+}
+
+bool optimize_emit(struct optimize_job *job, struct error *error)
+{
+    bool done = job->kept_count > 0 || emit(job, error);
+    for (size_t i = 0; i < job->kept_count && done; i++) {
+        done = emit(&job->kept[i], error);
+    }
+    return done;
 }

@@ -1,0 +1,231 @@
+/* commands/design/optimize_search.c - optimize --global: the best of many starts. */
+/* SPDX-License-Identifier: MIT */
+#include "commands/design/optimize_search.h"
+
+#include "base/parallel.h"
+#include "cli/progress.h"
+
+#include <math.h>
+#include <stdlib.h>
+
+size_t optimize_keep_count(const void *data)
+{
+    const struct optimize_input *input = data;
+    return optimize_is_global(input) ? (size_t)input->keep : 1;
+}
+
+static bool check(const struct optimize_input *input, struct error *error)
+{
+    if (input->keep > input->global) {
+        return fail(error, ERROR_USAGE, "{--keep} %ld of {--global} %ld: at most one a start",
+                    input->keep, input->global);
+    }
+    return input->solver == SOLVER_DLS ||
+           fail(error, ERROR_USAGE, "{--global} searches with {--solver} dls only");
+}
+
+/* Once an iteration, from any thread. */
+static bool goes_on(void *context)
+{
+    const struct optimize_job *job = context;
+    return !watch_is_ended(job->run->watch) && progress_clock() < job->until;
+}
+
+/* -------- variables that nothing depends on -------- */
+
+/* They would only make lenses different that are not: the search goes on without them. */
+static bool drop_idle(struct optimize_job *job, struct optimize_global *global,
+                      const struct merit_question *asked, struct error *error)
+{
+    struct arena *arena = job->run->arena;
+    struct variables all = job->variables;
+    struct variable *list = ARENA_ARRAY(arena, all.count + 1, struct variable);
+    bool *is_idle = ARENA_ARRAY(arena, all.count + 1, bool);
+    size_t count = 0;
+    if (!optimize_global_idle(global, arena, is_idle)) {
+        return true;
+    }
+    for (size_t i = 0; i < all.count; i++) {
+        if (is_idle[i]) {
+            optimize_warn(job, arena_printf(arena, "no goal depends on %s: it stays as it is",
+                                            job->names[i]));
+        } else {
+            list[count++] = all.list[i];
+        }
+    }
+    if (count == all.count || count == 0) {
+        return true;
+    }
+    struct merit_question question = *asked;
+    question.variable_count = count;
+    question.operands = job->merit.question.operands;
+    question.operand_count = job->merit.question.operand_count;
+    return variables_open(job->lens, list, count, arena, &job->variables, error) &&
+           merit_open(&question, arena, &job->merit, error);
+}
+
+/* -------- what was searched, in words -------- */
+
+static const char *range_in_words(const struct optimize_job *job)
+{
+    const struct optimize_input *input = job->input;
+    struct arena *arena = job->run->arena;
+    const struct global_range range = optimize_global_range(&job->variables, input->spread, arena);
+    const char *names = NULL, *plural = input->spread == 1 ? "" : "s";
+    size_t count = 0;
+    for (size_t i = 0; i < job->variables.count; i++) {
+        const char *name = job->variables.list[i].name;
+        if (range.is_spread[i]) {
+            names = names == NULL ? name : arena_printf(arena, "%s %s", names, name);
+            count++;
+        }
+    }
+    return count == 0 ? "between their bounds"
+           : count == job->variables.count
+               ? arena_printf(arena, "within %.4g natural scale%s of the lens", input->spread,
+                              plural)
+               : arena_printf(arena,
+                              "between their bounds, of %s within %.4g natural scale%s of the lens",
+                              names, input->spread, plural);
+}
+
+static const char *search_in_words(const struct optimize_job *job, size_t done)
+{
+    const struct optimize_input *input = job->input;
+    return arena_printf(job->run->arena, "%zu start%s %s, with %ld escape%s each, by seed %ld",
+                        done, done == 1 ? "" : "s", range_in_words(job), input->escapes,
+                        input->escapes == 1 ? "" : "s", input->seed);
+}
+
+/* -------- the search -------- */
+
+static int compare(const void *one, const void *other)
+{
+    const double a = *(const double *)one, b = *(const double *)other;
+    return (a > b) - (a < b);
+}
+
+/* How many starts are done; what they cost, and their ends. */
+static size_t count_done(struct optimize_job *job, const struct optimize_global *global)
+{
+    size_t done = 0;
+    job->ends = ARENA_ARRAY(job->run->arena, global->start_count, double);
+    for (size_t k = 0; k < global->start_count; k++) {
+        const struct global_result *result = &global->results[k];
+        double best = INFINITY;
+        done += result->is_done;
+        job->evaluations += result->evaluations;
+        for (size_t i = 0; i < result->count; i++) {
+            best = fmin(best, 2 * result->minima[i].cost);
+        }
+        if (result->count > 0) {
+            job->ends[job->end_count++] = best;
+        }
+    }
+    qsort(job->ends, job->end_count, sizeof(double), compare);
+    return done;
+}
+
+/* The lenses that are kept, each as a job of its own. */
+static bool take_kept(struct optimize_job *job, const struct optimize_global *global,
+                      struct error *error)
+{
+    const size_t most = optimize_keep_count(job->input);
+    struct arena *arena = job->run->arena;
+    struct global_kept *kept = ARENA_ARRAY(arena, most, struct global_kept);
+    const struct optimize_task task = {.merit = &job->merit, .iterations = global->iterations};
+    const size_t count = optimize_global_keep(global, &task, most, arena, kept);
+    struct optimize_job *jobs = ARENA_ARRAY(arena, count + 1, struct optimize_job);
+    for (size_t i = 0; i < count; i++) {
+        job->evaluations += kept[i].answer.summary.evaluations;
+    }
+    for (size_t i = 0; i < count; i++) {
+        jobs[i] = *job;
+        jobs[i].answer = kept[i].answer;
+        jobs[i].found = variables_lens(&job->variables, kept[i].answer.after.numbers, arena);
+        jobs[i].rank = (long)i + 1;
+        jobs[i].hits = (long)kept[i].hits;
+        if (!optimize_judge(&jobs[i], error)) {
+            return false;
+        }
+        if (job->is_late) {
+            jobs[i].status = "the time is up";
+        }
+        if (job->incomplete != NULL) {
+            jobs[i].status = "interrupted";
+            jobs[i].incomplete = job->incomplete;
+            fail(&job->run->shortfall, ERROR_DOMAIN, "%s", job->incomplete);
+        }
+    }
+    job->kept = jobs;
+    job->kept_count = count;
+    return true;
+}
+
+/* Nothing was found: why the lens itself is none. */
+static bool fail_empty(struct optimize_job *job, size_t done, struct error *error)
+{
+    const struct optimize_task task = {.merit = &job->merit, .goes_on = goes_on, .context = job};
+    if (done == 0) {
+        return fail(error, ERROR_DOMAIN, "%s before any start came to its end",
+                    watch_is_ended(job->run->watch) ? "interrupted" : "the time was up");
+    }
+    return optimize_run(&task, job->run->arena, &job->answer, error)
+               ? fail(error, ERROR_DOMAIN, "none of %zu starts can be judged", done)
+               : error_prefix(error, "none of %zu starts can be judged: ", done);
+}
+
+static bool search(struct optimize_job *job, const struct merit_question *question,
+                   struct error *error)
+{
+    const struct optimize_input *input = job->input;
+    struct arena *arena = job->run->arena;
+    struct optimize_global global = {.merit = &job->merit,
+                                     .iterations = (int)input->iterations,
+                                     .escapes = (int)input->escapes,
+                                     .seed = (uint64_t)input->seed,
+                                     .spread = input->spread,
+                                     .threads = parallel_threads(input->threads),
+                                     .watch = job->run->watch,
+                                     .goes_on = goes_on,
+                                     .context = job,
+                                     .start_count = (size_t)input->global,
+                                     .end = (size_t)input->global};
+    if (!check(input, error) || !drop_idle(job, &global, question, error)) {
+        return false;
+    }
+    global.results = ARENA_ARRAY(arena, global.start_count, struct global_result);
+    job->until = isnan(input->seconds) ? INFINITY : progress_clock() + input->seconds;
+    watch_begin(job->run->watch, "starts", global.start_count);
+    optimize_global_search(&global, arena);
+    const size_t done = count_done(job, &global);
+    job->search = search_in_words(job, done);
+    job->is_late = done < global.start_count && !watch_is_ended(job->run->watch);
+    if (watch_is_ended(job->run->watch)) {
+        job->incomplete = arena_printf(arena,
+                                       "interrupted after %zu of %zu starts: the best so far, "
+                                       "incomplete",
+                                       done, global.start_count);
+    }
+    if (!take_kept(job, &global, error)) {
+        return false;
+    }
+    if (job->kept_count == 0) {
+        return fail_empty(job, done, error);
+    }
+    if (job->kept_count < optimize_keep_count(input)) {
+        optimize_warn(job->kept,
+                      arena_printf(arena, "only %zu different lens%s found, of %ld to keep",
+                                   job->kept_count, job->kept_count == 1 ? " was" : "es were",
+                                   input->keep));
+    }
+    return true;
+}
+
+bool optimize_job_run(struct optimize_job *job, struct error *error)
+{
+    struct merit_question question;
+    return optimize_open(job, &question, error) &&
+           (optimize_is_global(job->input) ? search(job, &question, error)
+                                           : optimize_near(job, error));
+}
