@@ -217,15 +217,20 @@ bool merit_open(const struct merit_question *question, struct arena *arena, stru
 
 /* -------- evaluating -------- */
 
-bool merit_measure(void *context, const double *parameters, double *residuals, double *jacobian)
+void merit_put_lens(struct merit *merit, const double *parameters, bool derives)
 {
-    struct merit *merit = context;
     merit->evaluation++;
-    merit->derives = jacobian != NULL;
+    merit->derives = derives;
     for (size_t i = 0; i < merit->place_count; i++) {
         struct merit_place *place = &merit->places[i];
         place->lens = variables_put(merit->question.variables, parameters, place->position);
     }
+}
+
+bool merit_measure(void *context, const double *parameters, double *residuals, double *jacobian)
+{
+    struct merit *merit = context;
+    merit_put_lens(merit, parameters, jacobian != NULL);
     if (jacobian != NULL) {
         memset(jacobian, 0, merit->residual_count * merit->variable_count * sizeof(double));
     }

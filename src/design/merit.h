@@ -28,4 +28,8 @@ solver_function merit_measure;
 /* The same with what counts only: of '<' and '>' 0 where it is met. */
 solver_function merit_evaluate;
 
+/* The lens with these numbers, in all places, for who looks at slots by himself; derives: with
+   derivatives. */
+void merit_put_lens(struct merit *merit, const double *parameters, bool derives);
+
 #endif

@@ -350,32 +350,97 @@ void merit_bundle_forget(struct merit_bundle *bundle)
     }
 }
 
-bool merit_bundle_aim(struct merit_bundle *bundle, const struct lens *lens,
-                      const struct dual_first *first, struct error *error)
+/* What a block has of its rays, kept beside it. */
+static void settle(struct merit_bundle *bundle, struct bundle_block *block)
 {
-    const struct surface *last = &lens->surfaces[lens->surface_count - 1];
-    bundle->first = first_of(bundle, first);
-    bundle->image = bundle->image_moves ? first->image.value : last->thickness.value.hi;
+    const size_t count = block->aimed.beam_count;
+    if (block->settled == NULL) {
+        block->settled = ARENA_NEW(bundle->arena, struct aimed);
+        block->settled->beams = ARENA_ARRAY(bundle->arena, count, struct aimed_beam);
+    }
+    struct aimed_beam *beams = block->settled->beams;
+    memcpy(beams, block->aimed.beams, count * sizeof *beams);
+    *block->settled = block->aimed;
+    block->settled->beams = beams;
+}
+
+static void go_back(struct bundle_block *block)
+{
+    struct aimed_beam *beams = block->aimed.beams;
+    memcpy(beams, block->settled->beams, block->aimed.beam_count * sizeof *beams);
+    block->aimed = *block->settled;
+    block->aimed.beams = beams;
+}
+
+void merit_bundle_settle(struct merit_bundle *bundle, bool holds)
+{
+    for (size_t k = 0; k < bundle->block_count; k++) {
+        struct bundle_block *block = &bundle->blocks[k];
+        if (!holds) {
+            settle(bundle, block);
+            continue;
+        }
+        block->aimed.at_stop = false; /* nor do derivatives know of any aim */
+        memset(block->aimed.by_radius, 0, sizeof block->aimed.by_radius);
+        memset(block->aimed.by_place, 0, sizeof block->aimed.by_place);
+    }
+    bundle->is_settled = !holds;
+    bundle->is_held = holds;
+}
+
+/* All wavelengths anew, and the image plane. */
+static bool compile_all(struct merit_bundle *bundle, const struct lens *lens, double image,
+                        double stop_radius, struct error *error)
+{
+    bundle->image = image;
     if (!isfinite(bundle->image)) {
         return fail(error, ERROR_DOMAIN, "the image is infinitely far away");
     }
     arena_reset(&bundle->within, (struct arena_mark){NULL, 0});
     for (size_t i = 0; i < bundle->wish.wavelength_count; i++) {
-        if (!compile(bundle, i, lens, fabs(first->stop_radius.value), error)) {
+        if (!compile(bundle, i, lens, stop_radius, error)) {
             return false;
         }
     }
     make_room(bundle);
-    if (!move_beams(bundle, error)) {
+    return true;
+}
+
+static double table_of(const struct lens *lens)
+{
+    return lens->surfaces[lens->surface_count - 1].thickness.value.hi;
+}
+
+static bool aim_block(struct merit_bundle *bundle, struct bundle_block *block, struct error *error)
+{
+    const struct system *system = &bundle->lights[block->light].system;
+    if (bundle->is_held) {
+        block->aimed.system = system;
+        return true;
+    }
+    if (bundle->is_settled) {
+        go_back(block);
+    }
+    return block->aimed.at_stop ? aimed_at_stop(&block->aimed, system, &bundle->within, error)
+                                : aimed_at_entrance(&block->aimed, system, &bundle->first, error);
+}
+
+bool merit_bundle_aim(struct merit_bundle *bundle, const struct lens *lens,
+                      const struct dual_first *first, struct error *error)
+{
+    double stop_radius = bundle->lights[0].system.stop_radius;
+    double image = table_of(lens);
+    if (first != NULL) {
+        bundle->first = first_of(bundle, first);
+        stop_radius = fabs(first->stop_radius.value);
+        image = bundle->image_moves ? first->image.value : image;
+    }
+    if (!compile_all(bundle, lens, image, stop_radius, error) ||
+        (!bundle->is_held && !move_beams(bundle, error))) {
         return false;
     }
     for (size_t k = 0; k < bundle->block_count; k++) {
-        struct bundle_block *block = &bundle->blocks[k];
-        const struct system *system = &bundle->lights[block->light].system;
-        const bool aims = block->aimed.at_stop
-                              ? aimed_at_stop(&block->aimed, system, &bundle->within, error)
-                              : aimed_at_entrance(&block->aimed, system, &bundle->first, error);
-        if (!aims) {
+        if (!aim_block(bundle, &bundle->blocks[k], error)) {
             return false;
         }
     }

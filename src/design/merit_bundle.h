@@ -46,6 +46,7 @@ struct bundle_share {
 
 struct bundle_block {
     struct aimed aimed;
+    struct aimed *settled;       /* of merit_bundle_settle; null: there are none */
     struct bundle_share *shares; /* one a beam of the block */
     size_t light;
 };
@@ -83,6 +84,7 @@ struct merit_bundle {
     struct first_order first; /* what beams need of the primary wavelength, as it is now */
     double image;             /* z of the image plane behind the last vertex, mm */
     bool image_moves;         /* with the paraxial image */
+    bool is_settled, is_held; /* by merit_bundle_settle */
     bool has_disc;            /* no stop: points are those of the plane of the first vertex */
 };
 
@@ -108,9 +110,17 @@ bool merit_bundle_open(const struct bundle_wish *wish, const struct bundle_links
 void merit_bundle_forget(struct merit_bundle *bundle);
 
 /*
+ * The rays as they are aimed now are those that every later aim begins with: so what it finds does
+ * not depend on the lenses between.
+ *
+ * Given     holds  they are aimed no more: later lenses are met by the same rays
+ */
+void merit_bundle_settle(struct merit_bundle *bundle, bool holds);
+
+/*
  * The lens as it is now: compile it, and aim.
  *
- * Given     first  of the primary wavelength
+ * Given     first  of the primary wavelength; null: rays are held
  * Errors    as system_compile and aimed_at_stop
  */
 bool merit_bundle_aim(struct merit_bundle *bundle, const struct lens *lens,

@@ -121,7 +121,7 @@ size_t merit_prepare_rays(struct merit *merit, struct merit_slot *slot, struct a
                                .pattern = question->pattern,
                                .rays = question->rays,
                                .seed = question->seed,
-                               .is_round = question->irregularity_count == 0,
+                               .is_round = !question->is_skew && question->irregularity_count == 0,
                                .irregularities = question->irregularities,
                                .irregularity_count = question->irregularity_count};
     if (slot->operand->relation != OPERAND_NEAR || slot->operand->target != 0) {
@@ -315,25 +315,35 @@ static bool find_spheres(struct merit *merit, const struct merit_slot *slot,
     return merit_spheres_find(waves, &rays->links[0], merit->derives, &merit->why);
 }
 
+bool merit_rays_aim(struct merit *merit, const struct merit_slot *slot)
+{
+    struct merit_rays *rays = slot->own;
+    struct merit_bundle *bundle = &rays->bundle;
+    const bool is_bare = bundle->is_held && rays->waves == NULL; /* nothing is paraxial */
+    const struct merit_figures *figures = is_bare ? NULL : merit_figures(merit, slot, NAN);
+    if (merit->forgets) {
+        merit_bundle_forget(bundle);
+    }
+    if ((figures == NULL && !is_bare) ||
+        !merit_bundle_aim(bundle, merit->places[slot->place].lens,
+                          is_bare ? NULL : &figures[0].first, &merit->why)) {
+        return false;
+    }
+    for (size_t j = 0; merit->derives && j < rays->variable_count; j++) {
+        bundle->rates[j] = is_bare ? (struct bundle_rate){0, 0, 0, 0}
+                                   : merit_bundle_rate(bundle, &figures[j].first);
+    }
+    find_links(merit, slot, rays);
+    return rays->waves == NULL || find_spheres(merit, slot, figures, rays);
+}
+
 bool merit_fill_rays(struct merit *merit, const struct merit_slot *slot, double *residuals,
                      double *jacobian)
 {
     struct merit_rays *rays = slot->own;
     struct merit_bundle *bundle = &rays->bundle;
     const size_t rows = merit->derives ? rows_of(rays) : 1;
-    const struct merit_figures *figures = merit_figures(merit, slot, NAN);
-    if (merit->forgets) {
-        merit_bundle_forget(bundle);
-    }
-    if (figures == NULL || !merit_bundle_aim(bundle, merit->places[slot->place].lens,
-                                             &figures[0].first, &merit->why)) {
-        return false;
-    }
-    for (size_t j = 0; merit->derives && j < rays->variable_count; j++) {
-        bundle->rates[j] = merit_bundle_rate(bundle, &figures[j].first);
-    }
-    find_links(merit, slot, rays);
-    if (rays->waves != NULL && !find_spheres(merit, slot, figures, rays)) {
+    if (!merit_rays_aim(merit, slot)) {
         return false;
     }
     memset(rays->means, 0,
@@ -351,8 +361,17 @@ bool merit_fill_rays(struct merit *merit, const struct merit_slot *slot, double 
     return true;
 }
 
+void merit_rays_settle(const struct merit_slot *slot, bool holds)
+{
+    struct merit_rays *rays = slot->own;
+    merit_bundle_settle(&rays->bundle, holds);
+    if (rays->waves != NULL) {
+        merit_bundle_settle(&rays->waves->chief, holds);
+    }
+}
+
 struct merit_rays_look merit_rays_look(const struct merit_slot *slot)
 {
-    const struct merit_rays *rays = slot->own;
-    return (struct merit_rays_look){&rays->bundle, rays->is_joint};
+    struct merit_rays *rays = slot->own;
+    return (struct merit_rays_look){&rays->bundle, rays->share, rays->is_joint};
 }

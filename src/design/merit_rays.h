@@ -26,12 +26,19 @@
 merit_fill merit_fill_rays;
 merit_prepare merit_prepare_rays;
 
-/* The rays of such a slot, for tests. */
+/* The rays of such a slot. */
 struct merit_rays_look {
-    const struct merit_bundle *bundle; /* row: of a group's first residual, its x before its y; of
-                                          SYMMETRY_ROUND it has y only */
+    struct merit_bundle *bundle; /* row: of a group's first residual, its x before its y; of
+                                    SYMMETRY_ROUND it has y only */
+    const double *share;         /* what each group counts in its centroid */
     bool is_joint;
 };
 struct merit_rays_look merit_rays_look(const struct merit_slot *slot);
+
+/* The lens as it is now, compiled and aimed: the first half of merit_fill_rays. */
+bool merit_rays_aim(struct merit *merit, const struct merit_slot *slot);
+
+/* merit_bundle_settle of all its rays. */
+void merit_rays_settle(const struct merit_slot *slot, bool holds);
 
 #endif

@@ -36,6 +36,7 @@ struct merit_question {
     enum lens_section section; /* of paraxial figures */
     double fnumber;            /* NaN: the lens's own aperture */
     bool from_entrance, clip;
+    bool is_skew; /* something else than the variables may decentre or tilt surfaces */
     enum pattern pattern;
     size_t rays;
     uint64_t seed;

@@ -111,6 +111,8 @@ FOR_TESTS = {
     # tolerances, which trials stand on
     "distribution_words": "", "spread_of": "", "spread_quantile": "", "spread_variance": "",
     "elements_of": "", "element_at": "", "lens_tolerances_read": "",
+    "tolerance_open": "", "tolerance_trial": "", "tolerance_lens": "", "perturbed_links": "",
+    "criterion_read": "", "criterion_passes": "", "criterion_badness": "",
     # what there is to try
     "foreign_formats": "the fuzzer's list of formats",
 }

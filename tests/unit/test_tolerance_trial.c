@@ -1,0 +1,266 @@
+/* tests/unit/test_tolerance_trial.c - lenses as they may be made, adjusted and judged. */
+/* SPDX-License-Identifier: MIT */
+#include "check.h"
+#include "design/tolerance_trial.h"
+#include "double_gauss.h"
+#include "lens_of.h"
+
+#include <math.h>
+#include <string.h>
+
+static const char double_gauss[] = "wavelength d F C\n"
+                                   "object inf\n"
+                                   "aperture stop\n"
+                                   "field angle 0 10 14\n"
+                                   "focus paraxial\n" DOUBLE_GAUSS("34.2");
+
+static struct arena arena;
+
+/* Any error of each kind. */
+static size_t list_all(const struct lens *lens, struct perturbation *list)
+{
+    const struct spread spread = spread_of(DISTRIBUTION_UNIFORM, DISTRIBUTION_SIGMAS);
+    static const struct perturbation some[] = {
+        {.kind = TOLERANCE_RADIUS, .what = {0, PARAMETER_RADIUS, 0}, .amount = 0.1, .name = "R1"},
+        {.kind = TOLERANCE_RADIUS,
+         .what = {5, PARAMETER_CURVATURE, 0},
+         .amount = 1e-5,
+         .name = "R6"},
+        {.kind = TOLERANCE_AIR, .what = {1, PARAMETER_THICKNESS, 0}, .amount = 0.05, .name = "t2"},
+        {.kind = TOLERANCE_INDEX, .what = {2, PARAMETER_INDEX, 0}, .amount = 1e-3, .name = "n3"},
+        {.kind = TOLERANCE_ABBE, .what = {2, PARAMETER_ABBE, 0}, .amount = 0.4, .name = "V3"},
+        {.kind = TOLERANCE_CONIC, .what = {3, PARAMETER_CONIC, 0}, .amount = 0.01, .name = "k4"},
+        {.kind = TOLERANCE_TILT,
+         .what = {3, PARAMETER_TILT_X, 0},
+         .axis = PERTURBATION_X,
+         .amount = 1e-3,
+         .name = "tilt"},
+        {.kind = TOLERANCE_ELEMENT_TILT,
+         .first = 6,
+         .last = 8,
+         .what.kind = PARAMETER_KINDS,
+         .axis = PERTURBATION_Y,
+         .amount = 1e-3,
+         .pivot = 2,
+         .name = "element tilt"},
+        {.kind = TOLERANCE_ELEMENT_DECENTER,
+         .first = 2,
+         .last = 4,
+         .what.kind = PARAMETER_KINDS,
+         .axis = PERTURBATION_X,
+         .amount = 0.05,
+         .name = "element decenter"},
+        {.kind = TOLERANCE_FOCUS, .what.kind = PARAMETER_KINDS, .amount = 0.1, .name = "focus"},
+    };
+    const size_t count = sizeof some / sizeof some[0];
+    CHECK(lens->surface_count == 11);
+    for (size_t i = 0; i < count; i++) {
+        list[i] = some[i];
+        list[i].spread = spread;
+    }
+    return count;
+}
+
+enum { MOST = 16 };
+
+struct under_test {
+    struct lens lens;
+    struct perturbation list[MOST];
+    struct tolerance_question question;
+    struct tolerance tolerance;
+    double figures[MOST], moves[MOST];
+    struct tolerance_trial trial;
+};
+
+static bool open_test(struct under_test *test)
+{
+    struct error error = {.code = ERROR_NONE};
+    test->question.view.lens = &test->lens;
+    test->question.view.fnumber = NAN;
+    test->question.view.pattern = PATTERN_GAUSS;
+    test->question.view.rays = 12;
+    test->question.perturbations = test->list;
+    test->trial = (struct tolerance_trial){.figures = test->figures, .moves = test->moves};
+    const bool done = tolerance_open(&test->question, &arena, &test->tolerance, &error);
+    CHECK(done);
+    if (!done) {
+        printf("%s\n", error.message);
+    }
+    return done;
+}
+
+static bool try(struct under_test *test, const double *errors)
+{
+    const bool done = tolerance_trial(&test->tolerance, errors, &test->trial);
+    CHECK(done);
+    if (!done) {
+        printf("%s\n", test->trial.why.message);
+    }
+    return done;
+}
+
+/* A trial is the same whatever came before it; without errors it is the nominal lens to the bit. */
+static void check_trials(enum criterion_kind kind, enum tolerance_refocus refocus, bool aims)
+{
+    static struct under_test test;
+    double errors[MOST] = {0}, first[MOST], moves[MOST];
+    test = (struct under_test){.lens = lens_of(double_gauss, &arena)};
+    test.question.perturbation_count = list_all(&test.lens, test.list);
+    test.question.criterion = (struct criterion){.kind = kind, .frequency = NAN, .name = "it"};
+    test.question.refocus = refocus;
+    test.question.aims = aims;
+    if (!open_test(&test)) {
+        return;
+    }
+    const size_t bytes = test.tolerance.figure_count * sizeof(double);
+    for (size_t i = 0; i < test.question.perturbation_count; i++) {
+        errors[i] = i % 2 == 0 ? 0.7 : -0.4;
+    }
+    if (!try(&test, errors)) {
+        return;
+    }
+    memcpy(first, test.figures, bytes);
+    memcpy(moves, test.moves, sizeof moves[0]);
+    CHECK(memcmp(first, test.tolerance.nominal, bytes) != 0);
+    for (size_t i = 0; i < test.question.perturbation_count; i++) {
+        double other[MOST] = {0};
+        other[i] = 1;
+        try(&test, other);
+    }
+    try(&test, errors);
+    CHECK(memcmp(first, test.figures, bytes) == 0 && moves[0] == test.moves[0]);
+    memset(errors, 0, sizeof errors);
+    try(&test, errors);
+    CHECK(memcmp(test.tolerance.nominal, test.figures, bytes) == 0);
+    CHECK(test.tolerance.nominal_moves[0] == test.moves[0]);
+    arena_free(&arena);
+}
+
+/* A plane plate whose second surface is tilted by a deviates light by (n - 1) a. */
+static void check_wedge(void)
+{
+    static const char plate[] = "wavelength d\nobject inf\naperture epd 4\nfield angle 0\n"
+                                "focus table\nstop - 0 air -\nsurface - 5 1.5 20\n"
+                                "surface - 1000 air 20\n";
+    static struct under_test test;
+    const double wedge = 1e-5;
+    const double errors[] = {1};
+    test = (struct under_test){.lens = lens_of(plate, &arena)};
+    test.question.perturbation_count = 1;
+    test.list[0] = (struct perturbation){.kind = TOLERANCE_WEDGE,
+                                         .what = {2, PARAMETER_TILT_X, 0},
+                                         .axis = PERTURBATION_X,
+                                         .amount = wedge,
+                                         .name = "wedge"};
+    test.question.criterion =
+        (struct criterion){.kind = CRITERION_BORESIGHT, .frequency = NAN, .name = "boresight"};
+    test.question.refocus = REFOCUS_NONE;
+    if (open_test(&test) && try(&test, errors)) {
+        CHECK_NEAR(test.figures[0], 0.5 * wedge * 1000, 1e-9 * test.figures[0], "derived");
+    }
+    arena_free(&arena);
+}
+
+/* An element that turns about the centre of one of its surfaces leaves that one where it was. */
+static void check_pivot(void)
+{
+    static struct under_test test;
+    const double errors[] = {1};
+    test = (struct under_test){.lens = lens_of(double_gauss, &arena)};
+    test.question.perturbation_count = 1;
+    const double radius = test.lens.surfaces[2].radius.value.hi;
+    test.list[0] = (struct perturbation){.kind = TOLERANCE_ELEMENT_TILT,
+                                         .first = 2,
+                                         .last = 4,
+                                         .what.kind = PARAMETER_KINDS,
+                                         .axis = PERTURBATION_Y,
+                                         .amount = 0.02,
+                                         .pivot = radius,
+                                         .name = "tilt"};
+    if (!open_test(&test) || !try(&test, errors)) {
+        return;
+    }
+    const struct lens *made = &test.tolerance.perturbed.lenses[0].lens;
+    const struct surface *surface = &made->surfaces[2];
+    const double x = surface->decentre->decenter[0].value.hi,
+                 tilt = surface->decentre->tilt[1].value.hi;
+    /* its centre: the vertex and the radius along its axis, from where the vertex was */
+    const double z =
+        made->surfaces[1].thickness.value.hi - test.lens.surfaces[1].thickness.value.hi;
+    CHECK_NEAR(x + radius * sin(tilt), 0, 1e-13, "derived");
+    CHECK_NEAR(z + radius * cos(tilt), radius, 1e-13, "derived");
+    CHECK_NEAR(tilt, 0.02, 1e-15, "as asked");
+    arena_free(&arena);
+}
+
+/* What small errors change first, against what they change. */
+static void check_links(void)
+{
+    static struct under_test test;
+    const double small = 1e-4;
+    test = (struct under_test){.lens = lens_of(double_gauss, &arena)};
+    test.question.perturbation_count = list_all(&test.lens, test.list);
+    if (!open_test(&test)) {
+        return;
+    }
+    const struct lens *made = &test.tolerance.perturbed.lenses[0].lens;
+    for (size_t i = 0; i < test.question.perturbation_count; i++) {
+        double errors[MOST] = {0};
+        struct perturbed_link links[2 * 11];
+        const size_t count = perturbed_links(&test.tolerance.perturbed, i, links);
+        errors[i] = small;
+        try(&test, errors);
+        for (size_t k = 0; k < count; k++) {
+            const bool is_medium =
+                links[k].what.kind == PARAMETER_INDEX || links[k].what.kind == PARAMETER_ABBE;
+            const double was = parameter_get(test.tolerance.lens, links[k].what);
+            const double by = is_medium ? made->surfaces[links[k].what.surface].medium.index.hi +
+                                              made->surfaces[links[k].what.surface].medium.abbe.hi
+                                        : parameter_get(made, links[k].what) - was;
+            CHECK_NEAR(by, links[k].slope * small, 1e-12, test.list[i].name);
+        }
+        CHECK(count > 0);
+    }
+    const struct lens *written = tolerance_lens(&test.tolerance, &test.trial, &arena);
+    CHECK_NEAR(written->surfaces[10].thickness.value.hi,
+               test.tolerance.lens->surfaces[10].thickness.value.hi + 0.1 * small + test.moves[0],
+               1e-12, "focus and refocus");
+    arena_free(&arena);
+}
+
+static void check_criteria(void)
+{
+    struct criterion criterion;
+    struct error error = {.code = ERROR_NONE};
+    CHECK(criterion_read(text_of("mtf@40/mm"), &arena, &criterion, &error));
+    CHECK(criterion.kind == CRITERION_MTF && criterion.frequency == 40);
+    CHECK(criterion_read(text_of("efl"), &arena, &criterion, &error));
+    CHECK(!criterion_read(text_of("mtf"), &arena, &criterion, &error));
+    CHECK(!criterion_read(text_of("sport"), &arena, &criterion, &error));
+    CHECK_TEXT(error.hint, "did you mean 'spot'?");
+    CHECK(criterion_badness(CRITERION_EFL, 99, 100) == 1);
+    CHECK(criterion_badness(CRITERION_DISTORTION, -2, 1) == 2);
+    CHECK(criterion_passes(CRITERION_MTF, 0.5, 0.6, 0.4));
+    CHECK(!criterion_passes(CRITERION_MTF, 0.3, 0.6, 0.4));
+    CHECK(!criterion_passes(CRITERION_SPOT, 0.03, 0.01, 0.02));
+    arena_free(&arena);
+}
+
+int main(void)
+{
+    check_links();
+    check_criteria();
+    check_trials(CRITERION_SPOT, REFOCUS_BEST, false);
+    check_trials(CRITERION_SPOT, REFOCUS_PARAXIAL, false);
+    check_trials(CRITERION_SPOT, REFOCUS_NONE, true);
+    check_trials(CRITERION_WAVEFRONT, REFOCUS_BEST, false);
+    check_trials(CRITERION_WAVEFRONT, REFOCUS_BEST, true);
+    check_trials(CRITERION_EFL, REFOCUS_BEST, false);
+    check_trials(CRITERION_BFL, REFOCUS_NONE, false);
+    check_trials(CRITERION_DISTORTION, REFOCUS_BEST, false);
+    check_trials(CRITERION_BORESIGHT, REFOCUS_BEST, false);
+    check_trials(CRITERION_COLOR, REFOCUS_BEST, false);
+    check_wedge();
+    check_pivot();
+    return check_report();
+}
