@@ -51,7 +51,7 @@ kernels := $(wildcard src/trace/kernel*.c src/camera/kernel*.c src/base/kernel*.
 folders := base report photo cli commands commands/photo commands/tool optics analysis trace data \
            file exchange exchange/zemax exchange/codev exchange/oslo commands/lens commands/analysis \
            commands/data design commands/design draw base/image camera \
-           commands/camera
+           tone commands/camera
 apart   := src/main.c src/data/embed.c src/design/solver_engines.c $(kernels)
 sources := $(filter-out $(apart),$(foreach folder,$(folders),$(wildcard src/$(folder)/*.c)))
 objects := $(sources:src/%.c=$(BUILD)/%.o) $(BUILD)/lensdb.o \

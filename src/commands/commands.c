@@ -16,6 +16,7 @@ extern const struct command command_spot, command_fan, command_field, command_wa
     command_mtf, command_psf;
 extern const struct command command_distortion;
 extern const struct command command_fit, command_optimize, command_merge, command_render;
+extern const struct command command_tone;
 extern const struct command command_help, command_completion;
 extern const struct command command_illumination, command_report;
 
@@ -57,8 +58,9 @@ const struct command *const commands[] = {
     &command_report, /* analyses */
     &command_fit,
     &command_optimize,
-    &command_merge,  /* design */
-    &command_render, /* camera */
+    &command_merge, /* design */
+    &command_render,
+    &command_tone, /* camera */
     &command_list,
     &command_glass,
     &command_convert, /* data */

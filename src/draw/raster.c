@@ -6,6 +6,7 @@
 #include "base/error.h"
 #include "base/image/png.h"
 #include "base/image/srgb.h"
+#include "draw/palette.h"
 #include "draw/svg.h"
 #include "draw/ticks.h"
 
@@ -16,12 +17,6 @@ static const double LEFT = 84, TOP = 104, SIDE = 250, ACROSS = 344, DOWN = 358, 
 static const double BAR_GAP = 34, BAR_WIDTH = 18, BAR_ROOM = 110, TICK = 5;
 static const double MARGIN = 24, BOLDER = 0.93, TITLES_MOST = 760; /* wide, of pages of few maps */
 enum { CHANNELS = 4, BAR_STEPS = 256 };
-
-/* Evenly from the lowest value to the highest; brightness grows with the light. */
-static const unsigned char light[][3] = {{10, 8, 36},   {62, 18, 106},  {142, 36, 106},
-                                         {214, 78, 62}, {248, 154, 34}, {253, 247, 190}};
-static const unsigned char diverging[][3] = {
-    {24, 66, 148}, {104, 160, 210}, {247, 247, 247}, {236, 142, 104}, {158, 24, 38}};
 
 /* A page at work. */
 struct page {
@@ -68,20 +63,6 @@ static bool find_scale(const struct rasters *rasters, double *low, double *high,
     return true;
 }
 
-/* The colour at a share of the scale, 0..1 a channel. */
-static void colour_at(enum raster_colours colours, double share, double colour[3])
-{
-    const bool is_signed = colours == RASTER_SIGNED;
-    const unsigned char(*list)[3] = is_signed ? diverging : light;
-    const double last = is_signed ? 4 : 5;
-    const double place = fmin(fmax(share, 0), 1) * last;
-    const size_t below = (size_t)fmin(floor(place), last - 1);
-    const double rest = place - (double)below;
-    for (int i = 0; i < 3; i++) {
-        colour[i] = (list[below][i] + rest * (list[below + 1][i] - list[below][i])) / 255;
-    }
-}
-
 static void put_pixel(float *pixel, const double colour[3], bool is_there)
 {
     for (int i = 0; i < 3; i++) {
@@ -114,7 +95,7 @@ static bool paint(const struct page *page, const struct raster_map *map, struct 
             share = (scaled(rasters, value) - page->low) / (page->high - page->low);
             share = isnan(value) ? (double)NAN : share;
         }
-        colour_at(rasters->colours, isnan(share) ? 0 : share, colour);
+        palette_scale(rasters->colours == RASTER_SIGNED, isnan(share) ? 0 : share, colour);
         put_pixel(image.pixels + CHANNELS * i, colour, !isnan(share));
     }
     return png_write(&image, &way, arena, file, error);

@@ -32,9 +32,10 @@ LAYERS = {
     "analysis": ["base", "optics", "trace", "photo"],
     "design": ["base", "optics", "trace", "analysis", "photo"],
     "camera": ["base", "optics", "trace", "analysis", "photo", "file"],
+    "tone": ["base", "camera"],
     "draw": ["base", "report", "photo", "optics", "analysis", "design"],
     "cli": ["base", "report", "photo", "optics", "trace", "data", "file", "exchange", "analysis",
-            "design", "camera", "draw"],
+            "design", "camera", "tone", "draw"],
     "commands": None,  # everything
     "": None,          # main.c
 }
@@ -44,7 +45,8 @@ OPTION = re.compile(r"--[a-z%]")
 NAME = re.compile(r"\{(?:the )?([A-Za-z][A-Za-z0-9 -]*)\}")
 FAILURE = re.compile(r"\b(?:fail|fail_at|error_prefix|error_hint)\(([^\";]*"
                      r"\"(?:\\.|[^\"\\\n])*\"(?:[\s\\]*\"(?:\\.|[^\"\\\n])*\")*)")
-NUMERIC = ("base", "photo", "optics", "trace", "analysis", "design", "camera")
+NUMERIC = ("base", "photo", "optics", "trace", "analysis", "design", "camera",
+           "tone")
 # Words no numeric source may use; stdio only formats into buffers there. What asks the processor
 # anew costs every start, see base/processor.h.
 FORBIDDEN_CALLS = re.compile(

@@ -2,6 +2,8 @@
 /* SPDX-License-Identifier: MIT */
 #include "base/image/image.h"
 
+#include "base/image/srgb.h"
+
 #include <math.h>
 #include <string.h>
 
@@ -22,6 +24,11 @@ bool image_new(struct image *image, struct arena *arena, struct error *error)
     }
     image->pixels = ARENA_ARRAY(arena, width * height * channels, float);
     return true;
+}
+
+double image_light(const struct image *image, double code)
+{
+    return image->gamma > 0 ? pow(code, 1 / image->gamma) : srgb_light(code);
 }
 
 const char *image_channel(const struct image *image, size_t channel, struct arena *arena)

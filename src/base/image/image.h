@@ -26,6 +26,8 @@ struct image {
     const char *const *names;       /* of the channels; null: those of image_channel */
     struct image_note *notes;
     size_t note_count;
+    int bits; /* of the whole numbers that a file was read from: 8, 16; 0: of floats, or made here */
+    double gamma; /* by which that file encodes light; 0: as sRGB does */
 };
 
 /* Pixels of a picture: so many to the left of them and above, and so many across and down. */
@@ -53,6 +55,9 @@ struct image_way {
  * Errors    ERROR_DATA: no pixels, or more than the limits
  */
 bool image_new(struct image *image, struct arena *arena, struct error *error);
+
+/* Light of a code, as a share of the highest, in the file that the picture was read from. */
+double image_light(const struct image *image, double code);
 
 static inline float *image_row(const struct image *image, size_t y)
 {

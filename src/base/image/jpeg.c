@@ -3,11 +3,11 @@
 #include "base/image/jpeg.h"
 
 #include "base/image/bytes.h"
-#include "base/image/srgb.h"
+#include "base/image/exif.h"
 #include "base/image/stb.h"
 
 enum { PIXELS_A_BYTE = 2048 };
-enum { START = 0xd8, END = 0xd9, SCAN = 0xda, TABLES = 0xc4, RESTART = 0xd0 };
+enum { START = 0xd8, END = 0xd9, SCAN = 0xda, TABLES = 0xc4, RESTART = 0xd0, EXIF = 0xe1 };
 
 bool jpeg_is(struct text file)
 {
@@ -51,9 +51,21 @@ static bool are_tables(const unsigned char *body, size_t size)
     return size == 0;
 }
 
+/* What is found on the way. */
+struct jpeg {
+    struct image *image;
+    struct text exif; /* its TIFF; no start: there is none */
+};
+static const char exif_mark[6] = "Exif\0";
+
 /* What stb needs to be told of, or kept from. */
-static bool take_segment(int marker, const unsigned char *body, size_t size, struct image *image)
+static bool take_segment(int marker, const unsigned char *body, size_t size, struct jpeg *jpeg)
 {
+    struct image *image = jpeg->image;
+    if (marker == EXIF && size > sizeof exif_mark &&
+        memcmp(body, exif_mark, sizeof exif_mark) == 0) {
+        jpeg->exif = (struct text){(const char *)body + sizeof exif_mark, size - sizeof exif_mark};
+    }
     if (is_frame(marker) && size >= 6) {
         image->height = bytes_big(body + 1, 2);
         image->width = bytes_big(body + 3, 2);
@@ -64,7 +76,7 @@ static bool take_segment(int marker, const unsigned char *body, size_t size, str
 }
 
 /* Walk from marker to marker up to the last; stb would fill up what is missing with grey. */
-static bool walk(struct text file, struct image *image, struct error *error)
+static bool walk(struct text file, struct jpeg *jpeg, struct error *error)
 {
     const unsigned char *data = (const unsigned char *)file.start;
     size_t at = 2;
@@ -73,7 +85,7 @@ static bool walk(struct text file, struct image *image, struct error *error)
         if (length < 2 || length > file.length - at - 2) {
             break;
         }
-        if (!take_segment(data[at + 1], data + at + 4, length - 2, image)) {
+        if (!take_segment(data[at + 1], data + at + 4, length - 2, jpeg)) {
             return fail(error, ERROR_DATA, "JPEG: no Huffman tables at byte %zu", at);
         }
         const bool is_scan = data[at + 1] == SCAN;
@@ -86,15 +98,16 @@ static bool walk(struct text file, struct image *image, struct error *error)
     if (data[at] != 0xff || data[at + 1] != END) {
         return fail(error, ERROR_DATA, "JPEG: no segment begins at byte %zu", at);
     }
-    return image->width > 0 || fail(error, ERROR_DATA, "JPEG: there is no picture in it");
+    return jpeg->image->width > 0 || fail(error, ERROR_DATA, "JPEG: there is no picture in it");
 }
 
 bool jpeg_read(struct text file, enum image_values values, struct arena *arena, struct image *image,
                struct error *error)
 {
     struct stb_picture picture;
-    *image = (struct image){.channels = 1};
-    if (!walk(file, image, error)) {
+    *image = (struct image){.channels = 1, .bits = 8};
+    struct jpeg jpeg = {.image = image};
+    if (!walk(file, &jpeg, error)) {
         return false;
     }
     /* 64 values take at least one bit; those of light, at the least, are every second each way */
@@ -102,6 +115,7 @@ bool jpeg_read(struct text file, enum image_values values, struct arena *arena, 
         return fail(error, ERROR_DATA, "JPEG: %zu x %zu pixels do not come from %zu bytes",
                     image->width, image->height, file.length);
     }
+    exif_notes(jpeg.exif, image, arena);
     if (!image_new(image, arena, error)) {
         return false;
     }
@@ -111,7 +125,7 @@ bool jpeg_read(struct text file, enum image_values values, struct arena *arena, 
     }
     for (size_t i = 0; i < picture.width * picture.height * picture.channels; i++) {
         const double code = picture.values[i] / 255.0;
-        image->pixels[i] = (float)(values == IMAGE_LIGHT ? srgb_light(code) : code);
+        image->pixels[i] = (float)(values == IMAGE_LIGHT ? image_light(image, code) : code);
     }
     return true;
 }

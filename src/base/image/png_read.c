@@ -236,10 +236,7 @@ static float *decoding(const struct png *png, int most, enum image_values values
     float *table = ARENA_ARRAY(arena, (size_t)most + 1, float);
     for (int i = 0; i <= most; i++) {
         const double code = (double)i / most;
-        const bool has_gamma = png->gamma > 0 && !png->has_srgb;
-        table[i] = (float)(values == IMAGE_CODES ? code
-                           : has_gamma           ? pow(code, 1 / png->gamma)
-                                                 : srgb_light(code));
+        table[i] = (float)(values == IMAGE_CODES ? code : image_light(png->image, code));
     }
     return table;
 }
@@ -296,6 +293,8 @@ bool png_read(struct text file, enum image_values values, struct arena *arena, s
     image->height = png.height;
     image->channels = png.color == PALETTE ? 3 : samples[png.color];
     image->channels += png.has_alpha && image->channels % 2 != 0 ? 1 : 0;
+    image->bits = png.bits == 16 ? 16 : 8;
+    image->gamma = png.has_srgb ? 0 : png.gamma;
     if (!check_size(&png, error) || !image_new(image, arena, error)) {
         return false;
     }

@@ -10,6 +10,10 @@
 #include "commands/photo/photo_options.h"
 #include "optics/growing.h"
 
+/* What is noted of a sensor: electrons of a PNG's white, and those of its read noise. */
+#define RENDER_NOTE_FULL "Electrons of white"
+#define RENDER_NOTE_READ "Read noise electrons"
+
 struct render_input {
     const char *scene;
     struct analysis_question question;

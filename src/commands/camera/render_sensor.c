@@ -283,5 +283,11 @@ bool render_sense(const struct render_input *input, double time, const struct re
     }
     *image = sensed;
     image_note(image, arena, text_of("Sensor"), text_of(said));
+    if (!input->raw) { /* for who weighs pixels by their noise */
+        const char *white = arena_printf(arena, "%.6g", model.clip / way.headroom);
+        const char *noise = arena_printf(arena, "%.6g", model.sensor.read_noise);
+        image_note(image, arena, text_of(RENDER_NOTE_FULL), text_of(white));
+        image_note(image, arena, text_of(RENDER_NOTE_READ), text_of(noise));
+    }
     return true;
 }

@@ -1,0 +1,122 @@
+/* commands/camera/cmd_tone.c - lenscalc tone: brackets to light, and light to a print. */
+/* SPDX-License-Identifier: MIT */
+#include "base/constants.h"
+#include "commands/camera/tone.h"
+
+#include <math.h>
+
+static const struct word responses[] = {
+    [RESPONSE_FILE] = {"file", "as the file says: sRGB, or its gamma"},
+    [RESPONSE_DEBEVEC] = {"debevec", "recovered from the bracket"},
+    {NULL, NULL},
+};
+
+static const struct word operators[] = {
+    [ASKED_AUTO] = {"auto", "ward for .png, none for files of light"},
+    [ASKED_NONE] = {"none", "the light itself, cd/m2"},
+    [ASKED_FIRST + TONE_LINEAR] = {"linear", "in proportion, cut at white"},
+    [ASKED_FIRST + TONE_GAMMA] = {"gamma", "by a power, the brightest becomes white"},
+    [ASKED_FIRST + TONE_FILMIC] = {"filmic", "as film, each colour by itself"},
+    [ASKED_FIRST + TONE_WARD] = {"ward", "histogram adjustment"},
+    {NULL, NULL},
+};
+
+static const struct word ceilings[] = {
+    [CEILING_LINEAR] = {"linear", "no more contrast than the scene"},
+    [CEILING_HUMAN] = {"human", "what is just visible stays just visible"},
+    {NULL, NULL},
+};
+
+#define TONE_POSITIVE(member, dimension_of)                                                        \
+    OPTION(struct tone_input, member), .dimension = (dimension_of), .lowest = 0, .highest = 1e12,  \
+                                       .flags = OPTION_ABOVE_LOWEST
+
+static const struct option options[] = {
+    {OPTION(struct tone_input, files), .name = "frames", .value = "FILE[=TIME]",
+     .flags = OPTION_OPERAND | OPTION_TOGETHER | OPTION_FILE,
+     .help = "a picture (.png, .jpg, .exr, .pfm, .hdr), or the frames of a bracket: a.jpg=1/60"},
+    {OPTION(struct tone_input, times), .name = "times", .value = "TIMES",
+     .help = "exposure times of the frames, in their order: 1/60,1/15; default as the files say"},
+    {OPTION(struct tone_input, response), .name = "response", .words = responses,
+     .fallback = "file", .value = "NAME", .help = "what light the numbers of the files stand for"},
+    {OPTION(struct tone_input, align), .name = "align",
+     .help = "shift the frames back that a moving camera has shifted"},
+    {TONE_POSITIVE(full_well, &dimension_number), .name = "full-well", .value = "NUMBER",
+     .help = "electrons of a pixel at white; default as the files say, or 20000"},
+    {OPTION(struct tone_input, read_noise), .name = "read-noise", .dimension = &dimension_number,
+     .lowest = 0, .highest = 1e6, .value = "NUMBER",
+     .help = "electrons of a pixel's read noise; default as the files say, or 5"},
+    {TONE_POSITIVE(fnumber, &dimension_fnumber), .name = "aperture", .letter = 'N',
+     .quantity = "f-number", .value = "NUMBER",
+     .help = "f-number of all frames, which luminance follows from; default as the files say"},
+    {TONE_POSITIVE(iso, &dimension_iso), .name = "iso", .quantity = "ISO speed", .value = "SPEED",
+     .help = "ISO speed of all frames, the same"},
+    {TONE_POSITIVE(calibrate, &dimension_luminance), .name = "calibrate", .unit = "cd_m2",
+     .value = "LUMINANCE", .excludes = "aperture iso",
+     .help = "luminance of a value of 1, of a bracket in 1 s; default by f-number and ISO, or 1"},
+    {TONE_POSITIVE(view, &dimension_angle), .name = "fov", .unit = "deg", .value = "ANGLE",
+     .fallback = "45", .help = "width of the view: what is one degree"},
+    {OPTION(struct tone_input, glare), .name = "glare",
+     .help = "with the light that the eye scatters"},
+    {OPTION(struct tone_input, color_loss), .name = "color-loss",
+     .help = "without the colours that the eye does not see in the dark"},
+    {OPTION(struct tone_input, acuity), .name = "acuity",
+     .help = "without what is too fine for the eye in so little light"},
+    {OPTION(struct tone_input, operation), .name = "operator", .words = operators,
+     .fallback = "auto", .value = "NAME", .help = "how light becomes that of a display"},
+    {OPTION(struct tone_input, ceiling), .name = "ceiling", .words = ceilings, .fallback = "linear",
+     .value = "NAME", .help = "contrast that ward does not exceed"},
+    {TONE_POSITIVE(white, &dimension_luminance), .name = "white", .unit = "cd_m2",
+     .value = "LUMINANCE",
+     .help = "luminance that becomes white; default by the mean, of gamma the brightest"},
+    {OPTION(struct tone_input, gamma), .name = "gamma", .dimension = &dimension_number,
+     .lowest = 0.1, .highest = 10, .fallback = "2.2", .value = "NUMBER",
+     .help = "power of the operator gamma: 1/NUMBER"},
+    {OPTION(struct tone_input, display), .name = "display", .value = "MIN,MAX",
+     .help = "what the display shows, cd/m2; default 1,100"},
+    {OPTION(struct tone_input, falsecolor), .name = "falsecolor",
+     .help = "luminance in colours, with their scale"},
+    {OPTION(struct tone_input, scale), .name = "scale", .value = "MIN,MAX", .wants = "falsecolor",
+     .help = "ends of that scale, cd/m2; default whole decades, six at most"},
+    {OPTION(struct tone_input, bits), .name = "bits", .lowest = 8, .highest = 32,
+     .value = "8|16|32", .help = "of a number: PNG 8 or 16 (8), OpenEXR 16 or 32 (32)"},
+};
+
+static bool check_curves(const struct artifact_job *job, struct error *error)
+{
+    const struct tone_input *input = job->inputs[0];
+    if (input->files == NULL) {
+        return fail(error, ERROR_USAGE, "no picture is given");
+    }
+    return input->response == RESPONSE_DEBEVEC ||
+           fail(error, ERROR_USAGE, "{--curves}: none are recovered without {--response} debevec");
+}
+
+static const struct artifact artifacts[] = {
+    {ARTIFACT_ANSWER(tone_picture_types), .scope = ARTIFACT_OF_ANSWER, .is_binary = true,
+     .check = tone_picture_check, .make = tone_picture},
+    {ARTIFACT_OPTION("curves", tone_curve_types, "the recovered response, drawn or as numbers"),
+     .scope = ARTIFACT_OF_ANSWER, .check = check_curves, .make = tone_curves},
+};
+
+static const struct example examples[] = {
+    {"render chart:wedge --lens double-gauss-50 -s 2m --size 96x64 --samples 4 "
+     "-t 1/15,1/60,1/250,1/1000 -o wedge.png",
+     "a bracket, to begin with"},
+    {"tone wedge-*.png -o wedge.hdr", "merged: the light of the scene, in cd/m2"},
+    {"tone wedge.hdr -o shown.png", "shown by histogram adjustment"},
+    {"tone wedge-*.png --ceiling human --glare --color-loss --acuity -o eye.png",
+     "as an eye would see it"},
+    {"tone wedge.hdr --falsecolor -o luminance.png", "luminance in colours"},
+    {"tone wedge-*.png --response debevec --curves response.svg -o recovered.hdr",
+     "with the camera's response recovered, and drawn"},
+    {NULL, NULL},
+};
+
+const struct command command_tone = {
+    .name = "tone",
+    .group = "camera",
+    .summary = "brackets to light, light to a display",
+    COMMAND_ASKS(struct tone_input),
+    COMMAND_MAKES(artifacts),
+};

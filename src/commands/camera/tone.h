@@ -1,0 +1,84 @@
+/* commands/camera/tone.h - what lenscalc tone is asked, and what it makes. */
+/* SPDX-License-Identifier: MIT */
+#ifndef LENSCALC_COMMANDS_CAMERA_TONE_H
+#define LENSCALC_COMMANDS_CAMERA_TONE_H
+
+#include "cli/command.h"
+#include "optics/growing.h"
+#include "tone/debevec.h"
+#include "tone/merge.h"
+#include "tone/operator.h"
+
+struct tone_input {
+    const char *files; /* FILE or FILE=TIME, separated by OPTION_MANY_SEPARATOR */
+    const char *times; /* "30,15,1/2"; null = of the files */
+    int response;      /* enum tone_response */
+    bool align;
+    double full_well, read_noise;   /* electrons; NaN = of the files, or assumed */
+    double calibrate, iso, fnumber; /* cd/m^2; NaN = not given */
+    int operation;                  /* enum tone_asked */
+    int ceiling;                    /* enum histogram_ceiling */
+    double white, gamma, view;      /* cd/m^2, NaN = chosen; view in rad */
+    const char *display;            /* "1,100" */
+    bool glare, color_loss, acuity;
+    bool falsecolor;
+    const char *scale; /* "0.1,1000"; null = whole decades of the picture */
+    long bits;         /* 0 = the usual ones */
+};
+
+enum tone_response { RESPONSE_FILE, RESPONSE_DEBEVEC };
+enum tone_asked { ASKED_AUTO, ASKED_NONE, ASKED_FIRST }; /* then enum tone_operator */
+
+/* -------- commands/camera/tone_frames.c -------- */
+
+/* The frames as they were read, and what their files say. */
+struct tone_frames {
+    struct tone_frame *frames;
+    size_t count;
+    double iso, fnumber;          /* NaN = nobody says */
+    double full_well, read_noise; /* the same */
+    const char *unit;             /* that a file of floats says; null = it says none */
+};
+
+/*
+ * Read all frames.
+ *
+ * Errors    as image_file_read and frame_take; a time that is missing, or given twice; frames of
+ *           different sizes; raw data, densities
+ */
+bool tone_frames_read(const struct tone_input *input, struct arena *arena,
+                      struct tone_frames *frames, struct error *error);
+
+/* -------- commands/camera/tone_light.c -------- */
+
+/* The scene's light, made once for all that is written of it. */
+struct tone_light {
+    struct image image;                           /* cd/m^2 */
+    struct response_curve curves[FRAME_CHANNELS]; /* of RESPONSE_DEBEVEC */
+    struct text remarks;
+};
+
+bool tone_light_of(const struct artifact_job *job, const struct tone_light **light,
+                   struct error *error);
+
+/* -------- commands/camera/tone_picture.c -------- */
+
+file_types tone_picture_types;
+bool tone_picture_check(const struct artifact_job *job, struct error *error);
+bool tone_picture(const struct artifact_job *job, struct output *sink, struct error *error);
+
+/* Two luminances, the first smaller: "1,100". Given: option  without its dashes, for messages */
+bool tone_range_read(const char *option, const char *text, double range[2], struct error *error);
+
+/* -------- commands/camera/tone_scale.c -------- */
+
+/* Luminance in colours, with a scale beside it. Given: range  of the scale, cd/m^2 */
+bool tone_falsecolor(const struct image *light, const double range[2], struct arena *arena,
+                     struct image *picture, struct error *error);
+
+/* -------- commands/camera/tone_curves.c -------- */
+
+file_types tone_curve_types;
+bool tone_curves(const struct artifact_job *job, struct output *sink, struct error *error);
+
+#endif

@@ -1,0 +1,216 @@
+/* commands/camera/tone_frames.c - the files of a bracket, and what they say of themselves. */
+/* SPDX-License-Identifier: MIT */
+#include "commands/camera/render.h"
+#include "commands/camera/tone.h"
+#include "file/image_file.h"
+
+#include <math.h>
+#include <string.h>
+
+/* Frames as they are read, one after the other. */
+struct reading {
+    const struct tone_input *input;
+    struct arena *arena;
+    struct tone_frames *frames;
+    double *iso, *fnumber; /* of each; NaN = not noted */
+    struct text times;     /* what is left of --times */
+};
+
+static const char *note_of(const struct image *image, const char *key)
+{
+    for (size_t i = 0; i < image->note_count; i++) {
+        if (strcmp(image->notes[i].key, key) == 0) {
+            return image->notes[i].value;
+        }
+    }
+    return NULL;
+}
+
+/* NaN: it is not noted, or nothing that can be read. */
+static double noted(const struct image *image, const char *key, const struct dimension *dimension)
+{
+    const char *note = note_of(image, key);
+    struct error ignored;
+    double value = NAN;
+    return note != NULL && quantity_read(text_of(note), dimension, NULL, &value, NULL, &ignored) &&
+                   value > 0
+               ? value
+               : NAN;
+}
+
+static bool check_time(double time, struct text text, struct error *error)
+{
+    return (time > 0 && !isinf(time)) ||
+           fail(error, ERROR_USAGE, "the exposure time '%.*s' must be above 0 s", text_shown(text),
+                text.start);
+}
+
+/* FILE=1/60 is a name and a time where a time stands behind the last '='; else all is a name. */
+static bool cut_time(struct text word, struct arena *arena, const char **path, double *time,
+                     struct error *error)
+{
+    size_t at = word.length;
+    struct error ignored;
+    *time = NAN;
+    while (at > 0 && word.start[at - 1] != '=') {
+        at--;
+    }
+    const struct text behind = {word.start + at, word.length - at};
+    if (at > 1 && quantity_read(behind, &dimension_time, NULL, time, NULL, &ignored)) {
+        *path = arena_string(arena, word.start, at - 1);
+        return check_time(*time, behind, error);
+    }
+    *time = NAN;
+    *path = arena_string(arena, word.start, word.length);
+    return true;
+}
+
+/* The next of --times. */
+static bool take_time(struct reading *reading, double *time, struct error *error)
+{
+    if (reading->input->times == NULL) {
+        return true;
+    }
+    if (!isnan(*time)) {
+        return fail(error, ERROR_USAGE, "{--times} and FILE=TIME exclude each other");
+    }
+    if (reading->times.start == NULL) {
+        return fail(error, ERROR_USAGE, "{--times} '%.100s' has fewer times than there are frames",
+                    reading->input->times);
+    }
+    const struct text text = text_trim(text_cut(&reading->times, ','));
+    return (quantity_read(text, &dimension_time, NULL, time, NULL, error) ||
+            error_prefix(error, "{--times}: ")) &&
+           check_time(*time, text, error);
+}
+
+/* What cannot be light. */
+static bool check_kind(const struct image *image, struct error *error)
+{
+    const char *unit = note_of(image, "Unit");
+    if (note_of(image, "CFA pattern") != NULL) {
+        return fail(error, ERROR_DATA, "raw data of a sensor: develop it first");
+    }
+    return unit == NULL || strcmp(unit, "density") != 0 ||
+           fail(error, ERROR_DATA, "densities of a film, not light");
+}
+
+static bool check_size(const struct tone_frames *frames, const struct tone_frame *frame,
+                       struct error *error)
+{
+    const struct tone_frame *first = &frames->frames[0];
+    return (frame->width == first->width && frame->height == first->height) ||
+           fail(error, ERROR_DATA, "%zu x %zu pixels, and %.200s has %zu x %zu", frame->width,
+                frame->height, first->name, first->width, first->height);
+}
+
+/* Whole numbers and floats measure noise by different things. */
+static bool check_alike(const struct tone_frames *frames, const struct tone_frame *frame,
+                        struct error *error)
+{
+    const struct tone_frame *first = &frames->frames[0];
+    return (frame->bits == 0) == (first->bits == 0) ||
+           fail(error, ERROR_DATA, "it has %s, and %.200s %s",
+                frame->bits == 0 ? "floats" : "whole numbers", first->name,
+                first->bits == 0 ? "floats" : "whole numbers");
+}
+
+static void take_notes(struct reading *reading, const struct image *image, size_t i)
+{
+    struct tone_frames *frames = reading->frames;
+    const char *unit = note_of(image, "Unit");
+    reading->iso[i] = noted(image, "ISO", &dimension_iso);
+    reading->fnumber[i] = noted(image, "Aperture", &dimension_fnumber);
+    if (i == 0) {
+        frames->full_well = noted(image, RENDER_NOTE_FULL, &dimension_number);
+        frames->read_noise = noted(image, RENDER_NOTE_READ, &dimension_number);
+        frames->unit = unit != NULL ? arena_string(reading->arena, unit, strlen(unit)) : NULL;
+    }
+}
+
+static bool read_one(struct reading *reading, const char *path, double time, size_t i,
+                     struct error *error)
+{
+    struct arena scratch = {0};
+    struct image image;
+    struct tone_frame *frame = &reading->frames->frames[i];
+    bool done = image_file_read(path, IMAGE_CODES, &scratch, &image, error);
+    if (done) {
+        done = check_kind(&image, error) && frame_take(&image, reading->arena, frame, error);
+        frame->name = path;
+        frame->time = isnan(time) ? noted(&image, "Exposure time", &dimension_time) : time;
+        done = done && check_size(reading->frames, frame, error) &&
+               check_alike(reading->frames, frame, error);
+        done = done || error_locate(error, path, 0, 0);
+        take_notes(reading, &image, i);
+    }
+    arena_free(&scratch);
+    return done;
+}
+
+/* One needs no time to be looked at; of several each has its own. */
+static bool check_times(const struct tone_frames *frames, struct error *error)
+{
+    for (size_t i = 0; i < frames->count; i++) {
+        struct tone_frame *frame = &frames->frames[i];
+        if (isnan(frame->time) && frames->count > 1) {
+            fail(error, ERROR_USAGE, "nothing says how long %.200s was exposed", frame->name);
+            return error_hint(error, "write FILE=1/60 for each, or {--times} 1/15,1/60");
+        }
+    }
+    return true;
+}
+
+/*
+ * What one setting of all frames is: that of the option or of the first; times change with it where
+ * frames differ, so that light over time is the same in all.
+ */
+static bool settle(const struct tone_frames *frames, const double *values, double power,
+                   const char *name, double *setting, struct error *error)
+{
+    if (!isnan(*setting)) {
+        return true; /* an option says so of all */
+    }
+    *setting = values[0];
+    for (size_t i = 1; i < frames->count; i++) {
+        if (isnan(values[i]) != isnan(*setting)) {
+            return fail(error, ERROR_DATA, "%.100s says its %s, and %.100s does not: give it",
+                        frames->frames[isnan(values[i]) ? 0 : i].name, name,
+                        frames->frames[isnan(values[i]) ? i : 0].name);
+        }
+        if (!isnan(values[i])) {
+            frames->frames[i].time *= pow(values[i] / *setting, power);
+        }
+    }
+    return true;
+}
+
+bool tone_frames_read(const struct tone_input *input, struct arena *arena,
+                      struct tone_frames *frames, struct error *error)
+{
+    struct reading reading = {input, arena, frames, NULL, NULL, {NULL, 0}};
+    *frames = (struct tone_frames){.iso = input->iso, .fnumber = input->fnumber};
+    frames->frames = ARENA_ARRAY(arena, FRAMES_MOST, struct tone_frame);
+    reading.iso = ARENA_ARRAY(arena, FRAMES_MOST, double);
+    reading.fnumber = ARENA_ARRAY(arena, FRAMES_MOST, double);
+    reading.times = input->times != NULL ? text_of(input->times) : reading.times;
+    for (struct text rest = text_of(input->files); rest.start != NULL; frames->count++) {
+        const struct text word = text_cut(&rest, OPTION_MANY_SEPARATOR);
+        const char *path;
+        double time;
+        if (frames->count == FRAMES_MOST) {
+            return fail(error, ERROR_USAGE, "at most %d frames can be merged", FRAMES_MOST);
+        }
+        if (!cut_time(word, arena, &path, &time, error) || !take_time(&reading, &time, error) ||
+            !read_one(&reading, path, time, frames->count, error)) {
+            return false;
+        }
+    }
+    if (reading.times.start != NULL) {
+        return fail(error, ERROR_USAGE, "{--times} '%.100s' has more times than the %zu frames",
+                    input->times, frames->count);
+    }
+    return check_times(frames, error) &&
+           settle(frames, reading.iso, 1, "ISO speed", &frames->iso, error) &&
+           settle(frames, reading.fnumber, -2, "f-number", &frames->fnumber, error);
+}

@@ -1,0 +1,256 @@
+/* commands/camera/tone_light.c - the light of a scene from its frames, and what is said of them. */
+/* SPDX-License-Identifier: MIT */
+#include "camera/develop.h"
+#include "commands/camera/tone.h"
+#include "photo/sensitometry.h"
+#include "report/spoken.h"
+#include "tone/align.h"
+#include "tone/sight.h"
+
+#include <math.h>
+#include <string.h>
+
+/* Electrons, where nobody says: those of pixels of a usual camera. */
+static const double usual_full = 20000, usual_noise = 5;
+
+/* -------- cd/m2 -------- */
+
+/* A picture by itself needs no time: its values are what they are. */
+static double plain_unit(struct tone_frames *frames, double unit, const char *how,
+                         struct growing *remarks)
+{
+    const bool is_single = frames->count == 1;
+    frames->frames[0].time = is_single ? 1 : frames->frames[0].time;
+    growing_format(remarks, "a value of 1%s %s %.4g cd/m2\n", is_single ? "" : " in 1 s", how,
+                   unit);
+    return unit;
+}
+
+/* What one of a merged picture's values is, cd/m^2, and why. */
+static double unit_of(const struct tone_input *input, struct tone_frames *frames,
+                      struct growing *remarks)
+{
+    const struct tone_frame *first = &frames->frames[0];
+    const bool is_light = first->bits == 0;
+    const bool has_exposure = frames->unit != NULL && strcmp(frames->unit, "lx s") == 0;
+    const bool has_luminance = frames->unit != NULL && strcmp(frames->unit, "cd/m2") == 0;
+    const double N = frames->fnumber, S = frames->iso;
+    if (!isnan(input->calibrate)) {
+        return plain_unit(frames, input->calibrate, "is", remarks);
+    }
+    if (has_luminance && frames->count == 1) {
+        return plain_unit(frames, 1, "is", remarks);
+    }
+    if (isnan(N) || isnan(first->time) || (is_light ? !has_exposure : isnan(S))) {
+        return plain_unit(frames, 1, "is taken for (--calibrate says it)", remarks);
+    }
+    const double full = is_light ? 1 : saturation_exposure(S) / DEVELOP_HEADROOM;
+    const double unit = full * N * N / LENS_Q_STANDARD;
+    if (is_light) {
+        growing_format(remarks, "1 lx s in 1 s is %.4g cd/m2: f/%.4g, L = H N^2/(%g t)\n", unit, N,
+                       LENS_Q_STANDARD);
+    } else {
+        growing_format(remarks, "white in 1 s is %.4g cd/m2: f/%.4g, ISO %.4g, L = H N^2/(%g t)\n",
+                       unit, N, S, LENS_Q_STANDARD);
+    }
+    return unit;
+}
+
+/* -------- the frames -------- */
+
+/* A camera that moved, and frames that cannot be told from. */
+static void say_shifts(const struct tone_input *input, const struct tone_frames *frames,
+                       const struct align_step *steps, struct growing *remarks)
+{
+    for (size_t i = 0; i < frames->count; i++) {
+        const struct tone_frame *frame = &frames->frames[i];
+        if (frame->right != 0 || frame->down != 0) {
+            growing_format(remarks, "%s%s lies %ld pixels to the right of %s and %ld below it%s\n",
+                           input->align ? "" : "warning: the camera has moved: ", frame->name,
+                           frame->right, frames->frames[0].name, frame->down,
+                           input->align ? ": shifted back" : ": --align shifts it back");
+        }
+        if (input->align && !steps[i].is_told) {
+            growing_format(remarks,
+                           "%s is too dark or too bright to be aligned: it goes with the frame "
+                           "that is next longer\n",
+                           frame->name);
+        }
+    }
+}
+
+static void align(const struct tone_input *input, struct tone_frames *frames,
+                  struct growing *remarks)
+{
+    struct align_step steps[FRAMES_MOST];
+    align_frames(frames->frames, frames->count, steps, remarks->arena);
+    say_shifts(input, frames, steps, remarks);
+    for (size_t i = 0; i < frames->count && !input->align; i++) {
+        frames->frames[i].right = frames->frames[i].down = 0;
+    }
+}
+
+static bool recover(struct tone_frames *frames, struct tone_light *light, struct growing *remarks,
+                    struct error *error)
+{
+    static const char *const names[FRAME_CHANNELS] = {"red", "green", "blue"};
+    if (!debevec_recover(frames->frames, frames->count, remarks->arena, light->curves, error)) {
+        return false;
+    }
+    for (size_t k = 0; k < FRAME_CHANNELS; k++) {
+        const struct response_curve *curve = &light->curves[k];
+        const struct frame_level *levels =
+            frame_levels_of(curve->light, FRAME_LEVELS, remarks->arena);
+        for (size_t i = 0; i < frames->count; i++) {
+            frames->frames[i].levels[k] = levels;
+        }
+        growing_format(remarks,
+                       "response of %s: codes 32, 64, 128, 192, 224 are light of %.4f, %.4f, %.4f, "
+                       "%.4f, %.4f; frames agree to %.2g %%\n",
+                       names[k], curve->light[32], curve->light[64], curve->light[128],
+                       curve->light[192], curve->light[224], 100 * curve->rms);
+        if (curve->held > 0) {
+            growing_format(remarks,
+                           "warning: the response of %s falls at %zu codes, which are taken for "
+                           "the ones before\n",
+                           names[k], curve->held);
+        }
+    }
+    return true;
+}
+
+static double either(double given, double noted, double usual)
+{
+    return !isnan(given) ? given : !isnan(noted) ? noted : usual;
+}
+
+static struct merge_noise noise_of(const struct tone_input *input, const struct tone_frames *frames,
+                                   struct growing *remarks)
+{
+    const struct merge_noise noise = {either(input->full_well, frames->full_well, usual_full),
+                                      either(input->read_noise, frames->read_noise, usual_noise)};
+    const bool is_guess = isnan(input->full_well) && isnan(frames->full_well);
+    if (frames->frames[0].bits == 0) {
+        growing_format(remarks, "weights by the noise of photons\n");
+    } else {
+        growing_format(remarks,
+                       "weights by noise: %.4g electrons at white%s, read noise %.3g, steps of %d "
+                       "bits\n",
+                       noise.full_well, is_guess ? " (assumed)" : "", noise.read_noise,
+                       frames->frames[0].bits);
+    }
+    return noise;
+}
+
+static void say_frames(const struct tone_frames *frames, struct growing *remarks)
+{
+    char least[SPOKEN_LENGTH], most[SPOKEN_LENGTH];
+    const struct tone_frame *first = &frames->frames[0];
+    double shortest = first->time, longest = first->time;
+    for (size_t i = 0; i < frames->count; i++) {
+        const struct tone_frame *frame = &frames->frames[i];
+        shortest = fmin(shortest, frame->time);
+        longest = fmax(longest, frame->time);
+        if (frame->bits != 0 && frame->full == FRAME_CHANNELS * frame->width * frame->height) {
+            growing_format(remarks, "warning: every pixel of %s is saturated: it tells nothing\n",
+                           frame->name);
+        }
+    }
+    if (frames->count == 1) {
+        return;
+    }
+    spoken_time(least, shortest, 4);
+    spoken_time(most, longest, 4);
+    growing_format(remarks, "%zu frames of %zu x %zu pixels, %s to %s\n", frames->count,
+                   first->width, first->height, least, most);
+}
+
+static double percent(size_t part, size_t whole)
+{
+    return 100 * (double)part / (double)whole;
+}
+
+static void say_merged(const struct merged *merged, size_t count, struct growing *remarks)
+{
+    const size_t pixels = merged->image.width * merged->image.height;
+    if (merged->saturated > 0) {
+        growing_format(remarks, "warning: %.3g %% of the pixels are saturated in %s\n",
+                       percent(merged->saturated, pixels),
+                       count > 1 ? "all frames" : "some channel");
+    }
+    if (merged->looked > 0 && percent(merged->apart, merged->looked) >= 1) {
+        growing_format(remarks,
+                       "warning: in %.3g %% of the pixels frames differ by more than noise: "
+                       "something has moved, or the response is another\n",
+                       percent(merged->apart, merged->looked));
+    }
+}
+
+/* -------- the light -------- */
+
+static bool to_luminance(struct image *image, double unit, struct error *error)
+{
+    for (size_t i = 0; i < image->width * image->height * FRAME_CHANNELS; i++) {
+        image->pixels[i] *= (float)unit;
+    }
+    return image_check(image, IMAGE_FINITE, error);
+}
+
+static void say_light(const struct image *image, struct growing *remarks)
+{
+    float least = INFINITY, most = 0;
+    for (size_t i = 0; i < image->width * image->height; i++) {
+        const float luminance = sight_luminance(image->pixels + FRAME_CHANNELS * i);
+        least = fminf(least, luminance);
+        most = fmaxf(most, luminance);
+    }
+    growing_format(remarks, "luminance %.3g to %.3g cd/m2\n", (double)least, (double)most);
+}
+
+/* Of frames that lie in an arena of their own. */
+static bool make_light(const struct tone_input *input, struct arena *frames_arena,
+                       struct arena *arena, struct tone_light *light, struct error *error)
+{
+    struct growing remarks = {.arena = arena};
+    struct merge_noise noise = {1, 0}; /* of a picture alone it says nothing */
+    struct tone_frames frames;
+    struct merged merged;
+    if (!tone_frames_read(input, frames_arena, &frames, error)) {
+        return false;
+    }
+    say_frames(&frames, &remarks);
+    if (frames.count > 1) {
+        align(input, &frames, &remarks);
+        noise = noise_of(input, &frames, &remarks);
+    }
+    if (input->response == RESPONSE_DEBEVEC && !recover(&frames, light, &remarks, error)) {
+        return false;
+    }
+    const double unit = unit_of(input, &frames, &remarks);
+    if (!merge_frames(frames.frames, frames.count, &noise, arena, &merged, error) ||
+        !to_luminance(&merged.image, unit, error)) {
+        return false;
+    }
+    say_merged(&merged, frames.count, &remarks);
+    say_light(&merged.image, &remarks);
+    light->image = merged.image;
+    light->remarks = growing_done(&remarks);
+    return true;
+}
+
+bool tone_light_of(const struct artifact_job *job, const struct tone_light **light,
+                   struct error *error)
+{
+    if (job->run->state == NULL) {
+        struct tone_light *made = ARENA_NEW(job->run->kept, struct tone_light);
+        struct arena scratch = {0};
+        const bool done = make_light(job->inputs[0], &scratch, job->run->kept, made, error);
+        arena_free(&scratch);
+        if (!done) {
+            return false;
+        }
+        job->run->state = made;
+    }
+    *light = job->run->state;
+    return true;
+}

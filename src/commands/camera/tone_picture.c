@@ -1,0 +1,295 @@
+/* commands/camera/tone_picture.c - light as an eye sees it, and as a display shows it. */
+/* SPDX-License-Identifier: MIT */
+#include "base/constants.h"
+#include "commands/camera/tone.h"
+#include "file/image_file.h"
+#include "report/version.h"
+#include "tone/acuity.h"
+#include "tone/sight.h"
+
+#include <math.h>
+#include <string.h>
+
+enum { FEW_CELLS = 64 };
+
+const struct file_type *tone_picture_types(size_t i)
+{
+    return image_file_types(i);
+}
+
+static bool is_png(const struct artifact_job *job)
+{
+    return strcmp(job->type->ending, ".png") == 0;
+}
+
+/* What --operator asks for, or what the kind of file is for. */
+static int asked_of(const struct artifact_job *job)
+{
+    const struct tone_input *input = job->inputs[0];
+    return input->operation != ASKED_AUTO ? input->operation
+           : is_png(job)                  ? ASKED_FIRST + (int)TONE_WARD
+                                          : ASKED_NONE;
+}
+
+bool tone_range_read(const char *option, const char *text, double range[2], struct error *error)
+{
+    struct text rest = text_of(text);
+    for (int i = 0; i < 2; i++) {
+        const struct text word = text_trim(text_cut(&rest, ','));
+        if (rest.start == NULL && i == 0) {
+            return fail(error, ERROR_USAGE, "{--%s} '%.60s': two luminances, as 1,100", option,
+                        text);
+        }
+        if (!quantity_read(word, &dimension_luminance, NULL, &range[i], NULL, error)) {
+            return error_prefix(error, "{--%s}: ", option);
+        }
+    }
+    return (rest.start == NULL && range[0] > 0 && range[1] > range[0] && range[1] <= 1e12) ||
+           fail(error, ERROR_USAGE,
+                "{--%s} '%.60s': two luminances, the first above 0, the second above the first and "
+                "at most 1e12 cd/m2",
+                option, text);
+}
+
+/* -------- what is refused -------- */
+
+/* Options that say something of one operator alone. */
+static bool check_operator(const struct artifact_job *job, struct error *error)
+{
+    const int asked = asked_of(job);
+    static const struct {
+        const char *option;
+        unsigned serves; /* 1 << what is asked */
+        const char *whom;
+    } of[] = {{"ceiling", 1U << (ASKED_FIRST + TONE_WARD), "ward"},
+              {"gamma", 1U << (ASKED_FIRST + TONE_GAMMA), "gamma"},
+              {"white",
+               1U << (ASKED_FIRST + TONE_LINEAR) | 1U << (ASKED_FIRST + TONE_GAMMA) |
+                   1U << (ASKED_FIRST + TONE_FILMIC),
+               "linear, gamma and filmic"},
+              {"display", ~(1U << ASKED_NONE), "a display"}};
+    for (size_t i = 0; i < sizeof of / sizeof of[0]; i++) {
+        if (asking_given(job->asking, of[i].option) && (of[i].serves & 1U << asked) == 0) {
+            return fail(error, ERROR_USAGE, "{--%s} is of %s%s", of[i].option, of[i].whom,
+                        asked == ASKED_NONE ? ": this writes the light itself" : "");
+        }
+    }
+    return !(asked == ASKED_NONE && is_png(job)) ||
+           fail(error, ERROR_USAGE, "{--operator} none: a .png has no room for light itself");
+}
+
+static bool check_colours(const struct artifact_job *job, struct error *error)
+{
+    static const char *const of_display[] = {"operator", "ceiling", "gamma",
+                                             "white",    "display", NULL};
+    const struct tone_input *input = job->inputs[0];
+    double range[2];
+    for (size_t i = 0; of_display[i] != NULL; i++) {
+        if (asking_given(job->asking, of_display[i])) {
+            return fail(error, ERROR_USAGE, "{--%s} and {--falsecolor} exclude each other",
+                        of_display[i]);
+        }
+    }
+    return (is_png(job) || fail(error, ERROR_USAGE, "{--falsecolor} is written as .png, not %s",
+                                job->type->ending)) &&
+           (input->scale == NULL || tone_range_read("scale", input->scale, range, error));
+}
+
+static bool check_bits(const struct tone_input *input, const struct artifact_job *job,
+                       struct error *error)
+{
+    const bool is_exr = strcmp(job->type->ending, ".exr") == 0;
+    const bool fits = is_png(job) ? input->bits == 8 || input->bits == 16
+                                  : is_exr && (input->bits == 16 || input->bits == 32);
+    return input->bits == 0 || fits ||
+           fail(error, ERROR_USAGE,
+                "{--bits} %ld: a .png has 8 or 16, an .exr 16 or 32, others have no choice",
+                input->bits);
+}
+
+bool tone_picture_check(const struct artifact_job *job, struct error *error)
+{
+    const struct tone_input *input = job->inputs[0];
+    double range[2];
+    if (input->files == NULL) {
+        fail(error, ERROR_USAGE, "no picture is given");
+        return error_hint(error, "name one, or a bracket: a.jpg=1/60 b.jpg=1/15");
+    }
+    if (asking_given(job->asking, "fov") && !input->glare && !input->acuity &&
+        (input->falsecolor || asked_of(job) == ASKED_NONE)) {
+        return fail(error, ERROR_USAGE,
+                    "{--fov} says nothing of light itself without {--glare} or "
+                    "{--acuity}");
+    }
+    return check_bits(input, job, error) &&
+           (input->falsecolor ? check_colours(job, error) : check_operator(job, error)) &&
+           (input->display == NULL || tone_range_read("display", input->display, range, error));
+}
+
+/* -------- what an eye sees -------- */
+
+static struct foveal look(const struct tone_input *input, const struct image *image,
+                          struct arena *arena, struct growing *remarks)
+{
+    const struct foveal foveal = foveal_look(image, input->view, arena);
+    growing_format(remarks,
+                   "the eye looks about in %zu x %zu places of 1 degree: %.4g degrees wide\n",
+                   foveal.columns, foveal.rows, input->view / RADIANS_PER_DEGREE);
+    if (foveal.columns * foveal.rows < FEW_CELLS) {
+        growing_format(remarks, "warning: places of 1 degree are few in so narrow a view\n");
+    }
+    return foveal;
+}
+
+/* In the order in which the eye does it. */
+static bool see(const struct tone_input *input, struct foveal *foveal, struct image *image,
+                struct arena *arena, struct error *error)
+{
+    struct image made;
+    if (input->acuity) {
+        if (!acuity_blur(foveal, image, arena, &made, error)) {
+            return false;
+        }
+        *image = made;
+    }
+    if (input->glare) {
+        foveal_veil(foveal, image, arena);
+    }
+    if (input->color_loss) {
+        acuity_fade(image);
+    }
+    return true;
+}
+
+/* -------- what a display shows -------- */
+
+static void say_shown(const struct tone_way *way, const struct toned *toned, size_t pixels,
+                      struct growing *remarks)
+{
+    static const char *const names[] = {"linear", "gamma", "filmic", "ward"};
+    const struct histogram *histogram = &toned->histogram;
+    const char *name = names[way->operation];
+    if (way->operation != TONE_WARD) {
+        growing_format(
+            remarks,
+            "%s: %.4g cd/m2 become white, the mean by logarithms is %.4g; %.3g %% of the "
+            "pixels are brighter\n",
+            name, toned->white, toned->log_mean, 100 * (double)toned->clipped / (double)pixels);
+    } else if (histogram->is_linear) {
+        growing_format(
+            remarks,
+            "ward: the ceiling leaves nothing to compress: linear, %.4g of the luminance\n",
+            histogram->factor);
+    } else {
+        growing_format(
+            remarks,
+            "ward: %.3g to %.4g cd/m2 onto %.4g to %.4g; %zu passes, the last cut %.2g %% "
+            "of the histogram\n",
+            exp(histogram->low), exp(histogram->high), way->display.least, way->display.most,
+            histogram->passes, 100 * histogram->trimmed);
+    }
+}
+
+static bool show(const struct artifact_job *job, const struct foveal *foveal, struct image *image,
+                 struct growing *remarks, struct error *error)
+{
+    const struct tone_input *input = job->inputs[0];
+    struct tone_way way = {.operation = (enum tone_operator)(asked_of(job) - ASKED_FIRST),
+                           .ceiling = (enum histogram_ceiling)input->ceiling,
+                           .white = input->white,
+                           .gamma = input->gamma,
+                           .display = {1, 100},
+                           .as_light = !is_png(job)};
+    struct toned toned;
+    double range[2];
+    if (input->display != NULL) {
+        if (!tone_range_read("display", input->display, range, error)) {
+            return false;
+        }
+        way.display = (struct display){range[0], range[1]};
+    }
+    if (!tone_show(&way, foveal, image, remarks->arena, &toned, error)) {
+        return false;
+    }
+    say_shown(&way, &toned, image->width * image->height, remarks);
+    return true;
+}
+
+/* The scale that is asked for, or the decades that hold the picture, down to six below the top. */
+static bool colour(const struct tone_input *input, struct image *image, struct growing *remarks,
+                   struct error *error)
+{
+    struct image picture;
+    double range[2] = {INFINITY, 0};
+    for (size_t i = 0; i < image->width * image->height; i++) {
+        const double luminance = (double)sight_luminance(image->pixels + FRAME_CHANNELS * i);
+        range[0] = luminance > 0 ? fmin(range[0], luminance) : range[0];
+        range[1] = fmax(range[1], luminance);
+    }
+    if (!(range[1] > 0)) {
+        return fail(error, ERROR_DOMAIN, "all is black: there is no luminance to be shown");
+    }
+    range[1] = pow(10, ceil(log10(range[1]) - 1e-9));
+    range[0] = fmin(fmax(pow(10, floor(log10(range[0]) + 1e-9)), range[1] * 1e-6), range[1] / 10);
+    if (input->scale != NULL && !tone_range_read("scale", input->scale, range, error)) {
+        return false;
+    }
+    growing_format(remarks, "colours from %.4g to %.4g cd/m2, by the logarithm\n", range[0],
+                   range[1]);
+    if (!tone_falsecolor(image, range, remarks->arena, &picture, error)) {
+        return false;
+    }
+    *image = picture;
+    return true;
+}
+
+/* -------- a file -------- */
+
+static void note(struct image *image, struct arena *arena, const char *key, const char *value)
+{
+    image_note(image, arena, text_of(key), text_of(value));
+}
+
+static bool make(const struct artifact_job *job, struct image *image, struct growing *remarks,
+                 struct error *error)
+{
+    const struct tone_input *input = job->inputs[0];
+    const bool is_shown = !input->falsecolor && asked_of(job) != ASKED_NONE;
+    struct foveal foveal = {.columns = 0};
+    if (is_shown || input->glare || input->acuity) {
+        foveal = look(input, image, remarks->arena, remarks);
+    }
+    if (!see(input, &foveal, image, remarks->arena, error)) {
+        return false;
+    }
+    note(image, remarks->arena, "Software", "lenscalc " LENSCALC_VERSION);
+    if (!is_png(job)) {
+        note(image, remarks->arena, "Unit", "cd/m2");
+    }
+    return input->falsecolor ? colour(input, image, remarks, error)
+                             : !is_shown || show(job, &foveal, image, remarks, error);
+}
+
+bool tone_picture(const struct artifact_job *job, struct output *sink, struct error *error)
+{
+    const struct tone_input *input = job->inputs[0];
+    const struct tone_light *light;
+    struct growing remarks = {.arena = job->run->kept};
+    struct text bytes;
+    if (!tone_light_of(job, &light, error)) {
+        return false;
+    }
+    const struct image_way way = {.bits = input->bits == 0 ? 8 : (int)input->bits,
+                                  .half = input->bits == 16,
+                                  .values = IMAGE_LIGHT,
+                                  .packed = true};
+    struct image image = light->image; /* which nobody else needs */
+    growing_text(&remarks, light->remarks);
+    if (!make(job, &image, &remarks, error) ||
+        !image_file_bytes(&image, job->type, &way, job->run->kept, &bytes, error)) {
+        return false;
+    }
+    output_text(sink, bytes.start, bytes.length);
+    sink->remarks = growing_done(&remarks);
+    return true;
+}

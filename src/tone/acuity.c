@@ -1,0 +1,147 @@
+/* tone/acuity.c - a picture as sharp, and as coloured, as an eye sees it in its light. */
+/* SPDX-License-Identifier: MIT */
+#include "tone/acuity.h"
+
+#include "base/constants.h"
+#include "tone/sight.h"
+
+#include <math.h>
+
+enum { CHANNELS = 3, LEVELS_MOST = 17 };
+
+/* A picture, and smaller ones of means of four pixels of the one before. */
+struct pyramid {
+    struct image levels[LEVELS_MOST];
+    int count;
+};
+
+static bool halve(const struct image *from, struct arena *arena, struct image *to,
+                  struct error *error)
+{
+    *to = (struct image){
+        .width = (from->width + 1) / 2, .height = (from->height + 1) / 2, .channels = CHANNELS};
+    if (!image_new(to, arena, error)) {
+        return false;
+    }
+    for (size_t y = 0; y < to->height; y++) {
+        const float *above = image_row(from, 2 * y);
+        const float *below = image_row(from, 2 * y + 1 < from->height ? 2 * y + 1 : 2 * y);
+        float *row = image_row(to, y);
+        for (size_t x = 0; x < to->width; x++) {
+            const size_t left = 2 * x * CHANNELS;
+            const size_t right = 2 * x + 1 < from->width ? left + CHANNELS : left;
+            for (size_t k = 0; k < CHANNELS; k++) {
+                row[x * CHANNELS + k] = 0.25F * (above[left + k] + above[right + k] +
+                                                 below[left + k] + below[right + k]);
+            }
+        }
+    }
+    return true;
+}
+
+/* Pixels a sample that a cell's light asks for: at least 1. */
+static float *samples_of(const struct foveal *foveal, double pixels_a_degree, struct arena *arena,
+                         double *most)
+{
+    const size_t count = foveal->columns * foveal->rows;
+    float *samples = ARENA_ARRAY(arena, count, float);
+    *most = 1;
+    for (size_t i = 0; i < count; i++) {
+        const double wanted = pixels_a_degree / (2 * sight_acuity(foveal_luminance(foveal, i)));
+        samples[i] = (float)fmax(wanted, 1);
+        *most = fmax(*most, wanted);
+    }
+    return samples;
+}
+
+/* A share of a level's light at a pixel of the whole picture, between its pixels. */
+static void add_level(const struct pyramid *pyramid, int level, const double at[2], float share,
+                      float light[CHANNELS])
+{
+    const struct image *image = &pyramid->levels[level];
+    const double scale = ldexp(1, -level);
+    const double x = fmin(fmax((at[0] + 0.5) * scale - 0.5, 0), (double)image->width - 1);
+    const double y = fmin(fmax((at[1] + 0.5) * scale - 0.5, 0), (double)image->height - 1);
+    const size_t left = (size_t)x, above = (size_t)y;
+    const size_t right = left + (left + 1 < image->width ? 1 : 0);
+    const size_t below = above + (above + 1 < image->height ? 1 : 0);
+    const float u = (float)(x - (double)left), v = (float)(y - (double)above);
+    const float *a = image_row(image, above), *b = image_row(image, below);
+    for (size_t k = 0; k < CHANNELS; k++) {
+        const float up = a[left * CHANNELS + k] * (1 - u) + a[right * CHANNELS + k] * u;
+        const float down = b[left * CHANNELS + k] * (1 - u) + b[right * CHANNELS + k] * u;
+        light[k] += share * (up * (1 - v) + down * v);
+    }
+}
+
+static void blur_pixel(const struct pyramid *pyramid, const double at[2], double samples,
+                       float light[CHANNELS])
+{
+    const double level = fmin(fmax(log2(samples), 0), pyramid->count - 1);
+    const int below = (int)level;
+    const float rest = (float)(level - below);
+    light[0] = light[1] = light[2] = 0;
+    add_level(pyramid, below, at, 1 - rest, light);
+    if (rest > 0) {
+        add_level(pyramid, below + 1, at, rest, light);
+    }
+}
+
+static void blur_row(const struct foveal *foveal, const float *samples,
+                     const struct pyramid *pyramid, size_t y, float *row)
+{
+    const struct image *image = &pyramid->levels[0];
+    for (size_t x = 0; x < image->width; x++) {
+        const struct foveal_between place =
+            foveal_between(foveal, ((double)x + 0.5) / (double)image->width,
+                           ((double)y + 0.5) / (double)image->height);
+        float wanted = 0;
+        for (int c = 0; c < 4; c++) {
+            wanted += place.shares[c] * samples[place.cells[c]];
+        }
+        blur_pixel(pyramid, (double[]){(double)x, (double)y}, (double)wanted, row + CHANNELS * x);
+    }
+}
+
+bool acuity_blur(const struct foveal *foveal, const struct image *image, struct arena *arena,
+                 struct image *made, struct error *error)
+{
+    struct pyramid pyramid = {.levels = {*image}, .count = 1};
+    const double pixel = foveal->cell[0] * (double)foveal->columns / (double)image->width;
+    double most;
+    const float *samples = samples_of(foveal, RADIANS_PER_DEGREE / pixel, arena, &most);
+    *made = *image;
+    if (!image_new(made, arena, error)) {
+        return false;
+    }
+    while (pyramid.count < LEVELS_MOST && ldexp(1, pyramid.count - 1) < most &&
+           pyramid.levels[pyramid.count - 1].width > 1) {
+        if (!halve(&pyramid.levels[pyramid.count - 1], arena, &pyramid.levels[pyramid.count],
+                   error)) {
+            return false;
+        }
+        pyramid.count++;
+    }
+    for (size_t y = 0; y < image->height; y++) {
+        blur_row(foveal, samples, &pyramid, y, image_row(made, y));
+    }
+    return true;
+}
+
+void acuity_fade(struct image *image)
+{
+    for (size_t i = 0; i < image->width * image->height; i++) {
+        float *pixel = image->pixels + CHANNELS * i;
+        const double luminance = (double)sight_luminance(pixel);
+        if (luminance >= SIGHT_PHOTOPIC) {
+            continue;
+        }
+        const double share =
+            fmax(0, (luminance - SIGHT_SCOTOPIC) / (SIGHT_PHOTOPIC - SIGHT_SCOTOPIC));
+        const double grey =
+            sight_scotopic((double[]){(double)pixel[0], (double)pixel[1], (double)pixel[2]});
+        for (int k = 0; k < CHANNELS; k++) {
+            pixel[k] = (float)(share * (double)pixel[k] + (1 - share) * grey);
+        }
+    }
+}

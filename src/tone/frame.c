@@ -1,0 +1,135 @@
+/* tone/frame.c - one exposure of a bracket: pixels as its file has them, and the light of each. */
+/* SPDX-License-Identifier: MIT */
+#include "tone/frame.h"
+
+#include "camera/colour.h"
+
+#include <math.h>
+#include <string.h>
+
+/* Where trust begins to end, as a share of the highest number's light. */
+static const double TRUSTED = 0.9;
+
+enum kind { KIND_GREY, KIND_RGB, KIND_XYZ, KIND_OTHER };
+
+static enum kind kind_of(const struct image *image)
+{
+    const char *const *names = image->names;
+    if (image->channels <= 2) {
+        return names == NULL || strcmp(names[0], "Y") == 0 ? KIND_GREY : KIND_OTHER;
+    }
+    if (names == NULL) {
+        return KIND_RGB;
+    }
+    for (int kind = KIND_RGB; kind <= KIND_XYZ; kind++) {
+        const char *wanted = kind == KIND_RGB ? "RGB" : "XYZ";
+        bool is = true;
+        for (int k = 0; k < FRAME_CHANNELS; k++) {
+            is = is && names[k][0] == wanted[k] && names[k][1] == '\0';
+        }
+        if (is) {
+            return (enum kind)kind;
+        }
+    }
+    return KIND_OTHER;
+}
+
+static void take_floats(const struct image *image, enum kind kind, float *values)
+{
+    const struct colour_matrix to_srgb = colour_inverse(&colour_xyz_of_srgb);
+    const size_t step = kind == KIND_GREY ? 0 : 1;
+    for (size_t i = 0; i < image->width * image->height; i++) {
+        const float *from = image->pixels + i * image->channels;
+        float *to = values + i * FRAME_CHANNELS;
+        for (size_t k = 0; k < FRAME_CHANNELS; k++) {
+            to[k] = from[k * step];
+        }
+        if (kind == KIND_XYZ) {
+            const struct colour srgb = colour_turned(
+                &to_srgb, (struct colour){{(double)to[0], (double)to[1], (double)to[2]}});
+            for (size_t k = 0; k < FRAME_CHANNELS; k++) {
+                to[k] = (float)srgb.part[k];
+            }
+        }
+    }
+}
+
+/* Whole numbers as they were, from shares of the highest. */
+static void take_codes(const struct image *image, struct arena *arena, struct tone_frame *frame)
+{
+    const size_t count = image->width * image->height, step = image->channels > 2 ? 1 : 0;
+    const float most = (float)(frame_levels(image->bits) - 1);
+    uint8_t *bytes = image->bits == 8 ? ARENA_ARRAY(arena, count * FRAME_CHANNELS, uint8_t) : NULL;
+    uint16_t *codes =
+        image->bits == 16 ? ARENA_ARRAY(arena, count * FRAME_CHANNELS, uint16_t) : NULL;
+    for (size_t i = 0; i < count; i++) {
+        const float *from = image->pixels + i * image->channels;
+        for (size_t k = 0; k < FRAME_CHANNELS; k++) {
+            const float code = from[k * step] * most + 0.5F;
+            frame->full += code > most;
+            if (bytes != NULL) {
+                bytes[i * FRAME_CHANNELS + k] = (uint8_t)code;
+            } else {
+                codes[i * FRAME_CHANNELS + k] = (uint16_t)code;
+            }
+        }
+    }
+    frame->bytes = bytes;
+    frame->codes = codes;
+}
+
+static void take_levels(const struct image *image, struct arena *arena, struct tone_frame *frame)
+{
+    const size_t count = frame_levels(image->bits);
+    double *light = ARENA_ARRAY(arena, count, double);
+    for (size_t i = 0; i < count; i++) {
+        light[i] = image_light(image, (double)i / (double)(count - 1));
+    }
+    const struct frame_level *levels = frame_levels_of(light, count, arena);
+    for (size_t k = 0; k < FRAME_CHANNELS; k++) {
+        frame->levels[k] = levels;
+    }
+}
+
+bool frame_take(const struct image *image, struct arena *arena, struct tone_frame *frame,
+                struct error *error)
+{
+    const enum kind kind = kind_of(image);
+    if (kind == KIND_OTHER) {
+        return fail(error, ERROR_DATA, "its channels are neither Y, nor R, G, B, nor X, Y, Z");
+    }
+    if (!image_check(image, IMAGE_FINITE, error)) {
+        return false;
+    }
+    *frame =
+        (struct tone_frame){.width = image->width, .height = image->height, .bits = image->bits};
+    if (image->bits != 0) {
+        take_codes(image, arena, frame);
+        take_levels(image, arena, frame);
+        return true;
+    }
+    float *values = ARENA_ARRAY(arena, image->width * image->height * FRAME_CHANNELS, float);
+    take_floats(image, kind, values);
+    frame->values = values;
+    return true;
+}
+
+const struct frame_level *frame_levels_of(const double *light, size_t count, struct arena *arena)
+{
+    struct frame_level *levels = ARENA_ARRAY(arena, count, struct frame_level);
+    const double top = light[count - 1];
+    for (size_t i = 0; i < count; i++) {
+        const double above = light[i + 1 < count ? i + 1 : i], below = light[i > 0 ? i - 1 : i];
+        const double step = (above - below) / (i > 0 && i + 1 < count ? 2 : 1);
+        const double keep = fmin(1, (top - light[i]) / (top * (1 - TRUSTED)));
+        levels[i] = (struct frame_level){(float)light[i], (float)(i + 1 < count ? keep : 0),
+                                         (float)(step * step / 12)};
+    }
+    return levels;
+}
+
+unsigned frame_byte(const struct tone_frame *frame, size_t pixel, size_t channel)
+{
+    const size_t i = pixel * FRAME_CHANNELS + channel;
+    return frame->bytes != NULL ? frame->bytes[i] : frame->codes != NULL ? frame->codes[i] >> 8 : 0;
+}
