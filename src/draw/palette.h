@@ -16,8 +16,8 @@ const char *palette_colour(size_t i);
 /*
  * Colours for numbers.
  *
- * Given     is_signed  blue below 0, white at 0 (0.5), red above; else dark to bright, the brightness
- *                      growing with the number
+ * Given     is_signed  blue below 0, white at 0 (0.5), red above; else dark to bright, the
+ *           brightness growing with the number
  *           share      of the scale, 0..1, cut to that
  *           colour     receives R, G, B as sRGB encodes them, 0..1
  */

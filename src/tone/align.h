@@ -23,8 +23,9 @@ struct align_step {
  *           steps   receives one a frame; that of the longest exposure is told, of no shift
  * Formula   frames as bits, brighter than their median or not, are shifted against each other until
  *           fewest differ, those within 4 of the median left out; first a 64th as large, then
- *           twice and twice again, one pixel each way at each size. Where the median of one is black
- *           or white, another quantile, the same in both. Each goes with the one that is next longer
+ *           twice and twice again, one pixel each way at each size. Where the median of one is
+ *           black or white, another quantile, the same in both. Each goes with the one that is next
+ *           longer
  * Result    a shift is taken if by it a fifth fewer differ than without
  * Source    [Ward03]
  * Limits    shifts of whole pixels to ALIGN_MOST each way; nothing turns

@@ -26,8 +26,8 @@ enum { DEBEVEC_MIDDLE = 128 };
  * Source    [DebevecMalik97] eq 3, 4 and 7
  * Errors    ERROR_DOMAIN: frames of other than 8 bits, or all of one time; no pixel is exposed in
  *           two frames
- * Limits    light of a code is told up to a factor; here that of the middle is what sRGB says in all
- *           channels, so that a middle grey stays grey
+ * Limits    light of a code is told up to a factor; here that of the middle is what sRGB says in
+ *           all channels, so that a middle grey stays grey
  */
 bool debevec_recover(const struct tone_frame *frames, size_t count, struct arena *arena,
                      struct response_curve curves[FRAME_CHANNELS], struct error *error);

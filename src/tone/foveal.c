@@ -79,9 +79,9 @@ static struct direction *directions_of(const struct foveal *foveal, struct arena
 }
 
 /*
- * cos t/t^2 by the chord c = 2 sin(t/2), which single precision tells near 0 better than the cosine:
- * t^2 = c^2 (1 + c^2/12 + c^4/90 + c^6/560 + c^8/3150), the square of the arcsine's series, within
- * 3e-3 up to a right angle, where the cosine ends.
+ * cos t/t^2 by the chord c = 2 sin(t/2), which single precision tells near 0 better than the
+ * cosine: t^2 = c^2 (1 + c^2/12 + c^4/90 + c^6/560 + c^8/3150), the square of the arcsine's series,
+ * within 3e-3 up to a right angle, where the cosine ends.
  */
 static float scattering(struct direction a, struct direction b)
 {

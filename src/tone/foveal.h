@@ -28,8 +28,8 @@ double foveal_luminance(const struct foveal *foveal, size_t cell);
  * Add what the eye scatters: the cells, and the pixels between them, become
  * (1 - SIGHT_VEIL) L + veil.
  *
- * Formula   veil(i) = SIGHT_VEIL sum_j w_ij L_j, w_ij = d_i d_j cos t/t^2, t the angle between cells
- *           i and j, i not j; the d such that all sums of w over i and over j are 1
+ * Formula   veil(i) = SIGHT_VEIL sum_j w_ij L_j, w_ij = d_i d_j cos t/t^2, t the angle between
+ *           cells i and j, i not j; the d such that all sums of w over i and over j are 1
  * Source    [WardLarson97], after [MoonSpencer45]. There w is divided by its sum for the cell that
  *           receives light, so that light appears or gets lost at the edges; here none does, and an
  *           even picture stays even all the same

@@ -41,10 +41,10 @@ struct histogram {
  *
  * Given     foveal   samples; those under SIGHT_LEAST count as that
  * Result    is_linear where less than the tolerance is left of the histogram: then the factor puts
- *           the mean of ln L at the middle of the display's, with CEILING_HUMAN by the ratio of their
- *           thresholds, and as far down as the brightest sample needs
- * Formula   B = ln L; B_d = ln Ldmin + (ln Ldmax - ln Ldmin) P(B); the bins f(b), db wide, T in all,
- *           are cut to T db/(ln Ldmax - ln Ldmin), with CEILING_HUMAN times
+ *           the mean of ln L at the middle of the display's, with CEILING_HUMAN by the ratio of
+ *           their thresholds, and as far down as the brightest sample needs
+ * Formula   B = ln L; B_d = ln Ldmin + (ln Ldmax - ln Ldmin) P(B); the bins f(b), db wide, T in
+ *           all, are cut to T db/(ln Ldmax - ln Ldmin), with CEILING_HUMAN times
  *           dL(L_d) L_w/(dL(L_w) L_d), again and again until less than the tolerance is cut
  * Source    [WardLarson97]: the histogram adjustment, its linear and its contrast ceiling;
  *           checked against Ward's own pcond of Radiance

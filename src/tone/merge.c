@@ -191,7 +191,7 @@ static void open_parts(struct merging *merging, const struct merge_noise *noise)
     for (size_t f = 0; f < merging->count; f++) {
         const struct tone_frame *frame = &merging->frames[f];
         const double read = noise->read_noise / noise->full_well;
-        /* of floats the variance is some number times the mean, the same for all: weights by time */
+        /* of floats the variance is some number times the mean: weights by time */
         merging->parts[f] = frame->bits == 0
                                 ? (struct part){(float)frame->time, (float)frame->time, 0}
                                 : (struct part){(float)frame->time, (float)(read * read),

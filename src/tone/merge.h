@@ -5,8 +5,7 @@
 
 #include "tone/frame.h"
 
-/* Noise of a pixel's channel, as the sensor has it; of floats, which say nothing of it, the photons'
-   alone. */
+/* Noise of a pixel's channel, as the sensor has it; of floats that of photons alone. */
 struct merge_noise {
     double full_well;  /* electrons that light of 1 makes, > 0 */
     double read_noise; /* electrons, >= 0 */
@@ -27,8 +26,8 @@ struct merged {
  *           count   1 to FRAMES_MOST, the first frame not shifted
  * Formula   x = sum w v/t / sum w, w = keep t^2/var, var = spread + sigma^2/n^2 + x0 t/n with n
  *           electrons of light 1 and read noise sigma; x0 = sum keep v / sum keep t, since the
- *           weights must not follow the noise of the value they weigh. Apart: by more than 6 standard
- *           deviations and 2 % in green, where it is looked
+ *           weights must not follow the noise of the value they weigh. Apart: by more than 6
+ *           standard deviations and 2 % in green, where it is looked
  * Source    least squares; [EMVA16] 2.1 for the variance
  * Errors    ERROR_DOMAIN: all pixels are full in all frames
  */

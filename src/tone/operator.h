@@ -17,8 +17,7 @@ struct tone_way {
     double white; /* cd/m^2 that become the display's most; NaN: chosen. Not of TONE_WARD */
     double gamma; /* of TONE_GAMMA, > 0 */
     struct display display;
-    bool
-        as_light; /* the result is cd/m^2; else shares of the display's range, 0 black and 1 white */
+    bool as_light; /* the result is cd/m^2; else shares of the display's range */
 };
 
 /* What became of it. */
@@ -35,8 +34,8 @@ struct toned {
  * Given     foveal  its samples, of which are the log mean and the histogram
  *           image   linear sRGB, three channels, cd/m^2; becomes that of the display, linear
  * Formula   with s = L/white and the display's range l..m: LINEAR L_d = m s; GAMMA m s^(1/gamma);
- *           FILMIC each channel m h(11.2 s)/h(11.2), h(x) = (x (A x + C B) + D E)/(x (A x + B) + D F)
- *           - E/F, A 0.15, B 0.5, C 0.1, D 0.2, E 0.02, F 0.3; WARD histogram_shown. A share is
+ *           FILMIC each channel m h(11.2 s)/h(11.2), h(x) = (x (A x + C B) + D E)/(x (A x + B) + D
+ *           F) - E/F, A 0.15, B 0.5, C 0.1, D 0.2, E 0.02, F 0.3; WARD histogram_shown. A share is
  *           (L_d - l)/(m - l). Of all but FILMIC the colours of a pixel keep their proportions, or
  *           are mixed with as bright a grey as far as the display cannot show them
  *           White, where it is chosen: LINEAR what makes the log mean TONE_GREY of it, FILMIC

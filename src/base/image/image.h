@@ -26,7 +26,7 @@ struct image {
     const char *const *names;       /* of the channels; null: those of image_channel */
     struct image_note *notes;
     size_t note_count;
-    int bits; /* of the whole numbers that a file was read from: 8, 16; 0: of floats, or made here */
+    int bits; /* of the whole numbers that a file had: 8, 16; 0: it had floats, or there is none */
     double gamma; /* by which that file encodes light; 0: as sRGB does */
 };
 

@@ -220,6 +220,18 @@ static bool take_chunk(struct png *png, const struct chunk *chunk, struct error 
     return chunk->type[0] >= 'a' || chunk_wrong(chunk, "is none that PNG has", error);
 }
 
+/* How large the picture is, and what its numbers are. */
+static void open_image(const struct png *png)
+{
+    struct image *image = png->image;
+    image->width = png->width;
+    image->height = png->height;
+    image->channels = png->color == PALETTE ? 3 : samples[png->color];
+    image->channels += png->has_alpha && image->channels % 2 != 0 ? 1 : 0;
+    image->bits = png->bits == 16 ? 16 : 8;
+    image->gamma = png->has_srgb ? 0 : png->gamma;
+}
+
 /* Deflate packs at most 1032 to 1: a file that claims more is not believed, and no room is made. */
 static bool check_size(const struct png *png, struct error *error)
 {
@@ -289,12 +301,7 @@ bool png_read(struct text file, enum image_values values, struct arena *arena, s
             return false;
         }
     }
-    image->width = png.width;
-    image->height = png.height;
-    image->channels = png.color == PALETTE ? 3 : samples[png.color];
-    image->channels += png.has_alpha && image->channels % 2 != 0 ? 1 : 0;
-    image->bits = png.bits == 16 ? 16 : 8;
-    image->gamma = png.has_srgb ? 0 : png.gamma;
+    open_image(&png);
     if (!check_size(&png, error) || !image_new(image, arena, error)) {
         return false;
     }

@@ -67,9 +67,6 @@ file_types tone_picture_types;
 bool tone_picture_check(const struct artifact_job *job, struct error *error);
 bool tone_picture(const struct artifact_job *job, struct output *sink, struct error *error);
 
-/* Two luminances, the first smaller: "1,100". Given: option  without its dashes, for messages */
-bool tone_range_read(const char *option, const char *text, double range[2], struct error *error);
-
 /* -------- commands/camera/tone_scale.c -------- */
 
 /* Luminance in colours, with a scale beside it. Given: range  of the scale, cd/m^2 */

@@ -31,7 +31,8 @@ static int asked_of(const struct artifact_job *job)
                                           : ASKED_NONE;
 }
 
-bool tone_range_read(const char *option, const char *text, double range[2], struct error *error)
+/* Two luminances, the first smaller: "1,100". */
+static bool read_range(const char *option, const char *text, double range[2], struct error *error)
 {
     struct text rest = text_of(text);
     for (int i = 0; i < 2; i++) {
@@ -92,7 +93,7 @@ static bool check_colours(const struct artifact_job *job, struct error *error)
     }
     return (is_png(job) || fail(error, ERROR_USAGE, "{--falsecolor} is written as .png, not %s",
                                 job->type->ending)) &&
-           (input->scale == NULL || tone_range_read("scale", input->scale, range, error));
+           (input->scale == NULL || read_range("scale", input->scale, range, error));
 }
 
 static bool check_bits(const struct tone_input *input, const struct artifact_job *job,
@@ -123,7 +124,7 @@ bool tone_picture_check(const struct artifact_job *job, struct error *error)
     }
     return check_bits(input, job, error) &&
            (input->falsecolor ? check_colours(job, error) : check_operator(job, error)) &&
-           (input->display == NULL || tone_range_read("display", input->display, range, error));
+           (input->display == NULL || read_range("display", input->display, range, error));
 }
 
 /* -------- what an eye sees -------- */
@@ -203,7 +204,7 @@ static bool show(const struct artifact_job *job, const struct foveal *foveal, st
     struct toned toned;
     double range[2];
     if (input->display != NULL) {
-        if (!tone_range_read("display", input->display, range, error)) {
+        if (!read_range("display", input->display, range, error)) {
             return false;
         }
         way.display = (struct display){range[0], range[1]};
@@ -231,7 +232,7 @@ static bool colour(const struct tone_input *input, struct image *image, struct g
     }
     range[1] = pow(10, ceil(log10(range[1]) - 1e-9));
     range[0] = fmin(fmax(pow(10, floor(log10(range[0]) + 1e-9)), range[1] * 1e-6), range[1] / 10);
-    if (input->scale != NULL && !tone_range_read("scale", input->scale, range, error)) {
+    if (input->scale != NULL && !read_range("scale", input->scale, range, error)) {
         return false;
     }
     growing_format(remarks, "colours from %.4g to %.4g cd/m2, by the logarithm\n", range[0],
