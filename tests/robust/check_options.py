@@ -68,6 +68,8 @@ ASKED = {
     "optimize": ("double-gauss --vary R1 --goals efl=100 --pattern sobol",
                  ("N", "4,8", "seed", "1,2"), "N\n4\n8\n"),
     "merge": ("one.part", None, None),
+    "tone": ("one.png -N 5.6 --iso 100 --operator filmic --white 1000 --bits 16",
+             None, None),
     "list": ("formats", None, None),
     "glass": ("N-BK7 -w 500 --thickness 10mm", ("w", "486,587", "thickness", "5,10"),
               "w\n486\n587\n"),
@@ -253,7 +255,8 @@ def try_force(asked):
 
 def try_output(asked):
     ending = {"draw": "out.svg", "convert": "out.lens", "fit": "out.lens", "optimize": "out.lens",
-              "render": "out.png", "merge": "out.png", "report": "out.html"}.get(asked.command, "out")
+              "render": "out.png", "merge": "out.png", "tone": "out.png",
+              "report": "out.html"}.get(asked.command, "out")
     saves = {"distortion": "double-gauss --fit poly3 -o out.xml".split()}
     if asked.command in saves:
         return asked.run(question=saves[asked.command]).returncode == 0
@@ -337,6 +340,8 @@ def check_command(checks, program, command, options):
         make_folder(folder)
         if command == "merge":
             program.run("render", *ASKED["render"][0].split(), "-o", "one.part", cwd=folder)
+        if command == "tone":
+            program.run("render", *ASKED["render"][0].split(), "-o", "one.png", cwd=folder)
         asked = Asked(program, command, folder)
         checks.check(asked.plain.returncode == 0, f"{command} {ASKED[command][0]}: status "
                      f"{asked.plain.returncode}: {asked.plain.stderr.decode()[:200]}")

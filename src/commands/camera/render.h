@@ -14,6 +14,9 @@
 #define RENDER_NOTE_FULL "Electrons of white"
 #define RENDER_NOTE_READ "Read noise electrons"
 
+/* And of any PNG of light: what its white is in the scene. */
+#define RENDER_NOTE_WHITE "Luminance of white"
+
 struct render_input {
     const char *scene;
     struct analysis_question question;

@@ -156,6 +156,16 @@ void render_note(struct image *image, struct arena *arena, const char *key, cons
     image_note(image, arena, text_of(key), text_of(value));
 }
 
+/* Of a PNG; others say their unit. */
+static void add_note_of_white(const struct render_input *input, const struct exposure *exposure,
+                              double axis, struct image *image, struct arena *arena)
+{
+    const double white = exposure->full / (DEVELOP_HEADROOM * axis * exposure->metered);
+    if (!input->raw && !render_is_film(input)) {
+        render_note(image, arena, RENDER_NOTE_WHITE, arena_printf(arena, "%.6g cd/m2", white));
+    }
+}
+
 static void add_notes(const struct render_input *input, const struct exposure *exposure,
                       struct image *image, struct arena *arena)
 {
@@ -256,7 +266,9 @@ static bool expose(const struct render_input *input, const struct render_shot *s
         return false;
     }
     add_notes(input, &exposure, &image, remarks->arena);
-    if (!is_png) {
+    if (is_png) {
+        add_note_of_white(input, &exposure, photograph->axis, &image, remarks->arena);
+    } else {
         render_note(&image, remarks->arena, "Unit",
                     is_film           ? "density"
                     : input->radiance ? "cd/m2"

@@ -37,7 +37,8 @@ struct tone_frames {
     size_t count;
     double iso, fnumber;          /* NaN = nobody says */
     double full_well, read_noise; /* the same */
-    const char *unit;             /* that a file of floats says; null = it says none */
+    double white;     /* cd/m^2 of the first frame's white, as lenscalc render notes; NaN */
+    const char *unit; /* that a file of floats says; null = it says none */
 };
 
 /*

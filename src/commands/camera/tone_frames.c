@@ -124,6 +124,7 @@ static void take_notes(struct reading *reading, const struct image *image, size_
     if (i == 0) {
         frames->full_well = noted(image, RENDER_NOTE_FULL, &dimension_number);
         frames->read_noise = noted(image, RENDER_NOTE_READ, &dimension_number);
+        frames->white = noted(image, RENDER_NOTE_WHITE, &dimension_luminance);
         frames->unit = unit != NULL ? arena_string(reading->arena, unit, strlen(unit)) : NULL;
     }
 }

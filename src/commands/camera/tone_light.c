@@ -16,13 +16,14 @@ static const double usual_full = 20000, usual_noise = 5;
 /* -------- cd/m2 -------- */
 
 /* A picture by itself needs no time: its values are what they are. */
-static double plain_unit(struct tone_frames *frames, double unit, const char *how,
+static double plain_unit(struct tone_frames *frames, double unit, bool is_known,
                          struct growing *remarks)
 {
     const bool is_single = frames->count == 1;
     frames->frames[0].time = is_single ? 1 : frames->frames[0].time;
-    growing_format(remarks, "a value of 1%s %s %.4g cd/m2\n", is_single ? "" : " in 1 s", how,
-                   unit);
+    growing_format(remarks, "a value of 1%s is %s%.4g cd/m2%s\n", is_single ? "" : " in 1 s",
+                   is_known ? "" : "taken for ", unit,
+                   is_known ? "" : ": --calibrate says what it is");
     return unit;
 }
 
@@ -36,21 +37,28 @@ static double unit_of(const struct tone_input *input, struct tone_frames *frames
     const bool has_luminance = frames->unit != NULL && strcmp(frames->unit, "cd/m2") == 0;
     const double N = frames->fnumber, S = frames->iso;
     if (!isnan(input->calibrate)) {
-        return plain_unit(frames, input->calibrate, "is", remarks);
+        return plain_unit(frames, input->calibrate, true, remarks);
     }
     if (has_luminance && frames->count == 1) {
-        return plain_unit(frames, 1, "is", remarks);
+        return plain_unit(frames, 1, true, remarks);
+    }
+    if (!isnan(frames->white) && !isnan(first->time) && isnan(input->iso) &&
+        isnan(input->fnumber)) {
+        growing_format(remarks, "exposed for 1 s, white is %.4g cd/m2, as %s says\n",
+                       frames->white * first->time, first->name);
+        return frames->white * first->time;
     }
     if (isnan(N) || isnan(first->time) || (is_light ? !has_exposure : isnan(S))) {
-        return plain_unit(frames, 1, "is taken for (--calibrate says it)", remarks);
+        return plain_unit(frames, 1, false, remarks);
     }
     const double full = is_light ? 1 : saturation_exposure(S) / DEVELOP_HEADROOM;
     const double unit = full * N * N / LENS_Q_STANDARD;
     if (is_light) {
-        growing_format(remarks, "1 lx s in 1 s is %.4g cd/m2: f/%.4g, L = H N^2/(%g t)\n", unit, N,
-                       LENS_Q_STANDARD);
+        growing_format(remarks, "exposed for 1 s, 1 lx s is %.4g cd/m2: f/%.4g, L = H N^2/(%g t)\n",
+                       unit, N, LENS_Q_STANDARD);
     } else {
-        growing_format(remarks, "white in 1 s is %.4g cd/m2: f/%.4g, ISO %.4g, L = H N^2/(%g t)\n",
+        growing_format(remarks,
+                       "exposed for 1 s, white is %.4g cd/m2: f/%.4g, ISO %.4g, L = H N^2/(%g t)\n",
                        unit, N, S, LENS_Q_STANDARD);
     }
     return unit;
