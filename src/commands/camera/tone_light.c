@@ -27,41 +27,45 @@ static double plain_unit(struct tone_frames *frames, double unit, bool is_known,
     return unit;
 }
 
+/* By f-number and ISO speed, as ISO 12232 has it. */
+static double standard_unit(const struct tone_frames *frames, struct growing *remarks)
+{
+    const double N = frames->fnumber, S = frames->iso;
+    const bool is_light = frames->frames[0].bits == 0;
+    const double full = is_light ? 1 : saturation_exposure(S) / DEVELOP_HEADROOM;
+    const double unit = full * N * N / LENS_Q_STANDARD;
+    growing_format(remarks, "exposed for 1 s, %s is %.4g cd/m2: f/%.4g%s, L = H N^2/(%g t)\n",
+                   is_light ? "1 lx s" : "white", unit, N,
+                   is_light ? "" : arena_printf(remarks->arena, ", ISO %.4g", S), LENS_Q_STANDARD);
+    return unit;
+}
+
+static bool is_unit(const struct tone_frames *frames, const char *unit)
+{
+    return frames->unit != NULL && strcmp(frames->unit, unit) == 0;
+}
+
 /* What one of a merged picture's values is, cd/m^2, and why. */
 static double unit_of(const struct tone_input *input, struct tone_frames *frames,
                       struct growing *remarks)
 {
     const struct tone_frame *first = &frames->frames[0];
-    const bool is_light = first->bits == 0;
-    const bool has_exposure = frames->unit != NULL && strcmp(frames->unit, "lx s") == 0;
-    const bool has_luminance = frames->unit != NULL && strcmp(frames->unit, "cd/m2") == 0;
-    const double N = frames->fnumber, S = frames->iso;
+    const bool is_asked = !isnan(input->iso) || !isnan(input->fnumber);
     if (!isnan(input->calibrate)) {
         return plain_unit(frames, input->calibrate, true, remarks);
     }
-    if (has_luminance && frames->count == 1) {
+    if (is_unit(frames, "cd/m2") && frames->count == 1) {
         return plain_unit(frames, 1, true, remarks);
     }
-    if (!isnan(frames->white) && !isnan(first->time) && isnan(input->iso) &&
-        isnan(input->fnumber)) {
+    if (!isnan(frames->white) && !isnan(first->time) && !is_asked) {
         growing_format(remarks, "exposed for 1 s, white is %.4g cd/m2, as %s says\n",
                        frames->white * first->time, first->name);
         return frames->white * first->time;
     }
-    if (isnan(N) || isnan(first->time) || (is_light ? !has_exposure : isnan(S))) {
-        return plain_unit(frames, 1, false, remarks);
-    }
-    const double full = is_light ? 1 : saturation_exposure(S) / DEVELOP_HEADROOM;
-    const double unit = full * N * N / LENS_Q_STANDARD;
-    if (is_light) {
-        growing_format(remarks, "exposed for 1 s, 1 lx s is %.4g cd/m2: f/%.4g, L = H N^2/(%g t)\n",
-                       unit, N, LENS_Q_STANDARD);
-    } else {
-        growing_format(remarks,
-                       "exposed for 1 s, white is %.4g cd/m2: f/%.4g, ISO %.4g, L = H N^2/(%g t)\n",
-                       unit, N, S, LENS_Q_STANDARD);
-    }
-    return unit;
+    const bool has_speed = first->bits == 0 ? is_unit(frames, "lx s") : !isnan(frames->iso);
+    return isnan(frames->fnumber) || isnan(first->time) || !has_speed
+               ? plain_unit(frames, 1, false, remarks)
+               : standard_unit(frames, remarks);
 }
 
 /* -------- the frames -------- */
