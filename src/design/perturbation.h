@@ -35,4 +35,40 @@ struct perturbation {
     const char *name; /* "R1", "t3", "element 3..5 tilt x", for rows and messages */
 };
 
+/* What is known of how well a lens will be made. */
+struct perturbation_wish {
+    const char *grade; /* its name, for messages; null: none */
+    struct tolerances of_grade, marks;
+};
+
+struct perturbations {
+    struct perturbation *list; /* by kind, then surface */
+    size_t count;
+    const char *won;      /* marks that took the place of the grade's, "R1, t3"; null: none */
+    const char *left_out; /* glasses whose Abbe number the grade cannot change, "V1, V3"; or null */
+};
+
+/*
+ * The independent errors of a lens.
+ *
+ * Given     lens  in all its positions; what is in shares of a number, or fringes, is of the first
+ *           wish  ranges are of those surfaces and elements that have such a thing: planes have no
+ *                 radius but in fringes, spaces of 0 no thickness. What is named by itself goes
+ *                 before a range, `air` before `t`, and marks before the grade, of which a row in
+ *                 fringes is for planes where there is another one
+ * Result    in the arena
+ * Formula   N fringes of a radius, r the semi-diameter: z(c') = z(c) +- N lambda/2 of the conic,
+ *           c(z) = 2 z/(r^2 + (1+k) z^2); the amount is half of the difference of the two. The
+ *           tilt of a wedge is its runout over the largest diameter of the element
+ * Source    derived here
+ * Errors    ERROR_DATA with the line of the mark, of a grade ERROR_DOMAIN: a tolerance as wide as
+ *           the number, a diameter that fringes or a runout need, two tolerances of one thing, an
+ *           element that begins or ends within glass, a single thing that the lens has not; nothing
+ *           is perturbed
+ * Limits    light that passes a surface twice, before and behind a mirror, meets two errors there
+ */
+bool perturbations_of(const struct lens *lens, const struct perturbation_wish *wish,
+                      struct arena *arena, struct perturbations *perturbations,
+                      struct error *error);
+
 #endif

@@ -564,8 +564,8 @@ static bool finish(struct parser *parser, struct error *error)
                                "'aperture stop' needs a stop, and the lens has none");
     }
     for (int kind = 0; kind < KEPT_KINDS; kind++) {
-        const struct lines *lines = &parser->kept[kind];
-        for (struct lens_words *line = lines->all; line < lines->all + lines->count; line++) {
+        for (size_t i = 0; i < parser->kept[kind].count; i++) {
+            struct lens_words *line = &parser->kept[kind].all[i];
             if (kind == KEPT_SETTING  ? !lens_setting_read(line, parser->glasses, lens, error)
                 : kind == KEPT_PICKUP ? !lens_pickup_read(line, lens, error)
                                       : !lens_tolerance_read(line, lens, error)) {

@@ -440,8 +440,7 @@ bool lens_tolerance_read(struct lens_words *words, struct lens *lens, struct err
 }
 
 bool lens_tolerances_read(const char *source, struct text content, const struct lens *lens,
-                          struct arena *arena, struct lens_tolerances *tolerances,
-                          struct error *error)
+                          struct arena *arena, struct tolerances *tolerances, struct error *error)
 {
     struct lens_words words;
     struct lens marked = *lens;
@@ -463,7 +462,7 @@ bool lens_tolerances_read(const char *source, struct text content, const struct 
             return false;
         }
     }
-    *tolerances = (struct lens_tolerances){marked.tolerances, marked.tolerance_count};
+    *tolerances = (struct tolerances){marked.tolerances, marked.tolerance_count};
     if (marked.tolerance_count == 0) {
         fail(error, ERROR_DATA, "no line with 'tolerance'");
         return error_locate(error, source, 0, 0);

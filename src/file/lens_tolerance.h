@@ -23,14 +23,8 @@ bool lens_tolerance_read(struct lens_words *words, struct lens *lens, struct err
 void lens_tolerance_write(const struct lens_tolerance *tolerance, const char *unit,
                           struct growing *text);
 
-/* The list of a file that has nothing but such lines and comments. */
-struct lens_tolerances {
-    struct lens_tolerance *list;
-    size_t count;
-};
-
 /*
- * Read such a file.
+ * Read a file that has nothing but such lines and comments.
  *
  * Given     source   its name, for messages
  *           content  the list points into it
@@ -38,7 +32,6 @@ struct lens_tolerances {
  * Errors    ERROR_DATA as lens_tolerance_read; another line; no line at all
  */
 bool lens_tolerances_read(const char *source, struct text content, const struct lens *lens,
-                          struct arena *arena, struct lens_tolerances *tolerances,
-                          struct error *error);
+                          struct arena *arena, struct tolerances *tolerances, struct error *error);
 
 #endif

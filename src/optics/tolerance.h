@@ -74,6 +74,12 @@ struct lens_tolerance {
     size_t column; /* where what it is of begins, from 1 */
 };
 
+/* Several of them. */
+struct tolerances {
+    const struct lens_tolerance *list;
+    size_t count;
+};
+
 /* What it is of, as files have it: "R1..R11", "surface 3 tilt", "element 3..5 decenter". */
 const char *tolerance_name(const struct lens_tolerance *tolerance, struct arena *arena);
 

@@ -40,7 +40,7 @@ static const struct line {
 
 static void check_line(const struct line *line, const struct lens *lens, struct arena *arena)
 {
-    struct lens_tolerances all;
+    struct tolerances all;
     struct error error = {.code = ERROR_NONE};
     const char *content = arena_printf(arena, "# ours\n\n tolerance  %s # as agreed\n", line->text);
     const bool read = lens_tolerances_read("shop.txt", text_of(content), lens, arena, &all, &error);
@@ -91,7 +91,7 @@ static void test_files(void)
     struct arena arena = {0};
     const struct lens lens = lens_of(lens_text, &arena);
     for (size_t i = 0; i < sizeof files / sizeof *files; i++) {
-        struct lens_tolerances all;
+        struct tolerances all;
         struct error error = {.code = ERROR_NONE};
         CHECK(!lens_tolerances_read("shop.txt", text_of(files[i].content), &lens, &arena, &all,
                                     &error));

@@ -1,0 +1,261 @@
+/* design/perturbation.c - what may be wrong with a lens that is made: independent numbers. */
+/* SPDX-License-Identifier: MIT */
+#include "design/perturbation.h"
+
+#include "design/perturbation_place.h"
+#include "optics/growing.h"
+
+#include <stdlib.h>
+
+/* Which tolerance of one thing counts: the highest. */
+enum rank { RANK_GRADE, RANK_GRADE_AIR, RANK_RANGE, RANK_AIR, RANK_SINGLE };
+
+/* A thing of the lens, with the tolerance that counts so far. */
+struct entry {
+    struct tolerance_place place;
+    enum rank rank;
+    bool won; /* over the grade's */
+};
+
+struct work {
+    struct tolerance_site site;
+    const char *grade;
+    struct entry *entries;
+    size_t count, room;
+    struct growing left_out;
+};
+
+/* A mark names its line, a grade itself. Returns false. */
+static bool refuse(const struct work *work, const struct entry *entry, const char *why,
+                   struct error *error)
+{
+    const char *name = tolerance_place_name(&work->site, &entry->place);
+    const struct lens_tolerance *from = entry->place.from;
+    if (entry->rank <= RANK_GRADE_AIR) {
+        fail(error, ERROR_DOMAIN, "the tolerance of %s in grade %s cannot be: %s", name,
+             work->grade, why);
+        return error_hint(error, "a line 'tolerance %s ...' of its own goes before the grade",
+                          name);
+    }
+    fail(error, ERROR_DATA, "the tolerance of %s cannot be: %s", name, why);
+    return from->source != NULL && error_locate(error, from->source, from->line, from->column);
+}
+
+static bool is_same(const struct entry *a, const struct entry *b)
+{
+    return a->place.kind == b->place.kind && a->place.first == b->place.first &&
+           a->place.last == b->place.last && a->place.from->order == b->place.from->order;
+}
+
+/* Has the newer one of the same rank no place beside the older one? */
+static bool gives_way(const struct entry *older, const struct entry *newer)
+{
+    return newer->rank < older->rank ||
+           (newer->rank == older->rank && newer->rank <= RANK_GRADE_AIR &&
+            newer->place.from->unit == TOLERANCE_FRINGES);
+}
+
+static bool put_entry(struct work *work, struct entry entry, struct error *error)
+{
+    for (size_t i = 0; i < work->count; i++) {
+        struct entry *older = &work->entries[i];
+        if (!is_same(older, &entry)) {
+            continue;
+        }
+        if (gives_way(older, &entry)) {
+            return true;
+        }
+        if (older->rank == entry.rank && entry.rank > RANK_GRADE_AIR) {
+            const struct lens_tolerance *first = older->place.from;
+            return refuse(work, &entry,
+                          arena_printf(work->site.arena, "it has one already, in line %ld%s%s",
+                                       first->line, first->source != NULL ? " of " : "",
+                                       first->source != NULL ? first->source : ""),
+                          error);
+        }
+        entry.won = older->won || (older->rank <= RANK_GRADE_AIR && entry.rank > RANK_GRADE_AIR);
+        *older = entry;
+        return true;
+    }
+    work->entries = arena_grow(work->site.arena, work->entries, work->count, &work->room,
+                               sizeof work->entries[0]);
+    work->entries[work->count++] = entry;
+    return true;
+}
+
+/* A glass of which only the Abbe number is not known. */
+static void leave_out(struct work *work, const struct entry *entry)
+{
+    struct tolerance_place glass = entry->place;
+    glass.kind = TOLERANCE_INDEX;
+    if (entry->place.kind == TOLERANCE_ABBE && tolerance_place_wrong(&work->site, &glass) == NULL) {
+        growing_format(&work->left_out, "%s%s", work->left_out.length > 0 ? ", " : "",
+                       tolerance_place_name(&work->site, &entry->place));
+    }
+}
+
+/* One thing of a tolerance. */
+static bool add(struct work *work, struct entry entry, struct error *error)
+{
+    const struct lens_tolerance *from = entry.place.from;
+    if (from->kind == TOLERANCE_THICKNESS) {
+        entry.place.kind = tolerance_place_space(&work->site, entry.place.first);
+    }
+    const char *wrong = tolerance_place_wrong(&work->site, &entry.place);
+    if (wrong != NULL && from->is_range) {
+        leave_out(work, &entry);
+        return true;
+    }
+    return wrong != NULL ? refuse(work, &entry, wrong, error) : put_entry(work, entry, error);
+}
+
+/* The elements from `first` to `last`: all of each. */
+static bool add_elements(struct work *work, struct entry entry, struct error *error)
+{
+    const struct lens_tolerance *from = entry.place.from;
+    const char *wrong = tolerance_place_wrong(&work->site, &entry.place);
+    if (wrong != NULL) {
+        return refuse(work, &entry, wrong, error);
+    }
+    for (size_t i = 0; i < work->site.element_count; i++) {
+        const struct element *one = &work->site.elements[i];
+        if (one->first >= from->first && one->last <= from->last) {
+            entry.place.first = one->first;
+            entry.place.last = one->last;
+            if (!put_entry(work, entry, error)) {
+                return false;
+            }
+        }
+    }
+    return true;
+}
+
+static bool add_tolerance(struct work *work, const struct lens_tolerance *from, bool is_grade,
+                          struct error *error)
+{
+    const bool is_air = from->kind == TOLERANCE_AIR;
+    const enum rank ranks[] = {is_air ? RANK_AIR : RANK_RANGE,
+                               is_air ? RANK_GRADE_AIR : RANK_GRADE};
+    struct entry entry = {.place = {from, from->kind, from->first, from->last},
+                          .rank = is_grade || from->is_range ? ranks[is_grade] : RANK_SINGLE};
+    const enum tolerance_owner owner = tolerance_type(from->kind)->owner;
+    if (owner == TOLERANCE_OF_ELEMENT && from->is_range) {
+        return add_elements(work, entry, error);
+    }
+    if (owner != TOLERANCE_OF_SURFACE) {
+        return add(work, entry, error);
+    }
+    for (size_t i = from->first; i <= from->last; i++) {
+        entry.place.first = entry.place.last = i;
+        if (!add(work, entry, error)) {
+            return false;
+        }
+    }
+    return true;
+}
+
+/* -------- as numbers -------- */
+
+static int by_place(const void *a, const void *b)
+{
+    const struct tolerance_place *left = &((const struct entry *)a)->place;
+    const struct tolerance_place *right = &((const struct entry *)b)->place;
+    const size_t keys[][2] = {{left->kind, right->kind},
+                              {left->first, right->first},
+                              {left->last, right->last},
+                              {(size_t)left->from->order, (size_t)right->from->order}};
+    for (size_t i = 0; i < sizeof keys / sizeof keys[0]; i++) {
+        if (keys[i][0] != keys[i][1]) {
+            return keys[i][0] < keys[i][1] ? -1 : 1;
+        }
+    }
+    return 0;
+}
+
+/* Is it two numbers, of which `first` receives that along or about x? */
+static bool has_axes(enum tolerance_kind kind, enum parameter_kind *first)
+{
+    const bool is_tilt = kind == TOLERANCE_TILT || kind == TOLERANCE_WEDGE;
+    const bool is_surface = is_tilt || kind == TOLERANCE_DECENTER;
+    *first = !is_surface ? PARAMETER_KINDS : is_tilt ? PARAMETER_TILT_X : PARAMETER_DECENTER_X;
+    return is_surface || kind == TOLERANCE_ELEMENT_TILT || kind == TOLERANCE_ELEMENT_DECENTER;
+}
+
+static bool emit(const struct work *work, const struct entry *entry,
+                 struct perturbations *perturbations, struct error *error)
+{
+    const struct lens_tolerance *from = entry->place.from;
+    struct perturbation one = {.spread = spread_of(from->distribution, from->sigmas),
+                               .name = tolerance_place_name(&work->site, &entry->place)};
+    const char *wrong = tolerance_place_amount(&work->site, &entry->place, &one);
+    enum parameter_kind x;
+    if (wrong != NULL) {
+        return refuse(work, entry, wrong, error);
+    }
+    if (!has_axes(one.kind, &x)) {
+        perturbations->list[perturbations->count++] = one;
+        return true;
+    }
+    for (int axis = 0; axis < 2; axis++) {
+        struct perturbation part = one;
+        part.axis = axis == 0 ? PERTURBATION_X : PERTURBATION_Y;
+        part.name = ARENA_JOIN(work->site.arena, one.name, axis == 0 ? " x" : " y");
+        if (x != PARAMETER_KINDS) {
+            part.what = (struct parameter){one.first, (enum parameter_kind)((int)x + axis), 0};
+        }
+        perturbations->list[perturbations->count++] = part;
+    }
+    return true;
+}
+
+/* The names of those that won over the grade; null: none did. */
+static const char *won_over(const struct work *work)
+{
+    struct growing names = {.arena = work->site.arena};
+    for (size_t i = 0; i < work->count; i++) {
+        if (work->entries[i].won) {
+            growing_format(&names, "%s%s", names.length > 0 ? ", " : "",
+                           tolerance_place_name(&work->site, &work->entries[i].place));
+        }
+    }
+    const struct text all = growing_done(&names);
+    return all.length > 0 ? arena_string(work->site.arena, all.start, all.length) : NULL;
+}
+
+bool perturbations_of(const struct lens *lens, const struct perturbation_wish *wish,
+                      struct arena *arena, struct perturbations *perturbations, struct error *error)
+{
+    struct work work = {.grade = wish->grade, .left_out = {.arena = arena}};
+    struct element *elements;
+    work.site = (struct tolerance_site){.all = lens,
+                                        .lens = lens_at_position(lens, 0, arena),
+                                        .element_count = elements_of(lens, arena, &elements),
+                                        .arena = arena};
+    work.site.elements = elements;
+    for (size_t i = 0; i < wish->of_grade.count + wish->marks.count; i++) {
+        const bool is_grade = i < wish->of_grade.count;
+        const struct lens_tolerance *from =
+            is_grade ? &wish->of_grade.list[i] : &wish->marks.list[i - wish->of_grade.count];
+        if (!add_tolerance(&work, from, is_grade, error)) {
+            return false;
+        }
+    }
+    if (work.count == 0) {
+        fail(error, ERROR_DOMAIN, "nothing of the lens has a tolerance");
+        return error_hint(error,
+                          "give a grade, or lines 'tolerance R1 0.1%% uniform' in the lens or "
+                          "in a file of their own");
+    }
+    qsort(work.entries, work.count, sizeof work.entries[0], by_place);
+    *perturbations = (struct perturbations){
+        .list = ARENA_ARRAY(arena, 2 * work.count, struct perturbation), .won = won_over(&work)};
+    for (size_t i = 0; i < work.count; i++) {
+        if (!emit(&work, &work.entries[i], perturbations, error)) {
+            return false;
+        }
+    }
+    const struct text left_out = growing_done(&work.left_out);
+    perturbations->left_out =
+        left_out.length > 0 ? arena_string(arena, left_out.start, left_out.length) : NULL;
+    return true;
+}
