@@ -202,10 +202,10 @@ static void set_sides(struct merit *merit, struct arena *arena)
 bool merit_open(const struct merit_question *question, struct arena *arena, struct merit *merit,
                 struct error *error)
 {
-    *merit =
-        (struct merit){.question = *question,
-                       .variable_count = question->variable_count + question->irregularity_count,
-                       .arena = arena};
+    *merit = (struct merit){.question = *question,
+                            .variable_count =
+                                question->variable_count + merit_irregular_columns(question),
+                            .arena = arena};
     if (!open_places(merit, arena, error) || !open_slots(merit, arena, error)) {
         return false;
     }

@@ -468,7 +468,13 @@ bool merit_bundle_trace(struct merit_bundle *bundle, size_t block, bool derives,
                         struct ray_block *end, struct error *error)
 {
     aimed_trace(&bundle->blocks[block].aimed, derives, end);
-    return fail_lost(bundle, &bundle->blocks[block], end, error);
+    if (!fail_lost(bundle, &bundle->blocks[block], end, error)) {
+        return false;
+    }
+    if (bundle->blocks[block].is_deformed) {
+        merit_bundle_bend(bundle, &bundle->blocks[block], end);
+    }
+    return true;
 }
 
 void merit_bundle_start(const struct merit_bundle *bundle, size_t group, size_t point,

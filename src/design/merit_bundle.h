@@ -26,6 +26,8 @@ struct bundle_wish {
     bool is_round; /* no variable decentres or tilts anything */
     const struct irregularity *irregularities; /* whose columns are the last of all */
     size_t irregularity_count;
+    const double *irregularity_amounts; /* mm, one each, read at every trace: rays are moved by
+                                           them, and have no columns; null: they have */
     enum pattern pattern;
     size_t rays;
     uint64_t seed;
@@ -49,6 +51,8 @@ struct bundle_block {
     struct aimed *settled;       /* of merit_bundle_settle; null: there are none */
     struct bundle_share *shares; /* one a beam of the block */
     size_t light;
+    double *deformed; /* of merit_bundle_deform */
+    bool is_deformed;
 };
 
 struct bundle_light {
@@ -143,6 +147,22 @@ static inline bool merit_bundle_moves(const struct merit_bundle *bundle, size_t 
 {
     return bundle->wish.fields[field].point.kind == FIELD_IMAGE;
 }
+
+/* -------- design/merit_bundle_deform.c -------- */
+
+/*
+ * Find how irregularities move rays, of the lens as it is now: later ones are taken to be like it.
+ *
+ * Given     bundle  aimed, with irregularity_amounts
+ * Formula   of x, y, p, q and path at the end irregularity_column: the aim stays as it is for rays
+ *           that are held, else it is looked after
+ * Errors    as merit_bundle_trace
+ */
+bool merit_bundle_deform(struct merit_bundle *bundle, struct error *error);
+
+/* Internal: move the final rays of a block by the amounts. */
+void merit_bundle_bend(const struct merit_bundle *bundle, const struct bundle_block *block,
+                       struct ray_block *end);
 
 /* -------- design/merit_bundle_sweep.c -------- */
 

@@ -167,14 +167,17 @@ static void add_links(const struct merit_bundle *bundle, const struct bundle_blo
     }
 }
 
+/* Their columns end there. */
 static void add_irregularities(const struct merit_bundle *bundle, const struct bundle_block *block,
-                               double *columns)
+                               double *end)
 {
     const struct bundle_light *light = &bundle->lights[block->light];
     const struct irregularity_sweep sweep = {&light->system, &light->layout, &bundle->work.tape,
                                              bundle->gradient};
-    for (size_t i = 0; i < bundle->wish.irregularity_count; i++) {
-        irregularity_column(&bundle->wish.irregularities[i], &sweep, columns + i * RAYS_BLOCK);
+    const bool has = bundle->wish.irregularity_amounts == NULL;
+    for (size_t i = 0; i < bundle->wish.irregularity_count && has; i++) {
+        irregularity_column(&bundle->wish.irregularities[i], &sweep,
+                            end - (bundle->wish.irregularity_count - i) * RAYS_BLOCK);
     }
 }
 
@@ -195,8 +198,7 @@ void merit_bundle_sweep(const struct merit_bundle *bundle, size_t which,
         memset(columns + j * RAYS_BLOCK, 0, (size_t)lanes * sizeof *columns);
     }
     add_links(bundle, block, links, adjoint, columns);
-    add_irregularities(bundle, block,
-                       columns + (variable_count - bundle->wish.irregularity_count) * RAYS_BLOCK);
+    add_irregularities(bundle, block, columns + variable_count * RAYS_BLOCK);
     for (size_t j = 0; j < variable_count; j++) {
         const struct bundle_rate *rate = &bundle->rates[j];
         double *column = columns + j * RAYS_BLOCK;

@@ -78,6 +78,17 @@ static void derive_irregular(const struct merit *merit, const struct derivative_
     }
 }
 
+/* The end moves by them; the ray starts where it does without them. */
+static void bend(const struct merit *merit, struct sweep *sweep)
+{
+    for (size_t i = 0; i < merit->question.irregularity_count; i++) {
+        const double amount = merit->question.irregularity_amounts[i];
+        for (int k = 0; k < NUMBERS; k++) {
+            sweep->end[k] += amount * sweep->irregular[i][k];
+        }
+    }
+}
+
 /* Through a part of the lens, and back: `wanted` are the adjoints, one row a lane. */
 static bool sweep_part(struct merit *merit, const struct merit_light *light,
                        const struct lens *part, double image, const double start[NUMBERS],
@@ -108,12 +119,16 @@ static bool sweep_part(struct merit *merit, const struct merit_light *light,
         one[lane] = 1;
         put(sweep->adjoint, lane, one);
     }
-    if (merit->derives) {
+    const bool bends = merit->question.irregularity_amounts != NULL;
+    if (merit->derives || bends) {
         derivative_layout(&sweep->system, kinds_of(merit, light), arena, &sweep->layout);
         sweep->gradient = ARENA_ARRAY(arena, sweep->layout.rows * RAYS_BLOCK, double);
         derivative_sweep(&sweep->system, &sweep->layout, SET_BEST, &tape, sweep->adjoint,
                          sweep->gradient);
         derive_irregular(merit, &tape, arena, sweep);
+    }
+    if (bends) {
+        bend(merit, sweep);
     }
     return true;
 }

@@ -123,7 +123,8 @@ size_t merit_prepare_rays(struct merit *merit, struct merit_slot *slot, struct a
                                .seed = question->seed,
                                .is_round = !question->is_skew && question->irregularity_count == 0,
                                .irregularities = question->irregularities,
-                               .irregularity_count = question->irregularity_count};
+                               .irregularity_count = question->irregularity_count,
+                               .irregularity_amounts = question->irregularity_amounts};
     if (slot->operand->relation != OPERAND_NEAR || slot->operand->target != 0) {
         fail(error, ERROR_DOMAIN, "it is made as small as can be, and has no target");
         return 0;
@@ -374,4 +375,11 @@ struct merit_rays_look merit_rays_look(const struct merit_slot *slot)
 {
     struct merit_rays *rays = slot->own;
     return (struct merit_rays_look){&rays->bundle, rays->share, rays->is_joint};
+}
+
+bool merit_rays_deform(const struct merit_slot *slot, struct error *error)
+{
+    struct merit_rays *rays = slot->own;
+    return merit_bundle_deform(&rays->bundle, error) &&
+           (rays->waves == NULL || merit_bundle_deform(&rays->waves->chief, error));
 }

@@ -41,4 +41,7 @@ bool merit_rays_aim(struct merit *merit, const struct merit_slot *slot);
 /* merit_bundle_settle of all its rays. */
 void merit_rays_settle(const struct merit_slot *slot, bool holds);
 
+/* What irregularities do to rays, of the lens that was evaluated last: merit_bundle_deform. */
+bool merit_rays_deform(const struct merit_slot *slot, struct error *error);
+
 #endif

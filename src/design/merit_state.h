@@ -23,8 +23,10 @@ struct merit_question {
     const struct lens *lens; /* with all its positions */
     struct variables *variables;
     size_t variable_count;
-    const struct irregularity *irregularities; /* columns behind those of the variables */
+    const struct irregularity *irregularities; /* columns behind those of the variables; or */
     size_t irregularity_count;
+    const double *irregularity_amounts; /* mm, one each, read at every look: what rays are moved by,
+                                           from merit_deform on; null: columns */
     const struct operand *operands;
     size_t operand_count;
     const struct setup_wavelength *wavelengths; /* count 0: those of each position */
@@ -127,6 +129,12 @@ typedef size_t merit_prepare(struct merit *merit, struct merit_slot *slot, struc
 /* The light of a wavelength (um; NaN: the primary one) in the position of a slot; its links. */
 struct merit_light *merit_light(struct merit *merit, const struct merit_slot *slot,
                                 double wavelength);
+
+/* Irregularities that have columns. */
+static inline size_t merit_irregular_columns(const struct merit_question *question)
+{
+    return question->irregularity_amounts == NULL ? question->irregularity_count : 0;
+}
 
 /* How many figures there are: of each variable one, or one. */
 size_t merit_columns(const struct merit *merit);

@@ -4,13 +4,14 @@
 
 #include "design/irregularity.h"
 #include "design/merit.h"
+#include "design/merit_rays.h"
 
 enum { MOST = 4, ROWS = 2048 };
 
 /* The first derivatives of one operand of a lens. */
 struct looked {
     size_t rows, columns;
-    double jacobian[ROWS * 2 * MOST];
+    double jacobian[ROWS * 2 * MOST], residuals[ROWS];
 };
 
 /* The lens, and by what it is derived: variables, then irregularities. */
@@ -19,6 +20,7 @@ struct look {
     size_t name_count;
     const struct irregularity *irregularities;
     size_t irregularity_count;
+    const double *amounts; /* null: columns are wanted */
     enum operand_kind kind;
     bool from_entrance;
 };
@@ -58,20 +60,26 @@ static void look_at(const struct look *look, struct looked *looked)
                                             .variable_count = look->name_count,
                                             .irregularities = look->irregularities,
                                             .irregularity_count = look->irregularity_count,
+                                            .irregularity_amounts = look->amounts,
                                             .operands = &operand,
                                             .operand_count = 1,
                                             .fnumber = NAN,
                                             .from_entrance = look->from_entrance,
                                             .pattern = PATTERN_GAUSS,
                                             .rays = 12};
-    double numbers[MOST], residuals[ROWS];
+    double numbers[MOST];
     *looked = (struct looked){0};
     const bool opens = open_variables(look, &lens, &arena, &variables, &error) &&
                        merit_open(&question, &arena, &merit, &error);
     CHECK(opens);
     if (opens && merit.residual_count <= ROWS) {
         variables_get(&variables, numbers);
-        CHECK(merit_evaluate(&merit, numbers, residuals, looked->jacobian));
+        const bool has = look->amounts == NULL;
+        CHECK(merit_evaluate(&merit, numbers, looked->residuals, has ? looked->jacobian : NULL));
+        if (!has) {
+            CHECK(merit_rays_deform(&merit.slots[0], &error));
+            CHECK(merit_evaluate(&merit, numbers, looked->residuals, NULL));
+        }
         looked->rows = merit.residual_count;
         looked->columns = merit.variable_count;
     } else {
@@ -82,8 +90,8 @@ static void look_at(const struct look *look, struct looked *looked)
 }
 
 /* The columns of one against a sum of columns of another, by the largest of them. */
-static void compare(const struct looked *is, size_t column, const struct looked *of,
-                    const double *factors, const char *what)
+static void compare_within(const struct looked *is, size_t column, const struct looked *of,
+                           const double *factors, double tolerance, const char *what)
 {
     double largest = 0, worst = 0;
     CHECK(is->rows == of->rows);
@@ -96,7 +104,13 @@ static void compare(const struct looked *is, size_t column, const struct looked 
         worst = fmax(worst, fabs(is->jacobian[i * is->columns + column] - sum));
     }
     CHECK(largest > 0);
-    CHECK_NEAR(worst / largest, 0, 1e-11, what);
+    CHECK_NEAR(worst / largest, 0, tolerance, what);
+}
+
+static void compare(const struct looked *is, size_t column, const struct looked *of,
+                    const double *factors, const char *what)
+{
+    compare_within(is, column, of, factors, 1e-11, what);
 }
 
 /*
@@ -236,6 +250,41 @@ static void check_first(void)
     }
 }
 
+/*
+ * Rays that are moved by amounts: residuals change as the columns say, to first order. Differences
+ * of both signs have what is of second order in neither.
+ */
+static void check_amounts(void)
+{
+    static const enum operand_kind all[] = {OPERAND_SPOT, OPERAND_OPD, OPERAND_POLY};
+    const struct irregularity of[] = {
+        {1, IRREGULARITY_COS, 6}, {2, IRREGULARITY_SIN, 5}, {5, IRREGULARITY_SPHERICAL, 6}};
+    static struct looked columns, moved[2];
+    const double one[] = {1};
+    for (size_t k = 0; k < sizeof all / sizeof all[0]; k++) {
+        struct look look = {.text = LENS("surface -80 3 air - k=0.5 A4=2e-6"),
+                            .irregularities = of,
+                            .irregularity_count = 3,
+                            .kind = all[k]};
+        look_at(&look, &columns);
+        const double size = 1e-5;
+        for (int i = 0; i < 3; i++) {
+            double amounts[3] = {0, 0, 0};
+            look.amounts = amounts;
+            for (int side = 0; side < 2; side++) {
+                amounts[i] = side == 0 ? size : -size;
+                look_at(&look, &moved[side]);
+            }
+            for (size_t r = 0; r < columns.rows; r++) {
+                moved[0].jacobian[r] = (moved[0].residuals[r] - moved[1].residuals[r]) / (2 * size);
+                moved[1].jacobian[r] = columns.jacobian[3 * r + (size_t)i];
+            }
+            moved[0].columns = moved[1].columns = 1;
+            compare_within(&moved[0], 0, &moved[1], one, 1e-7, "moved by amounts");
+        }
+    }
+}
+
 /* Each form spans 1 from valley to peak in its disc, by a map; and has the slopes that it says. */
 static void check_span(void)
 {
@@ -292,5 +341,6 @@ int main(void)
     check_mirror();
     check_moved();
     check_astigmatism();
+    check_amounts();
     return check_report();
 }
