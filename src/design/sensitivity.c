@@ -22,9 +22,10 @@ static bool try_one(const struct differential_problem *problem, size_t i, double
     return false;
 }
 
-/* Half and whole, up and down. */
+/* The whole range and little of it, up and down. */
 enum { SIDES = 4 };
-static const double sides[SIDES] = {1, -1, 0.5, -0.5};
+static const double part = 1.0 / 8;
+static const double sides[SIDES] = {1, -1, part, -part};
 
 static struct sensitivity of_figure(const double values[SIDES], double nominal, bool is_root)
 {
@@ -32,7 +33,8 @@ static struct sensitivity of_figure(const double values[SIDES], double nominal, 
     for (int k = 0; k < SIDES; k++) {
         at[k] = is_root ? values[k] * values[k] : values[k];
     }
-    const double slope = (8 * (at[2] - at[3]) - (at[0] - at[1])) / 6;
+    const double near = (at[2] - at[3]) / (2 * part), far = (at[0] - at[1]) / 2;
+    const double slope = (near - part * part * far) / (1 - part * part);
     struct sensitivity all = {.plus = values[0] - nominal, .minus = values[1] - nominal};
     all.linear = !is_root ? slope : nominal > 0 ? slope / (2 * nominal) : (double)NAN;
     all.quadratic = (all.plus + all.minus) / 2;

@@ -19,8 +19,9 @@ struct sensitivity {
  * Given     nominal  figures without errors
  *           table    receives error_count rows of figure_count
  *           failure  receives why the first that failed has no figures; null: none has
- * Formula   linear: as the slope of differential_open; of a root that of its square over twice the
- *           root
+ * Formula   linear: with D(h) = (f(h) - f(-h))/2h and h = 1/8, (D(h) - h^2 D(1))/(1 - h^2), which
+ *           leaves out h^2/120 of the fifth derivative; of a root that of its square over twice
+ *           the root
  */
 void sensitivity_find(const struct differential_problem *problem, const double *nominal,
                       struct arena *arena, struct sensitivity *table, const char **failure);

@@ -180,6 +180,38 @@ static bool open_perturbed(struct tolerance *tolerance, struct arena *arena, str
     return true;
 }
 
+/* Height and slopes of a surface: what its perturbations are of. */
+static bool open_irregularities(struct tolerance *tolerance, struct arena *arena,
+                                struct error *error)
+{
+    static const enum irregularity_form forms[] = {[PERTURBATION_ROUND] = IRREGULARITY_SPHERICAL,
+                                                   [PERTURBATION_X] = IRREGULARITY_COS,
+                                                   [PERTURBATION_Y] = IRREGULARITY_SIN};
+    const struct tolerance_question *question = &tolerance->question;
+    const size_t most = question->perturbation_count + 1;
+    tolerance->irregularities = ARENA_ARRAY(arena, most, struct irregularity);
+    tolerance->irregular = ARENA_ARRAY(arena, most, size_t);
+    tolerance->irregular_amounts = ARENA_ARRAY(arena, most, double);
+    for (size_t i = 0; i < question->perturbation_count; i++) {
+        const struct perturbation *one = &question->perturbations[i];
+        if (one->kind != TOLERANCE_IRREGULARITY) {
+            continue;
+        }
+        const struct surface *surface = &tolerance->lens->surfaces[one->first];
+        if (!surface->has_diameter) {
+            return fail(error, ERROR_DOMAIN,
+                        "%s: surface %zu has no diameter for its irregularity to be over",
+                        one->name, one->first + 1);
+        }
+        tolerance->irregular[tolerance->irregularity_count] = i;
+        tolerance->irregularities[tolerance->irregularity_count++] =
+            (struct irregularity){.surface = one->first,
+                                  .form = forms[one->axis],
+                                  .radius = surface->diameter.value.hi / 2};
+    }
+    return true;
+}
+
 /* -------- what is looked at -------- */
 
 /* Does something that the lens may have decentre, tilt or bend its surfaces? */
@@ -202,6 +234,10 @@ static struct merit_question view_of(struct tolerance *tolerance)
     view.variables = &tolerance->variables;
     view.variable_count = tolerance->variables.count;
     view.is_skew = is_skew(&tolerance->question);
+    view.irregularities = tolerance->irregularities;
+    view.irregularity_count = tolerance->irregularity_count;
+    view.irregularity_amounts =
+        tolerance->irregularity_count > 0 ? tolerance->irregular_amounts : NULL;
     return view;
 }
 
@@ -381,6 +417,9 @@ static bool aim_nominal(struct tolerance *tolerance, struct error *error)
     }
     for (size_t i = 0; i < merit->slot_count; i++) {
         merit_rays_settle(&merit->slots[i], !tolerance->question.aims);
+        if (tolerance->irregularity_count > 0 && !merit_rays_deform(&merit->slots[i], error)) {
+            return false;
+        }
     }
     return true;
 }
@@ -422,7 +461,8 @@ bool tolerance_open(const struct tolerance_question *question, struct arena *are
                     "a paraxial refocus takes no notice of what is adjusted beside it");
     }
     if (!fix_image(tolerance, arena, error) || !open_movers(tolerance, arena, error) ||
-        !open_perturbed(tolerance, arena, error) || !open_quality(tolerance, arena, error)) {
+        !open_perturbed(tolerance, arena, error) || !open_irregularities(tolerance, arena, error) ||
+        !open_quality(tolerance, arena, error)) {
         return false;
     }
     if (tolerance->quality.slot_count == 0) {

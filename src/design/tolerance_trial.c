@@ -289,6 +289,11 @@ bool tolerance_trial(struct tolerance *tolerance, const double *errors,
     trial->why.code = ERROR_NONE;
     memset(trial->moves, 0, tolerance_moves(tolerance) * sizeof *trial->moves);
     perturbed_put(&tolerance->perturbed, errors);
+    for (size_t i = 0; i < tolerance->irregularity_count; i++) {
+        const size_t from = tolerance->irregular[i];
+        tolerance->irregular_amounts[i] =
+            errors[from] * tolerance->question.perturbations[from].amount * TOLERANCE_WAVE_MM;
+    }
     const bool found =
         tolerance->closed ? try_closed(tolerance, trial) : try_open(tolerance, trial);
     bool is_finite = found;

@@ -71,6 +71,10 @@ struct tolerance {
     double *nominal;       /* figures of the lens without errors, compensated as all are */
     double *nominal_moves; /* and what that took */
     double (*rest)[2];     /* the image of the boresight there, mm: one a figure */
+    struct irregularity *irregularities; /* of the perturbations that are one */
+    size_t irregularity_count;
+    size_t *irregular;         /* of each its perturbation, */
+    double *irregular_amounts; /* and in a trial its height, mm */
     /* internal */
     bool closed;     /* the image plane alone moves, and spots are parabolas of it */
     size_t *of_part; /* of each part of the movers, one after the other: its variable */

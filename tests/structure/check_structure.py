@@ -91,7 +91,7 @@ FOR_TESTS = {
     "irregularity_height": "a map of it has the span that is said",
     # what `tolerance` stands on
     "differential_open": "", "differential_trials": "", "differential_shares": "",
-    "sensitivity_find": "", "inverse_find": "", "merit_rays_deform": "",
+    "sensitivity_find": "", "inverse_find": "", "tolerance_model_open": "",
     "rays_best_focus": "lines given as numbers",
     "aim_ray": "one ray, against longer arithmetic",
     "thick_residuals": "the solver calls it by its pointer; its derivatives",
