@@ -3,6 +3,7 @@
 #include "design/merit_bundle.h"
 
 #include "analysis/bundle.h"
+#include "design/bent.h"
 #include "optics/lens_indices.h"
 
 #include <math.h>
@@ -472,7 +473,8 @@ bool merit_bundle_trace(struct merit_bundle *bundle, size_t block, bool derives,
         return false;
     }
     if (bundle->blocks[block].is_deformed) {
-        merit_bundle_bend(bundle, &bundle->blocks[block], end);
+        bent_move(bundle->blocks[block].deformed, bundle->wish.irregularity_amounts,
+                  bundle->wish.irregularity_count, bundle->blocks[block].aimed.lanes, end);
     }
     return true;
 }

@@ -160,10 +160,6 @@ static inline bool merit_bundle_moves(const struct merit_bundle *bundle, size_t 
  */
 bool merit_bundle_deform(struct merit_bundle *bundle, struct error *error);
 
-/* Internal: move the final rays of a block by the amounts. */
-void merit_bundle_bend(const struct merit_bundle *bundle, const struct bundle_block *block,
-                       struct ray_block *end);
-
 /* -------- design/merit_bundle_sweep.c -------- */
 
 /* How fast a variable moves the image plane: as merit_bundle_sweep has it. */

@@ -12,8 +12,8 @@
 #include <stddef.h>
 
 /*
- * Of what is two numbers: a decentre along x or y, a tilt about x or y; astigmatism rho^2 cos 2t and
- * rho^2 sin 2t of an irregularity, whose spherical form is round (design/irregularity.h).
+ * Of what is two numbers: a decentre along x or y, a tilt about x or y; astigmatism rho^2 cos 2t
+ * and rho^2 sin 2t of an irregularity, whose spherical form is round (design/irregularity.h).
  */
 enum perturbation_axis { PERTURBATION_ROUND, PERTURBATION_X, PERTURBATION_Y };
 

@@ -1,0 +1,14 @@
+/* design/bent.c - rays that are moved by what is known of them to first order. */
+/* SPDX-License-Identifier: MIT */
+#include "design/bent.h"
+
+#include "base/processor.h"
+
+void bent_move(const double *rows, const double *amounts, size_t count, int lanes,
+               struct ray_block *end)
+{
+    kernel_bend *kernel = processor_has_avx512() ? kernel_bend_avx512
+                          : processor_has_avx2() ? kernel_bend_avx2
+                                                 : kernel_bend_sse2;
+    kernel(rows, amounts, count, lanes, end);
+}
