@@ -55,7 +55,19 @@ static void list_wavelengths(struct glass_list *list)
     }
 }
 
-/* The glass as a lens file finds it by its full name; not twice. */
+/* Is one of the list the same to light? As one with higher transmittance is, by another name. */
+static bool is_there(const struct glass_list *list, const struct glass_candidate *one)
+{
+    bool found = false;
+    for (size_t i = 0; i < list->count && !found; i++) {
+        const struct glass_candidate *other = &list->glasses[i];
+        found = other->nd == one->nd && other->Vd == one->Vd &&
+                (other->deviation == one->deviation || isnan(one->deviation));
+    }
+    return found;
+}
+
+/* The glass as a lens file finds it by its full name; of several that are the same the first. */
 static bool add_glass(struct glass_list *list, const struct glass *glass, struct error *error)
 {
     const struct glass_source source = lens_glass_source(&list->place);
@@ -64,11 +76,6 @@ static bool add_glass(struct glass_list *list, const struct glass *glass, struct
                      (int)glass->name.length, glass->name.start);
     struct glass_candidate one = {.medium = {.kind = MEDIUM_GLASS, .written = text_of(name)}};
     struct pair index;
-    for (size_t i = 0; i < list->count; i++) {
-        if (text_same(list->glasses[i].medium.written, name)) {
-            return true;
-        }
-    }
     if (!source.find(source.context, &one.medium, error)) {
         return false;
     }
@@ -83,6 +90,9 @@ static bool add_glass(struct glass_list *list, const struct glass *glass, struct
     one.deviation = summary.deviation;
     if (!isfinite(one.nd) || !isfinite(one.Vd)) {
         return fail(error, ERROR_DOMAIN, "glass %s has no nd and Vd to choose it by", name);
+    }
+    if (is_there(list, &one)) {
+        return true;
     }
     list->glasses = arena_grow(list->arena, list->glasses, list->count, &list->room, sizeof one);
     list->glasses[list->count++] = one;
@@ -157,7 +167,7 @@ static bool read_words(struct glass_list *list, const char *typed, struct error 
         list->words[list->word_count++] =
             (struct glass_word){.text = word, .nearest = {.typed = word}};
     }
-    if (!read_catalogs(list, false, error) || !read_catalogs(list, true, error)) {
+    if (!read_catalogs(list, false, error)) {
         return false;
     }
     for (size_t i = 0; i < list->word_count; i++) {
@@ -165,10 +175,11 @@ static bool read_words(struct glass_list *list, const char *typed, struct error 
             return false;
         }
     }
-    return list->count > 0 || fail(error, ERROR_DOMAIN,
-                                   "'%s' has no glass that is made, has nd and Vd, and reaches "
-                                   "to all wavelengths",
-                                   typed);
+    return read_catalogs(list, true, error) && /* those that were named come first */
+           (list->count > 0 || fail(error, ERROR_DOMAIN,
+                                    "'%s' has no glass that is made, has nd and Vd, and reaches "
+                                    "to all wavelengths",
+                                    typed));
 }
 
 bool optimize_glasses_open(struct optimize_job *job, struct error *error)
@@ -222,6 +233,27 @@ static void merge_answer(struct optimize_job *job, const struct glass_choice *ch
     answer->is_idle = is_idle;
 }
 
+/* Model glasses that were left as they are, as they do not vary. */
+static void warn_of_models(struct optimize_job *job)
+{
+    const struct lens *lens = job->found;
+    struct arena *arena = job->run->arena;
+    const char *names = NULL;
+    for (size_t i = 0; i < lens->surface_count; i++) {
+        if (lens->surfaces[i].medium.kind == MEDIUM_MODEL &&
+            !surface_reflects(&lens->surfaces[i])) {
+            names = names == NULL ? arena_printf(arena, "glass%zu", i + 1)
+                                  : arena_printf(arena, "%s, glass%zu", names, i + 1);
+        }
+    }
+    if (names != NULL && job->choice->missing == 0) {
+        job->warning = lens_warnings_join(
+            job->warning,
+            arena_printf(arena, "model glasses that do not vary stay as they are: %s", names),
+            arena);
+    }
+}
+
 bool optimize_glasses_choose(struct optimize_job *job, struct error *error)
 {
     struct glass_choice *choice = ARENA_NEW(job->run->arena, struct glass_choice);
@@ -252,6 +284,7 @@ bool optimize_glasses_choose(struct optimize_job *job, struct error *error)
     if (choice->is_stopped) {
         job->answer.summary.status = SOLVER_STOPPED;
     }
+    warn_of_models(job);
     return true;
 }
 
