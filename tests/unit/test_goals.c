@@ -68,7 +68,7 @@ static const struct {
     {"efl 1..3=3", "bad goal in --goals: efl has no surface", "", 5},
     {"efl often=3", "bad goal in --goals: unknown word 'often'", "", 5},
     {"height=3", "bad goal in --goals: height is that of a field", "write height@10deg", 1},
-    {"efl@-550nm=3", "bad goal in --goals: a wavelength is above 0", "", 5},
+    {"efl@-550nm=3", "bad goal in --goals: the wavelength is not within 1 nm to 100 mm", "", 5},
     {"S3@infdeg=1", "bad goal in --goals: a field is finite", "", 4},
     {"efl=1=2", "bad goal in --goals: unexpected text after the number", "", 6},
 };
