@@ -3,6 +3,7 @@
 #include "design/merit.h"
 
 #include "design/merit_chief.h"
+#include "design/merit_graze.h"
 #include "design/merit_incidence.h"
 #include "design/merit_paraxial.h"
 #include "design/merit_rays.h"
@@ -41,6 +42,7 @@ static const struct merit_kind {
     [OPERAND_SPOT] = {merit_fill_rays, merit_prepare_rays},
     [OPERAND_POLY] = {merit_fill_rays, merit_prepare_rays},
     [OPERAND_OPD] = {merit_fill_rays, merit_prepare_rays},
+    [OPERAND_GRAZING] = {merit_fill_graze, merit_prepare_graze},
 };
 
 /* -------- opening -------- */
@@ -227,6 +229,21 @@ void merit_put_lens(struct merit *merit, const double *parameters, bool derives)
     }
 }
 
+/* Those that look at the rays of all others come last. */
+static bool fill_slots(struct merit *merit, bool last, double *residuals, double *jacobian)
+{
+    for (size_t i = 0; i < merit->slot_count; i++) {
+        const struct merit_slot *slot = &merit->slots[i];
+        double *rows =
+            jacobian != NULL ? jacobian + slot->first * merit->variable_count : (double *)NULL;
+        if ((slot->operand->kind == OPERAND_GRAZING) == last &&
+            !kinds[slot->operand->kind].fill(merit, slot, residuals + slot->first, rows)) {
+            return false;
+        }
+    }
+    return true;
+}
+
 bool merit_measure(void *context, const double *parameters, double *residuals, double *jacobian)
 {
     struct merit *merit = context;
@@ -234,15 +251,8 @@ bool merit_measure(void *context, const double *parameters, double *residuals, d
     if (jacobian != NULL) {
         memset(jacobian, 0, merit->residual_count * merit->variable_count * sizeof(double));
     }
-    for (size_t i = 0; i < merit->slot_count; i++) {
-        const struct merit_slot *slot = &merit->slots[i];
-        double *rows =
-            jacobian != NULL ? jacobian + slot->first * merit->variable_count : (double *)NULL;
-        if (!kinds[slot->operand->kind].fill(merit, slot, residuals + slot->first, rows)) {
-            return false;
-        }
-    }
-    return true;
+    return fill_slots(merit, false, residuals, jacobian) &&
+           fill_slots(merit, true, residuals, jacobian);
 }
 
 bool merit_evaluate(void *context, const double *parameters, double *residuals, double *jacobian)

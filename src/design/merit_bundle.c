@@ -468,6 +468,7 @@ static bool fail_lost(const struct merit_bundle *bundle, const struct bundle_blo
 bool merit_bundle_trace(struct merit_bundle *bundle, size_t block, bool derives,
                         struct ray_block *end, struct error *error)
 {
+    bundle->blocks[block].aimed.keeps = bundle->keeps;
     aimed_trace(&bundle->blocks[block].aimed, derives, end);
     if (!fail_lost(bundle, &bundle->blocks[block], end, error)) {
         return false;
@@ -477,6 +478,12 @@ bool merit_bundle_trace(struct merit_bundle *bundle, size_t block, bool derives,
                   bundle->wish.irregularity_count, bundle->blocks[block].aimed.lanes, end);
     }
     return true;
+}
+
+void merit_bundle_graze(struct merit_bundle *bundle, size_t block, double limit, bool derives,
+                        struct grazing *grazing)
+{
+    graze_find(&bundle->blocks[block].aimed, limit, derives, &bundle->within, grazing);
 }
 
 void merit_bundle_start(const struct merit_bundle *bundle, size_t group, size_t point,

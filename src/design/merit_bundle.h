@@ -9,6 +9,7 @@
 #include "design/variable.h"
 #include "optics/paraxial_dual.h"
 #include "trace/aimed.h"
+#include "trace/graze.h"
 
 #include <stdbool.h>
 #include <stddef.h>
@@ -89,6 +90,7 @@ struct merit_bundle {
     double image;             /* z of the image plane behind the last vertex, mm */
     bool image_moves;         /* with the paraxial image */
     bool is_settled, is_held; /* by merit_bundle_settle */
+    bool keeps;               /* the way of rays is looked at: merit_bundle_graze */
     bool has_disc;            /* no stop: points are those of the plane of the first vertex */
 };
 
@@ -137,6 +139,10 @@ bool merit_bundle_aim(struct merit_bundle *bundle, const struct lens *lens,
  */
 bool merit_bundle_trace(struct merit_bundle *bundle, size_t block, bool derives,
                         struct ray_block *end, struct error *error);
+
+/* What the rays count that are near loss, of the block that was traced last with `keeps`. */
+void merit_bundle_graze(struct merit_bundle *bundle, size_t block, double limit, bool derives,
+                        struct grazing *grazing);
 
 /* Where a ray of a group crosses the plane z = 0 before the lens, mm: for tests. */
 void merit_bundle_start(const struct merit_bundle *bundle, size_t group, size_t point,
@@ -187,5 +193,10 @@ struct bundle_rate merit_bundle_rate(const struct merit_bundle *bundle,
 void merit_bundle_sweep(const struct merit_bundle *bundle, size_t block,
                         const struct bundle_links *links, size_t variable_count,
                         struct ray_block *adjoint, double *columns);
+
+/* The same of what rays near loss count. */
+void merit_bundle_sweep_graze(const struct merit_bundle *bundle, size_t block,
+                              const struct bundle_links *links, size_t variable_count,
+                              const struct grazing *grazing, double *columns);
 
 #endif

@@ -181,18 +181,18 @@ static void add_irregularities(const struct merit_bundle *bundle, const struct b
     }
 }
 
-void merit_bundle_sweep(const struct merit_bundle *bundle, size_t which,
-                        const struct bundle_links *links, size_t variable_count,
-                        struct ray_block *adjoint, double *columns)
+/* From derivatives by all parameters to those by the variables. */
+static void gather(const struct merit_bundle *bundle, size_t which,
+                   const struct bundle_links *links, size_t variable_count,
+                   const struct ray_block *adjoint, const struct aimed_rates *rates,
+                   double *columns)
 {
     const struct bundle_block *block = &bundle->blocks[which];
     const struct derivative_layout *layout = &bundle->lights[block->light].layout;
     const int lanes = block->aimed.lanes;
     const struct parameter last = {.surface = layout->surfaces - 1, .kind = PARAMETER_THICKNESS};
     const size_t image = bundle->image_moves ? derivative_row(layout, last) : 0;
-    struct aimed_rates rates;
     double field[RAYS_BLOCK];
-    aimed_sweep(&block->aimed, layout, adjoint, bundle->gradient, &rates);
     field_row(bundle, block, adjoint, field);
     for (size_t j = 0; j < variable_count; j++) {
         memset(columns + j * RAYS_BLOCK, 0, (size_t)lanes * sizeof *columns);
@@ -203,8 +203,31 @@ void merit_bundle_sweep(const struct merit_bundle *bundle, size_t which,
         const struct bundle_rate *rate = &bundle->rates[j];
         double *column = columns + j * RAYS_BLOCK;
         add_row(column, rate->image, bundle->gradient + image * RAYS_BLOCK, lanes);
-        add_row(column, rate->pupil, rates.place, lanes);
-        add_row(column, rate->radius, rates.radius, lanes);
+        add_row(column, rate->pupil, rates->place, lanes);
+        add_row(column, rate->radius, rates->radius, lanes);
         add_row(column, rate->field, field, lanes);
     }
+}
+
+void merit_bundle_sweep(const struct merit_bundle *bundle, size_t which,
+                        const struct bundle_links *links, size_t variable_count,
+                        struct ray_block *adjoint, double *columns)
+{
+    const struct bundle_block *block = &bundle->blocks[which];
+    struct aimed_rates rates;
+    aimed_sweep(&block->aimed, &bundle->lights[block->light].layout, adjoint, bundle->gradient,
+                &rates);
+    gather(bundle, which, links, variable_count, adjoint, &rates, columns);
+}
+
+void merit_bundle_sweep_graze(const struct merit_bundle *bundle, size_t which,
+                              const struct bundle_links *links, size_t variable_count,
+                              const struct grazing *grazing, double *columns)
+{
+    const struct bundle_block *block = &bundle->blocks[which];
+    struct ray_block adjoint;
+    struct aimed_rates rates;
+    aimed_sweep_seeds(&block->aimed, &bundle->lights[block->light].layout, &grazing->seeds,
+                      &adjoint, bundle->gradient, &rates);
+    gather(bundle, which, links, variable_count, &adjoint, &rates, columns);
 }

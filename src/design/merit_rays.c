@@ -3,6 +3,7 @@
 #include "design/merit_rays.h"
 
 #include "design/merit_bundle.h"
+#include "design/merit_graze.h"
 #include "design/merit_paraxial.h"
 #include "design/merit_sphere.h"
 
@@ -189,14 +190,18 @@ static void set_output(const struct merit_rays *rays, const struct bundle_block 
     }
 }
 
-static bool trace_block(const struct merit *merit, struct merit_rays *rays, size_t which,
+static bool trace_block(struct merit *merit, const struct merit_slot *slot, size_t which,
                         struct error *error)
 {
+    struct merit_rays *rays = slot->own;
     struct merit_bundle *bundle = &rays->bundle;
     const struct bundle_block *block = &bundle->blocks[which];
     struct ray_block end, adjoint;
     if (!merit_bundle_trace(bundle, which, merit->derives, &end, error)) {
         return false;
+    }
+    if (bundle->keeps) {
+        merit_graze_add(merit, slot, bundle, which, &rays->links[block->light]);
     }
     for (int k = 0; k < rays->outputs; k++) {
         double *rows = rows_at(rays, which, k);
@@ -344,13 +349,14 @@ bool merit_fill_rays(struct merit *merit, const struct merit_slot *slot, double 
     struct merit_rays *rays = slot->own;
     struct merit_bundle *bundle = &rays->bundle;
     const size_t rows = merit->derives ? rows_of(rays) : 1;
+    bundle->keeps = merit->places[slot->place].graze != NULL;
     if (!merit_rays_aim(merit, slot)) {
         return false;
     }
     memset(rays->means, 0,
            bundle->group_count * (size_t)rays->outputs * rows_of(rays) * sizeof(double));
     for (size_t k = 0; k < bundle->block_count; k++) {
-        if (!trace_block(merit, rays, k, &merit->why)) {
+        if (!trace_block(merit, slot, k, &merit->why)) {
             return false;
         }
         add_means(rays, k, rows);

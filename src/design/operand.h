@@ -36,6 +36,7 @@ enum operand_kind {
     OPERAND_SPOT,
     OPERAND_POLY,
     OPERAND_OPD,
+    OPERAND_GRAZING,
     OPERAND_MTF,
     OPERAND_GMTF,
     OPERAND_KINDS

@@ -170,6 +170,11 @@ void aimed_trace(struct aimed *aimed, bool derives, struct ray_block *end)
         *end = aimed->work->tape.blocks[system->begin[system->places]];
         return;
     }
+    if (aimed->keeps) {
+        aimed->work->tape.lanes = aimed->lanes;
+        *end = *derivative_trace(system, aimed->work->start, aimed->set, &aimed->work->tape);
+        return;
+    }
     *end = *aimed->work->start;
     const struct rays rays = {end, (size_t)aimed->count};
     rays_trace(system, &rays, &(struct trace_way){.set = aimed->set});
@@ -189,6 +194,18 @@ static void along(const struct ray_block *restrict adjoint, const struct ray_blo
     }
 }
 
+/* What the stop adds to x and y there, where the function is by a and b that. */
+static void aim_back(const struct aimed *aimed, const double *fa, const double *fb, double *x,
+                     double *y, struct aimed_rates *rates)
+{
+    for (int i = 0; i < aimed->lanes; i++) {
+        x[i] = -(fa[i] * aimed->inverse[0][i] + fb[i] * aimed->inverse[2][i]);
+        y[i] = -(fa[i] * aimed->inverse[1][i] + fb[i] * aimed->inverse[3][i]);
+        rates->radius[i] = -(x[i] * aimed->x[i] + y[i] * aimed->y[i]);
+        rates->place[i] = 0;
+    }
+}
+
 static void sweep_stop(const struct aimed *aimed, struct derivative_pass *pass,
                        struct aimed_rates *rates)
 {
@@ -198,17 +215,30 @@ static void sweep_stop(const struct aimed *aimed, struct derivative_pass *pass,
     derivative_pass_part(pass, aimed->system->places, stop + 1);
     along(pass->adjoint, &tangents[0], aimed->lanes, fa);
     along(pass->adjoint, &tangents[1], aimed->lanes, fb);
-    for (int i = 0; i < aimed->lanes; i++) {
-        x[i] = -(fa[i] * aimed->inverse[0][i] + fb[i] * aimed->inverse[2][i]);
-        y[i] = -(fa[i] * aimed->inverse[1][i] + fb[i] * aimed->inverse[3][i]);
-        rates->radius[i] = -(x[i] * aimed->x[i] + y[i] * aimed->y[i]);
-        rates->place[i] = 0;
-    }
+    aim_back(aimed, fa, fb, x, y, rates);
     pass->at = stop;
     pass->add_x = x;
     pass->add_y = y;
     derivative_pass_part(pass, stop + 1, 0);
     pass->add_x = pass->add_y = NULL;
+}
+
+/* A function by a and b. */
+static void by_start(const struct aimed *aimed, const struct ray_block *adjoint, double *fa,
+                     double *fb)
+{
+    along(adjoint, &aimed->work->slopes[0], aimed->lanes, fa);
+    along(adjoint, &aimed->work->slopes[1], aimed->lanes, fb);
+}
+
+/* And by the entrance pupil. */
+static void move_pupil(const struct aimed *aimed, const double *fa, const double *fb,
+                       struct aimed_rates *rates)
+{
+    for (int i = 0; i < aimed->lanes; i++) {
+        rates->radius[i] = fa[i] * aimed->by_radius[0][i] + fb[i] * aimed->by_radius[1][i];
+        rates->place[i] = fa[i] * aimed->by_place[0][i] + fb[i] * aimed->by_place[1][i];
+    }
 }
 
 void aimed_sweep(const struct aimed *aimed, const struct derivative_layout *layout,
@@ -227,12 +257,37 @@ void aimed_sweep(const struct aimed *aimed, const struct derivative_layout *layo
     }
     derivative_pass_part(&pass, aimed->system->places, 0);
     double fa[RAYS_BLOCK], fb[RAYS_BLOCK];
-    along(adjoint, &aimed->work->slopes[0], aimed->lanes, fa);
-    along(adjoint, &aimed->work->slopes[1], aimed->lanes, fb);
-    for (int i = 0; i < aimed->lanes; i++) {
-        rates->radius[i] = fa[i] * aimed->by_radius[0][i] + fb[i] * aimed->by_radius[1][i];
-        rates->place[i] = fa[i] * aimed->by_place[0][i] + fb[i] * aimed->by_place[1][i];
+    by_start(aimed, adjoint, fa, fb);
+    move_pupil(aimed, fa, fb, rates);
+}
+
+void aimed_sweep_seeds(const struct aimed *aimed, const struct derivative_layout *layout,
+                       const struct derivative_seeds *seeds, struct ray_block *adjoint,
+                       double *gradient, struct aimed_rates *rates)
+{
+    struct derivative_pass pass = {.system = aimed->system,
+                                   .layout = layout,
+                                   .set = aimed->set,
+                                   .tape = &aimed->work->tape,
+                                   .adjoint = adjoint,
+                                   .gradient = gradient,
+                                   .seeds = *seeds};
+    double fa[RAYS_BLOCK], fb[RAYS_BLOCK], x[RAYS_BLOCK], y[RAYS_BLOCK];
+    memset(adjoint, 0, sizeof *adjoint);
+    derivative_pass_begin(&pass);
+    derivative_pass_part(&pass, aimed->system->places, 0);
+    by_start(aimed, adjoint, fa, fb);
+    if (!aimed->at_stop) {
+        move_pupil(aimed, fa, fb, rates);
+        return;
     }
+    aim_back(aimed, fa, fb, x, y, rates);
+    pass.at = aimed->system->stop;
+    pass.add_x = x;
+    pass.add_y = y;
+    memset(adjoint, 0, sizeof *adjoint);
+    derivative_pass_begin(&pass);
+    derivative_pass_part(&pass, aimed->system->places, 0);
 }
 
 /* -------- aim -------- */

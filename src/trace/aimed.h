@@ -42,6 +42,7 @@ struct aimed {
     size_t beam_count;
     int count, lanes;
     bool at_stop;                        /* else at the paraxial entrance pupil */
+    bool keeps;                          /* the tape holds the rays without derivatives too */
     bool is_known;                       /* a, b and inverse are those of a lens near by */
     double x[RAYS_BLOCK], y[RAYS_BLOCK]; /* points, in radii of the pupil */
     double a[RAYS_BLOCK], b[RAYS_BLOCK]; /* coordinates in the beam, mm */
@@ -110,5 +111,16 @@ struct aimed_rates {
  */
 void aimed_sweep(const struct aimed *aimed, const struct derivative_layout *layout,
                  struct ray_block *adjoint, double *gradient, struct aimed_rates *rates);
+
+/*
+ * The same of a function of directions at surfaces on the way, and of nothing else.
+ *
+ * Given     seeds    what it gains there
+ *           adjoint  receives the derivatives by the starting ray
+ * Formula   as there, df/d(a, b) from a sweep of its own, as some of it lies before the stop
+ */
+void aimed_sweep_seeds(const struct aimed *aimed, const struct derivative_layout *layout,
+                       const struct derivative_seeds *seeds, struct ray_block *adjoint,
+                       double *gradient, struct aimed_rates *rates);
 
 #endif

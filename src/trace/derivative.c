@@ -403,6 +403,35 @@ static void add_at(const struct sweep *sweep)
     }
 }
 
+static void add_rows(double *restrict to, const double *restrict row, int lanes)
+{
+    for (int i = 0; i < lanes; i++) {
+        to[i] += row[i];
+    }
+}
+
+/* Directions before or behind a surface gain what is to be added there. */
+static void add_seeds(const struct sweep *sweep, size_t place, bool is_behind)
+{
+    struct ray_block *adjoint = sweep->adjoint;
+    double *const directions[] = {adjoint->p, adjoint->q, adjoint->r};
+    for (size_t k = 0; k < sweep->pass->seeds.count; k++) {
+        const struct derivative_seed *seed = &sweep->pass->seeds.list[k];
+        for (int i = 0; i < 3 && seed->place == place; i++) {
+            add_rows(directions[i], is_behind ? seed->behind[i] : seed->before[i],
+                     sweep->tape->lanes);
+        }
+    }
+}
+
+static void add_behind(const struct sweep *sweep, size_t place)
+{
+    if (sweep->pass->add_x != NULL && sweep->pass->at == place) {
+        add_at(sweep);
+    }
+    add_seeds(sweep, place, true);
+}
+
 static void sweep_place(const struct sweep *sweep, size_t place)
 {
     const struct system *system = sweep->system;
@@ -412,18 +441,20 @@ static void sweep_place(const struct sweep *sweep, size_t place)
     size_t breaks = end - begin - (is_decentred ? 3 : 1), itself = end - (is_decentred ? 2 : 1);
     struct adjoint_rows rows = rows_of(sweep, place);
     bool displaces = surface < count && (sweep->layout->what & DERIVE_DISPLACEMENT) != 0;
-    bool adds = sweep->pass->add_x != NULL && sweep->pass->at == place;
     if (displaces) {
         *sweep->tape->spare = *sweep->adjoint;
     }
     for (size_t i = end; i-- > begin;) {
-        if (adds && i == itself) {
-            add_at(sweep);
+        if (i == itself) {
+            add_behind(sweep, place);
         }
         rows.thickness = i == begin ? thickness_row(sweep, place)
                                     : sweep->tape->scratch + SCRATCH_THICKNESS * RAYS_BLOCK;
         sweep->kernel(&system->steps[i], &sweep->tape->blocks[i], &sweep->tape->blocks[i + 1],
                       sweep->adjoint, &rows);
+        if (i == itself) {
+            add_seeds(sweep, place, false);
+        }
         if (displaces && i == begin + breaks) {
             add_displacement(sweep, place, i, end);
         }
@@ -464,8 +495,12 @@ void derivative_sweep(const struct system *system, const struct derivative_layou
                       enum instruction_set set, const struct derivative_tape *tape,
                       struct ray_block *adjoint, double *gradient)
 {
-    const struct derivative_pass pass = {system,   layout, set,  tape, adjoint,
-                                         gradient, 0,      NULL, NULL};
+    const struct derivative_pass pass = {.system = system,
+                                         .layout = layout,
+                                         .set = set,
+                                         .tape = tape,
+                                         .adjoint = adjoint,
+                                         .gradient = gradient};
     derivative_pass_begin(&pass);
     derivative_pass_part(&pass, system->places, 0);
 }

@@ -103,6 +103,19 @@ void derivative_sweep(const struct system *system, const struct derivative_layou
                       enum instruction_set set, const struct derivative_tape *tape,
                       struct ray_block *adjoint, double *gradient);
 
+/*
+ * What a function gains from the directions at a surface, beside what it gains from final rays: by
+ * n times the direction cosines before and behind it. It is to be the same however both are turned.
+ */
+struct derivative_seed {
+    size_t place;
+    double before[3][RAYS_BLOCK], behind[3][RAYS_BLOCK];
+};
+struct derivative_seeds {
+    struct derivative_seed *list;
+    size_t count;
+};
+
 /* A sweep that stops on its way. */
 struct derivative_pass {
     const struct system *system;
@@ -114,6 +127,7 @@ struct derivative_pass {
     size_t at;                   /* a place, where */
     const double *add_x, *add_y; /* these are added to the adjoints of x and y, as the surface by
                                     itself has them behind it; null: nothing is */
+    struct derivative_seeds seeds;
 };
 
 /* Begin at the end, and sweep from behind one place, `from` - 1, to before another. */

@@ -2,6 +2,7 @@
 /* SPDX-License-Identifier: MIT */
 #include "commands/design/optimize_goals.h"
 
+#include "base/constants.h"
 #include "optics/first_order.h"
 
 #include <math.h>
@@ -117,8 +118,35 @@ static const char *join_goals(const struct lens *lens, struct arena *arena)
     return words;
 }
 
-bool optimize_goals(struct optimize_job *job, const struct merit_question *question,
-                    struct goals *goals, struct error *error)
+/* Rays near loss count, wherever rays do and nothing else is said. */
+static void add_grazing(struct optimize_job *job, struct goals *goals)
+{
+    static const struct operand grazing = {.kind = OPERAND_GRAZING,
+                                           .relation = OPERAND_BELOW,
+                                           .target = 85 * RADIANS_PER_DEGREE,
+                                           .deviation = 1,
+                                           .wavelength = NAN,
+                                           .position = LENS_NONE,
+                                           .first = LENS_NONE,
+                                           .last = LENS_NONE,
+                                           .frequency = NAN,
+                                           .name = "grazing < 85"};
+    struct operand *all = ARENA_ARRAY(job->run->arena, goals->count + 1, struct operand);
+    bool has_rays = false, has_grazing = false;
+    for (size_t i = 0; i < goals->count; i++) {
+        all[i] = goals->list[i];
+        has_rays = has_rays || (operand_type(all[i].kind)->is & OPERAND_OF_RAYS) != 0;
+        has_grazing = has_grazing || all[i].kind == OPERAND_GRAZING;
+    }
+    if (has_rays && !has_grazing) {
+        all[goals->count++] = grazing;
+        goals->list = all;
+        job->guards = true;
+    }
+}
+
+static bool read_goals(struct optimize_job *job, const struct merit_question *question,
+                       struct goals *goals, struct error *error)
 {
     struct arena *arena = job->run->arena;
     const char *typed = job->input->goals;
@@ -131,4 +159,14 @@ bool optimize_goals(struct optimize_job *job, const struct merit_question *quest
     }
     job->goals = typed != NULL ? typed : usual_goals(job, question);
     return goals_read(&reader, text_of(job->goals), goals, error);
+}
+
+bool optimize_goals(struct optimize_job *job, const struct merit_question *question,
+                    struct goals *goals, struct error *error)
+{
+    if (!read_goals(job, question, goals, error)) {
+        return false;
+    }
+    add_grazing(job, goals);
+    return true;
 }

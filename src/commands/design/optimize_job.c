@@ -2,6 +2,7 @@
 /* SPDX-License-Identifier: MIT */
 #include "commands/design/optimize_job.h"
 
+#include "base/constants.h"
 #include "cli/goals.h"
 #include "cli/progress.h"
 #include "cli/vary.h"
@@ -153,6 +154,28 @@ static void warn_of_idle(struct optimize_job *job)
     if (count > 0) {
         optimize_warn(job, arena_printf(arena, "no goal depends on %s: %s stays as it is", names,
                                         count > 1 ? "each" : "it"));
+    }
+}
+
+/* What keeps rays from loss is part of the merit that nobody has asked for: it is said. */
+static void warn_of_grazing(struct optimize_job *job)
+{
+    const struct optimize_state *after = &job->answer.after;
+    double sum = 0, angle = 0;
+    for (size_t i = 0; i < job->merit.slot_count && job->guards; i++) {
+        const struct merit_slot *slot = &job->merit.slots[i];
+        const double residual = after->residuals[slot->first];
+        if (slot->operand->kind == OPERAND_GRAZING && residual > 0) {
+            sum += residual * residual;
+            angle = fmax(angle, after->values[slot->first]);
+        }
+    }
+    if (sum > 0) {
+        optimize_warn(
+            job, arena_printf(job->run->arena,
+                              "rays meet or leave a surface at up to %.1f deg from its normal: "
+                              "%.2g %% of the merit keeps them from loss",
+                              angle * DEGREES_PER_RADIAN, 100 * sum / after->merit));
     }
 }
 
@@ -323,6 +346,7 @@ bool optimize_judge(struct optimize_job *job, struct error *error)
     warn_of_elsewhere(job);
     warn_of_fnumber(job);
     warn_of_idle(job);
+    warn_of_grazing(job);
     judge(job);
     return warn_of_power(job, error) && check_found(job, error);
 }

@@ -38,6 +38,7 @@ struct optimize_job {
     struct variables variables;
     const char *const *names; /* of the variables */
     const char *goals;        /* in words that --goals takes */
+    bool guards;              /* the last goal keeps rays from loss, and is none of these words */
     struct merit merit;
     struct optimize_task task;
     const struct glass_candidate *glasses; /* of --glasses */

@@ -167,6 +167,7 @@ static bool emit_merit(struct optimize_job *job)
     const struct optimize_answer *answer = &job->answer;
     for (size_t i = 0; i < merit->slot_count; i++) {
         const struct merit_slot *slot = &merit->slots[i];
+        const double before = squares(answer->before.residuals, slot);
         const double after = squares(answer->after.residuals, slot);
         const bool is_exact = slot->operand->relation == OPERAND_EXACT;
         const struct goal_row row = {.fnumber = job->input->question.fnumber,
@@ -177,12 +178,14 @@ static bool emit_merit(struct optimize_job *job)
                                      .unit = unit_words(operand_type(slot->operand->kind)->unit),
                                      .before = value_of(&answer->before, slot),
                                      .after = value_of(&answer->after, slot),
-                                     .share_before = squares(answer->before.residuals, slot),
+                                     .share_before = before,
                                      .share_after = after,
                                      .part = is_exact ? NAN : after / answer->after.merit,
                                      .lens = job->lens->title,
                                      .warning = i == 0 ? job->warning : NULL};
-        if (!run_emit(job->run, &row)) {
+        const bool is_quiet =
+            job->guards && slot->operand->kind == OPERAND_GRAZING && !(before > 0) && !(after > 0);
+        if (!is_quiet && !run_emit(job->run, &row)) {
             break;
         }
     }
