@@ -353,10 +353,10 @@ static void descend(struct search *search, const struct node *node)
         return;
     }
     const size_t width = models > LAST ? 1 : count;
-    for (size_t i = 0; i < width && i < count && !search->choice->is_stopped; i++) {
-        const bool may_be_best =
-            search->best == NULL || is_better(trials[i].rank, search->best->rank);
-        if (!may_be_best || isinf(trials[i].rank.merit)) {
+    for (size_t i = 0; i < count && !search->choice->is_stopped; i++) {
+        const bool is_first = search->best == NULL; /* any is better than none */
+        if (isinf(trials[i].rank.merit) ||
+            (!is_first && (i >= width || !is_better(trials[i].rank, search->best->rank)))) {
             break;
         }
         descend(search, enter(search, node, surface, &trials[i]));
