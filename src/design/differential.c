@@ -3,7 +3,6 @@
 #include "design/differential.h"
 
 #include "base/processor.h"
-#include "optics/surface.h"
 
 #include <math.h>
 #include <string.h>
@@ -191,14 +190,15 @@ static double mean_of(const struct differential *differential, size_t figure, si
     return sum / (double)(end - first);
 }
 
-double differential_shares(const struct differential *differential, const struct spread *spreads,
-                           size_t figure, struct differential_share *shares)
+double differential_shares(const struct differential *differential,
+                           const struct perturbation_moments *moments, size_t figure,
+                           struct differential_share *shares)
 {
     const size_t n = differential->error_count;
     double variance = 0;
     memset(shares, 0, n * sizeof *shares);
     for (size_t i = 0; i < n; i++) {
-        const double v = spread_variance(&spreads[i]), w = spread_fourth(&spreads[i]);
+        const double v = moments[i].second, w = moments[i].fourth;
         const double slope = mean_of(differential, figure, i, LENS_NONE);
         const double curve = mean_of(differential, figure, i, i);
         shares[i].first = slope * slope * v + curve * curve * (w - v * v) / 4;
@@ -206,7 +206,7 @@ double differential_shares(const struct differential *differential, const struct
         variance += shares[i].first;
         for (size_t j = 0; j < i; j++) {
             const double cross = mean_of(differential, figure, i, j);
-            const double both = cross * cross * v * spread_variance(&spreads[j]);
+            const double both = cross * cross * v * moments[j].second;
             shares[i].total += both;
             shares[j].total += both;
             variance += both;

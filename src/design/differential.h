@@ -4,8 +4,8 @@
 #define LENSCALC_DESIGN_DIFFERENTIAL_H
 
 #include "base/arena.h"
-#include "base/distribution.h"
 #include "base/error.h"
+#include "design/perturbation.h"
 
 #include <stdbool.h>
 #include <stddef.h>
@@ -74,16 +74,17 @@ struct differential_share {
 /*
  * Who makes a figure spread; of a root, its square.
  *
- * Given     spreads  of the errors, independent of each other
- *           figure   LENS_NONE of optics/surface.h: the mean of all
+ * Given     moments  of the errors, independent of each other
+ *           figure   LENS_NONE: the mean of all
  *           shares   receives one an error; all 0 where nothing spreads
  * Result    the standard deviation of the form
  * Formula   with the moments v = <p^2>, w = <p^4>: first g_i^2 v_i + h_ii^2 (w_i - v_i^2)/4, and
  *           in the total also h_ij^2 v_i v_j of every j
  * Source    Sobol's indices of a quadratic form; derived here
  */
-double differential_shares(const struct differential *differential, const struct spread *spreads,
-                           size_t figure, struct differential_share *shares);
+double differential_shares(const struct differential *differential,
+                           const struct perturbation_moments *moments, size_t figure,
+                           struct differential_share *shares);
 
 /* Internal: one variant an instruction set; a row of coefficients after the other. */
 typedef void kernel_differential(const double *rows, size_t count, const double *errors,

@@ -2,6 +2,7 @@
 /* SPDX-License-Identifier: MIT */
 #include "design/perturbation.h"
 
+#include "base/turns.h"
 #include "design/perturbation_place.h"
 #include "optics/growing.h"
 
@@ -172,13 +173,37 @@ static int by_place(const void *a, const void *b)
     return 0;
 }
 
-/* Is it two numbers, of which `first` receives that along or about x? */
-static bool has_axes(enum tolerance_kind kind, enum parameter_kind *first)
+/* What of a perturbation is one number, and the end of its name; of axes a parameter more each. */
+struct component {
+    enum perturbation_axis axis;
+    const char *words;
+};
+struct components {
+    const struct component *list;
+    size_t count;
+    enum parameter_kind first; /* PARAMETER_KINDS: none */
+};
+
+static struct components components_of(enum tolerance_kind kind)
 {
-    const bool is_tilt = kind == TOLERANCE_TILT || kind == TOLERANCE_WEDGE;
-    const bool is_surface = is_tilt || kind == TOLERANCE_DECENTER;
-    *first = !is_surface ? PARAMETER_KINDS : is_tilt ? PARAMETER_TILT_X : PARAMETER_DECENTER_X;
-    return is_surface || kind == TOLERANCE_ELEMENT_TILT || kind == TOLERANCE_ELEMENT_DECENTER;
+    static const struct component round[] = {{PERTURBATION_ROUND, ""}};
+    static const struct component axes[] = {{PERTURBATION_X, " x"}, {PERTURBATION_Y, " y"}};
+    static const struct component forms[] = {
+        {PERTURBATION_X, " 0deg"}, {PERTURBATION_Y, " 45deg"}, {PERTURBATION_ROUND, " spherical"}};
+    switch (kind) {
+    case TOLERANCE_IRREGULARITY:
+        return (struct components){forms, 3, PARAMETER_KINDS};
+    case TOLERANCE_TILT:
+    case TOLERANCE_WEDGE:
+        return (struct components){axes, 2, PARAMETER_TILT_X};
+    case TOLERANCE_DECENTER:
+        return (struct components){axes, 2, PARAMETER_DECENTER_X};
+    case TOLERANCE_ELEMENT_TILT:
+    case TOLERANCE_ELEMENT_DECENTER:
+        return (struct components){axes, 2, PARAMETER_KINDS};
+    default:
+        return (struct components){round, 1, PARAMETER_KINDS};
+    }
 }
 
 static bool emit(const struct work *work, const struct entry *entry,
@@ -188,20 +213,17 @@ static bool emit(const struct work *work, const struct entry *entry,
     struct perturbation one = {.spread = spread_of(from->distribution, from->sigmas),
                                .name = tolerance_place_name(&work->site, &entry->place)};
     const char *wrong = tolerance_place_amount(&work->site, &entry->place, &one);
-    enum parameter_kind x;
     if (wrong != NULL) {
         return refuse(work, entry, wrong, error);
     }
-    if (!has_axes(one.kind, &x)) {
-        perturbations->list[perturbations->count++] = one;
-        return true;
-    }
-    for (int axis = 0; axis < 2; axis++) {
+    const struct components components = components_of(one.kind);
+    for (size_t i = 0; i < components.count; i++) {
         struct perturbation part = one;
-        part.axis = axis == 0 ? PERTURBATION_X : PERTURBATION_Y;
-        part.name = ARENA_JOIN(work->site.arena, one.name, axis == 0 ? " x" : " y");
-        if (x != PARAMETER_KINDS) {
-            part.what = (struct parameter){one.first, (enum parameter_kind)((int)x + axis), 0};
+        part.axis = components.list[i].axis;
+        part.name = ARENA_JOIN(work->site.arena, one.name, components.list[i].words);
+        if (components.first != PARAMETER_KINDS) {
+            const int kind = (int)components.first + (int)i;
+            part.what = (struct parameter){one.first, (enum parameter_kind)kind, 0};
         }
         perturbations->list[perturbations->count++] = part;
     }
@@ -248,7 +270,7 @@ bool perturbations_of(const struct lens *lens, const struct perturbation_wish *w
     }
     qsort(work.entries, work.count, sizeof work.entries[0], by_place);
     *perturbations = (struct perturbations){
-        .list = ARENA_ARRAY(arena, 2 * work.count, struct perturbation), .won = won_over(&work)};
+        .list = ARENA_ARRAY(arena, 3 * work.count, struct perturbation), .won = won_over(&work)};
     for (size_t i = 0; i < work.count; i++) {
         if (!emit(&work, &work.entries[i], perturbations, error)) {
             return false;
@@ -258,4 +280,35 @@ bool perturbations_of(const struct lens *lens, const struct perturbation_wish *w
     perturbations->left_out =
         left_out.length > 0 ? arena_string(arena, left_out.start, left_out.length) : NULL;
     return true;
+}
+
+/* -------- as random numbers -------- */
+
+/* The first of the two of an astigmatism, which lie side by side. */
+static bool is_astigmatism(const struct perturbation *one)
+{
+    return one->kind == TOLERANCE_IRREGULARITY && one->axis == PERTURBATION_X;
+}
+
+void perturbation_errors(const struct perturbation *list, size_t count, const double *even,
+                         double *errors)
+{
+    for (size_t i = 0; i < count; i++) {
+        errors[i] = spread_quantile(&list[i].spread, even[i]);
+        if (is_astigmatism(&list[i]) && i + 1 < count) {
+            const double size = errors[i];
+            double cosine, sine;
+            turns_of(even[i + 1], &cosine, &sine);
+            errors[i++] = size * cosine;
+            errors[i] = size * sine;
+        }
+    }
+}
+
+struct perturbation_moments perturbation_moments(const struct perturbation *one)
+{
+    const bool shares = one->kind == TOLERANCE_IRREGULARITY && one->axis != PERTURBATION_ROUND;
+    return (struct perturbation_moments){
+        .second = spread_variance(&one->spread) * (shares ? 1.0 / 2 : 1),
+        .fourth = spread_fourth(&one->spread) * (shares ? 3.0 / 8 : 1)};
 }

@@ -38,6 +38,24 @@ struct perturbation {
     const char *name; /* "R1", "t3", "element 3..5 tilt x", for rows and messages */
 };
 
+/*
+ * The errors of one lens.
+ *
+ * Given     even    one number a perturbation, between 0 and 1, evenly spread and independent
+ *           errors  receives them, in units of half ranges
+ * Formula   quantiles of each; of an astigmatism the first number is for its size and the second for
+ *           its azimuth: size times cos and sin of two of it, any angle alike. The same bits on
+ *           every processor
+ */
+void perturbation_errors(const struct perturbation *list, size_t count, const double *even,
+                         double *errors);
+
+/* Means of powers of such an error, in units of the half range: those of odd powers are 0. */
+struct perturbation_moments {
+    double second, fourth;
+};
+struct perturbation_moments perturbation_moments(const struct perturbation *one);
+
 /* What is known of how well a lens will be made. */
 struct perturbation_wish {
     const char *grade; /* its name, for messages; null: none */

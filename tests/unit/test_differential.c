@@ -117,15 +117,15 @@ static void check_shares(void)
                                                 .figure_count = 1,
                                                 .is_root = is_root + 1,
                                                 .names = names};
-    const struct spread even = spread_of(DISTRIBUTION_UNIFORM, 2);
-    const struct spread spreads[4] = {even, even, even, even};
+    const struct perturbation_moments even = {1.0 / 3, 1.0 / 5};
+    const struct perturbation_moments moments[4] = {even, even, even, even};
     struct arena arena = {0};
     struct differential differential;
     struct differential_share shares[4];
     struct error error = {.code = ERROR_NONE};
     CHECK(differential_open(&simple, &arena, &differential, &error));
     const double all = 1.0 / 3 + 4.0 / 3 + 1 + 4.0 / 45;
-    const double deviation = differential_shares(&differential, spreads, LENS_NONE, shares);
+    const double deviation = differential_shares(&differential, moments, LENS_NONE, shares);
     CHECK_NEAR(deviation * deviation, all, 1e-13, "variance");
     CHECK_NEAR(shares[0].first, 1 / 3.0 / all, 1e-13, "first");
     CHECK_NEAR(shares[0].total, 4 / 3.0 / all, 1e-13, "total");

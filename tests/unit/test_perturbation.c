@@ -43,9 +43,10 @@ static const struct sample {
     /* fringes: roots of the sag by mpmath, 30 digits; half a wave each */
     {LENS, NULL, "R1 3fringes", "R1 1.58889651e-05"},
     {LENS, NULL, "R3 3fringes", "R3 1.63820999e-05"},
-    {LENS, NULL, "surface 1..6 irregularity 0.5fringes",
-     "surface 1 irregularity 0.25, surface 2 irregularity 0.25, surface 3 irregularity 0.25, "
-     "surface 5 irregularity 0.25, surface 6 irregularity 0.25"},
+    {LENS, NULL, "surface 3..5 irregularity 0.5fringes",
+     "surface 3 irregularity 0deg 0.25, surface 3 irregularity 45deg 0.25, "
+     "surface 3 irregularity spherical 0.25, surface 5 irregularity 0deg 0.25, "
+     "surface 5 irregularity 45deg 0.25, surface 5 irregularity spherical 0.25"},
     /* angles in rad; a runout over 20 mm and over the larger of 24 and 22 mm */
     {LENS, NULL, "surface 2 tilt 3.6deg",
      "surface 2 tilt x 0.0628318531, surface 2 tilt y "
@@ -242,11 +243,42 @@ static void test_refused(void)
     }
 }
 
+/* An astigmatism has its size and an azimuth; its moments, by sums over many. */
+static void check_errors(void)
+{
+    enum { COUNT = 200, TURNS = 16 };
+    const struct spread even = spread_of(DISTRIBUTION_UNIFORM, 2);
+    const struct perturbation list[] = {
+        {.kind = TOLERANCE_RADIUS, .spread = even},
+        {.kind = TOLERANCE_IRREGULARITY, .axis = PERTURBATION_X, .spread = even},
+        {.kind = TOLERANCE_IRREGULARITY, .axis = PERTURBATION_Y, .spread = even},
+        {.kind = TOLERANCE_IRREGULARITY, .spread = even}};
+    double second = 0, fourth = 0;
+    for (int i = 0; i < COUNT; i++) {
+        for (int k = 0; k < TURNS; k++) {
+            const double size = (i + 0.5) / COUNT, turn = (k + 0.25) / TURNS;
+            const double units[] = {0.75, size, turn, 0.125};
+            double errors[4];
+            perturbation_errors(list, 4, units, errors);
+            CHECK(errors[0] == 0.5 && errors[3] == -0.75);
+            CHECK_NEAR(hypot(errors[1], errors[2]), fabs(2 * size - 1), 1e-15, "size");
+            CHECK_NEAR(errors[1], (2 * size - 1) * cos(8 * atan(1) * turn), 1e-15, "0 degrees");
+            second += errors[2] * errors[2] / (COUNT * TURNS);
+            fourth += pow(errors[2], 4) / (COUNT * TURNS);
+        }
+    }
+    const struct perturbation_moments moments = perturbation_moments(&list[2]);
+    CHECK_NEAR(second, moments.second, 1e-5, "second moment");
+    CHECK_NEAR(fourth, moments.fourth, 1e-5, "fourth moment");
+    CHECK_NEAR(perturbation_moments(&list[3]).second, 1.0 / 3, 1e-15, "of a spherical form");
+}
+
 int main(void)
 {
     test_amounts();
     test_numbers();
     test_pivots();
     test_refused();
+    check_errors();
     return check_report();
 }

@@ -1,0 +1,190 @@
+/* draw/histogram.c - how figures are spread, and how many of them pass, in SVG. */
+/* SPDX-License-Identifier: MIT */
+#include "draw/histogram.h"
+
+#include "base/arena.h"
+#include "base/error.h"
+#include "draw/palette.h"
+#include "draw/svg.h"
+#include "draw/ticks.h"
+
+#include <math.h>
+
+static const double WIDTH = 800, HEIGHT = 500; /* px */
+static const double LEFT = 84, RIGHT = 24, TOP = 104, BELOW = 66;
+static const double NUMBER_SIZE = 12, LABEL_SIZE = 13, TITLE_SIZE = 17;
+
+/* Colours: of what passes, and what fails. */
+enum { PASSES = 0, FAILS = 1 };
+
+struct page {
+    struct ticks x, y;
+    double low, high; /* of x */
+    double bottom;
+};
+
+static double x_at(const struct page *page, double value)
+{
+    return LEFT + (value - page->low) / (page->high - page->low) * (WIDTH - LEFT - RIGHT);
+}
+
+static double y_at(const struct page *page, double value)
+{
+    const double high = page->y.value[page->y.count - 1];
+    return page->bottom - value / high * (page->bottom - TOP);
+}
+
+static bool find_range(const struct histogram *histogram, struct page *page, struct error *error)
+{
+    const double marks[2] = {histogram->nominal, histogram->limit};
+    const size_t count = histogram->count + (histogram->is_curve ? 1 : 0);
+    double low = histogram->low, high = histogram->high, most = 0;
+    for (int k = 0; k < 2; k++) { /* of NaN fmin and fmax take the other one */
+        low = fmin(low, marks[k]);
+        high = fmax(high, marks[k]);
+    }
+    for (size_t i = 0; i < count; i++) {
+        most = fmax(most, histogram->values[i]);
+    }
+    if (!(high - low > 0) || !isfinite(high - low)) {
+        return fail(error, ERROR_DOMAIN, "all figures are the same: there is nothing to draw");
+    }
+    if (!(most > 0) || !isfinite(most)) {
+        return fail(error, ERROR_DOMAIN, "no bar has a length that can be drawn");
+    }
+    page->low = low - 0.02 * (high - low);
+    page->high = high + 0.02 * (high - low);
+    page->bottom = HEIGHT - BELOW;
+    ticks_linear(page->low, page->high, &page->x);
+    ticks_linear(0, most, &page->y);
+    return true;
+}
+
+static void draw_y_axis(const struct page *page, struct svg *svg)
+{
+    for (size_t i = 0; i < page->y.count; i++) {
+        const double y = y_at(page, page->y.value[i]);
+        const struct svg_label number = {
+            .x = LEFT - 9, .y = y + 4, .size = NUMBER_SIZE, .anchor = SVG_END};
+        svg_group_begin(svg, &(struct svg_style){.stroke = "#d4d4d4", .width = 0.8});
+        svg_line(svg, LEFT, y, WIDTH - RIGHT, y);
+        svg_group_end(svg);
+        svg_text(svg, &number, ticks_text(svg->arena, &page->y, i));
+    }
+}
+
+static void draw_x_axis(const struct page *page, struct svg *svg)
+{
+    svg_group_begin(svg, &(struct svg_style){.stroke = "#333"});
+    svg_line(svg, LEFT, page->bottom, WIDTH - RIGHT, page->bottom);
+    svg_line(svg, LEFT, TOP, LEFT, page->bottom);
+    svg_group_end(svg);
+    for (size_t i = 0; i < page->x.count; i++) {
+        const double value = page->x.value[i], x = x_at(page, value);
+        if (value < page->low || value > page->high) {
+            continue;
+        }
+        const struct svg_label number = {
+            .x = x, .y = page->bottom + 20, .size = NUMBER_SIZE, .anchor = SVG_MIDDLE};
+        svg_group_begin(svg, &(struct svg_style){.stroke = "#333"});
+        svg_line(svg, x, page->bottom, x, page->bottom + 5);
+        svg_group_end(svg);
+        svg_text(svg, &number, ticks_text(svg->arena, &page->x, i));
+    }
+}
+
+static bool fails(const struct histogram *histogram, double value)
+{
+    return histogram->fails_above ? value > histogram->limit : value < histogram->limit;
+}
+
+static void draw_bars(const struct histogram *histogram, const struct page *page, struct svg *svg)
+{
+    const double part = (histogram->high - histogram->low) / (double)histogram->count;
+    for (size_t i = 0; i < histogram->count; i++) {
+        const double from = histogram->low + part * (double)i;
+        const double left = x_at(page, from), right = x_at(page, from + part);
+        const double y = y_at(page, histogram->values[i]);
+        const size_t colour = fails(histogram, from + part / 2) ? FAILS : PASSES;
+        svg_group_begin(svg, &(struct svg_style){.fill = palette_colour(colour), .opacity = 0.8});
+        svg_rect(svg, left, y, (right - left) * 0.94, page->bottom - y);
+        svg_group_end(svg);
+    }
+}
+
+static void draw_curve(const struct histogram *histogram, const struct page *page, struct svg *svg)
+{
+    const size_t count = histogram->count + 1;
+    double *x = ARENA_ARRAY(svg->arena, count, double), *y = ARENA_ARRAY(svg->arena, count, double);
+    const double part = (histogram->high - histogram->low) / (double)histogram->count;
+    for (size_t i = 0; i < count; i++) {
+        x[i] = x_at(page, histogram->low + part * (double)i);
+        y[i] = y_at(page, histogram->values[i]);
+    }
+    svg_group_begin(svg, &(struct svg_style){.stroke = palette_colour(PASSES), .width = 2});
+    svg_polyline(svg, x, y, count);
+    svg_group_end(svg);
+}
+
+/* A line from top to bottom; the words of the two stand in lines of their own. */
+static void draw_mark(const struct histogram *histogram, int which, const struct page *page,
+                      struct svg *svg)
+{
+    const double value = which == 0 ? histogram->nominal : histogram->limit;
+    const double x = x_at(page, value), base = TOP - 22 + 16 * which;
+    const bool turns = x > (LEFT + WIDTH - RIGHT) / 2;
+    if (isnan(value)) {
+        return;
+    }
+    const struct svg_style style = {.stroke = which == 0 ? "#000" : palette_colour(FAILS),
+                                    .width = 1.6,
+                                    .dash = which == 0 ? NULL : "6 4"};
+    const struct svg_label words = {.x = turns ? x - 5 : x + 5,
+                                    .y = base,
+                                    .size = NUMBER_SIZE,
+                                    .anchor = turns ? SVG_END : SVG_START};
+    svg_group_begin(svg, &style);
+    svg_line(svg, x, base - 9, x, page->bottom);
+    svg_group_end(svg);
+    svg_text(svg, &words, histogram->marks[which] != NULL ? histogram->marks[which] : "");
+}
+
+static void draw_words(const struct histogram *histogram, const struct page *page, struct svg *svg)
+{
+    const struct svg_label labels[] = {
+        {.x = 20, .y = 30, .size = TITLE_SIZE, .width = WIDTH - 32, .bold = true},
+        {.x = 20, .y = 52, .size = LABEL_SIZE, .width = WIDTH - 32, .colour = "#555"},
+        {.x = (LEFT + WIDTH - RIGHT) / 2,
+         .y = page->bottom + 48,
+         .size = LABEL_SIZE,
+         .anchor = SVG_MIDDLE},
+        {.x = 22,
+         .y = (TOP + page->bottom) / 2,
+         .size = LABEL_SIZE,
+         .rotation = -90,
+         .anchor = SVG_MIDDLE},
+    };
+    const char *const words[] = {histogram->title, histogram->subtitle, histogram->x_label,
+                                 histogram->y_label};
+    for (size_t i = 0; i < sizeof words / sizeof words[0]; i++) {
+        svg_text(svg, &labels[i], words[i] != NULL ? words[i] : "");
+    }
+}
+
+bool histogram_draw(const struct histogram *histogram, struct svg *svg, struct error *error)
+{
+    struct page page;
+    if (!find_range(histogram, &page, error)) {
+        return false;
+    }
+    svg_begin(svg, WIDTH, HEIGHT, histogram->title);
+    draw_y_axis(&page, svg);
+    (histogram->is_curve ? draw_curve : draw_bars)(histogram, &page, svg);
+    draw_x_axis(&page, svg);
+    for (int which = 0; which < 2; which++) {
+        draw_mark(histogram, which, &page, svg);
+    }
+    draw_words(histogram, &page, svg);
+    svg_end(svg);
+    return true;
+}

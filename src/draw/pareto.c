@@ -1,0 +1,150 @@
+/* draw/pareto.c - who has how large a share, the largest first, in SVG. */
+/* SPDX-License-Identifier: MIT */
+#include "draw/pareto.h"
+
+#include "base/arena.h"
+#include "base/error.h"
+#include "draw/palette.h"
+#include "draw/svg.h"
+#include "draw/ticks.h"
+
+#include <math.h>
+
+static const double WIDTH = 800, RIGHT = 70, TOP = 96, BELOW = 62; /* px */
+static const double ROW = 18, BAR = 11, WIDEST_LABEL = 240;
+static const double NUMBER_SIZE = 11, LABEL_SIZE = 13, TITLE_SIZE = 17;
+
+/* Where everything is, px. */
+struct page {
+    double left, bottom;
+    struct ticks ticks;
+    const struct pareto_bar *bars;
+    size_t count;
+};
+
+static double x_at(const struct page *page, double share)
+{
+    const double high = page->ticks.value[page->ticks.count - 1];
+    return page->left + share / high * (WIDTH - RIGHT - page->left);
+}
+
+/* The rows that are drawn: the last stands for all that are left. */
+static void choose_rows(const struct pareto *pareto, struct arena *arena, struct page *page)
+{
+    struct pareto_bar *rows = ARENA_ARRAY(arena, pareto->count + 1, struct pareto_bar);
+    const bool has_others = pareto->count > pareto->most;
+    page->count = has_others ? pareto->most : pareto->count;
+    page->bars = rows;
+    for (size_t i = 0; i < pareto->count; i++) {
+        struct pareto_bar *row = &rows[i < page->count ? i : page->count - 1];
+        const struct pareto_bar *bar = &pareto->bars[i];
+        const bool is_other = has_others && i + 1 >= page->count;
+        row->label = is_other ? arena_printf(arena, "%zu others", pareto->count - page->count + 1)
+                              : bar->label;
+        row->part += bar->part;
+        row->whole += bar->whole;
+    }
+}
+
+static bool find_scale(struct page *page, struct error *error)
+{
+    double longest = 0, widest = 0;
+    for (size_t i = 0; i < page->count; i++) {
+        longest = fmax(longest, page->bars[i].whole);
+        widest = fmax(widest, svg_text_width(page->bars[i].label, NUMBER_SIZE));
+    }
+    if (!(longest > 0 && isfinite(longest))) {
+        return fail(error, ERROR_DOMAIN, "no bar has a length that can be drawn");
+    }
+    page->left = 28 + fmin(widest, WIDEST_LABEL);
+    page->bottom = TOP + ROW * (double)page->count;
+    ticks_linear(0, longest, &page->ticks);
+    return true;
+}
+
+static const char *percent(struct arena *arena, double share)
+{
+    return arena_printf(arena, share < 0.001 ? "%.2f %%" : "%.1f %%", 100 * share);
+}
+
+static void draw_grid(const struct page *page, struct svg *svg)
+{
+    for (size_t i = 0; i < page->ticks.count; i++) {
+        const double x = x_at(page, page->ticks.value[i]);
+        svg_group_begin(svg, &(struct svg_style){.stroke = i == 0 ? "#333" : "#d4d4d4"});
+        svg_line(svg, x, TOP, x, page->bottom + 4);
+        svg_group_end(svg);
+        svg_text(svg,
+                 &(struct svg_label){
+                     .x = x, .y = page->bottom + 18, .size = NUMBER_SIZE, .anchor = SVG_MIDDLE},
+                 arena_printf(svg->arena, "%.4g %%", 100 * page->ticks.value[i]));
+    }
+}
+
+static void draw_bar(const struct page *page, double y, double share, size_t colour, double opacity,
+                     struct svg *svg)
+{
+    const struct svg_style style = {.fill = palette_colour(colour), .opacity = opacity};
+    svg_group_begin(svg, &style);
+    svg_rect(svg, page->left, y + (ROW - BAR) / 2, x_at(page, share) - page->left, BAR);
+    svg_group_end(svg);
+}
+
+static void draw_row(const struct page *page, size_t i, struct svg *svg)
+{
+    const struct pareto_bar *bar = &page->bars[i];
+    const double y = TOP + ROW * (double)i, base = y + ROW / 2 + 4;
+    const struct svg_label name = {.x = page->left - 8,
+                                   .y = base,
+                                   .size = NUMBER_SIZE,
+                                   .width = WIDEST_LABEL,
+                                   .anchor = SVG_END};
+    const struct svg_label number = {
+        .x = x_at(page, bar->whole) + 5, .y = base, .size = NUMBER_SIZE, .colour = "#444"};
+    draw_bar(page, y, bar->whole, 0, 0.35, svg);
+    draw_bar(page, y, bar->part, 0, 1, svg);
+    svg_text(svg, &name, bar->label);
+    svg_text(svg, &number, percent(svg->arena, bar->whole));
+}
+
+static void draw_legend(const struct pareto *pareto, const struct page *page, struct svg *svg)
+{
+    const char *const names[] = {pareto->part_name, pareto->whole_name};
+    double x = page->left;
+    for (size_t k = 0; k < 2; k++) {
+        const struct svg_style style = {.fill = palette_colour(0), .opacity = k == 0 ? 1 : 0.35};
+        svg_group_begin(svg, &style);
+        svg_rect(svg, x, 66, BAR, BAR);
+        svg_group_end(svg);
+        svg_text(svg, &(struct svg_label){.x = x + BAR + 5, .y = 76, .size = 12}, names[k]);
+        x += BAR + 24 + svg_text_width(names[k], 12);
+    }
+}
+
+bool pareto_draw(const struct pareto *pareto, struct svg *svg, struct error *error)
+{
+    struct page page;
+    choose_rows(pareto, svg->arena, &page);
+    if (!find_scale(&page, error)) {
+        return false;
+    }
+    const struct svg_label title = {
+        .x = 20, .y = 30, .size = TITLE_SIZE, .width = WIDTH - 32, .bold = true};
+    const struct svg_label subtitle = {
+        .x = 20, .y = 50, .size = LABEL_SIZE, .width = WIDTH - 32, .colour = "#555"};
+    const struct svg_label below = {.x = (page.left + WIDTH - RIGHT) / 2,
+                                    .y = page.bottom + 44,
+                                    .size = LABEL_SIZE,
+                                    .anchor = SVG_MIDDLE};
+    svg_begin(svg, WIDTH, page.bottom + BELOW, pareto->title);
+    draw_grid(&page, svg);
+    for (size_t i = 0; i < page.count; i++) {
+        draw_row(&page, i, svg);
+    }
+    draw_legend(pareto, &page, svg);
+    svg_text(svg, &title, pareto->title != NULL ? pareto->title : "");
+    svg_text(svg, &subtitle, pareto->subtitle != NULL ? pareto->subtitle : "");
+    svg_text(svg, &below, pareto->x_label != NULL ? pareto->x_label : "");
+    svg_end(svg);
+    return true;
+}
