@@ -43,9 +43,9 @@ struct perturbation {
  *
  * Given     even    one number a perturbation, between 0 and 1, evenly spread and independent
  *           errors  receives them, in units of half ranges
- * Formula   quantiles of each; of an astigmatism the first number is for its size and the second for
- *           its azimuth: size times cos and sin of two of it, any angle alike. The same bits on
- *           every processor
+ * Formula   quantiles of each; of an astigmatism the first number is for its size and the second
+ *           for its azimuth: size times cos and sin of two of it, any angle alike. The same bits
+ *           on every processor
  */
 void perturbation_errors(const struct perturbation *list, size_t count, const double *even,
                          double *errors);

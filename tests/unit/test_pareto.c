@@ -4,9 +4,9 @@
 
 #include "base/arena.h"
 #include "base/error.h"
-#include "draw/histogram.h"
 #include "draw/pareto.h"
 #include "draw/svg.h"
+#include "draw/tally_plot.h"
 
 #include <stdlib.h>
 
@@ -66,20 +66,20 @@ static void check_marks(void)
     struct svg svg = {.arena = &arena};
     struct error error;
     const double values[] = {1, 3, 2, 1};
-    struct histogram histogram = {.low = 10,
-                                  .high = 14,
-                                  .values = values,
-                                  .count = 4,
-                                  .nominal = 8,
-                                  .limit = 12,
-                                  .fails_above = true,
-                                  .marks = {"nominal 8", "limit 12"}};
-    CHECK(histogram_draw(&histogram, &svg, &error));
+    struct tally_plot histogram = {.low = 10,
+                                   .high = 14,
+                                   .values = values,
+                                   .count = 4,
+                                   .nominal = 8,
+                                   .limit = 12,
+                                   .fails_above = true,
+                                   .marks = {"nominal 8", "limit 12"}};
+    CHECK(tally_plot_draw(&histogram, &svg, &error));
     CHECK(count_of(svg.data, ">nominal 8<") == 1 && count_of(svg.data, ">limit 12<") == 1);
     CHECK(count_of(svg.data, "fill=\"#d55e00\"") == 2 && count_of(svg.data, "#0072b2") == 2);
     struct svg none = {.arena = &arena};
     histogram.low = histogram.high = histogram.nominal = histogram.limit = 12;
-    CHECK(!histogram_draw(&histogram, &none, &error));
+    CHECK(!tally_plot_draw(&histogram, &none, &error));
     CHECK_TEXT(error.message, "all figures are the same: there is nothing to draw");
     arena_free(&arena);
 }

@@ -1,7 +1,7 @@
-/* draw/histogram.h - how figures are spread, and how many of them pass, in SVG. */
+/* draw/tally_plot.h - how figures are spread, and how many of them pass, in SVG. */
 /* SPDX-License-Identifier: MIT */
-#ifndef LENSCALC_DRAW_HISTOGRAM_H
-#define LENSCALC_DRAW_HISTOGRAM_H
+#ifndef LENSCALC_DRAW_TALLY_PLOT_H
+#define LENSCALC_DRAW_TALLY_PLOT_H
 
 #include <stdbool.h>
 #include <stddef.h>
@@ -9,7 +9,7 @@
 struct error;
 struct svg;
 
-struct histogram {
+struct tally_plot {
     const char *title, *subtitle;  /* null = none */
     const char *x_label, *y_label; /* with units; null = none */
     double low, high;              /* of the figures, low < high */
@@ -29,6 +29,6 @@ struct histogram {
  *
  * Errors    ERROR_DOMAIN: no value is above 0; a range without a width
  */
-bool histogram_draw(const struct histogram *histogram, struct svg *svg, struct error *error);
+bool tally_plot_draw(const struct tally_plot *plot, struct svg *svg, struct error *error);
 
 #endif

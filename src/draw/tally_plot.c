@@ -1,6 +1,6 @@
-/* draw/histogram.c - how figures are spread, and how many of them pass, in SVG. */
+/* draw/tally_plot.c - how figures are spread, and how many of them pass, in SVG. */
 /* SPDX-License-Identifier: MIT */
-#include "draw/histogram.h"
+#include "draw/tally_plot.h"
 
 #include "base/arena.h"
 #include "base/error.h"
@@ -34,17 +34,17 @@ static double y_at(const struct page *page, double value)
     return page->bottom - value / high * (page->bottom - TOP);
 }
 
-static bool find_range(const struct histogram *histogram, struct page *page, struct error *error)
+static bool find_range(const struct tally_plot *plot, struct page *page, struct error *error)
 {
-    const double marks[2] = {histogram->nominal, histogram->limit};
-    const size_t count = histogram->count + (histogram->is_curve ? 1 : 0);
-    double low = histogram->low, high = histogram->high, most = 0;
+    const double marks[2] = {plot->nominal, plot->limit};
+    const size_t count = plot->count + (plot->is_curve ? 1 : 0);
+    double low = plot->low, high = plot->high, most = 0;
     for (int k = 0; k < 2; k++) { /* of NaN fmin and fmax take the other one */
         low = fmin(low, marks[k]);
         high = fmax(high, marks[k]);
     }
     for (size_t i = 0; i < count; i++) {
-        most = fmax(most, histogram->values[i]);
+        most = fmax(most, plot->values[i]);
     }
     if (!(high - low > 0) || !isfinite(high - low)) {
         return fail(error, ERROR_DOMAIN, "all figures are the same: there is nothing to draw");
@@ -93,33 +93,33 @@ static void draw_x_axis(const struct page *page, struct svg *svg)
     }
 }
 
-static bool fails(const struct histogram *histogram, double value)
+static bool fails(const struct tally_plot *plot, double value)
 {
-    return histogram->fails_above ? value > histogram->limit : value < histogram->limit;
+    return plot->fails_above ? value > plot->limit : value < plot->limit;
 }
 
-static void draw_bars(const struct histogram *histogram, const struct page *page, struct svg *svg)
+static void draw_bars(const struct tally_plot *plot, const struct page *page, struct svg *svg)
 {
-    const double part = (histogram->high - histogram->low) / (double)histogram->count;
-    for (size_t i = 0; i < histogram->count; i++) {
-        const double from = histogram->low + part * (double)i;
+    const double part = (plot->high - plot->low) / (double)plot->count;
+    for (size_t i = 0; i < plot->count; i++) {
+        const double from = plot->low + part * (double)i;
         const double left = x_at(page, from), right = x_at(page, from + part);
-        const double y = y_at(page, histogram->values[i]);
-        const size_t colour = fails(histogram, from + part / 2) ? FAILS : PASSES;
+        const double y = y_at(page, plot->values[i]);
+        const size_t colour = fails(plot, from + part / 2) ? FAILS : PASSES;
         svg_group_begin(svg, &(struct svg_style){.fill = palette_colour(colour), .opacity = 0.8});
         svg_rect(svg, left, y, (right - left) * 0.94, page->bottom - y);
         svg_group_end(svg);
     }
 }
 
-static void draw_curve(const struct histogram *histogram, const struct page *page, struct svg *svg)
+static void draw_curve(const struct tally_plot *plot, const struct page *page, struct svg *svg)
 {
-    const size_t count = histogram->count + 1;
+    const size_t count = plot->count + 1;
     double *x = ARENA_ARRAY(svg->arena, count, double), *y = ARENA_ARRAY(svg->arena, count, double);
-    const double part = (histogram->high - histogram->low) / (double)histogram->count;
+    const double part = (plot->high - plot->low) / (double)plot->count;
     for (size_t i = 0; i < count; i++) {
-        x[i] = x_at(page, histogram->low + part * (double)i);
-        y[i] = y_at(page, histogram->values[i]);
+        x[i] = x_at(page, plot->low + part * (double)i);
+        y[i] = y_at(page, plot->values[i]);
     }
     svg_group_begin(svg, &(struct svg_style){.stroke = palette_colour(PASSES), .width = 2});
     svg_polyline(svg, x, y, count);
@@ -127,10 +127,10 @@ static void draw_curve(const struct histogram *histogram, const struct page *pag
 }
 
 /* A line from top to bottom; the words of the two stand in lines of their own. */
-static void draw_mark(const struct histogram *histogram, int which, const struct page *page,
+static void draw_mark(const struct tally_plot *plot, int which, const struct page *page,
                       struct svg *svg)
 {
-    const double value = which == 0 ? histogram->nominal : histogram->limit;
+    const double value = which == 0 ? plot->nominal : plot->limit;
     const double x = x_at(page, value), base = TOP - 22 + 16 * which;
     const bool turns = x > (LEFT + WIDTH - RIGHT) / 2;
     if (isnan(value)) {
@@ -146,10 +146,10 @@ static void draw_mark(const struct histogram *histogram, int which, const struct
     svg_group_begin(svg, &style);
     svg_line(svg, x, base - 9, x, page->bottom);
     svg_group_end(svg);
-    svg_text(svg, &words, histogram->marks[which] != NULL ? histogram->marks[which] : "");
+    svg_text(svg, &words, plot->marks[which] != NULL ? plot->marks[which] : "");
 }
 
-static void draw_words(const struct histogram *histogram, const struct page *page, struct svg *svg)
+static void draw_words(const struct tally_plot *plot, const struct page *page, struct svg *svg)
 {
     const struct svg_label labels[] = {
         {.x = 20, .y = 30, .size = TITLE_SIZE, .width = WIDTH - 32, .bold = true},
@@ -164,27 +164,26 @@ static void draw_words(const struct histogram *histogram, const struct page *pag
          .rotation = -90,
          .anchor = SVG_MIDDLE},
     };
-    const char *const words[] = {histogram->title, histogram->subtitle, histogram->x_label,
-                                 histogram->y_label};
+    const char *const words[] = {plot->title, plot->subtitle, plot->x_label, plot->y_label};
     for (size_t i = 0; i < sizeof words / sizeof words[0]; i++) {
         svg_text(svg, &labels[i], words[i] != NULL ? words[i] : "");
     }
 }
 
-bool histogram_draw(const struct histogram *histogram, struct svg *svg, struct error *error)
+bool tally_plot_draw(const struct tally_plot *plot, struct svg *svg, struct error *error)
 {
     struct page page;
-    if (!find_range(histogram, &page, error)) {
+    if (!find_range(plot, &page, error)) {
         return false;
     }
-    svg_begin(svg, WIDTH, HEIGHT, histogram->title);
+    svg_begin(svg, WIDTH, HEIGHT, plot->title);
     draw_y_axis(&page, svg);
-    (histogram->is_curve ? draw_curve : draw_bars)(histogram, &page, svg);
+    (plot->is_curve ? draw_curve : draw_bars)(plot, &page, svg);
     draw_x_axis(&page, svg);
     for (int which = 0; which < 2; which++) {
-        draw_mark(histogram, which, &page, svg);
+        draw_mark(plot, which, &page, svg);
     }
-    draw_words(histogram, &page, svg);
+    draw_words(plot, &page, svg);
     svg_end(svg);
     return true;
 }
