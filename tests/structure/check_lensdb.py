@@ -33,6 +33,7 @@ RANGES = {
     "films.tsv": {"onset_s": (0, 1000), "valid_to_s": (0, 100000)},
     "filters.tsv": {"factor": (1, 10000), "stops": (0, 15), "mired": (-140, 140)},
     "lines.tsv": {"nm": (100, 20000)},
+    "tolerances.tsv": {"value": (1e-5, 100)},
 }
 OPTIONAL = {"px_w", "px_h", "pitch_um", "factor", "stops", "mired", "valid_to_s"}
 WHOLE = {"px_w", "px_h", "step", "din"}
@@ -48,6 +49,7 @@ COLUMNS = {
     "filters.tsv": "name aliases kind factor stops mired confidence source",
     "lines.tsv": "name nm element note",
     "glass_aliases.tsv": "alias material",
+    "tolerances.tsv": "grade quantity value unit distribution confidence source",
 }
 
 passed = 0
@@ -446,7 +448,30 @@ def check_aliases(path, rows):
     unique(path, [(line, row["alias"]) for line, row in rows])
 
 
+GRADES = ("commercial", "precision", "high")  # from wide to narrow
+PERTURBED = {"radius", "thickness", "air", "index", "abbe", "irregularity", "element tilt",
+             "element decenter"}
+
+
+def check_tolerances(path, rows):
+    """Every grade has every quantity, and each is narrower than the one before."""
+    values = {}
+    for line, row in rows:
+        where = row["quantity"], row["unit"]
+        widths = values.setdefault(where, [])
+        faults = [] if row["grade"] in GRADES else [f"an unknown grade '{row['grade']}'"]
+        if widths and not float(row["value"]) < widths[-1]:
+            faults.append(f"{' '.join(where)} is not below that of the grade before")
+        widths.append(float(row["value"]))
+        check(f"{path}:{line}", faults)
+    check(path, [f"{' '.join(where)} is not in every grade" for where, widths in values.items()
+                 if len(widths) != len(GRADES)])
+    check(path, [f"no {name}" for name in PERTURBED - {name for name, _ in values}])
+    unique(path, [(line, f"{row['grade']} {row['quantity']} {row['unit']}") for line, row in rows])
+
+
 CHECKS = {
+    "tolerances.tsv": check_tolerances,
     "formats.tsv": check_formats,
     "cameras.tsv": check_cameras,
     "fstops.tsv": lambda path, rows: check_series(

@@ -113,7 +113,7 @@ FOR_TESTS = {
     "part_parse": "", "part_range": "", "part_read": "", "part_write": "", "parts_order": "",
     # tolerances, which trials stand on
     "distribution_words": "", "spread_of": "", "spread_quantile": "", "spread_variance": "",
-    "elements_of": "", "element_at": "", "lens_tolerances_read": "", "perturbations_of": "",
+    "tolerances_of": "",
     "tolerance_open": "", "tolerance_trial": "", "tolerance_lens": "", "perturbed_links": "",
     "criterion_read": "", "criterion_passes": "", "criterion_badness": "",
     # what there is to try

@@ -10,6 +10,7 @@ static const struct word topic_words[] = {
     {"scenes", "typical scenes and their light"},
     {"filters", "filters and the light they take"},
     {"glasses", "optical glasses and plastics of all catalogues"},
+    {"tolerances", "what shops promise, by grade"},
     {"stops", "labels of f-numbers, times and ISO, with exact values"},
     {"units", "units of every dimension"},
     {"keywords", "words of other programs' lens files, and what becomes of them"},
@@ -21,9 +22,9 @@ static const struct word topic_words[] = {
 
 /* In the order of topic_words. */
 static const struct topic *const topics[] = {
-    &topic_lenses,   &topic_formats, &topic_cameras, &topic_films, &topic_scenes,
-    &topic_filters,  &topic_glasses, &topic_stops,   &topic_units, &topic_keywords,
-    &topic_commands, &topic_options, &topic_columns,
+    &topic_lenses,   &topic_formats,  &topic_cameras,    &topic_films,   &topic_scenes,
+    &topic_filters,  &topic_glasses,  &topic_tolerances, &topic_stops,   &topic_units,
+    &topic_keywords, &topic_commands, &topic_options,    &topic_columns,
 };
 
 static const struct option options[] = {
@@ -34,19 +35,18 @@ static const struct option options[] = {
     {OPTION(struct list_input, kind), .name = "kind", .value = "KIND",
      .help = "only this class of lenses or formats, maker of cameras or films, kind of filters, "
              "catalogue of "
-             "glasses, series of "
+             "glasses, grade of tolerances, series of "
              "stops, dimension of units, "
              "format of keywords, "
              "group of commands, command of options and columns"},
 };
 
-static const struct sheet *const sheets[] = {&topic_lenses.sheet,   &topic_formats.sheet,
-                                             &topic_cameras.sheet,  &topic_films.sheet,
-                                             &topic_scenes.sheet,   &topic_filters.sheet,
-                                             &topic_glasses.sheet,  &topic_stops.sheet,
-                                             &topic_units.sheet,    &topic_keywords.sheet,
-                                             &topic_commands.sheet, &topic_options.sheet,
-                                             &topic_columns.sheet,  NULL};
+static const struct sheet *const sheets[] = {
+    &topic_lenses.sheet,  &topic_formats.sheet,    &topic_cameras.sheet,
+    &topic_films.sheet,   &topic_scenes.sheet,     &topic_filters.sheet,
+    &topic_glasses.sheet, &topic_tolerances.sheet, &topic_stops.sheet,
+    &topic_units.sheet,   &topic_keywords.sheet,   &topic_commands.sheet,
+    &topic_options.sheet, &topic_columns.sheet,    NULL};
 
 static const struct sheet *choose_sheet(const void *data, const struct asking *asking)
 {
@@ -73,6 +73,7 @@ static bool run(const void *data, struct run *run, struct error *error)
 
 static const struct example examples[] = {
     {"list lenses --kind zoom", "lenses of one kind"},
+    {"list tolerances --kind precision", "what a grade of --grade holds, and where it is from"},
     {"list formats", "all formats with sizes, crop factors and circles of confusion"},
     {"list cameras nikon d1", "cameras whose name contains these words"},
     {"list cameras alexa 35", "a cine camera and its sensor modes"},
@@ -87,8 +88,8 @@ static const struct example examples[] = {
 const struct command command_list = {
     .name = "list",
     .group = "data",
-    .summary = "lenses, formats, cameras, films, scenes, filters, glasses, stops, units, commands, "
-               "options, columns",
+    .summary = "lenses, formats, cameras, films, scenes, filters, glasses, tolerances, stops, "
+               "units, commands, options, columns",
     COMMAND_ASKS(struct list_input),
     .choose_sheet = choose_sheet,
     .sheets = sheets,

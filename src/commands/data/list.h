@@ -40,7 +40,7 @@ void list_row(struct list *list, const void *row);
 const char *list_place(enum lensdb_place place);
 
 extern const struct topic topic_lenses, topic_formats, topic_cameras, topic_films, topic_scenes,
-    topic_filters, topic_stops, topic_units, topic_commands, topic_options, topic_glasses,
-    topic_keywords, topic_columns;
+    topic_filters, topic_stops, topic_tolerances, topic_units, topic_commands, topic_options,
+    topic_glasses, topic_keywords, topic_columns;
 
 #endif
