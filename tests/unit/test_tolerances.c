@@ -55,7 +55,7 @@ static void test_grade(void)
         {"t2", 0.025},
         {"n1", 0.0005},
         {"V1", 0.3},
-        {"surface 2 irregularity", 0.29},
+        {"surface 2 irregularity 0deg", 0.29},
         {"element 1..2 tilt x", 2.908882086657216e-4},
         {"element 3..4 decenter y", 0.0125},
     };
@@ -66,8 +66,8 @@ static void test_grade(void)
         CHECK_RELATIVE(amount_of(&asked, precision[i].name), precision[i].amount, 1e-9,
                        precision[i].name);
     }
-    /* 4 radii, 3 spaces, 2 indices, 1 Abbe number, 4 irregularities, 2 elements of 4 */
-    CHECK(asked.all.count == 4 + 3 + 2 + 1 + 4 + 8);
+    /* 4 radii, 3 spaces, 2 indices, 1 Abbe number, 4 irregularities of 3, 2 elements of 4 */
+    CHECK(asked.all.count == 4 + 3 + 2 + 1 + 12 + 8);
     CHECK_TEXT(asked.assumed, "grade precision; without V3, of media that have no Abbe number");
     arena_free(&asked.arena);
 }
