@@ -158,7 +158,7 @@ static const struct example examples[] = {
 const struct command command_optimize = {
     .name = "optimize",
     .group = "design",
-    .summary = "make a lens better: the nearest minimum of what is wanted, or the best of many",
+    .summary = "make a lens better: the nearest minimum, or the best of many",
     COMMAND_ASKS(struct optimize_input),
     .choose_sheet = choose_sheet,
     .sheets = optimize_sheets,
