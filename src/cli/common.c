@@ -175,7 +175,7 @@ static bool has_series(const struct command *command)
 
 static bool is_forced(const struct command *command)
 {
-    bool found = takes_many(command);
+    bool found = takes_many(command) || command->again != NULL;
     for (size_t i = 0; i < command->artifact_count && !found; i++) {
         found = command->artifacts[i].is_kept;
     }

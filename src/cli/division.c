@@ -7,6 +7,7 @@
 #include "exchange/lens_open.h"
 #include "report/version.h"
 
+#include <string.h>
 #include <sys/stat.h>
 
 static const struct file_type part_type = {{"part", "a part of a divided run"}, ".part"};
@@ -25,8 +26,19 @@ static bool counts(const struct argument *argument)
            (argument->option->flags & OPTION_ASIDE) == 0;
 }
 
+/* Does the division leave it out? */
+static bool is_aside(const struct argument *argument, const char *const *aside)
+{
+    bool found = aside != NULL && argument->is_common;
+    for (size_t i = 0; aside != NULL && aside[i] != NULL && !found; i++) {
+        found = strcmp(aside[i], argument->option->name) == 0;
+    }
+    return found;
+}
+
 /* Options in the order of their declaration, --name=value; several words of one come last. */
-static struct text words_of(const struct arguments *arguments, struct arena *arena)
+static struct text words_of(const struct arguments *arguments, const char *const *aside,
+                            struct arena *arena)
 {
     size_t room = 1;
     for (size_t i = 0; i < arguments->count; i++) {
@@ -38,7 +50,7 @@ static struct text words_of(const struct arguments *arguments, struct arena *are
     for (size_t i = 0; i < arguments->count; i++) {
         const struct argument *argument = &arguments->all[i];
         const struct option *option = argument->option;
-        if (!counts(argument)) {
+        if (!counts(argument) || is_aside(argument, aside)) {
             continue;
         }
         if ((option->flags & (OPTION_MANY | OPTION_TOGETHER)) != 0) {
@@ -128,7 +140,7 @@ bool division_head(const struct run *run, const struct division *division, struc
     struct digest digest;
     *head = (struct part_head){.command = text_of(run->arguments->command->name),
                                .version = text_of(LENSCALC_VERSION),
-                               .words = words_of(run->arguments, run->arena),
+                               .words = words_of(run->arguments, division->aside, run->arena),
                                .seed = division->seed,
                                .total = division->total,
                                .part = division->part};
@@ -152,6 +164,40 @@ bool division_read(const char *path, struct arena *arena, struct part_file *file
     struct text content;
     return large_file(path, DIVISION_FILE_MOST, arena, &content, error) &&
            part_read(path, content, file, error);
+}
+
+/* Is the file the one that this part left? */
+static bool check_part(const struct part_file *file, struct part part, struct error *error)
+{
+    const struct part other = file->head.part;
+    return other.count != part.count || other.number == part.number ||
+           fail(error, ERROR_DATA, "%s is part %ld/%ld, not %ld/%ld", file->path, other.number,
+                other.count, part.number, part.count);
+}
+
+bool division_found(const struct run *run, const struct part_head *head, const char *path,
+                    const struct part_file **files, size_t *count, struct error *error)
+{
+    *files = run->parts;
+    *count = run->part_count;
+    if (run->parts == NULL && path != NULL) {
+        struct part_file *file = ARENA_NEW(run->arena, struct part_file);
+        if (!division_read(path, run->arena, file, error)) {
+            return error->code == ERROR_NONE;
+        }
+        if (!check_part(file, head->part, error)) {
+            return false;
+        }
+        *files = file;
+        *count = 1;
+    }
+    for (size_t i = 0; i < *count; i++) {
+        if (!part_is_of_run(&(*files)[i], head, "a run of these words and files", run->arena,
+                            error)) {
+            return false;
+        }
+    }
+    return true;
 }
 
 void division_write(const struct part_head *head, struct text body, struct arena *arena,

@@ -18,6 +18,9 @@ struct division {
     struct part part;
     uint64_t seed, total; /* items of the whole run */
     struct text facts;    /* what else the result depends on: glasses, formats; may be empty */
+    /* Options that only choose what is made of the items; ends with null. Where it is given, those
+       that all commands have do not count either. Null: all of them count. */
+    const char *const *aside;
 };
 
 /*
@@ -31,6 +34,16 @@ struct division {
  */
 bool division_head(const struct run *run, const struct division *division, struct part_head *head,
                    struct error *error);
+
+/*
+ * What is there already of a run: the parts that are merged; else what it goes on from.
+ *
+ * Given     path  of the file that it goes on from; null: it begins anew
+ * Result    count files, none if there is no file of that name
+ * Errors    ERROR_IO; ERROR_DATA: a file that is no part, of another run, or of another part
+ */
+bool division_found(const struct run *run, const struct part_head *head, const char *path,
+                    const struct part_file **files, size_t *count, struct error *error);
 
 /*
  * Read the file of a part.

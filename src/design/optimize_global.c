@@ -255,15 +255,17 @@ static bool is_known(const struct solver_problem *problem, const struct global_k
     return found;
 }
 
-/* Starts with a minimum there. */
+/* Starts with a minimum there, or where its last descent began. */
 static size_t count_hits(const struct optimize_global *global, const struct solver_problem *problem,
-                         const double *numbers)
+                         const struct global_kept *kept)
 {
     size_t hits = 0;
     for (size_t k = 0; k < global->start_count; k++) {
         bool hit = false;
         for (size_t i = 0; i < global->results[k].count; i++) {
-            hit = hit || global_is_same(problem, global->results[k].minima[i].parameters, numbers);
+            const double *found = global->results[k].minima[i].parameters;
+            hit = hit || global_is_same(problem, found, kept->answer.after.numbers) ||
+                  global_is_same(problem, found, kept->begun);
         }
         hits += hit;
     }
@@ -279,6 +281,7 @@ static bool finish(const struct optimize_task *task, const struct candidate *can
     struct error ignored;
     fine.merit = &fresh->merit;
     fine.start = candidate->minimum->parameters;
+    kept->begun = fine.start;
     kept->start = candidate->start;
     return open_fresh(task->merit, arena, fresh, &ignored) &&
            optimize_run(&fine, arena, &kept->answer, &ignored);
@@ -317,7 +320,7 @@ size_t optimize_global_keep(const struct optimize_global *global, const struct o
         }
     }
     for (size_t i = 0; i < count; i++) {
-        kept[i].hits = count_hits(global, &problem, kept[i].answer.after.numbers);
+        kept[i].hits = count_hits(global, &problem, &kept[i]);
     }
     qsort(kept, count, sizeof *kept, compare_kept);
     return count;

@@ -66,8 +66,9 @@ void optimize_global_search(struct optimize_global *global, struct arena *arena)
 /* A lens that was kept. */
 struct global_kept {
     struct optimize_answer answer;
-    size_t start; /* that led to it, from 0 */
-    size_t hits;  /* starts that led to it, or very near */
+    const double *begun; /* where its last descent began */
+    size_t start;        /* that led there, from 0 */
+    size_t hits;         /* starts that led to it, or very near */
 };
 
 /*

@@ -347,6 +347,7 @@ def check_interrupted(checks, program):
     checks.check(process.returncode == 1 and 1 < len(found) < 14000 and
                  "interrupted" in found[-1]["error"], f"a sweep: {len(found)} rows, {error!r}")
     check_interrupted_lens(checks, program)
+    check_interrupted_search(checks, program)
 
 
 def check_interrupted_lens(checks, program):
@@ -367,6 +368,25 @@ def check_interrupted_lens(checks, program):
         checks.check(process.returncode == 1 and row["status"] == "interrupted" and
                      row["merit_after"] < row["merit_before"] and b"interrupted after" in error and
                      "note        interrupted after" in text, f"a lens: {row}, {error!r}")
+
+
+def check_interrupted_search(checks, program):
+    """One that is gone on from its state has the bytes of one that was not interrupted."""
+    asked = ["optimize", "double-gauss", "--vary", "R1..R11", "--goals", "poly,efl=100", "--rays",
+             "60", "--global", "30", "--spread", "0.6", "--seed", "1", "--csv"]
+    with tempfile.TemporaryDirectory() as folder:
+        state = ["--state", os.path.join(folder, "search.state")]
+        process = subprocess.Popen(program.command + asked + state, stdout=subprocess.PIPE,
+                                   stderr=subprocess.PIPE, env=program.environment())
+        time.sleep(0.3)
+        process.send_signal(signal.SIGINT)
+        answer, error = process.communicate()
+        checks.check(process.returncode == 1 and b",interrupted," in answer and
+                     b"of 30 starts: the best so far, incomplete" in error,
+                     f"a search: {answer!r}, {error!r}")
+        resumed = program.run(*asked, *state, "--threads", "2")
+        checks.check(resumed.returncode == 0 and resumed.stdout == program.run(*asked).stdout,
+                     f"a search, gone on from: {resumed.stdout!r}")
 
 
 def check_picture(checks, program):

@@ -86,27 +86,12 @@ static bool find_files(struct render_part *part, struct error *error)
 {
     const struct artifact_job *job = part->job;
     const struct render_input *input = job->inputs[0];
-    struct arena *arena = job->run->arena;
-    const char *which = "a run of these words and files";
-    part->files = job->run->parts;
-    part->file_count = job->run->part_count;
-    if (part->files == NULL && input->resume) {
-        struct part_file *file = ARENA_NEW(arena, struct part_file);
-        if (!division_read(job->path, arena, file, error)) {
-            return error->code == ERROR_NONE;
-        }
-        if (file->head.part.count == part->head.part.count &&
-            file->head.part.number != part->head.part.number) {
-            return fail(error, ERROR_DATA, "%s is part %ld/%ld, not %ld/%ld", job->path,
-                        file->head.part.number, file->head.part.count, part->head.part.number,
-                        part->head.part.count);
-        }
-        part->files = file;
-        part->file_count = 1;
+    if (!division_found(job->run, &part->head, input->resume ? job->path : NULL, &part->files,
+                        &part->file_count, error)) {
+        return false;
     }
     for (size_t i = 0; i < part->file_count; i++) {
-        if (!part_is_of_run(&part->files[i], &part->head, which, arena, error) ||
-            !check_body(&part->files[i], error)) {
+        if (!check_body(&part->files[i], error)) {
             return false;
         }
     }

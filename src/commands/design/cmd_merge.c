@@ -1,5 +1,6 @@
 /* commands/design/cmd_merge.c - lenscalc merge: the parts of a divided run. */
 /* SPDX-License-Identifier: MIT */
+#include "cli/arguments.h"
 #include "cli/division.h"
 #include "report/version.h"
 
@@ -66,8 +67,11 @@ static bool again(const void *data, struct run *run, struct again *question, str
         return fail(error, ERROR_DATA, "%s was made by version %.*s, and this is %s", files[0].path,
                     text_shown(head->version), head->version.start, LENSCALC_VERSION);
     }
-    question->words = ARENA_ARRAY(run->kept, (size_t)question->count + 1, char *);
+    question->words = ARENA_ARRAY(run->kept, (size_t)question->count + 2, char *);
     int all = 0;
+    if (arguments_given(run->arguments, "force")) {
+        question->words[all++] = ARENA_JOIN(run->kept, "--force");
+    }
     if (input->output != NULL) {
         question->words[all++] = ARENA_JOIN(run->kept, "--output=", input->output);
     }

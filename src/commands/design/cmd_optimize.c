@@ -1,6 +1,7 @@
 /* commands/design/cmd_optimize.c - lenscalc optimize: a lens made better. */
 /* SPDX-License-Identifier: MIT */
 #include "base/parallel.h"
+#include "cli/division.h"
 #include "commands/analysis/analysis_options.h"
 #include "commands/design/optimize_search.h"
 #include "file/lens_file.h"
@@ -83,6 +84,9 @@ static const struct option options[] = {
      .lowest = 0, .highest = 1000, .fallback = "1", .flags = OPTION_ABOVE_LOWEST, .value = "NUMBER",
      .wants = "global",
      .help = "where starts lie of what has no two bounds: so many natural scales about the lens"},
+    {OPTION(struct optimize_input, part), .name = "part", .value = "I/N", .flags = OPTION_ASIDE,
+     .wants = "global", .excludes = "seconds",
+     .help = "only part I of N of the starts, into a .part for 'lenscalc merge'"},
     {OPTION(struct optimize_input, show), .name = "show", .words = shows, .fallback = "answer",
      .value = "WHAT", .help = "which rows"},
 };
@@ -116,6 +120,17 @@ static const struct file_type *saved_types(size_t i)
     return i == 0 ? &lens_file_type : NULL;
 }
 
+/* A part, whatever it is called; lenses by their name. */
+static const struct file_type *choose_part(const void *data)
+{
+    return ((const struct optimize_input *)data)->part.count > 0 ? division_types(0) : NULL;
+}
+
+static size_t count_saved(const void *data)
+{
+    return choose_part(data) != NULL ? 1 : optimize_keep_count(data);
+}
+
 static const struct artifact artifacts[] = {
     {.option = {.kind = &kind_text,
                 .name = "output",
@@ -125,8 +140,18 @@ static const struct artifact artifacts[] = {
                 .types = saved_types,
                 .help = "write the lens that was found; rows go to standard output"},
      .is_kept = true,
-     .count = optimize_keep_count,
+     .choose = choose_part,
+     .count = count_saved,
+     .check = optimize_check_saved,
      .make = optimize_save},
+    {.option = {.kind = &kind_text,
+                .name = "state",
+                .value = "FILE",
+                .flags = OPTION_FILE,
+                .wants = "global",
+                .help = "what the starts led to so far: goes on from it if it is there, and is "
+                        "written now and then"},
+     .make = optimize_save_state},
     {ARTIFACT_OPTION("plot", drawing_types,
                      "draw the merit against the iteration, or where the starts ended"),
      .scope = ARTIFACT_OF_SWEEP, .is_kept = true, .make = optimize_plot},
@@ -169,4 +194,5 @@ const struct command command_optimize = {
     .cell = "merit_after",
     .needs_ceres = "solver=ceres",
     .keeps_best = true,
+    .is_divided = true,
 };

@@ -1,6 +1,7 @@
 /* commands/design/optimize_files.c - the lens that was found, and how the merit fell. */
 /* SPDX-License-Identifier: MIT */
 #include "commands/design/fit.h"
+#include "commands/design/optimize_part.h"
 #include "commands/design/optimize_search.h"
 #include "draw/plot.h"
 #include "file/lens_file.h"
@@ -49,8 +50,12 @@ bool optimize_save(const struct artifact_job *job, struct output *sink, struct e
 {
     const struct optimize_job *done = job->run->state;
     (void)error;
-    if (done->kept_count == 0) {
+    if (done->search == NULL) {
         save(done, sink);
+        return true;
+    }
+    if (job->type == division_types(0)) {
+        optimize_part_write(done->part, sink);
         return true;
     }
     for (size_t i = 0; i < job->files; i++) {
@@ -60,6 +65,21 @@ bool optimize_save(const struct artifact_job *job, struct output *sink, struct e
             sink[i].is_unused = true;
         }
     }
+    return true;
+}
+
+bool optimize_check_saved(const struct artifact_job *job, struct error *error)
+{
+    const struct optimize_input *input = job->inputs[0];
+    return input->part.count == 0 || file_type_ends(text_of(job->path), ".part") ||
+           fail(error, ERROR_USAGE, "{--part} needs {--output} with a name that ends in .part");
+}
+
+bool optimize_save_state(const struct artifact_job *job, struct output *sink, struct error *error)
+{
+    const struct optimize_job *done = job->run->state;
+    (void)error;
+    optimize_state_write(done->part, sink);
     return true;
 }
 

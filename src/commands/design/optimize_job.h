@@ -25,7 +25,8 @@ struct optimize_input {
     long threads;                /* 0: one a core */
     long global, keep, escapes;  /* global: 0 = from the lens alone */
     double spread;
-    double seconds; /* NaN = as long as it takes */
+    struct part part; /* count 0: all of it */
+    double seconds;   /* NaN = as long as it takes */
     bool clip, no_clip;
 };
 
@@ -51,8 +52,9 @@ struct optimize_job {
     double until;                 /* of progress_clock; infinite: no limit */
     bool is_late;
     /* of --global */
-    const char *search;        /* in words; null: there is none */
-    struct optimize_job *kept; /* the best first, each a job with an answer */
+    const char *search;         /* in words; null: there is none */
+    struct optimize_part *part; /* what of it goes into files */
+    struct optimize_job *kept;  /* the best first, each a job with an answer */
     size_t kept_count;
     long rank, hits;  /* of one of them; starts that led to it */
     long evaluations; /* of the search */
@@ -95,6 +97,12 @@ bool optimize_emit(struct optimize_job *job, struct error *error);
 
 /* --output, after `run`. */
 bool optimize_save(const struct artifact_job *job, struct output *sink, struct error *error);
+
+/* A part goes into a file that is called so. */
+bool optimize_check_saved(const struct artifact_job *job, struct error *error);
+
+/* --state, after `run`. */
+bool optimize_save_state(const struct artifact_job *job, struct output *sink, struct error *error);
 
 /* --plot: the merit against the iteration. */
 bool optimize_plot(const struct artifact_job *job, struct output *sink, struct error *error);

@@ -423,7 +423,7 @@ static bool emit(struct optimize_job *job, struct error *error)
 
 bool optimize_emit(struct optimize_job *job, struct error *error)
 {
-    bool done = job->kept_count > 0 || emit(job, error);
+    bool done = job->search != NULL || emit(job, error);
     for (size_t i = 0; i < job->kept_count && done; i++) {
         done = emit(&job->kept[i], error);
     }

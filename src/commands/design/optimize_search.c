@@ -4,9 +4,12 @@
 
 #include "base/parallel.h"
 #include "cli/progress.h"
+#include "commands/design/optimize_part.h"
 
 #include <math.h>
 #include <stdlib.h>
+
+enum { LAST_ITERATIONS = 1000 }; /* of the few lenses that are kept */
 
 size_t optimize_keep_count(const void *data)
 {
@@ -22,6 +25,13 @@ static bool check(const struct optimize_input *input, struct error *error)
     }
     return input->solver == SOLVER_DLS ||
            fail(error, ERROR_USAGE, "{--global} searches with {--solver} dls only");
+}
+
+/* Now and then. */
+static void pause(void *context)
+{
+    const struct optimize_job *job = context;
+    optimize_part_pause(job->part);
 }
 
 /* Once an iteration, from any thread. */
@@ -105,6 +115,12 @@ static int compare(const void *one, const void *other)
     return (a > b) - (a < b);
 }
 
+/* How many starts are to be done: all, or those of the part. */
+static size_t wanted_of(const struct optimize_job *job, const struct optimize_global *global)
+{
+    return job->run->parts != NULL ? global->start_count : global->end - global->begin;
+}
+
 /* How many starts are done; what they cost, and their ends. */
 static size_t count_done(struct optimize_job *job, const struct optimize_global *global)
 {
@@ -133,7 +149,9 @@ static bool take_kept(struct optimize_job *job, const struct optimize_global *gl
     const size_t most = optimize_keep_count(job->input);
     struct arena *arena = job->run->arena;
     struct global_kept *kept = ARENA_ARRAY(arena, most, struct global_kept);
-    const struct optimize_task task = {.merit = &job->merit, .iterations = global->iterations};
+    const struct optimize_task task = {.merit = &job->merit,
+                                       .iterations = global->iterations > 0 ? global->iterations
+                                                                            : LAST_ITERATIONS};
     const size_t count = optimize_global_keep(global, &task, most, arena, kept);
     struct optimize_job *jobs = ARENA_ARRAY(arena, count + 1, struct optimize_job);
     for (size_t i = 0; i < count; i++) {
@@ -175,45 +193,62 @@ static bool fail_empty(struct optimize_job *job, size_t done, struct error *erro
                : error_prefix(error, "none of %zu starts can be judged: ", done);
 }
 
+/* All starts that are to be searched; how far it came. */
+static void run_search(struct optimize_job *job, struct optimize_global *global)
+{
+    struct watch *watch = job->run->watch;
+    size_t there = 0;
+    for (size_t k = global->begin; k < global->end; k++) {
+        there += global->results[k].is_done;
+    }
+    watch_begin(watch, "starts", global->end - global->begin - there);
+    optimize_global_search(global, job->run->arena);
+    if (job->part->state_path != NULL && watch_is_ended(watch)) {
+        optimize_part_save(job->part);
+    }
+    const size_t done = count_done(job, global), all = wanted_of(job, global);
+    job->search = search_in_words(job, done);
+    job->is_late = done < all && !watch_is_ended(watch) && job->run->parts == NULL;
+    if (done < all && !job->is_late) {
+        job->incomplete =
+            arena_printf(job->run->arena, "%s%zu of %zu starts: the best so far, incomplete",
+                         job->run->parts != NULL ? "only " : "interrupted after ", done, all);
+    }
+}
+
 static bool search(struct optimize_job *job, const struct merit_question *question,
                    struct error *error)
 {
     const struct optimize_input *input = job->input;
     struct arena *arena = job->run->arena;
-    struct optimize_global global = {.merit = &job->merit,
-                                     .iterations = (int)input->iterations,
-                                     .escapes = (int)input->escapes,
-                                     .seed = (uint64_t)input->seed,
-                                     .spread = input->spread,
-                                     .threads = parallel_threads(input->threads),
-                                     .watch = job->run->watch,
-                                     .goes_on = goes_on,
-                                     .context = job,
-                                     .start_count = (size_t)input->global,
-                                     .end = (size_t)input->global};
-    if (!check(input, error) || !drop_idle(job, &global, question, error)) {
-        return false;
-    }
-    global.results = ARENA_ARRAY(arena, global.start_count, struct global_result);
+    struct optimize_global *global = ARENA_NEW(arena, struct optimize_global);
+    *global = (struct optimize_global){.merit = &job->merit,
+                                       .iterations = (int)input->iterations,
+                                       .escapes = (int)input->escapes,
+                                       .seed = (uint64_t)input->seed,
+                                       .spread = input->spread,
+                                       .threads = parallel_threads(input->threads),
+                                       .watch = job->run->watch,
+                                       .goes_on = goes_on,
+                                       .pause = pause,
+                                       .context = job,
+                                       .start_count = (size_t)input->global,
+                                       .end = (size_t)input->global};
+    global->results = ARENA_ARRAY(arena, global->start_count, struct global_result);
+    job->part = ARENA_NEW(arena, struct optimize_part);
     job->until = isnan(input->seconds) ? INFINITY : progress_clock() + input->seconds;
-    watch_begin(job->run->watch, "starts", global.start_count);
-    optimize_global_search(&global, arena);
-    const size_t done = count_done(job, &global);
-    job->search = search_in_words(job, done);
-    job->is_late = done < global.start_count && !watch_is_ended(job->run->watch);
-    if (watch_is_ended(job->run->watch)) {
-        job->incomplete = arena_printf(arena,
-                                       "interrupted after %zu of %zu starts: the best so far, "
-                                       "incomplete",
-                                       done, global.start_count);
-    }
-    if (!take_kept(job, &global, error)) {
+    if (!check(input, error) || !drop_idle(job, global, question, error) ||
+        !optimize_part_begin(job, global, job->part, error)) {
         return false;
     }
-    if (job->kept_count == 0) {
-        return fail_empty(job, done, error);
+    run_search(job, global);
+    if (!take_kept(job, global, error)) {
+        return false;
     }
-    if (job->kept_count < optimize_keep_count(input)) {
+    if (job->kept_count == 0 && wanted_of(job, global) > 0) {
+        return fail_empty(job, count_done(job, global), error);
+    }
+    if (job->kept_count > 0 && job->kept_count < optimize_keep_count(input)) {
         optimize_warn(job->kept,
                       arena_printf(arena, "only %zu different lens%s found, of %ld to keep",
                                    job->kept_count, job->kept_count == 1 ? " was" : "es were",
