@@ -15,8 +15,8 @@
  *
  * Given     argv  of this program, ends with null
  * Result    true: this program has the solver. Else it only comes back with an error
- * Errors    ERROR_DOMAIN: there is none, it does not start, or what goes by that name is without
- *           Ceres
+ * Errors    ERROR_DOMAIN: there is none, it does not start, what goes by that name is without
+ *           Ceres; of that program: it was started by one of another version
  */
 bool relay_to_ceres(char **argv, struct arena *arena, struct error *error);
 
