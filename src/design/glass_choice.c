@@ -10,7 +10,8 @@
 
 enum {
     NEAREST = 8, /* candidates that are tried for one model glass */
-    LAST = 3     /* glasses whose combinations are searched */
+    LAST = 3,    /* glasses whose combinations are searched */
+    PAIR = 2     /* so many in all are tried in all combinations */
 };
 
 /* Conditions are met to this, in their deviations. */
@@ -336,6 +337,18 @@ static const struct node *enter(struct search *search, const struct node *parent
     return node;
 }
 
+/* Is it worth going on from a trial for one of so many glasses? */
+static bool is_promising(const struct search *search, const struct node *node, size_t models,
+                         const struct trial *trial)
+{
+    const bool is_pair = node->depth + models <= PAIR;
+    if (isinf(trial->rank.merit) || search->best == NULL) {
+        return !isinf(trial->rank.merit); /* any is better than none */
+    }
+    return models <= LAST &&
+           ((is_pair && models > 1) || is_better(trial->rank, search->best->rank));
+}
+
 static void descend(struct search *search, const struct node *node)
 {
     struct trial trials[NEAREST];
@@ -352,14 +365,10 @@ static void descend(struct search *search, const struct node *node)
     if (!try_all(search, node, surface, trials, count)) {
         return;
     }
-    const size_t width = models > LAST ? 1 : count;
     for (size_t i = 0; i < count && !search->choice->is_stopped; i++) {
-        const bool is_first = search->best == NULL; /* any is better than none */
-        if (isinf(trials[i].rank.merit) ||
-            (!is_first && (i >= width || !is_better(trials[i].rank, search->best->rank)))) {
-            break;
+        if (is_promising(search, node, models, &trials[i])) {
+            descend(search, enter(search, node, surface, &trials[i]));
         }
-        descend(search, enter(search, node, surface, &trials[i]));
     }
 }
 

@@ -58,7 +58,8 @@ size_t glass_choice_models(const struct variables *variables, size_t *surfaces);
  *           else optimised anew from where it is, and the one that loses least is taken. For the
  *           last three glasses, and so many candidates of each, all combinations are searched,
  *           least loss first, but for those that cannot be better than the best so far: the merit
- *           with the remaining glasses free is a bound (branch and bound)
+ *           with the remaining glasses free is a bound (branch and bound). Two glasses in all are
+ *           tried without it
  *           distance: ((dn/0.1)^2 + (dV/10)^2 + (dP/0.02)^2)^(1/2) of nd, Vd and the deviation of
  *           PgF from the normal line, on which a model glass is taken to lie; the last term of
  *           glasses whose PgF is known
