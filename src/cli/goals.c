@@ -226,14 +226,7 @@ static size_t surface_number(struct text text)
 static bool read_surfaces(struct goal_reading *reading, struct text word, struct error *error)
 {
     struct operand *operand = reading->operand;
-    struct text last = word, first = word;
-    for (size_t i = 0; i + 1 < word.length; i++) {
-        if (word.start[i] == '.' && word.start[i + 1] == '.') {
-            first.length = i;
-            last = (struct text){word.start + i + 2, word.length - i - 2};
-            break;
-        }
-    }
+    struct text last = word, first = text_cut_range(&last);
     if (!may_have(reading, OPERAND_AT_SURFACES, operand->first != LENS_NONE, "surface", word,
                   error)) {
         return false;

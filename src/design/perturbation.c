@@ -35,8 +35,10 @@ static bool refuse(const struct work *work, const struct entry *entry, const cha
     if (entry->rank <= RANK_GRADE_AIR) {
         fail(error, ERROR_DOMAIN, "the tolerance of %s in grade %s cannot be: %s", name,
              work->grade, why);
-        return error_hint(error, "a line 'tolerance %s ...' of its own goes before the grade",
-                          name);
+        return from->unit == TOLERANCE_FRINGES
+                   ? error_hint(error, "the diameter in the line of a surface is what it takes")
+                   : error_hint(error, "a line 'tolerance %s ...' of its own goes before the grade",
+                                name);
     }
     fail(error, ERROR_DATA, "the tolerance of %s cannot be: %s", name, why);
     return from->source != NULL && error_locate(error, from->source, from->line, from->column);

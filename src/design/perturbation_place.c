@@ -171,9 +171,23 @@ static double number_at(const struct tolerance_site *site, const struct toleranc
     return figure != NULL ? figure->value.hi : 0;
 }
 
-static const char *no_diameter(const struct tolerance_site *site, size_t surface, const char *need)
+/* That surface, and behind a range all others that have none either. */
+static const char *no_diameter(const struct tolerance_site *site,
+                               const struct tolerance_place *place, size_t surface,
+                               const char *need)
 {
-    return arena_printf(site->arena, "surface %zu has no diameter, which %s", surface + 1, need);
+    struct arena *arena = site->arena;
+    const char *all = arena_printf(arena, "%zu", surface + 1), *last = NULL;
+    for (size_t i = surface + 1; i < site->lens->surface_count && place->from->is_range; i++) {
+        if (!surface_at(site, i)->has_diameter &&
+            element_at(site->elements, site->element_count, i) != NULL) {
+            all = last != NULL ? ARENA_JOIN(arena, all, ", ", last) : all;
+            last = arena_printf(arena, "%zu", i + 1);
+        }
+    }
+    return last == NULL ? ARENA_JOIN(arena, "surface ", all, " without a diameter, which ", need)
+                        : ARENA_JOIN(arena, "surfaces ", all, " and ", last,
+                                     " without a diameter, which ", need);
 }
 
 /* The curvature whose conic has this sag at this height; NaN where that is beyond its edge. */
@@ -191,7 +205,7 @@ static const char *fringes(const struct tolerance_site *site, const struct toler
 {
     const struct surface *surface = surface_at(site, place->first);
     if (!surface->has_diameter) {
-        return no_diameter(site, place->first, "fringes are counted over");
+        return no_diameter(site, place, place->first, "fringes are counted over");
     }
     const double r = surface->diameter.value.hi / 2, conic = surface->conic.value.hi;
     const double c = surface_base_curvature(surface).hi;
@@ -205,13 +219,22 @@ static const char *fringes(const struct tolerance_site *site, const struct toler
                               : "so many fringes lead beyond the edge of the surface's sphere";
 }
 
+/* Is it a space beside a plane stop, which may stand within the sag of its neighbour? */
+static bool is_beside_stop(const struct tolerance_site *site, const struct tolerance_place *place)
+{
+    return place->kind == TOLERANCE_AIR &&
+           (surface_at(site, place->first)->kind == SURFACE_STOP ||
+            surface_at(site, place->first + 1)->kind == SURFACE_STOP);
+}
+
 static const char *number_amount(const struct tolerance_site *site,
                                  const struct tolerance_place *place, struct perturbation *result)
 {
     const struct lens_tolerance *from = place->from;
     const enum parameter_kind kind = tolerance_type(place->kind)->parameter;
     const bool is_share = from->unit == TOLERANCE_PERCENT;
-    const bool may_be_0 = place->kind == TOLERANCE_CONIC || place->kind == TOLERANCE_COEFFICIENT;
+    const bool may_pass_0 = place->kind == TOLERANCE_CONIC ||
+                            place->kind == TOLERANCE_COEFFICIENT || is_beside_stop(site, place);
     result->what = (struct parameter){
         place->first, kind == PARAMETER_KINDS ? PARAMETER_THICKNESS : kind, from->order};
     if (from->unit == TOLERANCE_FRINGES) {
@@ -224,7 +247,7 @@ static const char *number_amount(const struct tolerance_site *site,
     const double number = fabs(number_at(site, place));
     const double amount = from->amount.value.hi;
     result->amount = is_share ? amount / 100 * number : amount;
-    return may_be_0 || result->amount < number
+    return may_pass_0 || result->amount < number
                ? NULL
                : arena_printf(site->arena, "it is as wide as the number itself, %.6g", number);
 }
@@ -260,7 +283,7 @@ static const char *wedge(const struct tolerance_site *site, const struct toleran
     }
     const double diameter = element_diameter(site, place, &missing);
     if (isnan(diameter)) {
-        return no_diameter(site, missing, "the runout is measured over");
+        return no_diameter(site, place, missing, "the runout is measured over");
     }
     result->amount /= diameter;
     return result->amount < 1 ? NULL
@@ -327,7 +350,7 @@ const char *tolerance_place_amount(const struct tolerance_site *site,
         result->amount = amount * TOLERANCE_FRINGE_MM / TOLERANCE_WAVE_MM;
         return surface_at(site, place->first)->has_diameter
                    ? NULL
-                   : no_diameter(site, place->first, "the irregularity is over");
+                   : no_diameter(site, place, place->first, "the irregularity is over");
     default:
         return number_amount(site, place, result);
     }

@@ -15,6 +15,11 @@
     "surface -200 -50 mirror 40\nsurface - -2 1.5/60 20\nsurface - -40 air -\n"                    \
     "surface 90 0 mirror 10\nsurface - 80 air 20\n"
 
+/* Without diameters, with a stop that is near. */
+#define BARE                                                                                       \
+    "surface 50 5 1.5 -\nsurface -50 0.01 air -\nstop - 2 air 5\nsurface 30 3 1.5 -\n"             \
+    "surface -30 20 air -\n"
+
 /* "R1 0.05, R2 0.05": each with what it is half the range of. */
 static const char *list_of(const struct perturbations *all, struct arena *arena)
 {
@@ -40,6 +45,8 @@ static const struct sample {
     /* the nearer one: a single thing, then air, then the range */
     {LENS, NULL, "t1..t5 0.02\nsurface 1..5 air 0.01\nt4 5um",
      "t1 0.02, t2 0.02, t5 0.02, t3 0.01, t4 0.005"},
+    /* a stop may pass the vertex beside it */
+    {BARE, NULL, "t1..t5 0.1", "t1 0.1, t4 0.1, t2 0.1, t3 0.1"},
     /* fringes: roots of the sag by mpmath, 30 digits; half a wave each */
     {LENS, NULL, "R1 3fringes", "R1 1.58889651e-05"},
     {LENS, NULL, "R3 3fringes", "R3 1.63820999e-05"},
@@ -211,17 +218,24 @@ static const struct sample refused[] = {
      "the tolerance of R2 cannot be: so many fringes lead "
      "beyond the edge of the surface's sphere"},
     {MIRRORS, NULL, "R1 1%\nR3 1fringe",
-     "the tolerance of R3 cannot be: surface 3 has no "
+     "the tolerance of R3 cannot be: surface 3 without a "
      "diameter, which fringes are counted over"},
     {MIRRORS, NULL, "R1 1%\nsurface 1..5 irregularity 1fringe",
-     "the tolerance of surface 3 irregularity cannot be: surface 3 has no diameter, which the "
+     "the tolerance of surface 3 irregularity cannot be: surface 3 without a diameter, which the "
      "irregularity is over"},
     {MIRRORS, NULL, "R1 1%\nelements 1..5 wedge 0.01mm",
-     "the tolerance of element 2..3 wedge cannot be: surface 3 has no diameter, which the runout "
+     "the tolerance of element 2..3 wedge cannot be: surface 3 without a diameter, which the "
+     "runout "
      "is measured over"},
     {MIRRORS, "surface 1..5 irregularity 1fringe", NULL,
-     "the tolerance of surface 3 irregularity in grade fine cannot be: surface 3 has no diameter, "
+     "the tolerance of surface 3 irregularity in grade fine cannot be: surface 3 without a "
+     "diameter, "
      "which the irregularity is over"},
+    {BARE, "surface 1..5 irregularity 1fringe", NULL,
+     "the tolerance of surface 1 irregularity in grade fine cannot be: surfaces 1, 2, 4 and 5 "
+     "without a diameter, which the irregularity is over"},
+    {BARE, NULL, "t1 1\nR2 1fringe",
+     "the tolerance of R2 cannot be: surface 2 without a diameter, which fringes are counted over"},
     {LENS, "t1..t5 4", NULL,
      "the tolerance of t2 in grade fine cannot be: it is as wide as the "
      "number itself, 3"},

@@ -110,10 +110,13 @@ static void test_refused(void)
          "give a grade, or lines 'tolerance R1 0.1% uniform' in the lens or in a file of their own",
          ERROR_DOMAIN},
         {"surface 50 5 1.5 -\nsurface -50 60 air 20\n", "commercial", NULL,
-         "the tolerance of surface 1 irregularity in grade commercial cannot be: surface 1 has no "
-         "diameter, which the irregularity is over",
-         "a line 'tolerance surface 1 irregularity ...' of its own goes before the grade",
-         ERROR_DOMAIN},
+         "the tolerance of surface 1 irregularity in grade commercial cannot be: surface 1 without "
+         "a diameter, which the irregularity is over",
+         "the diameter in the line of a surface is what it takes", ERROR_DOMAIN},
+        {"surface 50 5 1.5 20\nsurface -50 0.01 air 20\n" LENS, "commercial", NULL,
+         "the tolerance of t2 in grade commercial cannot be: it is as wide as the number itself, "
+         "0.01",
+         "a line 'tolerance t2 ...' of its own goes before the grade", ERROR_DOMAIN},
     };
     for (size_t i = 0; i < sizeof refused / sizeof *refused; i++) {
         struct asked asked;
