@@ -47,7 +47,7 @@ struct error {
     char source[256];  /* file name; "" = the command line */
     char message[512]; /* lower case, one line, no full stop */
     char text[128];    /* the offending text, shown above the caret */
-    char hint[160];    /* "did you mean '50mm'?" */
+    char hint[240];    /* "did you mean '50mm'?" */
     struct mentions in_message, in_hint;
     const char *more; /* further lines, each with its end, or null; where the work's arena is */
 };

@@ -437,6 +437,7 @@ bool goals_of_lens(const struct goals_reader *reader, const struct lens *lens, s
     struct goal_list list = {0};
     for (size_t i = 0; i < lens->goal_count; i++) {
         const struct lens_goal *goal = &lens->goals[i];
+        const size_t first = list.count;
         struct text wrong;
         if (!add_goals(reader, goal->text, &list, &wrong, error)) {
             const size_t before = (size_t)(wrong.start - goal->text.start);
@@ -445,6 +446,9 @@ bool goals_of_lens(const struct goals_reader *reader, const struct lens *lens, s
             error_prefix(error, "bad goal: ");
             return goal->source != NULL &&
                    error_locate(error, goal->source, goal->line, goal->column + before + caret);
+        }
+        for (size_t k = first; k < list.count; k++) {
+            list.list[k].place = (struct typed_place){goal->source, goal->line, goal->column};
         }
     }
     *goals = (struct goals){list.list, list.count};

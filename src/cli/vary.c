@@ -408,6 +408,15 @@ static bool read_items(struct naming *naming, const char *list, struct error *er
     return true;
 }
 
+static void set_mark(struct variable *variable, const struct vary *mark)
+{
+    variable->place = mark->place;
+    if (mark->has_bounds) {
+        variable->low = mark->low.value.hi;
+        variable->high = mark->high.value.hi;
+    }
+}
+
 /* A mark with its bounds; of a glass two numbers. */
 static bool add_mark(struct naming *naming, struct parameter what, const struct vary *mark,
                      struct error *error)
@@ -416,9 +425,8 @@ static bool add_mark(struct naming *naming, struct parameter what, const struct 
     if (!add_parameter(naming, what, error)) {
         return false;
     }
-    for (size_t i = before; i < naming->count && mark->has_bounds; i++) {
-        naming->entries[i].variable.low = mark->low.value.hi;
-        naming->entries[i].variable.high = mark->high.value.hi;
+    for (size_t i = before; i < naming->count; i++) {
+        set_mark(&naming->entries[i].variable, mark);
     }
     return true;
 }
@@ -433,9 +441,8 @@ static bool add_word_marks(struct naming *naming, struct error *error)
             if (marks[p] != NULL && !add_word(naming, i, p, error)) {
                 return false;
             }
-            if (marks[p] != NULL && marks[p]->has_bounds) {
-                naming->entries[before].variable.low = marks[p]->low.value.hi;
-                naming->entries[before].variable.high = marks[p]->high.value.hi;
+            if (marks[p] != NULL) {
+                set_mark(&naming->entries[before].variable, marks[p]);
             }
         }
     }

@@ -161,7 +161,10 @@ static bool add_slots(struct merit *merit, const struct operand *operand, struct
             slot->count = kind->prepare(merit, slot, arena, error);
         }
         if (slot->count == 0) {
-            return error_prefix(error, "goal %s: ", operand->name);
+            error_prefix(error, "goal %s: ", operand->name);
+            return operand->place.source != NULL &&
+                   error_locate(error, operand->place.source, operand->place.line,
+                                operand->place.column);
         }
         merit->slot_count++;
         merit->residual_count += slot->count;

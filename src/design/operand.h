@@ -6,6 +6,7 @@
 #include "analysis/setup_question.h"
 #include "base/text.h"
 #include "base/units.h"
+#include "optics/surface.h"
 
 #include <stdbool.h>
 #include <stddef.h>
@@ -67,6 +68,7 @@ struct operand {
     double frequency;                /* 1/mm; NaN: none */
     enum operand_orientation orientation;
     const char *name; /* as typed, in one form: "bfl@F > 38" */
+    struct typed_place place;
 };
 
 /* What may stand behind the name of a kind. */

@@ -18,6 +18,7 @@ struct easing {
     double *residuals; /* of the real one */
     double share;
     bool is_whole, is_done; /* all goals count; the real one has a value */
+    bool is_stopped;        /* by the caller */
     double *numbers;
 };
 
@@ -139,7 +140,8 @@ static bool goes_on(void *context, const struct solver_progress *progress)
         easing->is_done = true;
         return false;
     }
-    return task->goes_on == NULL || task->goes_on(task->context);
+    easing->is_stopped = task->goes_on != NULL && !task->goes_on(task->context);
+    return !easing->is_stopped;
 }
 
 static bool run_stage(struct easing *easing, struct error *error)
@@ -173,6 +175,22 @@ static const char *say(const struct easing *easing)
                : "not all goals have a value at the start: it was begun with those that have one";
 }
 
+/* Why it cannot be judged, and what was done. */
+static bool tell(const struct easing *easing, bool is_untried, struct error *error)
+{
+    if (easing->is_stopped) {
+        return error_prefix(error, "stopped before the lens became one that can be judged: ");
+    }
+    if (is_untried || !easing->is_whole) {
+        return error_prefix(error, "the lens cannot be judged as it is: ");
+    }
+    if (error->hint[0] == '\0') {
+        error_hint(error, "begin with a larger f-number, smaller fields or other numbers");
+    }
+    return error_prefix(error, "the lens cannot be judged as it is, nor after it was made better "
+                               "with less aperture and field: ");
+}
+
 bool optimize_begin(const struct optimize_task *task, double *numbers, struct arena *arena,
                     const char **words, struct error *error)
 {
@@ -189,7 +207,7 @@ bool optimize_begin(const struct optimize_task *task, double *numbers, struct ar
     }
     why = merit->why;
     *words = NULL;
-    for (int stage = 0; stage < STAGES && !easing.is_done; stage++) {
+    for (int stage = 0; stage < STAGES && !easing.is_done && !easing.is_stopped; stage++) {
         if (!open_most(&easing, error)) {
             break;
         }
@@ -207,7 +225,5 @@ bool optimize_begin(const struct optimize_task *task, double *numbers, struct ar
         return true;
     }
     *error = why;
-    return error_prefix(error, last < 0 ? "the lens cannot be judged as it is: "
-                                        : "the lens cannot be judged as it is, nor after it was "
-                                          "made better with less aperture and field: ");
+    return tell(&easing, last < 0, error);
 }

@@ -17,7 +17,8 @@ struct solver_problem optimize_problem(struct merit *merit);
  * Formula   a merit that has a value is made smaller until the real one has a value too: first of
  *           the goals that there are, then of all with less of the aperture and of the fields, as
  *           much of them as goes, which grows as the lens gets better
- * Errors    ERROR_DOMAIN: no goal has a value, or nothing helps; with the reason
+ * Errors    ERROR_DOMAIN: no goal has a value, nothing helps, or task->goes_on says no before it
+ *           does; with the reason
  */
 bool optimize_begin(const struct optimize_task *task, double *numbers, struct arena *arena,
                     const char **words, struct error *error);

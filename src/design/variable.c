@@ -333,7 +333,8 @@ static bool open_variable(struct variables *variables, size_t at, struct error *
     variables->low[at] = one->low;
     variables->high[at] = one->high;
     if (!check_bounds(one, value, error)) {
-        return false;
+        return one->place.source != NULL &&
+               error_locate(error, one->place.source, one->place.line, one->place.column);
     }
     if (is_inverse(one->what.kind)) {
         turn_bounds(one, &variables->low[at], &variables->high[at]);

@@ -23,6 +23,7 @@ struct variable {
                               a focal length low > 0 > high leads through a plane */
     const char *name;      /* "R1", "d5[tele]" */
     double scale;          /* natural scale of the number the solver varies; 0 = chosen here */
+    struct typed_place place; /* of its mark */
 };
 
 /* A number of the lens that changes: its own basis, but of a focal length the power. */

@@ -91,7 +91,7 @@ static bool read_marked(const struct lens_words *words, struct text word, struct
         return true;
     }
     struct vary *made = ARENA_NEW(words->arena, struct vary);
-    *made = (struct vary){.kind = PARAMETER_THICKNESS};
+    *made = (struct vary){.kind = PARAMETER_THICKNESS, .place = lens_words_place(words, word)};
     *mark = made;
     return lens_bounds_read(words, bounds, made, error);
 }

@@ -197,7 +197,7 @@ static bool read_vary(struct reading *reading, struct text what, struct text bou
 {
     struct surface *surface = reading->surface;
     struct lens_words *words = reading->words;
-    struct vary vary = {.order = 0};
+    struct vary vary = {.place = lens_words_place(words, what)};
     if (!parameter_name_read(what, &vary.kind, &vary.order) ||
         !parameter_is_mark(vary.kind, surface)) {
         return lens_words_fail(words, what, error, "'%.*s~' cannot vary: %s",

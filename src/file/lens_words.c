@@ -100,6 +100,12 @@ struct text lens_words_rest(struct lens_words *words)
     return rest;
 }
 
+struct typed_place lens_words_place(const struct lens_words *words, struct text word)
+{
+    return (struct typed_place){words->source, words->number,
+                                (size_t)(word.start - words->line.start) + 1};
+}
+
 bool lens_words_fail(const struct lens_words *words, struct text word, struct error *error,
                      const char *format, ...)
 {

@@ -57,6 +57,9 @@ struct text lens_words_rest(struct lens_words *words);
 /* Is the line at its end? Says what does not belong there. */
 bool lens_words_end(struct lens_words *words, struct error *error);
 
+/* Where a word of the line stands. */
+struct typed_place lens_words_place(const struct lens_words *words, struct text word);
+
 /* Report something wrong with a word of the line; `word` may lie behind its end. Returns false. */
 bool lens_words_fail(const struct lens_words *words, struct text word, struct error *error,
                      const char *format, ...) __attribute__((format(printf, 4, 5)));

@@ -157,6 +157,49 @@ static void warn_of_idle(struct optimize_job *job)
     }
 }
 
+/* By how many deviations a goal of a figure is missed; those of rays have no target. */
+static double missed_by(const struct optimize_job *job, const struct merit_slot *slot)
+{
+    const struct operand *operand = slot->operand;
+    double most = 0;
+    if ((operand_type(operand->kind)->is & OPERAND_OF_RAYS) != 0 ||
+        operand->kind == OPERAND_GRAZING || operand->relation == OPERAND_EXACT) {
+        return 0;
+    }
+    for (size_t i = slot->first; i < slot->first + slot->count; i++) {
+        most = fmax(most, fabs(job->answer.after.residuals[i]));
+    }
+    return most;
+}
+
+/* A goal that is off by more than it may be is out of reach, of the variables or of other goals. */
+static void warn_of_missed(struct optimize_job *job)
+{
+    struct arena *arena = job->run->arena;
+    const struct merit *merit = &job->merit;
+    const char *name = NULL;
+    double most = 1;
+    size_t count = 0;
+    for (size_t i = 0; i < merit->slot_count; i++) {
+        const double by = missed_by(job, &merit->slots[i]);
+        count += by > 1;
+        if (by > most) {
+            most = by;
+            name = merit->slots[i].operand->name;
+        }
+    }
+    if (count > 0) {
+        optimize_warn(job,
+                      arena_printf(arena, "the goal %s is missed by %.3g deviations%s", name, most,
+                                   count > 2    ? arena_printf(arena,
+                                                               ", and %zu others by "
+                                                                  "more than one",
+                                                               count - 1)
+                                   : count == 2 ? ", and another by more than one"
+                                                : ""));
+    }
+}
+
 /* What keeps rays from loss is part of the merit that nobody has asked for: it is said. */
 static void warn_of_grazing(struct optimize_job *job)
 {
@@ -347,6 +390,7 @@ bool optimize_judge(struct optimize_job *job, struct error *error)
     warn_of_fnumber(job);
     warn_of_idle(job);
     warn_of_grazing(job);
+    warn_of_missed(job);
     judge(job);
     return warn_of_power(job, error) && check_found(job, error);
 }
