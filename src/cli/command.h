@@ -121,6 +121,9 @@ struct command {
     const char *plot; /* columns to plot, separated by commas; further choices by '|' */
     const char *cell; /* columns in the cells of --table */
     unsigned reads;   /* enum reads: data that `run` uses beside what its options read */
+    /* Combinations of a sweep that need no --force, where an answer takes so long that a million,
+       as 0 means, would be a matter of days. */
+    size_t most_answers;
     /*
      * Its answer is that of another command, which finds what was worked out elsewhere in
      * run->parts. Given the input; the question lies in run->kept. Null: it answers itself.

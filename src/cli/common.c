@@ -52,7 +52,7 @@ const struct option common_options[] = {
      .fallback = "auto", .help = "what the rows of --batch are"},
     {COMMON(fail_fast), .name = "fail-fast", .help = "stop at the first row that fails"},
     {COMMON(force), .name = "force", .flags = OPTION_ASIDE,
-     .help = "allow sweeps of more than a million rows; overwrite files that exist"},
+     .help = "allow sweeps of very many rows; overwrite files that exist"},
     {COMMON(output), .name = "output", .letter = 'o', .value = "FILE",
      .flags = OPTION_FILE | OPTION_ASIDE,
      .help = "write to FILE, which appears only when it is complete"},

@@ -514,11 +514,14 @@ bool sweep_build(struct sweep *sweep, const struct arguments *arguments,
             return false;
         }
     }
+    const size_t own = arguments->command->most_answers;
+    const size_t most = force ? MOST : own > 0 ? own : MOST_WITHOUT_FORCE;
     for (size_t i = 0; i < sweep->axis_count; i++) {
         sweep->total *= sweep->axes[i].count;
-        if (sweep->total > MOST || (sweep->total > MOST_WITHOUT_FORCE && !force)) {
-            fail(error, ERROR_USAGE, "the sweep has more than a million rows");
-            return error_hint(error, "use --force to allow it (up to 100 million)");
+        if (sweep->total > most) {
+            fail(error, ERROR_USAGE, "the sweep has more than %zu rows", most);
+            return force ? error_hint(error, "no sweep has more")
+                         : error_hint(error, "use --force to allow it (up to 100 million)");
         }
     }
     return true;

@@ -338,4 +338,5 @@ const struct command command_color = {
     .brings = analysis_brings,
     .threads = analysis_threads,
     COMMAND_MAKES(artifacts),
+    .most_answers = 100000,
 };

@@ -262,4 +262,5 @@ const struct command command_distortion = {
     .threads = analysis_threads,
     .varies = analysis_varies,
     .cell = "distortion_percent",
+    .most_answers = 100000,
 };

@@ -216,4 +216,5 @@ const struct command command_fan = {
     .threads = analysis_threads,
     .varies = analysis_varies,
     COMMAND_MAKES(artifacts),
+    .most_answers = 100000,
 };

@@ -340,4 +340,5 @@ const struct command command_field = {
     .varies = analysis_varies,
     .cell = "tangential",
     COMMAND_MAKES(artifacts),
+    .most_answers = 100000,
 };

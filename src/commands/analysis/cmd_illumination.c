@@ -493,4 +493,5 @@ const struct command command_illumination = {
     .varies = analysis_varies,
     .cell = "relative_point",
     COMMAND_MAKES(artifacts),
+    .most_answers = 100000,
 };

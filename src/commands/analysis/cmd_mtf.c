@@ -217,4 +217,5 @@ const struct command command_mtf = {
     .varies = analysis_varies,
     .cell = "tangential",
     COMMAND_MAKES(artifacts),
+    .most_answers = 10000,
 };

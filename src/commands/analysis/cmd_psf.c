@@ -229,4 +229,5 @@ const struct command command_psf = {
     .varies = analysis_varies,
     .cell = "peak",
     COMMAND_MAKES(artifacts),
+    .most_answers = 10000,
 };

@@ -234,4 +234,5 @@ const struct command command_spot = {
     .varies = analysis_varies,
     .cell = "rms",
     COMMAND_MAKES(artifacts),
+    .most_answers = 100000,
 };

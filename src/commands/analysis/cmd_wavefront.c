@@ -264,4 +264,5 @@ const struct command command_wavefront = {
     .varies = analysis_varies,
     .cell = "rms_waves",
     COMMAND_MAKES(artifacts),
+    .most_answers = 100000,
 };

@@ -286,4 +286,5 @@ const struct command command_fit = {
     .plot = "rms_um|distance_um|index",
     .cell = "efl_mm",
     .needs_ceres = "",
+    .most_answers = 10000,
 };

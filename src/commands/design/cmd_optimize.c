@@ -195,4 +195,5 @@ const struct command command_optimize = {
     .needs_ceres = "solver=ceres",
     .keeps_best = true,
     .is_divided = true,
+    .most_answers = 10000,
 };

@@ -440,4 +440,5 @@ const struct command command_check = {
     COMMAND_ANSWERS(struct row),
     .makes_many = command_always_many,
     COMMAND_MAKES(artifacts),
+    .most_answers = 100000,
 };

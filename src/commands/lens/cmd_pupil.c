@@ -519,4 +519,5 @@ const struct command command_pupil = {
     .makes_many = command_always_many,
     .brings = brings,
     COMMAND_MAKES(artifacts),
+    .most_answers = 100000,
 };
