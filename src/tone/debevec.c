@@ -8,10 +8,11 @@
 #include <math.h>
 #include <string.h>
 
-enum { PIXELS_MOST = 4096, N = FRAME_LEVELS, TOP = FRAME_LEVELS - 1 };
+enum { PIXELS_MOST = 1 << 17, N = FRAME_LEVELS, TOP = FRAME_LEVELS - 1 };
+enum { APART_MOST = 24 }; /* codes of neighbours */
 
-/* Of the smoothness, for each value of a code on average. */
-static const double SMOOTHNESS = 1;
+/* Of the smoothness, for each value of a code on average: 100 to 10000 recover the same. */
+static const double SMOOTHNESS = 1000;
 
 /* Equations of one channel: A g = b, of which the lower triangle is used. */
 struct equations {
@@ -21,10 +22,10 @@ struct equations {
     size_t pairs;  /* pixels that are exposed in two frames */
 };
 
-/* A pixel in all frames. */
+/* A place in all frames. */
 struct seen {
     size_t count;
-    unsigned code[FRAMES_MOST];
+    double code[FRAMES_MOST];                      /* a mean */
     double weight[FRAMES_MOST], time[FRAMES_MOST]; /* w^2; ln t */
 };
 
@@ -43,63 +44,113 @@ static size_t place_of(const struct tone_frame *frame, size_t i)
     return row * frame->width + (size_t)((turn - floor(turn)) * (double)frame->width);
 }
 
-static double weight_of(unsigned code)
+static double weight_of(double code)
 {
-    const double w = code <= TOP / 2 ? code : TOP - code;
-    return w / (TOP / 2);
+    return fmax(0, fmin(code, TOP - code)) / (TOP / 2);
 }
 
-/* The codes of a pixel, of a channel, in the frames that have it and know something of it. */
+static size_t held(long at, size_t count)
+{
+    return at < 0 ? 0 : at >= (long)count ? count - 1 : (size_t)at;
+}
+
+/* A pixel and its neighbours in a frame. */
+struct spot {
+    double own, mean;
+    bool is_there, is_even, is_exposed; /* none of them at an end */
+};
+
+static struct spot spot_of(const struct tone_frame *frame, size_t at, size_t channel)
+{
+    const long x = (long)(at % frame->width) + frame->right;
+    const long y = (long)(at / frame->width) + frame->down;
+    unsigned sum = 0, least = TOP, most = 0;
+    if (x < 0 || y < 0 || x >= (long)frame->width || y >= (long)frame->height) {
+        return (struct spot){.is_there = false, .is_even = true};
+    }
+    for (long i = 0; i < 9; i++) {
+        const size_t row = held(y + i / 3 - 1, frame->height);
+        const size_t column = held(x + i % 3 - 1, frame->width);
+        const unsigned code = frame_byte(frame, row * frame->width + column, channel);
+        sum += code;
+        least = code < least ? code : least;
+        most = code > most ? code : most;
+    }
+    const bool is_exposed = least > 0 && most < TOP;
+    return (struct spot){frame_byte(frame, (size_t)y * frame->width + (size_t)x, channel),
+                         sum / 9.0, true, !is_exposed || most - least <= APART_MOST, is_exposed};
+}
+
+/*
+ * The codes of a place, of a channel, in the frames that have it and know something of it: where
+ * neighbours are alike in all frames their means, whose noise would flatten the curve.
+ */
 static void see(const struct tone_frame *frames, size_t count, size_t at, size_t channel,
                 struct seen *seen)
 {
-    const long column = (long)(at % frames->width), row = (long)(at / frames->width);
+    struct spot spots[FRAMES_MOST];
+    bool is_even = true;
+    for (size_t f = 0; f < count; f++) {
+        spots[f] = spot_of(&frames[f], at, channel);
+        is_even = is_even && spots[f].is_even;
+    }
     seen->count = 0;
     for (size_t f = 0; f < count; f++) {
-        const struct tone_frame *frame = &frames[f];
-        const long x = column + frame->right, y = row + frame->down;
-        if (x < 0 || y < 0 || x >= (long)frame->width || y >= (long)frame->height) {
-            continue;
-        }
-        const unsigned code = frame_byte(frame, (size_t)y * frame->width + (size_t)x, channel);
-        const double weight = weight_of(code);
-        if (weight > 0) {
+        const double code = is_even ? spots[f].mean : spots[f].own, weight = weight_of(code);
+        if (spots[f].is_there && (spots[f].is_exposed || !is_even) && weight > 0) {
             seen->code[seen->count] = code;
             seen->weight[seen->count] = weight * weight;
-            seen->time[seen->count] = log(frame->time);
+            seen->time[seen->count] = log(frames[f].time);
             seen->count++;
         }
     }
 }
 
+/* What a code between two has of each of them. */
+struct share {
+    size_t code;
+    double of;
+};
+
+static void shares_of(double code, double weight, struct share shares[2])
+{
+    const size_t below = (size_t)code; /* of a mean above 0 and below the last */
+    shares[0] = (struct share){below, weight * ((double)below + 1 - code)};
+    shares[1] = (struct share){below + 1, weight * (code - (double)below)};
+}
+
 /* ln E is the weighted mean of g - ln t; what is left of the sum of squares is in g alone. */
 static void add_pixel(const struct seen *seen, struct equations *equations)
 {
+    struct share sums[2 * FRAMES_MOST];
     double weights = 0, times = 0;
     for (size_t i = 0; i < seen->count; i++) {
         weights += seen->weight[i];
         times += seen->weight[i] * seen->time[i];
+        shares_of(seen->code[i], seen->weight[i], sums + 2 * i);
     }
     if (seen->count < 2) {
         return;
     }
     equations->pairs++;
-    for (size_t i = 0; i < seen->count; i++) {
-        const unsigned z = seen->code[i];
-        const double w = seen->weight[i];
-        equations->values += w;
-        equations->b[z] += w * (seen->time[i] - times / weights);
-        equations->a[z * N + z] += w;
-        for (size_t k = 0; k < seen->count; k++) {
-            equations->a[z * N + seen->code[k]] -= w * seen->weight[k] / weights;
+    equations->values += weights;
+    for (size_t i = 0; i < 2 * seen->count; i++) {
+        const struct share *own = sums + i / 2 * 2;
+        double *row = equations->a + sums[i].code * N;
+        equations->b[sums[i].code] += sums[i].of * (seen->time[i / 2] - times / weights);
+        for (size_t k = 0; k < 2; k++) {
+            row[own[k].code] += sums[i].of * own[k].of / seen->weight[i / 2];
+        }
+        for (size_t k = 0; k < 2 * seen->count; k++) {
+            row[sums[k].code] -= sums[i].of * sums[k].of / weights;
         }
     }
 }
 
 static void add_smoothness(struct equations *equations)
 {
-    static const double second[3] = {1, -2, 1};
     for (unsigned z = 1; z < TOP; z++) {
+        const double slope = 0.5 / z, second[3] = {1 - slope, -2, 1 + slope};
         const double w = weight_of(z) * weight_of(z) * SMOOTHNESS * equations->values / N;
         for (unsigned i = 0; i < 3; i++) {
             for (unsigned k = 0; k < 3; k++) {
@@ -111,6 +162,13 @@ static void add_smoothness(struct equations *equations)
     equations->a[DEBEVEC_MIDDLE * N + DEBEVEC_MIDDLE] += equations->values;
 }
 
+static double between(const double *g, double code)
+{
+    struct share shares[2];
+    shares_of(code, 1, shares);
+    return shares[0].of * g[shares[0].code] + shares[1].of * g[shares[1].code];
+}
+
 static double rms_of(const struct tone_frame *frames, size_t count, size_t channel, const double *g)
 {
     double sum = 0, weights = 0;
@@ -119,11 +177,11 @@ static double rms_of(const struct tone_frame *frames, size_t count, size_t chann
         double mean = 0, own = 0;
         see(frames, count, place_of(frames, at), channel, &seen);
         for (size_t i = 0; i < seen.count; i++) {
-            mean += seen.weight[i] * (g[seen.code[i]] - seen.time[i]);
+            mean += seen.weight[i] * (between(g, seen.code[i]) - seen.time[i]);
             own += seen.weight[i];
         }
         for (size_t i = 0; i < seen.count && seen.count > 1; i++) {
-            const double off = g[seen.code[i]] - seen.time[i] - mean / own;
+            const double off = between(g, seen.code[i]) - seen.time[i] - mean / own;
             sum += seen.weight[i] * off * off;
             weights += seen.weight[i];
         }
