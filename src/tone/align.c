@@ -2,6 +2,8 @@
 /* SPDX-License-Identifier: MIT */
 #include "tone/align.h"
 
+#include "base/image/bytes.h"
+
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -19,18 +21,32 @@ struct shades {
 
 enum bits { BRIGHT = 1, CLEAR = 2 };
 
+/* The median of green, within a hundredth; of positive floats the order is that of their bits. */
+static float median_of(const struct tone_frame *frame, struct arena *arena)
+{
+    enum { KEPT = 16 };
+    const size_t count = frame->width * frame->height;
+    size_t *counts = ARENA_ARRAY(arena, 1U << KEPT, size_t), sum = 0;
+    for (size_t i = 0; i < count; i++) {
+        counts[bytes_bits(fmaxf(frame->values[FRAME_CHANNELS * i + 1], 0)) >> (32 - KEPT)]++;
+    }
+    uint32_t bin = 0;
+    while (bin + 1 < 1U << KEPT && 2 * (sum += counts[bin]) < count) {
+        bin++;
+    }
+    return bytes_float(bin << (32 - KEPT));
+}
+
+/* Only the order matters: the median in the middle, 48 shades an octave. */
 static void grey_of_floats(const struct tone_frame *frame, uint8_t *grey)
 {
-    const size_t count = frame->width * frame->height;
-    float most = 0;
-    for (size_t i = 0; i < count; i++) {
-        most = fmaxf(most, frame->values[FRAME_CHANNELS * i + 1]);
+    struct arena scratch = {0};
+    const double median = fmax((double)median_of(frame, &scratch), 1e-30);
+    for (size_t i = 0; i < frame->width * frame->height; i++) {
+        const double share = (double)frame->values[FRAME_CHANNELS * i + 1] / median;
+        grey[i] = (uint8_t)fmin(fmax(128 + 48 * log2(fmax(share, 1e-9)), 0), 255);
     }
-    for (size_t i = 0; i < count; i++) {
-        /* only the order matters: 16 shades an octave below the brightest */
-        const double share = (double)frame->values[FRAME_CHANNELS * i + 1] / (double)most;
-        grey[i] = (uint8_t)fmin(fmax(255 + 16 * log2(fmax(share, 1e-9)), 0), 255);
-    }
+    arena_free(&scratch);
 }
 
 /* [Ward03]: 54 red, 183 green and 19 blue of 256. */

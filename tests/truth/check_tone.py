@@ -18,6 +18,7 @@ import zlib
 
 sys.dont_write_bytecode = True
 sys.path.insert(0, os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
+from check_pictures_files import jpeg
 from harness import Checks, Program
 from photographs import read_pfm, read_png
 
@@ -196,6 +197,61 @@ def check_shift(tone, checks):
     off = [abs(moved[y][x][1] / light(x, y) - 1) for y in range(160) for x in range(220)]
     off.sort()
     checks.check(off[len(off) * 99 // 100] < 0.05, f"shift: {off[len(off) * 99 // 100]:.3f} off")
+
+
+# -------- what a camera says --------
+
+def with_exif(picture, order, time, fnumber=(28, 10), iso=200):
+    """A JPEG that says how it was exposed, as Exif 2.3 has it."""
+    def entry(tag, kind, value):
+        packed = struct.pack(order + "H", value) + b"\0\0" if kind == 3 else struct.pack(order + "I", value)
+        return struct.pack(order + "HHI", tag, kind, 1) + packed
+
+    # the header, a folder of one entry, one of three, two fractions
+    mark = b"II*\0" if order == "<" else b"MM\0*"
+    tiff = (mark + struct.pack(order + "I", 8) +
+            struct.pack(order + "H", 1) + entry(34665, 4, 26) + b"\0\0\0\0" +
+            struct.pack(order + "H", 3) + entry(33434, 5, 68) + entry(33437, 5, 76) +
+            entry(34855, 3, iso) + b"\0\0\0\0" + struct.pack(order + "4I", *time, *fnumber))
+    body = b"Exif\0\0" + tiff
+    return picture[:2] + b"\xff\xe1" + struct.pack(">H", len(body) + 2) + body + picture[2:]
+
+
+def check_exif(tone, checks):
+    """Times of both orders of bytes; luminance by them; damaged ones are no times."""
+    def light(code):
+        value = code / 255
+        return value / 12.92 if value <= 0.04045 else ((value + 0.055) / 1.055) ** 2.4
+
+    def write(name, data):
+        with open(tone.path(name), "wb") as file:
+            file.write(data)
+
+    plain = jpeg([100, 180])
+    write("a.jpg", with_exif(plain, "<", (1, 60)))
+    write("b.jpg", with_exif(plain, ">", (1, 60)))
+    for name in ("a.jpg", "b.jpg"):
+        made, said = tone.run(name)
+        checks.check("f/2.8, ISO 200" in said, f"Exif: {said}")
+        wanted = light(180) * 78 / 200 / math.sqrt(2) * 2.8 ** 2 / (0.65 / 60)
+        checks.check(made is not None and abs(luminance(made[4][12]) / wanted - 1) < 1e-5,
+                     f"Exif: {made and made[4][12]}, not {wanted}")
+    # a frame of twice the ISO speed and half the time has the same light: so has the merged one
+    write("b.jpg", with_exif(plain, ">", (1, 120), iso=400))
+    made, _ = tone.run("a.jpg", "b.jpg")
+    checks.check(made is not None and abs(luminance(made[4][12]) / wanted - 1) < 1e-5,
+                 f"Exif: {made and made[4][12]}, not {wanted}")
+    whole = with_exif(plain, "<", (1, 60))
+    end = whole.index(b"\xff\xdb")
+    for cut in range(12, end - 4, 3):  # the segment ends early
+        body = whole[6:6 + cut]
+        write("cut.jpg", whole[:4] + struct.pack(">H", len(body) + 2) + body + whole[end:])
+        made, said = tone.run("cut.jpg", "--calibrate", "1")
+        checks.check(made is not None, f"Exif cut to {cut}: {said}")
+    write("cut.jpg", with_exif(plain, "<", (1, 0)))
+    result = tone.program.run("tone", "cut.jpg", "a.jpg", "-o", "lost.png", cwd=tone.folder)
+    checks.check(result.returncode == 2 and b"nothing says how long cut.jpg was exposed" in result.stderr,
+                 f"Exif without a time: {result.stderr}")
 
 
 # -------- histogram adjustment --------
@@ -471,7 +527,7 @@ def main():
     checks = Checks()
     with tempfile.TemporaryDirectory(prefix="lenscalc-tone-") as folder:
         tone = Tone(Program(sys.argv[1]), checks, folder)
-        for check in (check_merge, check_response, check_shift, check_ward, check_glare,
+        for check in (check_merge, check_response, check_shift, check_exif, check_ward, check_glare,
                       check_colours, check_acuity, check_falsecolour, check_operators):
             check(tone, checks)
     checks.finish()

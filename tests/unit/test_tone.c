@@ -1,0 +1,216 @@
+/* tests/unit/test_tone.c - merging, histogram adjustment and the eye by numbers made by hand. */
+/* SPDX-License-Identifier: MIT */
+#include "check.h"
+#include "tone/align.h"
+#include "tone/merge.h"
+#include "tone/operator.h"
+#include "tone/sight.h"
+
+static struct arena memory;
+static struct arena *const arena = &memory;
+static struct error error;
+
+/* A frame of 8 bits, grey, whose light is the square of its number's share. */
+static struct tone_frame frame_of(const uint8_t *greys, size_t width, size_t height, double time)
+{
+    double light[FRAME_LEVELS];
+    uint8_t *bytes = ARENA_ARRAY(arena, width * height * FRAME_CHANNELS, uint8_t);
+    struct tone_frame frame = {
+        .name = "x", .width = width, .height = height, .bits = 8, .bytes = bytes, .time = time};
+    for (int i = 0; i < FRAME_LEVELS; i++) {
+        light[i] = i / 255.0 * (i / 255.0);
+    }
+    for (size_t i = 0; i < width * height * FRAME_CHANNELS; i++) {
+        bytes[i] = greys[i / FRAME_CHANNELS];
+    }
+    for (size_t k = 0; k < FRAME_CHANNELS; k++) {
+        frame.levels[k] = frame_levels_of(light, FRAME_LEVELS, arena);
+    }
+    return frame;
+}
+
+static void test_levels(void)
+{
+    const double light[] = {0, 1, 4, 9, 10};
+    const struct frame_level *levels = frame_levels_of(light, 5, arena);
+    CHECK_NEAR((double)levels[0].keep, 1, 0, "dark");
+    CHECK_NEAR((double)levels[2].spread, 4.0 * 4 / 12, 1e-6, "(9 - 1)/2 wide");
+    CHECK_NEAR((double)levels[4].spread, 1.0 / 12, 1e-6, "the last one");
+    CHECK_NEAR((double)levels[3].keep, 1, 1e-6, "nine tenths of 10");
+    CHECK_NEAR((double)levels[4].keep, 0, 0, "full");
+}
+
+/*
+ * Codes 51 and 102 of 255: light 0.04 in 1 s and 0.16 in 4 s, both 0.04 a second; the third pixel
+ * says 0.09 (76.5 rounds to 77) and 0.16: weights by hand. The second is full in the long frame.
+ */
+static void test_merge(void)
+{
+    const uint8_t brief[] = {51, 200, 77, 255}, lengthy[] = {102, 255, 102, 255};
+    struct tone_frame frames[] = {frame_of(brief, 4, 1, 1), frame_of(lengthy, 4, 1, 4)};
+    const struct merge_noise noise = {1000, 10};
+    struct merged merged;
+    CHECK(merge_frames(frames, 2, &noise, arena, &merged, &error));
+    const float *pixels = merged.image.pixels;
+    CHECK_RELATIVE((double)pixels[1], 0.04, 1e-6, "two frames that agree");
+    CHECK_RELATIVE((double)pixels[4], 200.0 / 255 * (200.0 / 255), 1e-6, "one that is not full");
+    const double v[2] = {77.0 / 255 * (77.0 / 255), 0.16}, t[2] = {1, 4}, code[2] = {77, 102};
+    const double x0 = (v[0] + v[1]) / 5;
+    double above = 0, below = 0;
+    for (int i = 0; i < 2; i++) {
+        const double step = 2 * code[i] / (255.0 * 255);
+        const double weight = t[i] * t[i] / (step * step / 12 + 1e-4 + x0 * t[i] / 1000);
+        above += weight * v[i] / t[i];
+        below += weight;
+    }
+    CHECK_RELATIVE((double)pixels[7], above / below, 1e-5, "weights by noise");
+    CHECK_NEAR((double)pixels[10], 1, 1e-6, "full in both: the shorter");
+    CHECK(merged.saturated == 1);
+    CHECK(merged.apart == 0 && merged.looked == 4); /* noise is large */
+    CHECK(merge_frames(frames, 2, &(struct merge_noise){1e6, 10}, arena, &merged, &error));
+    CHECK(merged.apart == 1); /* the third */
+    const uint8_t full[] = {255, 255, 255, 255};
+    frames[0] = frame_of(full, 4, 1, 1);
+    frames[1] = frame_of(full, 4, 1, 4);
+    CHECK(!merge_frames(frames, 2, &noise, arena, &merged, &error) && error.code == ERROR_DOMAIN);
+}
+
+/* Shifted by one: what the second frame does not have comes from the first. */
+static void test_shifted(void)
+{
+    const uint8_t first[] = {10, 60, 120, 90}, second[] = {60, 120, 90, 30};
+    struct tone_frame frames[] = {frame_of(first, 4, 1, 1), frame_of(second, 4, 1, 1)};
+    const struct merge_noise noise = {1000, 10};
+    struct merged merged;
+    frames[1].right = -1;
+    CHECK(merge_frames(frames, 2, &noise, arena, &merged, &error));
+    for (size_t i = 0; i < 4; i++) {
+        CHECK_RELATIVE((double)merged.image.pixels[3 * i], first[i] / 255.0 * (first[i] / 255.0),
+                       1e-6, "the same picture");
+    }
+    CHECK(merged.apart == 0);
+}
+
+/* By hand from the formulas; they meet where one follows the other, within their own rounding. */
+static void test_sight(void)
+{
+    static const double meet[] = {-3.94, -1.44, -0.0184, 1.9};
+    CHECK_RELATIVE(sight_threshold(100), pow(10, 0.745), 1e-12, "100 cd/m2");
+    CHECK_RELATIVE(sight_threshold(0.1), pow(10, -1.395), 1e-12, "0.1 cd/m2");
+    CHECK_RELATIVE(sight_threshold(1e-5), 0.0013803842646, 1e-9, "1e-5 cd/m2: 10^-2.86");
+    CHECK_RELATIVE(sight_threshold(1), pow(10, pow(0.65, 2.7) - 0.72), 1e-12, "1 cd/m2");
+    for (size_t i = 0; i < sizeof meet / sizeof meet[0]; i++) {
+        const double below = sight_threshold(pow(10, meet[i] - 1e-6));
+        const double above = sight_threshold(pow(10, meet[i] + 1e-6));
+        CHECK_RELATIVE(above, below, 0.03, "where two meet");
+    }
+    CHECK_NEAR(sight_acuity(1), 17.25 * 0.33667481938672716 + 25.72, 1e-12, "atan(0.35)");
+    CHECK_RELATIVE(sight_acuity(1e-9), sight_acuity(1e-4), 1e-12, "no darker than 1e-4");
+    CHECK_RELATIVE(sight_scotopic((double[]){3, 3, 3}), 3.0, 1e-12, "white");
+    CHECK(sight_scotopic((double[]){1, 0, 0}) < 0.2126 / 2); /* red turns dark */
+}
+
+/* A picture whose places of one degree are its pixels. */
+static struct foveal places(const double *luminances, size_t count)
+{
+    struct foveal foveal = {.columns = count, .rows = 1, .cell = {0.0175, 0.0175}};
+    foveal.light = ARENA_ARRAY(arena, 3 * count, float);
+    for (size_t i = 0; i < 3 * count; i++) {
+        foveal.light[i] = (float)luminances[i / 3];
+    }
+    return foveal;
+}
+
+/*
+ * Half of 1000 samples in one bin of 100, the others even over four decades; a display of two:
+ * what the ceiling cuts is less than 2.5 % in the end, no bin is above it, and the others are whole.
+ */
+static void test_histogram(void)
+{
+    enum { SAMPLES = 1000 };
+    const struct display display = {1, 100};
+    double luminances[SAMPLES];
+    struct histogram made;
+    for (int i = 0; i < SAMPLES; i++) {
+        luminances[i] = i % 2 == 0 ? 10.01 : pow(10, -1 + 4.0 * i / (SAMPLES - 1));
+    }
+    const struct foveal foveal = places(luminances, SAMPLES);
+    CHECK(histogram_adjust(&foveal, &display, CEILING_LINEAR, &made, &error));
+    double left = 0, most = 0;
+    for (int i = 0; i < HISTOGRAM_BINS; i++) {
+        left += made.bins[i];
+        most = fmax(most, made.bins[i]);
+        CHECK(made.bins[i] >= 4 && made.bins[i] <= 500);
+    }
+    CHECK(!made.is_linear && made.trimmed < HISTOGRAM_TOLERANCE && made.passes > 1);
+    /* T db/(ln Ldmax - ln Ldmin), db a hundredth of four decades */
+    CHECK(most <= (left + made.trimmed * SAMPLES) * (4.0 / 100) / 2 * 1.001);
+    CHECK_NEAR(left, 500 - 5 + most, 3, "only the one bin is cut");
+    CHECK_RELATIVE(histogram_shown(&made, 0.05), 1.0, 1e-12, "darker than all");
+    CHECK_RELATIVE(histogram_shown(&made, 5000), 100.0, 1e-12, "brighter than all");
+    const double even[] = {3, 4, 5};
+    const struct foveal dull = places(even, 3);
+    CHECK(histogram_adjust(&dull, &display, CEILING_LINEAR, &made, &error) && made.is_linear);
+    CHECK_RELATIVE(made.factor, 10 / cbrt(60), 1e-6, "the mean of logarithms to the middle");
+    const double dark[] = {1e-6, 1e-5, 0};
+    const struct foveal night = places(dark, 3);
+    CHECK(!histogram_adjust(&night, &display, CEILING_LINEAR, &made, &error));
+    CHECK(error.code == ERROR_DOMAIN);
+}
+
+/* Colours that the display does not have keep their luminance. */
+static void test_colours(void)
+{
+    float pixels[] = {90, 5, 5, 10, 10, 10, -2, 20, 1, 400, 300, 500};
+    struct image image = {.width = 4, .height = 1, .channels = 3, .pixels = pixels};
+    const struct tone_way way = {.operation = TONE_LINEAR, .white = 50, .display = {1e-9, 100}};
+    const struct foveal foveal = places((double[]){1, 2}, 2);
+    struct toned toned;
+    CHECK(tone_show(&way, &foveal, &image, arena, &toned, &error));
+    CHECK_NEAR((double)pixels[0], 1, 1e-6, "red is full");
+    CHECK_NEAR((double)sight_luminance(pixels), (0.2126 * 90 + 0.7874 * 5) / 50, 1e-5, "luminance");
+    CHECK_NEAR((double)pixels[4], 0.2, 1e-5, "grey");
+    CHECK_NEAR((double)pixels[6], 0, 1e-6, "no less than black");
+    CHECK_NEAR((double)pixels[9], 1, 1e-5, "brighter than white");
+    CHECK_NEAR((double)pixels[11], 1, 1e-5, "white");
+    CHECK(toned.clipped == 1);
+}
+
+/* Frames of floats are aligned by the order of their pixels; nothing is told of even ones. */
+static void test_align(void)
+{
+    enum { SIDE = 64 };
+    float first[SIDE * SIDE * 3], second[SIDE * SIDE * 3];
+    struct align_step steps[2];
+    for (int i = 0; i < SIDE * SIDE * 3; i++) {
+        const int x = i / 3 % SIDE, y = i / 3 / SIDE;
+        first[i] = (float)(1.2 + sin(x * 0.31) * cos(y * 0.23) + 0.1 * sin(0.7 * x + 0.4 * y));
+        second[i] = (float)(0.25 * (1.2 + sin((x - 3) * 0.31) * cos((y + 2) * 0.23) +
+                                    0.1 * sin(0.7 * (x - 3) + 0.4 * (y + 2))));
+    }
+    struct tone_frame frames[] = {
+        {.name = "a", .width = SIDE, .height = SIDE, .values = first, .time = 4},
+        {.name = "b", .width = SIDE, .height = SIDE, .values = second, .time = 1}};
+    align_frames(frames, 2, steps, arena);
+    CHECK(frames[0].right == 0 && frames[0].down == 0);
+    CHECK(frames[1].right == 3 && frames[1].down == -2);
+    CHECK(steps[1].is_told && steps[1].now < 0.5 * steps[1].before);
+    for (int i = 0; i < SIDE * SIDE * 3; i++) {
+        first[i] = second[i] = 1;
+    }
+    align_frames(frames, 2, steps, arena);
+    CHECK(frames[1].right == 0 && frames[1].down == 0 && !steps[1].is_told);
+}
+
+int main(void)
+{
+    test_levels();
+    test_merge();
+    test_shifted();
+    test_sight();
+    test_histogram();
+    test_colours();
+    test_align();
+    arena_free(arena);
+    return check_report();
+}
