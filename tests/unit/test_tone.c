@@ -123,7 +123,7 @@ static struct foveal places(const double *luminances, size_t count)
 
 /*
  * Half of 1000 samples in one bin of 100, the others even over four decades; a display of two:
- * what the ceiling cuts is less than 2.5 % in the end, no bin is above it, and the others are whole.
+ * in the end less than 2.5 % is cut, no bin is above the ceiling, and the others are whole.
  */
 static void test_histogram(void)
 {

@@ -118,7 +118,7 @@ static bool recover(struct tone_frames *frames, struct tone_light *light, struct
         }
         growing_format(remarks,
                        "response of %s: codes 32, 64, 128, 192, 224 are light of %.4f, %.4f, %.4f, "
-                       "%.4f, %.4f; frames agree to %.2g %%\n",
+                       "%.4f, %.4f; frames differ by %.2g %%\n",
                        names[k], curve->light[32], curve->light[64], curve->light[128],
                        curve->light[192], curve->light[224], 100 * curve->rms);
         if (curve->held > 0) {
