@@ -10,7 +10,8 @@ surface     -   6   1.52/60  22  stop c~ glass~
 surface     -   3   1.65/35  22  c~ glass~
 surface     -   96  air      22  c~ t~
 END
-lenscalc optimize plates.lens --glasses N-BK7,N-SF5 --digits 4 -o found.lens
+lenscalc optimize plates.lens --glasses N-BK7,N-SF5 --digits 4 -o found.lens \
+    --columns merit_before,merit_after,status
 grep -v '^goal' found.lens | sed 's/\(surface *[-0-9.]\{8\}\)[0-9]*/\1/; s/ \(95\.[0-9][0-9]\)[0-9]*/ \1/'
 lenscalc optimize plates.lens --glasses schott:n-bk7,N-SF5,N-BK7 --show glasses --csv --digits 4
 lenscalc optimize plates.lens --glasses N-BK7,N-SF5 --show variables --csv --digits 4 \

@@ -160,10 +160,16 @@ static const struct artifact artifacts[] = {
 static const struct explanation explanations[] = {
     {"merit_after",
      "sum ((value - target)/deviation)^2 over all goals, fields, wavelengths, positions and rays; "
-     "(J^T J + l D) d = -J^T r, bounds by an active set, conditions by multipliers, D after the "
+     "steps -(J^T J + l D)^-1 J^T r, bounds by an active set, conditions by multipliers, D after "
+     "the "
      "second derivatives",
      "[Levenberg44]; [Spencer63]; [Dilworth78]",
      "a local minimum: the one downhill from the start"},
+    {"loss",
+     "merit after the exchange less that before; of the 8 glasses nearest by sqrt((dnd/0.1)^2 + "
+     "(dVd/10)^2 + (dP/0.02)^2), P of PgF from the normal line, the one that loses least; the last "
+     "three by branch and bound",
+     "[Schott16], of the normal line", "each time all else is optimised again, to a local minimum"},
     {NULL, NULL, NULL, NULL},
 };
 
