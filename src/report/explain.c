@@ -119,8 +119,10 @@ static const char *explain_one(const struct report *report, const struct explana
     render(numbers, right != NULL ? right + 3 : explanation->formula, report->sheet, row);
     write_value(result, sizeof result, column, row);
     const char *label = column->label != NULL ? column->label : column->name;
-    return arena_printf(report->arena, "%s: %s\n  = %s\n  = %s\n  %s%s%s", label, symbols, numbers,
-                        result, explanation->source, explanation->limits != NULL ? "; " : "",
+    const bool has_numbers = strchr(explanation->formula, '{') != NULL; /* else it is there twice */
+    return arena_printf(report->arena, "%s: %s%s%s\n  = %s\n  %s%s%s", label, symbols,
+                        has_numbers ? "\n  = " : "", has_numbers ? numbers : "", result,
+                        explanation->source, explanation->limits != NULL ? "; " : "",
                         explanation->limits != NULL ? explanation->limits : "");
 }
 
