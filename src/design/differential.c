@@ -141,6 +141,7 @@ bool differential_open(const struct differential_problem *problem, struct arena 
     *differential =
         (struct differential){.error_count = n,
                               .figure_count = figures,
+                              .judged_count = problem->judged_count,
                               .is_root = problem->is_root,
                               .forms = ARENA_ARRAY(arena, figures, struct differential_form),
                               .rows = ARENA_ARRAY(arena, figures * rows_size(n), double)};
@@ -179,7 +180,7 @@ void differential_trials(const struct differential *differential, const double *
 /* The coefficient of a form, or its mean over all. */
 static double mean_of(const struct differential *differential, size_t figure, size_t i, size_t j)
 {
-    const size_t n = differential->error_count, all = differential->figure_count;
+    const size_t n = differential->error_count, all = differential->judged_count;
     const size_t first = figure == LENS_NONE ? 0 : figure;
     const size_t end = figure == LENS_NONE ? all : figure + 1;
     double sum = 0;

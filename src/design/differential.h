@@ -16,6 +16,7 @@ struct differential_problem {
     bool (*trial)(void *context, const double *errors, double *figures, struct error *why);
     void *context;
     size_t error_count, figure_count;
+    size_t judged_count; /* the first of the figures: those that matter */
     const bool *is_root; /* of each figure: it is the root of a sum of squares, such as an RMS */
     const char *const *names; /* of each error, for messages */
 };
@@ -29,7 +30,7 @@ struct differential_form {
 
 /* The lens as quadratic forms; of figures that are roots those of their squares. */
 struct differential {
-    size_t error_count, figure_count;
+    size_t error_count, figure_count, judged_count;
     const bool *is_root;
     struct differential_form *forms; /* one a figure */
     double *rows;                    /* internal: of the forms, for differential_trials */
@@ -75,7 +76,7 @@ struct differential_share {
  * Who makes a figure spread; of a root, its square.
  *
  * Given     moments  of the errors, independent of each other
- *           figure   LENS_NONE: the mean of all
+ *           figure   LENS_NONE: the mean of those that are judged
  *           shares   receives one an error; all 0 where nothing spreads
  * Result    the standard deviation of the form
  * Formula   with the moments v = <p^2>, w = <p^4>: first g_i^2 v_i + h_ii^2 (w_i - v_i^2)/4, and

@@ -298,9 +298,9 @@ void perturbation_errors(const struct perturbation *list, size_t count, const do
     for (size_t i = 0; i < count; i++) {
         errors[i] = spread_quantile(&list[i].spread, even[i]);
         if (is_astigmatism(&list[i]) && i + 1 < count) {
-            const double size = errors[i];
+            const double size = errors[i], turn = even[i + 1];
             double cosine, sine;
-            turns_of(even[i + 1], &cosine, &sine);
+            turns_of(turn, &cosine, &sine);
             errors[i++] = size * cosine;
             errors[i] = size * sine;
         }

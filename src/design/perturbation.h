@@ -42,7 +42,7 @@ struct perturbation {
  * The errors of one lens.
  *
  * Given     even    one number a perturbation, between 0 and 1, evenly spread and independent
- *           errors  receives them, in units of half ranges
+ *           errors  receives them, in units of half ranges; may be `even`
  * Formula   quantiles of each; of an astigmatism the first number is for its size and the second
  *           for its azimuth: size times cos and sin of two of it, any angle alike. The same bits
  *           on every processor

@@ -74,8 +74,8 @@ struct searching {
     double *errors, *figures;
 };
 
-/* The worse of both ends; infinite: there is no lens. Above 0 always. */
-static double cost_of(const struct searching *searching, size_t i, double factor)
+/* The worse of both ends of one error; infinite: there is no lens. 0 at least. */
+static double cost_of_one(const struct searching *searching, size_t i, double factor)
 {
     const struct inverse_question *question = searching->question;
     double worst = 0;
@@ -88,6 +88,19 @@ static double cost_of(const struct searching *searching, size_t i, double factor
         worst = cost > worst ? cost : worst;
     }
     return worst;
+}
+
+/* Of all errors of a tolerance. */
+static double cost_of(const struct searching *searching, size_t thing, double factor)
+{
+    double sum = 0;
+    for (size_t i = 0; i < searching->question->problem->error_count; i++) {
+        if (searching->question->thing[i] == thing) {
+            const double cost = cost_of_one(searching, i, factor);
+            sum += cost * cost;
+        }
+    }
+    return sqrt(sum);
 }
 
 /* The factor between two whose cost is nearest below the share. */
@@ -132,9 +145,9 @@ static double share_of(const struct bounds *bounds, size_t count, double drop)
 double inverse_find(const struct inverse_question *question, struct arena *arena,
                     struct inverse *answers)
 {
-    const size_t n = question->problem->error_count;
+    const size_t n = question->thing_count;
     const struct searching searching = {
-        question, ARENA_ARRAY(arena, n, double),
+        question, ARENA_ARRAY(arena, question->problem->error_count, double),
         ARENA_ARRAY(arena, question->problem->figure_count, double)};
     struct bounds *bounds = ARENA_ARRAY(arena, n, struct bounds);
     double sum = 0;

@@ -31,9 +31,12 @@ struct inverse_question {
     const struct differential_problem *problem;
     /* how much worse the lens is with these figures than without errors, in the unit of `drop` */
     double (*cost)(void *context, const double *figures);
-    void *context;            /* of cost */
-    double drop;              /* above 0: what all of them together may cost */
-    const double *low, *high; /* one an error: what can be made, in units of its half range */
+    void *context;       /* of cost */
+    double drop;         /* above 0: what all of them together may cost */
+    const size_t *thing; /* of each error its tolerance: 0 .. thing_count - 1; two errors of one, as
+                            its shifts along x and y, are as wide as each other */
+    size_t thing_count;
+    const double *low, *high; /* one a tolerance: what can be made, in units of the half range */
 };
 
 /* What keeps a tolerance from its share. */
@@ -45,14 +48,15 @@ enum inverse_limit {
 
 struct inverse {
     double factor; /* of the half range that was asked */
-    double cost;   /* of it alone: the worse of both ends */
+    double cost;   /* of it alone: the worse of both ends, of several errors the root of the sum of
+                      the squares */
     enum inverse_limit limit;
 };
 
 /*
  * Tolerances that cost the same each, and together a drop.
  *
- * Given     answers  receives one an error
+ * Given     answers  receives one a tolerance
  * Result    what they cost together, the root of the sum of the squares; more than `drop` where the
  *           tightest tolerances already cost it. NaN: a tightest one makes a lens without figures
  * Formula   the share s with the sum of clamp(s, cost at the tightest, cost at the loosest)^2 =

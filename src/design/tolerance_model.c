@@ -39,6 +39,7 @@ void tolerance_model_open(struct tolerance *tolerance, struct arena *arena,
                                                   .context = model,
                                                   .error_count = question->perturbation_count,
                                                   .figure_count = figures + moves,
+                                                  .judged_count = figures,
                                                   .is_root = roots,
                                                   .names = names},
                                       .nominal = ARENA_ARRAY(arena, figures + moves, double)};

@@ -46,6 +46,7 @@ static const char *const names[ERRORS] = {"R1", "R2", "R3", "t1", "t2", "t3", "t
 static const struct differential_problem problem = {.trial = trial,
                                                     .error_count = ERRORS,
                                                     .figure_count = FIGURES,
+                                                    .judged_count = FIGURES,
                                                     .is_root = is_root,
                                                     .names = names};
 
@@ -115,6 +116,7 @@ static void check_shares(void)
     const struct differential_problem simple = {.trial = by_hand,
                                                 .error_count = 4,
                                                 .figure_count = 1,
+                                                .judged_count = 1,
                                                 .is_root = is_root + 1,
                                                 .names = names};
     const struct perturbation_moments even = {1.0 / 3, 1.0 / 5};

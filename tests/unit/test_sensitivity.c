@@ -64,8 +64,14 @@ static void check_inverse(void)
     struct arena arena = {0};
     struct inverse answers[ERRORS];
     const double wide[] = {1e-6, 1e-6, 1e-6, 1e-6}, far[] = {1e6, 1e6, 1e6, 1e6};
-    struct inverse_question question = {
-        .problem = &of, .cost = off, .drop = 2, .low = wide, .high = far};
+    const size_t thing[] = {0, 1, 2, 3}, pairs[] = {0, 0, 1, 1};
+    struct inverse_question question = {.problem = &of,
+                                        .cost = off,
+                                        .drop = 2,
+                                        .thing = thing,
+                                        .thing_count = ERRORS,
+                                        .low = wide,
+                                        .high = far};
     const double slopes[] = {1, 2, 4, 100};
     CHECK_NEAR(inverse_find(&question, &arena, answers), 2, 1e-6, "free");
     for (size_t i = 0; i < ERRORS; i++) {
@@ -82,6 +88,18 @@ static void check_inverse(void)
     CHECK(answers[3].limit == INVERSE_TIGHTEST && answers[3].factor == 0.012);
     CHECK_RELATIVE(answers[1].factor, share / 2, 1e-6, "the rest");
     CHECK_RELATIVE(answers[2].factor, share / 4, 1e-6, "the rest");
+    /* two errors of one tolerance cost the root of the sum of their squares */
+    question.thing = pairs;
+    question.thing_count = 2;
+    question.low = wide;
+    question.high = far;
+    CHECK_NEAR(inverse_find(&question, &arena, answers), 2, 1e-6, "pairs");
+    CHECK_RELATIVE(answers[0].factor, sqrt(2) / sqrt(1 + 4), 1e-6, "of 1 and 2");
+    CHECK_RELATIVE(answers[1].factor, sqrt(2) / sqrt(16 + 10000), 1e-6, "of 4 and 100");
+    question.thing = thing;
+    question.thing_count = ERRORS;
+    question.low = low;
+    question.high = high;
     /* what cannot be had: all at their tightest */
     question.drop = 1;
     CHECK_NEAR(inverse_find(&question, &arena, answers), 1.2, 1e-5, "too much");
