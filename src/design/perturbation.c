@@ -11,12 +11,16 @@
 /* Which tolerance of one thing counts: the highest. */
 enum rank { RANK_GRADE, RANK_GRADE_AIR, RANK_RANGE, RANK_AIR, RANK_SINGLE };
 
-/* A thing of the lens, with the tolerance that counts so far. */
+/* A thing of the lens, with a tolerance of it. */
 struct entry {
     struct tolerance_place place;
     enum rank rank;
-    bool won; /* over the grade's */
+    size_t number; /* in the order of the lines */
+    bool won;      /* over the grade's */
 };
+
+/* Ranges of all surfaces again and again are no tolerances but a mistake, or mischief. */
+enum { MOST_ENTRIES = 1000000 };
 
 struct work {
     struct tolerance_site site;
@@ -44,44 +48,14 @@ static bool refuse(const struct work *work, const struct entry *entry, const cha
     return from->source != NULL && error_locate(error, from->source, from->line, from->column);
 }
 
-static bool is_same(const struct entry *a, const struct entry *b)
-{
-    return a->place.kind == b->place.kind && a->place.first == b->place.first &&
-           a->place.last == b->place.last && a->place.from->order == b->place.from->order;
-}
-
-/* Has the newer one of the same rank no place beside the older one? */
-static bool gives_way(const struct entry *older, const struct entry *newer)
-{
-    return newer->rank < older->rank ||
-           (newer->rank == older->rank && newer->rank <= RANK_GRADE_AIR &&
-            newer->place.from->unit == TOLERANCE_FRINGES);
-}
-
 static bool put_entry(struct work *work, struct entry entry, struct error *error)
 {
-    for (size_t i = 0; i < work->count; i++) {
-        struct entry *older = &work->entries[i];
-        if (!is_same(older, &entry)) {
-            continue;
-        }
-        if (gives_way(older, &entry)) {
-            return true;
-        }
-        if (older->rank == entry.rank && entry.rank > RANK_GRADE_AIR) {
-            const struct lens_tolerance *first = older->place.from;
-            return refuse(work, &entry,
-                          arena_printf(work->site.arena, "it has one already, in line %ld%s%s",
-                                       first->line, first->source != NULL ? " of " : "",
-                                       first->source != NULL ? first->source : ""),
-                          error);
-        }
-        entry.won = older->won || (older->rank <= RANK_GRADE_AIR && entry.rank > RANK_GRADE_AIR);
-        *older = entry;
-        return true;
+    if (work->count == MOST_ENTRIES) {
+        return refuse(work, &entry, "there are more than a million", error);
     }
     work->entries = arena_grow(work->site.arena, work->entries, work->count, &work->room,
                                sizeof work->entries[0]);
+    entry.number = work->count;
     work->entries[work->count++] = entry;
     return true;
 }
@@ -159,10 +133,9 @@ static bool add_tolerance(struct work *work, const struct lens_tolerance *from, 
 
 /* -------- as numbers -------- */
 
-static int by_place(const void *a, const void *b)
+static int by_thing(const struct entry *a, const struct entry *b)
 {
-    const struct tolerance_place *left = &((const struct entry *)a)->place;
-    const struct tolerance_place *right = &((const struct entry *)b)->place;
+    const struct tolerance_place *left = &a->place, *right = &b->place;
     const size_t keys[][2] = {{left->kind, right->kind},
                               {left->first, right->first},
                               {left->last, right->last},
@@ -173,6 +146,45 @@ static int by_place(const void *a, const void *b)
         }
     }
     return 0;
+}
+
+/* Of one thing that first which counts: of a grade fringes are for what nothing else is of. */
+static int by_rank(const void *left, const void *right)
+{
+    const struct entry *a = left, *b = right;
+    const int thing = by_thing(a, b);
+    const bool a_last = a->rank <= RANK_GRADE_AIR && a->place.from->unit == TOLERANCE_FRINGES;
+    const bool b_last = b->rank <= RANK_GRADE_AIR && b->place.from->unit == TOLERANCE_FRINGES;
+    return thing != 0           ? thing
+           : a->rank != b->rank ? (a->rank > b->rank ? -1 : 1)
+           : a_last != b_last   ? (a_last ? 1 : -1)
+                                : (a->number > b->number) - (a->number < b->number);
+}
+
+/* Keep of each thing the one that counts. */
+static bool keep_first(struct work *work, struct error *error)
+{
+    size_t kept = 0;
+    qsort(work->entries, work->count, sizeof work->entries[0], by_rank);
+    for (size_t i = 0; i < work->count; i++) {
+        const struct entry *one = &work->entries[i];
+        struct entry *counts = kept > 0 ? &work->entries[kept - 1] : NULL;
+        if (counts == NULL || by_thing(counts, one) != 0) {
+            work->entries[kept++] = *one;
+            continue;
+        }
+        if (counts->rank == one->rank && one->rank > RANK_GRADE_AIR) {
+            const struct lens_tolerance *first = counts->place.from;
+            return refuse(work, one,
+                          arena_printf(work->site.arena, "it has one already, in line %ld%s%s",
+                                       first->line, first->source != NULL ? " of " : "",
+                                       first->source != NULL ? first->source : ""),
+                          error);
+        }
+        counts->won = counts->won || (counts->rank > RANK_GRADE_AIR && one->rank <= RANK_GRADE_AIR);
+    }
+    work->count = kept;
+    return true;
 }
 
 /* What of a perturbation is one number, and the end of its name; of axes a parameter more each. */
@@ -270,7 +282,9 @@ bool perturbations_of(const struct lens *lens, const struct perturbation_wish *w
                           "give a grade, or lines 'tolerance R1 0.1%% uniform' in the lens or "
                           "in a file of their own");
     }
-    qsort(work.entries, work.count, sizeof work.entries[0], by_place);
+    if (!keep_first(&work, error)) {
+        return false;
+    }
     *perturbations = (struct perturbations){
         .list = ARENA_ARRAY(arena, 3 * work.count, struct perturbation), .won = won_over(&work)};
     for (size_t i = 0; i < work.count; i++) {

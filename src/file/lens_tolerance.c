@@ -9,6 +9,8 @@
 
 #include <string.h>
 
+enum { MOST_TOLERANCES = 1000 }; /* lines; each may be of a range */
+
 /* A line being read. */
 struct reading {
     struct lens_words *words;
@@ -425,6 +427,10 @@ bool lens_tolerance_read(struct lens_words *words, struct lens *lens, struct err
                                  .source = words->source,
                                  .line = words->number};
     struct reading reading = {words, lens, &one};
+    if (lens->tolerance_count == MOST_TOLERANCES) {
+        return lens_words_fail(words, lens_words_next(words), error, "more than %d tolerances",
+                               MOST_TOLERANCES);
+    }
     if (!read_subject(&reading, error) || !read_amount(&reading, error) ||
         !read_rest(&reading, error)) {
         return false;

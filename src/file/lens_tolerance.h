@@ -15,7 +15,7 @@
  * Result    one more of the lens
  * Errors    ERROR_DATA with line and column: what it is of, the unit or the distribution is unknown
  *           or does not belong to it, a surface that the lens has not, an amount of 0 or less, or
- *           of 100 % and more
+ *           of 100 % and more, more than 1000 lines
  */
 bool lens_tolerance_read(struct lens_words *words, struct lens *lens, struct error *error);
 

@@ -37,10 +37,14 @@ size_t elements_of(const struct lens *lens, struct arena *arena, struct element 
 
 const struct element *element_at(const struct element *elements, size_t count, size_t surface)
 {
-    for (size_t i = 0; i < count; i++) {
-        if (surface >= elements[i].first && surface <= elements[i].last) {
-            return &elements[i];
+    size_t low = 0, high = count; /* what ends before the surface lies below low */
+    while (low < high) {
+        const size_t middle = low + (high - low) / 2;
+        if (elements[middle].last < surface) {
+            low = middle + 1;
+        } else {
+            high = middle;
         }
     }
-    return NULL;
+    return low < count && elements[low].first <= surface ? &elements[low] : NULL;
 }

@@ -101,8 +101,28 @@ static void test_files(void)
     arena_free(&arena);
 }
 
+/* So many and no more. */
+static void test_many(void)
+{
+    struct arena arena = {0};
+    struct tolerances all;
+    struct error error = {.code = ERROR_NONE};
+    struct growing file = {.arena = &arena};
+    const struct lens lens = lens_of(lens_text, &arena);
+    for (int i = 0; i < 1000; i++) {
+        growing_string(&file, "tolerance focus 1um\n");
+    }
+    CHECK(lens_tolerances_read("many", growing_done(&file), &lens, &arena, &all, &error));
+    growing_string(&file, "tolerance focus 1um\n");
+    CHECK(!lens_tolerances_read("many", growing_done(&file), &lens, &arena, &all, &error));
+    CHECK_TEXT(error.message, "more than 1000 tolerances");
+    CHECK(error.line == 1001 && error.column == 11);
+    arena_free(&arena);
+}
+
 int main(void)
 {
+    test_many();
     test_lines();
     test_files();
     return check_report();
