@@ -90,6 +90,7 @@ static bool open_groups(struct merit_bundle *bundle, struct error *error)
             struct sample sample;
             *group = (struct bundle_group){.field = field,
                                            .light = light,
+                                           .symmetry = symmetry_of(wish, field),
                                            .weight = wish->fields[field].weight *
                                                      wish->wavelengths[light].weight};
             if (light > 0 && !wish->clip) { /* the same at all wavelengths */
@@ -99,7 +100,8 @@ static bool open_groups(struct merit_bundle *bundle, struct error *error)
             if (!find_sample(wish, field, light, bundle->arena, &sample, error)) {
                 return false;
             }
-            merit_points_of(&sample, symmetry_of(wish, field), bundle->arena, &group->points);
+            merit_points_of(&sample, wish->whole ? SYMMETRY_NONE : group->symmetry, bundle->arena,
+                            &group->points);
         }
     }
     return true;

@@ -25,6 +25,7 @@ struct bundle_wish {
     bool from_entrance, clip, path;
     bool is_chief; /* the ray through the middle of the pupil only, whatever pattern is asked for */
     bool is_round; /* no variable decentres or tilts anything */
+    bool whole;    /* all points of the pupil, whatever is alike by symmetry */
     const struct irregularity *irregularities; /* whose columns are the last of all */
     size_t irregularity_count;
     const double *irregularity_amounts; /* mm, one each, read at every trace: rays are moved by
@@ -39,7 +40,8 @@ struct bundle_group {
     size_t field, light;
     double weight; /* of the field and the wavelength */
     struct merit_points points;
-    size_t row; /* a number for the caller */
+    enum merit_symmetry symmetry; /* of the beam, whether points make use of it or not */
+    size_t row;                   /* a number for the caller */
 };
 
 /* A share of a group in a block: lanes of an aimed_beam with the same number. */

@@ -65,27 +65,66 @@ static void turn_of(const struct merit_bundle *bundle, size_t field, const doubl
     }
 }
 
+/* A start that moves with the object of its beam: X and e, and how they and the object do. */
+struct moving_start {
+    double X[3], e[3], shift[3], turn[3], way[3];
+};
+
+/*
+ * What a function of the coordinates in the beam gains; the beam does not turn about its axis,
+ * across which X stays.
+ */
+static double by_coordinates(const struct aimed *aimed, const struct aimed_beam *at, int i,
+                             const struct moving_start *start)
+{
+    const struct beam *beam = &at->beam;
+    const double *axis = beam->axis, *e = start->e;
+    double tilt[3], move[3], gain = 0;
+    for (int k = 0; k < 3; k++) {
+        tilt[k] = isinf(beam->distance)
+                      ? start->turn[k]
+                      : -(start->way[k] - axis[k] * dot(axis, start->way)) / beam->distance;
+    }
+    const double slide = -(dot(start->X, tilt) + dot(start->shift, axis)) / dot(e, axis);
+    for (int k = 0; k < 3; k++) {
+        move[k] = start->shift[k] + slide * e[k];
+    }
+    for (int k = 0; k < 2 && aimed->by_start[k] != NULL; k++) {
+        gain += aimed->by_start[k][i] * dot(move, beam->across[k]);
+    }
+    return gain;
+}
+
 /* By the factor of image heights, of one ray: what its start does there. */
 static double by_field(const struct merit_bundle *bundle, const struct bundle_block *block,
-                       size_t field, const struct ray_block *adjoint, int i)
+                       size_t beam, const struct ray_block *adjoint, int i)
 {
     const struct aimed *aimed = &block->aimed;
     const struct ray_block *start = aimed->work->start;
+    const size_t field = bundle->groups[block->shares[beam].group].field;
     const double n = aimed->beams[0].beam.n, radius = bundle->first.entrance_diameter / 2;
-    const double X[3] = {start->x[i], start->y[i], start->z[i]};
-    const double e[3] = {start->p[i] / n, start->q[i] / n, start->r[i] / n};
-    double T[3] = {X[0], X[1], X[2]}, turn[3], way[3];
+    struct moving_start at = {{start->x[i], start->y[i], start->z[i]},
+                              {start->p[i] / n, start->q[i] / n, start->r[i] / n},
+                              {0},
+                              {0},
+                              {0}};
+    const double *X = at.X, *e = at.e;
+    double T[3] = {X[0], X[1], X[2]};
     if (!aimed->at_stop) {
         T[0] = aimed->x[i] * radius;
         T[1] = aimed->y[i] * radius;
         T[2] = bundle->first.entrance_pupil;
     }
-    turn_of(bundle, field, T, e, turn, way);
+    turn_of(bundle, field, T, e, at.turn, at.way);
     const double back[3] = {T[0] - X[0], T[1] - X[1], T[2] - X[2]}, L = dot(back, e);
-    const double path = bundle->wish.setup->object.is_infinite ? dot(X, turn) : -dot(e, way);
+    const double path = bundle->wish.setup->object.is_infinite ? dot(X, at.turn) : -dot(e, at.way);
     const double a[3] = {adjoint->x[i], adjoint->y[i], adjoint->z[i]};
     const double b[3] = {adjoint->p[i], adjoint->q[i], adjoint->r[i]};
-    return n * (dot(b, turn) + adjoint->path[i] * path) - L * dot(a, turn);
+    for (int k = 0; k < 3; k++) {
+        at.shift[k] = -L * at.turn[k];
+    }
+    return n * (dot(b, at.turn) + adjoint->path[i] * path) + dot(a, at.shift) +
+           by_coordinates(aimed, &aimed->beams[beam], i, &at);
 }
 
 static void field_row(const struct merit_bundle *bundle, const struct bundle_block *block,
@@ -97,7 +136,7 @@ static void field_row(const struct merit_bundle *bundle, const struct bundle_blo
         const size_t field = bundle->groups[block->shares[g].group].field;
         for (int i = beam->first;
              merit_bundle_moves(bundle, field) && i < beam->first + beam->count; i++) {
-            row[i] = by_field(bundle, block, field, adjoint, i);
+            row[i] = by_field(bundle, block, g, adjoint, i);
         }
     }
 }

@@ -132,6 +132,26 @@ static struct beside beside_of(const struct opd_reference *sphere, const struct 
     return (struct beside){x, y, along, q, sqrt((R - sqrt(q)) * (R + sqrt(q)))};
 }
 
+/* Of a path: by the final ray, and by the radius; by the centre it is less that by x and y. */
+struct path_slopes {
+    double x, y, p, q, radius;
+};
+
+static struct path_slopes path_slopes_of(const struct opd_reference *sphere,
+                                         const struct ray_block *end, int i)
+{
+    const struct beside at = beside_of(sphere, end, i);
+    const bool is_far = isinf(sphere->radius);
+    const double n = sphere->n, p = end->p[i] / n, q = end->q[i] / n;
+    const double bends = is_far ? 0 : sphere->side / at.root; /* 2 s dB/dq */
+    return (struct path_slopes){
+        .x = -n * (p - bends * (at.x - at.along * p)),
+        .y = -n * (q - bends * (at.y - at.along * q)),
+        .p = -at.x * (1 + bends * at.along),
+        .q = -at.y * (1 + bends * at.along),
+        .radius = is_far ? 0 : -n * sphere->side * at.q / (at.root * (at.root + sphere->radius))};
+}
+
 void merit_spheres_path(const struct merit_spheres *spheres, const struct merit_bundle *bundle,
                         const struct bundle_block *block, const struct ray_block *end, double *path,
                         struct ray_block *adjoint)
@@ -139,21 +159,19 @@ void merit_spheres_path(const struct merit_spheres *spheres, const struct merit_
     for (size_t g = 0; g < block->aimed.beam_count; g++) {
         const struct aimed_beam *beam = &block->aimed.beams[g];
         const size_t field = bundle->groups[block->shares[g].group].field;
-        const struct opd_reference *sphere = &spheres->list[field].sphere;
+        struct opd_reference sphere = spheres->list[field].sphere;
         const double n = bundle->lights[block->light].system.index_last;
-        struct opd_reference here = *sphere;
-        here.n = n;
+        sphere.n = n;
         for (int i = beam->first; i < beam->first + beam->count; i++) {
-            const struct beside at = beside_of(&here, end, i);
-            const double p = end->p[i] / n, q = end->q[i] / n, side = sphere->side;
-            const double bulge = isinf(sphere->radius) ? 0 : at.q / (sphere->radius + at.root);
-            const double bends = isinf(sphere->radius) ? 0 : side / at.root; /* 2 s dB/dq */
-            path[i] = end->path[i] - n * (at.along - side * bulge);
+            const struct beside at = beside_of(&sphere, end, i);
+            const struct path_slopes slopes = path_slopes_of(&sphere, end, i);
+            const double bulge = isinf(sphere.radius) ? 0 : at.q / (sphere.radius + at.root);
+            path[i] = end->path[i] - n * (at.along - sphere.side * bulge);
             adjoint->path[i] = 1;
-            adjoint->x[i] = -n * (p - bends * (at.x - at.along * p));
-            adjoint->y[i] = -n * (q - bends * (at.y - at.along * q));
-            adjoint->p[i] = -at.x * (1 + bends * at.along);
-            adjoint->q[i] = -at.y * (1 + bends * at.along);
+            adjoint->x[i] = slopes.x;
+            adjoint->y[i] = slopes.y;
+            adjoint->p[i] = slopes.p;
+            adjoint->q[i] = slopes.q;
         }
     }
 }
@@ -167,21 +185,96 @@ void merit_spheres_move(const struct merit_spheres *spheres, const struct merit_
         const struct merit_sphere *from =
             &spheres->list[bundle->groups[block->shares[g].group].field];
         struct opd_reference sphere = from->sphere;
-        const double n = bundle->lights[block->light].system.index_last, side = sphere.side;
-        sphere.n = n;
+        sphere.n = bundle->lights[block->light].system.index_last;
         for (int i = beam->first; i < beam->first + beam->count; i++) {
-            const struct beside at = beside_of(&sphere, end, i);
-            const double p = end->p[i] / n, q = end->q[i] / n;
-            const double bends = isinf(sphere.radius) ? 0 : side / at.root;
-            const double by_x = n * (p - bends * (at.x - at.along * p));
-            const double by_y = n * (q - bends * (at.y - at.along * q));
-            const double by_radius =
-                isinf(sphere.radius) ? 0 : -n * side * at.q / (at.root * (at.root + sphere.radius));
+            const struct path_slopes slopes = path_slopes_of(&sphere, end, i);
             for (size_t j = 0; j < spheres->variable_count; j++) {
-                columns[j * RAYS_BLOCK + (size_t)i] += by_x * from->centre[0][j] +
-                                                       by_y * from->centre[1][j] +
-                                                       by_radius * from->radius[j];
+                columns[j * RAYS_BLOCK + (size_t)i] += slopes.radius * from->radius[j] -
+                                                       slopes.x * from->centre[0][j] -
+                                                       slopes.y * from->centre[1][j];
             }
+        }
+    }
+}
+
+/* A ray beside its sphere, as its direction to the centre is made of it. */
+struct meeting {
+    double D[2], e[2], m[2];
+    double along, over, root, q; /* over: s/R */
+};
+
+static struct meeting meet(const struct opd_reference *sphere, const struct ray_block *end, int i)
+{
+    struct meeting at = {.D = {end->x[i] - sphere->centre[0], end->y[i] - sphere->centre[1]},
+                         .e = {end->p[i] / sphere->n, end->q[i] / sphere->n},
+                         .over = sphere->side / sphere->radius};
+    at.q = beside_of(sphere, end, i).q;
+    at.along = at.D[0] * at.e[0] + at.D[1] * at.e[1];
+    at.root = sqrt(1 - at.q * at.over * at.over);
+    for (int k = 0; k < 2; k++) {
+        at.m[k] = at.D[k] - at.along * at.e[k];
+    }
+    return at;
+}
+
+void merit_spheres_meet(const struct merit_spheres *spheres, const struct merit_bundle *bundle,
+                        const struct bundle_block *block, const struct ray_block *end,
+                        double *const to[2])
+{
+    for (size_t g = 0; g < block->aimed.beam_count; g++) {
+        const struct aimed_beam *beam = &block->aimed.beams[g];
+        const size_t field = bundle->groups[block->shares[g].group].field;
+        struct opd_reference sphere = spheres->list[field].sphere;
+        sphere.n = bundle->lights[block->light].system.index_last;
+        for (int i = beam->first; i < beam->first + beam->count; i++) {
+            const struct meeting at = meet(&sphere, end, i);
+            for (int k = 0; k < 2; k++) {
+                to[k][i] = at.root * at.e[k] - at.over * at.m[k];
+            }
+        }
+    }
+}
+
+/* By D and e, of one ray, through its direction to the centre. */
+static void meet_back(const struct opd_reference *sphere, const struct meeting *at,
+                      struct merit_spheres_by *by, int i, double by_e[2])
+{
+    const double G[2] = {by->to[0][i], by->to[1][i]};
+    const double G_e = G[0] * at->e[0] + G[1] * at->e[1];
+    const double G_m = G[0] * at->m[0] + G[1] * at->m[1];
+    const double by_q = -G_e * at->over * at->over / (2 * at->root);
+    const double by_along = at->over * G_e - 2 * at->along * by_q;
+    for (int k = 0; k < 2; k++) {
+        by->centre[k][i] -= 2 * by_q * at->D[k] - at->over * G[k] + by_along * at->e[k];
+        by_e[k] += (at->root + at->over * at->along) * G[k] + by_along * at->D[k];
+    }
+    if (!isinf(sphere->radius)) {
+        by->radius[i] += (at->over * G_m - 2 * at->q * by_q) / sphere->radius;
+    }
+}
+
+void merit_spheres_back(const struct merit_spheres *spheres, const struct merit_bundle *bundle,
+                        const struct bundle_block *block, const struct ray_block *end,
+                        struct merit_spheres_by *by, struct ray_block *adjoint)
+{
+    for (size_t g = 0; g < block->aimed.beam_count; g++) {
+        const struct aimed_beam *beam = &block->aimed.beams[g];
+        const size_t field = bundle->groups[block->shares[g].group].field;
+        struct opd_reference sphere = spheres->list[field].sphere;
+        sphere.n = bundle->lights[block->light].system.index_last;
+        for (int i = beam->first; i < beam->first + beam->count; i++) {
+            const struct path_slopes path = path_slopes_of(&sphere, end, i);
+            const struct meeting at = meet(&sphere, end, i);
+            double by_e[2] = {sphere.n * by->path[i] * path.p, sphere.n * by->path[i] * path.q};
+            by->centre[0][i] = -by->path[i] * path.x;
+            by->centre[1][i] = -by->path[i] * path.y;
+            by->radius[i] = by->path[i] * path.radius;
+            meet_back(&sphere, &at, by, i, by_e);
+            adjoint->path[i] = by->path[i];
+            adjoint->x[i] = -by->centre[0][i];
+            adjoint->y[i] = -by->centre[1][i];
+            adjoint->p[i] = by_e[0] / sphere.n;
+            adjoint->q[i] = by_e[1] / sphere.n;
         }
     }
 }

@@ -66,4 +66,25 @@ void merit_spheres_move(const struct merit_spheres *spheres, const struct merit_
                         const struct bundle_block *block, const struct ray_block *end,
                         double *columns);
 
+/*
+ * Unit vectors from where rays meet the spheres to their centres, along the light.
+ *
+ * Given     to  receives x and y of each
+ * Formula   with m = D - (D.e) e across the ray: root e - s m/R, root = sqrt(1 - m^2/R^2)
+ */
+void merit_spheres_meet(const struct merit_spheres *spheres, const struct merit_bundle *bundle,
+                        const struct bundle_block *block, const struct ray_block *end,
+                        double *const to[2]);
+
+/* What a function is by the paths of rays and those vectors; and by centres and radii. */
+struct merit_spheres_by {
+    double path[RAYS_BLOCK], to[2][RAYS_BLOCK];
+    double centre[2][RAYS_BLOCK], radius[RAYS_BLOCK]; /* received, one a ray */
+};
+
+/* Backwards: adjoint, zeroed, receives the derivatives by the final rays. */
+void merit_spheres_back(const struct merit_spheres *spheres, const struct merit_bundle *bundle,
+                        const struct bundle_block *block, const struct ray_block *end,
+                        struct merit_spheres_by *by, struct ray_block *adjoint);
+
 #endif

@@ -194,6 +194,19 @@ static void along(const struct ray_block *restrict adjoint, const struct ray_blo
     }
 }
 
+/* What a function gains along a and b: of the rays as they are, and of a and b themselves. */
+static void along_start(const struct aimed *aimed, const struct ray_block *adjoint,
+                        const struct ray_block *changes, double *fa, double *fb)
+{
+    double *const gains[2] = {fa, fb};
+    for (int k = 0; k < 2; k++) {
+        along(adjoint, &changes[k], aimed->lanes, gains[k]);
+        for (int i = 0; i < aimed->count && aimed->by_start[k] != NULL; i++) {
+            gains[k][i] += aimed->by_start[k][i];
+        }
+    }
+}
+
 /* What the stop adds to x and y there, where the function is by a and b that. */
 static void aim_back(const struct aimed *aimed, const double *fa, const double *fb, double *x,
                      double *y, struct aimed_rates *rates)
@@ -209,12 +222,10 @@ static void aim_back(const struct aimed *aimed, const double *fa, const double *
 static void sweep_stop(const struct aimed *aimed, struct derivative_pass *pass,
                        struct aimed_rates *rates)
 {
-    const struct ray_block *tangents = aimed->work->tangents;
     const size_t stop = aimed->system->stop;
     double x[RAYS_BLOCK], y[RAYS_BLOCK], fa[RAYS_BLOCK], fb[RAYS_BLOCK];
     derivative_pass_part(pass, aimed->system->places, stop + 1);
-    along(pass->adjoint, &tangents[0], aimed->lanes, fa);
-    along(pass->adjoint, &tangents[1], aimed->lanes, fb);
+    along_start(aimed, pass->adjoint, aimed->work->tangents, fa, fb);
     aim_back(aimed, fa, fb, x, y, rates);
     pass->at = stop;
     pass->add_x = x;
@@ -223,15 +234,7 @@ static void sweep_stop(const struct aimed *aimed, struct derivative_pass *pass,
     pass->add_x = pass->add_y = NULL;
 }
 
-/* A function by a and b. */
-static void by_start(const struct aimed *aimed, const struct ray_block *adjoint, double *fa,
-                     double *fb)
-{
-    along(adjoint, &aimed->work->slopes[0], aimed->lanes, fa);
-    along(adjoint, &aimed->work->slopes[1], aimed->lanes, fb);
-}
-
-/* And by the entrance pupil. */
+/* What a function by a and b is by the entrance pupil. */
 static void move_pupil(const struct aimed *aimed, const double *fa, const double *fb,
                        struct aimed_rates *rates)
 {
@@ -257,7 +260,7 @@ void aimed_sweep(const struct aimed *aimed, const struct derivative_layout *layo
     }
     derivative_pass_part(&pass, aimed->system->places, 0);
     double fa[RAYS_BLOCK], fb[RAYS_BLOCK];
-    by_start(aimed, adjoint, fa, fb);
+    along_start(aimed, adjoint, aimed->work->slopes, fa, fb);
     move_pupil(aimed, fa, fb, rates);
 }
 
@@ -276,7 +279,7 @@ void aimed_sweep_seeds(const struct aimed *aimed, const struct derivative_layout
     memset(adjoint, 0, sizeof *adjoint);
     derivative_pass_begin(&pass);
     derivative_pass_part(&pass, aimed->system->places, 0);
-    by_start(aimed, adjoint, fa, fb);
+    along_start(aimed, adjoint, aimed->work->slopes, fa, fb);
     if (!aimed->at_stop) {
         move_pupil(aimed, fa, fb, rates);
         return;

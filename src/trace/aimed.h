@@ -48,6 +48,9 @@ struct aimed {
     double a[RAYS_BLOCK], b[RAYS_BLOCK]; /* coordinates in the beam, mm */
     double inverse[4][RAYS_BLOCK];       /* d(a, b)/d(x, y in the stop) */
     double by_radius[2][RAYS_BLOCK], by_place[2][RAYS_BLOCK]; /* da, db: of the entrance pupil */
+    /* the caller's: what a function that is swept is by a and b themselves, however rays end; null:
+       it is not */
+    const double *by_start[2];
 };
 
 /* Room for systems like this one, of which later ones may move more surfaces. */
@@ -103,6 +106,7 @@ struct aimed_rates {
  *           adjoint   as for derivative_sweep; receives the derivatives by the starting ray, aim
  *                     looked after: of one that starts elsewhere or otherwise
  *           gradient  as there
+ *           aimed->by_start  of a function that knows where rays start, too
  * Formula   s the place in the stop, T its aim, e the stop's radius: df = df/dp - df/d(a, b)
  *           (ds/d(a, b))^-1 (ds/dp - T de/dp). So behind the stop the adjoint gains
  *           -df/d(a, b) (ds/d(a, b))^-1 in x and y, and what comes before counts with it;
