@@ -5,6 +5,7 @@
 #include "design/merit_chief.h"
 #include "design/merit_graze.h"
 #include "design/merit_incidence.h"
+#include "design/merit_mtf.h"
 #include "design/merit_paraxial.h"
 #include "design/merit_rays.h"
 #include "design/merit_shape.h"
@@ -43,6 +44,8 @@ static const struct merit_kind {
     [OPERAND_POLY] = {merit_fill_rays, merit_prepare_rays},
     [OPERAND_OPD] = {merit_fill_rays, merit_prepare_rays},
     [OPERAND_GRAZING] = {merit_fill_graze, merit_prepare_graze},
+    [OPERAND_MTF] = {merit_fill_mtf, merit_prepare_mtf},
+    [OPERAND_GMTF] = {merit_fill_mtf, merit_prepare_mtf},
 };
 
 /* -------- opening -------- */

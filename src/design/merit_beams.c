@@ -61,11 +61,11 @@ bool merit_beams_open(struct merit *merit, const struct merit_slot *slot,
                                .pattern = question->pattern,
                                .rays = question->rays,
                                .seed = question->seed,
-                               .is_round = !wanted.whole && !question->is_skew &&
-                                           question->irregularity_count == 0,
+                               .is_round = !question->is_skew && question->irregularity_count == 0,
                                .irregularities = question->irregularities,
                                .irregularity_count = question->irregularity_count,
-                               .irregularity_amounts = question->irregularity_amounts};
+                               .irregularity_amounts = question->irregularity_amounts,
+                               .whole = wanted.whole};
     wish.from_entrance = wish.from_entrance || wish.setup->first.is_telecentric;
     choose(slot, arena, &wish);
     *beams = (struct merit_beams){.bundle = {.wish = wish}};

@@ -86,7 +86,7 @@ static bool has_rays(const struct merit *merit)
     bool has = false;
     for (size_t i = 0; i < merit->question.operand_count; i++) {
         const struct operand_type *type = operand_type(merit->question.operands[i].kind);
-        has = has || (type->is & OPERAND_OF_RAYS) != 0;
+        has = has || (type->is & OPERAND_TRACES) != 0;
     }
     return has;
 }
@@ -105,7 +105,7 @@ size_t merit_prepare_graze(struct merit *merit, struct merit_slot *slot, struct 
     }
     if (!has_rays(merit)) {
         fail(error, ERROR_DOMAIN, "there are no rays that it could look at");
-        error_hint(error, "a goal of rays beside it: spot, poly or opd");
+        error_hint(error, "a goal of rays beside it: spot, poly, opd, mtf or gmtf");
         return 0;
     }
     if (place->graze != NULL) {

@@ -9,7 +9,9 @@ enum {
     F = OPERAND_AT_FIELD,
     SURFACES = OPERAND_AT_SURFACES,
     TARGET = OPERAND_NEEDS_TARGET,
-    RAYS = OPERAND_OF_RAYS
+    RAYS = OPERAND_OF_RAYS | OPERAND_TRACES,
+    CONTRAST =
+        W | F | TARGET | OPERAND_AT_FREQUENCY | OPERAND_NEEDS_FREQUENCY | OPERAND_HAS_ORIENTATION
 };
 
 #define LENGTH &dimension_length, "mm"
@@ -47,6 +49,8 @@ static const struct operand_type types[OPERAND_KINDS] = {
     [OPERAND_OPD] = {"opd", "optical path differences, wavelengths", NUMBER, W | F | RAYS},
     [OPERAND_GRAZING] = {"grazing", "largest angle of a ray at a surface, near loss", ANGLE,
                          TARGET},
+    [OPERAND_MTF] = {"mtf", "contrast at a spatial frequency, by waves", NUMBER, CONTRAST},
+    [OPERAND_GMTF] = {"gmtf", "the same by rays", NUMBER, CONTRAST},
 };
 /* clang-format on */
 

@@ -81,7 +81,8 @@ enum {
     OPERAND_NEEDS_FIELD = 32,
     OPERAND_NEEDS_FREQUENCY = 64,
     OPERAND_NEEDS_TARGET = 128, /* others have the target 0, and may be written without one */
-    OPERAND_OF_RAYS = 256 /* its residuals are those of rays, without a meaning of their own */
+    OPERAND_OF_RAYS = 256, /* its residuals are those of rays, without a meaning of their own */
+    OPERAND_TRACES = 512   /* many rays, which OPERAND_GRAZING looks at */
 };
 
 /* A kind of operand, as goals are written and rows are printed. */

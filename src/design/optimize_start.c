@@ -66,7 +66,7 @@ static size_t add_grazing(const struct merit_question *question, struct operand 
 {
     bool has_rays = false;
     for (size_t i = 0; i < count; i++) {
-        has_rays = has_rays || (operand_type(some[i].kind)->is & OPERAND_OF_RAYS) != 0;
+        has_rays = has_rays || (operand_type(some[i].kind)->is & OPERAND_TRACES) != 0;
     }
     for (size_t i = 0; i < question->operand_count && has_rays; i++) {
         if (question->operands[i].kind == OPERAND_GRAZING) {

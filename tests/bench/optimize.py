@@ -18,6 +18,7 @@ MERIT = {
     "normal/trace": ("optimize: the same / trace", "x"),
     "aimed": ("optimize: aimed at the stop", "us"),
     "aimed/trace": ("optimize: that / trace", "x"),
+    "contrast": ("optimize: contrast of three fields in both directions", "us"),
 }
 
 

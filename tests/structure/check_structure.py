@@ -98,6 +98,7 @@ FOR_TESTS = {
     "thick_residuals": "the solver calls it by its pointer; its derivatives",
     # derivatives of everything by everything, which the optimiser stands on
     "merit_bundle_start": "where 113 bits begin", "merit_rays_look": "which rays residuals are of",
+    "merit_mtf_look": "what contrasts are by rays",
     "derivative_layout": "", "derivative_sweep": "", "tangent_trace": "",
     # every set of instructions gives the same bits
     "instruction_set_name": "", "instruction_set_works": "",

@@ -3,7 +3,7 @@
 check_goals.py BUILD_DIR
 
 The value that optimize --show merit has of each goal before anything changes is the number that
-lens, seidel, color, distortion, trace and spot print of the same lens. Of a thick lens of two
+lens, seidel, color, distortion, trace, spot and mtf print of the same lens. Of a thick lens of two
 spheres focal length, thickness at the edge and angles of incidence are written out here.
 """
 # SPDX-License-Identifier: MIT
@@ -24,6 +24,8 @@ RELATIVE = 1e-9
 LENSES = (("double-gauss", "R1", 10, "F", "C"), ("cooke-triplet-50", "R1", 15, "F", "C"),
           ("brendel-tessar-100", "R1", 5, "F", "C"),
           ("canon-ef35-f2", "R1", 20, "F", "C"), ("edmund-achromat-120", "R1", 1, "F", "C"))
+# rays, and what contrasts of wave fronts that are off by up to 4 wavelengths err by
+CONTRASTS = (("36", 1e-3), ("210", 1e-6))
 RADII, THICKNESS, INDEX, DIAMETER = (52.0, -97.0), 9.0, 1.6, 24.0
 
 
@@ -93,6 +95,27 @@ def check_spots(program, checks):
         checks.near("spots", f"{lens}: spot", got, total, 1e-9)
 
 
+def check_contrast(program, checks):
+    """Both orientations, by waves and by rays, of wavelengths that count unlike: of the 36 usual
+    rays, and of as many as make the error that of the analysis, which is told to be 1e-7."""
+    for lens, vary, field, _, _ in LENSES:
+        light = "d:1,F:0.5,C:0.7"
+        goals, expected = [], []
+        for frequency in (10, 40):
+            for kind, method in (("mtf", "diffraction"), ("gmtf", "geometric")):
+                row = first(program, "mtf", lens, "--spectrum", light, "-N", "5.6", "--field",
+                            str(field), "--frequency", str(frequency), "--method", method,
+                            "--no-clip", "--error", "1e-7")
+                for way in ("tangential", "sagittal"):
+                    goals.append(f"{kind}@{frequency}/mm@{field}deg {way} = 1")
+                    expected.append(float(row[way]))
+        for rays, tolerance in CONTRASTS:
+            got = values(program, lens, vary, goals, "--rays", rays, "-w", light, "-N",
+                         "5.6")
+            for goal, value, wanted in zip(goals, got, expected):
+                checks.near("contrast", f"{lens}: {goal}, {rays} rays", value, wanted, tolerance)
+
+
 def check_sections(program, checks, folder):
     """A cylinder: the figures of each section."""
     path = os.path.join(folder, "cylinder.lens")
@@ -151,6 +174,7 @@ def main():
     program, checks = Program(sys.argv[1]), Checks()
     check_analyses(program, checks)
     check_spots(program, checks)
+    check_contrast(program, checks)
     with tempfile.TemporaryDirectory() as folder:
         check_sections(program, checks, folder)
         check_by_hand(program, checks, folder)

@@ -47,8 +47,10 @@ static inline bool merit_read_variables(struct merit_bench *bench, const char *n
     return true;
 }
 
-static inline bool merit_bench_open(struct merit_bench *bench, const struct merit_case *of,
-                                    struct arena *arena, struct error *error)
+/* Given     looks  its aim, f-number and rays */
+static inline bool merit_bench_look(struct merit_bench *bench, const struct merit_case *of,
+                                    const struct merit_question *looks, struct arena *arena,
+                                    struct error *error)
 {
     static struct lensdb db;
     *bench = (struct merit_bench){.arena = arena};
@@ -65,10 +67,18 @@ static inline bool merit_bench_open(struct merit_bench *bench, const struct meri
                                             .variable_count = bench->count,
                                             .operands = bench->goals.list,
                                             .operand_count = bench->goals.count,
-                                            .fnumber = NAN,
-                                            .rays = 36};
+                                            .fnumber = looks->fnumber,
+                                            .from_entrance = looks->from_entrance,
+                                            .rays = looks->rays};
     variables_get(&bench->variables, bench->v);
     return merit_open(&question, arena, &bench->merit, error);
+}
+
+static inline bool merit_bench_open(struct merit_bench *bench, const struct merit_case *of,
+                                    struct arena *arena, struct error *error)
+{
+    const struct merit_question usual = {.fnumber = NAN, .rays = 36};
+    return merit_bench_look(bench, of, &usual, arena, error);
 }
 
 /* A residual, and what says its figure. */

@@ -187,35 +187,42 @@ static bool truth_aim(const struct truth_question *q, struct precise_ray *ray)
     return true;
 }
 
-/* Where it meets the image plane, with its path. */
-static bool truth_end(const struct truth_question *q, struct precise_ray *end)
+/* Where it starts, at z = 0. */
+static bool truth_start_of(const struct truth_question *q, struct precise_ray *ray)
 {
-    const struct truth_first *first = q->first;
-    const real through[3] = {q->x * first->radius, q->y * first->radius, first->pupil};
-    struct precise_ray ray;
-    if (q->from_entrance) {
-        ray = truth_ray(q->system->lens, q->field, first, through);
-    } else if (!truth_aim(q, &ray)) {
-        return false;
+    const real through[3] = {q->x * q->first->radius, q->y * q->first->radius, q->first->pupil};
+    if (!q->from_entrance) {
+        return truth_aim(q, ray);
     }
+    *ray = truth_ray(q->system->lens, q->field, q->first, through);
+    return true;
+}
+
+/* From there to where it meets the image plane, with its path. */
+static bool truth_trace(const struct truth_question *q, struct precise_ray *ray)
+{
     const struct lens *lens = q->system->lens;
     for (size_t i = 0; i < lens->surface_count; i++) {
-        if (!precise_surface(&ray, q->system, i)) {
+        if (!precise_surface(ray, q->system, i)) {
             return false;
         }
     }
     const real n = precise_of(q->system->n[lens->surface_count]);
-    ray.x[2] -= first->image;
-    precise_advance(&ray, -ray.x[2] / ray.p[2], n * n);
-    *end = ray;
+    ray->x[2] -= q->first->image;
+    precise_advance(ray, -ray->x[2] / ray->p[2], n * n);
     return true;
 }
 
-/* The optical path to the sphere about a chief ray's end, through its crossing of a plane. */
-static real truth_path(const struct precise_ray *chief, const struct precise_ray *ray, real pupil,
-                       real n)
+static bool truth_end(const struct truth_question *q, struct precise_ray *end)
 {
-    const real way = n * pupil / chief->p[2], R2 = way * way;
+    return truth_start_of(q, end) && truth_trace(q, end);
+}
+
+/* From the end of a ray along it to the sphere about a chief ray's, through its crossing of a plane
+   `way` along that, mm. */
+static real truth_meeting(const struct precise_ray *chief, const struct precise_ray *ray, real way,
+                          real n)
+{
     real along = 0, square = 0;
     for (int k = 0; k < 2; k++) {
         const real d = ray->x[k] - chief->x[k];
@@ -223,9 +230,16 @@ static real truth_path(const struct precise_ray *chief, const struct precise_ray
         square += d * d;
     }
     /* |X + t e - C| = R, on the side of the pupil */
-    const real root = precise_root(along * along - square + R2);
-    const real t = way > 0 ? -along + root : -along - root;
-    return ray->path + n * (t - way);
+    const real root = precise_root(along * along - square + way * way);
+    return way > 0 ? -along + root : -along - root;
+}
+
+/* The optical path to the sphere about a chief ray's end, through its crossing of a plane. */
+static inline real truth_path(const struct precise_ray *chief, const struct precise_ray *ray,
+                              real pupil, real n)
+{
+    const real way = n * pupil / chief->p[2];
+    return ray->path + n * (truth_meeting(chief, ray, way, n) - way);
 }
 
 #endif

@@ -31,7 +31,8 @@ static const struct option options[] = {
     {OPTION(struct optimize_input, hold), .name = "hold", .value = "PARTS",
      .help = "what of it stays: R3,t5"},
     {OPTION(struct optimize_input, goals), .name = "goals", .value = "GOALS",
-     .help = "what is wanted: spot, poly, efl=100, 'bfl@F>38:0.02', 'edge 1..11 > 1'; == for what "
+     .help = "what is wanted: spot, poly, efl=100, 'bfl@F>38:0.02', 'edge 1..11 > 1', mtf@40/mm=1; "
+             "== for what "
              "is met exactly; otherwise the goals in the lens, or usual ones"},
     {OPTION(struct optimize_input, glasses), .name = "glasses", .value = "GLASSES",
      .help = "catalogues and glasses that take the place of the model glasses that vary: "

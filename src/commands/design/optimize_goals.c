@@ -135,7 +135,7 @@ static void add_grazing(struct optimize_job *job, struct goals *goals)
     bool has_rays = false, has_grazing = false;
     for (size_t i = 0; i < goals->count; i++) {
         all[i] = goals->list[i];
-        has_rays = has_rays || (operand_type(all[i].kind)->is & OPERAND_OF_RAYS) != 0;
+        has_rays = has_rays || (operand_type(all[i].kind)->is & OPERAND_TRACES) != 0;
         has_grazing = has_grazing || all[i].kind == OPERAND_GRAZING;
     }
     if (has_rays && !has_grazing) {
