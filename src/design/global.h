@@ -45,6 +45,7 @@ void global_start(const struct global_search *search, uint32_t number, double *p
  *
  * Given     number      of the start: a way out begins in a direction by chance, of it and the seed
  *           parameters  where it is
+ *           arena       not one that the problem takes memory from: some of it is given back
  * Formula   a way out begins beside the best minimum, with hills (design/escape.h) over all that
  *           are known; where those end the descent goes on without them. Descents end where a step
  *           gains a 1e-5th: what is worth it is brought to its minimum later

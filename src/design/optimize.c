@@ -75,25 +75,25 @@ static bool progress(void *context, const struct solver_progress *progress)
     return running->task->goes_on == NULL || running->task->goes_on(running->task->context);
 }
 
-/* The lens as it was, where it was not begun with the numbers that are known already. */
-static void judge_before(const struct optimize_task *task, struct optimize_answer *answer)
+static void judge_as_nothing(const struct merit *merit, struct optimize_state *state)
 {
-    struct merit *merit = task->merit;
-    struct optimize_state *before = &answer->before;
-    const size_t size = merit->residual_count * sizeof(double);
-    if (task->start == NULL && answer->begun == NULL) {
-        before->merit = answer->after.merit;
-        memcpy(before->residuals, answer->after.residuals, size);
-        memcpy(before->values, answer->after.values, size);
-        return;
-    }
-    if (task->start != NULL && look(merit, before, NULL)) {
-        return;
-    }
-    before->merit = NAN;
+    state->merit = NAN;
     for (size_t i = 0; i < merit->residual_count; i++) {
-        before->residuals[i] = before->values[i] = NAN;
+        state->residuals[i] = state->values[i] = NAN;
     }
+}
+
+/* The lens as it was, that is begun with its own numbers. */
+static void judge_before(const struct merit *merit, struct optimize_answer *answer)
+{
+    const size_t size = merit->residual_count * sizeof(double);
+    if (answer->begun != NULL) {
+        judge_as_nothing(merit, &answer->before);
+        return;
+    }
+    answer->before.merit = answer->after.merit;
+    memcpy(answer->before.residuals, answer->after.residuals, size);
+    memcpy(answer->before.values, answer->after.values, size);
 }
 
 static bool begin(const struct optimize_task *task, struct arena *arena,
@@ -106,6 +106,9 @@ static bool begin(const struct optimize_task *task, struct arena *arena,
     variables_get(merit->question.variables, answer->before.numbers);
     memcpy(answer->after.numbers, task->start != NULL ? task->start : answer->before.numbers,
            merit->variable_count * sizeof(double));
+    if (task->start != NULL && !look(merit, &answer->before, NULL)) {
+        judge_as_nothing(merit, &answer->before);
+    }
     if (!optimize_begin(task, answer->after.numbers, arena, &answer->begun, error)) {
         return false;
     }
@@ -117,7 +120,9 @@ static bool begin(const struct optimize_task *task, struct arena *arena,
         answer->is_idle[j] = true;
     }
     optimize_find_effects(merit, answer->after.residuals, jacobian, answer->is_idle);
-    judge_before(task, answer);
+    if (task->start == NULL) {
+        judge_before(merit, answer);
+    }
     return true;
 }
 

@@ -103,25 +103,29 @@ static bool begin_at(const struct searching *searching, const struct global_sear
     return optimize_begin(&task, numbers, merit->arena, &ignored, &why);
 }
 
-/* Result: it came to its end. */
+/* Minima in the arena. Result: it came to its end */
 static bool search_from(const struct searching *searching, size_t start, struct arena *arena,
                         struct global_chain *chain)
 {
     const struct optimize_global *global = searching->global;
+    struct arena own = {0}; /* merits keep what they have found in theirs */
     struct fresh fresh;
     struct error ignored;
+    bool done = true;
     *chain = (struct global_chain){0};
-    if (!open_fresh(global->merit, arena, &fresh, &ignored)) {
-        return true;
+    if (open_fresh(global->merit, &own, &fresh, &ignored)) {
+        const struct solver_problem problem = optimize_problem(&fresh.merit);
+        const struct global_search search = search_of(searching, &problem);
+        double *numbers = ARENA_ARRAY(&own, fresh.variables.count + 1, double);
+        if (begin_at(searching, &search, start, &fresh.merit, numbers)) {
+            global_descend(&search, (uint32_t)start, numbers, arena, chain);
+            done = !chain->is_stopped;
+        } else {
+            done = global->goes_on == NULL || global->goes_on(global->context);
+        }
     }
-    const struct solver_problem problem = optimize_problem(&fresh.merit);
-    const struct global_search search = search_of(searching, &problem);
-    double *numbers = ARENA_ARRAY(arena, fresh.variables.count + 1, double);
-    if (!begin_at(searching, &search, start, &fresh.merit, numbers)) {
-        return global->goes_on == NULL || global->goes_on(global->context);
-    }
-    global_descend(&search, (uint32_t)start, numbers, arena, chain);
-    return !chain->is_stopped;
+    arena_free(&own);
+    return done;
 }
 
 bool optimize_global_idle(const struct optimize_global *global, struct arena *arena, bool *is_idle)
@@ -152,20 +156,6 @@ bool optimize_global_idle(const struct optimize_global *global, struct arena *ar
     return found;
 }
 
-/* Minima out of an arena that is reset. */
-static void copy_minima(const struct global_chain *chain, size_t numbers, struct arena *arena,
-                        struct global_result *result)
-{
-    result->count = chain->count;
-    result->evaluations = chain->evaluations;
-    result->minima = ARENA_ARRAY(arena, chain->count + 1, struct global_minimum);
-    for (size_t i = 0; i < chain->count; i++) {
-        result->minima[i] = chain->minima[i];
-        result->minima[i].parameters = ARENA_ARRAY(arena, numbers + 1, double);
-        memcpy(result->minima[i].parameters, chain->minima[i].parameters, numbers * sizeof(double));
-    }
-}
-
 static void work(void *context, const struct parallel_piece *piece)
 {
     struct searching *searching = context;
@@ -173,13 +163,11 @@ static void work(void *context, const struct parallel_piece *piece)
     for (size_t k = searching->first + piece->begin; k < searching->first + piece->end; k++) {
         struct global_result *result = &global->results[k];
         struct global_chain chain;
-        struct arena arena = {0};
-        if (!result->is_done && !watch_is_ended(global->watch)) {
-            result->is_done = search_from(searching, k, &arena, &chain);
-            copy_minima(&chain, global->merit->variable_count, piece->arena, result);
+        if (!result->is_done && !watch_is_ended(global->watch) &&
+            search_from(searching, k, piece->arena, &chain)) {
+            *result = (struct global_result){true, chain.count, chain.minima, chain.evaluations};
             watch_add(global->watch, 1);
         }
-        arena_free(&arena);
     }
 }
 
