@@ -1,8 +1,9 @@
 #!/usr/bin/env python3
-"""tests/cluster/check_cluster.py - a picture as an array of Slurm: check_cluster.py BUILD_DIR
+"""tests/cluster/check_cluster.py - arrays of Slurm: check_cluster.py BUILD_DIR
 
-Four tasks take its parts; one is killed in the middle of it, and requeued. What merge makes of
-them must be the bytes of one run. The Slurm is the one that answers here; if none does, one is
+A picture, and a search for lenses. Four tasks take the parts of each; one is killed in the middle
+of it, and requeued. What merge makes of them must be the bytes of one run. So must what GNU
+parallel makes of the parts of a search. The Slurm is the one that answers here; if none does, one is
 started on this machine by ../shared/cluster/slurm-local.sh, and that is said. Without either the
 check fails, and says so.
 """
@@ -23,8 +24,13 @@ from harness import ROOT, SHARED, Checks, Program
 
 LOCAL = os.path.join(SHARED, "cluster", "slurm-local.sh")
 PARTS, KILLED = 4, 2
-PICTURE = ["chart:star", "--lens", "double-gauss-50", "-s", "1m", "--size", "240x160", "--samples",
+PICTURE = ["render", "chart:star", "--lens", "double-gauss-50", "-s", "1m", "--size", "240x160", "--samples",
            "1024", "--noise", "--mosaic", "rggb"]
+SEARCH = ["optimize", "double-gauss", "--vary", "R1..R11", "--goals", "poly,efl=100", "--rays",
+          "200", "--global", "120", "--spread", "0.6", "--seed", "1", "--keep", "2", "--csv"]
+# what is asked, how a task goes on where it was, and how the files of the answer end
+CASES = {"picture": (PICTURE, "--resume", [".png"]),
+         "search": (SEARCH, "--state state-$i", ["-1.lens", "-2.lens"])}
 LIMIT = 180  # s
 # A task that fails is queued again; its worker's number is there for who wants to kill it.
 TASK = """#!/bin/sh
@@ -34,7 +40,7 @@ TASK = """#!/bin/sh
 #SBATCH --output=log-%%a
 i=$SLURM_ARRAY_TASK_ID
 echo "begun, restarts: ${SLURM_RESTART_COUNT:-0}"
-lenscalc render %s --part $i/%d --resume -o part-$i.part &
+lenscalc %s --part $i/%d %s -o part-$i.part &
 echo $! > worker-$i.new && mv worker-$i.new worker-$i
 wait $!
 status=$?
@@ -74,7 +80,7 @@ def wait_for(condition):
     return condition()
 
 
-def run_array(checks, folder, environment):
+def run_array(checks, folder, environment, asked, resuming):
     def read(name):
         path = os.path.join(folder, name)
         return open(path).read() if os.path.exists(path) else ""
@@ -84,7 +90,7 @@ def run_array(checks, folder, environment):
                               timeout=60)
 
     with open(os.path.join(folder, "task.sh"), "w") as file:
-        file.write(TASK % (PARTS, " ".join(PICTURE), PARTS))
+        file.write(TASK % (PARTS, " ".join(asked), PARTS, resuming))
     result = slurm("sbatch", "--parsable", "--export=ALL", "task.sh")
     job = result.stdout.strip()
     if not checks.check(result.returncode == 0 and job, f"sbatch: {result.stderr}"):
@@ -108,22 +114,48 @@ def run_array(checks, folder, environment):
     checks.check(all("status 0" in log for log in logs), f"logs: {logs}")
 
 
+def compare(checks, program, folder, asked, endings):
+    """What merge makes of the parts there beside one run, to the bit."""
+    parts = sorted(glob.glob(os.path.join(folder, "*.part")), reverse=True)
+    name = "file." + endings[0].rpartition(".")[2]
+    made = [os.path.join(folder, how + name) for how in ("merged-", "whole-")]
+    merged = program.run("merge", *parts, "-o", made[0])
+    checks.check(merged.returncode == 0, f"merge: {merged.stderr.decode()}")
+    whole = program.run(*asked, "-o", made[1], "--threads", "0")
+    checks.check(merged.stdout == whole.stdout, f"rows: {merged.stdout!r}, {whole.stdout!r}")
+    for ending in endings:
+        names = [os.path.splitext(path)[0] + ending for path in made]
+        with open(names[0], "rb") as one, open(names[1], "rb") as other:
+            checks.check(one.read() == other.read(), f"{ending}: not the bytes of one run")
+
+
+def run_parallel(checks, folder, environment, asked):
+    """The parts by GNU parallel."""
+    words = ["parallel", "-j", "2", "lenscalc", *asked, "--part", f"{{}}/{PARTS}", "--state",
+             "state-{}", "-o", "part-{}.part", ":::", *map(str, range(1, PARTS + 1))]
+    result = subprocess.run(words, cwd=folder, env=environment, capture_output=True, text=True,
+                            check=False)
+    checks.check(result.returncode == 0, f"parallel: {result.stderr}")
+
+
 def main():
     program, checks = Program(sys.argv[1]), Checks()
     environment = program.environment()
     with tempfile.TemporaryDirectory(prefix="lenscalc-cluster-") as folder:
         is_own = not answers(environment)
         try:
-            if checks.check(not is_own or start_local(folder, environment), "no Slurm"):
-                run_array(checks, folder, environment)
-                parts = sorted(glob.glob(os.path.join(folder, "*.part")), reverse=True)
-                merged = os.path.join(folder, "merged.png")
-                whole = os.path.join(folder, "whole.png")
-                result = program.run("merge", *parts, "-o", merged)
-                checks.check(result.returncode == 0, f"merge: {result.stderr.decode()}")
-                program.run("render", *PICTURE, "-o", whole, "--threads", "0")
-                with open(merged, "rb") as one, open(whole, "rb") as other:
-                    checks.check(one.read() == other.read(), "not the bytes of one run")
+            is_there = not is_own or start_local(folder, environment)
+            checks.check(is_there, "no Slurm")
+            for name, (asked, resuming, endings) in CASES.items():
+                place = os.path.join(folder, name)
+                os.mkdir(place)
+                if is_there:
+                    run_array(checks, place, environment, asked, resuming)
+                    compare(checks, program, place, asked, endings)
+            place = os.path.join(folder, "parallel")
+            os.mkdir(place)
+            run_parallel(checks, place, environment, SEARCH)
+            compare(checks, program, place, SEARCH, CASES["search"][2])
         finally:
             if is_own and os.path.exists(os.path.join(folder, "slurm")):
                 subprocess.run(["sh", LOCAL, "stop", os.path.join(folder, "slurm")], check=False)
