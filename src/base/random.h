@@ -41,6 +41,7 @@ enum random_purpose {
     RANDOM_GRAIN,      /* emulsion_expose */
     RANDOM_STARS,      /* card_look */
     RANDOM_ESCAPES,    /* global_descend */
+    RANDOM_TOLERANCES, /* tolerance_errors */
 };
 
 /* Numbers `which` of a purpose, for one sample of a run. */

@@ -84,8 +84,7 @@ double criterion_badness(enum criterion_kind kind, double figure, double nominal
     }
 }
 
-bool criterion_passes(enum criterion_kind kind, double figure, double nominal, double limit)
+bool criterion_passes(enum criterion_kind kind, double badness, double limit)
 {
-    const double bad = criterion_badness(kind, figure, nominal);
-    return types[kind].sense == SENSE_MOST ? -bad >= limit : bad <= limit;
+    return types[kind].sense == SENSE_MOST ? -badness >= limit : badness <= limit;
 }

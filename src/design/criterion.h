@@ -56,7 +56,8 @@ bool criterion_read(struct text text, struct arena *arena, struct criterion *cri
 /* How bad a figure is: the more, the worse; 0 or less of none that is bad. */
 double criterion_badness(enum criterion_kind kind, double figure, double nominal);
 
-/* Does it pass? `limit` has the unit of figures; of SENSE_NEAR it is the largest departure. */
-bool criterion_passes(enum criterion_kind kind, double figure, double nominal, double limit);
+/* Does something so bad pass? `limit` has the unit of figures; of SENSE_NEAR it is the largest
+   departure. */
+bool criterion_passes(enum criterion_kind kind, double badness, double limit);
 
 #endif
