@@ -35,7 +35,7 @@ void exact_sum_join(struct exact_sum *sum, const struct exact_sum *more)
     }
 }
 
-/* Digits of 0 .. 2^32 - 1 by carrying; false: the sum is negative, and what is left is no number. */
+/* Digits of 0 .. 2^32 - 1 by carrying; false: the sum is negative, and they are no number. */
 static int carry(const struct exact_sum *sum, int64_t sign, int64_t digits[EXACT_SUM_DIGITS])
 {
     int64_t over = 0;

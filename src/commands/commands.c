@@ -15,7 +15,8 @@ extern const struct command command_list, command_glass, command_convert;
 extern const struct command command_spot, command_fan, command_field, command_wavefront,
     command_mtf, command_psf;
 extern const struct command command_distortion;
-extern const struct command command_fit, command_optimize, command_merge, command_render;
+extern const struct command command_fit, command_optimize, command_tolerance, command_merge,
+    command_render;
 extern const struct command command_tone;
 extern const struct command command_help, command_completion;
 extern const struct command command_illumination, command_report;
@@ -58,6 +59,7 @@ const struct command *const commands[] = {
     &command_report, /* analyses */
     &command_fit,
     &command_optimize,
+    &command_tolerance,
     &command_merge, /* design */
     &command_render,
     &command_tone, /* camera */

@@ -79,6 +79,21 @@ static double badness_of(const struct tolerance *tolerance, enum tolerance_of of
     return badness(tolerance, worst, figures[worst]);
 }
 
+/* Of one column. */
+static double column_badness(const struct tolerance *tolerance, enum tolerance_of of, size_t column,
+                             const double *figures)
+{
+    return of == TOLERANCE_OF_EACH ? badness(tolerance, column, figures[column])
+                                   : badness_of(tolerance, of, figures);
+}
+
+bool tolerance_passes(const struct tolerance *tolerance, const struct tolerance_run *run,
+                      size_t column, const double *figures)
+{
+    return criterion_passes(tolerance->question.criterion.kind,
+                            column_badness(tolerance, run->of, column, figures), run->limit);
+}
+
 /* -------- counting -------- */
 
 void tolerance_result_open(const struct tolerance_run *run, const struct tolerance *tolerance,
@@ -100,6 +115,8 @@ void tolerance_result_open(const struct tolerance_run *run, const struct toleran
         tally_open(each ? tolerance->nominal[i]
                         : tolerance_judged(tolerance, run->of, tolerance->nominal),
                    run->total, arena, &column->tally);
+        tally_open(column_badness(tolerance, run->of, i, tolerance->nominal), run->total, arena,
+                   &column->badness);
     }
     for (size_t i = 0; i < tolerance_moves(tolerance); i++) {
         tally_open(tolerance->nominal_moves[i], run->total, arena, &result->moves[i]);
@@ -157,13 +174,13 @@ static void count_figures(const struct tolerance_run *run, const double *figures
                           struct tolerance_result *result)
 {
     const enum criterion_kind kind = run->question->criterion.kind;
-    const double whole = badness_of(result->tolerance, run->of, figures);
     for (size_t i = 0; i < result->column_count; i++) {
         struct tolerance_column *column = &result->columns[i];
-        const bool each = column->of != NULL;
-        const double bad = each ? badness(result->tolerance, i, figures[i]) : whole;
-        tally_add(&column->tally,
-                  each ? figures[i] : tolerance_judged(result->tolerance, run->of, figures));
+        const double bad = column_badness(result->tolerance, run->of, i, figures);
+        tally_add(&column->tally, column->of != NULL
+                                      ? figures[i]
+                                      : tolerance_judged(result->tolerance, run->of, figures));
+        tally_add(&column->badness, bad);
         column->passed += criterion_passes(kind, bad, run->limit) ? 1 : 0;
     }
 }
@@ -191,6 +208,7 @@ static void join(struct tolerance_result *result, const struct tolerance_result 
     result->failed += more->failed;
     for (size_t i = 0; i < result->column_count; i++) {
         tally_join(&result->columns[i].tally, &more->columns[i].tally);
+        tally_join(&result->columns[i].badness, &more->columns[i].badness);
         result->columns[i].passed += more->columns[i].passed;
     }
     for (size_t i = 0; i < tolerance_moves(result->tolerance); i++) {
@@ -215,14 +233,16 @@ struct worker {
     struct error error;
 };
 
-struct team {
+struct tolerance_team {
     const struct tolerance_run *run;
-    const struct tolerance_result *result;
+    struct tolerance_result *result;
     struct worker workers[PARALLEL_MOST];
-    uint64_t begin;
+    struct parallel threads;
+    const struct tolerance_round *round;
 };
 
-static bool open_worker(const struct team *team, struct arena *arena, struct worker *worker)
+static bool open_worker(const struct tolerance_team *team, struct arena *arena,
+                        struct worker *worker)
 {
     struct tolerance *tolerance = ARENA_NEW(arena, struct tolerance);
     if (!tolerance_open(team->run->question, arena, tolerance, &worker->error)) {
@@ -239,56 +259,78 @@ static bool open_worker(const struct team *team, struct arena *arena, struct wor
 /* parallel_work: some trials. */
 static void work(void *context, const struct parallel_piece *piece)
 {
-    struct team *team = context;
+    struct tolerance_team *team = context;
     const struct tolerance_run *run = team->run;
+    const struct tolerance_round *round = team->round;
     struct worker *worker = &team->workers[piece->thread];
     if (worker->error.code != ERROR_NONE ||
         (worker->tolerance == NULL && !open_worker(team, piece->arena, worker))) {
         return;
     }
     for (size_t i = piece->begin; i < piece->end; i++) {
-        const uint64_t number = team->begin + i;
+        const uint64_t number = round->begin + i;
         tolerance_errors(run->question, run->seed, number, worker->errors);
         const bool found = tolerance_trial(worker->tolerance, worker->errors, &worker->trial);
         count_trial(run, number, found, &worker->trial, &worker->result);
+        if (round->listener != NULL) {
+            round->listener(round->context, i, found, &worker->trial);
+        }
     }
 }
 
-static bool join_workers(struct team *team, struct tolerance_result *result, struct error *error)
+struct tolerance_team *tolerance_team_open(const struct tolerance_run *run,
+                                           struct tolerance_result *result)
 {
+    struct tolerance_team *team = ARENA_NEW(result->arena, struct tolerance_team);
+    team->run = run;
+    team->result = result;
+    team->threads.threads = run->threads;
+    return team;
+}
+
+bool tolerance_team_round(struct tolerance_team *team, const struct tolerance_round *round,
+                          struct error *error)
+{
+    enum { PIECE = 32 };
+    team->round = round;
+    parallel_pieces(&team->threads, round->count, PIECE, work, team);
     for (size_t i = 0; i < PARALLEL_MOST; i++) {
         if (team->workers[i].error.code != ERROR_NONE) {
             *error = team->workers[i].error;
             return false;
         }
-        if (team->workers[i].tolerance != NULL) {
-            join(result, &team->workers[i].result);
-        }
     }
     return true;
+}
+
+void tolerance_team_close(struct tolerance_team *team)
+{
+    for (size_t i = 0; i < PARALLEL_MOST; i++) {
+        if (team->workers[i].tolerance != NULL && team->workers[i].error.code == ERROR_NONE) {
+            join(team->result, &team->workers[i].result);
+        }
+    }
+    parallel_free(&team->threads);
 }
 
 bool tolerance_run(const struct tolerance_run *run, struct tolerance_result *result,
                    struct error *error)
 {
-    enum { PIECE = 32, ROUND = 2048 }; /* between looks at the watch */
-    struct parallel *threads = ARENA_NEW(result->arena, struct parallel);
-    struct team *team = ARENA_NEW(result->arena, struct team);
-    *team = (struct team){.run = run, .result = result, .begin = run->begin};
-    threads->threads = run->threads;
+    struct tolerance_team *team = tolerance_team_open(run, result);
+    struct tolerance_round round = {.begin = run->begin};
+    bool done = true;
     result->is_whole = true;
-    while (team->begin < run->end && result->is_whole) {
-        const uint64_t left = run->end - team->begin;
-        const size_t count = left < ROUND ? (size_t)left : ROUND;
-        parallel_pieces(threads, count, PIECE, work, team);
-        team->begin += count;
-        if (run->watch != NULL && !watch_add(run->watch, count) && team->begin < run->end) {
+    while (round.begin < run->end && result->is_whole && done) {
+        const uint64_t left = run->end - round.begin;
+        round.count = left < TOLERANCE_ROUND ? (size_t)left : TOLERANCE_ROUND;
+        done = tolerance_team_round(team, &round, error);
+        round.begin += round.count;
+        if (run->watch != NULL && !watch_add(run->watch, round.count) && round.begin < run->end) {
             result->is_whole = false;
         }
     }
-    const bool joined = join_workers(team, result, error);
-    parallel_free(threads);
-    return joined;
+    tolerance_team_close(team);
+    return done;
 }
 
 /* -------- lines -------- */
@@ -327,6 +369,7 @@ struct text tolerance_result_write(const struct tolerance_result *result, struct
     for (size_t i = 0; i < result->column_count; i++) {
         text = put_numbers(text, &result->columns[i].passed, 1, arena);
         text = ARENA_JOIN(arena, text, tally_write(&result->columns[i].tally, arena).start);
+        text = ARENA_JOIN(arena, text, tally_write(&result->columns[i].badness, arena).start);
     }
     for (size_t i = 0; i < tolerance_moves(result->tolerance); i++) {
         text = ARENA_JOIN(arena, text, tally_write(&result->moves[i], arena).start);
@@ -389,7 +432,8 @@ bool tolerance_result_read(struct text body, struct tolerance_result *result)
     bool read = read_lists(&rest, result);
     for (size_t i = 0; i < result->column_count && read; i++) {
         uint64_t passed = 0;
-        read = take_numbers(&rest, &passed, 1) && tally_read(&rest, &result->columns[i].tally);
+        read = take_numbers(&rest, &passed, 1) && tally_read(&rest, &result->columns[i].tally) &&
+               tally_read(&rest, &result->columns[i].badness);
         result->columns[i].passed += passed;
     }
     for (size_t i = 0; i < tolerance_moves(result->tolerance) && read; i++) {

@@ -46,7 +46,8 @@ struct tolerance_reason {
 /* One figure that is judged. */
 struct tolerance_column {
     const struct tolerance_figure *of; /* null: the worst, or the mean */
-    struct tally tally;
+    struct tally tally;                /* of the figure */
+    struct tally badness;              /* criterion_badness of it: what a limit is held against */
     uint64_t passed;
 };
 
@@ -83,15 +84,48 @@ void tolerance_errors(const struct tolerance_question *question, uint64_t seed, 
 void tolerance_result_open(const struct tolerance_run *run, const struct tolerance *tolerance,
                            size_t worst, struct arena *arena, struct tolerance_result *result);
 
+/* Told of each trial, from any thread; `at` counts from the first of the round. */
+typedef void tolerance_listener(void *context, size_t at, bool found,
+                                const struct tolerance_trial *trial);
+
+enum { TOLERANCE_ROUND = 2048 }; /* trials at once */
+
+/* Threads that are ready, each with a lens of its own. The run and the result must outlive it. */
+struct tolerance_team;
+struct tolerance_team *tolerance_team_open(const struct tolerance_run *run,
+                                           struct tolerance_result *result);
+
+/*
+ * Trials begin .. begin + count - 1, TOLERANCE_ROUND at most.
+ *
+ * Given     listener  null: nobody listens
+ * Errors    as tolerance_open, in a thread
+ */
+struct tolerance_round {
+    uint64_t begin;
+    size_t count;
+    tolerance_listener *listener;
+    void *context;
+};
+bool tolerance_team_round(struct tolerance_team *team, const struct tolerance_round *round,
+                          struct error *error);
+
+/* What its threads have counted joins the result. */
+void tolerance_team_close(struct tolerance_team *team);
+
 /*
  * Make trials, and count them.
  *
  * Result    the same bytes for any number of threads, and for any parts that are joined. Where the
- *           watch stops it, whole pieces from the beginning that are done
- * Errors    as tolerance_open, in a thread
+ *           watch stops it, those up to there
+ * Errors    as tolerance_team_round
  */
 bool tolerance_run(const struct tolerance_run *run, struct tolerance_result *result,
                    struct error *error);
+
+/* Does a lens keep the limit, by the figure of one column? */
+bool tolerance_passes(const struct tolerance *tolerance, const struct tolerance_run *run,
+                      size_t column, const double *figures);
 
 /* The figure that is judged, of all those of a lens; of TOLERANCE_OF_EACH the worst. */
 double tolerance_judged(const struct tolerance *tolerance, enum tolerance_of of,

@@ -1,0 +1,239 @@
+/* commands/design/tolerance_ask.c - the question of tolerance, from its options. */
+/* SPDX-License-Identifier: MIT */
+#include "base/parallel.h"
+#include "base/quantity.h"
+#include "cli/tolerances.h"
+#include "cli/vary.h"
+#include "commands/design/tolerance_job.h"
+#include "commands/lens/focus_gaps.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+/* -------- what is adjusted -------- */
+
+/* "[a,b]" behind the gaps: how far they may go, mm. */
+static bool read_range(struct text *text, double *low, double *high, struct error *error)
+{
+    const char *open = text->start + text->length;
+    while (open > text->start && open[-1] != '[') {
+        open--;
+    }
+    *low = -INFINITY;
+    *high = INFINITY;
+    if (open == text->start) {
+        return true;
+    }
+    struct text inside = {open, (size_t)(text->start + text->length - open)};
+    if (inside.length == 0 || inside.start[inside.length - 1] != ']') {
+        return fail(error, ERROR_USAGE, "{--gap} '%.*s': a range ends with ']'", text_shown(*text),
+                    text->start);
+    }
+    inside.length--;
+    struct text first = text_cut(&inside, ',');
+    if (inside.start == NULL || !quantity_read(first, &dimension_length, NULL, low, NULL, error) ||
+        !quantity_read(inside, &dimension_length, NULL, high, NULL, error) ||
+        !(*low <= 0 && *high >= 0)) {
+        return fail(error, ERROR_USAGE,
+                    "{--gap} '%.*s': a range is [a,b] in mm with a <= 0 and b >= 0",
+                    text_shown(*text), text->start);
+    }
+    text->length = (size_t)(open - 1 - text->start);
+    return true;
+}
+
+/* Gaps that move together. */
+static bool add_gaps(struct tolerance_job *job, struct compensator *compensator,
+                     struct error *error)
+{
+    struct arena *arena = job->run->arena;
+    struct text text = text_of(job->input->gap);
+    struct named_gap gaps[FOCUS_GAPS];
+    size_t count;
+    *compensator = (struct compensator){.name = job->input->gap};
+    if (!read_range(&text, &compensator->low, &compensator->high, error) ||
+        !focus_gaps_read(text, job->lens, gaps, &count, error)) {
+        return false;
+    }
+    const size_t positions = job->lens->position_count > 0 ? job->lens->position_count : 1;
+    compensator->parts = ARENA_ARRAY(arena, count * positions, struct compensator_part);
+    for (size_t i = 0; i < count; i++) {
+        const size_t surface = gaps[i].gap.surface;
+        const bool is_word = job->lens->surfaces[surface].thickness.variable != LENS_NONE;
+        for (size_t p = 0; p < (is_word ? positions : 1); p++) {
+            compensator->parts[compensator->part_count++] =
+                (struct compensator_part){.what = {surface, PARAMETER_THICKNESS, 0},
+                                          .position = is_word ? p : LENS_NONE,
+                                          .weight = gaps[i].gap.weight};
+        }
+    }
+    return true;
+}
+
+/* What can be adjusted in a lens that is there: gaps, decentres and tilts. */
+static bool is_adjusted(enum parameter_kind kind)
+{
+    return kind == PARAMETER_THICKNESS || (kind >= PARAMETER_DECENTER_X && kind < PARAMETER_KINDS);
+}
+
+static bool add_adjusted(struct tolerance_job *job, struct compensator *list, size_t *count,
+                         struct error *error)
+{
+    struct arena *arena = job->run->arena;
+    const struct vary_reader reader = {.lens = job->lens,
+                                       .arena = arena,
+                                       .takes = is_adjusted,
+                                       .only =
+                                           "tolerance adjusts thicknesses, decentres and tilts"};
+    struct variable *variables;
+    size_t found;
+    if (!vary_list(&reader, job->input->adjust, NULL, &variables, &found, error)) {
+        return false;
+    }
+    for (size_t i = 0; i < found; i++) {
+        const struct variable *one = &variables[i];
+        const size_t position = one->position != LENS_NONE ? one->position : 0;
+        const double now = parameter_get(lens_at_position(job->lens, position, arena), one->what);
+        if (*count == TOLERANCE_COMPENSATORS) {
+            return fail(error, ERROR_USAGE, "{--adjust}: at most %d things are adjusted",
+                        TOLERANCE_COMPENSATORS);
+        }
+        if (!(one->low <= now && now <= one->high)) {
+            return fail(error, ERROR_DOMAIN, "{--adjust} %s: it is %g, outside of its range",
+                        one->name, now);
+        }
+        struct compensator_part *part = ARENA_NEW(arena, struct compensator_part);
+        *part = (struct compensator_part){one->what, one->position, 1};
+        list[(*count)++] =
+            (struct compensator){part, 1, one->low - now, one->high - now, one->name};
+    }
+    return true;
+}
+
+static bool ask_compensators(struct tolerance_job *job, struct error *error)
+{
+    struct compensator *list =
+        ARENA_ARRAY(job->run->arena, TOLERANCE_COMPENSATORS + 1, struct compensator);
+    size_t count = 0;
+    if (job->input->gap != NULL && !add_gaps(job, &list[count++], error)) {
+        return false;
+    }
+    if (job->input->adjust != NULL && !add_adjusted(job, list, &count, error)) {
+        return false;
+    }
+    job->question.compensators = list;
+    job->question.compensator_count = count;
+    return true;
+}
+
+/* -------- the criterion -------- */
+
+static bool read_limit(struct text text, enum criterion_kind kind, double *limit,
+                       struct error *error)
+{
+    const struct criterion_type *type = criterion_type(kind);
+    const bool is_length = type->dimension == &dimension_length;
+    const struct unit *unit = is_length ? unit_find(type->dimension, text_of(type->unit)) : NULL;
+    return quantity_read(text, type->dimension, unit, limit, NULL, error) &&
+           ((isfinite(*limit) && *limit > 0) ||
+            fail(error, ERROR_USAGE, "{--limit} '%.*s' must be finite and above 0",
+                 text_shown(text), text.start));
+}
+
+/* "worst:3", "trial:17". */
+static bool ask_saved(struct tolerance_job *job, struct error *error)
+{
+    double number = 1;
+    if (job->input->save == NULL) {
+        return true;
+    }
+    struct text rest = text_of(job->input->save);
+    const struct text word = text_cut(&rest, ':');
+    const bool is_worst = text_equal(word, "worst"), is_trial = text_equal(word, "trial");
+    const double most = is_worst ? TOLERANCE_WORST_MOST : (double)job->input->trials;
+    if ((!is_worst && !is_trial) || (is_trial && rest.start == NULL) ||
+        (rest.start != NULL &&
+         !quantity_read(rest, &dimension_number, NULL, &number, NULL, error)) ||
+        !(number >= 1 && number <= most && number == floor(number))) {
+        return fail(error, ERROR_USAGE,
+                    "{--save} '%s' must be worst:COUNT, up to %d, or trial:NUMBER, up to %ld",
+                    job->input->save, TOLERANCE_WORST_MOST, job->input->trials);
+    }
+    job->save_count = is_worst ? (long)number : 0;
+    job->save_trial = is_trial ? (long)number : 0;
+    return true;
+}
+
+static bool ask_criterion(struct tolerance_job *job, struct error *error)
+{
+    struct criterion *criterion = &job->question.criterion;
+    if (!criterion_read(text_of(job->input->criterion), job->run->arena, criterion, error)) {
+        return error_prefix(error, "{--criterion}: ");
+    }
+    job->limit = NAN;
+    return (job->input->limit == NULL ||
+            read_limit(text_of(job->input->limit), criterion->kind, &job->limit,
+                                 error)) &&
+           ask_saved(job, error);
+}
+
+/* -------- the view -------- */
+
+static bool ask_view(struct tolerance_job *job, struct error *error)
+{
+    const struct tolerance_input *input = job->input;
+    const struct lens_question *question = &input->question;
+    struct arena *arena = job->run->arena;
+    struct merit_question *view = &job->question.view;
+    const char *names = question->position != NULL ? question->position : "all";
+    struct setup_field *fields = ARENA_ARRAY(arena, question->fields.count + 1, struct setup_field);
+    *view = (struct merit_question){.lens = job->lens,
+                                    .wavelengths = input->waves.items,
+                                    .wavelength_count = input->waves.count,
+                                    .fields = fields,
+                                    .field_count = question->fields.count,
+                                    .section = (enum lens_section)question->section,
+                                    .fnumber = question->fnumber,
+                                    .clip = !input->no_clip,
+                                    .pattern = (enum pattern)input->pattern,
+                                    .rays = (size_t)input->rays,
+                                    .seed = (uint64_t)input->seed};
+    return lens_positions(question->lens.lens, names, arena, &view->positions,
+                          &view->position_count, error) &&
+           lens_fields_asked(question, view->positions[0], fields, error);
+}
+
+/* A lens that says nothing of how well it is made is made precisely. */
+static bool ask_errors(struct tolerance_job *job, struct error *error)
+{
+    const struct tolerance_input *input = job->input;
+    const struct tolerances_reader reader = {job->lens, job->run->db, job->run->arena};
+    const bool says = input->tolerances != NULL || job->lens->tolerance_count > 0;
+    const char *grade = input->grade == NULL && !says ? "precision" : input->grade;
+    return tolerances_of(&reader, grade, input->tolerances, &job->perturbations, &job->made,
+                         error);
+}
+
+bool tolerance_ask(struct tolerance_job *job, struct error *error)
+{
+    const struct tolerance_input *input = job->input;
+    job->lens = input->question.lens.lens;
+    job->question.refocus = (enum tolerance_refocus)input->refocus;
+    job->question.aims = input->aim == TOLERANCE_AIM_STOP;
+    if (!ask_criterion(job, error) || !ask_view(job, error) || !ask_compensators(job, error) ||
+        !ask_errors(job, error)) {
+        return false;
+    }
+    job->question.perturbations = job->perturbations.list;
+    job->question.perturbation_count = job->perturbations.count;
+    job->trials = (struct tolerance_run){.question = &job->question,
+                                         .of = (enum tolerance_of)input->of,
+                                         .limit = job->limit,
+                                         .seed = (uint64_t)input->seed,
+                                         .end = (uint64_t)input->trials,
+                                         .total = (uint64_t)input->trials,
+                                         .threads = parallel_threads(input->threads),
+                                         .watch = job->run->watch};
+    return true;
+}

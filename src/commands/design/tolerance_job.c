@@ -1,0 +1,146 @@
+/* commands/design/tolerance_job.c - trials of a lens, or of the parts of a divided run. */
+/* SPDX-License-Identifier: MIT */
+#include "commands/design/tolerance_job.h"
+
+#include <math.h>
+
+/* -------- divided runs -------- */
+
+/* What trials depend on besides words and files: glasses, by what the nominal lens has. */
+static struct text facts_of(const struct tolerance_job *job)
+{
+    struct arena *arena = job->run->arena;
+    const char *facts = arena_printf(arena, "%zu", job->perturbations.count);
+    for (size_t i = 0; i < job->tolerance.figure_count; i++) {
+        facts = arena_printf(arena, "%s %a", facts, job->tolerance.nominal[i]);
+    }
+    return text_of(facts);
+}
+
+static bool divide(struct tolerance_job *job, struct error *error)
+{
+    const struct run *run = job->run;
+    struct division division = {.part = {1, 1},
+                                .seed = job->trials.seed,
+                                .total = job->trials.total,
+                                .facts = facts_of(job)};
+    if (run->parts != NULL) {
+        division.part.count = run->parts[0].head.part.count;
+    } else if (job->input->part.count > 0) {
+        division.part = job->input->part;
+    } else {
+        return true;
+    }
+    const struct part_range range = part_range(division.part, division.total);
+    job->trials.begin = range.begin;
+    job->trials.end = range.end;
+    return division_head(run, &division, &job->head, error);
+}
+
+static bool merge(struct tolerance_job *job, struct error *error)
+{
+    const struct run *run = job->run;
+    for (size_t i = 0; i < run->part_count; i++) {
+        const struct part_file *file = &run->parts[i];
+        const uint64_t before = job->result.done;
+        if (!part_is_of_run(file, &job->head, "a run of these words and files", run->arena,
+                            error)) {
+            return false;
+        }
+        if (!tolerance_result_read(file->body, &job->result) ||
+            job->result.done - before != file->head.done) {
+            return fail(error, ERROR_DATA, "%s: its trials are not those that its head says",
+                        file->path);
+        }
+    }
+    job->result.is_whole = job->result.done == job->trials.total;
+    return true;
+}
+
+/* -------- how far nominal rays are right -------- */
+
+/* The root mean square of what aiming anew changes of the judged figure. */
+static bool find_aim_error(struct tolerance_job *job, struct error *error)
+{
+    enum { LOOKS = 32 };
+    struct arena *arena = job->run->arena;
+    struct tolerance_question question = job->question;
+    struct tolerance *aimed = ARENA_NEW(arena, struct tolerance);
+    struct tolerance *held = &job->tolerance;
+    question.aims = true;
+    if (!tolerance_open(&question, arena, aimed, error)) {
+        return false;
+    }
+    double *errors = ARENA_ARRAY(arena, question.perturbation_count + 1, double);
+    struct tolerance_trial trial = {.figures = ARENA_ARRAY(arena, held->figure_count, double),
+                                    .moves = ARENA_ARRAY(arena, tolerance_moves(held), double)};
+    double sum = 0;
+    size_t count = 0;
+    for (uint64_t k = 0; k < LOOKS && k < job->trials.total; k++) {
+        tolerance_errors(&question, job->trials.seed, k, errors);
+        if (!tolerance_trial(held, errors, &trial)) {
+            continue;
+        }
+        const double before = tolerance_judged(held, job->trials.of, trial.figures);
+        if (tolerance_trial(aimed, errors, &trial)) {
+            const double off = tolerance_judged(aimed, job->trials.of, trial.figures) - before;
+            sum += off * off;
+            count++;
+        }
+    }
+    job->aim_error = count > 0 ? sqrt(sum / (double)count) : NAN;
+    return true;
+}
+
+/* -------- the job -------- */
+
+static void judge(struct tolerance_job *job)
+{
+    const struct tolerance_result *result = &job->result;
+    struct run *run = job->run;
+    struct arena *arena = run->arena;
+    const uint64_t wanted = job->trials.end - job->trials.begin;
+    const uint64_t whole = run->parts != NULL ? job->trials.total : wanted;
+    if (result->done < whole) {
+        job->incomplete =
+            arena_printf(arena, "%s after %llu of %llu trials: what they say so far, incomplete",
+                         run->parts != NULL ? "parts are missing: ends" : "interrupted",
+                         (unsigned long long)result->done, (unsigned long long)whole);
+        fail(&run->shortfall, ERROR_DOMAIN, "%s", job->incomplete);
+    }
+    for (size_t i = 0; i < result->reason_count; i++) {
+        const struct tolerance_reason *reason = &result->reasons[i];
+        doubts_add(run->doubts, "%llu of %llu lenses failed, trial %llu first: %s",
+                   (unsigned long long)reason->count, (unsigned long long)result->done,
+                   (unsigned long long)reason->first + 1, reason->why);
+    }
+}
+
+bool tolerance_job_run(struct tolerance_job *job, struct error *error)
+{
+    struct arena *arena = job->run->arena;
+    if (!tolerance_ask(job, error) ||
+        !tolerance_open(&job->question, arena, &job->tolerance, error) ||
+        !divide(job, error)) {
+        return false;
+    }
+    tolerance_result_open(&job->trials, &job->tolerance, (size_t)job->save_count, arena,
+                          &job->result);
+    job->aim_error = NAN;
+    if (job->input->show == TOLERANCE_TRIALS) {
+        return true; /* one by one, as they are printed */
+    }
+    if (job->run->parts != NULL) {
+        if (!merge(job, error)) {
+            return false;
+        }
+    } else {
+        watch_begin(job->run->watch, "trials", (size_t)(job->trials.end - job->trials.begin));
+        if (!tolerance_run(&job->trials, &job->result, error)) {
+            return false;
+        }
+    }
+    judge(job);
+    const bool has_rays = criterion_type(job->question.criterion.kind)->operand == OPERAND_KINDS;
+    return job->question.aims || !has_rays || find_aim_error(job, error);
+}

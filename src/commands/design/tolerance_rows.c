@@ -1,0 +1,473 @@
+/* commands/design/tolerance_rows.c - what trials gave, as rows of --show. */
+/* SPDX-License-Identifier: MIT */
+#include "base/parallel.h"
+#include "commands/analysis/analysis_options.h"
+#include "commands/design/tolerance_job.h"
+#include "trace/sample.h"
+
+#include <math.h>
+#include <string.h>
+
+/* What every row says of the run. */
+struct tolerance_about {
+    double fnumber;
+    long seed;
+    const char *made, *lens, *rays, *adjusted, *limit, *warning;
+};
+
+#define ABOUT_COLUMNS(S)                                                                           \
+    {COLUMN(S, about.fnumber),                                                                     \
+     .flags = COLUMN_ECHO | COLUMN_EXTRA,                                                          \
+     .name = "fnumber",                                                                            \
+     .dimension = &dimension_fnumber,                                                              \
+     .with = "aperture",                                                                           \
+     .label = "f-number",                                                                          \
+     .help = "f-number in place of the lens's own aperture"},                                      \
+        {COLUMN(S, about.seed), .flags = COLUMN_ECHO | COLUMN_EXTRA,                               \
+         .name = "seed",        .with = "seed",                                                    \
+         .label = "seed",       .help = "another one gives other trials"},                         \
+        {COLUMN(S, about.made), .flags = COLUMN_EXTRA | COLUMN_ASSUMED,                           \
+         .name = "tolerances",   .depends = "grade tolerances lens",                               \
+         .label = "tolerances",  .help = "how many independent errors, and where they are from"},  \
+        {COLUMN(S, about.limit), .flags = COLUMN_EXTRA | COLUMN_ASSUMED,                           \
+         .name = "limit",        .depends = "limit",                                               \
+         .label = "limit",       .help = "of the figures of a lens that passes"},                  \
+        {COLUMN(S, about.adjusted),                                                                \
+         .flags = COLUMN_EXTRA | COLUMN_ASSUMED,                                                   \
+         .name = "adjusted",                                                                       \
+         .depends = "refocus gap adjust",                                                          \
+         .label = "adjusted",                                                                      \
+         .help = "what is moved in every lens, to make its spots or wave fronts best"},            \
+        {COLUMN(S, about.rays), .flags = COLUMN_EXTRA | COLUMN_ASSUMED,                            \
+         .name = "rays",        .depends = "rays pattern aim clip no-clip trials",                 \
+         .label = "rays",       .help = "those of each field and wavelength"},                     \
+        LENS_TITLE_COLUMN(S, about.lens), LENS_WARNING_COLUMN(S, about.warning)
+
+/* What a row is of. */
+#define CRITERION_COLUMNS(S)                                                                       \
+    LENS_POSITION_COLUMN(S, position, COLUMN_BRIEF),                                               \
+        {COLUMN(S, criterion), .flags = COLUMN_BRIEF, .name = "criterion", .label = "criterion",   \
+         .help = "what lenses are judged by"},                                                     \
+        {COLUMN(S, of), .flags = COLUMN_BRIEF, .name = "of", .label = "of",                        \
+         .help = "worst or mean of all fields and positions, or the field"},                       \
+    {                                                                                              \
+        COLUMN(S, unit), .flags = COLUMN_BRIEF, .name = "unit", .label = "unit",                   \
+                         .help = "of its figures"                                                  \
+    }
+
+/* "10deg", "3mm"; of a position "lens". */
+static const char *name_of(const struct tolerance_job *job, const struct tolerance_figure *figure)
+{
+    static const double degrees = 57.295779513082323;
+    struct arena *arena = job->run->arena;
+    if (figure == NULL) {
+        return job->trials.of == TOLERANCE_OF_MEAN ? "mean" : "worst";
+    }
+    if (figure->field == NULL || figure->field->point.kind == FIELD_NONE) {
+        return figure->field == NULL ? "lens" : "axis";
+    }
+    const struct field_point *point = &figure->field->point;
+    const bool is_angle = point->kind == FIELD_ANGLE;
+    const double unit = is_angle ? degrees : 1;
+    const char *name = is_angle ? "deg" : "mm";
+    return point->value[0] != 0 ? arena_printf(arena, "%.6g:%.6g%s", point->value[0] * unit,
+                                               point->value[1] * unit, name)
+                                : arena_printf(arena, "%.6g%s", point->value[1] * unit, name);
+}
+
+static const char *position_of(const struct tolerance_job *job,
+                               const struct tolerance_figure *figure)
+{
+    return figure != NULL ? tolerance_view(&job->tolerance)->places[figure->place].setup.position
+                          : NULL;
+}
+
+static const char *adjusted_in_words(const struct tolerance_job *job)
+{
+    static const char *const planes[] = {"", "paraxial focus", "best focus"};
+    const char *words = planes[job->tolerance.question.refocus];
+    for (size_t i = 0; i < job->question.compensator_count; i++) {
+        words = arena_printf(job->run->arena, "%s%s%s", words, *words != '\0' ? ", " : "",
+                             job->question.compensators[i].name);
+    }
+    return *words != '\0' ? words : "nothing";
+}
+
+/* With what rays that are not aimed anew are off by. */
+static const char *rays_in_words(const struct tolerance_job *job)
+{
+    const struct tolerance_input *input = job->input;
+    struct arena *arena = job->run->arena;
+    const struct criterion_type *type = criterion_type(job->question.criterion.kind);
+    const char *aimed =
+        job->question.aims ? "aimed at the stop of every lens"
+        : isnan(job->aim_error)
+            ? "those of the nominal lens"
+            : arena_printf(arena, "those of the nominal lens (aimed anew: %.2g %s rms)",
+                           type->scale * job->aim_error, type->unit);
+    return arena_printf(arena, "%ld %s, %s, %s", input->rays, patterns[input->pattern].word,
+                        job->question.view.clip ? "clipped" : "not clipped", aimed);
+}
+
+static struct tolerance_about about_of(const struct tolerance_job *job)
+{
+    const struct tolerance_input *input = job->input;
+    const struct criterion_type *type = criterion_type(job->question.criterion.kind);
+    return (struct tolerance_about){
+        .fnumber = input->question.fnumber,
+        .seed = input->seed,
+        .made = arena_printf(job->run->arena, "%zu errors, %s", job->perturbations.count, job->made),
+        .lens = job->lens->title,
+        .rays = rays_in_words(job),
+        .adjusted = adjusted_in_words(job),
+        .limit = isnan(job->limit) ? NULL
+                                   : arena_printf(job->run->arena, "%.6g %s",
+                                                  job->limit * type->scale, type->unit),
+        .warning = job->warning};
+}
+
+/* -------- summary -------- */
+
+enum { PERCENTILES = 7 };
+static const double shares[PERCENTILES] = {0.02, 0.1, 0.2, 0.5, 0.8, 0.9, 0.98};
+
+struct summary_row {
+    struct tolerance_about about;
+    const char *position, *criterion, *of, *unit;
+    double nominal, yield, yield_error, mean, error, sd, sd_error, worst;
+    double p02, p10, p20, p50, p80, p90, p98;
+    double nominal_refocus, refocus, refocus_sd;
+    long failed, trials;
+    const char *moves;
+};
+
+#define PERCENTILE_COLUMN(member, number, more)                                                    \
+    {                                                                                              \
+        COLUMN(struct summary_row, member), .flags = (more), .name = #member, .label = #member,    \
+                                            .help = number " % of the lenses have less"            \
+    }
+
+static const struct column summary_columns[] = {
+    CRITERION_COLUMNS(struct summary_row),
+    {COLUMN(struct summary_row, nominal), .flags = COLUMN_BRIEF, .name = "nominal",
+     .label = "nominal", .help = "figure of the lens without errors, adjusted as all are"},
+    {COLUMN(struct summary_row, yield), .flags = COLUMN_BRIEF | COLUMN_SPARSE,
+     .name = "yield_fraction", .label = "yield",
+     .help = "share of all trials that pass the limit; what failed does not"},
+    {COLUMN(struct summary_row, yield_error), .flags = COLUMN_HIDDEN,
+     .name = "yield_standard_error", .label = "its standard error",
+     .help = "standard error of the yield"},
+    {COLUMN(struct summary_row, mean), .flags = COLUMN_BRIEF, .name = "mean", .label = "mean",
+     .help = "of those that have a figure"},
+    {COLUMN(struct summary_row, error), .flags = COLUMN_BRIEF, .name = "standard_error",
+     .head = "+-", .digits = 2, .label = "standard error", .help = "of the mean"},
+    {COLUMN(struct summary_row, sd), .flags = COLUMN_BRIEF, .name = "sd", .label = "deviation",
+     .help = "standard deviation of the figures"},
+    {COLUMN(struct summary_row, sd_error), .flags = COLUMN_HIDDEN, .name = "sd_standard_error",
+     .label = "its standard error", .help = "standard error of the deviation"},
+    PERCENTILE_COLUMN(p02, "2", COLUMN_HIDDEN),
+    PERCENTILE_COLUMN(p10, "10", COLUMN_BRIEF),
+    PERCENTILE_COLUMN(p20, "20", COLUMN_HIDDEN),
+    PERCENTILE_COLUMN(p50, "50", COLUMN_BRIEF),
+    PERCENTILE_COLUMN(p80, "80", COLUMN_HIDDEN),
+    PERCENTILE_COLUMN(p90, "90", COLUMN_BRIEF),
+    PERCENTILE_COLUMN(p98, "98", COLUMN_HIDDEN),
+    {COLUMN(struct summary_row, worst), .flags = COLUMN_BRIEF, .name = "worst", .label = "worst",
+     .help = "the worst figure"},
+    {COLUMN(struct summary_row, failed), .flags = COLUMN_BRIEF, .name = "failed", .label = "failed",
+     .help = "lenses without a figure: rays miss a surface, say"},
+    {COLUMN(struct summary_row, trials), .flags = COLUMN_BRIEF, .name = "trials", .label = "trials",
+     .help = "lenses that were made"},
+    {COLUMN(struct summary_row, nominal_refocus), .unit = "mm", .dimension = &dimension_length,
+     .flags = COLUMN_HIDDEN, .name = "nominal_refocus", .label = "nominal refocus",
+     .help = "how far the image plane of the lens without errors goes"},
+    {COLUMN(struct summary_row, refocus), .unit = "mm", .dimension = &dimension_length,
+     .flags = COLUMN_HIDDEN, .name = "refocus", .label = "refocus",
+     .help = "how far the image plane goes on average"},
+    {COLUMN(struct summary_row, refocus_sd), .unit = "mm", .dimension = &dimension_length,
+     .flags = COLUMN_HIDDEN, .name = "refocus_sd", .label = "deviation of the refocus",
+     .help = "standard deviation of how far it goes"},
+    {COLUMN(struct summary_row, moves), .flags = COLUMN_HIDDEN | COLUMN_SPARSE,
+     .name = "compensation", .label = "compensation",
+     .help = "what else was adjusted: mean +- standard deviation of each"},
+    ABOUT_COLUMNS(struct summary_row),
+};
+
+static const struct sheet summary_sheet = SHEET(summary_columns, struct summary_row);
+
+/* Angles in degrees. */
+static double in_degrees(const struct compensator *one, const char **unit)
+{
+    static const double degrees = 57.295779513082323;
+    const bool is_angle = (parameter_type(one->parts[0].what.kind)->is & PARAMETER_IS_ANGLE) != 0;
+    *unit = is_angle ? "deg" : "mm";
+    return is_angle ? degrees : 1;
+}
+
+static const char *moves_in_words(const struct tolerance_job *job)
+{
+    const char *words = NULL;
+    for (size_t i = 0; i < job->question.compensator_count; i++) {
+        const struct tally_moments moments = tally_moments(&job->result.moves[i + 1]);
+        const char *unit;
+        const double scale = in_degrees(&job->question.compensators[i], &unit);
+        words = arena_printf(job->run->arena, "%s%s%s %.4g +- %.4g %s", words != NULL ? words : "",
+                             words != NULL ? ", " : "", job->question.compensators[i].name,
+                             moments.mean * scale, moments.sd * scale, unit);
+    }
+    return words;
+}
+
+/* The worst of a column: of a sense that looks both ways the one that is farther off. */
+static double worst_of(const struct tolerance_job *job, const struct tally *tally)
+{
+    const enum criterion_kind kind = job->question.criterion.kind;
+    const bool is_high = criterion_badness(kind, tally->highest, tally->nominal) >=
+                         criterion_badness(kind, tally->lowest, tally->nominal);
+    return tally->count == 0 ? NAN : is_high ? tally->highest : tally->lowest;
+}
+
+static void emit_summary(struct tolerance_job *job, struct tolerance_column *column)
+{
+    const struct criterion_type *type = criterion_type(job->question.criterion.kind);
+    const double scale = type->scale, done = (double)job->result.done;
+    const struct tally_moments moments = tally_moments(&column->tally);
+    const struct tally_moments moves = tally_moments(&job->result.moves[0]);
+    const double yield = (double)column->passed / done;
+    const bool judges = !isnan(job->limit);
+    double p[PERCENTILES];
+    for (int i = 0; i < PERCENTILES; i++) {
+        p[i] = scale * tally_quantile(&column->tally, shares[i], NULL);
+    }
+    const struct summary_row row = {.about = about_of(job),
+                                    .position = position_of(job, column->of),
+                                    .criterion = job->question.criterion.name,
+                                    .of = name_of(job, column->of),
+                                    .unit = type->unit,
+                                    .nominal = scale * column->tally.nominal,
+                                    .yield = judges ? yield : NAN,
+                                    .yield_error = judges ? sqrt(yield * (1 - yield) / done) : NAN,
+                                    .mean = scale * moments.mean,
+                                    .error = scale * moments.mean_error,
+                                    .sd = scale * moments.sd,
+                                    .sd_error = scale * moments.sd_error,
+                                    .worst = scale * worst_of(job, &column->tally),
+                                    .p02 = p[0],
+                                    .p10 = p[1],
+                                    .p20 = p[2],
+                                    .p50 = p[3],
+                                    .p80 = p[4],
+                                    .p90 = p[5],
+                                    .p98 = p[6],
+                                    .failed = (long)job->result.failed,
+                                    .trials = (long)job->result.done,
+                                    .nominal_refocus = job->tolerance.nominal_moves[0],
+                                    .refocus = moves.mean,
+                                    .refocus_sd = moves.sd,
+                                    .moves = moves_in_words(job)};
+    run_emit(job->run, &row);
+}
+
+static bool emit_summaries(struct tolerance_job *job, struct error *error)
+{
+    (void)error;
+    for (size_t i = 0; i < job->result.column_count; i++) {
+        emit_summary(job, &job->result.columns[i]);
+    }
+    return true;
+}
+
+/* -------- yield -------- */
+
+struct yield_row {
+    struct tolerance_about about;
+    const char *position, *criterion, *of, *unit;
+    double yield, figure, error;
+    long failed, trials;
+};
+
+static const struct column yield_columns[] = {
+    CRITERION_COLUMNS(struct yield_row),
+    {COLUMN(struct yield_row, yield), .flags = COLUMN_BRIEF, .name = "yield_fraction",
+     .label = "yield", .help = "share of all trials that are no worse"},
+    {COLUMN(struct yield_row, figure), .flags = COLUMN_BRIEF, .name = "figure", .label = "figure",
+     .help = "the limit that lets so many pass; of efl and bfl the departure from the nominal one; "
+             "absent where more have failed"},
+    {COLUMN(struct yield_row, error), .flags = COLUMN_BRIEF, .name = "standard_error", .head = "+-",
+     .digits = 2, .label = "standard error", .help = "of the figure"},
+    {COLUMN(struct yield_row, failed), .flags = COLUMN_BRIEF, .name = "failed", .label = "failed",
+     .help = "lenses without a figure"},
+    {COLUMN(struct yield_row, trials), .flags = COLUMN_BRIEF, .name = "trials", .label = "trials",
+     .help = "lenses that were made"},
+    ABOUT_COLUMNS(struct yield_row),
+};
+
+static const struct sheet yield_sheet = SHEET(yield_columns, struct yield_row);
+
+static bool emit_yields(struct tolerance_job *job, struct error *error)
+{
+    const struct criterion_type *type = criterion_type(job->question.criterion.kind);
+    (void)error;
+    for (size_t i = 0; i < job->result.column_count; i++) {
+        struct tolerance_column *column = &job->result.columns[i];
+        struct yield_row row = {.about = about_of(job),
+                                .position = position_of(job, column->of),
+                                .criterion = job->question.criterion.name,
+                                .of = name_of(job, column->of),
+                                .unit = type->unit,
+                                .failed = (long)job->result.failed,
+                                .trials = (long)job->result.done};
+        for (int k = 0; k < PERCENTILES; k++) {
+            const double share =
+                shares[k] * (double)job->result.done / (double)column->badness.count;
+            double off;
+            const double bad =
+                share <= 1 ? tally_quantile(&column->badness, share, &off) : (off = NAN);
+            row.yield = shares[k];
+            row.figure = type->scale * (type->sense == SENSE_MOST ? -bad : bad);
+            row.error = type->scale * off;
+            run_emit(job->run, &row);
+        }
+    }
+    return true;
+}
+
+/* -------- trials -------- */
+
+struct trial_row {
+    struct tolerance_about about;
+    const char *position, *criterion, *of, *unit, *moves, *why;
+    double figure, refocus;
+    long trial;
+    bool passes;
+};
+
+static const struct column trial_columns[] = {
+    {COLUMN(struct trial_row, trial), .flags = COLUMN_BRIEF, .name = "trial", .label = "trial",
+     .help = "its number, from 1"},
+    CRITERION_COLUMNS(struct trial_row),
+    {COLUMN(struct trial_row, figure), .flags = COLUMN_BRIEF, .name = "figure", .label = "figure",
+     .help = "of the lens; absent where it failed"},
+    {COLUMN(struct trial_row, passes), .flags = COLUMN_HIDDEN, .name = "passes", .label = "passes",
+     .help = "it keeps the limit; without a limit it has a figure"},
+    {COLUMN(struct trial_row, refocus), .unit = "mm", .dimension = &dimension_length,
+     .flags = COLUMN_BRIEF, .name = "refocus", .label = "refocus",
+     .help = "how far its image plane goes"},
+    {COLUMN(struct trial_row, moves), .flags = COLUMN_BRIEF | COLUMN_SPARSE, .name = "compensation",
+     .label = "compensation", .help = "what else was adjusted, and how far"},
+    {COLUMN(struct trial_row, why), .flags = COLUMN_BRIEF | COLUMN_SPARSE, .name = "failure",
+     .label = "failure", .help = "why it has no figure"},
+    ABOUT_COLUMNS(struct trial_row),
+};
+
+static const struct sheet trial_sheet = SHEET(trial_columns, struct trial_row);
+
+/* Trials that were made and wait to be printed. */
+struct waiting {
+    struct tolerance_job *job;
+    struct tolerance_trial *trials;
+    bool *found;
+};
+
+/* tolerance_listener, from any thread. */
+static void hear(void *context, size_t at, bool found, const struct tolerance_trial *trial)
+{
+    const struct waiting *waiting = context;
+    const struct tolerance *tolerance = &waiting->job->tolerance;
+    struct tolerance_trial *kept = &waiting->trials[at];
+    waiting->found[at] = found;
+    memcpy(kept->figures, trial->figures, tolerance->figure_count * sizeof(double));
+    memcpy(kept->moves, trial->moves, tolerance_moves(tolerance) * sizeof(double));
+    kept->why = trial->why;
+}
+
+static const char *trial_moves(const struct tolerance_job *job, const double *moves)
+{
+    const char *words = NULL;
+    for (size_t i = 0; i < job->question.compensator_count; i++) {
+        const char *unit;
+        const double scale = in_degrees(&job->question.compensators[i], &unit);
+        words = arena_printf(job->run->arena, "%s%s%s %.6g %s", words != NULL ? words : "",
+                             words != NULL ? ", " : "", job->question.compensators[i].name,
+                             moves[i + 1] * scale, unit);
+    }
+    return words;
+}
+
+static bool emit_trial(struct tolerance_job *job, uint64_t number, bool found,
+                       const struct tolerance_trial *trial, const struct tolerance_about *about)
+{
+    const struct tolerance *tolerance = &job->tolerance;
+    const struct criterion_type *type = criterion_type(job->question.criterion.kind);
+    bool goes_on = true;
+    for (size_t i = 0; i < job->result.column_count && goes_on; i++) {
+        const struct tolerance_column *column = &job->result.columns[i];
+        const double figure = column->of != NULL
+                                  ? trial->figures[i]
+                                  : tolerance_judged(tolerance, job->trials.of, trial->figures);
+        const struct trial_row row = {
+            .about = *about,
+            .position = position_of(job, column->of),
+            .criterion = job->question.criterion.name,
+            .of = name_of(job, column->of),
+            .unit = type->unit,
+            .moves = found ? trial_moves(job, trial->moves) : NULL,
+            .why = found ? NULL : trial->why.message,
+            .figure = found ? type->scale * figure : NAN,
+            .refocus = found ? trial->moves[0] : NAN,
+            .trial = (long)number + 1,
+            .passes = found && (isnan(job->limit) ||
+                                tolerance_passes(tolerance, &job->trials, i, trial->figures))};
+        goes_on = run_emit(job->run, &row);
+    }
+    return goes_on;
+}
+
+static bool emit_trials(struct tolerance_job *job, struct error *error)
+{
+    struct arena *arena = job->run->arena;
+    const struct tolerance_about about = about_of(job);
+    const size_t room = TOLERANCE_ROUND;
+    struct waiting waiting = {job, ARENA_ARRAY(arena, room, struct tolerance_trial),
+                              ARENA_ARRAY(arena, room, bool)};
+    for (size_t i = 0; i < room; i++) {
+        waiting.trials[i].figures = ARENA_ARRAY(arena, job->tolerance.figure_count, double);
+        waiting.trials[i].moves = ARENA_ARRAY(arena, tolerance_moves(&job->tolerance), double);
+    }
+    struct tolerance_team *team = tolerance_team_open(&job->trials, &job->result);
+    bool goes_on = true, done = true;
+    for (uint64_t k = job->trials.begin; k < job->trials.end && goes_on && done; k += room) {
+        const uint64_t left = job->trials.end - k;
+        const size_t count = left < room ? (size_t)left : room;
+        const struct tolerance_round round = {k, count, hear, &waiting};
+        done = tolerance_team_round(team, &round, error);
+        const struct arena_mark mark = arena_mark(arena);
+        for (size_t i = 0; i < count && goes_on && done; i++) {
+            goes_on = emit_trial(job, k + i, waiting.found[i], &waiting.trials[i], &about);
+        }
+        arena_reset(arena, mark);
+    }
+    tolerance_team_close(team);
+    return done;
+}
+
+/* -------- which -------- */
+
+static const struct show {
+    const struct sheet *sheet;
+    bool (*emit)(struct tolerance_job *job, struct error *error);
+} shows[TOLERANCE_SHOWS] = {
+    [TOLERANCE_SUMMARY] = {&summary_sheet, emit_summaries},
+    [TOLERANCE_TRIALS] = {&trial_sheet, emit_trials},
+    [TOLERANCE_YIELD] = {&yield_sheet, emit_yields},
+};
+
+const struct sheet *const tolerance_sheets[] = {[TOLERANCE_SUMMARY] = &summary_sheet,
+                                                [TOLERANCE_TRIALS] = &trial_sheet,
+                                                [TOLERANCE_YIELD] = &yield_sheet,
+                                                [TOLERANCE_SHOWS] = NULL};
+
+bool tolerance_emit(struct tolerance_job *job, struct error *error)
+{
+    return shows[job->input->show].emit(job, error);
+}
