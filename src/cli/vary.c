@@ -525,7 +525,8 @@ static bool hold_items(struct naming *naming, const char *hold, struct error *er
 bool vary_list(const struct vary_reader *reader, const char *vary, const char *hold,
                struct variable **list, size_t *count, struct error *error)
 {
-    struct naming naming = {.reader = reader, .option = vary != NULL ? "vary" : NULL};
+    const char *option = reader->option != NULL ? reader->option : "vary";
+    struct naming naming = {.reader = reader, .option = vary != NULL ? option : NULL};
     const char *ignored;
     if (!(vary != NULL ? read_items(&naming, vary, error) : add_marks(&naming, &ignored, error))) {
         return false;

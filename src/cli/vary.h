@@ -10,6 +10,7 @@ struct vary_reader {
     struct arena *arena;
     bool (*takes)(enum parameter_kind kind); /* what the command varies; null: everything */
     const char *only; /* with `takes`, for messages: "fit varies radii, thicknesses and indices" */
+    const char *option; /* that says what varies, for messages; null: "vary" */
 };
 
 /*

@@ -60,6 +60,10 @@ bool criterion_read(struct text text, struct arena *arena, struct criterion *cri
                error_hint(error, "did you mean '%.*s'?", (int)nearest.best.length,
                           nearest.best.start);
     }
+    const enum operand_kind operand = types[kind].operand;
+    if (operand != OPERAND_KINDS && operand_type(operand)->name == NULL) {
+        return fail(error, ERROR_USAGE, "the criterion %s is not there yet", types[kind].name);
+    }
     *criterion = (struct criterion){.kind = (enum criterion_kind)kind, .frequency = NAN};
     criterion->name = arena_string(arena, text.start, text.length);
     if (kind == CRITERION_MTF) {

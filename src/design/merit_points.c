@@ -25,6 +25,7 @@ static void normalise(struct merit_points *points)
     for (size_t i = 0; i < points->count; i++) {
         points->points[i].weight /= sum;
     }
+    points->clear = sum;
 }
 
 /* The half with x >= 0; false: some point has no image. */

@@ -20,6 +20,7 @@ enum merit_symmetry {
 struct merit_points {
     struct pupil_point *points; /* weights add up to 1 */
     size_t count;
+    double clear; /* what the weights of the sample added up to: the share of the pupil */
     enum merit_symmetry symmetry; /* that was made use of: of SYMMETRY_MIRROR the centroid has
                                      x = 0; of SYMMETRY_ROUND it lies on the axis and points on the
                                      y axis, so that their rays have x = 0 */

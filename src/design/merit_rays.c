@@ -267,7 +267,7 @@ void merit_rays_settle(const struct merit_slot *slot, bool holds)
 struct merit_rays_look merit_rays_look(const struct merit_slot *slot)
 {
     struct merit_rays *rays = slot->own;
-    return (struct merit_rays_look){&rays->beams.bundle, rays->share, rays->is_joint};
+    return (struct merit_rays_look){&rays->beams.bundle, rays->is_joint};
 }
 
 bool merit_rays_deform(const struct merit_slot *slot, struct error *error)

@@ -30,7 +30,6 @@ merit_prepare merit_prepare_rays;
 struct merit_rays_look {
     struct merit_bundle *bundle; /* row: of a group's first residual, its x before its y; of
                                     SYMMETRY_ROUND it has y only */
-    const double *share;         /* what each group counts in its centroid */
     bool is_joint;
 };
 struct merit_rays_look merit_rays_look(const struct merit_slot *slot);

@@ -9,23 +9,39 @@
 enum { AT_X, AT_Y, ALONG_X, ALONG_Y, LINE_PARTS };
 
 struct merit_lines {
-    struct merit_rays_look look;
+    struct merit_bundle *bundle;
     double (*blocks)[LINE_PARTS][RAYS_BLOCK];
     double *weights;             /* of each ray within the spot of its field, block by block */
     double (*means)[LINE_PARTS]; /* one a field */
 };
 
+/* What each group counts within the spot of its field. */
+static double *share_groups(const struct merit_bundle *bundle, struct arena *arena)
+{
+    double *sums = ARENA_ARRAY(arena, bundle->wish.field_count, double);
+    double *shares = ARENA_ARRAY(arena, bundle->group_count, double);
+    for (size_t i = 0; i < bundle->group_count; i++) {
+        const struct bundle_group *group = &bundle->groups[i];
+        shares[i] = bundle->wish.wavelengths[group->light].weight * group->points.clear;
+        sums[group->field] += shares[i];
+    }
+    for (size_t i = 0; i < bundle->group_count; i++) {
+        shares[i] /= sums[bundle->groups[i].field];
+    }
+    return shares;
+}
+
 /* What the rays of a block count within the spot of their field. */
-static void weigh(const struct merit_rays_look *look, const struct bundle_block *block,
-                  double *weights)
+static void weigh(const struct merit_bundle *bundle, const struct bundle_block *block,
+                  const double *shares, double *weights)
 {
     for (size_t g = 0; g < block->aimed.beam_count; g++) {
         const struct bundle_share *share = &block->shares[g];
         const struct aimed_beam *beam = &block->aimed.beams[g];
-        const struct pupil_point *points = look->bundle->groups[share->group].points.points;
+        const struct pupil_point *points = bundle->groups[share->group].points.points;
         for (int i = 0; i < beam->count; i++) {
             weights[beam->first + i] =
-                points[share->first + (size_t)i].weight * look->share[share->group];
+                points[share->first + (size_t)i].weight * shares[share->group];
         }
     }
 }
@@ -33,20 +49,21 @@ static void weigh(const struct merit_rays_look *look, const struct bundle_block 
 struct merit_lines *merit_lines_open(const struct merit_slot *slot, struct arena *arena)
 {
     struct merit_lines *lines = ARENA_NEW(arena, struct merit_lines);
-    lines->look = merit_rays_look(slot);
-    const struct merit_bundle *bundle = lines->look.bundle;
+    struct merit_bundle *bundle = merit_rays_look(slot).bundle;
+    const double *shares = share_groups(bundle, arena);
+    lines->bundle = bundle;
     lines->blocks = arena_array(arena, bundle->block_count, sizeof *lines->blocks);
     lines->means = arena_array(arena, bundle->wish.field_count, sizeof *lines->means);
     lines->weights = ARENA_ARRAY(arena, bundle->block_count * RAYS_BLOCK, double);
     for (size_t k = 0; k < bundle->block_count; k++) {
-        weigh(&lines->look, &bundle->blocks[k], lines->weights + k * RAYS_BLOCK);
+        weigh(bundle, &bundle->blocks[k], shares, lines->weights + k * RAYS_BLOCK);
     }
     return lines;
 }
 
 static bool trace(struct merit_lines *lines, size_t which, struct error *error)
 {
-    struct merit_bundle *bundle = lines->look.bundle;
+    struct merit_bundle *bundle = lines->bundle;
     const int lanes = bundle->blocks[which].aimed.lanes;
     double(*line)[RAYS_BLOCK] = lines->blocks[which];
     struct ray_block end;
@@ -82,9 +99,9 @@ struct lane_range {
 
 static struct lane_range range_of(const struct merit_lines *lines, size_t which, size_t share)
 {
-    const struct bundle_block *block = &lines->look.bundle->blocks[which];
+    const struct bundle_block *block = &lines->bundle->blocks[which];
     const struct aimed_beam *beam = &block->aimed.beams[share];
-    const struct bundle_group *group = &lines->look.bundle->groups[block->shares[share].group];
+    const struct bundle_group *group = &lines->bundle->groups[block->shares[share].group];
     return (struct lane_range){.line = (const double(*)[RAYS_BLOCK]) &
                                        lines->blocks[which][0][beam->first],
                                .weights = lines->weights + which * RAYS_BLOCK + beam->first,
@@ -130,7 +147,7 @@ static void add_squares(const struct lane_range *range, const double *means,
 bool merit_spots_find(struct merit *merit, const struct merit_slot *slot, struct merit_lines *lines,
                       struct merit_spot *spots)
 {
-    struct merit_bundle *bundle = lines->look.bundle;
+    struct merit_bundle *bundle = lines->bundle;
     if (!merit_rays_aim(merit, slot)) {
         return false;
     }

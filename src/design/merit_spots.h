@@ -23,8 +23,9 @@ struct merit_lines *merit_lines_open(const struct merit_slot *slot, struct arena
  * The spots of a slot of OPERAND_POLY, in the lens that merit_put_lens has put there.
  *
  * Given     spots  receives one a field of the slot, whatever its weight
- * Formula   behind the lens rays are straight: x = x0 + s p/r. So moments about the moving centroid
- *           are a parabola in s, exactly
+ * Formula   a wavelength counts by its weight and by how much of the pupil is clear at it, as in
+ *           analysis/spot.h. Behind the lens rays are straight: x = x0 + s p/r. So moments about
+ *           the moving centroid are a parabola in s, exactly
  * Result    false: merit->why, as merit_fill_rays
  */
 bool merit_spots_find(struct merit *merit, const struct merit_slot *slot, struct merit_lines *lines,

@@ -404,7 +404,7 @@ static bool open_judge(struct tolerance *tolerance, const struct merit *merit, s
 /* -------- the nominal lens -------- */
 
 /* Rays are aimed at the stop of the nominal lens, whatever is adjusted in it. */
-static bool aim_nominal(struct tolerance *tolerance, struct error *error)
+static bool aim_nominal(struct tolerance *tolerance, struct arena *arena, struct error *error)
 {
     struct merit *merit = &tolerance->quality;
     variables_get(&tolerance->variables, tolerance->numbers);
@@ -421,7 +421,7 @@ static bool aim_nominal(struct tolerance *tolerance, struct error *error)
             return false;
         }
     }
-    return true;
+    return tolerance_check_movers(tolerance, arena, error);
 }
 
 static bool judge_nominal(struct tolerance *tolerance, struct arena *arena, struct error *error)
@@ -472,6 +472,6 @@ bool tolerance_open(const struct tolerance_question *question, struct arena *are
         view = &places;
     }
     return list_figures(tolerance, view, arena, error) &&
-           open_judge(tolerance, view, arena, error) && aim_nominal(tolerance, error) &&
+           open_judge(tolerance, view, arena, error) && aim_nominal(tolerance, arena, error) &&
            judge_nominal(tolerance, arena, error);
 }

@@ -77,25 +77,61 @@ static bool adjusted(void *context, const double *moves, double *residuals, doub
     return true;
 }
 
+/* Changes that are alike: 1 mm, and half a degree. */
+static double scale_of(const struct compensator *mover)
+{
+    const bool is_angle = (parameter_type(mover->parts[0].what.kind)->is & PARAMETER_IS_ANGLE) != 0;
+    return is_angle ? 0.01 : 1;
+}
+
+bool tolerance_check_movers(struct tolerance *tolerance, struct arena *arena, struct error *error)
+{
+    static const double least = 1e-9; /* mm, or waves, of the root of the sum of squares */
+    const size_t count = tolerance->mover_count, rows = tolerance->quality.residual_count;
+    double *jacobian = ARENA_ARRAY(arena, rows * count + 1, double);
+    double moves[1 + TOLERANCE_COMPENSATORS] = {0};
+    read_base(tolerance);
+    if (count == 0) {
+        return true;
+    }
+    if (!adjusted(tolerance, moves, tolerance->residuals, jacobian)) {
+        *error = tolerance->quality.why;
+        return false;
+    }
+    for (size_t i = 0; i < count; i++) {
+        double sum = 0;
+        for (size_t r = 0; r < rows; r++) {
+            sum += jacobian[r * count + i] * jacobian[r * count + i];
+        }
+        if (!(sqrt(sum) * scale_of(&tolerance->movers[i]) > least)) {
+            return fail(error, ERROR_DOMAIN, "%s cannot adjust anything: rays do not depend on it",
+                        tolerance->movers[i].name);
+        }
+    }
+    return true;
+}
+
 /* By damped least squares. */
 static bool adjust(struct tolerance *tolerance, double *moves, struct error *error)
 {
     enum { ITERATIONS = 50 };
     double low[1 + TOLERANCE_COMPENSATORS], high[1 + TOLERANCE_COMPENSATORS];
-    double found[1 + TOLERANCE_COMPENSATORS] = {0};
+    double found[1 + TOLERANCE_COMPENSATORS] = {0}, scale[1 + TOLERANCE_COMPENSATORS];
     const size_t count = tolerance->mover_count;
     const size_t first = tolerance->question.refocus == REFOCUS_BEST ? 0 : 1;
     struct solver_summary summary;
     for (size_t i = 0; i < count; i++) {
         low[i] = tolerance->movers[i].low;
         high[i] = tolerance->movers[i].high;
+        scale[i] = scale_of(&tolerance->movers[i]);
     }
     const struct solver_problem problem = {.parameter_count = count,
                                            .residual_count = tolerance->quality.residual_count,
                                            .evaluate = adjusted,
                                            .context = tolerance,
                                            .low = low,
-                                           .high = high};
+                                           .high = high,
+                                           .scale = scale};
     const struct solver_options options = {.iterations = ITERATIONS, .lean = true};
     arena_reset(&tolerance->within, (struct arena_mark){NULL, 0});
     if (!solver_run(&problem, &options, found, &tolerance->within, &summary, error)) {

@@ -93,8 +93,8 @@ struct tolerance_trial {
  * Make ready.
  *
  * Result    the lens keeps its image plane as a distance, wherever its file has it
- * Errors    as merit_open and perturbed_open; ERROR_DOMAIN: a compensator beside a paraxial
- *           refocus, no image plane, the nominal lens has no figures
+ * Errors    as merit_open and perturbed_open; ERROR_DOMAIN: a compensator that moves no ray, one
+ *           beside a paraxial refocus, no image plane, the nominal lens has no figures
  */
 bool tolerance_open(const struct tolerance_question *question, struct arena *arena,
                     struct tolerance *tolerance, struct error *error);
@@ -137,5 +137,8 @@ static inline size_t tolerance_moves(const struct tolerance *tolerance)
 {
     return 1 + tolerance->question.compensator_count;
 }
+
+/* Internal to tolerance_open: does the nominal lens depend on everything that is adjusted? */
+bool tolerance_check_movers(struct tolerance *tolerance, struct arena *arena, struct error *error);
 
 #endif

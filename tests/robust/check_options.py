@@ -67,6 +67,7 @@ ASKED = {
     "fit": ("double-gauss -N 5.6 --distortion 0", ("N", "4,8", "w", "486,587"), "N\n4\n8\n"),
     "optimize": ("double-gauss --vary R1 --goals efl=100 --pattern sobol",
                  ("N", "4,8", "seed", "1,2"), "N\n4\n8\n"),
+    "tolerance": ("double-gauss --trials 20", ("N", "4,8", "seed", "1,2"), "N\n4\n8\n"),
     "merge": ("one.part", None, None),
     "tone": ("one.png -N 5.6 --iso 100 --operator filmic --white 1000 --bits 16",
              None, None),
@@ -257,7 +258,8 @@ def try_output(asked):
     ending = {"draw": "out.svg", "convert": "out.lens", "fit": "out.lens", "optimize": "out.lens",
               "render": "out.png", "merge": "out.png", "tone": "out.png",
               "report": "out.html"}.get(asked.command, "out")
-    saves = {"distortion": "double-gauss --fit poly3 -o out.xml".split()}
+    saves = {"distortion": "double-gauss --fit poly3 -o out.xml".split(),
+             "tolerance": "double-gauss --trials 9 --save worst:1 -o out.lens".split()}
     if asked.command in saves:
         return asked.run(question=saves[asked.command]).returncode == 0
     result = asked.run("-o", ending)

@@ -115,8 +115,7 @@ FOR_TESTS = {
     # tolerances, which trials stand on
     "distribution_words": "", "spread_of": "", "spread_quantile": "", "spread_variance": "",
     "tolerances_of": "",
-    "tolerance_open": "", "tolerance_trial": "", "tolerance_lens": "", "perturbed_links": "",
-    "criterion_read": "", "criterion_passes": "", "criterion_badness": "",
+    "perturbed_links": "", "tally_histogram": "",
     # what there is to try
     "foreign_formats": "the fuzzer's list of formats",
 }

@@ -232,8 +232,6 @@ static void check_criteria(void)
 {
     struct criterion criterion;
     struct error error = {.code = ERROR_NONE};
-    CHECK(criterion_read(text_of("mtf@40/mm"), &arena, &criterion, &error));
-    CHECK(criterion.kind == CRITERION_MTF && criterion.frequency == 40);
     CHECK(criterion_read(text_of("efl"), &arena, &criterion, &error));
     CHECK(!criterion_read(text_of("mtf"), &arena, &criterion, &error));
     CHECK(!criterion_read(text_of("sport"), &arena, &criterion, &error));

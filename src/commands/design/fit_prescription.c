@@ -141,8 +141,10 @@ static bool check_pickups(const struct lens *lens, const struct variable *one, s
 static bool read_parts(const struct fit_input *input, const struct lens *lens, struct run *run,
                        struct wishes *wishes, struct error *error)
 {
-    const struct vary_reader reader = {lens, run->arena, prescription_fits,
-                                       "fit varies radii, thicknesses and indices"};
+    const struct vary_reader reader = {.lens = lens,
+                                       .arena = run->arena,
+                                       .takes = prescription_fits,
+                                       .only = "fit varies radii, thicknesses and indices"};
     struct variable *list;
     const char *ignored = NULL;
     if (!(input->vary != NULL

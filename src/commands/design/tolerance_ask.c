@@ -83,6 +83,7 @@ static bool add_adjusted(struct tolerance_job *job, struct compensator *list, si
     struct arena *arena = job->run->arena;
     const struct vary_reader reader = {.lens = job->lens,
                                        .arena = arena,
+                                       .option = "adjust",
                                        .takes = is_adjusted,
                                        .only =
                                            "tolerance adjusts thicknesses, decentres and tilts"};
@@ -173,8 +174,7 @@ static bool ask_criterion(struct tolerance_job *job, struct error *error)
     }
     job->limit = NAN;
     return (job->input->limit == NULL ||
-            read_limit(text_of(job->input->limit), criterion->kind, &job->limit,
-                                 error)) &&
+            read_limit(text_of(job->input->limit), criterion->kind, &job->limit, error)) &&
            ask_saved(job, error);
 }
 
@@ -211,8 +211,7 @@ static bool ask_errors(struct tolerance_job *job, struct error *error)
     const struct tolerances_reader reader = {job->lens, job->run->db, job->run->arena};
     const bool says = input->tolerances != NULL || job->lens->tolerance_count > 0;
     const char *grade = input->grade == NULL && !says ? "precision" : input->grade;
-    return tolerances_of(&reader, grade, input->tolerances, &job->perturbations, &job->made,
-                         error);
+    return tolerances_of(&reader, grade, input->tolerances, &job->perturbations, &job->made, error);
 }
 
 bool tolerance_ask(struct tolerance_job *job, struct error *error)

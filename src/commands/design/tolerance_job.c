@@ -120,8 +120,7 @@ bool tolerance_job_run(struct tolerance_job *job, struct error *error)
 {
     struct arena *arena = job->run->arena;
     if (!tolerance_ask(job, error) ||
-        !tolerance_open(&job->question, arena, &job->tolerance, error) ||
-        !divide(job, error)) {
+        !tolerance_open(&job->question, arena, &job->tolerance, error) || !divide(job, error)) {
         return false;
     }
     tolerance_result_open(&job->trials, &job->tolerance, (size_t)job->save_count, arena,

@@ -26,9 +26,9 @@ struct tolerance_about {
         {COLUMN(S, about.seed), .flags = COLUMN_ECHO | COLUMN_EXTRA,                               \
          .name = "seed",        .with = "seed",                                                    \
          .label = "seed",       .help = "another one gives other trials"},                         \
-        {COLUMN(S, about.made), .flags = COLUMN_EXTRA | COLUMN_ASSUMED,                           \
-         .name = "tolerances",   .depends = "grade tolerances lens",                               \
-         .label = "tolerances",  .help = "how many independent errors, and where they are from"},  \
+        {COLUMN(S, about.made), .flags = COLUMN_EXTRA | COLUMN_ASSUMED,                            \
+         .name = "tolerances",  .depends = "grade tolerances lens",                                \
+         .label = "tolerances", .help = "how many independent errors, and where they are from"},   \
         {COLUMN(S, about.limit), .flags = COLUMN_EXTRA | COLUMN_ASSUMED,                           \
          .name = "limit",        .depends = "limit",                                               \
          .label = "limit",       .help = "of the figures of a lens that passes"},                  \
@@ -116,7 +116,8 @@ static struct tolerance_about about_of(const struct tolerance_job *job)
     return (struct tolerance_about){
         .fnumber = input->question.fnumber,
         .seed = input->seed,
-        .made = arena_printf(job->run->arena, "%zu errors, %s", job->perturbations.count, job->made),
+        .made = arena_printf(job->run->arena, "%zu error%s, %s", job->perturbations.count,
+                             job->perturbations.count == 1 ? "" : "s", job->made),
         .lens = job->lens->title,
         .rays = rays_in_words(job),
         .adjusted = adjusted_in_words(job),
@@ -155,7 +156,7 @@ static const struct column summary_columns[] = {
      .name = "yield_fraction", .label = "yield",
      .help = "share of all trials that pass the limit; what failed does not"},
     {COLUMN(struct summary_row, yield_error), .flags = COLUMN_HIDDEN,
-     .name = "yield_standard_error", .label = "its standard error",
+     .name = "yield_standard_error", .label = "error of the yield",
      .help = "standard error of the yield"},
     {COLUMN(struct summary_row, mean), .flags = COLUMN_BRIEF, .name = "mean", .label = "mean",
      .help = "of those that have a figure"},
@@ -164,7 +165,7 @@ static const struct column summary_columns[] = {
     {COLUMN(struct summary_row, sd), .flags = COLUMN_BRIEF, .name = "sd", .label = "deviation",
      .help = "standard deviation of the figures"},
     {COLUMN(struct summary_row, sd_error), .flags = COLUMN_HIDDEN, .name = "sd_standard_error",
-     .label = "its standard error", .help = "standard error of the deviation"},
+     .label = "error of the deviation", .help = "standard error of the deviation"},
     PERCENTILE_COLUMN(p02, "2", COLUMN_HIDDEN),
     PERCENTILE_COLUMN(p10, "10", COLUMN_BRIEF),
     PERCENTILE_COLUMN(p20, "20", COLUMN_HIDDEN),
