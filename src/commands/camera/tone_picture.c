@@ -171,11 +171,11 @@ static void say_shown(const struct tone_way *way, const struct toned *toned, siz
     const struct histogram *histogram = &toned->histogram;
     const char *name = names[way->operation];
     if (way->operation != TONE_WARD) {
-        growing_format(
-            remarks,
-            "%s: %.4g cd/m2 become white, the mean by logarithms is %.4g; %.3g %% of the "
-            "pixels are brighter\n",
-            name, toned->white, toned->log_mean, 100 * (double)toned->clipped / (double)pixels);
+        growing_format(remarks, "%s: %.4g cd/m2 become white; %.3g %% of the pixels are brighter\n",
+                       name, toned->white, 100 * (double)toned->clipped / (double)pixels);
+        if (!isnan(toned->log_mean)) {
+            growing_format(remarks, "the mean by logarithms is %.4g cd/m2\n", toned->log_mean);
+        }
     } else if (histogram->is_linear) {
         growing_format(
             remarks,
