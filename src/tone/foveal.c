@@ -60,80 +60,116 @@ double foveal_luminance(const struct foveal *foveal, size_t cell)
 
 /* -------- glare -------- */
 
-struct direction {
-    float x, y, z;
+/* Cells side by side, as many as make whole stretches: those that are none have no light. */
+enum { STRETCH = 64 };
+struct cells {
+    size_t count, room;
+    float *x, *y, *z; /* their directions */
+    float *light[CHANNELS];
+    float *balance; /* the d of each */
 };
 
-static struct direction *directions_of(const struct foveal *foveal, struct arena *arena)
+static struct cells cells_of(const struct foveal *foveal, struct arena *arena)
 {
-    struct direction *directions =
-        ARENA_ARRAY(arena, foveal->columns * foveal->rows, struct direction);
-    for (size_t i = 0; i < foveal->columns * foveal->rows; i++) {
+    struct cells cells = {.count = foveal->columns * foveal->rows};
+    cells.room = (cells.count + STRETCH - 1) / STRETCH * STRETCH;
+    float **all[] = {&cells.x,        &cells.y,        &cells.z,      &cells.light[0],
+                     &cells.light[1], &cells.light[2], &cells.balance};
+    for (size_t k = 0; k < sizeof all / sizeof all[0]; k++) {
+        *all[k] = ARENA_ARRAY(arena, cells.room, float);
+    }
+    for (size_t i = 0; i < cells.count; i++) {
         const size_t column = i % foveal->columns, row = i / foveal->columns;
         const double x = foveal->cell[0] * ((double)column + 0.5 - 0.5 * (double)foveal->columns);
         const double y = foveal->cell[1] * ((double)row + 0.5 - 0.5 * (double)foveal->rows);
         const double over = 1 / sqrt(x * x + y * y + 1);
-        directions[i] = (struct direction){(float)(x * over), (float)(y * over), (float)over};
+        cells.x[i] = (float)(x * over);
+        cells.y[i] = (float)(y * over);
+        cells.z[i] = (float)over;
+        cells.balance[i] = 1;
+        for (size_t k = 0; k < CHANNELS; k++) {
+            cells.light[k][i] = foveal->light[CHANNELS * i + k];
+        }
     }
-    return directions;
+    return cells;
 }
 
 /*
- * cos t/t^2 by the chord c = 2 sin(t/2), which single precision tells near 0 better than the
- * cosine: t^2 = c^2 (1 + c^2/12 + c^4/90 + c^6/560 + c^8/3150), the square of the arcsine's series,
- * within 3e-3 up to a right angle, where the cosine ends.
+ * d cos t/t^2 of a stretch of cells, seen from cell i: by the chord c = 2 sin(t/2), which single
+ * precision tells near 0 better than the cosine: t^2 = c^2 (1 + c^2/12 + c^4/90 + c^6/560 +
+ * c^8/3150), the square of the arcsine's series, within 3e-3 up to a right angle, where the cosine
+ * ends. Itself has no weight.
  */
-static float scattering(struct direction a, struct direction b)
+static void weigh(const struct cells *cells, size_t i, size_t from, float weights[STRETCH])
 {
-    const float x = a.x - b.x, y = a.y - b.y, z = a.z - b.z;
-    const float chord2 = x * x + y * y + z * z;
-    const float series =
-        1 + chord2 *
-                (1.0F / 12 + chord2 * (1.0F / 90 + chord2 * (1.0F / 560 + chord2 * (1.0F / 3150))));
-    const float cosine = 1 - chord2 / 2;
-    return cosine > 0 ? cosine / (chord2 * series) : 0;
+    const float *xs = cells->x + from, *ys = cells->y + from, *zs = cells->z + from;
+    const float *balance = cells->balance + from;
+    for (int j = 0; j < STRETCH; j++) {
+        const float x = xs[j] - cells->x[i], y = ys[j] - cells->y[i], z = zs[j] - cells->z[i];
+        const float chord2 = x * x + y * y + z * z;
+        const float series =
+            1 + chord2 * (1.0F / 12 +
+                          chord2 * (1.0F / 90 + chord2 * (1.0F / 560 + chord2 * (1.0F / 3150))));
+        const float cosine = 1 - chord2 / 2, square = chord2 * series;
+        const float seen = cosine > 0 ? cosine : 0;
+        weights[j] = chord2 > 0 ? balance[j] * seen / square : 0;
+    }
 }
 
-/* sum_j d_j w_ij L_j of each channel, and in the last place sum_j d_j w_ij. */
-static void scatter(const struct foveal *foveal, const struct direction *directions,
-                    const float *balance, size_t i, double sums[CHANNELS + 1])
+static double sum_of(const float values[STRETCH])
 {
-    const size_t count = foveal->columns * foveal->rows;
-    for (size_t k = 0; k <= CHANNELS; k++) {
-        sums[k] = 0;
+    double sum = 0;
+    for (int j = 0; j < STRETCH; j++) {
+        sum += (double)values[j];
     }
-    for (size_t j = 0; j < count; j++) {
-        if (j == i) {
-            continue;
+    return sum;
+}
+
+/* sum_j d_j w_ij of each cell. */
+static double sum_weights(const struct cells *cells, size_t i)
+{
+    float weights[STRETCH], sums[STRETCH] = {0};
+    for (size_t from = 0; from < cells->room; from += STRETCH) {
+        weigh(cells, i, from, weights);
+        for (int j = 0; j < STRETCH; j++) {
+            sums[j] += weights[j];
         }
-        const float weight = balance[j] * scattering(directions[i], directions[j]);
+    }
+    return sum_of(sums);
+}
+
+/* sum_j d_j w_ij L_j of each channel. */
+static void scatter(const struct cells *cells, size_t i, double light[CHANNELS])
+{
+    float weights[STRETCH], sums[CHANNELS][STRETCH] = {{0}};
+    for (size_t from = 0; from < cells->room; from += STRETCH) {
+        weigh(cells, i, from, weights);
         for (size_t k = 0; k < CHANNELS; k++) {
-            sums[k] += (double)(weight * foveal->light[CHANNELS * j + k]);
+            const float *lights = cells->light[k] + from;
+            float *sum = sums[k];
+            for (int j = 0; j < STRETCH; j++) {
+                sum[j] += weights[j] * lights[j];
+            }
         }
-        sums[CHANNELS] += (double)weight;
+    }
+    for (size_t k = 0; k < CHANNELS; k++) {
+        light[k] = sum_of(sums[k]);
     }
 }
 
 /* The d of each cell: each time the square root of what is missing. */
-static float *balance_of(const struct foveal *foveal, const struct direction *directions,
-                         struct arena *arena)
+static void balance(struct cells *cells, struct arena *arena)
 {
-    const size_t count = foveal->columns * foveal->rows;
-    float *balance = ARENA_ARRAY(arena, count, float), *next = ARENA_ARRAY(arena, count, float);
-    for (size_t i = 0; i < count; i++) {
-        balance[i] = 1;
-    }
+    float *next = ARENA_ARRAY(arena, cells->room, float);
     for (int turn = 0; turn < BALANCINGS; turn++) {
-        for (size_t i = 0; i < count; i++) {
-            double sums[CHANNELS + 1];
-            scatter(foveal, directions, balance, i, sums);
-            next[i] = sums[CHANNELS] > 0 ? (float)sqrt((double)balance[i] / sums[CHANNELS]) : 0;
+        for (size_t i = 0; i < cells->count; i++) {
+            const double sum = sum_weights(cells, i);
+            next[i] = sum > 0 ? (float)sqrt((double)cells->balance[i] / sum) : 0;
         }
-        float *spare = balance;
-        balance = next;
+        float *spare = cells->balance;
+        cells->balance = next;
         next = spare;
     }
-    return balance;
 }
 
 struct foveal_between foveal_between(const struct foveal *foveal, double x, double y)
@@ -190,14 +226,14 @@ void foveal_veil(struct foveal *foveal, struct image *image, struct arena *arena
     if (count < 2) {
         return; /* light that goes nowhere else */
     }
-    const struct direction *directions = directions_of(foveal, arena);
-    const float *balance = balance_of(foveal, directions, arena);
+    struct cells cells = cells_of(foveal, arena);
+    balance(&cells, arena);
     float *veil = ARENA_ARRAY(arena, count * CHANNELS, float);
     for (size_t i = 0; i < count; i++) {
-        double sums[CHANNELS + 1];
-        scatter(foveal, directions, balance, i, sums);
+        double light[CHANNELS];
+        scatter(&cells, i, light);
         for (size_t k = 0; k < CHANNELS; k++) {
-            veil[CHANNELS * i + k] = (float)(SIGHT_VEIL * (double)balance[i] * sums[k]);
+            veil[CHANNELS * i + k] = (float)(SIGHT_VEIL * (double)cells.balance[i] * light[k]);
         }
     }
     keep_light(foveal, image, veil);
