@@ -14,6 +14,7 @@ same by-option.pfm by-notes.pfm
 lenscalc tone w-3.png w-1.png w-2.png --times 1/30,1/2,1/8 -o by-option.pfm
 lenscalc tone by-names.pfm by-notes.pfm --times 1,1 -o twice.pfm
 lenscalc tone w-2.png -N 4 --iso 200 -o single.pfm
+lenscalc tone light.pfm=1/8 -o timed.pfm
 lenscalc tone w-1.png w-2.png --calibrate 20 --full-well 5000 --read-noise 3 -o given.hdr
 lenscalc tone scene.exr --operator linear -o linear.png
 lenscalc tone scene.exr --operator gamma --gamma 1.8 --bits 16 -o gamma.png
@@ -74,6 +75,12 @@ try w-1.png --bits 32
 try w-1.png --response debevec
 try w-1.png=1 w-2.png=1 --response debevec
 try w-1.png w-2.png --calibrate 5 --iso 100
+try w-1.png --full-well 5
+try w-1.png --align
+try light.pfm=1 light.pfm=2 --read-noise 5
+try scene.exr -N 4
+try light.pfm -N 4
+try w-1.png --iso 100 --operator linear --white 5 --fov 30
 lenscalc tone w-1.png --falsecolor -o lost.pfm
 lenscalc tone w-1.png --fov 30 -o lost.pfm
 lenscalc tone w-1.png --display 1,100 -o lost.pfm

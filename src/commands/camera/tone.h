@@ -35,6 +35,7 @@ enum tone_asked { ASKED_AUTO, ASKED_NONE, ASKED_FIRST }; /* then enum tone_opera
 struct tone_frames {
     struct tone_frame *frames;
     size_t count;
+    bool is_timed;                /* by the command line: a picture alone has its time, too */
     double iso, fnumber;          /* NaN = nobody says */
     double full_well, read_noise; /* the same */
     double white;     /* cd/m^2 of the first frame's white, as lenscalc render notes; NaN */

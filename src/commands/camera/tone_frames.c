@@ -202,8 +202,11 @@ bool tone_frames_read(const struct tone_input *input, struct arena *arena,
         if (frames->count == FRAMES_MOST) {
             return fail(error, ERROR_USAGE, "at most %d frames can be merged", FRAMES_MOST);
         }
-        if (!cut_time(word, arena, &path, &time, error) || !take_time(&reading, &time, error) ||
-            !read_one(&reading, path, time, frames->count, error)) {
+        if (!cut_time(word, arena, &path, &time, error) || !take_time(&reading, &time, error)) {
+            return false;
+        }
+        frames->is_timed = frames->is_timed || !isnan(time);
+        if (!read_one(&reading, path, time, frames->count, error)) {
             return false;
         }
     }

@@ -19,7 +19,7 @@ static const double usual_full = 20000, usual_noise = 5;
 static double plain_unit(struct tone_frames *frames, double unit, bool is_known,
                          struct growing *remarks)
 {
-    const bool is_single = frames->count == 1;
+    const bool is_single = frames->count == 1 && !frames->is_timed;
     frames->frames[0].time = is_single ? 1 : frames->frames[0].time;
     growing_format(remarks, "a value of 1%s is %s%.4g cd/m2%s\n", is_single ? "" : " in 1 s",
                    is_known ? "" : "taken for ", unit,
@@ -45,27 +45,46 @@ static bool is_unit(const struct tone_frames *frames, const char *unit)
     return frames->unit != NULL && strcmp(frames->unit, unit) == 0;
 }
 
+/* Luminance by what was asked for, but something is missing. */
+static bool miss(const struct tone_frames *frames, struct error *error)
+{
+    const bool is_light = frames->frames[0].bits == 0;
+    if (is_light && !is_unit(frames, "lx s")) {
+        return fail(error, ERROR_USAGE,
+                    "{--aperture} and {--iso} say nothing of %.200s, whose values are no exposures",
+                    frames->frames[0].name);
+    }
+    return fail(error, ERROR_USAGE,
+                "luminance takes the exposure time, the f-number and%s: %s is missing",
+                is_light ? " lx s" : " the ISO speed",
+                isnan(frames->frames[0].time) ? "the time"
+                : isnan(frames->fnumber)      ? "{--aperture}"
+                                              : "{--iso}");
+}
+
 /* What one of a merged picture's values is, cd/m^2, and why. */
-static double unit_of(const struct tone_input *input, struct tone_frames *frames,
-                      struct growing *remarks)
+static bool unit_of(const struct tone_input *input, struct tone_frames *frames,
+                    struct growing *remarks, double *unit, struct error *error)
 {
     const struct tone_frame *first = &frames->frames[0];
     const bool is_asked = !isnan(input->iso) || !isnan(input->fnumber);
-    if (!isnan(input->calibrate)) {
-        return plain_unit(frames, input->calibrate, true, remarks);
-    }
-    if (is_unit(frames, "cd/m2") && frames->count == 1) {
-        return plain_unit(frames, 1, true, remarks);
-    }
-    if (!isnan(frames->white) && !isnan(first->time) && !is_asked) {
-        growing_format(remarks, "exposed for 1 s, white is %.4g cd/m2, as %s says\n",
-                       frames->white * first->time, first->name);
-        return frames->white * first->time;
-    }
     const bool has_speed = first->bits == 0 ? is_unit(frames, "lx s") : !isnan(frames->iso);
-    return isnan(frames->fnumber) || isnan(first->time) || !has_speed
-               ? plain_unit(frames, 1, false, remarks)
-               : standard_unit(frames, remarks);
+    const bool is_standard = has_speed && !isnan(frames->fnumber) && !isnan(first->time);
+    if (!isnan(input->calibrate)) {
+        *unit = plain_unit(frames, input->calibrate, true, remarks);
+    } else if (is_asked && !is_standard) {
+        return miss(frames, error);
+    } else if (is_unit(frames, "cd/m2") && frames->count == 1) {
+        *unit = plain_unit(frames, 1, true, remarks);
+    } else if (!isnan(frames->white) && !isnan(first->time) && !is_asked) {
+        *unit = frames->white * first->time;
+        growing_format(remarks, "exposed for 1 s, white is %.4g cd/m2, as %s says\n", *unit,
+                       first->name);
+    } else {
+        *unit =
+            is_standard ? standard_unit(frames, remarks) : plain_unit(frames, 1, false, remarks);
+    }
+    return true;
 }
 
 /* -------- the frames -------- */
@@ -129,6 +148,22 @@ static bool recover(struct tone_frames *frames, struct tone_light *light, struct
         }
     }
     return true;
+}
+
+/* What is of several frames, and of their noise. */
+static bool check_asked(const struct tone_input *input, const struct tone_frames *frames,
+                        struct error *error)
+{
+    const bool has_noise = !isnan(input->full_well) || !isnan(input->read_noise);
+    if (frames->count == 1 && (has_noise || input->align)) {
+        return fail(error, ERROR_USAGE, "{--%s} is of several frames",
+                    input->align               ? "align"
+                    : !isnan(input->full_well) ? "full-well"
+                                               : "read-noise");
+    }
+    return !(has_noise && frames->frames[0].bits == 0) ||
+           fail(error, ERROR_USAGE, "{--%s} is of whole numbers, and %.200s has floats",
+                !isnan(input->full_well) ? "full-well" : "read-noise", frames->frames[0].name);
 }
 
 static double either(double given, double noted, double usual)
@@ -227,7 +262,9 @@ static bool make_light(const struct tone_input *input, struct arena *frames_aren
     struct merge_noise noise = {1, 0}; /* of a picture alone it says nothing */
     struct tone_frames frames;
     struct merged merged;
-    if (!tone_frames_read(input, frames_arena, &frames, error)) {
+    double unit = 1;
+    if (!tone_frames_read(input, frames_arena, &frames, error) ||
+        !check_asked(input, &frames, error)) {
         return false;
     }
     say_frames(&frames, &remarks);
@@ -238,8 +275,8 @@ static bool make_light(const struct tone_input *input, struct arena *frames_aren
     if (input->response == RESPONSE_DEBEVEC && !recover(&frames, light, &remarks, error)) {
         return false;
     }
-    const double unit = unit_of(input, &frames, &remarks);
-    if (!merge_frames(frames.frames, frames.count, &noise, arena, &merged, error) ||
+    if (!unit_of(input, &frames, &remarks, &unit, error) ||
+        !merge_frames(frames.frames, frames.count, &noise, arena, &merged, error) ||
         !to_luminance(&merged.image, unit, error)) {
         return false;
     }

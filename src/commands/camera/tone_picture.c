@@ -108,6 +108,15 @@ static bool check_bits(const struct tone_input *input, const struct artifact_job
                 input->bits);
 }
 
+/* Is anything asked of places of one degree? */
+static bool needs_view(const struct artifact_job *job)
+{
+    const struct tone_input *input = job->inputs[0];
+    const int asked = asked_of(job);
+    const bool chooses = isnan(input->white) && asked != ASKED_FIRST + (int)TONE_GAMMA;
+    return input->glare || input->acuity || (!input->falsecolor && asked != ASKED_NONE && chooses);
+}
+
 bool tone_picture_check(const struct artifact_job *job, struct error *error)
 {
     const struct tone_input *input = job->inputs[0];
@@ -116,11 +125,10 @@ bool tone_picture_check(const struct artifact_job *job, struct error *error)
         fail(error, ERROR_USAGE, "no picture is given");
         return error_hint(error, "name one, or a bracket: a.jpg=1/60 b.jpg=1/15");
     }
-    if (asking_given(job->asking, "fov") && !input->glare && !input->acuity &&
-        (input->falsecolor || asked_of(job) == ASKED_NONE)) {
+    if (asking_given(job->asking, "fov") && !needs_view(job)) {
         return fail(error, ERROR_USAGE,
-                    "{--fov} says nothing of light itself without {--glare} or "
-                    "{--acuity}");
+                    "{--fov} says nothing here: {--glare}, {--acuity}, ward and "
+                    "means by logarithms ask for it");
     }
     return check_bits(input, job, error) &&
            (input->falsecolor ? check_colours(job, error) : check_operator(job, error)) &&
