@@ -2,8 +2,7 @@
 /* SPDX-License-Identifier: MIT */
 #include "design/merit_incidence.h"
 
-#include "design/merit_ray.h"
-#include "trace/dispatch.h"
+#include "design/merit_front.h"
 
 #include <math.h>
 
@@ -111,70 +110,21 @@ static struct merit_ray **aim_all(struct merit *merit, const struct merit_slot *
 
 /* -------- the largest -------- */
 
-/* The rays of a slot where they are now, without derivatives. */
-struct front {
-    struct system system;
-    struct rays rays;
-    size_t count;
-    double largest; /* angle at the surface passed last */
-};
-
-static struct merit_ray ray_at(const struct front *front, size_t i)
-{
-    const struct ray_block *block = &front->rays.blocks[i / RAYS_BLOCK];
-    const size_t lane = i % RAYS_BLOCK;
-    return (struct merit_ray){
-        .at = {dual_of(block->x[lane]), dual_of(block->y[lane]), dual_of(block->z[lane])},
-        .along = {dual_of(block->p[lane]), dual_of(block->q[lane]), dual_of(block->r[lane])}};
-}
-
-static bool is_lost(const struct front *front, size_t i)
-{
-    return ray_block_status(&front->rays.blocks[i / RAYS_BLOCK], i % RAYS_BLOCK) != RAY_OK;
-}
-
-static bool open_front(struct merit *merit, const struct merit_slot *slot,
-                       struct merit_ray *const *starts, struct front *front)
-{
-    const struct merit_place *place = &merit->places[slot->place];
-    const struct merit_light *light = merit_light(merit, slot, slot->operand->wavelength);
-    struct system_options options = system_options_default();
-    options.stop_radius = 1; /* it limits nothing here */
-    front->count = field_count(place, slot->operand) * PUPILS;
-    front->rays = rays_new(merit->arena, front->count);
-    for (size_t i = 0; i < front->count; i++) {
-        struct ray_block *block = &front->rays.blocks[i / RAYS_BLOCK];
-        const size_t lane = i % RAYS_BLOCK;
-        if (starts[i] == NULL) {
-            block->lost[lane] = RAY_LOST_AT(0, 1, RAY_NOT_CONVERGED);
-            continue;
-        }
-        block->x[lane] = starts[i]->at[0].value;
-        block->y[lane] = starts[i]->at[1].value;
-        block->z[lane] = starts[i]->at[2].value;
-        block->p[lane] = starts[i]->along[0].value;
-        block->q[lane] = starts[i]->along[1].value;
-        block->r[lane] = starts[i]->along[2].value;
-    }
-    return system_compile(place->lens, light->wavelength, &options, merit->arena, &front->system,
-                          &merit->why);
-}
-
 /* Through one more surface; the ray that meets it at the largest angle, front->count: none does. */
-static size_t pass(struct front *front, size_t surface, struct arena *arena)
+static size_t pass(struct merit_front *front, size_t surface, struct arena *arena, double *largest)
 {
     struct merit_ray *before = ARENA_ARRAY(arena, front->count, struct merit_ray);
     size_t which = front->count;
-    front->largest = -1;
+    *largest = -1;
     for (size_t i = 0; i < front->count; i++) {
-        before[i] = ray_at(front, i);
+        before[i] = merit_front_ray(front, i);
     }
-    rays_trace_part(&front->system, surface, surface + 1, &front->rays, NULL);
+    merit_front_pass(front, surface);
     for (size_t i = 0; i < front->count; i++) {
-        const struct merit_ray after = ray_at(front, i);
-        const double angle = is_lost(front, i) ? -1 : incidence(&before[i], &after).value;
-        which = angle > front->largest ? i : which;
-        front->largest = fmax(angle, front->largest);
+        const struct merit_ray after = merit_front_ray(front, i);
+        const double angle = merit_front_lost(front, i) ? -1 : incidence(&before[i], &after).value;
+        which = angle > *largest ? i : which;
+        *largest = fmax(angle, *largest);
     }
     return which;
 }
@@ -201,13 +151,16 @@ static bool fill(struct merit *merit, const struct merit_slot *slot, double *res
 {
     const struct lens *lens = merit->places[slot->place].lens;
     struct merit_ray **starts = aim_all(merit, slot);
-    struct front front;
+    const struct merit_ray_question first = question_of(merit, slot, 0);
+    const size_t count = field_count(&merit->places[slot->place], slot->operand) * PUPILS;
+    struct merit_front front;
+    double largest;
     size_t at = 0;
-    if (!open_front(merit, slot, starts, &front)) {
+    if (!merit_front_open(merit, &first, starts, count, &front)) {
         return false;
     }
     for (size_t i = 0; i < end_of(slot->operand, lens); i++) {
-        const size_t which = pass(&front, i, merit->arena);
+        const size_t which = pass(&front, i, merit->arena, &largest);
         if (i < first_of(slot->operand) || !bends(lens, i)) {
             continue;
         }
@@ -215,7 +168,7 @@ static bool fill(struct merit *merit, const struct merit_slot *slot, double *res
             return fail(&merit->why, ERROR_DOMAIN, "no ray arrives at surface %zu", i + 1);
         }
         const struct merit_ray_question question = question_of(merit, slot, which);
-        merit->change[0] = dual_of(front.largest);
+        merit->change[0] = dual_of(largest);
         if ((merit->derives && !derive(merit, &question, i, starts[which])) ||
             !merit_put(merit, slot, at++, residuals, jacobian)) {
             return false;

@@ -268,25 +268,10 @@ bool merit_fill_seidel(struct merit *merit, const struct merit_slot *slot, doubl
 
 /* -------- how far out light comes -------- */
 
-struct dual *merit_reach_new(const struct merit *merit, const struct merit_slot *slot,
-                             struct arena *arena, struct error *error)
-{
-    const struct merit_place *place = &merit->places[slot->place];
-    const size_t columns = merit->variable_count > 0 ? merit->variable_count : 1;
-    if (!merit_needs_aperture(place, error)) {
-        error_prefix(error, "surfaces without a diameter are as large as the light: ");
-        return NULL;
-    }
-    return ARENA_ARRAY(arena, columns * place->lens->surface_count, struct dual);
-}
-
-bool merit_reach(struct merit *merit, const struct merit_slot *slot)
+bool merit_reach_paraxial(struct merit *merit, const struct merit_slot *slot)
 {
     struct merit_place *place = &merit->places[slot->place];
     struct merit_light *light = merit_light(merit, slot, NAN);
-    if (place->reached == merit->evaluation) {
-        return true;
-    }
     if (figures_of(merit, slot, light) == NULL) {
         return false;
     }
@@ -295,7 +280,6 @@ bool merit_reach(struct merit *merit, const struct merit_slot *slot)
         paraxial_dual_reach(&light->paraxial, &light->figures[j].first,
                             place->reach + j * place->lens->surface_count);
     }
-    place->reached = merit->evaluation;
     return true;
 }
 

@@ -38,14 +38,10 @@ merit_fill merit_fill_seidel;
 merit_prepare merit_prepare_seidel;
 
 /*
- * How far out light comes at each surface, and its derivatives: paraxial_dual_reach at the primary
- * wavelength, into the slot's place.
- *
- * Errors    of merit_reach_new, which takes the room: null, the lens has no aperture
+ * How far out light comes at each surface, |y| + |ybar|, and its derivatives: paraxial_dual_reach
+ * at the primary wavelength, into the reach of the slot's place.
  */
-struct dual *merit_reach_new(const struct merit *merit, const struct merit_slot *slot,
-                             struct arena *arena, struct error *error);
-bool merit_reach(struct merit *merit, const struct merit_slot *slot);
+bool merit_reach_paraxial(struct merit *merit, const struct merit_slot *slot);
 
 /*
  * Paraxial figures of a slot: those of its field, else of the edge.

@@ -2,7 +2,7 @@
 /* SPDX-License-Identifier: MIT */
 #include "design/merit_shape.h"
 
-#include "design/merit_paraxial.h"
+#include "design/merit_reach.h"
 
 #include <math.h>
 
@@ -174,10 +174,7 @@ size_t merit_prepare_shape(struct merit *merit, struct merit_slot *slot, struct 
         fail(error, ERROR_DOMAIN, "no %s lies behind these surfaces",
              kind == OPERAND_AIR ? "air" : "glass");
     }
-    if (reaches && place->reach == NULL) {
-        place->reach = merit_reach_new(merit, slot, arena, error);
-    }
-    return reaches && place->reach == NULL ? 0 : count;
+    return reaches && !merit_reach_open(merit, slot, arena, error) ? 0 : count;
 }
 
 bool merit_fill_shape(struct merit *merit, const struct merit_slot *slot, double *residuals,

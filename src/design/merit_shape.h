@@ -11,9 +11,8 @@
  *
  * Formula   on the axis t; at the edge t + sag of the surface behind - sag of that before, along
  *           the light, as far out as the larger of the two semi-diameters of glass, the smaller of
- *           air. A semi-diameter is half the diameter of the surface, or where it has none
- *           |y| + |ybar| of the paraxial marginal and chief ray. Air goes on through a plane that
- *           only is the stop
+ *           air. A semi-diameter is half the diameter of the surface, or where it has none as
+ *           merit_reach finds it. Air goes on through a plane that only is the stop
  * Source    derived here: the sag of optics/surface.h by its numbers
  * Errors    no such space there; no diameter and no aperture. Of an evaluation: a surface that
  *           does not reach as far out as the edge

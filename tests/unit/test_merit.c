@@ -4,6 +4,8 @@
 #include "double_gauss.h"
 #include "merit_check.h"
 #include "optics/seidel.h"
+#include "trace/aim.h"
+#include "trace/dispatch.h"
 
 static const char double_gauss[] = "wavelength d F C\n"
                                    "object inf\n"
@@ -162,15 +164,28 @@ static double seidel_of(struct setup *setup, const struct operand *operand, doub
 
 /* -------- thicknesses -------- */
 
-/* Where the marginal and the chief ray of the edge come, paraxially. */
-static double reach_at(const struct setup *setup, size_t surface)
+/* Where the ray of a field comes that goes through the stop there. */
+static double height_at(const struct setup *setup, size_t surface, const struct field_point *field,
+                        double pupil)
 {
-    const struct surface *at = &setup->lens->surfaces[surface];
+    struct error error;
+    const struct system *system = setup_system(setup, 0, SETUP_OPEN, &error);
+    struct beam beam;
+    struct aim aim;
+    CHECK(system != NULL && setup_beam(setup, field, &beam, &error) &&
+          aim_open(system, &beam, setup->arena, &aim, &error));
+    const struct ray start = aim_ray(&aim, 0, pupil);
+    struct rays rays = rays_new(setup->arena, 1);
+    rays_set(&rays, 0, system->index_first, &start);
+    rays_trace_part(system, 0, system_place(system, surface) + 1, &rays, NULL);
+    return hypot(rays.blocks->x[0], rays.blocks->y[0]);
+}
+
+/* Where the marginal and the chief ray of the edge come, paraxially. */
+static double paraxial_reach_at(const struct setup *setup, size_t surface)
+{
     struct setup_light light;
     struct error error;
-    if (at->has_diameter) {
-        return at->diameter.value.hi / 2;
-    }
     CHECK(setup_light(setup, 0, &light, &error));
     struct paraxial_ray *rays = ARENA_ARRAY(setup->arena, light.system.count, struct paraxial_ray);
     const struct first_order *first = &light.first;
@@ -178,6 +193,26 @@ static double reach_at(const struct setup *setup, size_t surface)
     const double marginal = fabs(rays[surface].y);
     paraxial_follow(&light.system, pair_of(first->chief_y), pair_of(first->chief_v), rays);
     return marginal + fabs(rays[surface].y);
+}
+
+/* Where the marginal ray comes, and the upper and lower one of the edge; without a stop those of
+   paraxial optics. */
+static double reach_at(const struct setup *setup, size_t surface)
+{
+    static const struct field_point axis = {.kind = FIELD_NONE};
+    const struct surface *at = &setup->lens->surfaces[surface];
+    if (at->has_diameter) {
+        return at->diameter.value.hi / 2;
+    }
+    if (setup->lens->stop == LENS_NONE) {
+        return paraxial_reach_at(setup, surface);
+    }
+    const double wavelength = lens_primary_wavelength(setup->lens);
+    struct setup *one = ARENA_NEW(setup->arena, struct setup);
+    *one = setup_at_wavelength(setup, wavelength, setup->arena);
+    const double upper = height_at(one, surface, &one->edge, 1);
+    const double lower = height_at(one, surface, &one->edge, -1);
+    return fmax(fmax(upper, lower), height_at(one, surface, &axis, 1));
 }
 
 /* The figures of an operand, written out for the lenses of this test: left, right, at the edge? */
