@@ -61,12 +61,24 @@ enum tolerance_kind tolerance_place_space(const struct tolerance_site *site, siz
     return is_air(site, surface) ? TOLERANCE_AIR : TOLERANCE_THICKNESS;
 }
 
+/* The space behind a surface where it is narrowest, or widest, in any position, mm: not below 0. */
+static double space_at(const struct tolerance_site *site, size_t surface, bool narrowest)
+{
+    const size_t word = site->all->surfaces[surface].thickness.variable;
+    double space = fabs(surface_at(site, surface)->thickness.value.hi);
+    for (size_t p = 0; p < site->all->position_count && word != LENS_NONE; p++) {
+        const double one = fabs(site->all->variables[word].values[p].value.hi);
+        space = narrowest ? fmin(space, one) : fmax(space, one);
+    }
+    return space;
+}
+
 static const char *no_space(const struct tolerance_site *site, const struct tolerance_place *place)
 {
     if (place->first + 1 >= site->lens->surface_count) {
         return "that is the image's distance: its tolerance is that of the focus";
     }
-    if (surface_at(site, place->first)->thickness.value.hi == 0) {
+    if (space_at(site, place->first, false) == 0) {
         return "the space is 0";
     }
     return tolerance_place_space(site, place->first) == place->kind
@@ -164,7 +176,7 @@ static double number_at(const struct tolerance_site *site, const struct toleranc
         return 1 / surface_base_curvature(surface).hi;
     }
     if (place->kind == TOLERANCE_THICKNESS || place->kind == TOLERANCE_AIR) {
-        return surface->thickness.value.hi;
+        return space_at(site, place->first, true);
     }
     const struct figure *figure =
         parameter_figure(surface, tolerance_type(place->kind)->parameter, place->from->order);

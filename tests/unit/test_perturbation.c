@@ -20,6 +20,11 @@
     "surface 50 5 1.5 -\nsurface -50 0.01 air -\nstop - 2 air 5\nsurface 30 3 1.5 -\n"             \
     "surface -30 20 air -\n"
 
+/* A zoom: a gap that is 0 in one position, one that is narrow in the other. */
+#define ZOOM                                                                                       \
+    "position wide tele\nlet d2 0 9\nlet d4 8 0.5\nsurface 50 3 1.5 20\nsurface -50 d2 air 20\n"   \
+    "surface -40 3 1.5 20\nsurface 40 d4 air 20\nsurface 60 3 1.5 20\nsurface -60 50 air 20\n"
+
 /* "R1 0.05, R2 0.05": each with what it is half the range of. */
 static const char *list_of(const struct perturbations *all, struct arena *arena)
 {
@@ -47,6 +52,7 @@ static const struct sample {
      "t1 0.02, t2 0.02, t5 0.02, t3 0.01, t4 0.005"},
     /* a stop may pass the vertex beside it */
     {BARE, NULL, "t1..t5 0.1", "t1 0.1, t4 0.1, t2 0.1, t3 0.1"},
+    {ZOOM, NULL, "t3..t4 0.1", "t3 0.1, t4 0.1"},
     /* fringes: roots of the sag by mpmath, 30 digits; half a wave each */
     {LENS, NULL, "R1 3fringes", "R1 1.58889651e-05"},
     {LENS, NULL, "R3 3fringes", "R3 1.63820999e-05"},
@@ -236,6 +242,14 @@ static const struct sample refused[] = {
      "without a diameter, which the irregularity is over"},
     {BARE, NULL, "t1 1\nR2 1fringe",
      "the tolerance of R2 cannot be: surface 2 without a diameter, which fringes are counted over"},
+    /* words of the positions: the narrowest counts */
+    {ZOOM, NULL, "R1 1%\nt4 0.6",
+     "the tolerance of t4 cannot be: it is as wide as the number itself, 0.5"},
+    {ZOOM, NULL, "R1 1%\nt1..t4 0.1",
+     "the tolerance of t2 cannot be: it is as wide as the number itself, 0"},
+    {ZOOM, NULL, "R1 1%\nt4 1%",
+     "the tolerance of t4 cannot be: a word of the positions has no one number to take a share of: "
+     "give it in mm"},
     {LENS, "t1..t5 4", NULL,
      "the tolerance of t2 in grade fine cannot be: it is as wide as the "
      "number itself, 3"},
