@@ -87,7 +87,7 @@ double spread_quantile(const struct spread *spread, double p)
     case DISTRIBUTIONS:
         break;
     }
-    return q < 0 ? -size : size;
+    return copysign(size, q); /* a branch by chance costs more than all else */
 }
 
 double spread_variance(const struct spread *spread)
