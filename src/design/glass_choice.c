@@ -49,6 +49,7 @@ struct trial {
 struct search {
     const struct glass_choice_task *task;
     struct arena *arena;
+    size_t total;               /* model glasses at first */
     const struct node *best;    /* all of its glasses are real; null: none was found yet */
     const struct node *deepest; /* most of its glasses are */
     struct error why;           /* of a candidate that the lens had no merit with */
@@ -269,9 +270,12 @@ static void try_pieces(void *context, const struct parallel_piece *piece)
         struct trial *trial = &trying->trials[i];
         trial->rank = (struct rank){INFINITY, INFINITY};
         for (int from_start = 0; from_start < 2; from_start++) {
-            const struct arena_mark mark = arena_mark(piece->arena);
-            try_from(trying, from_start == 1, piece->arena, trial);
-            arena_reset(piece->arena, mark);
+            const bool is_few = trying->search->total <= LAST; /* the start is near still */
+            if (from_start == 0 || is_few || isinf(trial->rank.merit)) {
+                const struct arena_mark mark = arena_mark(piece->arena);
+                try_from(trying, from_start == 1, piece->arena, trial);
+                arena_reset(piece->arena, mark);
+            }
         }
     }
 }
@@ -338,10 +342,9 @@ static const struct node *enter(struct search *search, const struct node *parent
 }
 
 /* Is it worth going on from a trial for one of so many glasses? */
-static bool is_promising(const struct search *search, const struct node *node, size_t models,
-                         const struct trial *trial)
+static bool is_promising(const struct search *search, size_t models, const struct trial *trial)
 {
-    const bool is_pair = node->depth + models <= PAIR;
+    const bool is_pair = search->total <= PAIR;
     if (isinf(trial->rank.merit) || search->best == NULL) {
         return !isinf(trial->rank.merit); /* any is better than none */
     }
@@ -366,7 +369,7 @@ static void descend(struct search *search, const struct node *node)
         return;
     }
     for (size_t i = 0; i < count && !search->choice->is_stopped; i++) {
-        if (is_promising(search, node, models, &trials[i])) {
+        if (is_promising(search, models, &trials[i])) {
             descend(search, enter(search, node, surface, &trials[i]));
         }
     }
@@ -440,6 +443,7 @@ bool glass_choose(const struct glass_choice_task *task, struct arena *arena,
     struct node *root = ARENA_NEW(arena, struct node);
     size_t *surfaces = ARENA_ARRAY(arena, variables->count + 1, size_t);
     const size_t count = glass_choice_models(variables, surfaces);
+    search.total = count;
     *choice = (struct glass_choice){.lens = task->lens};
     *root = (struct node){.lens = task->lens,
                           .start = variables->lens,

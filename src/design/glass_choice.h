@@ -55,7 +55,8 @@ size_t glass_choice_models(const struct variables *variables, size_t *surfaces);
  *           follow by pick-ups have followed
  * Formula   the model glass that is farthest from all candidates goes first, as the others can make
  *           up for it while they are free. The 8 candidates nearest to it are tried, everything
- *           else optimised anew from where it is, and the one that loses least is taken. For the
+ *           else optimised anew from where it is (of up to three glasses, and where that leads
+ *           nowhere, also from the question's lens), and the one that loses least is taken. For the
  *           last three glasses, and so many candidates of each, all combinations are searched,
  *           least loss first, but for those that cannot be better than the best so far: the merit
  *           with the remaining glasses free is a bound (branch and bound). Two glasses in all are
@@ -64,7 +65,7 @@ size_t glass_choice_models(const struct variables *variables, size_t *surfaces);
  *           PgF from the normal line, on which a model glass is taken to lie; the last term of
  *           glasses whose PgF is known
  * Errors    ERROR_DOMAIN: no candidate within the bounds of a glass, none with which the lens has a
- *           merit; a number of it follows, or is followed by, another in a pick-up
+ *           merit; another number follows one of its by a pick-up
  * Limits    a minimum is a local one, and so is the bound: as good as the optimisation
  */
 bool glass_choose(const struct glass_choice_task *task, struct arena *arena,
