@@ -10,8 +10,8 @@
 #include <string.h>
 
 enum {
-    STARTS_A_THREAD = 16, /* from one pause to the next */
-    STARTS_LOOKED_AT = 4  /* for variables that nothing depends on */
+    STARTS_A_THREAD = 4, /* from one pause to the next */
+    STARTS_LOOKED_AT = 4 /* for variables that nothing depends on */
 };
 
 /* -------- where starts lie -------- */
@@ -24,14 +24,12 @@ struct global_range optimize_global_range(const struct variables *variables, dou
     bool *is_spread = ARENA_ARRAY(arena, variables->count + 1, bool);
     for (size_t j = 0; j < variables->count; j++) {
         const double at = variables->start[j], reach = spread * variables->scale[j];
-        const bool is_gap =
-            j < variables->count && variables->list[j].what.kind == PARAMETER_THICKNESS;
         low[j] = variables->low[j];
         high[j] = variables->high[j];
         is_spread[j] = isinf(low[j]) || isinf(high[j]);
         if (is_spread[j]) {
-            low[j] = fmax(low[j], is_gap && at >= 0 ? fmax(at - reach, 0) : at - reach);
-            high[j] = fmin(high[j], is_gap && at < 0 ? fmin(at + reach, 0) : at + reach);
+            low[j] = fmax(low[j], at - reach);
+            high[j] = fmin(high[j], at + reach);
         }
     }
     return (struct global_range){low, high, is_spread};
@@ -173,7 +171,8 @@ static void work(void *context, const struct parallel_piece *piece)
 
 void optimize_global_search(struct optimize_global *global, struct arena *arena)
 {
-    const size_t round = (size_t)global->threads * STARTS_A_THREAD;
+    const size_t all = global->end - global->begin;
+    const size_t round = global->pause == NULL ? all : (size_t)global->threads * STARTS_A_THREAD;
     struct searching searching = open_search(global, arena);
     struct parallel *team = ARENA_NEW(arena, struct parallel);
     team->threads = global->threads;

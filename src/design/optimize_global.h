@@ -42,7 +42,7 @@ struct global_range {
 
 /*
  * Between the bounds of a variable; without two of them within `spread` natural scales of the
- * lens, and a thickness then keeps its sign.
+ * lens.
  */
 struct global_range optimize_global_range(const struct variables *variables, double spread,
                                           struct arena *arena);

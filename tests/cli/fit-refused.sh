@@ -83,3 +83,5 @@ say fit conic.lens --prescription efl=52
 # rows with other columns than the first
 printf 'show\nmodels\nanswer\n' | lenscalc fit double-gauss --batch - --csv --columns lens
 echo "status $?"
+# the solver is asked from the lens alone
+lenscalc optimize double-gauss --vary R1 --goals efl=100 --global 3 --solver ceres || echo "status $?"

@@ -39,6 +39,9 @@ lenscalc optimize double-gauss --vary R1..R11 --goals poly,efl=100 --rays 9 --di
 search --global 4 --keep 2 --seed 2 --digits 3 --show merit --columns rank,goal,value_after
 lenscalc optimize double-gauss --vary R1,R2,t11 --goals spot,efl=100 --rays 9 --global 3 \
     --show variables --digits 3 --columns rank,variable,note
+# gaps keep their signs, mirrors' too
+lenscalc optimize hubble-rc --vary t1,t2,k1 --goals spot,efl=57600:100 --rays 9 --global 3 \
+    --show variables --columns variable,low,high --csv
 # fewer minima than are to be kept: no file is made of what is not there
 lenscalc optimize double-gauss --vary R1 --goals efl=101 --rays 9 --global 5 --keep 5 -o one.lens \
     --columns rank,status
@@ -50,7 +53,6 @@ search --global 3 --keep 4
 search --keep 4
 search --escapes 4
 search --global 3 --spread 0
-search --global 3 --solver ceres
 search --global 2 --keep 2 -o -
 lenscalc optimize double-gauss --vary R1 --goals efl=101 --global 5 --keep 2 -o one.lens
 lenscalc optimize double-gauss --vary R1 --goals efl=101 --global 5 --glasses SCHOTT

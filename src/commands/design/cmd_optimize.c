@@ -164,8 +164,8 @@ static const struct explanation explanations[] = {
      "steps -(J^T J + l D)^-1 J^T r, bounds by an active set, conditions by multipliers, D after "
      "the "
      "second derivatives",
-     "[Levenberg44]; [Spencer63]; [Dilworth78]",
-     "a local minimum: the one downhill from the start"},
+     "[Levenberg44]; [Spencer63]; [Dilworth78]; of a search [Isshiki95]",
+     "a local minimum: the one downhill from the start, of a search the best that was found"},
     {"loss",
      "merit after the exchange less that before; of the 8 glasses nearest by sqrt((dnd/0.1)^2 + "
      "(dVd/10)^2 + (dP/0.02)^2), P of PgF from the normal line, the one that loses least; the last "

@@ -71,14 +71,15 @@ static struct merit_question question_of(struct optimize_job *job, const struct 
 
 /*
  * A stop is no glass, so that goals of air pass over it; but it cannot lie within a lens. Gaps
- * beside it that no bounds are given for stay on their side of 0.
+ * beside it that no bounds are given for stay on their side of 0; those of a search all do, as it
+ * would meet many lenses that are none.
  */
-static void bound_at_stop(const struct lens *lens, struct variable *variable)
+static void bound_gap(const struct lens *lens, bool is_search, struct variable *variable)
 {
     const size_t at = variable->what.surface;
     if (variable->what.kind != PARAMETER_THICKNESS || !isinf(variable->low) ||
         !isinf(variable->high) ||
-        (lens->surfaces[at].kind != SURFACE_STOP &&
+        (!is_search && lens->surfaces[at].kind != SURFACE_STOP &&
          !(at + 1 < lens->surface_count && lens->surfaces[at + 1].kind == SURFACE_STOP))) {
         return;
     }
@@ -101,7 +102,7 @@ static bool open_variables(struct optimize_job *job, struct error *error)
     }
     for (size_t i = 0; i < count; i++) {
         const size_t position = list[i].position != LENS_NONE ? list[i].position : 0;
-        bound_at_stop(lens_at_position(job->lens, position, arena), &list[i]);
+        bound_gap(lens_at_position(job->lens, position, arena), job->input->global > 0, &list[i]);
     }
     if (!variables_open(job->lens, list, count, arena, &job->variables, error)) {
         return false;

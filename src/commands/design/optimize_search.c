@@ -9,7 +9,8 @@
 #include <math.h>
 #include <stdlib.h>
 
-enum { LAST_ITERATIONS = 1000 }; /* of the few lenses that are kept */
+/* Of the few lenses that are kept; where there is no time left, fewer. */
+enum { LAST_ITERATIONS = 1000, CUT_ITERATIONS = 50 };
 
 size_t optimize_keep_count(const void *data)
 {
@@ -28,7 +29,7 @@ static bool check(const struct optimize_input *input, struct error *error)
 }
 
 /* Now and then. */
-static void pause(void *context)
+static void keep_state(void *context)
 {
     const struct optimize_job *job = context;
     optimize_part_pause(job->part);
@@ -50,6 +51,7 @@ static bool drop_idle(struct optimize_job *job, struct optimize_global *global,
     struct arena *arena = job->run->arena;
     struct variables all = job->variables;
     struct variable *list = ARENA_ARRAY(arena, all.count + 1, struct variable);
+    const char **names = ARENA_ARRAY(arena, all.count + 1, const char *);
     bool *is_idle = ARENA_ARRAY(arena, all.count + 1, bool);
     size_t count = 0;
     if (!optimize_global_idle(global, arena, is_idle)) {
@@ -60,6 +62,7 @@ static bool drop_idle(struct optimize_job *job, struct optimize_global *global,
             optimize_warn(job, arena_printf(arena, "no goal depends on %s: it stays as it is",
                                             job->names[i]));
         } else {
+            names[count] = job->names[i];
             list[count++] = all.list[i];
         }
     }
@@ -67,6 +70,7 @@ static bool drop_idle(struct optimize_job *job, struct optimize_global *global,
         return true;
     }
     struct merit_question question = *asked;
+    job->names = names;
     question.variable_count = count;
     question.operands = job->merit.question.operands;
     question.operand_count = job->merit.question.operand_count;
@@ -142,42 +146,61 @@ static size_t count_done(struct optimize_job *job, const struct optimize_global 
     return done;
 }
 
-/* The lenses that are kept, each as a job of its own. */
+/* One of the lenses that are kept, as a job of its own. */
+static bool take_one(const struct optimize_job *job, const struct global_kept *kept, size_t rank,
+                     struct optimize_job *one, struct error *error)
+{
+    struct error *shortfall = &job->run->shortfall;
+    const struct error before = *shortfall;
+    *one = *job;
+    one->answer = kept->answer;
+    one->found = variables_lens(&job->variables, kept->answer.after.numbers, job->run->arena);
+    one->rank = (long)rank;
+    one->hits = (long)kept->hits;
+    if (!optimize_judge(one, error)) {
+        *shortfall = before;
+        return false;
+    }
+    if (rank > 1) {
+        *shortfall = before; /* what the best lacks counts */
+    }
+    if (job->is_late) {
+        one->status = "the time is up";
+    }
+    if (job->incomplete != NULL) {
+        one->status = job->run->parts != NULL ? "incomplete" : "interrupted";
+        one->incomplete = job->incomplete;
+        fail(shortfall, ERROR_DOMAIN, "%s", job->incomplete);
+    }
+    return true;
+}
+
+/*
+ * The lenses that are kept; what is no lens, as its surfaces lie behind each other, is left out.
+ *
+ * Result    false: there were some, and all of them are none
+ */
 static bool take_kept(struct optimize_job *job, const struct optimize_global *global,
                       struct error *error)
 {
     const size_t most = optimize_keep_count(job->input);
+    const bool is_cut = job->is_late || job->incomplete != NULL;
     struct arena *arena = job->run->arena;
     struct global_kept *kept = ARENA_ARRAY(arena, most, struct global_kept);
     const struct optimize_task task = {.merit = &job->merit,
                                        .iterations = global->iterations > 0 ? global->iterations
+                                                     : is_cut               ? CUT_ITERATIONS
                                                                             : LAST_ITERATIONS};
     const size_t count = optimize_global_keep(global, &task, most, arena, kept);
-    struct optimize_job *jobs = ARENA_ARRAY(arena, count + 1, struct optimize_job);
+    job->kept = ARENA_ARRAY(arena, count + 1, struct optimize_job);
     for (size_t i = 0; i < count; i++) {
         job->evaluations += kept[i].answer.summary.evaluations;
     }
     for (size_t i = 0; i < count; i++) {
-        jobs[i] = *job;
-        jobs[i].answer = kept[i].answer;
-        jobs[i].found = variables_lens(&job->variables, kept[i].answer.after.numbers, arena);
-        jobs[i].rank = (long)i + 1;
-        jobs[i].hits = (long)kept[i].hits;
-        if (!optimize_judge(&jobs[i], error)) {
-            return false;
-        }
-        if (job->is_late) {
-            jobs[i].status = "the time is up";
-        }
-        if (job->incomplete != NULL) {
-            jobs[i].status = "interrupted";
-            jobs[i].incomplete = job->incomplete;
-            fail(&job->run->shortfall, ERROR_DOMAIN, "%s", job->incomplete);
-        }
+        struct optimize_job *one = &job->kept[job->kept_count];
+        job->kept_count += take_one(job, &kept[i], job->kept_count + 1, one, error);
     }
-    job->kept = jobs;
-    job->kept_count = count;
-    return true;
+    return count == 0 || job->kept_count > 0;
 }
 
 /* Nothing was found: why the lens itself is none. */
@@ -230,7 +253,6 @@ static bool search(struct optimize_job *job, const struct merit_question *questi
                                        .threads = parallel_threads(input->threads),
                                        .watch = job->run->watch,
                                        .goes_on = goes_on,
-                                       .pause = pause,
                                        .context = job,
                                        .start_count = (size_t)input->global,
                                        .end = (size_t)input->global};
@@ -241,6 +263,7 @@ static bool search(struct optimize_job *job, const struct merit_question *questi
         !optimize_part_begin(job, global, job->part, error)) {
         return false;
     }
+    global->pause = job->part->state_path != NULL ? keep_state : NULL;
     run_search(job, global);
     if (!take_kept(job, global, error)) {
         return false;
