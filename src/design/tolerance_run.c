@@ -13,16 +13,16 @@
 void tolerance_errors(const struct tolerance_question *question, uint64_t seed, uint64_t trial,
                       double *errors)
 {
-    for (size_t i = 0; i < question->perturbation_count; i += 2) {
+    const size_t count = question->perturbation_count;
+    for (size_t i = 0; i < count; i += 2) {
         const struct random_words words =
             random_words(RANDOM_TOLERANCES, seed, trial, (uint32_t)(i / 2));
-        errors[i] = spread_quantile(&question->perturbations[i].spread,
-                                    random_unit_of(words.w[0], words.w[1]));
-        if (i + 1 < question->perturbation_count) {
-            errors[i + 1] = spread_quantile(&question->perturbations[i + 1].spread,
-                                            random_unit_of(words.w[2], words.w[3]));
+        errors[i] = random_unit_of(words.w[0], words.w[1]);
+        if (i + 1 < count) {
+            errors[i + 1] = random_unit_of(words.w[2], words.w[3]);
         }
     }
+    perturbation_errors(question->perturbations, count, errors, errors);
 }
 
 /* -------- what is judged -------- */
@@ -226,7 +226,9 @@ static void join(struct tolerance_result *result, const struct tolerance_result 
 
 /* What a thread has: opened when it takes its first piece. */
 struct worker {
-    struct tolerance *tolerance;
+    bool is_open;
+    struct tolerance *tolerance; /* null: to second order, in */
+    double *lanes;               /* errors, figures and movements */
     struct tolerance_result result;
     struct tolerance_trial trial;
     double *errors;
@@ -241,40 +243,94 @@ struct tolerance_team {
     const struct tolerance_round *round;
 };
 
+/* A lens of its own; to second order none is needed. */
 static bool open_worker(const struct tolerance_team *team, struct arena *arena,
                         struct worker *worker)
 {
-    struct tolerance *tolerance = ARENA_NEW(arena, struct tolerance);
-    if (!tolerance_open(team->run->question, arena, tolerance, &worker->error)) {
-        return false;
+    const struct tolerance *nominal = team->result->tolerance;
+    const size_t figures = nominal->figure_count, moves = tolerance_moves(nominal);
+    if (team->run->differential == NULL) {
+        worker->tolerance = ARENA_NEW(arena, struct tolerance);
+        if (!tolerance_open(team->run->question, arena, worker->tolerance, &worker->error)) {
+            return false;
+        }
+    } else {
+        worker->lanes = ARENA_ARRAY(
+            arena, DIFFERENTIAL_LANES * (team->run->question->perturbation_count + figures + moves),
+            double);
     }
-    worker->tolerance = tolerance;
-    tolerance_result_open(team->run, tolerance, team->result->worst_most, arena, &worker->result);
-    worker->trial.figures = ARENA_ARRAY(arena, tolerance->figure_count, double);
-    worker->trial.moves = ARENA_ARRAY(arena, tolerance_moves(tolerance), double);
+    tolerance_result_open(team->run, nominal, team->result->worst_most, arena, &worker->result);
+    worker->trial.figures = ARENA_ARRAY(arena, figures, double);
+    worker->trial.moves = ARENA_ARRAY(arena, moves, double);
     worker->errors = ARENA_ARRAY(arena, team->run->question->perturbation_count + 1, double);
+    worker->is_open = true;
     return true;
+}
+
+/* A trial that was made. */
+static void count(const struct tolerance_team *team, struct worker *worker, size_t at, bool found)
+{
+    const struct tolerance_round *round = team->round;
+    count_trial(team->run, round->begin + at, found, &worker->trial, &worker->result);
+    if (round->listener != NULL) {
+        round->listener(round->context, at, found, &worker->trial);
+    }
+}
+
+static void try_exactly(const struct tolerance_team *team, struct worker *worker, size_t at)
+{
+    const struct tolerance_run *run = team->run;
+    tolerance_errors(run->question, run->seed, team->round->begin + at, worker->errors);
+    count(team, worker, at, tolerance_trial(worker->tolerance, worker->errors, &worker->trial));
+}
+
+/* DIFFERENTIAL_LANES of them at most; a lane that nobody asked for has no errors. */
+static void try_about(const struct tolerance_team *team, struct worker *worker, size_t begin,
+                      size_t end)
+{
+    enum { LANES = DIFFERENTIAL_LANES };
+    const struct tolerance_run *run = team->run;
+    const size_t n = run->question->perturbation_count;
+    const size_t figures = team->result->tolerance->figure_count;
+    const size_t moves = tolerance_moves(team->result->tolerance);
+    double *errors = worker->lanes, *results = errors + n * LANES;
+    memset(errors, 0, n * LANES * sizeof *errors);
+    for (size_t at = begin; at < end; at++) {
+        tolerance_errors(run->question, run->seed, team->round->begin + at, worker->errors);
+        for (size_t i = 0; i < n; i++) {
+            errors[i * LANES + at - begin] = worker->errors[i];
+        }
+    }
+    differential_trials(run->differential, errors, results);
+    for (size_t at = begin; at < end; at++) {
+        for (size_t f = 0; f < figures; f++) {
+            worker->trial.figures[f] = results[f * LANES + at - begin];
+        }
+        for (size_t m = 0; m < moves; m++) {
+            worker->trial.moves[m] = results[(figures + m) * LANES + at - begin];
+        }
+        count(team, worker, at, true);
+    }
 }
 
 /* parallel_work: some trials. */
 static void work(void *context, const struct parallel_piece *piece)
 {
     struct tolerance_team *team = context;
-    const struct tolerance_run *run = team->run;
-    const struct tolerance_round *round = team->round;
     struct worker *worker = &team->workers[piece->thread];
     if (worker->error.code != ERROR_NONE ||
-        (worker->tolerance == NULL && !open_worker(team, piece->arena, worker))) {
+        (!worker->is_open && !open_worker(team, piece->arena, worker))) {
         return;
     }
-    for (size_t i = piece->begin; i < piece->end; i++) {
-        const uint64_t number = round->begin + i;
-        tolerance_errors(run->question, run->seed, number, worker->errors);
-        const bool found = tolerance_trial(worker->tolerance, worker->errors, &worker->trial);
-        count_trial(run, number, found, &worker->trial, &worker->result);
-        if (round->listener != NULL) {
-            round->listener(round->context, i, found, &worker->trial);
+    if (team->run->differential == NULL) {
+        for (size_t at = piece->begin; at < piece->end; at++) {
+            try_exactly(team, worker, at);
         }
+        return;
+    }
+    for (size_t at = piece->begin; at < piece->end; at += DIFFERENTIAL_LANES) {
+        const size_t next = at + DIFFERENTIAL_LANES;
+        try_about(team, worker, at, next < piece->end ? next : piece->end);
     }
 }
 
@@ -306,7 +362,7 @@ bool tolerance_team_round(struct tolerance_team *team, const struct tolerance_ro
 void tolerance_team_close(struct tolerance_team *team)
 {
     for (size_t i = 0; i < PARALLEL_MOST; i++) {
-        if (team->workers[i].tolerance != NULL && team->workers[i].error.code == ERROR_NONE) {
+        if (team->workers[i].is_open && team->workers[i].error.code == ERROR_NONE) {
             join(team->result, &team->workers[i].result);
         }
     }

@@ -5,6 +5,7 @@
 
 #include "base/text.h"
 #include "base/watch.h"
+#include "design/differential.h"
 #include "design/tally.h"
 #include "design/tolerance_trial.h"
 
@@ -26,7 +27,9 @@ struct tolerance_run {
     uint64_t begin, end; /* trials begin .. end - 1 of */
     uint64_t total;      /* those of the whole run: 0 .. total - 1 */
     int threads;
-    struct watch *watch; /* counts trials; or null */
+    const struct differential *differential; /* figures and movements to second order, of the
+                                                trials' own problem; null: by rays */
+    struct watch *watch;                     /* counts trials; or null */
 };
 
 enum { TOLERANCE_WORST_MOST = 1000, TOLERANCE_REASONS = 32 };

@@ -89,10 +89,6 @@ FOR_TESTS = {
     "text_distance": "edit distance, by hand",
     "air_refractivity": "tables of air",
     "irregularity_height": "a map of it has the span that is said",
-    # what `tolerance` stands on
-    "differential_open": "", "differential_trials": "", "differential_shares": "",
-    "sensitivity_find": "", "inverse_find": "", "tolerance_model_open": "",
-    "perturbation_errors": "", "perturbation_moments": "", "pareto_draw": "", "tally_plot_draw": "",
     "rays_best_focus": "lines given as numbers",
     "aim_ray": "one ray, against longer arithmetic",
     "thick_residuals": "the solver calls it by its pointer; its derivatives",

@@ -3,12 +3,23 @@
 #include "base/parallel.h"
 #include "commands/analysis/analysis_options.h"
 #include "commands/design/tolerance_job.h"
+#include "commands/design/tolerance_view.h"
 #include "trace/sample.h"
 
 static const struct word shows[] = {
     [TOLERANCE_SUMMARY] = {"summary", "yield, mean, deviation and percentiles"},
     [TOLERANCE_TRIALS] = {"trials", "each lens that was made"},
     [TOLERANCE_YIELD] = {"yield", "the limits that 2 to 98 percent of the lenses keep"},
+    [TOLERANCE_SENSITIVITY] = {"sensitivity", "what each error does alone, with both signs"},
+    [TOLERANCE_INVERSE] = {"inverse", "tolerances that cost the same each, and {--drop} together"},
+    [TOLERANCE_OFFENDERS] = {"offenders", "which errors make the figures spread, the worst first"},
+    {NULL, NULL},
+};
+
+static const struct word methods[] = {
+    [TOLERANCE_EXACT] = {"exact", "each lens by its rays"},
+    [TOLERANCE_DIFFERENTIAL] = {"differential",
+                                "to second order in all errors and their products, far faster"},
     {NULL, NULL},
 };
 
@@ -60,6 +71,11 @@ static const struct option options[] = {
      .fallback = "0", .value = "NUMBER", .help = "another one makes other lenses"},
     {OPTION(struct tolerance_input, show), .name = "show", .words = shows, .fallback = "summary",
      .value = "WHAT", .help = "which rows"},
+    {OPTION(struct tolerance_input, method), .name = "method", .words = methods,
+     .fallback = "exact", .value = "HOW", .help = "how trials are made"},
+    {OPTION(struct tolerance_input, drop), .name = "drop", .value = "FIGURE",
+     .help = "for {--show} inverse: how much worse than the nominal lens the others may be, in the "
+             "unit of the criterion, or with one"},
     {OPTION(struct tolerance_input, save), .name = "save", .value = "WHICH",
      .help = "lenses for {--output}: worst:3, or trial:17"},
     {OPTION(struct tolerance_input, aim), .name = "aim", .words = aims, .fallback = "nominal",
@@ -106,6 +122,10 @@ static bool run(const void *data, struct run *run, struct error *error)
 }
 
 static const struct artifact artifacts[] = {
+    {ARTIFACT_OPTION("plot", drawing_types,
+                     "draw a histogram, of yields their curve, of single errors who makes the "
+                     "figures spread"),
+     .scope = ARTIFACT_OF_ANSWER, .check = tolerance_view_check, .make = tolerance_view_draw},
     {.option = {.kind = &kind_text,
                 .name = "output",
                 .letter = 'o',

@@ -130,15 +130,16 @@ static bool ask_compensators(struct tolerance_job *job, struct error *error)
 
 /* -------- the criterion -------- */
 
-static bool read_limit(struct text text, enum criterion_kind kind, double *limit,
-                       struct error *error)
+/* A figure above 0; by the name of what it is. */
+static bool read_figure(const char *what, struct text text, enum criterion_kind kind,
+                        double *figure, struct error *error)
 {
     const struct criterion_type *type = criterion_type(kind);
     const bool is_length = type->dimension == &dimension_length;
     const struct unit *unit = is_length ? unit_find(type->dimension, text_of(type->unit)) : NULL;
-    return quantity_read(text, type->dimension, unit, limit, NULL, error) &&
-           ((isfinite(*limit) && *limit > 0) ||
-            fail(error, ERROR_USAGE, "{--limit} '%.*s' must be finite and above 0",
+    return quantity_read(text, type->dimension, unit, figure, NULL, error) &&
+           ((isfinite(*figure) && *figure > 0) ||
+            fail(error, ERROR_USAGE, "{--%s} '%.*s' must be finite and above 0", what,
                  text_shown(text), text.start));
 }
 
@@ -166,6 +167,36 @@ static bool ask_saved(struct tolerance_job *job, struct error *error)
     return true;
 }
 
+/* Rows of single errors are not of trials. */
+static bool ask_show(const struct tolerance_job *job, struct error *error)
+{
+    const struct tolerance_input *input = job->input;
+    const char *wrong = input->limit != NULL                      ? "limit"
+                        : input->save != NULL                     ? "save"
+                        : input->part.count > 0                   ? "part"
+                        : input->method == TOLERANCE_DIFFERENTIAL ? "method"
+                                                                  : NULL;
+    return input->show < TOLERANCE_SENSITIVITY || wrong == NULL ||
+           fail(error, ERROR_USAGE,
+                "{--%s} is for trials, not for {--show} sensitivity, inverse and offenders", wrong);
+}
+
+/* What tolerances may cost together, for those that are looked for. */
+static bool ask_drop(struct tolerance_job *job, struct error *error)
+{
+    const char *drop = job->input->drop;
+    const bool wants = job->input->show == TOLERANCE_INVERSE;
+    job->drop = NAN;
+    if (drop == NULL) {
+        return !wants || fail(error, ERROR_USAGE,
+                              "{--show} inverse needs {--drop}: how much worse a lens may be than "
+                              "the nominal one");
+    }
+    return wants
+               ? read_figure("drop", text_of(drop), job->question.criterion.kind, &job->drop, error)
+               : fail(error, ERROR_USAGE, "{--drop} is for {--show} inverse");
+}
+
 static bool ask_criterion(struct tolerance_job *job, struct error *error)
 {
     struct criterion *criterion = &job->question.criterion;
@@ -173,9 +204,9 @@ static bool ask_criterion(struct tolerance_job *job, struct error *error)
         return error_prefix(error, "{--criterion}: ");
     }
     job->limit = NAN;
-    return (job->input->limit == NULL ||
-            read_limit(text_of(job->input->limit), criterion->kind, &job->limit, error)) &&
-           ask_saved(job, error);
+    return (job->input->limit == NULL || read_figure("limit", text_of(job->input->limit),
+                                                     criterion->kind, &job->limit, error)) &&
+           ask_show(job, error) && ask_drop(job, error) && ask_saved(job, error);
 }
 
 /* -------- the view -------- */

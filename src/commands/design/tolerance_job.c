@@ -2,6 +2,8 @@
 /* SPDX-License-Identifier: MIT */
 #include "commands/design/tolerance_job.h"
 
+#include "commands/design/tolerance_method.h"
+
 #include <math.h>
 
 /* -------- divided runs -------- */
@@ -120,14 +122,15 @@ bool tolerance_job_run(struct tolerance_job *job, struct error *error)
 {
     struct arena *arena = job->run->arena;
     if (!tolerance_ask(job, error) ||
-        !tolerance_open(&job->question, arena, &job->tolerance, error) || !divide(job, error)) {
+        !tolerance_open(&job->question, arena, &job->tolerance, error) || !divide(job, error) ||
+        !tolerance_method_open(job, error)) {
         return false;
     }
     tolerance_result_open(&job->trials, &job->tolerance, (size_t)job->save_count, arena,
                           &job->result);
     job->aim_error = NAN;
-    if (job->input->show == TOLERANCE_TRIALS) {
-        return true; /* one by one, as they are printed */
+    if (job->input->show == TOLERANCE_TRIALS || job->input->show >= TOLERANCE_SENSITIVITY) {
+        return true; /* one by one, as they are printed; or none */
     }
     if (job->run->parts != NULL) {
         if (!merge(job, error)) {
@@ -140,6 +143,9 @@ bool tolerance_job_run(struct tolerance_job *job, struct error *error)
         }
     }
     judge(job);
+    if (!tolerance_method_check(job, error)) {
+        return false;
+    }
     const bool has_rays = criterion_type(job->question.criterion.kind)->operand == OPERAND_KINDS;
     return job->question.aims || !has_rays || find_aim_error(job, error);
 }

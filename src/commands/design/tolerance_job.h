@@ -5,17 +5,28 @@
 
 #include "cli/division.h"
 #include "commands/lens/lens_options.h"
+#include "design/tolerance_model.h"
 #include "design/tolerance_run.h"
 
-enum tolerance_show { TOLERANCE_SUMMARY, TOLERANCE_TRIALS, TOLERANCE_YIELD, TOLERANCE_SHOWS };
+enum tolerance_show {
+    TOLERANCE_SUMMARY,
+    TOLERANCE_TRIALS,
+    TOLERANCE_YIELD,
+    TOLERANCE_SENSITIVITY, /* and what follows: not of trials */
+    TOLERANCE_INVERSE,
+    TOLERANCE_OFFENDERS,
+    TOLERANCE_SHOWS
+};
+
+enum tolerance_method { TOLERANCE_EXACT, TOLERANCE_DIFFERENTIAL };
 
 enum tolerance_aim { TOLERANCE_AIM_NOMINAL, TOLERANCE_AIM_STOP };
 
 struct tolerance_input {
     struct lens_question question;
     struct spectrum_value waves;
-    const char *grade, *tolerances, *criterion, *limit, *gap, *adjust, *save;
-    int show, of, refocus, aim, pattern;
+    const char *grade, *tolerances, *criterion, *limit, *drop, *gap, *adjust, *save;
+    int show, method, of, refocus, aim, pattern;
     long rays, seed, trials, threads;
     bool clip, no_clip;
     struct part part;
@@ -34,9 +45,13 @@ struct tolerance_job {
     struct tolerance_result result;
     struct part_head head; /* of a part, or of the run that is merged */
     double limit;          /* of figures; NaN: none */
+    double drop;           /* what tolerances may cost together; NaN: not said */
     double aim_error;      /* of figures, by rays that are not aimed anew; NaN: they are */
     long save_count;       /* of --save worst:K; 0: none */
     long save_trial;       /* of --save trial:K, from 1; 0: none */
+    struct differential differential; /* of --method differential */
+    struct tolerance_model model;     /* of its trials */
+    double method_rms, method_most;   /* by what exact trials differ from it, of figures */
     const char *incomplete, *warning; /* null: all is well */
 };
 

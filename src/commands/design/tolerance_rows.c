@@ -1,131 +1,10 @@
 /* commands/design/tolerance_rows.c - what trials gave, as rows of --show. */
 /* SPDX-License-Identifier: MIT */
-#include "base/parallel.h"
-#include "commands/analysis/analysis_options.h"
-#include "commands/design/tolerance_job.h"
-#include "trace/sample.h"
+#include "commands/design/tolerance_about.h"
+#include "commands/design/tolerance_costs.h"
 
 #include <math.h>
 #include <string.h>
-
-/* What every row says of the run. */
-struct tolerance_about {
-    double fnumber;
-    long seed;
-    const char *made, *lens, *rays, *adjusted, *limit, *warning;
-};
-
-#define ABOUT_COLUMNS(S)                                                                           \
-    {COLUMN(S, about.fnumber),                                                                     \
-     .flags = COLUMN_ECHO | COLUMN_EXTRA,                                                          \
-     .name = "fnumber",                                                                            \
-     .dimension = &dimension_fnumber,                                                              \
-     .with = "aperture",                                                                           \
-     .label = "f-number",                                                                          \
-     .help = "f-number in place of the lens's own aperture"},                                      \
-        {COLUMN(S, about.seed), .flags = COLUMN_ECHO | COLUMN_EXTRA,                               \
-         .name = "seed",        .with = "seed",                                                    \
-         .label = "seed",       .help = "another one gives other trials"},                         \
-        {COLUMN(S, about.made), .flags = COLUMN_EXTRA | COLUMN_ASSUMED,                            \
-         .name = "tolerances",  .depends = "grade tolerances lens",                                \
-         .label = "tolerances", .help = "how many independent errors, and where they are from"},   \
-        {COLUMN(S, about.limit), .flags = COLUMN_EXTRA | COLUMN_ASSUMED,                           \
-         .name = "limit",        .depends = "limit",                                               \
-         .label = "limit",       .help = "of the figures of a lens that passes"},                  \
-        {COLUMN(S, about.adjusted),                                                                \
-         .flags = COLUMN_EXTRA | COLUMN_ASSUMED,                                                   \
-         .name = "adjusted",                                                                       \
-         .depends = "refocus gap adjust",                                                          \
-         .label = "adjusted",                                                                      \
-         .help = "what is moved in every lens, to make its spots or wave fronts best"},            \
-        {COLUMN(S, about.rays), .flags = COLUMN_EXTRA | COLUMN_ASSUMED,                            \
-         .name = "rays",        .depends = "rays pattern aim clip no-clip trials",                 \
-         .label = "rays",       .help = "those of each field and wavelength"},                     \
-        LENS_TITLE_COLUMN(S, about.lens), LENS_WARNING_COLUMN(S, about.warning)
-
-/* What a row is of. */
-#define CRITERION_COLUMNS(S)                                                                       \
-    LENS_POSITION_COLUMN(S, position, COLUMN_BRIEF),                                               \
-        {COLUMN(S, criterion), .flags = COLUMN_BRIEF, .name = "criterion", .label = "criterion",   \
-         .help = "what lenses are judged by"},                                                     \
-        {COLUMN(S, of), .flags = COLUMN_BRIEF, .name = "of", .label = "of",                        \
-         .help = "worst or mean of all fields and positions, or the field"},                       \
-    {                                                                                              \
-        COLUMN(S, unit), .flags = COLUMN_BRIEF, .name = "unit", .label = "unit",                   \
-                         .help = "of its figures"                                                  \
-    }
-
-/* "10deg", "3mm"; of a position "lens". */
-static const char *name_of(const struct tolerance_job *job, const struct tolerance_figure *figure)
-{
-    static const double degrees = 57.295779513082323;
-    struct arena *arena = job->run->arena;
-    if (figure == NULL) {
-        return job->trials.of == TOLERANCE_OF_MEAN ? "mean" : "worst";
-    }
-    if (figure->field == NULL || figure->field->point.kind == FIELD_NONE) {
-        return figure->field == NULL ? "lens" : "axis";
-    }
-    const struct field_point *point = &figure->field->point;
-    const bool is_angle = point->kind == FIELD_ANGLE;
-    const double unit = is_angle ? degrees : 1;
-    const char *name = is_angle ? "deg" : "mm";
-    return point->value[0] != 0 ? arena_printf(arena, "%.6g:%.6g%s", point->value[0] * unit,
-                                               point->value[1] * unit, name)
-                                : arena_printf(arena, "%.6g%s", point->value[1] * unit, name);
-}
-
-static const char *position_of(const struct tolerance_job *job,
-                               const struct tolerance_figure *figure)
-{
-    return figure != NULL ? tolerance_view(&job->tolerance)->places[figure->place].setup.position
-                          : NULL;
-}
-
-static const char *adjusted_in_words(const struct tolerance_job *job)
-{
-    static const char *const planes[] = {"", "paraxial focus", "best focus"};
-    const char *words = planes[job->tolerance.question.refocus];
-    for (size_t i = 0; i < job->question.compensator_count; i++) {
-        words = arena_printf(job->run->arena, "%s%s%s", words, *words != '\0' ? ", " : "",
-                             job->question.compensators[i].name);
-    }
-    return *words != '\0' ? words : "nothing";
-}
-
-/* With what rays that are not aimed anew are off by. */
-static const char *rays_in_words(const struct tolerance_job *job)
-{
-    const struct tolerance_input *input = job->input;
-    struct arena *arena = job->run->arena;
-    const struct criterion_type *type = criterion_type(job->question.criterion.kind);
-    const char *aimed =
-        job->question.aims ? "aimed at the stop of every lens"
-        : isnan(job->aim_error)
-            ? "those of the nominal lens"
-            : arena_printf(arena, "those of the nominal lens (aimed anew: %.2g %s rms)",
-                           type->scale * job->aim_error, type->unit);
-    return arena_printf(arena, "%ld %s, %s, %s", input->rays, patterns[input->pattern].word,
-                        job->question.view.clip ? "clipped" : "not clipped", aimed);
-}
-
-static struct tolerance_about about_of(const struct tolerance_job *job)
-{
-    const struct tolerance_input *input = job->input;
-    const struct criterion_type *type = criterion_type(job->question.criterion.kind);
-    return (struct tolerance_about){
-        .fnumber = input->question.fnumber,
-        .seed = input->seed,
-        .made = arena_printf(job->run->arena, "%zu error%s, %s", job->perturbations.count,
-                             job->perturbations.count == 1 ? "" : "s", job->made),
-        .lens = job->lens->title,
-        .rays = rays_in_words(job),
-        .adjusted = adjusted_in_words(job),
-        .limit = isnan(job->limit) ? NULL
-                                   : arena_printf(job->run->arena, "%.6g %s",
-                                                  job->limit * type->scale, type->unit),
-        .warning = job->warning};
-}
 
 /* -------- summary -------- */
 
@@ -149,7 +28,7 @@ struct summary_row {
     }
 
 static const struct column summary_columns[] = {
-    CRITERION_COLUMNS(struct summary_row),
+    TOLERANCE_CRITERION_COLUMNS(struct summary_row),
     {COLUMN(struct summary_row, nominal), .flags = COLUMN_BRIEF, .name = "nominal",
      .label = "nominal", .help = "figure of the lens without errors, adjusted as all are"},
     {COLUMN(struct summary_row, yield), .flags = COLUMN_BRIEF | COLUMN_SPARSE,
@@ -191,7 +70,7 @@ static const struct column summary_columns[] = {
     {COLUMN(struct summary_row, moves), .flags = COLUMN_HIDDEN | COLUMN_SPARSE,
      .name = "compensation", .label = "compensation",
      .help = "what else was adjusted: mean +- standard deviation of each"},
-    ABOUT_COLUMNS(struct summary_row),
+    TOLERANCE_ABOUT_COLUMNS(struct summary_row),
 };
 
 static const struct sheet summary_sheet = SHEET(summary_columns, struct summary_row);
@@ -240,10 +119,10 @@ static void emit_summary(struct tolerance_job *job, struct tolerance_column *col
     for (int i = 0; i < PERCENTILES; i++) {
         p[i] = scale * tally_quantile(&column->tally, shares[i], NULL);
     }
-    const struct summary_row row = {.about = about_of(job),
-                                    .position = position_of(job, column->of),
+    const struct summary_row row = {.about = tolerance_about_of(job),
+                                    .position = tolerance_position_of(job, column->of),
                                     .criterion = job->question.criterion.name,
-                                    .of = name_of(job, column->of),
+                                    .of = tolerance_name_of(job, column->of),
                                     .unit = type->unit,
                                     .nominal = scale * column->tally.nominal,
                                     .yield = judges ? yield : NAN,
@@ -288,7 +167,7 @@ struct yield_row {
 };
 
 static const struct column yield_columns[] = {
-    CRITERION_COLUMNS(struct yield_row),
+    TOLERANCE_CRITERION_COLUMNS(struct yield_row),
     {COLUMN(struct yield_row, yield), .flags = COLUMN_BRIEF, .name = "yield_fraction",
      .label = "yield", .help = "share of all trials that are no worse"},
     {COLUMN(struct yield_row, figure), .flags = COLUMN_BRIEF, .name = "figure", .label = "figure",
@@ -300,7 +179,7 @@ static const struct column yield_columns[] = {
      .help = "lenses without a figure"},
     {COLUMN(struct yield_row, trials), .flags = COLUMN_BRIEF, .name = "trials", .label = "trials",
      .help = "lenses that were made"},
-    ABOUT_COLUMNS(struct yield_row),
+    TOLERANCE_ABOUT_COLUMNS(struct yield_row),
 };
 
 static const struct sheet yield_sheet = SHEET(yield_columns, struct yield_row);
@@ -311,10 +190,10 @@ static bool emit_yields(struct tolerance_job *job, struct error *error)
     (void)error;
     for (size_t i = 0; i < job->result.column_count; i++) {
         struct tolerance_column *column = &job->result.columns[i];
-        struct yield_row row = {.about = about_of(job),
-                                .position = position_of(job, column->of),
+        struct yield_row row = {.about = tolerance_about_of(job),
+                                .position = tolerance_position_of(job, column->of),
                                 .criterion = job->question.criterion.name,
-                                .of = name_of(job, column->of),
+                                .of = tolerance_name_of(job, column->of),
                                 .unit = type->unit,
                                 .failed = (long)job->result.failed,
                                 .trials = (long)job->result.done};
@@ -346,7 +225,7 @@ struct trial_row {
 static const struct column trial_columns[] = {
     {COLUMN(struct trial_row, trial), .flags = COLUMN_BRIEF, .name = "trial", .label = "trial",
      .help = "its number, from 1"},
-    CRITERION_COLUMNS(struct trial_row),
+    TOLERANCE_CRITERION_COLUMNS(struct trial_row),
     {COLUMN(struct trial_row, figure), .flags = COLUMN_BRIEF, .name = "figure", .label = "figure",
      .help = "of the lens; absent where it failed"},
     {COLUMN(struct trial_row, passes), .flags = COLUMN_HIDDEN, .name = "passes", .label = "passes",
@@ -358,7 +237,7 @@ static const struct column trial_columns[] = {
      .label = "compensation", .help = "what else was adjusted, and how far"},
     {COLUMN(struct trial_row, why), .flags = COLUMN_BRIEF | COLUMN_SPARSE, .name = "failure",
      .label = "failure", .help = "why it has no figure"},
-    ABOUT_COLUMNS(struct trial_row),
+    TOLERANCE_ABOUT_COLUMNS(struct trial_row),
 };
 
 static const struct sheet trial_sheet = SHEET(trial_columns, struct trial_row);
@@ -408,9 +287,9 @@ static bool emit_trial(struct tolerance_job *job, uint64_t number, bool found,
                                   : tolerance_judged(tolerance, job->trials.of, trial->figures);
         const struct trial_row row = {
             .about = *about,
-            .position = position_of(job, column->of),
+            .position = tolerance_position_of(job, column->of),
             .criterion = job->question.criterion.name,
-            .of = name_of(job, column->of),
+            .of = tolerance_name_of(job, column->of),
             .unit = type->unit,
             .moves = found ? trial_moves(job, trial->moves) : NULL,
             .why = found ? NULL : trial->why.message,
@@ -427,7 +306,7 @@ static bool emit_trial(struct tolerance_job *job, uint64_t number, bool found,
 static bool emit_trials(struct tolerance_job *job, struct error *error)
 {
     struct arena *arena = job->run->arena;
-    const struct tolerance_about about = about_of(job);
+    const struct tolerance_about about = tolerance_about_of(job);
     const size_t room = TOLERANCE_ROUND;
     struct waiting waiting = {job, ARENA_ARRAY(arena, room, struct tolerance_trial),
                               ARENA_ARRAY(arena, room, bool)};
@@ -461,11 +340,18 @@ static const struct show {
     [TOLERANCE_SUMMARY] = {&summary_sheet, emit_summaries},
     [TOLERANCE_TRIALS] = {&trial_sheet, emit_trials},
     [TOLERANCE_YIELD] = {&yield_sheet, emit_yields},
+    [TOLERANCE_SENSITIVITY] = {&tolerance_sensitivity_sheet, tolerance_emit_sensitivity},
+    [TOLERANCE_INVERSE] = {&tolerance_inverse_sheet, tolerance_emit_inverse},
+    [TOLERANCE_OFFENDERS] = {&tolerance_offenders_sheet, tolerance_emit_offenders},
 };
 
 const struct sheet *const tolerance_sheets[] = {[TOLERANCE_SUMMARY] = &summary_sheet,
                                                 [TOLERANCE_TRIALS] = &trial_sheet,
                                                 [TOLERANCE_YIELD] = &yield_sheet,
+                                                [TOLERANCE_SENSITIVITY] =
+                                                    &tolerance_sensitivity_sheet,
+                                                [TOLERANCE_INVERSE] = &tolerance_inverse_sheet,
+                                                [TOLERANCE_OFFENDERS] = &tolerance_offenders_sheet,
                                                 [TOLERANCE_SHOWS] = NULL};
 
 bool tolerance_emit(struct tolerance_job *job, struct error *error)

@@ -1,0 +1,82 @@
+/* commands/design/tolerance_about.c - what all rows of tolerance say of their run. */
+/* SPDX-License-Identifier: MIT */
+#include "commands/design/tolerance_about.h"
+
+#include "commands/design/tolerance_method.h"
+#include "trace/sample.h"
+
+#include <math.h>
+
+/* "10deg", "3mm"; of a position "lens". */
+const char *tolerance_name_of(const struct tolerance_job *job,
+                              const struct tolerance_figure *figure)
+{
+    static const double degrees = 57.295779513082323;
+    struct arena *arena = job->run->arena;
+    if (figure == NULL) {
+        return job->trials.of == TOLERANCE_OF_MEAN ? "mean" : "worst";
+    }
+    if (figure->field == NULL || figure->field->point.kind == FIELD_NONE) {
+        return figure->field == NULL ? "lens" : "axis";
+    }
+    const struct field_point *point = &figure->field->point;
+    const bool is_angle = point->kind == FIELD_ANGLE;
+    const double unit = is_angle ? degrees : 1;
+    const char *name = is_angle ? "deg" : "mm";
+    return point->value[0] != 0 ? arena_printf(arena, "%.6g:%.6g%s", point->value[0] * unit,
+                                               point->value[1] * unit, name)
+                                : arena_printf(arena, "%.6g%s", point->value[1] * unit, name);
+}
+
+const char *tolerance_position_of(const struct tolerance_job *job,
+                                  const struct tolerance_figure *figure)
+{
+    return figure != NULL ? tolerance_view(&job->tolerance)->places[figure->place].setup.position
+                          : NULL;
+}
+
+static const char *adjusted_in_words(const struct tolerance_job *job)
+{
+    static const char *const planes[] = {"", "paraxial focus", "best focus"};
+    const char *words = planes[job->tolerance.question.refocus];
+    for (size_t i = 0; i < job->question.compensator_count; i++) {
+        words = arena_printf(job->run->arena, "%s%s%s", words, *words != '\0' ? ", " : "",
+                             job->question.compensators[i].name);
+    }
+    return *words != '\0' ? words : "nothing";
+}
+
+/* With what rays that are not aimed anew are off by. */
+static const char *rays_in_words(const struct tolerance_job *job)
+{
+    const struct tolerance_input *input = job->input;
+    struct arena *arena = job->run->arena;
+    const struct criterion_type *type = criterion_type(job->question.criterion.kind);
+    const char *aimed =
+        job->question.aims ? "aimed at the stop of every lens"
+        : isnan(job->aim_error)
+            ? "those of the nominal lens"
+            : arena_printf(arena, "those of the nominal lens (aimed anew: %.2g %s rms)",
+                           type->scale * job->aim_error, type->unit);
+    return arena_printf(arena, "%ld %s, %s, %s", input->rays, patterns[input->pattern].word,
+                        job->question.view.clip ? "clipped" : "not clipped", aimed);
+}
+
+struct tolerance_about tolerance_about_of(const struct tolerance_job *job)
+{
+    const struct tolerance_input *input = job->input;
+    const struct criterion_type *type = criterion_type(job->question.criterion.kind);
+    return (struct tolerance_about){
+        .fnumber = input->question.fnumber,
+        .seed = input->seed,
+        .made = arena_printf(job->run->arena, "%zu error%s, %s", job->perturbations.count,
+                             job->perturbations.count == 1 ? "" : "s", job->made),
+        .lens = job->lens->title,
+        .method = tolerance_method_in_words(job),
+        .rays = rays_in_words(job),
+        .adjusted = adjusted_in_words(job),
+        .limit = isnan(job->limit) ? NULL
+                                   : arena_printf(job->run->arena, "%.6g %s",
+                                                  job->limit * type->scale, type->unit),
+        .warning = job->warning};
+}

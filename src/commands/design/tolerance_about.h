@@ -1,0 +1,67 @@
+/* commands/design/tolerance_about.h - what all rows of tolerance say of their run. */
+/* SPDX-License-Identifier: MIT */
+#ifndef LENSCALC_COMMANDS_DESIGN_TOLERANCE_ABOUT_H
+#define LENSCALC_COMMANDS_DESIGN_TOLERANCE_ABOUT_H
+
+#include "commands/analysis/analysis_options.h"
+#include "commands/design/tolerance_job.h"
+
+/* What every row says of the run. */
+struct tolerance_about {
+    double fnumber;
+    long seed;
+    const char *made, *lens, *method, *rays, *adjusted, *limit, *warning;
+};
+
+#define TOLERANCE_ABOUT_COLUMNS(S)                                                                 \
+    {COLUMN(S, about.fnumber),                                                                     \
+     .flags = COLUMN_ECHO | COLUMN_EXTRA,                                                          \
+     .name = "fnumber",                                                                            \
+     .dimension = &dimension_fnumber,                                                              \
+     .with = "aperture",                                                                           \
+     .label = "f-number",                                                                          \
+     .help = "f-number in place of the lens's own aperture"},                                      \
+        {COLUMN(S, about.seed), .flags = COLUMN_ECHO | COLUMN_EXTRA,                               \
+         .name = "seed",        .with = "seed",                                                    \
+         .label = "seed",       .help = "another one gives other trials"},                         \
+        {COLUMN(S, about.made), .flags = COLUMN_EXTRA | COLUMN_ASSUMED,                            \
+         .name = "tolerances",  .depends = "grade tolerances lens",                                \
+         .label = "tolerances", .help = "how many independent errors, and where they are from"},   \
+        {COLUMN(S, about.limit), .flags = COLUMN_EXTRA | COLUMN_ASSUMED,                           \
+         .name = "limit",        .depends = "limit",                                               \
+         .label = "limit",       .help = "of the figures of a lens that passes"},                  \
+        {COLUMN(S, about.adjusted),                                                                \
+         .flags = COLUMN_EXTRA | COLUMN_ASSUMED,                                                   \
+         .name = "adjusted",                                                                       \
+         .depends = "refocus gap adjust",                                                          \
+         .label = "adjusted",                                                                      \
+         .help = "what is moved in every lens, to make its spots or wave fronts best"},            \
+        {COLUMN(S, about.method), .flags = COLUMN_EXTRA | COLUMN_ASSUMED,                          \
+         .name = "method",        .depends = "method trials",                                      \
+         .label = "method",       .help = "how trials were made"},                                 \
+        {COLUMN(S, about.rays), .flags = COLUMN_EXTRA | COLUMN_ASSUMED,                            \
+         .name = "rays",        .depends = "rays pattern aim clip no-clip trials",                 \
+         .label = "rays",       .help = "those of each field and wavelength"},                     \
+        LENS_TITLE_COLUMN(S, about.lens), LENS_WARNING_COLUMN(S, about.warning)
+
+/* What a row is of. */
+#define TOLERANCE_CRITERION_COLUMNS(S)                                                             \
+    LENS_POSITION_COLUMN(S, position, COLUMN_BRIEF),                                               \
+        {COLUMN(S, criterion), .flags = COLUMN_BRIEF, .name = "criterion", .label = "criterion",   \
+         .help = "what lenses are judged by"},                                                     \
+        {COLUMN(S, of), .flags = COLUMN_BRIEF, .name = "of", .label = "of",                        \
+         .help = "worst or mean of all fields and positions, or the field"},                       \
+    {                                                                                              \
+        COLUMN(S, unit), .flags = COLUMN_BRIEF, .name = "unit", .label = "unit",                   \
+                         .help = "of its figures"                                                  \
+    }
+
+struct tolerance_about tolerance_about_of(const struct tolerance_job *job);
+
+/* "10deg", "3mm"; of a position "lens"; of null "worst" or "mean". */
+const char *tolerance_name_of(const struct tolerance_job *job,
+                              const struct tolerance_figure *figure);
+const char *tolerance_position_of(const struct tolerance_job *job,
+                                  const struct tolerance_figure *figure);
+
+#endif

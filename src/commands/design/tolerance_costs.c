@@ -1,0 +1,445 @@
+/* commands/design/tolerance_costs.c - what each error costs, and what errors may be. */
+/* SPDX-License-Identifier: MIT */
+#include "commands/design/tolerance_costs.h"
+
+#include "base/constants.h"
+#include "cli/tolerances.h"
+#include "commands/design/tolerance_about.h"
+#include "design/sensitivity.h"
+#include "design/tolerance_model.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+/* How wide a tolerance is, as people say it. */
+struct range {
+    double scale; /* times the amount of a perturbation */
+    const char *unit;
+};
+
+static struct range range_of(const struct perturbation *one)
+{
+    const double arcminutes = 60 * DEGREES_PER_RADIAN;
+    switch (one->kind) {
+    case TOLERANCE_TILT:
+    case TOLERANCE_ELEMENT_TILT:
+    case TOLERANCE_ELEMENT_ROLL:
+    case TOLERANCE_WEDGE:
+        return (struct range){arcminutes, "arcmin"};
+    case TOLERANCE_IRREGULARITY:
+        return (struct range){TOLERANCE_WAVE_MM / TOLERANCE_FRINGE_MM, "fringes"};
+    case TOLERANCE_INDEX:
+    case TOLERANCE_ABBE:
+    case TOLERANCE_CONIC:
+        return (struct range){1, "1"};
+    case TOLERANCE_COEFFICIENT:
+        return (struct range){1, "mm^(1-n)"};
+    default:
+        return (struct range){1, one->what.kind == PARAMETER_CURVATURE ? "1/mm" : "mm"};
+    }
+}
+
+/* What rows have of an error. */
+#define ERROR_COLUMNS(S)                                                                           \
+    {COLUMN(S, perturbation), .flags = COLUMN_BRIEF, .name = "perturbation",                       \
+     .label = "perturbation", .help = "what is wrong with the lens, and nothing else"},            \
+        {COLUMN(S, range),                                                                         \
+         .flags = COLUMN_BRIEF,                                                                    \
+         .name = "tolerance",                                                                      \
+         .head = "+-",                                                                             \
+         .digits = 4,                                                                              \
+         .label = "tolerance",                                                                     \
+         .help = "plus and minus: half the range"},                                                \
+    {                                                                                              \
+        COLUMN(S, range_unit), .flags = COLUMN_BRIEF, .name = "tolerance_unit", .head = "",        \
+                               .label = "its unit", .help = "of the tolerance"                     \
+    }
+
+/* -------- sensitivity -------- */
+
+struct sensitivity_row {
+    struct tolerance_about about;
+    const char *perturbation, *range_unit, *position, *criterion, *of, *unit;
+    double range, field, height, linear, quadratic, plus, minus, compensation;
+};
+
+#define CHANGE(member, words)                                                                      \
+    {                                                                                              \
+        COLUMN(struct sensitivity_row, member), .flags = COLUMN_BRIEF, .digits = 4,                \
+                                                .name = #member, .label = #member, .help = words   \
+    }
+
+static const struct column sensitivity_columns[] = {
+    ERROR_COLUMNS(struct sensitivity_row),
+    TOLERANCE_CRITERION_COLUMNS(struct sensitivity_row),
+    {COLUMN(struct sensitivity_row, field), .flags = COLUMN_HIDDEN, .name = "field",
+     .dimension = &dimension_angle, .unit = "deg", .label = "field",
+     .help = "field angle in the y-z plane; absent for heights"},
+    {COLUMN(struct sensitivity_row, height), .flags = COLUMN_HIDDEN, .name = "height",
+     .dimension = &dimension_length, .unit = "mm", .label = "height",
+     .help = "field as a height; absent for angles"},
+    CHANGE(linear, "derivative of the figure, times the tolerance; absent of a root that is 0"),
+    CHANGE(quadratic, "half of the sum of both changes: what does not depend on the sign"),
+    CHANGE(plus, "change of the figure with the whole tolerance; absent where the lens has none"),
+    CHANGE(minus, "the same with the opposite sign"),
+    {COLUMN(struct sensitivity_row, compensation), .flags = COLUMN_BRIEF, .digits = 4,
+     .name = "compensation", .dimension = &dimension_length, .unit = "mm", .label = "compensation",
+     .help = "how far the image plane moves with plus"},
+    TOLERANCE_ABOUT_COLUMNS(struct sensitivity_row),
+};
+
+const struct sheet tolerance_sensitivity_sheet = SHEET(sensitivity_columns, struct sensitivity_row);
+
+static bool is_angle(const struct tolerance_figure *figure)
+{
+    return figure->field != NULL && figure->field->point.kind == FIELD_ANGLE;
+}
+
+bool tolerance_emit_sensitivity(struct tolerance_job *job, struct error *error)
+{
+    struct arena *arena = job->run->arena;
+    const struct tolerance *tolerance = &job->tolerance;
+    const struct criterion_type *type = criterion_type(job->question.criterion.kind);
+    const struct tolerance_about about = tolerance_about_of(job);
+    struct tolerance_model *model = ARENA_NEW(arena, struct tolerance_model);
+    const char *failure;
+    (void)error;
+    tolerance_model_open(&job->tolerance, arena, model);
+    const size_t n = model->problem.error_count, figures = model->problem.figure_count;
+    struct sensitivity *table = ARENA_ARRAY(arena, n * figures, struct sensitivity);
+    sensitivity_find(&model->problem, model->nominal, arena, table, &failure);
+    if (failure != NULL) {
+        doubts_add(job->run->doubts, "%s", failure);
+    }
+    for (size_t i = 0; i < n; i++) {
+        const struct perturbation *one = &job->question.perturbations[i];
+        const struct range range = range_of(one);
+        for (size_t f = 0; f < tolerance->figure_count; f++) {
+            const struct sensitivity *at = &table[i * figures + f];
+            const struct tolerance_figure *figure = &tolerance->figures[f];
+            const double y = figure->field != NULL ? figure->field->point.value[1] : NAN;
+            const struct sensitivity_row row = {
+                .about = about,
+                .perturbation = one->name,
+                .range = one->amount * range.scale,
+                .range_unit = range.unit,
+                .position = tolerance_position_of(job, figure),
+                .criterion = job->question.criterion.name,
+                .of = tolerance_name_of(job, figure),
+                .unit = type->unit,
+                .field = is_angle(figure) ? y : NAN,
+                .height = is_angle(figure) ? NAN : y,
+                .linear = type->scale * at->linear,
+                .quadratic = type->scale * at->quadratic,
+                .plus = type->scale * at->plus,
+                .minus = type->scale * at->minus,
+                .compensation = table[i * figures + tolerance->figure_count].plus};
+            if (!run_emit(job->run, &row)) {
+                return true;
+            }
+        }
+    }
+    return true;
+}
+
+/* -------- inverse -------- */
+
+struct inverse_row {
+    struct tolerance_about about;
+    const char *perturbation, *range_unit, *criterion, *of, *unit, *limited, *line;
+    double range, proposed, factor, cost, together;
+};
+
+static const struct column inverse_columns[] = {
+    ERROR_COLUMNS(struct inverse_row),
+    {COLUMN(struct inverse_row, proposed), .flags = COLUMN_BRIEF, .digits = 4, .name = "proposed",
+     .label = "proposed", .help = "the tolerance that costs an equal share of the drop"},
+    {COLUMN(struct inverse_row, factor), .flags = COLUMN_HIDDEN, .name = "factor",
+     .label = "factor", .help = "of the tolerance that was given"},
+    {COLUMN(struct inverse_row, cost), .flags = COLUMN_BRIEF, .digits = 4, .name = "cost",
+     .label = "cost",
+     .help = "what the proposed one costs alone, the worse of both signs; of two directions the "
+             "root of the sum of the squares"},
+    {COLUMN(struct inverse_row, unit), .flags = COLUMN_BRIEF, .name = "unit", .label = "unit",
+     .help = "of the cost"},
+    {COLUMN(struct inverse_row, limited), .flags = COLUMN_BRIEF | COLUMN_SPARSE, .name = "limited",
+     .label = "limited",
+     .help = "high: no published grade is tighter, and so it costs more; commercial: no shop has "
+             "to be worse, and so it costs less"},
+    {COLUMN(struct inverse_row, criterion), .flags = COLUMN_HIDDEN, .name = "criterion",
+     .label = "criterion", .help = "what lenses are judged by"},
+    {COLUMN(struct inverse_row, of), .flags = COLUMN_HIDDEN, .name = "of", .label = "of",
+     .help = "worst or mean of all fields and positions"},
+    {COLUMN(struct inverse_row, line), .flags = COLUMN_EXTRA, .name = "line", .label = "line",
+     .help = "the proposal as a line of a lens or a file of {--tolerances}"},
+    {COLUMN(struct inverse_row, together), .flags = COLUMN_EXTRA | COLUMN_ASSUMED,
+     .name = "together", .depends = "drop", .label = "cost together",
+     .help = "what all of them cost: the root of the sum of the squares"},
+    TOLERANCE_ABOUT_COLUMNS(struct inverse_row),
+};
+
+const struct sheet tolerance_inverse_sheet = SHEET(inverse_columns, struct inverse_row);
+
+/* How much worse a lens is than the nominal one: by its worst figure, or its mean. */
+static double cost_of(void *context, const double *figures)
+{
+    const struct tolerance_job *job = context;
+    const struct tolerance *tolerance = &job->tolerance;
+    const enum criterion_kind kind = job->question.criterion.kind;
+    double worst = -INFINITY, before = -INFINITY;
+    if (job->trials.of == TOLERANCE_OF_MEAN) {
+        const double is = tolerance_judged(tolerance, TOLERANCE_OF_MEAN, figures);
+        const double was = tolerance_judged(tolerance, TOLERANCE_OF_MEAN, tolerance->nominal);
+        return criterion_badness(kind, is, was) - criterion_badness(kind, was, was);
+    }
+    for (size_t f = 0; f < tolerance->figure_count; f++) {
+        worst = fmax(worst, criterion_badness(kind, figures[f], tolerance->nominal[f]));
+        before =
+            fmax(before, criterion_badness(kind, tolerance->nominal[f], tolerance->nominal[f]));
+    }
+    return worst - before;
+}
+
+/* The errors that a grade has of the lens; none where it cannot be had. */
+static struct perturbations of_grade(const struct tolerance_job *job, const char *grade)
+{
+    const struct run *run = job->run;
+    const struct lens_tolerance *none = NULL;
+    struct lens *bare = ARENA_NEW(run->arena, struct lens);
+    struct perturbations perturbations = {NULL, 0, NULL, NULL};
+    const char *assumed;
+    struct error ignored;
+    *bare = *job->lens;
+    bare->tolerances = (struct lens_tolerance *)none;
+    bare->tolerance_count = 0;
+    const struct tolerances_reader reader = {.lens = bare, .db = run->db, .arena = run->arena};
+    if (!tolerances_of(&reader, grade, NULL, &perturbations, &assumed, &ignored)) {
+        perturbations.count = 0;
+    }
+    return perturbations;
+}
+
+/* The same error in a grade, in units of half the range here; NaN: the grade has none such. */
+static double in_grade(const struct perturbations *grade, const struct perturbation *one)
+{
+    for (size_t i = 0; i < grade->count; i++) {
+        const struct perturbation *other = &grade->list[i];
+        if (strcmp(other->name, one->name) == 0 && other->what.kind == one->what.kind) {
+            return other->amount / one->amount;
+        }
+    }
+    return NAN;
+}
+
+/* Tolerances, each of one error or of several directions and forms. */
+struct things {
+    size_t *of;    /* each error */
+    size_t *first; /* error of each thing */
+    size_t count;
+    double *low, *high;
+};
+
+static bool is_same_thing(const struct perturbation *a, const struct perturbation *b)
+{
+    return a->kind == b->kind && a->first == b->first && a->last == b->last &&
+           a->what.order == b->what.order && a->what.surface == b->what.surface;
+}
+
+/* With what shops promise at best, and what they need not be asked for. */
+static struct things things_of(const struct tolerance_job *job)
+{
+    const double least = 1e-6, most = 1e6; /* of what no grade has */
+    const struct perturbations tight = of_grade(job, "high"), loose = of_grade(job, "commercial");
+    const struct tolerance_question *question = &job->question;
+    const size_t n = question->perturbation_count + 1;
+    struct arena *arena = job->run->arena;
+    struct things things = {ARENA_ARRAY(arena, n, size_t), ARENA_ARRAY(arena, n, size_t), 0,
+                            ARENA_ARRAY(arena, n, double), ARENA_ARRAY(arena, n, double)};
+    for (size_t i = 0; i < question->perturbation_count; i++) {
+        const struct perturbation *one = &question->perturbations[i];
+        const bool is_new = i == 0 || !is_same_thing(one - 1, one);
+        if (is_new) {
+            const double best = in_grade(&tight, one), worst = in_grade(&loose, one);
+            things.low[things.count] = isnan(best) ? least : best;
+            things.high[things.count] = isnan(worst) ? most : worst;
+            things.first[things.count++] = i;
+        }
+        things.of[i] = things.count - 1;
+    }
+    return things;
+}
+
+/* "element 3..5 tilt" of "element 3..5 tilt x". */
+static const char *thing_name(const struct tolerance_job *job, const struct things *things,
+                              size_t thing)
+{
+    const size_t first = things->first[thing];
+    const char *name = job->question.perturbations[first].name, *end = strrchr(name, ' ');
+    const bool is_one = thing + 1 < things->count ? things->first[thing + 1] == first + 1
+                                                  : first + 1 == job->question.perturbation_count;
+    return is_one || end == NULL ? name : arena_string(job->run->arena, name, (size_t)(end - name));
+}
+
+/* Null: it has no such words. */
+static const char *line_of(const struct tolerance_job *job, const struct perturbation *one,
+                           const char *name, double proposed)
+{
+    const struct range range = range_of(one);
+    const struct spread *spread = &one->spread;
+    const char *unit = strcmp(range.unit, "1") == 0 ? "" : range.unit;
+    return one->what.kind == PARAMETER_CURVATURE || one->kind == TOLERANCE_COEFFICIENT
+               ? NULL
+               : arena_printf(job->run->arena, "tolerance %s %.4g%s %s", name, proposed, unit,
+                              distribution_words[spread->distribution].word);
+}
+
+static void emit_inverse(struct tolerance_job *job, const struct things *things,
+                         const struct inverse *answers, double together)
+{
+    static const char *const limits[] = {
+        [INVERSE_TIGHTEST] = "high", [INVERSE_LOOSEST] = "commercial"};
+    const struct criterion_type *type = criterion_type(job->question.criterion.kind);
+    const struct tolerance_about about = tolerance_about_of(job);
+    bool goes_on = true;
+    for (size_t i = 0; i < things->count && goes_on; i++) {
+        const struct perturbation *one = &job->question.perturbations[things->first[i]];
+        const struct range range = range_of(one);
+        const double proposed = one->amount * range.scale * answers[i].factor;
+        const char *name = thing_name(job, things, i);
+        const struct inverse_row row = {.about = about,
+                                        .perturbation = name,
+                                        .range = one->amount * range.scale,
+                                        .range_unit = range.unit,
+                                        .criterion = job->question.criterion.name,
+                                        .of =
+                                            job->trials.of == TOLERANCE_OF_MEAN ? "mean" : "worst",
+                                        .unit = type->unit,
+                                        .limited = limits[answers[i].limit],
+                                        .line = line_of(job, one, name, proposed),
+                                        .proposed = proposed,
+                                        .factor = answers[i].factor,
+                                        .cost = type->scale * answers[i].cost,
+                                        .together = type->scale * together};
+        goes_on = run_emit(job->run, &row);
+    }
+}
+
+bool tolerance_emit_inverse(struct tolerance_job *job, struct error *error)
+{
+    struct arena *arena = job->run->arena;
+    const struct criterion_type *type = criterion_type(job->question.criterion.kind);
+    const struct things things = things_of(job);
+    struct tolerance_model *model = ARENA_NEW(arena, struct tolerance_model);
+    struct inverse *answers = ARENA_ARRAY(arena, things.count + 1, struct inverse);
+    tolerance_model_open(&job->tolerance, arena, model);
+    const struct inverse_question question = {.problem = &model->problem,
+                                              .cost = cost_of,
+                                              .context = job,
+                                              .drop = job->drop,
+                                              .thing = things.of,
+                                              .thing_count = things.count,
+                                              .low = things.low,
+                                              .high = things.high};
+    const double together = inverse_find(&question, arena, answers);
+    if (isnan(together)) {
+        return fail(error, ERROR_DOMAIN,
+                    "one of the tightest tolerances that shops promise leaves a lens without "
+                    "figures");
+    }
+    if (together > job->drop * (1 + 1e-6)) {
+        doubts_add(job->run->doubts,
+                   "the tightest tolerances that shops promise cost %.4g %s together, more than "
+                   "the drop of %.4g %s",
+                   type->scale * together, type->unit, type->scale * job->drop, type->unit);
+    }
+    emit_inverse(job, &things, answers, together);
+    return true;
+}
+
+/* -------- offenders -------- */
+
+struct offender_row {
+    struct tolerance_about about;
+    const char *perturbation, *range_unit, *criterion;
+    double range, first, total;
+    long rank;
+};
+
+static const struct column offender_columns[] = {
+    {COLUMN(struct offender_row, rank), .flags = COLUMN_BRIEF, .name = "rank", .label = "rank",
+     .help = "from the worst, 1, on"},
+    ERROR_COLUMNS(struct offender_row),
+    {COLUMN(struct offender_row, first), .flags = COLUMN_BRIEF, .digits = 4, .name = "share_first",
+     .head = "first", .label = "by itself",
+     .help = "share of the variance of the figure, of a root of its square, that it makes by "
+             "itself; the mean of all fields and positions"},
+    {COLUMN(struct offender_row, total), .flags = COLUMN_BRIEF, .digits = 4, .name = "share_total",
+     .head = "total", .label = "in all",
+     .help = "with what it makes together with others, which count it too"},
+    {COLUMN(struct offender_row, criterion), .flags = COLUMN_HIDDEN, .name = "criterion",
+     .label = "criterion", .help = "what lenses are judged by"},
+    TOLERANCE_ABOUT_COLUMNS(struct offender_row),
+};
+
+const struct sheet tolerance_offenders_sheet = SHEET(offender_columns, struct offender_row);
+
+static int by_share(const void *a, const void *b)
+{
+    const struct tolerance_offender *left = a, *right = b;
+    return left->share.total != right->share.total
+               ? (left->share.total > right->share.total ? -1 : 1)
+           : left->perturbation < right->perturbation ? -1
+                                                      : 1;
+}
+
+bool tolerance_offenders(struct tolerance_job *job, struct tolerance_offender **offenders,
+                         double *deviation, struct error *error)
+{
+    struct arena *arena = job->run->arena;
+    const size_t n = job->question.perturbation_count;
+    struct tolerance_model *model = ARENA_NEW(arena, struct tolerance_model);
+    struct differential differential;
+    struct differential_share *shares = ARENA_ARRAY(arena, n + 1, struct differential_share);
+    struct perturbation_moments *moments = ARENA_ARRAY(arena, n + 1, struct perturbation_moments);
+    tolerance_model_open(&job->tolerance, arena, model);
+    if (!differential_open(&model->problem, arena, &differential, error)) {
+        return false;
+    }
+    for (size_t i = 0; i < n; i++) {
+        moments[i] = perturbation_moments(&job->question.perturbations[i]);
+    }
+    *deviation = differential_shares(&differential, moments, LENS_NONE, shares);
+    *offenders = ARENA_ARRAY(arena, n + 1, struct tolerance_offender);
+    for (size_t i = 0; i < n; i++) {
+        (*offenders)[i] = (struct tolerance_offender){i, shares[i]};
+    }
+    qsort(*offenders, n, sizeof **offenders, by_share);
+    return true;
+}
+
+bool tolerance_emit_offenders(struct tolerance_job *job, struct error *error)
+{
+    const struct tolerance_about about = tolerance_about_of(job);
+    struct tolerance_offender *offenders;
+    double deviation;
+    if (!tolerance_offenders(job, &offenders, &deviation, error)) {
+        return false;
+    }
+    for (size_t i = 0; i < job->question.perturbation_count; i++) {
+        const struct perturbation *one = &job->question.perturbations[offenders[i].perturbation];
+        const struct range range = range_of(one);
+        const struct offender_row row = {.about = about,
+                                         .rank = (long)i + 1,
+                                         .perturbation = one->name,
+                                         .range = one->amount * range.scale,
+                                         .range_unit = range.unit,
+                                         .criterion = job->question.criterion.name,
+                                         .first = offenders[i].share.first,
+                                         .total = offenders[i].share.total};
+        if (!run_emit(job->run, &row)) {
+            break;
+        }
+    }
+    return true;
+}
