@@ -3,6 +3,7 @@
 #include "design/pupil_overlap.h"
 
 #include "base/constants.h"
+#include "base/processor.h"
 #include "check.h"
 
 #include <math.h>
@@ -205,8 +206,76 @@ static void check_derivatives(size_t rays, double shift)
     }
 }
 
+/* -------- every set of instructions gives the same bits -------- */
+
+/* All that kernels write, one behind the other. */
+enum { PLACES = 56, NUMBERS = 6 * PLACES + 2 * PUPIL_TERMS + PUPIL_TERMS * PUPIL_TERMS };
+
+struct kernels {
+    kernel_pupil_look *look;
+    kernel_pupil_gather *gather;
+    kernel_pupil_gram *gram;
+    kernel_pupil_cross *cross;
+};
+
+#define KERNELS(set)                                                                               \
+    {                                                                                              \
+        kernel_pupil_look_##set, kernel_pupil_gather_##set, kernel_pupil_gram_##set,               \
+            kernel_pupil_cross_##set                                                               \
+    }
+
+static void run_kernels(const struct kernels *kernels, struct arena *arena, double *to)
+{
+    const struct pupil_form form = pupil_form_of(136);
+    double *numbers = ARENA_ARRAY(arena, 4 * PLACES + 2 * PUPIL_TERMS, double), *end = to;
+    unsigned long long state = 5;
+    for (int i = 0; i < 4 * PLACES + 2 * PUPIL_TERMS; i++) {
+        numbers[i] = 0.7 * chance(&state);
+    }
+    const double *const c[2] = {numbers + 4 * PLACES, numbers + 4 * PLACES + PUPIL_TERMS};
+    double *out[6];
+    for (int i = 0; i < 6; i++, end += PLACES) {
+        out[i] = end;
+    }
+    const struct pupil_look look = {
+        PLACES, numbers, numbers + PLACES, {out[0], out[1]}, {{out[2], out[3]}, {out[4], out[5]}}};
+    kernels->look(&form, c, &look);
+    kernels->gather(&form, &look, (double *const[]){end, end + PUPIL_TERMS});
+    const struct pupil_fit fit = {&form,
+                                  PLACES,
+                                  numbers,
+                                  numbers + PLACES,
+                                  numbers + 2 * PLACES,
+                                  end + 2 * PUPIL_TERMS,
+                                  ARENA_ARRAY(arena, PLACES * PUPIL_TERMS, double)};
+    kernels->gram(&fit);
+    const struct pupil_cross cross = {
+        PLACES, {numbers, numbers + PLACES}, {out[1], out[2]}, numbers + PLACES, out[3], out[4]};
+    kernels->cross(&cross);
+}
+
+static void check_sets(void)
+{
+    static const struct kernels sse2 = KERNELS(sse2), avx2 = KERNELS(avx2),
+                                avx512 = KERNELS(avx512);
+    static double first[NUMBERS], other[NUMBERS];
+    struct arena arena = {0};
+    run_kernels(&sse2, &arena, first);
+    CHECK(first[0] != 0 && first[3 * PLACES] != 0 && first[6 * PLACES] != 0);
+    if (processor_has_avx2()) {
+        run_kernels(&avx2, &arena, other);
+        CHECK(memcmp(first, other, sizeof first) == 0);
+    }
+    if (processor_has_avx512()) {
+        run_kernels(&avx512, &arena, other);
+        CHECK(memcmp(first, other, sizeof first) == 0);
+    }
+    arena_free(&arena);
+}
+
 int main(void)
 {
+    check_sets();
     check_circle();
     check_beyond();
     check_derivatives(3, 0.05);
