@@ -7,6 +7,7 @@
 #include "cli/progress.h"
 #include "cli/vary.h"
 #include "commands/analysis/analysis_options.h"
+#include "commands/design/optimize_contrast.h"
 #include "commands/design/optimize_glasses.h"
 #include "commands/design/optimize_goals.h"
 #include "report/doubts.h"
@@ -392,6 +393,7 @@ bool optimize_judge(struct optimize_job *job, struct error *error)
     warn_of_idle(job);
     warn_of_grazing(job);
     warn_of_missed(job);
+    optimize_warn(job, optimize_contrast_doubt(job));
     judge(job);
     return warn_of_power(job, error) && check_found(job, error);
 }
