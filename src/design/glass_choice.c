@@ -250,6 +250,7 @@ static void try_from(const struct trying *trying, bool from_start, struct arena 
     const struct optimize_answer *answer = &outcome->answer;
     if (!optimise(&child, from_start ? child.start : child.lens, trying->search->task, arena,
                   outcome, &trial->why)) {
+        trial->why.more = NULL; /* it ends with this arena */
         return;
     }
     const struct rank rank = rank_of(answer->after.merit, answer->summary.excess);
@@ -300,12 +301,14 @@ static bool try_all(struct search *search, const struct node *node, size_t surfa
     struct trying trying = {search, node, surface, trials};
     struct parallel *parallel = ARENA_NEW(search->arena, struct parallel);
     struct glass_choice *choice = search->choice;
+    const struct optimize_task *how = search->task->how;
     parallel->threads = search->task->threads;
     for (size_t i = 0; i < count; i++) {
         trials[i].numbers = ARENA_ARRAY(search->arena, node->count + 1, double);
     }
     parallel_pieces(parallel, count, 1, try_pieces, &trying);
     parallel_free(parallel);
+    choice->is_stopped = how->goes_on != NULL && !how->goes_on(how->context);
     for (size_t i = 0; i < count; i++) {
         choice->is_stopped = choice->is_stopped || trials[i].is_stopped;
         choice->evaluations += trials[i].evaluations;
@@ -463,7 +466,7 @@ bool glass_choose(const struct glass_choice_task *task, struct arena *arena,
     choice->missing = count - found->depth;
     if (choice->missing > 0 && !choice->is_stopped) {
         *error = search.why;
-        return error_prefix(error, "with no glass has the lens a merit: ");
+        return error_prefix(error, "the lens has no merit with any of the glasses: ");
     }
     return found->depth == 0 || keep(&search, found, error);
 }
