@@ -224,6 +224,18 @@ static bool show(const struct artifact_job *job, const struct foveal *foveal, st
     return true;
 }
 
+/* Percent of the pixels that have the colour of an end. */
+static double beyond(const struct image *image, const double range[2])
+{
+    const size_t pixels = image->width * image->height;
+    size_t count = 0;
+    for (size_t i = 0; i < pixels; i++) {
+        const double luminance = (double)sight_luminance(image->pixels + FRAME_CHANNELS * i);
+        count += luminance < range[0] || luminance > range[1];
+    }
+    return 100 * (double)count / (double)pixels;
+}
+
 /* The scale that is asked for, or the decades that hold the picture, down to six below the top. */
 static bool colour(const struct tone_input *input, struct image *image, struct growing *remarks,
                    struct error *error)
@@ -243,8 +255,10 @@ static bool colour(const struct tone_input *input, struct image *image, struct g
     if (input->scale != NULL && !read_range("scale", input->scale, range, error)) {
         return false;
     }
-    growing_format(remarks, "colours from %.4g to %.4g cd/m2, by the logarithm\n", range[0],
-                   range[1]);
+    growing_format(remarks,
+                   "colours from %.6g to %.6g cd/m2, by the logarithm; %.3g %% of the pixels lie "
+                   "beyond\n",
+                   range[0], range[1], beyond(image, range));
     if (!tone_falsecolor(image, range, remarks->arena, &picture, error)) {
         return false;
     }
