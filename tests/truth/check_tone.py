@@ -125,6 +125,25 @@ def check_merge(tone, checks):
     checks.check(0.95 < spread < 1.05, f"merge: their variance is {spread:.3f} of what it should be")
 
 
+def check_rendered(tone, checks):
+    """What lenscalc render has exposed, with its noise, is the luminance that it writes itself."""
+    card = "render chart:wedge --lens double-gauss-50 -s 2m -N 8 --size 84x28 --samples 4".split()
+    for words in (["--radiance", "-t", "1/8", "-o", "truth.pfm"],
+                  ["--noise", "--pitch", "6um", "--read-noise", "3", "-t", "2,1/2,1/8,1/30", "-o",
+                   "shot.png"]):
+        result = tone.program.run(*card, *words, cwd=tone.folder)
+        checks.check(result.returncode == 0, f"render: {result.stderr}")
+    merged, said = tone.run(*(f"shot-{i}.png" for i in range(1, 5)))
+    checks.check("read noise 3" in said and "assumed" not in said, f"render: {said}")
+    truth = read_pfm(tone.path("truth.pfm"))
+    offs = [a[1] / b[1] - 1 for p, q in zip(merged or [], truth) for a, b in zip(p, q) if b[1] > 1]
+    mean = sum(offs) / max(len(offs), 1)
+    spread = math.sqrt(sum((x - mean) ** 2 for x in offs) / max(len(offs), 1))
+    # steps of 8 bits: half of one is 2 % at code 40
+    checks.check(len(offs) > 1500 and abs(mean) < 0.002 and spread < 0.02,
+                 f"render: {len(offs)} pixels are off by {mean:.4f} +- {spread:.4f}")
+
+
 # -------- a response --------
 
 def shoulder(light):
@@ -527,7 +546,7 @@ def main():
     checks = Checks()
     with tempfile.TemporaryDirectory(prefix="lenscalc-tone-") as folder:
         tone = Tone(Program(sys.argv[1]), checks, folder)
-        for check in (check_merge, check_response, check_shift, check_exif, check_ward, check_glare,
+        for check in (check_merge, check_rendered, check_response, check_shift, check_exif, check_ward, check_glare,
                       check_colours, check_acuity, check_falsecolour, check_operators):
             check(tone, checks)
     checks.finish()
