@@ -1,9 +1,9 @@
 /* tone/sight.h - what the eye sees: contrast, detail and colour by the light it is used to. */
 /* SPDX-License-Identifier: MIT */
 /*
- * All constants are those of [WardLarson97]. Ward's own program for it, pcond of Radiance, has the
- * same; but for the veil, of which it takes 0.08, where 0.087 belongs to the 0.913 of the light that
- * stays in [MoonSpencer45].
+ * The constants stand so in pcond of Radiance, Ward's own program for [WardLarson97], but two: the
+ * veil is 0.08 there, and 0.087 here, what the 0.913 that stay in [MoonSpencer45] leave; the least
+ * luminance is 1e-7 there, and here where thresholds have become level.
  */
 #ifndef LENSCALC_TONE_SIGHT_H
 #define LENSCALC_TONE_SIGHT_H
