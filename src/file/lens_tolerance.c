@@ -161,7 +161,9 @@ static bool read_subject(struct reading *reading, struct error *error)
                   {"elements", TOLERANCE_OF_ELEMENT, true}};
     const struct text word = lens_words_next(reading->words);
     struct lens_tolerance *one = reading->one;
-    one->column = (size_t)(word.start - reading->words->line.start) + 1;
+    const struct text line = reading->words->line;
+    one->column = (size_t)(word.start - line.start) + 1;
+    one->text = text_trim(text_between(word.start, line.start + line.length));
     if (word.length == 0) {
         return lens_words_fail(reading->words, word, error,
                                "the tolerance is missing: R1 0.1%% uniform");
