@@ -201,9 +201,8 @@ struct candidate {
 };
 
 /* The best first; of two alike that of the earlier start. */
-static int compare(const void *one, const void *other)
+static int order(const struct candidate *a, const struct candidate *b)
 {
-    const struct candidate *a = one, *b = other;
     if (global_is_better(a->minimum, b->minimum)) {
         return -1;
     }
@@ -211,6 +210,19 @@ static int compare(const void *one, const void *other)
         return 1;
     }
     return a->start < b->start ? -1 : a->start > b->start;
+}
+
+static int compare(const void *one, const void *other)
+{
+    return order(one, other);
+}
+
+static int compare_kept(const void *one, const void *other)
+{
+    const struct global_kept *a = one, *b = other;
+    const struct global_minimum first = {NULL, a->answer.after.merit, a->answer.summary.excess},
+                                second = {NULL, b->answer.after.merit, b->answer.summary.excess};
+    return order(&(struct candidate){&first, a->start}, &(struct candidate){&second, b->start});
 }
 
 static struct candidate *list_candidates(const struct optimize_global *global, size_t *count,
@@ -272,20 +284,6 @@ static bool finish(const struct optimize_task *task, const struct candidate *can
     kept->start = candidate->start;
     return open_fresh(task->merit, arena, fresh, &ignored) &&
            optimize_run(&fine, arena, &kept->answer, &ignored);
-}
-
-static int compare_kept(const void *one, const void *other)
-{
-    const struct global_kept *a = one, *b = other;
-    const struct global_minimum first = {NULL, a->answer.after.merit, a->answer.summary.excess},
-                                second = {NULL, b->answer.after.merit, b->answer.summary.excess};
-    if (global_is_better(&first, &second)) {
-        return -1;
-    }
-    if (global_is_better(&second, &first)) {
-        return 1;
-    }
-    return a->start < b->start ? -1 : a->start > b->start;
 }
 
 size_t optimize_global_keep(const struct optimize_global *global, const struct optimize_task *task,
