@@ -563,6 +563,18 @@ bool merit_fill_mtf(struct merit *merit, const struct merit_slot *slot, double *
     return true;
 }
 
+void merit_mtf_settle(const struct merit_slot *slot, bool holds)
+{
+    struct merit_mtf *mtf = slot->own;
+    merit_beams_settle(&mtf->beams, holds);
+}
+
+bool merit_mtf_deform(const struct merit_slot *slot, struct error *error)
+{
+    struct merit_mtf *mtf = slot->own;
+    return merit_beams_deform(&mtf->beams, error);
+}
+
 struct merit_mtf_look merit_mtf_look(const struct merit_slot *slot, size_t group, int direction)
 {
     const struct merit_mtf *mtf = slot->own;

@@ -24,6 +24,10 @@
 merit_fill merit_fill_mtf;
 merit_prepare merit_prepare_mtf;
 
+/* merit_beams_settle and merit_beams_deform of its rays. */
+void merit_mtf_settle(const struct merit_slot *slot, bool holds);
+bool merit_mtf_deform(const struct merit_slot *slot, struct error *error);
+
 /*
  * What the contrast of a group's field in a direction is by its rays, for tests: of the last
  * evaluation with derivatives.

@@ -1,5 +1,6 @@
 /* design/tolerance_open.c - one lens made ready for trials of its tolerances. */
 /* SPDX-License-Identifier: MIT */
+#include "design/merit_mtf.h"
 #include "design/merit_rays.h"
 #include "design/tolerance_trial.h"
 
@@ -309,8 +310,13 @@ static bool add_figures(struct tolerance *tolerance, const struct setup *setup, 
     if (criterion_type(kind)->of_fields) {
         for (size_t f = 0; f < count; f++) {
             if (counts(kind, &fields[f])) {
-                figures[tolerance->figure_count++] =
-                    (struct tolerance_figure){place, &fields[f], spot + f};
+                struct tolerance_figure figure = {place, &fields[f], spot + f, ORIENTATION_BOTH};
+                if (kind == CRITERION_MTF) {
+                    figure.orientation = ORIENTATION_TANGENTIAL;
+                    figures[tolerance->figure_count++] = figure;
+                    figure.orientation = ORIENTATION_SAGITTAL;
+                }
+                figures[tolerance->figure_count++] = figure;
             }
         }
         return tolerance->figure_count > before;
@@ -319,7 +325,8 @@ static bool add_figures(struct tolerance *tolerance, const struct setup *setup, 
     for (size_t f = 1; f < count; f++) {
         nearest = distance_of(&fields[f]) < distance_of(&fields[nearest]) ? f : nearest;
     }
-    figures[tolerance->figure_count++] = (struct tolerance_figure){place, NULL, spot + nearest};
+    figures[tolerance->figure_count++] =
+        (struct tolerance_figure){place, NULL, spot + nearest, ORIENTATION_BOTH};
     return true;
 }
 
@@ -329,7 +336,7 @@ static bool list_figures(struct tolerance *tolerance, const struct merit *merit,
 {
     size_t room = 0, spot = 0;
     for (size_t i = 0; i < merit->place_count; i++) {
-        room += merit->places[i].setup.field_count + 1;
+        room += 2 * (merit->places[i].setup.field_count + 1);
     }
     tolerance->figures = ARENA_ARRAY(arena, room, struct tolerance_figure);
     for (size_t i = 0; i < merit->place_count; i++) {
@@ -350,7 +357,8 @@ static struct operand operand_of(const struct tolerance *tolerance, const struct
 {
     const struct criterion *criterion = &tolerance->question.criterion;
     return (struct operand){.kind = criterion_type(criterion->kind)->operand,
-                            .target = criterion->kind == CRITERION_EFL ? 1 : 0,
+                            .target = criterion->kind == CRITERION_EFL ||
+                                      criterion->kind == CRITERION_MTF,
                             .deviation = 1,
                             .wavelength = NAN,
                             .field = figure->field,
@@ -388,12 +396,17 @@ static bool open_judge(struct tolerance *tolerance, const struct merit *merit, s
         return true;
     }
     struct operand *operands = ARENA_ARRAY(arena, count, struct operand);
+    const bool is_contrast = tolerance->question.criterion.kind == CRITERION_MTF;
     for (size_t i = 0; i < count; i++) {
         operands[i] = operand_of(tolerance, merit, &tolerance->figures[i]);
     }
+    if (is_contrast) { /* all of them in one look, in this order */
+        operands[0].field = NULL;
+        operands[0].position = LENS_NONE;
+    }
     struct merit_question question = view_of(tolerance);
     question.operands = operands;
-    question.operand_count = count;
+    question.operand_count = is_contrast ? 1 : count;
     if (!merit_open(&question, arena, &tolerance->judge, error)) {
         return false;
     }
@@ -402,6 +415,26 @@ static bool open_judge(struct tolerance *tolerance, const struct merit *merit, s
 }
 
 /* -------- the nominal lens -------- */
+
+/* Contrasts are those of rays that stay, as spots are. */
+static bool aim_judge(struct tolerance *tolerance, struct error *error)
+{
+    struct merit *merit = &tolerance->judge;
+    if (tolerance->question.criterion.kind != CRITERION_MTF) {
+        return true;
+    }
+    if (!merit_evaluate(merit, tolerance->numbers, tolerance->judged, NULL)) {
+        *error = merit->why;
+        return false;
+    }
+    for (size_t i = 0; i < merit->slot_count; i++) {
+        merit_mtf_settle(&merit->slots[i], !tolerance->question.aims);
+        if (tolerance->irregularity_count > 0 && !merit_mtf_deform(&merit->slots[i], error)) {
+            return false;
+        }
+    }
+    return true;
+}
 
 /* Rays are aimed at the stop of the nominal lens, whatever is adjusted in it. */
 static bool aim_nominal(struct tolerance *tolerance, struct arena *arena, struct error *error)
@@ -421,7 +454,7 @@ static bool aim_nominal(struct tolerance *tolerance, struct arena *arena, struct
             return false;
         }
     }
-    return tolerance_check_movers(tolerance, arena, error);
+    return aim_judge(tolerance, error) && tolerance_check_movers(tolerance, arena, error);
 }
 
 static bool judge_nominal(struct tolerance *tolerance, struct arena *arena, struct error *error)

@@ -49,9 +49,10 @@ struct tolerance_question {
 
 /* What a figure is of. */
 struct tolerance_figure {
-    size_t place;                    /* of merit.places */
-    const struct setup_field *field; /* null: of the position */
-    size_t spot;                     /* of tolerance.spots */
+    size_t place;                         /* of merit.places */
+    const struct setup_field *field;      /* null: of the position */
+    size_t spot;                          /* of tolerance.spots */
+    enum operand_orientation orientation; /* of contrast */
 };
 
 /* Ready for trials: of one thread. All of it lies in an arena. */

@@ -22,6 +22,11 @@ try --criterion bfl --trials 100 --columns nominal,mean --csv --digits 6
 try --criterion distortion --of each --refocus none --trials 50 --columns of,nominal --csv --digits 6
 lenscalc distortion double-gauss --columns distortion --csv --digits 6
 try --criterion color --of each --refocus none --trials 20 --columns of,nominal --csv --digits 6
+try --criterion mtf@40/mm -N 5.6 -w d --of each --refocus none --trials 20 --rays 300 --csv --digits 5 \
+    --columns of,nominal
+lenscalc mtf double-gauss -N 5.6 -w d --no-clip --frequency 40 --csv --digits 5 \
+    --columns tangential,sagittal
+try --criterion mtf@40 -N 5.6 --limit 0.5 --digits 4 --trials 50
 try --criterion boresight --trials 200 --digits 4
 # the limits that yields need
 try --show yield --trials 400 --digits 4

@@ -6,6 +6,7 @@
 #include "trace/sample.h"
 
 #include <math.h>
+#include <string.h>
 
 /* "10deg", "3mm"; of a position "lens". */
 const char *tolerance_name_of(const struct tolerance_job *job,
@@ -23,9 +24,21 @@ const char *tolerance_name_of(const struct tolerance_job *job,
     const bool is_angle = point->kind == FIELD_ANGLE;
     const double unit = is_angle ? degrees : 1;
     const char *name = is_angle ? "deg" : "mm";
-    return point->value[0] != 0 ? arena_printf(arena, "%.6g:%.6g%s", point->value[0] * unit,
-                                               point->value[1] * unit, name)
-                                : arena_printf(arena, "%.6g%s", point->value[1] * unit, name);
+    static const char *const orientations[] = {"", " T", " S"};
+    const char *direction = orientations[figure->orientation];
+    return point->value[0] != 0
+               ? arena_printf(arena, "%.6g:%.6g%s%s", point->value[0] * unit,
+                              point->value[1] * unit, name, direction)
+               : arena_printf(arena, "%.6g%s%s", point->value[1] * unit, name, direction);
+}
+
+static const char *limit_in_words(const struct tolerance_job *job)
+{
+    const struct criterion_type *type = criterion_type(job->question.criterion.kind);
+    const bool is_plain = strcmp(type->unit, "1") == 0;
+    return isnan(job->limit) ? NULL
+                             : arena_printf(job->run->arena, "%.6g%s%s", job->limit * type->scale,
+                                            is_plain ? "" : " ", is_plain ? "" : type->unit);
 }
 
 const char *tolerance_position_of(const struct tolerance_job *job,
@@ -65,7 +78,6 @@ static const char *rays_in_words(const struct tolerance_job *job)
 struct tolerance_about tolerance_about_of(const struct tolerance_job *job)
 {
     const struct tolerance_input *input = job->input;
-    const struct criterion_type *type = criterion_type(job->question.criterion.kind);
     return (struct tolerance_about){
         .fnumber = input->question.fnumber,
         .seed = input->seed,
@@ -75,8 +87,6 @@ struct tolerance_about tolerance_about_of(const struct tolerance_job *job)
         .method = tolerance_method_in_words(job),
         .rays = rays_in_words(job),
         .adjusted = adjusted_in_words(job),
-        .limit = isnan(job->limit) ? NULL
-                                   : arena_printf(job->run->arena, "%.6g %s",
-                                                  job->limit * type->scale, type->unit),
+        .limit = limit_in_words(job),
         .warning = job->warning};
 }

@@ -219,6 +219,8 @@ static bool ask_view(struct tolerance_job *job, struct error *error)
     struct merit_question *view = &job->question.view;
     const char *names = question->position != NULL ? question->position : "all";
     struct setup_field *fields = ARENA_ARRAY(arena, question->fields.count + 1, struct setup_field);
+    /* the transfer function of a pupil that is cut is not there */
+    const bool is_contrast = job->question.criterion.kind == CRITERION_MTF;
     *view = (struct merit_question){.lens = job->lens,
                                     .wavelengths = input->waves.items,
                                     .wavelength_count = input->waves.count,
@@ -226,7 +228,7 @@ static bool ask_view(struct tolerance_job *job, struct error *error)
                                     .field_count = question->fields.count,
                                     .section = (enum lens_section)question->section,
                                     .fnumber = question->fnumber,
-                                    .clip = !input->no_clip,
+                                    .clip = input->clip || (!input->no_clip && !is_contrast),
                                     .pattern = (enum pattern)input->pattern,
                                     .rays = (size_t)input->rays,
                                     .seed = (uint64_t)input->seed};
