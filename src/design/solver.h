@@ -120,16 +120,19 @@ bool solver_has(enum solver_engine engine);
  *           slopes times d making up for them, by multipliers; l by the gain against what the step
  *           promised. D is 1 in natural scales at first, then follows the second derivatives that
  *           steps meet, |change of J^T r at the same r| over the move; without scales the diagonal
- *           of J^T J. Residuals of one side are part of the step where they count at its end.
- *           Exact residuals bend: a step is followed by some that only return to them.
+ *           of J^T J. Steps that gain little follow the bend of the valley that they are in, after
+ *           the second derivative along them, but for exact residuals. Residuals of one side are
+ *           part of the step where they count at its end. Exact residuals bend: a step is followed
+ *           by some that only return to them.
  *           SOLVER_CERES: Levenberg-Marquardt with orthogonal factors, and bounds by an active set:
  *           as soon as a parameter lies on a bound and the cost falls beyond it, it is held there
  *           and the rest goes on (a projected step alone stalls: the others then move as if it had
  *           not been cut); where nothing more is gained and the cost falls inwards, it is let go.
  *           Covariance s^2 (J^T W J)^-1 at the end, s^2 = sum rho' r^2/(degrees of freedom), W =
  *           diag rho', over the parameters that are free and determined
- * Source    [Levenberg44]; [Spencer63] (exact conditions); [Dilworth78] (second derivatives);
- *           [Nielsen99] 2.2 (damping); [Ceres22]; [Nocedal06] 10.3, 16.5 (active sets)
+ * Source    [Levenberg44]; [Transtrum11] (bent steps); [Spencer63] (exact conditions);
+ *           [Dilworth78] (second derivatives); [Nielsen99] 2.2 (damping); [Ceres22];
+ *           [Nocedal06] 10.3, 16.5 (active sets)
  * Errors    ERROR_DOMAIN: fewer residuals than parameters, bounds that contradict each other, a
  *           start outside of them or without finite residuals and derivatives, a loss without
  *           scale, sides and losses at once; Ceres where it is not part of the program, or asked

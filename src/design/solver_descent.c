@@ -159,6 +159,9 @@ void descent_open(struct descent *descent, struct arena *arena)
     }
     descent->move = ARENA_ARRAY(arena, n + descent->exact, double);
     descent->wanted = ARENA_ARRAY(arena, descent->exact + 1, double);
+    descent->second = ARENA_ARRAY(arena, m + 1, double);
+    descent->straight = ARENA_ARRAY(arena, n, double);
+    descent->sides = ARENA_ARRAY(arena, n, enum step_side);
     solver_sided_open(descent->problem, arena, &descent->sided);
     descent->room = solver_normal_room(n, arena);
     solver_step_open(&descent->step, n, descent->exact, arena);

@@ -32,7 +32,9 @@ struct descent {
     double price;      /* of the exact residuals against the cost */
     double share;      /* of the exact residuals that a step takes off: less after steps too far */
     double *damped, *low, *high, *move, *none, *before, *wanted;
-    double *room; /* of the normal equations */
+    double *second, *straight; /* residuals' second derivatives along a step, and that step */
+    enum step_side *sides;     /* its sides */
+    double *room;              /* of the normal equations */
     struct solver_sided sided;
     struct solver_step step;
     int steady; /* steps in succession that changed next to nothing */
@@ -75,6 +77,15 @@ void descent_learn(struct descent *descent, const double *explained, const doubl
 
 /* Find the step and what there is behind it. Result: false: no value there; NaN promise: no step */
 bool descent_step(struct descent *descent, double *promised);
+
+/*
+ * Bend the step that was found, which leads straight from here.
+ *
+ * Formula   d + a/2 with (J^T J + l D) a = -J^T r'', r'' the second derivative along d from the
+ *           residuals at a tenth of it; not where a is long against d
+ * Source    [Transtrum11] (geodesic acceleration)
+ */
+void descent_bend(struct descent *descent);
 
 /* The last thing: exact residuals are 0 as nearly as can be. */
 void descent_finish(struct descent *descent);

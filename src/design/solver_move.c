@@ -117,6 +117,17 @@ static void set_price(struct descent *descent)
     descent->price = fmin(fmax(descent->price, 2 * most), 20 * most);
 }
 
+/*
+ * Where a step gains little, in a narrow valley, it is worth one more evaluation that it follows
+ * the bends of it; far from there steps are to lead elsewhere anyway.
+ */
+static bool creeps(const struct descent *descent, double promised)
+{
+    static const double little = 0.1;
+    return descent->exact == 0 && descent->problem->scale != NULL &&
+           promised < little * descent_height(descent, &descent->here);
+}
+
 bool descent_step(struct descent *descent, double *promised)
 {
     struct solver_step *step = &descent->step;
@@ -133,6 +144,9 @@ bool descent_step(struct descent *descent, double *promised)
     }
     set_price(descent);
     *promised = promise(descent);
+    if (creeps(descent, *promised)) {
+        descent_bend(descent);
+    }
     move(descent, descent->here.parameters, descent->there.parameters);
     if (!descent_measure(descent, &descent->there, NULL)) {
         return false;

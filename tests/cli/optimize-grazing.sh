@@ -5,13 +5,13 @@ wavelength  d F C
 field       angle 0 10 16
 aperture    epd 35
 focus       table
-surface     -   6   1.6204/60.3   -  c=-0.04898
-surface     -   5   air           -  c=-0.04808
-surface     -   2   1.62/36.4     -  c=0.04566
-surface     -   2   air           -  c=-0.0385
+surface     -   6   1.6204/60.3   -  c=-0.01017
+surface     -   5   air           -  c=0.0096
+surface     -   2   1.62/36.4     -  c=-0.05759
+surface     -   2   air           -  c=0.0139
 stop        -   4   air           -
-surface     -   5   1.6204/60.3   -  c=-0.05718
-surface     -   40  air           -  c=0.04098
+surface     -   5   1.6204/60.3   -  c=0.01586
+surface     -   40  air           -  c=-0.05279
 EOF
 # where nothing keeps them off, it ends where every step loses some; else it gets further
 vary=c1,c2,c3,c4,c6,c7,t7
