@@ -65,10 +65,12 @@ static const char *rays_in_words(const struct tolerance_job *job)
     const struct tolerance_input *input = job->input;
     struct arena *arena = job->run->arena;
     const struct criterion_type *type = criterion_type(job->question.criterion.kind);
+    const double rounding = 1e-9; /* where the stop is the first surface */
     const char *aimed =
-        job->question.aims ? "aimed at the stop of every lens"
-        : isnan(job->aim_error)
-            ? "those of the nominal lens"
+        job->question.aims      ? "aimed at the stop of every lens"
+        : isnan(job->aim_error) ? "those of the nominal lens"
+        : job->aim_error <= rounding * fabs(job->result.columns[0].tally.nominal)
+            ? "those of the nominal lens (aimed anew: the same)"
             : arena_printf(arena, "those of the nominal lens (aimed anew: %.2g %s rms)",
                            type->scale * job->aim_error, type->unit);
     return arena_printf(arena, "%ld %s, %s, %s", input->rays, patterns[input->pattern].word,
