@@ -201,11 +201,24 @@ static size_t turn_pivot(const struct turn *turn, const struct lens_tolerance *f
     return has_end && pivot == (is_wedge ? to->last : to->first) ? LENS_NONE : pivot;
 }
 
-/* One tolerance, whose surfaces are others now; those that have no place are left out. */
-static void turn_tolerance(const struct turn *turn, const struct lens_tolerance *from)
+/* Those of the lens turned around, in the making. */
+struct turned_tolerances {
+    struct lens_tolerance *list;
+    size_t count, room;
+};
+
+static void add_tolerance(const struct turn *turn, struct turned_tolerances *all,
+                          struct lens_tolerance one)
+{
+    all->list = arena_grow(turn->arena, all->list, all->count, &all->room, sizeof all->list[0]);
+    all->list[all->count++] = one;
+}
+
+/* One of surfaces that are others now; those that have no place are left out. */
+static void turn_tolerance(const struct turn *turn, struct turned_tolerances *all,
+                           const struct lens_tolerance *from)
 {
     const enum owner owner = owner_of_tolerance(from->kind);
-    struct lens *lens = turn->build.lens;
     struct lens_tolerance to = *from;
     to.first = LENS_NONE;
     to.last = 0;
@@ -219,35 +232,43 @@ static void turn_tolerance(const struct turn *turn, const struct lens_tolerance 
     }
     if (to.first != LENS_NONE) {
         to.pivot = turn_pivot(turn, from, &to);
-        lens->tolerances[lens->tolerance_count++] = to;
+        add_tolerance(turn, all, to);
+    }
+}
+
+/* Of each element among the surfaces by itself, as each has its own end. */
+static void turn_elements(const struct turn *turn, struct turned_tolerances *all,
+                          const struct lens_tolerance *from)
+{
+    struct element *elements;
+    const size_t count = elements_of(turn->from, turn->arena, &elements);
+    for (size_t e = 0; e < count; e++) {
+        if (elements[e].first >= from->first && elements[e].last <= from->last) {
+            struct lens_tolerance one = *from;
+            one.is_range = false;
+            one.first = elements[e].first;
+            one.last = elements[e].last;
+            turn_tolerance(turn, all, &one);
+        }
     }
 }
 
 static void turn_tolerances(const struct turn *turn)
 {
-    const struct lens *from = turn->from;
-    struct lens *lens = turn->build.lens;
-    struct element *elements;
-    const size_t count = elements_of(from, turn->arena, &elements);
-    lens->tolerances =
-        ARENA_ARRAY(turn->arena, from->tolerance_count * (count + 1), struct lens_tolerance);
-    lens->tolerance_count = 0;
-    for (size_t i = 0; i < from->tolerance_count; i++) {
-        struct lens_tolerance one = from->tolerances[i];
-        if (!one.is_range || (one.kind != TOLERANCE_WEDGE && one.kind != TOLERANCE_ELEMENT_ROLL)) {
-            turn_tolerance(turn, &one);
-            continue;
-        }
-        one.is_range = false;
-        for (size_t e = 0; e < count; e++) {
-            if (elements[e].first >= from->tolerances[i].first &&
-                elements[e].last <= from->tolerances[i].last) {
-                one.first = elements[e].first;
-                one.last = elements[e].last;
-                turn_tolerance(turn, &one);
-            }
+    struct turned_tolerances all = {0};
+    for (size_t i = 0; i < turn->from->tolerance_count; i++) {
+        const struct lens_tolerance *one = &turn->from->tolerances[i];
+        if (one->kind == TOLERANCE_FOCUS) {
+            add_tolerance(turn, &all, *one);
+        } else if (one->is_range &&
+                   (one->kind == TOLERANCE_WEDGE || one->kind == TOLERANCE_ELEMENT_ROLL)) {
+            turn_elements(turn, &all, one);
+        } else {
+            turn_tolerance(turn, &all, one);
         }
     }
+    turn->build.lens->tolerances = all.list;
+    turn->build.lens->tolerance_count = all.count;
 }
 
 /* Those of the gap or the glass behind the lens, in words behind `all`. */

@@ -421,6 +421,20 @@ static bool read_rest(struct reading *reading, struct error *error)
     return true;
 }
 
+/* One more; the list, which nobody else grows, has room for the next power of two. */
+static void add(struct lens *lens, const struct lens_tolerance *one, struct arena *arena)
+{
+    const size_t count = lens->tolerance_count;
+    if ((count & (count - 1)) == 0) {
+        struct lens_tolerance *all = ARENA_ARRAY(arena, 2 * count + 1, struct lens_tolerance);
+        for (size_t i = 0; i < count; i++) {
+            all[i] = lens->tolerances[i];
+        }
+        lens->tolerances = all;
+    }
+    lens->tolerances[lens->tolerance_count++] = *one;
+}
+
 bool lens_tolerance_read(struct lens_words *words, struct lens *lens, struct error *error)
 {
     struct lens_tolerance one = {.distribution = DISTRIBUTION_UNIFORM,
@@ -437,13 +451,7 @@ bool lens_tolerance_read(struct lens_words *words, struct lens *lens, struct err
         !read_rest(&reading, error)) {
         return false;
     }
-    struct lens_tolerance *all =
-        ARENA_ARRAY(words->arena, lens->tolerance_count + 1, struct lens_tolerance);
-    for (size_t i = 0; i < lens->tolerance_count; i++) {
-        all[i] = lens->tolerances[i];
-    }
-    all[lens->tolerance_count++] = one;
-    lens->tolerances = all;
+    add(lens, &one, words->arena);
     return true;
 }
 

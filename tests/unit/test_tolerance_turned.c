@@ -84,7 +84,8 @@ static bool is_turned(const struct lens *lens, const struct perturbation *a,
     const bool has_pivot = a->kind == TOLERANCE_ELEMENT_TILT;
     const double pivot = length_from(lens, a->first, a->last) - a->pivot;
     return a->kind == b->kind && a->axis == b->axis && a->what.kind == b->what.kind &&
-           (is_whole || (b->first == turned(a, a->last) && b->last == turned(a, a->first))) &&
+           b->first == (is_whole ? 0 : turned(a, a->last)) &&
+           b->last == (is_whole ? 0 : turned(a, a->first)) &&
            a->spread.distribution == b->spread.distribution &&
            fabs(a->amount - b->amount) <= 1e-12 * a->amount &&
            (!has_pivot || fabs(b->pivot - pivot) <= 1e-12);
