@@ -87,10 +87,8 @@ static bool open_some(struct easing *easing, struct error *error)
         if (some[count].kind == OPERAND_GRAZING) {
             continue;
         }
-        if (!open_eased(easing, &some[count], 1, error)) {
-            return false;
-        }
-        count += eased_has_value(easing);
+        /* one of a position that is not optimised is none */
+        count += open_eased(easing, &some[count], 1, error) && eased_has_value(easing);
     }
     easing->is_whole = false;
     count = add_grazing(question, some, count);

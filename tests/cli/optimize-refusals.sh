@@ -48,3 +48,19 @@ ask singlet.lens --vary R1,R2 --goals efl=14:0.01
 # rays that are lost at the start and that nothing brings back; no time to do so
 ask singlet.lens --vary t2 --goals poly -N 0.4
 ask singlet.lens --vary R1,R2,t2 --goals poly,efl=50 -N 0.8 --seconds 1e-9
+# plates whose goals are partly of a position that is left out: the others begin
+cat > zoom.lens <<'EOF'
+lens        Zoom of plates
+position    wide tele
+let d2 5 15
+wavelength  d
+field       angle 0 3
+aperture    f/4
+focus       table
+goal        efl@wide = 60, efl@tele = 75, poly
+surface     - 3 1.6/50 30 stop
+surface     - d2 air 30
+surface     - 2 1.5/64 20
+surface     - 60 air 20
+EOF
+ask zoom.lens --vary c1,c2,c3,c4 --position tele
