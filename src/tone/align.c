@@ -199,7 +199,12 @@ static void find_shift(const struct shades *a, const struct shades *b, double sh
         }
     }
     step->is_told = step->before >= 0 && step->now >= 0;
-    if (!(step->now < TAKEN * step->before)) {
+    step->limit = (1L << a->count) - 1;
+    const bool is_beyond = labs(shift[0]) == step->limit || labs(shift[1]) == step->limit;
+    if (step->is_told && is_beyond && step->now < TAKEN * step->before) {
+        step->is_beyond = true;
+    }
+    if (step->is_beyond || !(step->now < TAKEN * step->before)) {
         shift[0] = shift[1] = 0;
         step->now = step->before;
     }

@@ -11,6 +11,9 @@ enum { ALIGN_LEVELS = 7, ALIGN_MOST = (1 << ALIGN_LEVELS) - 1 };
 
 /* What became of a frame beside the one before it, by exposure time. */
 struct align_step {
+    bool
+        is_beyond; /* the camera has moved by `limit` pixels or more: there is no telling how far */
+    long limit;
     bool is_told; /* no: they have too little in common that is exposed in both */
     double before,
         now; /* pixels that differ, a share of those compared: without and with the shift */
@@ -28,7 +31,8 @@ struct align_step {
  *           longer
  * Result    a shift is taken if by it a fifth fewer differ than without
  * Source    [Ward03]
- * Limits    shifts of whole pixels to ALIGN_MOST each way; nothing turns
+ * Limits    shifts of whole pixels, less than ALIGN_MOST each way, and than an eighth or so of
+ *           small pictures; nothing turns
  */
 void align_frames(struct tone_frame *frames, size_t count, struct align_step *steps,
                   struct arena *arena);

@@ -196,6 +196,13 @@ static void test_align(void)
     CHECK(frames[1].right == 3 && frames[1].down == -2);
     CHECK(steps[1].is_told && steps[1].now < 0.5 * steps[1].before);
     for (int i = 0; i < SIDE * SIDE * 3; i++) {
+        const int x = i / 3 % SIDE, y = i / 3 / SIDE - 32; /* a hill, further on than is looked */
+        first[i] = (float)exp(-((x - 22) * (x - 22) + y * y) / 300.0);
+        second[i] = (float)exp(-((x - 42) * (x - 42) + y * y) / 300.0);
+    }
+    align_frames(frames, 2, steps, arena);
+    CHECK(steps[1].is_beyond && frames[1].right == 0 && frames[1].down == 0);
+    for (int i = 0; i < SIDE * SIDE * 3; i++) {
         first[i] = second[i] = 1;
     }
     align_frames(frames, 2, steps, arena);

@@ -101,6 +101,12 @@ static void say_shifts(const struct tone_input *input, const struct tone_frames 
                            frame->right, frames->frames[0].name, frame->down,
                            input->align ? ": shifted back" : ": --align shifts it back");
         }
+        if (steps[i].is_beyond) {
+            growing_format(remarks,
+                           "warning: the camera has moved: %s lies %ld pixels or more beside the "
+                           "frame that is next longer, too far to be aligned\n",
+                           frame->name, steps[i].limit);
+        }
         if (input->align && !steps[i].is_told) {
             growing_format(remarks,
                            "%s is too dark or too bright to be aligned: it goes with the frame "
