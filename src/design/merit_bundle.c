@@ -268,7 +268,8 @@ static bool open_image(struct merit_bundle *bundle, struct error *error)
     bundle->image = setup.image;
     bundle->image_moves = setup.focus != NULL && strcmp(setup.focus, "paraxial") == 0;
     return isfinite(bundle->image) ||
-           fail(error, ERROR_DOMAIN, "the image is infinitely far away: there are no spots");
+           fail(error, ERROR_DOMAIN,
+                "the image is infinitely far away: rays do not meet in a plane");
 }
 
 bool merit_bundle_open(const struct bundle_wish *wish, const struct bundle_links *links,

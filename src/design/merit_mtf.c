@@ -49,9 +49,12 @@ struct merit_mtf {
 
 /* -------- opening -------- */
 
-static bool check(const struct merit *merit, struct error *error)
+static bool check(const struct merit *merit, double frequency, struct error *error)
 {
     const struct merit_question *question = &merit->question;
+    if (!(frequency >= 1e-6 && frequency <= 1e6)) {
+        return fail(error, ERROR_DOMAIN, "contrast is that of 1e-06 to 1e+06 lines in a mm");
+    }
     if (question->pattern != PATTERN_GAUSS) {
         return fail(error, ERROR_DOMAIN, "contrast is integrated over {pattern} gauss alone");
     }
@@ -171,7 +174,8 @@ size_t merit_prepare_mtf(struct merit *merit, struct merit_slot *slot, struct ar
     mtf->wants[TANGENTIAL] = operand->orientation != ORIENTATION_SAGITTAL;
     mtf->wants[SAGITTAL] = operand->orientation != ORIENTATION_TANGENTIAL;
     const struct merit_beams_wish wish = {.path = !mtf->by_rays, .whole = true};
-    if (!check(merit, error) || !merit_beams_open(merit, slot, wish, arena, &mtf->beams, error)) {
+    if (!check(merit, operand->frequency, error) ||
+        !merit_beams_open(merit, slot, wish, arena, &mtf->beams, error)) {
         return 0;
     }
     const struct merit_points *points = &mtf->beams.bundle.groups[0].points;

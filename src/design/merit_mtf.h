@@ -17,8 +17,9 @@
  *           areas. Below 1e-6, where |S| has no derivative, (|S|^2/1e-6 + 1e-6)/2. Of fields with a
  *           weight residuals count by its root
  * Errors    of merit_prepare_mtf: as merit_beams_open; points of another pattern than gauss, or
- *           clipped ones; more than 1000 rays; of mtf a frequency beyond the cut-off. Of
- *           merit_fill_mtf: a ray that is lost, or cannot be aimed; as pupil_wave_find
+ *           clipped ones; more than 1000 rays; a frequency not of 1e-6 to 1e6/mm, or of mtf beyond
+ *           the cut-off. Of merit_fill_mtf: a ray that is lost, or cannot be aimed; as
+ *           pupil_wave_find
  * Limits    beyond the cut-off of the lens as it is now there is no contrast, nor a derivative
  */
 merit_fill merit_fill_mtf;

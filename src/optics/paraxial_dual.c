@@ -229,7 +229,9 @@ static void set_cardinal(const struct paraxial_dual *dual, const struct dual_que
                                               dual_multiply(rays->height.y, rays->stop_b));
     const struct dual chief_v =
         dual_subtract(dual_multiply(rays->slope.v, rays->stop_a), dual_multiply(c, rays->stop_b));
-    first->exit_pupil = dual_scale(dual_divide(dual_multiply(last, chief_y), chief_v), -1);
+    first->exit_pupil = question->object->is_telecentric
+                            ? first->bfl
+                            : dual_scale(dual_divide(dual_multiply(last, chief_y), chief_v), -1);
 }
 
 /* Of the marginal ray of a numerical aperture: tan(asin(na/n)). */

@@ -134,6 +134,23 @@ def check_sections(program, checks, folder):
                         RELATIVE * abs(expected))
 
 
+def check_telecentric(program, checks, folder):
+    """Whose exit pupil is its rear focal point, wherever a stop stands."""
+    path = os.path.join(folder, "telecentric.lens")
+    with open(path, "w", encoding="utf-8") as file:
+        file.write("wavelength d F\nobject 80 telecentric\naperture na 0.05\nfield height 0 5\n"
+                   "focus paraxial\nsurface 60 6 1.62/45 40\nsurface -80 40 air 40\n"
+                   "surface 50 5 1.65 30\nsurface -70 100 air 30\n")
+    words = ("--field", "3", "--no-clip")
+    waves = first(program, "wavefront", path, "-w", "d", *words)
+    row = first(program, "mtf", path, "--frequency", "4", "--error", "1e-7", *words)
+    wanted = {"opd@3deg@d": waves["rms_waves"],
+              "mtf@4/mm@3deg tangential = 1": row["tangential"],
+              "mtf@4/mm@3deg sagittal = 1": row["sagittal"]}
+    for goal, value in zip(wanted, values(program, path, "R1", list(wanted), "--rays", "210")):
+        checks.near("telecentric", goal, value, float(wanted[goal]), 1e-6)
+
+
 def sag(radius, height):
     """z of a sphere."""
     return height ** 2 / radius / (1 + math.sqrt(1 - (height / radius) ** 2))
@@ -177,6 +194,7 @@ def main():
     check_contrast(program, checks)
     with tempfile.TemporaryDirectory() as folder:
         check_sections(program, checks, folder)
+        check_telecentric(program, checks, folder)
         check_by_hand(program, checks, folder)
     for kind, (share, where) in sorted(checks.worst.items()):
         print(f"{kind}: at worst {share:.2g} of what is allowed, {where}")
