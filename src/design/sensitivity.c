@@ -130,7 +130,8 @@ static double limited(const struct bounds *bounds, double share)
 static double share_of(const struct bounds *bounds, size_t count, double drop)
 {
     enum { HALVES = 60 };
-    double low = 0, high = drop;
+    const double least = 1e-3; /* of the drop: nothing is made better for less */
+    double low = least * drop, high = drop;
     for (int k = 0; k < HALVES; k++) {
         const double middle = (low + high) / 2;
         double sum = 0;

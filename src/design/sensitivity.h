@@ -60,8 +60,8 @@ struct inverse {
  * Result    what they cost together, the root of the sum of the squares; more than `drop` where the
  *           tightest tolerances already cost it. NaN: a tightest one makes a lens without figures
  * Formula   the share s with the sum of clamp(s, cost at the tightest, cost at the loosest)^2 =
- *           drop^2; then cost(factor) = s, the worse of both ends, by bisection: exact trials at
- *           each step
+ *           drop^2, a thousandth of the drop at least; then cost(factor) = s, the worse of both
+ *           ends, by bisection: exact trials at each step
  */
 double inverse_find(const struct inverse_question *question, struct arena *arena,
                     struct inverse *answers);

@@ -103,7 +103,13 @@ static void check_inverse(void)
     /* what cannot be had: all at their tightest */
     question.drop = 1;
     CHECK_NEAR(inverse_find(&question, &arena, answers), 1.2, 1e-5, "too much");
-    CHECK(answers[1].limit == INVERSE_TIGHTEST && answers[1].factor == 1e-6);
+    CHECK(answers[3].limit == INVERSE_TIGHTEST && answers[3].factor == 0.012);
+    CHECK_RELATIVE(answers[1].factor, 1e-3 / 2, 1e-6, "a thousandth of the drop");
+    /* what costs nothing is as loose as can be, whatever the others cost */
+    const double near[] = {0.3, 1e-5, 1e6, 1e6};
+    question.high = near;
+    inverse_find(&question, &arena, answers);
+    CHECK(answers[1].limit == INVERSE_LOOSEST && answers[1].factor == 1e-5);
     arena_free(&arena);
 }
 
