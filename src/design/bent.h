@@ -5,6 +5,7 @@
 
 #include "trace/rays.h"
 
+#include <stdbool.h>
 #include <stddef.h>
 
 /* What moves: x, y, p, q and the path. */
@@ -15,10 +16,11 @@ enum { BENT_PARTS = 5 };
  *
  * Given     rows     of each part `count` rows of RAYS_BLOCK: derivatives by each amount
  *           lanes    a multiple of RAYS_FEW
+ *           path     that moves too; else its rows are not read
  *           end      receives the change; (p, q, r) keeps its length, to first order
  */
 typedef void kernel_bend(const double *rows, const double *amounts, size_t count, int lanes,
-                         struct ray_block *end);
+                         bool path, struct ray_block *end);
 kernel_bend kernel_bend_sse2, kernel_bend_avx2, kernel_bend_avx512;
 
 /* The same, with the best kernel. */

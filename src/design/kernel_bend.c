@@ -22,11 +22,11 @@ static inline void change_of(const double *rows, const double *amounts, size_t c
 }
 
 void NAMED(kernel_bend, KERNEL)(const double *rows, const double *amounts, size_t count, int lanes,
-                                struct ray_block *end)
+                                bool path, struct ray_block *end)
 {
     for (int from = 0; from < lanes; from += RAYS_FEW) {
-        double change[BENT_PARTS][RAYS_FEW];
-        for (size_t k = 0; k < BENT_PARTS; k++) {
+        double change[BENT_PARTS][RAYS_FEW] = {{0}};
+        for (size_t k = 0; k < (path ? BENT_PARTS : BENT_PARTS - 1); k++) {
             change_of(rows + k * count * RAYS_BLOCK + from, amounts, count, change[k]);
         }
         for (int l = 0; l < RAYS_FEW; l++) {

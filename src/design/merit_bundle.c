@@ -200,6 +200,7 @@ static bool open_beams(struct merit_bundle *bundle, struct error *error)
     return true;
 }
 
+/* One wavelength after the other. */
 static bool compile(struct merit_bundle *bundle, size_t light, const struct lens *lens,
                     double stop_radius, struct error *error)
 {
@@ -209,8 +210,15 @@ static bool compile(struct merit_bundle *bundle, size_t light, const struct lens
     options.path = bundle->wish.path;
     options.stop_radius = stop_radius;
     options.indices = at->n;
-    return lens_indices(lens, at->wavelength, at->asked, at->n, error) &&
-           system_compile(lens, at->wavelength, &options, &bundle->within, &at->system, error);
+    if (!lens_indices(lens, at->wavelength, at->asked, at->n, error)) {
+        return false;
+    }
+    if (light > 0) {
+        system_recolour(&bundle->lights[0].system, at->wavelength, at->n, &bundle->within,
+                        &at->system);
+        return true;
+    }
+    return system_compile(lens, at->wavelength, &options, &bundle->within, &at->system, error);
 }
 
 static void open_layout(struct merit_bundle *bundle, size_t light, const struct bundle_links *links)
@@ -478,7 +486,8 @@ bool merit_bundle_trace(struct merit_bundle *bundle, size_t block, bool derives,
     }
     if (bundle->blocks[block].is_deformed) {
         bent_move(bundle->blocks[block].deformed, bundle->wish.irregularity_amounts,
-                  bundle->wish.irregularity_count, bundle->blocks[block].aimed.lanes, end);
+                  bundle->wish.irregularity_count, bundle->blocks[block].aimed.lanes,
+                  bundle->wish.path, end);
     }
     return true;
 }

@@ -8,6 +8,7 @@
 #include "trace/frames.h"
 #include "trace/step.h"
 
+#include <assert.h>
 #include <math.h>
 #include <stdint.h>
 #include <string.h>
@@ -379,6 +380,39 @@ static bool check_way(const struct lens *lens, const struct system_options *opti
     return true;
 }
 
+/* Aligned to 64 bytes. */
+static struct step *steps_new(size_t count, struct arena *arena)
+{
+    char *memory = arena_buffer(arena, (count + 1) * sizeof(struct step));
+    return (struct step *)(void *)(memory + (64 - (uintptr_t)memory % 64) % 64);
+}
+
+void system_recolour(const struct system *from, double wavelength, const struct pair *indices,
+                     struct arena *arena, struct system *system)
+{
+    const size_t count = from->begin[from->places], last = from->lens->surface_count;
+    struct step *steps = steps_new(count, arena);
+    assert(!from->options.clip && !from->options.reverse && !from->options.paraxial);
+    memcpy(steps, from->steps, count * sizeof *steps);
+    *system = *from;
+    system->options.indices = indices;
+    system->wavelength = wavelength;
+    system->n = indices;
+    system->index_first = indices[0].hi;
+    system->index_last = indices[last].hi;
+    system->steps = steps;
+    for (size_t i = 0; i < count; i++) {
+        const size_t surface = steps[i].surface;
+        if (steps[i].kind == STEP_MOVE) {
+            continue;
+        }
+        set_media(&steps[i], indices[surface], indices[surface < last ? surface + 1 : last]);
+        if (surface < last) {
+            steps[i].action = action_of(&from->lens->surfaces[surface], &steps[i]);
+        }
+    }
+}
+
 bool system_compile(const struct lens *lens, double wavelength,
                     const struct system_options *options, struct arena *arena,
                     struct system *system, struct error *error)
@@ -398,10 +432,7 @@ bool system_compile(const struct lens *lens, double wavelength,
     double *direction = ARENA_ARRAY(arena, count + 1, double);
     frame_directions(lens, direction);
     system->direction = direction;
-    char *memory = arena_array(arena, most_steps(lens) + 1, sizeof(struct step));
-    struct writing writing = {
-        .system = system,
-        .steps = (struct step *)(void *)(memory + (64 - (uintptr_t)memory % 64) % 64)};
+    struct writing writing = {.system = system, .steps = steps_new(most_steps(lens), arena)};
     size_t *begin = ARENA_ARRAY(arena, count + 2, size_t);
     for (size_t place = 0; place < count; place++) {
         begin[place] = writing.count;

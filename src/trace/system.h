@@ -116,6 +116,16 @@ bool system_compile(const struct lens *lens, double wavelength,
                     const struct system_options *options, struct arena *arena,
                     struct system *system, struct error *error);
 
+/*
+ * The same lens at another wavelength, for less.
+ *
+ * Given     from     not clipped, not reversed, not paraxial, without thick lenses
+ *           indices  those that lens_indices finds; they must outlive the system
+ * Result    as system_compile has it, to the bit
+ */
+void system_recolour(const struct system *from, double wavelength, const struct pair *indices,
+                     struct arena *arena, struct system *system);
+
 /* The place in the order of light of a surface, and back; see struct system. */
 size_t system_place(const struct system *system, size_t surface);
 size_t system_surface(const struct system *system, size_t place);

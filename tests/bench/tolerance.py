@@ -22,6 +22,7 @@ QUESTIONS = (
     ("one wavelength, re-aimed", ROUND, "-w d --aim stop", 500, 10000),
     ("three wavelengths, re-aimed", ROUND, "--aim stop", 500, 5000),
     ("wave front of one wavelength", ROUND, "-w d --criterion wavefront", 200, 2000),
+    ("contrast of one wavelength, three fields", ROUND, "-w d --criterion mtf@20", 200, 2000),
     ("focal length", ROUND, "--criterion efl", 2000, 100000),
 )
 

@@ -4,6 +4,8 @@
 #include "design/tolerance_trial.h"
 #include "double_gauss.h"
 #include "lens_of.h"
+#include "optics/lens_indices.h"
+#include "trace/dispatch.h"
 
 #include <math.h>
 #include <string.h>
@@ -244,8 +246,44 @@ static void check_criteria(void)
     arena_free(&arena);
 }
 
+/* A system at another wavelength is the one that is compiled for it, to the bit. */
+static void check_recolour(void)
+{
+    const struct lens lens = lens_of(double_gauss, &arena);
+    struct pair d[12], F[12];
+    struct error error = {.code = ERROR_NONE};
+    struct system first, other, compiled;
+    struct system_options options = system_options_default();
+    options.image = 72;
+    options.indices = d;
+    CHECK(lens_indices(&lens, 0.5875618, NULL, d, &error));
+    CHECK(lens_indices(&lens, 0.4861327, NULL, F, &error));
+    CHECK(system_compile(&lens, 0.5875618, &options, &arena, &first, &error));
+    options.indices = F;
+    CHECK(system_compile(&lens, 0.4861327, &options, &arena, &compiled, &error));
+    system_recolour(&first, 0.4861327, F, &arena, &other);
+    const struct rays rays[2] = {rays_new(&arena, 20), rays_new(&arena, 20)};
+    for (int k = 0; k < 2; k++) {
+        for (size_t i = 0; i < 20; i++) {
+            const struct ray ray = {.point = {(double)i - 10, 0.5 * (double)i, 0},
+                                    .cosine = {0, 0, 1}};
+            rays_set(&rays[k], i, 1, &ray);
+        }
+        rays_trace(k == 0 ? &compiled : &other, &rays[k], NULL);
+    }
+    for (size_t i = 0; i < 20; i++) {
+        const struct ray a = rays_get(&rays[0], i, compiled.index_last);
+        const struct ray b = rays_get(&rays[1], i, other.index_last);
+        CHECK(a.status == RAY_OK && memcmp(a.point, b.point, sizeof a.point) == 0 &&
+              memcmp(a.cosine, b.cosine, sizeof a.cosine) == 0);
+    }
+    CHECK(other.wavelength == compiled.wavelength);
+    arena_free(&arena);
+}
+
 int main(void)
 {
+    check_recolour();
     check_links();
     check_criteria();
     check_trials(CRITERION_SPOT, REFOCUS_BEST, false);
