@@ -24,6 +24,8 @@ QUESTIONS = (
     ("wave front of one wavelength", ROUND, "-w d --criterion wavefront", 200, 2000),
     ("contrast of one wavelength, three fields", ROUND, "-w d --criterion mtf@20", 200, 2000),
     ("focal length", ROUND, "--criterion efl", 2000, 100000),
+    ("to second order", ROUND, "--method differential", 2000, 1000000),
+    ("to second order, the default command", None, "--method differential", 2000, 500000),
 )
 
 
