@@ -65,6 +65,8 @@ lenscalc tolerance wide.lens --trials 100 --limit 10mm --columns yield_fraction,
 # refused
 try --part 5/4 -o x.part
 try --part 1/2
+try --part 1/2 --show trials -o x.part
+try -o x.part
 try --trials 1e10
 try --save worst
 try --save last:1 -o x.lens

@@ -38,8 +38,12 @@ bool tolerance_check_output(const struct artifact_job *job, struct error *error)
         return fail(error, ERROR_USAGE, "a merged run is whole: %s is the name of a part",
                     job->path);
     }
+    if (is_part(job) && input->show == TOLERANCE_TRIALS) {
+        return fail(error, ERROR_USAGE,
+                    "{--part} holds counts, not rows: {--show} trials is of a whole run");
+    }
     if (is_part(job)) {
-        return (input->part.count > 0 && input->show != TOLERANCE_TRIALS) ||
+        return input->part.count > 0 ||
                fail(error, ERROR_USAGE, "%s is the name of a part: {--part} says of which",
                     job->path);
     }
