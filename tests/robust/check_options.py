@@ -80,7 +80,7 @@ ASKED = {
 }
 ODD_LENS = ("MODE SEQ\nUNIT MM\nENPD 10\nFTYP 0 0 2 1 0 0 0\nYFLN 0 5\nVDXN 0 0.1\n"
             "WAVM 1 0.5876 1\nPWAV 1\nSURF 0\n  DISZ INFINITY\nSURF 1\n  STOP\n  CURV 0.02\n"
-            "  DISZ 4\n  GLAS N-BK7 0 0\n  USAP slit.uda\nSURF 2\n  DISZ 90\nSURF 3\n")
+            "  DISZ 4\n  GLAS N-BK7 0 0\n  USAP slit.uda\n  DIAM 6\nSURF 2\n  DIAM 6\n  DISZ 90\nSURF 3\n")
 TABLES = ("cameras", "films", "filters", "formats", "fstops", "iso", "lines", "scenes", "shutters",
           "glass/BAD")
 
@@ -210,7 +210,7 @@ def try_table(asked):
 
 def try_plot(asked):
     path = os.path.join(asked.folder, "plot.svg")
-    pair = asked.pair
+    pair = asked.pair if asked.command != "tolerance" else None  # which draws a single answer
     result = (asked.run("--plot", "plot.svg") if pair is None else
               asked.run("--plot", "plot.svg", question=asked.without(pair[0]) +
                         ["-" * (1 + (len(pair[0]) > 1)) + pair[0] + "=" + pair[1]]))

@@ -11,7 +11,7 @@ static const struct word shows[] = {
     [TOLERANCE_TRIALS] = {"trials", "each lens that was made"},
     [TOLERANCE_YIELD] = {"yield", "the limits that 2 to 98 percent of the lenses keep"},
     [TOLERANCE_SENSITIVITY] = {"sensitivity", "what each error does alone, with both signs"},
-    [TOLERANCE_INVERSE] = {"inverse", "tolerances that cost the same each, and {--drop} together"},
+    [TOLERANCE_INVERSE] = {"inverse", "tolerances that cost the same each, and --drop together"},
     [TOLERANCE_OFFENDERS] = {"offenders", "which errors make the figures spread, the worst first"},
     {NULL, NULL},
 };
@@ -74,10 +74,10 @@ static const struct option options[] = {
     {OPTION(struct tolerance_input, method), .name = "method", .words = methods,
      .fallback = "exact", .value = "HOW", .help = "how trials are made"},
     {OPTION(struct tolerance_input, drop), .name = "drop", .value = "FIGURE",
-     .help = "for {--show} inverse: how much worse than the nominal lens the others may be, in the "
+     .help = "for --show inverse: how much worse than the nominal lens the others may be, in the "
              "unit of the criterion, or with one"},
     {OPTION(struct tolerance_input, save), .name = "save", .value = "WHICH",
-     .help = "lenses for {--output}: worst:3, or trial:17"},
+     .help = "lenses for --output: worst:3, or trial:17"},
     {OPTION(struct tolerance_input, aim), .name = "aim", .words = aims, .fallback = "nominal",
      .value = "WHERE", .help = "rays that lenses are looked at by"},
     {OPTION(struct tolerance_input, waves), .name = "wavelength", .letter = 'w',
@@ -132,8 +132,8 @@ static const struct artifact artifacts[] = {
                 .value = "FILE",
                 .flags = OPTION_FILE,
                 .types = tolerance_types,
-                .help = "write the lens of {--save} (several: NAME-1.lens and on, from the worst), "
-                        "or a .part of {--part}; rows go to standard output"},
+                .help = "write the lens of --save (several: NAME-1.lens and on, from the worst), "
+                        "or a .part of --part; rows go to standard output"},
      .is_kept = true,
      .count = tolerance_count_output,
      .check = tolerance_check_output,

@@ -172,7 +172,7 @@ static const struct column inverse_columns[] = {
     {COLUMN(struct inverse_row, of), .flags = COLUMN_HIDDEN, .name = "of", .label = "of",
      .help = "worst or mean of all fields and positions"},
     {COLUMN(struct inverse_row, line), .flags = COLUMN_EXTRA, .name = "line", .label = "line",
-     .help = "the proposal as a line of a lens or a file of {--tolerances}"},
+     .help = "the proposal as a line of a lens or a file of --tolerances"},
     {COLUMN(struct inverse_row, together), .flags = COLUMN_EXTRA | COLUMN_ASSUMED,
      .name = "together", .depends = "drop", .label = "cost together",
      .help = "what all of them cost: the root of the sum of the squares"},
