@@ -46,19 +46,19 @@ LDFLAGS  =
 
 # compiled once for each instruction set; the program chooses when it runs
 kernels := $(wildcard src/trace/kernel*.c src/camera/kernel*.c src/base/kernel*.c src/analysis/kernel*.c \
-                      src/design/kernel*.c)
+                      src/design/*/kernel*.c)
 # in the order of linking: what every answer needs lies together, on as few pages as can be
 folders := base report photo cli commands commands/photo commands/tool optics analysis trace data \
-           file exchange exchange/zemax exchange/codev exchange/oslo commands/lens commands/analysis \
-           commands/data design commands/design draw base/image camera \
-           tone commands/camera
-apart   := src/main.c src/data/embed.c src/design/solver_engines.c $(kernels)
+           file exchange exchange/zemax exchange/codev exchange/oslo commands/lens \
+           commands/analysis commands/data design design/merit design/solver design/fit \
+           design/tolerance commands/design draw base/image camera tone commands/camera
+apart   := src/main.c src/data/embed.c src/design/solver/solver_engines.c $(kernels)
 sources := $(filter-out $(apart),$(foreach folder,$(folders),$(wildcard src/$(folder)/*.c)))
 objects := $(sources:src/%.c=$(BUILD)/%.o) $(BUILD)/lensdb.o \
            $(foreach set,sse2 avx2 avx512,$(kernels:src/%.c=$(BUILD)/%_$(set).o)) \
            $(BUILD)/trace/kernel_few.o $(BUILD)/trace/kernel_conic_few.o
-alone   := $(BUILD)/design/solver_engines.o
-ceres   := $(BUILD)/design/solver_engines_ceres.o $(BUILD)/design/solver_ceres.o
+alone   := $(BUILD)/design/solver/solver_engines.o
+ceres   := $(BUILD)/design/solver/solver_engines_ceres.o $(BUILD)/design/solver/solver_ceres.o
 units   := $(patsubst tests/unit/%.c,$(BUILD)/unit/%,$(wildcard tests/unit/test_*.c))
 units_1 := $(patsubst tests/ceres/%.c,$(BUILD)/ceres/%,$(wildcard tests/ceres/test_*.c))
 units   += $(units_$(CERES))
@@ -126,7 +126,7 @@ $(BUILD)/%.o: src/%.c $(BUILD)/flags
 	$(Q)$(CC) $(ALL_CFLAGS) -MMD -MP -c -o $@ $<
 
 # the table of solvers, with Ceres in it
-$(BUILD)/design/solver_engines_ceres.o: src/design/solver_engines.c $(BUILD)/flags
+$(BUILD)/design/solver/solver_engines_ceres.o: src/design/solver/solver_engines.c $(BUILD)/flags
 	@mkdir -p $(@D)
 	@echo cc $< with Ceres
 	$(Q)$(CC) $(ALL_CFLAGS) -DWITH_CERES -MMD -MP -c -o $@ $<

@@ -7,7 +7,7 @@
 #include "base/error.h"
 #include "base/text.h"
 #include "data/lensdb.h"
-#include "design/operand.h"
+#include "design/merit/operand.h"
 #include "optics/lens.h"
 
 #include <stdbool.h>

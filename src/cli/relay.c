@@ -2,7 +2,7 @@
 /* SPDX-License-Identifier: MIT */
 #include "cli/relay.h"
 
-#include "design/solver.h"
+#include "design/solver/solver.h"
 #include "report/version.h"
 
 #include <errno.h>

@@ -4,7 +4,7 @@
 #define LENSCALC_CLI_TOLERANCES_H
 
 #include "data/lensdb.h"
-#include "design/perturbation.h"
+#include "design/tolerance/perturbation.h"
 
 struct tolerances_reader {
     const struct lens *lens; /* in all its positions */

@@ -3,8 +3,8 @@
 #ifndef LENSCALC_DESIGN_OPTIMIZE_H
 #define LENSCALC_DESIGN_OPTIMIZE_H
 
-#include "design/merit.h"
-#include "design/solver.h"
+#include "design/merit/merit.h"
+#include "design/solver/solver.h"
 
 /* What is made better, and how. */
 struct optimize_task {

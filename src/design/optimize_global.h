@@ -4,8 +4,8 @@
 #define LENSCALC_DESIGN_OPTIMIZE_GLOBAL_H
 
 #include "base/watch.h"
-#include "design/global.h"
 #include "design/optimize.h"
+#include "design/solver/global.h"
 
 /* What one start led to. */
 struct global_result {

@@ -47,7 +47,7 @@ class Bench:
         with open(os.path.join(build, "objects"), encoding="utf-8") as file:
             objects = [os.path.join(build, path) for path in file.read().split()]
         solvers = ["solver_engines_ceres.o", "solver_ceres.o"] if ceres else ["solver_engines.o"]
-        return [*objects, *(os.path.join(build, "design", name) for name in solvers)]
+        return [*objects, *(os.path.join(build, "design", "solver", name) for name in solvers)]
 
     def linked(self, name, ceres=False):
         """The same for a program that uses the objects of the build, perhaps with the solver."""

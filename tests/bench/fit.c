@@ -1,8 +1,8 @@
 /* tests/bench/fit.c - a thick lens fitted to 1000 exact rays; what a ray costs by each model. */
 /* SPDX-License-Identifier: MIT */
 #include "clock.h"
-#include "design/ray_data.h"
-#include "design/thick.h"
+#include "design/fit/ray_data.h"
+#include "design/fit/thick.h"
 #include "exchange/lens_open.h"
 #include "trace/dispatch.h"
 #include "trace/system.h"

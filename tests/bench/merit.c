@@ -1,9 +1,9 @@
 /* tests/bench/merit.c - spots as operands and their derivatives, against the bare trace of rays. */
 /* SPDX-License-Identifier: MIT */
-#include "design/merit.h"
+#include "design/merit/merit.h"
 #include "base/constants.h"
 #include "clock.h"
-#include "design/solver_normal.h"
+#include "design/solver/solver_normal.h"
 #include "exchange/lens_open.h"
 #include "trace/dispatch.h"
 

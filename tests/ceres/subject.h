@@ -4,8 +4,8 @@
 #define LENSCALC_TESTS_CERES_SUBJECT_H
 
 #include "analysis/setup.h"
-#include "design/ray_data.h"
-#include "design/thick.h"
+#include "design/fit/ray_data.h"
+#include "design/fit/thick.h"
 #include "exchange/lens_open.h"
 
 struct subject {

@@ -1,7 +1,7 @@
 /* tests/ceres/test_dispersion.c - dispersion formulas from indices. */
 /* SPDX-License-Identifier: MIT */
 #include "check.h"
-#include "design/dispersion.h"
+#include "design/fit/dispersion.h"
 
 enum { POINTS = 30 };
 

@@ -1,7 +1,7 @@
 /* tests/ceres/test_prescription.c - lenses that get the figures measured of them. */
 /* SPDX-License-Identifier: MIT */
 #include "check.h"
-#include "design/prescription.h"
+#include "design/fit/prescription.h"
 #include "file/lens_file.h"
 #include "optics/first_order.h"
 

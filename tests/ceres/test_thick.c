@@ -1,7 +1,7 @@
 /* tests/ceres/test_thick.c - thick lenses are found again, with honest errors. */
 /* SPDX-License-Identifier: MIT */
 #include "check.h"
-#include "design/thick.h"
+#include "design/fit/thick.h"
 
 #include <stdint.h>
 

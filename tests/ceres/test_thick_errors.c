@@ -1,7 +1,7 @@
 /* tests/ceres/test_thick_errors.c - standard errors of thick lenses are those of other fields. */
 /* SPDX-License-Identifier: MIT */
 #include "check.h"
-#include "design/jackknife.h"
+#include "design/fit/jackknife.h"
 #include "subject.h"
 
 #include <stdint.h>

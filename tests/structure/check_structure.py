@@ -70,13 +70,13 @@ WRITABLE = {
     "cli/interrupt.o": {"came"},
     # the libraries' own: the constructor of C++'s streams, where an unwinding exception looks, and
     # Eigen's names for the end of an array
-    "design/solver_ceres.o": {"_ZStL8__ioinit", "DW.ref.__gxx_personality_v0",
+    "design/solver/solver_ceres.o": {"_ZStL8__ioinit", "DW.ref.__gxx_personality_v0",
                               "DW.ref._ZTISt9exception", "DW.ref._ZTISt9bad_alloc",
                               "_ZN5EigenL4lastE",
                               "_ZN5EigenL6lastp1E", "_ZN5EigenL3allE"},
 }
 # The one source in C++; what it may call of stdio only formats into buffers.
-CXX_SOURCES = ["src/design/solver_ceres.cc"]
+CXX_SOURCES = ["src/design/solver/solver_ceres.cc"]
 LONGEST_FUNCTION, LONGEST_FILE, LONGEST_LINE = 60, 600, 100
 MOST_COMPLEX = 15  # McCabe's number as pmccabe counts it, a switch as one decision
 MOST_PARAMETERS = 6  # of a public function
@@ -307,7 +307,7 @@ def links_of(build):
     """(symbol -> file that has it, file -> symbols it takes from others) of the objects in C."""
     objects = [os.path.join(build, name) for name in
                [*read(os.path.join(build, "objects")).split(), "main.o"]]
-    solvers = [os.path.join(build, "design", name) for name in ("solver_engines.o", "solver_ceres.o")]
+    solvers = [os.path.join(build, "design", "solver", name) for name in ("solver_engines.o", "solver_ceres.o")]
     listing = subprocess.run(["nm", "-A", "-g", *objects, *filter(os.path.exists, solvers)],
                              capture_output=True, text=True, check=True).stdout
     owner, wanted = {}, {}
@@ -319,7 +319,7 @@ def links_of(build):
         name = re.sub(r"(kernel\w*)_(sse2|avx2|avx512|few)$", r"\1", os.path.relpath(entry[1], build))
         if entry[2] == "U":
             wanted.setdefault(name, set()).add(entry[3])
-        elif name != "design/solver_ceres" and entry[2] in "TDBRC":
+        elif name != "design/solver/solver_ceres" and entry[2] in "TDBRC":
             owner.setdefault(entry[3], name)
     return owner, wanted
 

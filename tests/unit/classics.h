@@ -5,7 +5,7 @@
 
 #include "base/constants.h"
 #include "check.h"
-#include "design/solver.h"
+#include "design/solver/solver.h"
 
 #include <stdint.h>
 

@@ -5,7 +5,7 @@
 
 #include "check.h"
 #include "cli/goals.h"
-#include "design/merit.h"
+#include "design/merit/merit.h"
 #include "file/lens_file.h"
 
 /* A lens, what varies of it, and what is wanted. */

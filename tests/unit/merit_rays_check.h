@@ -6,8 +6,8 @@
 #include "merit_truth.h"
 
 #include "check.h"
-#include "design/merit.h"
-#include "design/merit_rays.h"
+#include "design/merit/merit.h"
+#include "design/merit/merit_rays.h"
 #include "file/lens_file.h"
 
 enum { MOST_VARIABLES = 100 };

@@ -5,7 +5,7 @@
 
 #include "quad.h"
 
-#include "design/merit_bundle.h"
+#include "design/merit/merit_bundle.h"
 
 /* What of the primary wavelength rays are aimed by. */
 struct truth_first {

@@ -4,7 +4,7 @@
 #define LENSCALC_TESTS_UNIT_SOLVER_CASES_H
 
 #include "check.h"
-#include "design/solver.h"
+#include "design/solver/solver.h"
 #include "nist.h"
 
 #include <stdint.h>

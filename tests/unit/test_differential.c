@@ -4,7 +4,7 @@
 
 #include "base/processor.h"
 #include "base/random.h"
-#include "design/differential.h"
+#include "design/tolerance/differential.h"
 #include "optics/surface.h"
 
 #include <string.h>

@@ -2,8 +2,8 @@
 /* SPDX-License-Identifier: MIT */
 #include "base/constants.h"
 #include "check.h"
-#include "design/escape.h"
-#include "design/global.h"
+#include "design/solver/escape.h"
+#include "design/solver/global.h"
 
 #include <math.h>
 #include <string.h>

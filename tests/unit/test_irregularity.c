@@ -2,9 +2,9 @@
 /* SPDX-License-Identifier: MIT */
 #include "lens_of.h"
 
-#include "design/irregularity.h"
-#include "design/merit.h"
-#include "design/merit_rays.h"
+#include "design/merit/merit.h"
+#include "design/merit/merit_rays.h"
+#include "design/tolerance/irregularity.h"
 
 enum { MOST = 4, ROWS = 2048 };
 

@@ -3,7 +3,7 @@
 #include "merit_check.h"
 #include "merit_truth.h"
 
-#include "design/merit_mtf.h"
+#include "design/merit/merit_mtf.h"
 
 /*
  * test_pupil_overlap.c has what contrast is by rays, and check_goals.py its value. Here derivatives

@@ -1,6 +1,6 @@
 /* tests/unit/test_perturbation.c - the independent errors that tolerances are. */
 /* SPDX-License-Identifier: MIT */
-#include "design/perturbation.h"
+#include "design/tolerance/perturbation.h"
 
 #include "check.h"
 #include "file/lens_tolerance.h"

@@ -2,7 +2,7 @@
 /* SPDX-License-Identifier: MIT */
 #include "check.h"
 
-#include "design/sensitivity.h"
+#include "design/tolerance/sensitivity.h"
 
 enum { ERRORS = 4 };
 

@@ -2,7 +2,7 @@
 /* SPDX-License-Identifier: MIT */
 #include "base/processor.h"
 #include "classics.h"
-#include "design/solver_normal.h"
+#include "design/solver/solver_normal.h"
 #include "solver_cases.h"
 
 static void test_classics(void)

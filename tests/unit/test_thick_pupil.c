@@ -1,7 +1,7 @@
 /* tests/unit/test_thick_pupil.c - a pupil fitted to rays by normal equations; errors of rays. */
 /* SPDX-License-Identifier: MIT */
 #include "check.h"
-#include "design/thick.h"
+#include "design/fit/thick.h"
 
 /* x, y, p, q before the lens, place in the stop, weight: near place 7.5, radius 11 (1 + 0.36 s). */
 static const double rays[][7] = {

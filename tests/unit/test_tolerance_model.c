@@ -5,10 +5,10 @@
 #include "lens_of.h"
 
 #include "base/random.h"
-#include "design/irregularity.h"
-#include "design/merit_rays.h"
-#include "design/sensitivity.h"
-#include "design/tolerance_model.h"
+#include "design/merit/merit_rays.h"
+#include "design/tolerance/irregularity.h"
+#include "design/tolerance/sensitivity.h"
+#include "design/tolerance/tolerance_model.h"
 
 #include <string.h>
 

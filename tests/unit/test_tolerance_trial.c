@@ -1,7 +1,7 @@
 /* tests/unit/test_tolerance_trial.c - lenses as they may be made, adjusted and judged. */
 /* SPDX-License-Identifier: MIT */
 #include "check.h"
-#include "design/tolerance_trial.h"
+#include "design/tolerance/tolerance_trial.h"
 #include "double_gauss.h"
 #include "lens_of.h"
 #include "optics/lens_indices.h"

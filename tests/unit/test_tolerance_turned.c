@@ -1,7 +1,7 @@
 /* tests/unit/test_tolerance_turned.c - tolerances of a lens that is scaled or turned around. */
 /* SPDX-License-Identifier: MIT */
 #include "check.h"
-#include "design/perturbation.h"
+#include "design/tolerance/perturbation.h"
 #include "file/lens_change.h"
 #include "lens_of.h"
 

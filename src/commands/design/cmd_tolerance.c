@@ -145,7 +145,8 @@ static const struct explanation explanations[] = {
      "every lens: numbers + half range x quantile of the distribution, evenly spread numbers by "
      "counting from seed, trial and error; s = -sum W b/sum W c of RMS^2 = a + 2 b s + c s^2, or "
      "damped least squares; then figures of exact rays",
-     "[Salmon11]; derived in design/tolerance_trial.h", "errors are independent of each other"},
+     "[Salmon11]; derived in design/tolerance/tolerance_trial.h",
+     "errors are independent of each other"},
     {NULL, NULL, NULL, NULL},
 };
 

@@ -4,7 +4,7 @@
 #define LENSCALC_COMMANDS_DESIGN_FIT_H
 
 #include "commands/lens/lens_options.h"
-#include "design/solver.h"
+#include "design/solver/solver.h"
 
 enum fit_show {
     FIT_ANSWER,

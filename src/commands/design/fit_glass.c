@@ -3,7 +3,7 @@
 #include "commands/design/fit.h"
 #include "data/index_table.h"
 #include "data/whole_file.h"
-#include "design/dispersion.h"
+#include "design/fit/dispersion.h"
 #include "report/output.h"
 
 static const enum glass_formula formulas[] = {GLASS_SELLMEIER, GLASS_SCHOTT, GLASS_CAUCHY,

@@ -4,8 +4,8 @@
 #define LENSCALC_COMMANDS_DESIGN_FIT_JOB_H
 
 #include "commands/design/fit.h"
-#include "design/ray_data.h"
-#include "design/thick.h"
+#include "design/fit/ray_data.h"
+#include "design/fit/thick.h"
 
 enum { MOST_WAVELENGTHS = THICK_GROUPS };
 

@@ -3,7 +3,7 @@
 #include "cli/goals.h"
 #include "cli/vary.h"
 #include "commands/design/fit.h"
-#include "design/prescription.h"
+#include "design/fit/prescription.h"
 #include "file/lens_file.h"
 #include "report/doubts.h"
 #include "report/output.h"

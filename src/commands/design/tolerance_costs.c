@@ -5,8 +5,8 @@
 #include "base/constants.h"
 #include "cli/tolerances.h"
 #include "commands/design/tolerance_about.h"
-#include "design/sensitivity.h"
-#include "design/tolerance_model.h"
+#include "design/tolerance/sensitivity.h"
+#include "design/tolerance/tolerance_model.h"
 
 #include <math.h>
 #include <stdlib.h>

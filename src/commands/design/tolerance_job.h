@@ -5,8 +5,8 @@
 
 #include "cli/division.h"
 #include "commands/lens/lens_options.h"
-#include "design/tolerance_model.h"
-#include "design/tolerance_run.h"
+#include "design/tolerance/tolerance_model.h"
+#include "design/tolerance/tolerance_run.h"
 
 enum tolerance_show {
     TOLERANCE_SUMMARY,

@@ -1,0 +1,60 @@
+/* design/fit/ray_data.h - exact rays through a lens: fields, pupil, wavelengths. */
+/* SPDX-License-Identifier: MIT */
+#ifndef LENSCALC_DESIGN_FIT_RAY_DATA_H
+#define LENSCALC_DESIGN_FIT_RAY_DATA_H
+
+#include "analysis/setup.h"
+#include "base/arena.h"
+#include "base/error.h"
+#include "design/fit/thick.h"
+#include "trace/sample.h"
+
+#include <stdbool.h>
+#include <stddef.h>
+#include <stdint.h>
+
+/* Which rays are wanted. */
+struct ray_data_request {
+    const struct setup *setup; /* fields: angles of a far object, heights of a near one */
+    enum pattern pattern;      /* of the pupil, with about so many rays */
+    size_t ray_count;
+    uint64_t seed;
+    bool no_clip; /* rays pass beyond clear apertures */
+};
+
+/* A ray that did not come through: its place in the stop. */
+struct ray_data_loss {
+    double stop_x, stop_y;
+    size_t field, group;
+};
+
+/* The rays that came through, and what became of the others. */
+struct ray_data {
+    struct thick_rays rays;
+    size_t *field;       /* of each ray */
+    double *columns[11]; /* what `rays` points to: x y p q, the same behind, weight, stop x y */
+    size_t *groups;
+    struct ray_data_loss *lost; /* those of them whose field has a chief ray */
+    size_t lost_count;
+    size_t wanted, unreachable, clipped; /* no ray to that point of the stop; clipped */
+    double *clear; /* of each field: the weights of its rays, which is what of the stop is clear */
+    double *index_object, *index_image; /* one a wavelength; negative where light runs to -z */
+};
+
+/*
+ * Trace rays of all fields, through the pupil, at all wavelengths.
+ *
+ * Result    rays with place and slopes at the first and the last vertex; each weighted by its part
+ *           of the pupil, by its field and its wavelength
+ * Formula   the pattern's points are those of the stop, to which each ray is aimed at its own
+ *           wavelength (trace/aim); a lens without a stop: of its beam at the first vertex.
+ *           PATTERN_GAUSS: of what is clear of it, for this field and wavelength, so that
+ *           vignetted bundles are integrated too (analysis/quadrature); of other patterns the rays
+ *           that are lost are left out
+ * Errors    ERROR_DOMAIN: no beam (neither stop nor aperture), a field at 90 degrees or beyond,
+ *           no ray left, with the reason; as system_compile
+ */
+bool ray_data_trace(const struct ray_data_request *request, struct arena *arena,
+                    struct ray_data *ray_data, struct error *error);
+
+#endif

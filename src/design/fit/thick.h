@@ -1,0 +1,144 @@
+/* design/fit/thick.h - the thick lens that equals a set of rays best. */
+/* SPDX-License-Identifier: MIT */
+#ifndef LENSCALC_DESIGN_FIT_THICK_H
+#define LENSCALC_DESIGN_FIT_THICK_H
+
+#include "base/arena.h"
+#include "base/error.h"
+#include "design/solver/solver.h"
+#include "optics/thick_lens.h"
+
+#include <stdbool.h>
+#include <stddef.h>
+
+/* Rays of a lens, before and behind it, one array a coordinate. Slopes are tangents. */
+struct thick_rays {
+    size_t count;
+    const double *x, *y, *p, *q;                 /* at the front reference plane */
+    const double *x_out, *y_out, *p_out, *q_out; /* at the rear reference plane */
+    const double *weight;                        /* 0 or more; null = 1 */
+    const size_t *group;                         /* wavelength of each, 0 ..; null = all 0 */
+    const size_t *field;                         /* object point, 0 ..; null = each its own */
+    size_t field_count;
+    const double *stop_x, *stop_y; /* share of the stop's radius; for pupils only */
+};
+
+enum { THICK_GROUPS = 32 };
+
+/* What is to be fitted. */
+struct thick_task {
+    struct thick_rays rays;
+    size_t group_count;         /* 1 .. THICK_GROUPS */
+    const double *index_object; /* of each group */
+    const double *index_image;
+    bool separate;           /* each group has its own f, H, H'; else all have the same */
+    double planes[2];        /* where rays are compared, from the rear reference plane:
+                                          the image and the exit pupil, mm */
+    double plane_weights[2]; /* usually 1 and 1 */
+    double focus_weight;     /* of defocus before image height; 0: what matters is how far off
+                                rays are in the image, whatever the reason */
+    double object;           /* as in thick_lens */
+    size_t distortions;      /* 0 .. THICK_DISTORTIONS */
+    struct thick_lens start; /* the paraxial lens */
+    struct solver_options options;
+};
+
+/* Parameters come group by group: f, H, H', f, H, H' .., then d1, d2, d3. */
+struct thick_fit {
+    struct thick_lens *lenses; /* one a group; the same where they are not separate */
+    size_t parameter_count;
+    double *parameters;
+    const char **names; /* "f", "H", "H'", "f 2" .. "d1" */
+    struct solver_summary summary;
+    double rms;        /* distance in the image plane, over all rays, mm */
+    double largest;    /* of those distances, mm */
+    double rms_second; /* the same in the second plane */
+};
+
+/*
+ * Weights where the image matters: focus is settled first, then the image height, and the exit
+ * pupil settles what these leave open. Each takes nothing from the one before it.
+ */
+#define THICK_FOCUS_WEIGHT 100.0
+#define THICK_PUPIL_WEIGHT 1e-3
+
+/*
+ * Fit a thick lens to rays.
+ *
+ * Given     task  the rays: the ones that came through
+ * Result    fit, in the arena
+ * Formula   smallest sum over rays of weight times the squared distance e between the ray and
+ *           what thick_lens_map makes of it, in the image plane and, with its own weight, in the
+ *           exit pupil: the image alone leaves one of f, H and H' open. In the image e is F (e -
+ *           mean e) + mean e, the mean over the rays of one object point and wavelength: the first
+ *           is blur, the second the place of the image point. F is focus_weight over the rms slope
+ *           of rays against the mean ray of their point: so blur counts as the defocus that makes
+ *           it, in mm along the axis, and not less where the lens is stopped down. With F = 1
+ *           distortion is traded against focus as soon as blur gets small: at f/1000 a lens of
+ *           100 mm became one of 137. Starts at the paraxial lens, which it is in the limit of
+ *           small fields at any small aperture; derivatives in closed form.
+ *           Standard errors by leaving out one field at a time (jackknife_covariance), or one ray
+ *           where there are no fields: rays of one field err alike
+ * Errors    ERROR_DOMAIN: no rays, rays that are no numbers, weights below 0 or all 0, a start
+ *           without focal length, planes that are not finite or that are one, object in H; with a
+ *           focus_weight, one ray a field; parameters that the rays leave open (named, with what
+ *           would fix them)
+ */
+bool thick_fit(const struct thick_task *task, struct arena *arena, struct thick_fit *fit,
+               struct error *error);
+
+/*
+ * Four numbers a ray, e in x and y in the first plane, then in the second, with the weights of ray
+ * and plane; and their derivatives by the parameters of thick_fit.
+ *
+ * Given     context  a struct thick_task
+ */
+solver_function thick_residuals;
+
+/*
+ * Distance in a plane between rays and what a thick lens makes of them.
+ *
+ * Given     plane  from the rear reference plane, mm
+ *           dx, dy  receive the lens's ray less the given one, mm; or null
+ * Result    root mean square of the distances, weighted
+ */
+double thick_errors(const struct thick_rays *rays, const struct thick_lens *lenses, double plane,
+                    double *dx, double *dy);
+
+/* How far a thick lens is off. */
+struct thick_score {
+    double rms[2];    /* in each of the two planes, mm */
+    double largest;   /* in the first, mm */
+    double direction; /* angle between the rays behind the lens, rms, rad */
+};
+
+/*
+ * Compare a thick lens with rays in two planes, and by direction.
+ *
+ * Given     planes  from the rear reference plane, mm
+ */
+struct thick_score thick_score(const struct thick_rays *rays, const struct thick_lens *lenses,
+                               const double planes[2]);
+
+/* A pupil: the picture of the stop from one side. */
+struct thick_pupil {
+    double place, radius; /* from the reference plane on that side; signed as the stop's picture */
+    double spherical_aberration; /* a of radius (1 + a s), s the squared slope of the ray */
+    double place_error, radius_error,
+        spherical_aberration_error; /* standard errors, of independent rays */
+    double rms;                     /* distance of the rays from where they should cross, mm */
+};
+
+/*
+ * Fit a pupil to rays whose place in the stop is known.
+ *
+ * Given     exit    behind the lens; else before it
+ *           spherical_aberration  whether the pupil may have it; else a is 0
+ * Formula   x + place p = radius stop_x (1 + a s), the same for y: linear in place, radius and
+ *           radius times a
+ * Errors    ERROR_DOMAIN: rays that leave place or radius open
+ */
+bool thick_fit_pupil(const struct thick_rays *rays, bool exit, bool spherical_aberration,
+                     struct arena *arena, struct thick_pupil *pupil, struct error *error);
+
+#endif

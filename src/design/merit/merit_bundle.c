@@ -1,0 +1,519 @@
+/* design/merit/merit_bundle.c - the rays that residuals are made of, block by block. */
+/* SPDX-License-Identifier: MIT */
+#include "design/merit/merit_bundle.h"
+
+#include "analysis/bundle.h"
+#include "design/tolerance/bent.h"
+#include "optics/lens_indices.h"
+
+#include <math.h>
+#include <string.h>
+
+/* -------- choosing -------- */
+
+/* What has no derivatives is refused. */
+static bool check(const struct bundle_wish *wish, struct error *error)
+{
+    const struct lens *lens = wish->setup->lens;
+    if (lens->focus == FOCUS_BEST) {
+        fail(error, ERROR_DOMAIN,
+             "the image plane of 'focus best' is looked for anew in every lens");
+        return error_hint(error, "focus table with the last thickness varied, or focus paraxial");
+    }
+    for (size_t i = 0; i < lens->surface_count; i++) {
+        if (surface_has(&lens->surfaces[i], SURFACE_HAS_FOCAL)) {
+            return fail(error, ERROR_DOMAIN,
+                        "surface %zu is a thick lens, whose rays have no derivatives", i + 1);
+        }
+    }
+    return true;
+}
+
+/* The points of the pupil of a field at a wavelength: a pattern, or what the lens lets through. */
+static bool find_sample(const struct bundle_wish *wish, size_t field, size_t light,
+                        struct arena *arena, struct sample *sample, struct error *error)
+{
+    if (wish->is_chief) {
+        sample->points = ARENA_NEW(arena, struct pupil_point);
+        sample->points->weight = 1;
+        sample->count = 1;
+        return true;
+    }
+    if (!wish->clip) {
+        return sample_make(wish->pattern, wish->rays, wish->seed, arena, sample, error);
+    }
+    struct setup *setup = ARENA_NEW(arena, struct setup);
+    *setup = setup_at_wavelength(wish->setup, wish->wavelengths[light].wavelength, arena);
+    const struct bundle_question question = {.setup = setup,
+                                             .field = &wish->fields[field].point,
+                                             .clip = true,
+                                             .from_entrance = wish->from_entrance,
+                                             .pattern = wish->pattern,
+                                             .seed = wish->seed};
+    struct bundle_source source;
+    struct bundle bundle;
+    if (!bundle_open(&question, arena, &source, error) ||
+        !bundle_trace(&source, wish->rays, source.system->places, arena, &bundle, error)) {
+        return false;
+    }
+    sample->points = ARENA_ARRAY(arena, bundle.count, struct pupil_point);
+    sample->count = 0;
+    for (size_t i = 0; i < bundle.count; i++) {
+        const struct ray_block *block = &bundle.rays.blocks[i / RAYS_BLOCK];
+        if (ray_block_status(block, i % RAYS_BLOCK) == RAY_OK) {
+            sample->points[sample->count++] = bundle.points[i];
+        }
+    }
+    return true;
+}
+
+static enum merit_symmetry symmetry_of(const struct bundle_wish *wish, size_t field)
+{
+    const struct field_point *point = &wish->fields[field].point;
+    const bool is_none = point->kind == FIELD_NONE;
+    if (!wish->is_round || !lens_is_round(wish->setup->lens)) {
+        return SYMMETRY_NONE;
+    }
+    return is_none || (point->value[0] == 0 && point->value[1] == 0) ? SYMMETRY_ROUND
+           : point->value[0] == 0                                    ? SYMMETRY_MIRROR
+                                                                     : SYMMETRY_NONE;
+}
+
+static bool open_groups(struct merit_bundle *bundle, struct error *error)
+{
+    const struct bundle_wish *wish = &bundle->wish;
+    bundle->groups =
+        ARENA_ARRAY(bundle->arena, wish->field_count * wish->wavelength_count, struct bundle_group);
+    for (size_t light = 0; light < wish->wavelength_count; light++) {
+        for (size_t field = 0; field < wish->field_count; field++) {
+            struct bundle_group *group = &bundle->groups[bundle->group_count++];
+            struct sample sample;
+            *group = (struct bundle_group){.field = field,
+                                           .light = light,
+                                           .symmetry = symmetry_of(wish, field),
+                                           .weight = wish->fields[field].weight *
+                                                     wish->wavelengths[light].weight};
+            if (light > 0 && !wish->clip) { /* the same at all wavelengths */
+                group->points = bundle->groups[field].points;
+                continue;
+            }
+            if (!find_sample(wish, field, light, bundle->arena, &sample, error)) {
+                return false;
+            }
+            merit_points_of(&sample, wish->whole ? SYMMETRY_NONE : group->symmetry, bundle->arena,
+                            &group->points);
+        }
+    }
+    return true;
+}
+
+/* -------- blocks -------- */
+
+/* A block being filled. */
+struct filling {
+    struct bundle_block *block;
+    int used;
+};
+
+static void open_block(struct merit_bundle *bundle, size_t light, struct filling *filling)
+{
+    const size_t most = bundle->wish.field_count;
+    filling->block = &bundle->blocks[bundle->block_count++];
+    filling->used = 0;
+    *filling->block = (struct bundle_block){
+        .aimed = {.beams = ARENA_ARRAY(bundle->arena, most, struct aimed_beam)},
+        .shares = ARENA_ARRAY(bundle->arena, most, struct bundle_share),
+        .light = light};
+}
+
+static void add_share(struct merit_bundle *bundle, size_t group, size_t first, int count,
+                      struct filling *filling)
+{
+    struct aimed *aimed = &filling->block->aimed;
+    const struct bundle_group *from = &bundle->groups[group];
+    filling->block->shares[aimed->beam_count] = (struct bundle_share){group, first};
+    aimed->beams[aimed->beam_count++] = (struct aimed_beam){
+        .beam = bundle->beams[from->field], .first = filling->used, .count = count};
+    for (int i = 0; i < count; i++) {
+        aimed->x[filling->used + i] = from->points.points[first + (size_t)i].x;
+        aimed->y[filling->used + i] = from->points.points[first + (size_t)i].y;
+    }
+    filling->used += count;
+}
+
+/* aimed_open keeps beams only. */
+static void close_block(struct merit_bundle *bundle, struct filling *filling)
+{
+    struct aimed *aimed = &filling->block->aimed;
+    const struct aimed was = *aimed;
+    aimed_open(was.beams, was.beam_count, !bundle->wish.from_entrance && !bundle->has_disc,
+               &bundle->work, aimed);
+    memcpy(aimed->x, was.x, sizeof was.x);
+    memcpy(aimed->y, was.y, sizeof was.y);
+}
+
+static size_t count_blocks(const struct merit_bundle *bundle)
+{
+    size_t points = 0;
+    for (size_t i = 0; i < bundle->group_count; i++) {
+        points += bundle->groups[i].points.count;
+    }
+    return points / RAYS_BLOCK + 1 + bundle->wish.wavelength_count;
+}
+
+static void open_blocks(struct merit_bundle *bundle)
+{
+    struct filling filling = {NULL, 0};
+    bundle->blocks = ARENA_ARRAY(bundle->arena, count_blocks(bundle), struct bundle_block);
+    for (size_t i = 0; i < bundle->group_count; i++) {
+        const struct bundle_group *group = &bundle->groups[i];
+        for (size_t done = 0; done < group->points.count;) {
+            const bool is_other = filling.block != NULL && filling.block->light != group->light;
+            if (filling.block != NULL && (is_other || filling.used == RAYS_BLOCK)) {
+                close_block(bundle, &filling);
+                filling.block = NULL;
+            }
+            if (filling.block == NULL) {
+                open_block(bundle, group->light, &filling);
+            }
+            const size_t left = group->points.count - done;
+            const size_t room = (size_t)(RAYS_BLOCK - filling.used);
+            const size_t here = left < room ? left : room;
+            add_share(bundle, i, done, (int)here, &filling);
+            done += here;
+        }
+    }
+    close_block(bundle, &filling);
+}
+
+/* -------- opening -------- */
+
+static bool open_beams(struct merit_bundle *bundle, struct error *error)
+{
+    const struct bundle_wish *wish = &bundle->wish;
+    bundle->beams = ARENA_ARRAY(bundle->arena, wish->field_count, struct beam);
+    for (size_t i = 0; i < wish->field_count; i++) {
+        if (!setup_beam(wish->setup, &wish->fields[i].point, &bundle->beams[i], error)) {
+            return false;
+        }
+    }
+    return true;
+}
+
+/* One wavelength after the other. */
+static bool compile(struct merit_bundle *bundle, size_t light, const struct lens *lens,
+                    double stop_radius, struct error *error)
+{
+    struct bundle_light *at = &bundle->lights[light];
+    struct system_options options = system_options_default();
+    options.image = bundle->image;
+    options.path = bundle->wish.path;
+    options.stop_radius = stop_radius;
+    options.indices = at->n;
+    if (!lens_indices(lens, at->wavelength, at->asked, at->n, error)) {
+        return false;
+    }
+    if (light > 0) {
+        system_recolour(&bundle->lights[0].system, at->wavelength, at->n, &bundle->within,
+                        &at->system);
+        return true;
+    }
+    return system_compile(lens, at->wavelength, &options, &bundle->within, &at->system, error);
+}
+
+static void open_layout(struct merit_bundle *bundle, size_t light, const struct bundle_links *links)
+{
+    struct bundle_light *at = &bundle->lights[light];
+    const struct lens *lens = at->system.lens;
+    const struct bundle_wish *wish = &bundle->wish;
+    struct parameter *list =
+        ARENA_ARRAY(bundle->arena, links->count + wish->irregularity_count + 1, struct parameter);
+    size_t count = 0;
+    for (size_t i = 0; i < wish->irregularity_count; i++) {
+        list[count++] = irregularity_basis(&wish->irregularities[i]);
+    }
+    for (size_t i = 0; i < links->count; i++) {
+        list[count++] = links->list[i].basis;
+    }
+    if (bundle->image_moves) {
+        list[count++] =
+            (struct parameter){.surface = lens->surface_count - 1, .kind = PARAMETER_THICKNESS};
+    }
+    derivative_layout_of(&at->system, list, count, bundle->arena, &at->layout);
+}
+
+static bool open_lights(struct merit_bundle *bundle, const struct bundle_links *links,
+                        struct error *error)
+{
+    const struct bundle_wish *wish = &bundle->wish;
+    const struct lens *lens = wish->setup->lens;
+    size_t rows = 1;
+    bundle->lights = ARENA_ARRAY(bundle->arena, wish->wavelength_count, struct bundle_light);
+    for (size_t i = 0; i < wish->wavelength_count; i++) {
+        bundle->lights[i] = (struct bundle_light){
+            .wavelength = wish->wavelengths[i].wavelength,
+            .asked = ARENA_ARRAY(bundle->arena, lens->surface_count + 1, struct medium),
+            .n = ARENA_ARRAY(bundle->arena, lens->surface_count + 1, struct pair)};
+        if (!compile(bundle, i, lens, wish->setup->first.stop_radius, error)) {
+            return false;
+        }
+        open_layout(bundle, i, &links[i]);
+        const size_t here = bundle->lights[i].layout.rows;
+        rows = here > rows ? here : rows;
+    }
+    bundle->gradient = ARENA_ARRAY(bundle->arena, rows * RAYS_BLOCK, double);
+    return true;
+}
+
+/* The image plane at the start: its kind stays. */
+static bool open_image(struct merit_bundle *bundle, struct error *error)
+{
+    struct setup setup = *bundle->wish.setup;
+    if (isnan(setup.image) &&
+        !setup_place_image(&setup, &(struct plane_value){.kind = PLANE_OF_LENS}, error)) {
+        return false;
+    }
+    bundle->image = setup.image;
+    bundle->image_moves = setup.focus != NULL && strcmp(setup.focus, "paraxial") == 0;
+    return isfinite(bundle->image) ||
+           fail(error, ERROR_DOMAIN,
+                "the image is infinitely far away: rays do not meet in a plane");
+}
+
+bool merit_bundle_open(const struct bundle_wish *wish, const struct bundle_links *links,
+                       size_t variable_count, struct arena *arena, struct merit_bundle *bundle,
+                       struct error *error)
+{
+    *bundle = (struct merit_bundle){.wish = *wish,
+                                    .arena = arena,
+                                    .within = arena_within(arena),
+                                    .has_disc = wish->setup->lens->stop == LENS_NONE};
+    bundle->rates = ARENA_ARRAY(arena, variable_count + 1, struct bundle_rate);
+    if (!check(wish, error) || !open_image(bundle, error) || !open_beams(bundle, error) ||
+        !open_lights(bundle, links, error) || !open_groups(bundle, error)) {
+        return false;
+    }
+    open_blocks(bundle);
+    return true;
+}
+
+/* -------- the lens as it is now -------- */
+
+static struct first_order first_of(const struct merit_bundle *bundle,
+                                   const struct dual_first *first)
+{
+    const struct first_order *start = &bundle->wish.setup->first;
+    struct first_order now = {.is_telecentric = start->is_telecentric,
+                              .is_afocal = first->power.value == 0,
+                              .index_object = first->index_object.value,
+                              .power = first->power.value,
+                              .magnification = first->magnification.value,
+                              .entrance_pupil = first->entrance_pupil.value,
+                              .entrance_diameter = 2 * fabs(first->entrance_radius.value),
+                              .marginal_v = first->marginal_v.value};
+    now.matrix.c.hi = -first->power.value;
+    if (bundle->has_disc) {
+        now.entrance_pupil = 0;
+    }
+    return now;
+}
+
+static bool move_beams(struct merit_bundle *bundle, struct error *error)
+{
+    const struct bundle_wish *wish = &bundle->wish;
+    for (size_t i = 0; i < wish->field_count; i++) {
+        if (merit_bundle_moves(bundle, i) &&
+            !beam_of_field(&wish->fields[i].point, &wish->setup->object, &bundle->first,
+                           &bundle->beams[i], error)) {
+            return false;
+        }
+    }
+    for (size_t k = 0; k < bundle->block_count; k++) {
+        struct bundle_block *block = &bundle->blocks[k];
+        for (size_t g = 0; g < block->aimed.beam_count; g++) {
+            block->aimed.beams[g].beam =
+                bundle->beams[bundle->groups[block->shares[g].group].field];
+        }
+    }
+    return true;
+}
+
+/* More steps than before: a surface that was not moved is. */
+static void make_room(struct merit_bundle *bundle)
+{
+    for (size_t i = 0; i < bundle->wish.wavelength_count; i++) {
+        const struct system *system = &bundle->lights[i].system;
+        const size_t steps = system->begin[system->places];
+        if (steps > bundle->steps) {
+            bundle->steps = steps;
+            aimed_work_open(system, bundle->arena, &bundle->work);
+        }
+    }
+}
+
+void merit_bundle_forget(struct merit_bundle *bundle)
+{
+    for (size_t k = 0; k < bundle->block_count; k++) {
+        struct aimed *aimed = &bundle->blocks[k].aimed;
+        aimed->is_known = false;
+        for (size_t g = 0; g < aimed->beam_count; g++) {
+            aimed->beams[g].near.is_known = false;
+        }
+    }
+}
+
+/* What a block has of its rays, kept beside it. */
+static void settle(struct merit_bundle *bundle, struct bundle_block *block)
+{
+    const size_t count = block->aimed.beam_count;
+    if (block->settled == NULL) {
+        block->settled = ARENA_NEW(bundle->arena, struct aimed);
+        block->settled->beams = ARENA_ARRAY(bundle->arena, count, struct aimed_beam);
+    }
+    struct aimed_beam *beams = block->settled->beams;
+    memcpy(beams, block->aimed.beams, count * sizeof *beams);
+    *block->settled = block->aimed;
+    block->settled->beams = beams;
+}
+
+static void go_back(struct bundle_block *block)
+{
+    struct aimed_beam *beams = block->aimed.beams;
+    memcpy(beams, block->settled->beams, block->aimed.beam_count * sizeof *beams);
+    block->aimed = *block->settled;
+    block->aimed.beams = beams;
+}
+
+void merit_bundle_settle(struct merit_bundle *bundle, bool holds)
+{
+    for (size_t k = 0; k < bundle->block_count; k++) {
+        struct bundle_block *block = &bundle->blocks[k];
+        if (!holds) {
+            settle(bundle, block);
+            continue;
+        }
+        block->aimed.at_stop = false; /* nor do derivatives know of any aim */
+        memset(block->aimed.by_radius, 0, sizeof block->aimed.by_radius);
+        memset(block->aimed.by_place, 0, sizeof block->aimed.by_place);
+    }
+    bundle->is_settled = !holds;
+    bundle->is_held = holds;
+}
+
+/* All wavelengths anew, and the image plane. */
+static bool compile_all(struct merit_bundle *bundle, const struct lens *lens, double image,
+                        double stop_radius, struct error *error)
+{
+    bundle->image = image;
+    if (!isfinite(bundle->image)) {
+        return fail(error, ERROR_DOMAIN, "the image is infinitely far away");
+    }
+    arena_reset(&bundle->within, (struct arena_mark){NULL, 0});
+    for (size_t i = 0; i < bundle->wish.wavelength_count; i++) {
+        if (!compile(bundle, i, lens, stop_radius, error)) {
+            return false;
+        }
+    }
+    make_room(bundle);
+    return true;
+}
+
+static double table_of(const struct lens *lens)
+{
+    return lens->surfaces[lens->surface_count - 1].thickness.value.hi;
+}
+
+static bool aim_block(struct merit_bundle *bundle, struct bundle_block *block, struct error *error)
+{
+    const struct system *system = &bundle->lights[block->light].system;
+    if (bundle->is_held) {
+        block->aimed.system = system;
+        return true;
+    }
+    if (bundle->is_settled) {
+        go_back(block);
+    }
+    return block->aimed.at_stop ? aimed_at_stop(&block->aimed, system, &bundle->within, error)
+                                : aimed_at_entrance(&block->aimed, system, &bundle->first, error);
+}
+
+bool merit_bundle_aim(struct merit_bundle *bundle, const struct lens *lens,
+                      const struct dual_first *first, struct error *error)
+{
+    double stop_radius = bundle->lights[0].system.stop_radius;
+    double image = table_of(lens);
+    if (first != NULL) {
+        bundle->first = first_of(bundle, first);
+        stop_radius = fabs(first->stop_radius.value);
+        image = bundle->image_moves ? first->image.value : image;
+    }
+    if (!compile_all(bundle, lens, image, stop_radius, error) ||
+        (!bundle->is_held && !move_beams(bundle, error))) {
+        return false;
+    }
+    for (size_t k = 0; k < bundle->block_count; k++) {
+        if (!aim_block(bundle, &bundle->blocks[k], error)) {
+            return false;
+        }
+    }
+    return true;
+}
+
+static bool fail_lost(const struct merit_bundle *bundle, const struct bundle_block *block,
+                      const struct ray_block *end, struct error *error)
+{
+    for (size_t g = 0; g < block->aimed.beam_count; g++) {
+        const struct aimed_beam *beam = &block->aimed.beams[g];
+        for (int i = beam->first; i < beam->first + beam->count; i++) {
+            if (end->lost[i] != 0) {
+                return fail(error, ERROR_DOMAIN, "a ray of field %zu is lost at surface %zu (%s)",
+                            bundle->groups[block->shares[g].group].field + 1,
+                            ray_block_surface(end, (size_t)i),
+                            ray_status_name(ray_block_status(end, (size_t)i)));
+            }
+        }
+    }
+    return true;
+}
+
+bool merit_bundle_trace(struct merit_bundle *bundle, size_t block, bool derives,
+                        struct ray_block *end, struct error *error)
+{
+    bundle->blocks[block].aimed.keeps = bundle->keeps;
+    aimed_trace(&bundle->blocks[block].aimed, derives, end);
+    if (!fail_lost(bundle, &bundle->blocks[block], end, error)) {
+        return false;
+    }
+    if (bundle->blocks[block].is_deformed) {
+        bent_move(bundle->blocks[block].deformed, bundle->wish.irregularity_amounts,
+                  bundle->wish.irregularity_count, bundle->blocks[block].aimed.lanes,
+                  bundle->wish.path, end);
+    }
+    return true;
+}
+
+void merit_bundle_graze(struct merit_bundle *bundle, size_t block, double limit, bool derives,
+                        struct grazing *grazing)
+{
+    graze_find(&bundle->blocks[block].aimed, limit, derives, &bundle->within, grazing);
+}
+
+void merit_bundle_start(const struct merit_bundle *bundle, size_t group, size_t point,
+                        double place[2])
+{
+    for (size_t k = 0; k < bundle->block_count; k++) {
+        const struct bundle_block *block = &bundle->blocks[k];
+        for (size_t g = 0; g < block->aimed.beam_count; g++) {
+            const struct bundle_share *share = &block->shares[g];
+            const struct aimed_beam *at = &block->aimed.beams[g];
+            if (share->group != group || point < share->first ||
+                point >= share->first + (size_t)at->count) {
+                continue;
+            }
+            const size_t lane = (size_t)at->first + point - share->first;
+            const struct ray ray = beam_ray(&at->beam, block->aimed.a[lane], block->aimed.b[lane]);
+            place[0] = ray.point[0] - ray.point[2] * ray.cosine[0] / ray.cosine[2];
+            place[1] = ray.point[1] - ray.point[2] * ray.cosine[1] / ray.cosine[2];
+        }
+    }
+}

@@ -1,0 +1,277 @@
+/* design/merit/merit_rays.c - operands of many rays: spots and wave fronts. */
+/* SPDX-License-Identifier: MIT */
+#include "design/merit/merit_rays.h"
+
+#include "design/merit/merit_beams.h"
+#include "design/merit/merit_graze.h"
+
+#include <math.h>
+#include <string.h>
+
+/* What a slot keeps. */
+struct merit_rays {
+    struct merit_beams beams; /* with spheres: of a wave front, else of a spot */
+    bool is_joint;            /* one centroid of all wavelengths */
+    int outputs;              /* of a ray: x and y; of a wave front its path */
+    size_t variable_count;
+    /* of each block and output: the values, and a row of them for each variable */
+    double *values;
+    double *means; /* of each set of rays that has one mean, and output: the same */
+    double *share; /* what a group counts in its centroid */
+};
+
+/* Numbers of one lane: the value and its derivatives. */
+static size_t rows_of(const struct merit_rays *rays)
+{
+    return 1 + rays->variable_count;
+}
+
+/* -------- opening -------- */
+
+/* Of rays about the axis x is 0. */
+static int first_output(const struct merit_rays *rays, const struct bundle_group *group)
+{
+    return rays->beams.spheres == NULL && group->points.symmetry == SYMMETRY_ROUND ? 1 : 0;
+}
+
+/* Numbers of residuals, and what each group counts in its centroid. */
+static size_t number(struct merit_rays *rays, struct arena *arena)
+{
+    struct merit_bundle *bundle = &rays->beams.bundle;
+    const struct bundle_wish *wish = &bundle->wish;
+    double *sums = ARENA_ARRAY(arena, wish->field_count, double);
+    size_t count = 0;
+    rays->share = ARENA_ARRAY(arena, bundle->group_count, double);
+    for (size_t i = 0; i < bundle->group_count; i++) {
+        struct bundle_group *group = &bundle->groups[i];
+        sums[group->field] += group->weight;
+        group->row = count;
+        count += group->points.count * (size_t)(rays->outputs - first_output(rays, group));
+    }
+    for (size_t i = 0; i < bundle->group_count; i++) {
+        const struct bundle_group *group = &bundle->groups[i];
+        rays->share[i] = !rays->is_joint          ? 1
+                         : sums[group->field] > 0 ? group->weight / sums[group->field]
+                                                  : 0; /* none of it counts */
+    }
+    return count;
+}
+
+static void make_room(struct merit_rays *rays, struct arena *arena)
+{
+    const struct merit_bundle *bundle = &rays->beams.bundle;
+    const size_t rows = (size_t)rays->outputs * rows_of(rays);
+    rays->values = ARENA_ARRAY(arena, bundle->block_count * rows * RAYS_BLOCK, double);
+    rays->means = ARENA_ARRAY(arena, bundle->group_count * rows, double);
+}
+
+size_t merit_prepare_rays(struct merit *merit, struct merit_slot *slot, struct arena *arena,
+                          struct error *error)
+{
+    struct merit_rays *rays = ARENA_NEW(arena, struct merit_rays);
+    const bool path = slot->operand->kind == OPERAND_OPD;
+    if (slot->operand->relation != OPERAND_NEAR || slot->operand->target != 0) {
+        fail(error, ERROR_DOMAIN, "it is made as small as can be, and has no target");
+        return 0;
+    }
+    slot->own = rays;
+    rays->is_joint = slot->operand->kind == OPERAND_POLY;
+    rays->outputs = path ? 1 : 2;
+    rays->variable_count = merit->variable_count;
+    if (!merit_beams_open(merit, slot, (struct merit_beams_wish){.path = path}, arena, &rays->beams,
+                          error)) {
+        return 0;
+    }
+    make_room(rays, arena);
+    return number(rays, arena);
+}
+
+/* -------- filling -------- */
+
+/* x or y of a block and all of its derivatives. */
+static double *rows_at(const struct merit_rays *rays, size_t block, int output)
+{
+    const size_t rows = rows_of(rays) * RAYS_BLOCK;
+    return rays->values + (block * (size_t)rays->outputs + (size_t)output) * rows;
+}
+
+static double *means_at(const struct merit_rays *rays, size_t group, int output)
+{
+    const size_t set = rays->is_joint ? rays->beams.bundle.groups[group].field : group;
+    return rays->means + (set * (size_t)rays->outputs + (size_t)output) * rows_of(rays);
+}
+
+/* The values of an output of the final rays, and what it is by them. */
+static void set_output(const struct merit_rays *rays, const struct bundle_block *block, int output,
+                       const struct ray_block *end, double *values, struct ray_block *adjoint)
+{
+    memset(adjoint, 0, sizeof *adjoint);
+    if (rays->beams.spheres != NULL) {
+        merit_spheres_path(rays->beams.spheres, &rays->beams.bundle, block, end, values, adjoint);
+        return;
+    }
+    memcpy(values, output == 0 ? end->x : end->y, RAYS_BLOCK * sizeof *values);
+    for (int i = 0; i < block->aimed.lanes; i++) {
+        *(output == 0 ? &adjoint->x[i] : &adjoint->y[i]) = 1;
+    }
+}
+
+static bool trace_block(struct merit *merit, const struct merit_slot *slot, size_t which,
+                        struct error *error)
+{
+    struct merit_rays *rays = slot->own;
+    struct merit_bundle *bundle = &rays->beams.bundle;
+    const struct bundle_block *block = &bundle->blocks[which];
+    struct ray_block end, adjoint;
+    if (!merit_bundle_trace(bundle, which, merit->derives, &end, error)) {
+        return false;
+    }
+    if (bundle->keeps) {
+        merit_graze_add(merit, slot, bundle, which, &rays->beams.links[block->light]);
+    }
+    for (int k = 0; k < rays->outputs; k++) {
+        double *rows = rows_at(rays, which, k);
+        set_output(rays, block, k, &end, rows, &adjoint);
+        if (!merit->derives) {
+            continue;
+        }
+        merit_bundle_sweep(bundle, which, &rays->beams.links[block->light], rays->variable_count,
+                           &adjoint, rows + RAYS_BLOCK);
+        if (rays->beams.spheres != NULL) {
+            merit_spheres_move(rays->beams.spheres, bundle, block, &end, rows + RAYS_BLOCK);
+        }
+    }
+    return true;
+}
+
+/* x or y whose mean is 0 by symmetry. */
+static bool is_centred(const struct merit_rays *rays, const struct bundle_group *group, int output)
+{
+    return rays->beams.spheres == NULL &&
+           (group->points.symmetry == SYMMETRY_ROUND ||
+            (group->points.symmetry == SYMMETRY_MIRROR && output == 0));
+}
+
+/* What the rays of a block add to the means. */
+static void add_means(struct merit_rays *rays, size_t which, size_t rows)
+{
+    const struct bundle_block *block = &rays->beams.bundle.blocks[which];
+    for (size_t g = 0; g < block->aimed.beam_count; g++) {
+        const struct bundle_share *share = &block->shares[g];
+        const struct bundle_group *group = &rays->beams.bundle.groups[share->group];
+        const struct aimed_beam *beam = &block->aimed.beams[g];
+        const struct pupil_point *points = group->points.points + share->first;
+        double weights[RAYS_BLOCK];
+        for (int i = 0; i < beam->count; i++) {
+            weights[i] = points[i].weight * rays->share[share->group];
+        }
+        for (int k = 0; k < rays->outputs; k++) {
+            double *means = means_at(rays, share->group, k);
+            const double *from = rows_at(rays, which, k) + beam->first;
+            for (size_t j = 0; j < rows && !is_centred(rays, group, k); j++, from += RAYS_BLOCK) {
+                double sum = 0;
+                for (int i = 0; i < beam->count; i++) {
+                    sum += weights[i] * from[i];
+                }
+                means[j] += sum;
+            }
+        }
+    }
+}
+
+/* One coordinate of the rays of one group in a block. */
+struct part {
+    const double *rows, *means;
+    double factors[RAYS_BLOCK];
+    int count;
+};
+
+static void put_part(const struct part *part, size_t variable_count, double *residuals,
+                     double *jacobian)
+{
+    for (int i = 0; i < part->count; i++) {
+        residuals[i] = part->factors[i] * (part->rows[i] - part->means[0]);
+    }
+    for (size_t j = 0; jacobian != NULL && j < variable_count; j++) {
+        const double *row = part->rows + (j + 1) * RAYS_BLOCK, mean = part->means[j + 1];
+        for (int i = 0; i < part->count; i++) {
+            jacobian[(size_t)i * variable_count + j] = part->factors[i] * (row[i] - mean);
+        }
+    }
+}
+
+static void put_block(const struct merit_rays *rays, size_t which, double deviation,
+                      double *residuals, double *jacobian)
+{
+    const struct bundle_block *block = &rays->beams.bundle.blocks[which];
+    const double um = 1e-3, wavelength = um * rays->beams.bundle.lights[block->light].wavelength;
+    const double unit = deviation * (rays->beams.spheres != NULL ? wavelength : 1);
+    for (size_t g = 0; g < block->aimed.beam_count; g++) {
+        const struct bundle_share *share = &block->shares[g];
+        const struct bundle_group *group = &rays->beams.bundle.groups[share->group];
+        const struct aimed_beam *beam = &block->aimed.beams[g];
+        const int begin = first_output(rays, group);
+        struct part part = {.count = beam->count};
+        for (int i = 0; i < part.count; i++) {
+            const double weight = group->points.points[share->first + (size_t)i].weight;
+            part.factors[i] = sqrt(weight * group->weight) / unit;
+        }
+        for (int k = begin; k < rays->outputs; k++) {
+            const size_t before = (size_t)(k - begin) * group->points.count;
+            const size_t row = group->row + before + share->first;
+            part.rows = rows_at(rays, which, k) + beam->first;
+            part.means = means_at(rays, share->group, k);
+            put_part(&part, rays->variable_count, residuals + row,
+                     jacobian != NULL ? jacobian + row * rays->variable_count : NULL);
+        }
+    }
+}
+
+bool merit_rays_aim(struct merit *merit, const struct merit_slot *slot)
+{
+    struct merit_rays *rays = slot->own;
+    return merit_beams_aim(merit, slot, &rays->beams);
+}
+
+bool merit_fill_rays(struct merit *merit, const struct merit_slot *slot, double *residuals,
+                     double *jacobian)
+{
+    struct merit_rays *rays = slot->own;
+    struct merit_bundle *bundle = &rays->beams.bundle;
+    const size_t rows = merit->derives ? rows_of(rays) : 1;
+    bundle->keeps = merit->places[slot->place].graze != NULL;
+    if (!merit_rays_aim(merit, slot)) {
+        return false;
+    }
+    memset(rays->means, 0,
+           bundle->group_count * (size_t)rays->outputs * rows_of(rays) * sizeof(double));
+    for (size_t k = 0; k < bundle->block_count; k++) {
+        if (!trace_block(merit, slot, k, &merit->why)) {
+            return false;
+        }
+        add_means(rays, k, rows);
+    }
+    for (size_t k = 0; k < bundle->block_count; k++) {
+        put_block(rays, k, slot->operand->deviation, residuals, jacobian);
+    }
+    memcpy(merit->values + slot->first, residuals, slot->count * sizeof *residuals);
+    return true;
+}
+
+void merit_rays_settle(const struct merit_slot *slot, bool holds)
+{
+    struct merit_rays *rays = slot->own;
+    merit_beams_settle(&rays->beams, holds);
+}
+
+struct merit_rays_look merit_rays_look(const struct merit_slot *slot)
+{
+    struct merit_rays *rays = slot->own;
+    return (struct merit_rays_look){&rays->beams.bundle, rays->is_joint};
+}
+
+bool merit_rays_deform(const struct merit_slot *slot, struct error *error)
+{
+    struct merit_rays *rays = slot->own;
+    return merit_beams_deform(&rays->beams, error);
+}

@@ -1,0 +1,206 @@
+/* design/merit/merit_shape.c - operands of what can be made: thicknesses of glass and air. */
+/* SPDX-License-Identifier: MIT */
+#include "design/merit/merit_shape.h"
+
+#include "design/merit/merit_reach.h"
+
+#include <math.h>
+
+/* Between two surfaces; what only is the stop does not end it. */
+struct space {
+    size_t left, right;
+    double direction; /* of the light */
+    bool is_air;
+};
+
+/* A place of it. */
+enum space_place { SPACE_AXIS, SPACE_EDGE, SPACE_PLACES };
+
+static bool is_only_stop(const struct surface *surface)
+{
+    return surface->kind == SURFACE_STOP;
+}
+
+/* The space behind a surface; false: there is none that counts. */
+static bool space_behind(const struct lens *lens, size_t surface, struct space *space)
+{
+    double direction = 1;
+    for (size_t i = 0; i <= surface; i++) {
+        direction = surface_reflects(&lens->surfaces[i]) ? -direction : direction;
+    }
+    *space = (struct space){surface, surface + 1, direction,
+                            medium_is_air(&lens->surfaces[surface].medium)};
+    while (space->right + 1 < lens->surface_count && is_only_stop(&lens->surfaces[space->right])) {
+        space->right++;
+    }
+    return space->right < lens->surface_count && !is_only_stop(&lens->surfaces[surface]) &&
+           !is_only_stop(&lens->surfaces[space->right]);
+}
+
+/* Does the operand look at this place of the space? */
+static bool is_wanted(enum operand_kind kind, const struct space *space, enum space_place place)
+{
+    return kind == OPERAND_AIR ? space->is_air
+                               : !space->is_air && (kind == OPERAND_EDGE) == (place == SPACE_EDGE);
+}
+
+/* The surfaces behind which spaces are looked at. */
+static void surfaces_of(const struct operand *operand, const struct lens *lens, size_t *first,
+                        size_t *end)
+{
+    const bool all = operand->first == LENS_NONE;
+    *first = all ? 0 : operand->first;
+    *end = all ? lens->surface_count : operand->last + 1;
+}
+
+/* -------- the edge -------- */
+
+/* z of a surface at r, and its derivatives by c, k and r. */
+struct sag {
+    double value, by_curvature, by_conic, by_radius;
+};
+
+/* z = c u/(1 + s), s^2 = 1 - (1+k) c^2 u, u = r^2; and the series. */
+static struct sag sag_at(const struct surface *surface, double r)
+{
+    struct sag sag = {0};
+    if (!surface_has(surface, SURFACE_HAS_CURVE)) {
+        return sag;
+    }
+    const double c = surface_base_curvature(surface).hi, k1 = 1 + surface->conic.value.hi;
+    const double u = r * r, s = sqrt(1 - k1 * c * c * u), share = u / (1 + s);
+    sag.value = c * share;
+    /* ds/dc = -k1 c u/s, ds/dk = -c^2 u/(2 s), ds/dr = -k1 c^2 r/s */
+    sag.by_curvature = share + c * share * k1 * c * u / (s * (1 + s));
+    sag.by_conic = c * share * c * c * u / (2 * s * (1 + s));
+    sag.by_radius = c * r / s;
+    for (int term = 0; term < LENS_COEFFICIENTS; term++) {
+        const int order = surface_order(term);
+        const double A = surface->coefficient[term].value.hi;
+        if (A != 0) {
+            sag.value += A * pow(r, order);
+            sag.by_radius += A * order * pow(r, order - 1);
+        }
+    }
+    return sag;
+}
+
+/* How a sag at r changes by a number of its surface. */
+static double sag_slope(const struct sag *sag, double r, struct parameter basis)
+{
+    return basis.kind == PARAMETER_CURVATURE     ? sag->by_curvature
+           : basis.kind == PARAMETER_CONIC       ? sag->by_conic
+           : basis.kind == PARAMETER_COEFFICIENT ? pow(r, basis.order)
+                                                 : 0;
+}
+
+/* The semi-diameter of a surface by a variable: half its diameter, or where light comes. */
+static struct dual reach_of(const struct merit_place *place, size_t surface, size_t column)
+{
+    const struct surface *at = &place->lens->surfaces[surface];
+    return at->has_diameter ? dual_of(at->diameter.value.hi / 2)
+                            : place->reach[column * place->lens->surface_count + surface];
+}
+
+/* How far out the edge is. */
+static struct dual edge_of(const struct merit_place *place, const struct space *space,
+                           size_t column)
+{
+    const struct dual left = reach_of(place, space->left, column);
+    const struct dual right = reach_of(place, space->right, column);
+    return (left.value < right.value) == space->is_air ? left : right;
+}
+
+/* -------- figures -------- */
+
+/* The thickness in one place, by all columns, into merit->change. */
+static void measure(struct merit *merit, const struct merit_place *place, const struct space *space,
+                    enum space_place where)
+{
+    const struct lens *lens = place->lens;
+    const struct merit_light *light = &place->lights[0];
+    const bool at_edge = where == SPACE_EDGE;
+    const double r = at_edge ? edge_of(place, space, 0).value : 0;
+    const struct sag left = sag_at(&lens->surfaces[space->left], r);
+    const struct sag right = sag_at(&lens->surfaces[space->right], r);
+    double value = right.value - left.value;
+    for (size_t i = space->left; i < space->right; i++) {
+        value += lens->surfaces[i].thickness.value.hi;
+    }
+    for (size_t j = 0; j < merit_columns(merit); j++) {
+        const double along = at_edge ? edge_of(place, space, j).slope : 0;
+        merit->change[j].value = space->direction * value;
+        merit->change[j].slope = space->direction * along * (right.by_radius - left.by_radius);
+    }
+    for (size_t i = 0; i < light->link_count && merit->derives; i++) {
+        const struct variable_link *link = &light->links[i];
+        const size_t surface = link->basis.surface;
+        double slope = 0;
+        if (link->basis.kind == PARAMETER_THICKNESS) {
+            slope = surface >= space->left && surface < space->right ? 1 : 0;
+        } else if (surface == space->right) {
+            slope = at_edge ? sag_slope(&right, r, link->basis) : 0;
+        } else if (surface == space->left) {
+            slope = at_edge ? -sag_slope(&left, r, link->basis) : 0;
+        }
+        merit->change[link->variable].slope += space->direction * slope * link->slope;
+    }
+}
+
+/* Is the light wanted for the edge of a space? */
+static bool wants_reach(const struct lens *lens, enum operand_kind kind, const struct space *space)
+{
+    return is_wanted(kind, space, SPACE_EDGE) &&
+           !(lens->surfaces[space->left].has_diameter && lens->surfaces[space->right].has_diameter);
+}
+
+size_t merit_prepare_shape(struct merit *merit, struct merit_slot *slot, struct arena *arena,
+                           struct error *error)
+{
+    struct merit_place *place = &merit->places[slot->place];
+    const struct lens *lens = place->lens;
+    const enum operand_kind kind = slot->operand->kind;
+    size_t count = 0, first, end;
+    bool reaches = false;
+    struct space space;
+    surfaces_of(slot->operand, lens, &first, &end);
+    for (size_t i = first; i < end && i < lens->surface_count; i++) {
+        if (space_behind(lens, i, &space)) {
+            count += is_wanted(kind, &space, SPACE_AXIS) + is_wanted(kind, &space, SPACE_EDGE);
+            reaches = reaches || wants_reach(lens, kind, &space);
+        }
+    }
+    if (count == 0) {
+        fail(error, ERROR_DOMAIN, "no %s lies behind these surfaces",
+             kind == OPERAND_AIR ? "air" : "glass");
+    }
+    return reaches && !merit_reach_open(merit, slot, arena, error) ? 0 : count;
+}
+
+bool merit_fill_shape(struct merit *merit, const struct merit_slot *slot, double *residuals,
+                      double *jacobian)
+{
+    const struct merit_place *place = &merit->places[slot->place];
+    size_t at = 0, first, end;
+    struct space space;
+    merit_light(merit, slot, NAN);
+    if (place->reach != NULL && !merit_reach(merit, slot)) {
+        return false;
+    }
+    surfaces_of(slot->operand, place->lens, &first, &end);
+    for (size_t i = first; i < end && i < place->lens->surface_count; i++) {
+        const bool is_there = space_behind(place->lens, i, &space);
+        for (int where = 0; is_there && where < SPACE_PLACES; where++) {
+            if (!is_wanted(slot->operand->kind, &space, (enum space_place)where)) {
+                continue;
+            }
+            measure(merit, place, &space, (enum space_place)where);
+            if (!merit_put(merit, slot, at++, residuals, jacobian)) {
+                return fail(&merit->why, ERROR_DOMAIN,
+                            "surface %zu or %zu does not reach as far out as its edge",
+                            space.left + 1, space.right + 1);
+            }
+        }
+    }
+    return true;
+}

@@ -1,0 +1,176 @@
+/* design/merit/merit_spots.c - spots of fields in every plane near the image, from one trace. */
+/* SPDX-License-Identifier: MIT */
+#include "design/merit/merit_spots.h"
+
+#include <math.h>
+#include <string.h>
+
+/* The rays of a block as straight lines: x, y in the image plane, and how they go on with z. */
+enum { AT_X, AT_Y, ALONG_X, ALONG_Y, LINE_PARTS };
+
+struct merit_lines {
+    struct merit_bundle *bundle;
+    double (*blocks)[LINE_PARTS][RAYS_BLOCK];
+    double *weights;             /* of each ray within the spot of its field, block by block */
+    double (*means)[LINE_PARTS]; /* one a field */
+};
+
+/* What each group counts within the spot of its field. */
+static double *share_groups(const struct merit_bundle *bundle, struct arena *arena)
+{
+    double *sums = ARENA_ARRAY(arena, bundle->wish.field_count, double);
+    double *shares = ARENA_ARRAY(arena, bundle->group_count, double);
+    for (size_t i = 0; i < bundle->group_count; i++) {
+        const struct bundle_group *group = &bundle->groups[i];
+        shares[i] = bundle->wish.wavelengths[group->light].weight * group->points.clear;
+        sums[group->field] += shares[i];
+    }
+    for (size_t i = 0; i < bundle->group_count; i++) {
+        shares[i] /= sums[bundle->groups[i].field];
+    }
+    return shares;
+}
+
+/* What the rays of a block count within the spot of their field. */
+static void weigh(const struct merit_bundle *bundle, const struct bundle_block *block,
+                  const double *shares, double *weights)
+{
+    for (size_t g = 0; g < block->aimed.beam_count; g++) {
+        const struct bundle_share *share = &block->shares[g];
+        const struct aimed_beam *beam = &block->aimed.beams[g];
+        const struct pupil_point *points = bundle->groups[share->group].points.points;
+        for (int i = 0; i < beam->count; i++) {
+            weights[beam->first + i] =
+                points[share->first + (size_t)i].weight * shares[share->group];
+        }
+    }
+}
+
+struct merit_lines *merit_lines_open(const struct merit_slot *slot, struct arena *arena)
+{
+    struct merit_lines *lines = ARENA_NEW(arena, struct merit_lines);
+    struct merit_bundle *bundle = merit_rays_look(slot).bundle;
+    const double *shares = share_groups(bundle, arena);
+    lines->bundle = bundle;
+    lines->blocks = arena_array(arena, bundle->block_count, sizeof *lines->blocks);
+    lines->means = arena_array(arena, bundle->wish.field_count, sizeof *lines->means);
+    lines->weights = ARENA_ARRAY(arena, bundle->block_count * RAYS_BLOCK, double);
+    for (size_t k = 0; k < bundle->block_count; k++) {
+        weigh(bundle, &bundle->blocks[k], shares, lines->weights + k * RAYS_BLOCK);
+    }
+    return lines;
+}
+
+static bool trace(struct merit_lines *lines, size_t which, struct error *error)
+{
+    struct merit_bundle *bundle = lines->bundle;
+    const int lanes = bundle->blocks[which].aimed.lanes;
+    double(*line)[RAYS_BLOCK] = lines->blocks[which];
+    struct ray_block end;
+    if (!merit_bundle_trace(bundle, which, false, &end, error)) {
+        return false;
+    }
+    memcpy(line[AT_X], end.x, (size_t)lanes * sizeof(double));
+    memcpy(line[AT_Y], end.y, (size_t)lanes * sizeof(double));
+    for (int i = 0; i < lanes; i++) {
+        const double over = 1 / end.r[i];
+        line[ALONG_X][i] = end.p[i] * over;
+        line[ALONG_Y][i] = end.q[i] * over;
+    }
+    return true;
+}
+
+/* x or y that is 0 in the mean of all that a folded group stands for. */
+static bool is_centred(const struct bundle_group *group, int part)
+{
+    const enum merit_symmetry symmetry = group->points.symmetry;
+    return symmetry == SYMMETRY_ROUND ||
+           (symmetry == SYMMETRY_MIRROR && (part == AT_X || part == ALONG_X));
+}
+
+/* The lanes of one group in a block. */
+struct lane_range {
+    const double (*line)[RAYS_BLOCK];
+    const double *weights;
+    int count;
+    size_t field;
+    const struct bundle_group *group;
+};
+
+static struct lane_range range_of(const struct merit_lines *lines, size_t which, size_t share)
+{
+    const struct bundle_block *block = &lines->bundle->blocks[which];
+    const struct aimed_beam *beam = &block->aimed.beams[share];
+    const struct bundle_group *group = &lines->bundle->groups[block->shares[share].group];
+    return (struct lane_range){.line = (const double(*)[RAYS_BLOCK]) &
+                                       lines->blocks[which][0][beam->first],
+                               .weights = lines->weights + which * RAYS_BLOCK + beam->first,
+                               .count = beam->count,
+                               .field = group->field,
+                               .group = group};
+}
+
+static void add_means(const struct lane_range *range, double *means)
+{
+    for (int part = 0; part < LINE_PARTS; part++) {
+        double sum = 0;
+        if (is_centred(range->group, part)) {
+            continue;
+        }
+        for (int i = 0; i < range->count; i++) {
+            sum += range->weights[i] * range->line[part][i];
+        }
+        means[part] += sum;
+    }
+}
+
+/* Squares about the means; of rays about the axis x is 0. */
+static void add_squares(const struct lane_range *range, const double *means,
+                        struct merit_spot *spot)
+{
+    double at = 0, by = 0, bend = 0;
+    for (int k = 0; k < 2; k++) {
+        const double *x = range->line[AT_X + k], *slope = range->line[ALONG_X + k];
+        const double middle = means[AT_X + k], drift = means[ALONG_X + k];
+        for (int i = 0; i < range->count; i++) {
+            const double dx = x[i] - middle, ds = slope[i] - drift, w = range->weights[i];
+            at += w * dx * dx;
+            by += w * dx * ds;
+            bend += w * ds * ds;
+        }
+    }
+    spot->at += at;
+    spot->by += by;
+    spot->bend += bend;
+}
+
+bool merit_spots_find(struct merit *merit, const struct merit_slot *slot, struct merit_lines *lines,
+                      struct merit_spot *spots)
+{
+    struct merit_bundle *bundle = lines->bundle;
+    if (!merit_rays_aim(merit, slot)) {
+        return false;
+    }
+    memset(lines->means, 0, bundle->wish.field_count * sizeof *lines->means);
+    memset(spots, 0, bundle->wish.field_count * sizeof *spots);
+    for (size_t k = 0; k < bundle->block_count; k++) {
+        if (!trace(lines, k, &merit->why)) {
+            return false;
+        }
+        for (size_t g = 0; g < bundle->blocks[k].aimed.beam_count; g++) {
+            const struct lane_range range = range_of(lines, k, g);
+            add_means(&range, lines->means[range.field]);
+        }
+    }
+    for (size_t k = 0; k < bundle->block_count; k++) {
+        for (size_t g = 0; g < bundle->blocks[k].aimed.beam_count; g++) {
+            const struct lane_range range = range_of(lines, k, g);
+            add_squares(&range, lines->means[range.field], &spots[range.field]);
+        }
+    }
+    for (size_t f = 0; f < bundle->wish.field_count; f++) {
+        memcpy(spots[f].centroid, &lines->means[f][AT_X], sizeof spots[f].centroid);
+        memcpy(spots[f].drift, &lines->means[f][ALONG_X], sizeof spots[f].drift);
+    }
+    return true;
+}

@@ -1,0 +1,70 @@
+/* design/merit/operand.c - what a lens is wanted to have: a table of kinds. */
+/* SPDX-License-Identifier: MIT */
+#include "design/merit/operand.h"
+
+const char *const operand_relations[OPERAND_RELATIONS] = {"=", "<", ">", "=="};
+
+enum {
+    W = OPERAND_AT_WAVELENGTH,
+    F = OPERAND_AT_FIELD,
+    SURFACES = OPERAND_AT_SURFACES,
+    TARGET = OPERAND_NEEDS_TARGET,
+    RAYS = OPERAND_OF_RAYS | OPERAND_TRACES,
+    CONTRAST =
+        W | F | TARGET | OPERAND_AT_FREQUENCY | OPERAND_NEEDS_FREQUENCY | OPERAND_HAS_ORIENTATION
+};
+
+#define LENGTH &dimension_length, "mm"
+#define NUMBER &dimension_number, ""
+#define ANGLE  &dimension_angle, "deg"
+
+/* clang-format off */
+static const struct operand_type types[OPERAND_KINDS] = {
+    [OPERAND_EFL] = {"efl", "focal length, 1/power", LENGTH, W | TARGET},
+    [OPERAND_BFL] = {"bfl", "last vertex to rear focal point", LENGTH, W | TARGET},
+    [OPERAND_FFL] = {"ffl", "first vertex to front focal point", LENGTH, W | TARGET},
+    [OPERAND_LENGTH] = {"length", "first to last vertex", LENGTH, TARGET},
+    [OPERAND_MAGNIFICATION] = {"magnification", "of a near object", NUMBER, W | TARGET},
+    [OPERAND_FNUMBER] = {"fnumber", "focal length over entrance pupil", NUMBER, W | TARGET},
+    [OPERAND_PETZVAL] = {"petzval", "Petzval radius", LENGTH, W | TARGET},
+    [OPERAND_AXIAL] = {"axial", "axial colour", LENGTH, W},
+    [OPERAND_S1] = {"S1", "Seidel sum of spherical aberration", LENGTH, W | F},
+    [OPERAND_S2] = {"S2", "Seidel sum of coma", LENGTH, W | F},
+    [OPERAND_S3] = {"S3", "Seidel sum of astigmatism", LENGTH, W | F},
+    [OPERAND_S4] = {"S4", "Seidel sum of field curvature", LENGTH, W | F},
+    [OPERAND_S5] = {"S5", "Seidel sum of distortion", LENGTH, W | F},
+    [OPERAND_HEIGHT] = {"height", "of the chief ray in the image", LENGTH,
+                        W | F | OPERAND_NEEDS_FIELD | TARGET},
+    [OPERAND_DISTORTION] = {"distortion", "of the chief ray, percent", NUMBER, W | F},
+    [OPERAND_LATERAL] = {"lateral", "lateral colour in the image", LENGTH, W | F},
+    [OPERAND_TELECENTRIC] = {"telecentric", "angle of the chief ray behind the lens", ANGLE, W | F},
+    [OPERAND_INCIDENCE] = {"incidence", "largest angle of incidence", ANGLE,
+                           W | F | SURFACES | TARGET},
+    [OPERAND_EDGE] = {"edge", "thickness of glass at its edge", LENGTH, SURFACES | TARGET},
+    [OPERAND_CENTER] = {"center", "thickness of glass on the axis", LENGTH, SURFACES | TARGET},
+    [OPERAND_AIR] = {"air", "thickness of air, on the axis and at the edge", LENGTH,
+                     SURFACES | TARGET},
+    [OPERAND_SPOT] = {"spot", "spots, each about its own centroid", LENGTH, W | F | RAYS},
+    [OPERAND_POLY] = {"poly", "spots, of all wavelengths about one centroid", LENGTH, W | F | RAYS},
+    [OPERAND_OPD] = {"opd", "optical path differences, wavelengths", NUMBER, W | F | RAYS},
+    [OPERAND_GRAZING] = {"grazing", "largest angle of a ray at a surface, near loss", ANGLE,
+                         TARGET},
+    [OPERAND_MTF] = {"mtf", "contrast at a spatial frequency, by waves", NUMBER, CONTRAST},
+    [OPERAND_GMTF] = {"gmtf", "the same by rays", NUMBER, CONTRAST},
+};
+/* clang-format on */
+
+const struct operand_type *operand_type(enum operand_kind kind)
+{
+    return &types[kind];
+}
+
+enum operand_kind operand_find(struct text name)
+{
+    for (int i = 0; i < OPERAND_KINDS; i++) {
+        if (types[i].name != NULL && text_same(name, types[i].name)) {
+            return (enum operand_kind)i;
+        }
+    }
+    return OPERAND_KINDS;
+}

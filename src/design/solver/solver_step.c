@@ -1,0 +1,215 @@
+/* design/solver/solver_step.c - a step that stays inside bounds and keeps conditions. */
+/* SPDX-License-Identifier: MIT */
+#include "design/solver/solver_step.h"
+
+#include "base/cholesky.h"
+
+#include <math.h>
+
+/* The parameters that are free, and the system of them. */
+struct step_system {
+    size_t count;
+    size_t *places;
+    enum step_side *wanted;
+    double *l;     /* count x count: factor of H */
+    double *half;  /* exact x count: L^-1 of each condition's slopes */
+    double *inner; /* exact x exact: factor of A H^-1 A^T */
+    double *right; /* count */
+    double *miss;  /* exact */
+};
+
+void solver_step_open(struct solver_step *step, size_t count, size_t exact, struct arena *arena)
+{
+    struct step_system *system = ARENA_NEW(arena, struct step_system);
+    step->count = count;
+    step->exact = exact;
+    step->side = ARENA_ARRAY(arena, count, enum step_side);
+    step->d = ARENA_ARRAY(arena, count, double);
+    step->multipliers = ARENA_ARRAY(arena, exact + 1, double);
+    step->system = system;
+    system->places = ARENA_ARRAY(arena, count, size_t);
+    system->wanted = ARENA_ARRAY(arena, count, enum step_side);
+    system->l = ARENA_ARRAY(arena, count * count, double);
+    system->half = ARENA_ARRAY(arena, exact * count + 1, double);
+    system->inner = ARENA_ARRAY(arena, exact * exact + 1, double);
+    system->right = ARENA_ARRAY(arena, count, double);
+    system->miss = ARENA_ARRAY(arena, exact + 1, double);
+}
+
+/* Who is free; the others lie at their bounds. */
+static void list_free(const struct solver_step *step)
+{
+    struct step_system *system = step->system;
+    system->count = 0;
+    for (size_t i = 0; i < step->count; i++) {
+        if (step->side[i] == STEP_FREE) {
+            system->places[system->count++] = i;
+        } else {
+            step->d[i] = step->side[i] == STEP_AT_LOW ? step->low[i] : step->high[i];
+        }
+    }
+}
+
+static bool factor_conditions(const struct solver_step *step)
+{
+    const struct step_system *system = step->system;
+    const size_t e = step->exact, k = system->count;
+    double trace = 0;
+    for (size_t r = 0; r < e; r++) {
+        double *row = system->half + r * k;
+        for (size_t i = 0; i < k; i++) {
+            row[i] = step->slopes[r * step->count + system->places[i]];
+        }
+        cholesky_forward(system->l, k, row);
+        for (size_t q = 0; q <= r; q++) {
+            double sum = 0;
+            for (size_t i = 0; i < k; i++) {
+                sum += row[i] * system->half[q * k + i];
+            }
+            system->inner[r * e + q] = sum;
+        }
+        trace += system->inner[r * e + r];
+    }
+    for (size_t r = 0; r < e; r++) {
+        /* conditions that say the same do not stop the solution */
+        system->inner[r * e + r] += 1e-13 * trace + 1e-300;
+    }
+    return cholesky_factor(system->inner, e);
+}
+
+static bool factor_free(const struct solver_step *step)
+{
+    const struct step_system *system = step->system;
+    const size_t k = system->count;
+    for (size_t i = 0; i < k; i++) {
+        const double *row = step->h + system->places[i] * step->count;
+        for (size_t j = 0; j <= i; j++) {
+            system->l[i * k + j] = row[system->places[j]];
+        }
+    }
+    return cholesky_factor(system->l, k) && factor_conditions(step);
+}
+
+/* Slope of the quadratic form where d is. */
+static double slope_at(const struct solver_step *step, size_t i)
+{
+    double sum = step->g[i];
+    for (size_t j = 0; j < step->count; j++) {
+        sum += step->h[i * step->count + j] * step->d[j];
+    }
+    return sum;
+}
+
+/* How far the conditions are from being met at d. */
+static void miss_conditions(const struct solver_step *step, double *miss)
+{
+    for (size_t r = 0; r < step->exact; r++) {
+        miss[r] = step->excess[r];
+        for (size_t j = 0; j < step->count; j++) {
+            miss[r] += step->slopes[r * step->count + j] * step->d[j];
+        }
+    }
+}
+
+/* Move what is free so that the conditions are met, the quadratic form rising least. */
+static void meet_conditions(struct solver_step *step)
+{
+    const struct step_system *system = step->system;
+    const size_t e = step->exact, k = system->count;
+    miss_conditions(step, system->miss);
+    cholesky_forward(system->inner, e, system->miss);
+    cholesky_backward(system->inner, e, system->miss);
+    for (size_t i = 0; i < k; i++) {
+        system->right[i] = 0;
+    }
+    for (size_t r = 0; r < e; r++) {
+        step->multipliers[r] += system->miss[r];
+        for (size_t i = 0; i < k; i++) {
+            system->right[i] -= system->miss[r] * system->half[r * k + i];
+        }
+    }
+    cholesky_backward(system->l, k, system->right);
+    for (size_t i = 0; i < k; i++) {
+        step->d[system->places[i]] += system->right[i];
+    }
+}
+
+/* d of the free parameters, with the others where they are held. */
+static bool solve_free(struct solver_step *step)
+{
+    const struct step_system *system = step->system;
+    const size_t k = system->count;
+    if (!factor_free(step)) {
+        return false;
+    }
+    for (size_t i = 0; i < k; i++) {
+        step->d[system->places[i]] = 0;
+    }
+    for (size_t i = 0; i < k; i++) {
+        system->right[i] = -slope_at(step, system->places[i]);
+    }
+    cholesky_forward(system->l, k, system->right);
+    cholesky_backward(system->l, k, system->right);
+    for (size_t i = 0; i < k; i++) {
+        step->d[system->places[i]] = system->right[i];
+    }
+    for (size_t r = 0; r < step->exact; r++) {
+        step->multipliers[r] = 0;
+    }
+    for (int again = 0; step->exact > 0 && again < 2; again++) {
+        meet_conditions(step);
+    }
+    return true;
+}
+
+/* Where this parameter belongs after what was found. */
+static enum step_side side_of(const struct solver_step *step, size_t i)
+{
+    if (step->side[i] == STEP_FREE) {
+        return step->d[i] < step->low[i]    ? STEP_AT_LOW
+               : step->d[i] > step->high[i] ? STEP_AT_HIGH
+                                            : STEP_FREE;
+    }
+    if (!(step->low[i] < step->high[i])) {
+        return step->side[i];
+    }
+    double slope = slope_at(step, i);
+    for (size_t r = 0; r < step->exact; r++) {
+        slope += step->multipliers[r] * step->slopes[r * step->count + i];
+    }
+    const bool is_pushed = step->side[i] == STEP_AT_LOW ? slope >= 0 : slope <= 0;
+    return is_pushed ? step->side[i] : STEP_FREE;
+}
+
+/* Change sides: of all that are wrong, or of the last. Result: was any? */
+static bool change_sides(struct solver_step *step, bool all)
+{
+    enum step_side *wanted = step->system->wanted;
+    bool changed = false;
+    for (size_t i = 0; i < step->count; i++) {
+        wanted[i] = side_of(step, i);
+    }
+    for (size_t i = step->count; i-- > 0 && (all || !changed);) {
+        changed = changed || wanted[i] != step->side[i];
+        step->side[i] = wanted[i];
+    }
+    return changed;
+}
+
+bool solver_step_find(struct solver_step *step)
+{
+    const int limit = 10 * (int)step->count + 20;
+    for (int round = 0; round < limit; round++) {
+        list_free(step);
+        if (!solve_free(step)) {
+            return false;
+        }
+        if (!change_sides(step, round < 10)) {
+            break;
+        }
+    }
+    for (size_t i = 0; i < step->count; i++) {
+        step->d[i] = fmin(fmax(step->d[i], step->low[i]), step->high[i]);
+    }
+    return true;
+}

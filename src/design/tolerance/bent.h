@@ -1,0 +1,29 @@
+/* design/tolerance/bent.h - rays that are moved by what is known of them to first order. */
+/* SPDX-License-Identifier: MIT */
+#ifndef LENSCALC_DESIGN_TOLERANCE_BENT_H
+#define LENSCALC_DESIGN_TOLERANCE_BENT_H
+
+#include "trace/rays.h"
+
+#include <stdbool.h>
+#include <stddef.h>
+
+/* What moves: x, y, p, q and the path. */
+enum { BENT_PARTS = 5 };
+
+/*
+ * Move rays.
+ *
+ * Given     rows     of each part `count` rows of RAYS_BLOCK: derivatives by each amount
+ *           lanes    a multiple of RAYS_FEW
+ *           path     that moves too; else its rows are not read
+ *           end      receives the change; (p, q, r) keeps its length, to first order
+ */
+typedef void kernel_bend(const double *rows, const double *amounts, size_t count, int lanes,
+                         bool path, struct ray_block *end);
+kernel_bend kernel_bend_sse2, kernel_bend_avx2, kernel_bend_avx512;
+
+/* The same, with the best kernel. */
+kernel_bend bent_move;
+
+#endif

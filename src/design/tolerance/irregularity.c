@@ -1,0 +1,122 @@
+/* design/tolerance/irregularity.c - what small deformations do to rays, to first order. */
+/* SPDX-License-Identifier: MIT */
+#include "design/tolerance/irregularity.h"
+
+#include "trace/frames.h"
+
+#include <string.h>
+
+struct irregularity_height irregularity_height(const struct irregularity *irregularity, double x,
+                                               double y)
+{
+    const double over = 1 / irregularity->radius, u = x * over, v = y * over;
+    const double square = u * u + v * v;
+    switch (irregularity->form) {
+    case IRREGULARITY_COS:
+        return (struct irregularity_height){(u * u - v * v) / 2, {u * over, -v * over}};
+    case IRREGULARITY_SIN:
+        return (struct irregularity_height){u * v, {v * over, u * over}};
+    default: {
+        const double slope = (16 * square - 8) * over; /* over rho: d/d(rho^2) times 2 */
+        return (struct irregularity_height){4 * square * square - 4 * square + 2.0 / 3,
+                                            {slope * u, slope * v}};
+    }
+    }
+}
+
+/* A surface that is moved: where it has its vertex, and its axes. */
+struct place {
+    struct frame frame; /* own = turn (X - shift) */
+    double inverse[9];  /* of the axes that its tilts are about: turns from those by tilts */
+};
+
+static void invert(const double m[9], double inverse[9])
+{
+    double determinant = 0;
+    for (int i = 0; i < 3; i++) {
+        const double *u = m + 3 * ((i + 1) % 3), *v = m + 3 * ((i + 2) % 3);
+        for (int k = 0; k < 3; k++) {
+            inverse[3 * k + i] = u[(k + 1) % 3] * v[(k + 2) % 3] - u[(k + 2) % 3] * v[(k + 1) % 3];
+        }
+    }
+    for (int k = 0; k < 3; k++) {
+        determinant += m[k] * inverse[3 * k];
+    }
+    for (int i = 0; i < 9; i++) {
+        inverse[i] /= determinant;
+    }
+}
+
+static struct place place_of(const struct surface *surface)
+{
+    const struct displacement *decentre = surface->decentre;
+    struct place place = {.frame = frame_of(decentre != NULL ? decentre : &displacement_none, 0)};
+    double axes[9];
+    displacement_axes(decentre, axes);
+    invert(axes, place.inverse);
+    return place;
+}
+
+/* The turn about a point that gives the surface there these slopes more, in its own frame. */
+static void turn_of(const double normal[3], const double slope[2], double turn[3])
+{
+    const double sx = -normal[0] / normal[2], sy = -normal[1] / normal[2];
+    const double over = 1 / (1 + sx * sx + sy * sy);
+    turn[0] = ((1 + sx * sx) * slope[1] - sx * sy * slope[0]) * over;
+    turn[1] = (sx * sy * slope[1] - (1 + sy * sy) * slope[0]) * over;
+    turn[2] = 0;
+}
+
+static void apply(const double m[9], const double v[3], double result[3])
+{
+    for (int i = 0; i < 3; i++) {
+        result[i] = m[3 * i] * v[0] + m[3 * i + 1] * v[1] + m[3 * i + 2] * v[2];
+    }
+}
+
+static void apply_back(const double m[9], const double v[3], double result[3])
+{
+    for (int i = 0; i < 3; i++) {
+        result[i] = m[i] * v[0] + m[3 + i] * v[1] + m[6 + i] * v[2];
+    }
+}
+
+/* What a ray gains that meets the surface at X, in the frame of the axis. */
+static double gain(const struct irregularity *irregularity, const struct system *system,
+                   const struct place *place, const double X[3], const double rows[6])
+{
+    const double *shift = place->frame.shift, *turn = place->frame.turn;
+    const double from[3] = {X[0] - shift[0], X[1] - shift[1], X[2] - shift[2]};
+    double at[3], seen[3], normal[3], by_turn[3], own[3], w[3], along[3];
+    apply(turn, from, at);
+    system_normal(system, irregularity->surface, X, seen);
+    apply(turn, seen, normal);
+    const struct irregularity_height height = irregularity_height(irregularity, at[0], at[1]);
+    turn_of(normal, height.slope, own);
+    apply_back(turn, own, w);
+    apply_back(turn, (double[3]){0, 0, height.z}, along);
+    apply(place->inverse, rows + 2, by_turn);
+    const double way[3] = {along[0] - (w[1] * from[2] - w[2] * from[1]),
+                           along[1] - (w[2] * from[0] - w[0] * from[2]),
+                           along[2] - (w[0] * from[1] - w[1] * from[0])};
+    return rows[0] * way[0] + rows[1] * way[1] + rows[DERIVE_SHIFT_Z] * way[2] + w[0] * by_turn[0] +
+           w[1] * by_turn[1] + w[2] * by_turn[2];
+}
+
+void irregularity_column(const struct irregularity *irregularity,
+                         const struct irregularity_sweep *sweep, double *column)
+{
+    const struct system *system = sweep->system;
+    const size_t step = system->begin[system_place(system, irregularity->surface) + 1];
+    const struct ray_block *behind = &sweep->tape->blocks[step];
+    const size_t row = derivative_row(sweep->layout, irregularity_basis(irregularity));
+    const struct place place = place_of(&system->lens->surfaces[irregularity->surface]);
+    for (int i = 0; i < sweep->tape->lanes; i++) {
+        const double X[3] = {behind->x[i], behind->y[i], behind->z[i]};
+        double rows[6];
+        for (size_t k = 0; k < 6; k++) {
+            rows[k] = sweep->gradient[(row + k) * RAYS_BLOCK + (size_t)i];
+        }
+        column[i] = gain(irregularity, system, &place, X, rows);
+    }
+}

@@ -1,0 +1,330 @@
+/* design/tolerance/perturbation.c - what may be wrong with a lens: independent numbers. */
+/* SPDX-License-Identifier: MIT */
+#include "design/tolerance/perturbation.h"
+
+#include "base/turns.h"
+#include "design/tolerance/perturbation_place.h"
+#include "optics/growing.h"
+
+#include <stdlib.h>
+
+/* Which tolerance of one thing counts: the highest. */
+enum rank { RANK_GRADE, RANK_GRADE_AIR, RANK_RANGE, RANK_AIR, RANK_SINGLE };
+
+/* A thing of the lens, with a tolerance of it. */
+struct entry {
+    struct tolerance_place place;
+    enum rank rank;
+    size_t number; /* in the order of the lines */
+    bool won;      /* over the grade's */
+};
+
+/* Ranges of all surfaces again and again are no tolerances but a mistake, or mischief. */
+enum { MOST_ENTRIES = 1000000 };
+
+struct work {
+    struct tolerance_site site;
+    const char *grade;
+    struct entry *entries;
+    size_t count, room;
+    struct growing left_out;
+};
+
+/* A mark names its line, a grade itself. Returns false. */
+static bool refuse(const struct work *work, const struct entry *entry, const char *why,
+                   struct error *error)
+{
+    const char *name = tolerance_place_name(&work->site, &entry->place);
+    const struct lens_tolerance *from = entry->place.from;
+    if (entry->rank <= RANK_GRADE_AIR) {
+        fail(error, ERROR_DOMAIN, "the tolerance of %s in grade %s cannot be: %s", name,
+             work->grade, why);
+        return from->unit == TOLERANCE_FRINGES
+                   ? error_hint(error, "the diameter in the line of a surface is what it takes")
+                   : error_hint(error, "a line 'tolerance %s ...' of its own goes before the grade",
+                                name);
+    }
+    fail_at(error, ERROR_DATA, from->text, 1, "the tolerance of %s cannot be: %s", name, why);
+    return from->source != NULL && error_locate(error, from->source, from->line, from->column);
+}
+
+static bool put_entry(struct work *work, struct entry entry, struct error *error)
+{
+    if (work->count == MOST_ENTRIES) {
+        return refuse(work, &entry, "there are more than a million", error);
+    }
+    work->entries = arena_grow(work->site.arena, work->entries, work->count, &work->room,
+                               sizeof work->entries[0]);
+    entry.number = work->count;
+    work->entries[work->count++] = entry;
+    return true;
+}
+
+/* A glass of which only the Abbe number is not known. */
+static void leave_out(struct work *work, const struct entry *entry)
+{
+    struct tolerance_place glass = entry->place;
+    glass.kind = TOLERANCE_INDEX;
+    if (entry->place.kind == TOLERANCE_ABBE && tolerance_place_wrong(&work->site, &glass) == NULL) {
+        growing_format(&work->left_out, "%s%s", work->left_out.length > 0 ? ", " : "",
+                       tolerance_place_name(&work->site, &entry->place));
+    }
+}
+
+/* One thing of a tolerance. */
+static bool add(struct work *work, struct entry entry, struct error *error)
+{
+    const struct lens_tolerance *from = entry.place.from;
+    if (from->kind == TOLERANCE_THICKNESS) {
+        entry.place.kind = tolerance_place_space(&work->site, entry.place.first);
+    }
+    const char *wrong = tolerance_place_wrong(&work->site, &entry.place);
+    if (wrong != NULL && from->is_range) {
+        leave_out(work, &entry);
+        return true;
+    }
+    return wrong != NULL ? refuse(work, &entry, wrong, error) : put_entry(work, entry, error);
+}
+
+/* The elements from `first` to `last`: all of each. */
+static bool add_elements(struct work *work, struct entry entry, struct error *error)
+{
+    const struct lens_tolerance *from = entry.place.from;
+    const char *wrong = tolerance_place_wrong(&work->site, &entry.place);
+    if (wrong != NULL) {
+        return refuse(work, &entry, wrong, error);
+    }
+    for (size_t i = 0; i < work->site.element_count; i++) {
+        const struct element *one = &work->site.elements[i];
+        if (one->first >= from->first && one->last <= from->last) {
+            entry.place.first = one->first;
+            entry.place.last = one->last;
+            if (!put_entry(work, entry, error)) {
+                return false;
+            }
+        }
+    }
+    return true;
+}
+
+static bool add_tolerance(struct work *work, const struct lens_tolerance *from, bool is_grade,
+                          struct error *error)
+{
+    const bool is_air = from->kind == TOLERANCE_AIR;
+    const enum rank ranks[] = {is_air ? RANK_AIR : RANK_RANGE,
+                               is_air ? RANK_GRADE_AIR : RANK_GRADE};
+    struct entry entry = {.place = {from, from->kind, from->first, from->last},
+                          .rank = is_grade || from->is_range ? ranks[is_grade] : RANK_SINGLE};
+    const enum tolerance_owner owner = tolerance_type(from->kind)->owner;
+    if (owner == TOLERANCE_OF_ELEMENT && from->is_range) {
+        return add_elements(work, entry, error);
+    }
+    if (owner != TOLERANCE_OF_SURFACE) {
+        return add(work, entry, error);
+    }
+    for (size_t i = from->first; i <= from->last; i++) {
+        entry.place.first = entry.place.last = i;
+        if (!add(work, entry, error)) {
+            return false;
+        }
+    }
+    return true;
+}
+
+/* -------- as numbers -------- */
+
+static int by_thing(const struct entry *a, const struct entry *b)
+{
+    const struct tolerance_place *left = &a->place, *right = &b->place;
+    const size_t keys[][2] = {{left->kind, right->kind},
+                              {left->first, right->first},
+                              {left->last, right->last},
+                              {(size_t)left->from->order, (size_t)right->from->order}};
+    for (size_t i = 0; i < sizeof keys / sizeof keys[0]; i++) {
+        if (keys[i][0] != keys[i][1]) {
+            return keys[i][0] < keys[i][1] ? -1 : 1;
+        }
+    }
+    return 0;
+}
+
+/* Of one thing that first which counts: of a grade fringes are for what nothing else is of. */
+static int by_rank(const void *left, const void *right)
+{
+    const struct entry *a = left, *b = right;
+    const int thing = by_thing(a, b);
+    const bool a_last = a->rank <= RANK_GRADE_AIR && a->place.from->unit == TOLERANCE_FRINGES;
+    const bool b_last = b->rank <= RANK_GRADE_AIR && b->place.from->unit == TOLERANCE_FRINGES;
+    return thing != 0           ? thing
+           : a->rank != b->rank ? (a->rank > b->rank ? -1 : 1)
+           : a_last != b_last   ? (a_last ? 1 : -1)
+                                : (a->number > b->number) - (a->number < b->number);
+}
+
+/* Keep of each thing the one that counts. */
+static bool keep_first(struct work *work, struct error *error)
+{
+    size_t kept = 0;
+    qsort(work->entries, work->count, sizeof work->entries[0], by_rank);
+    for (size_t i = 0; i < work->count; i++) {
+        const struct entry *one = &work->entries[i];
+        struct entry *counts = kept > 0 ? &work->entries[kept - 1] : NULL;
+        if (counts == NULL || by_thing(counts, one) != 0) {
+            work->entries[kept++] = *one;
+            continue;
+        }
+        if (counts->rank == one->rank && one->rank > RANK_GRADE_AIR) {
+            const struct lens_tolerance *first = counts->place.from;
+            return refuse(work, one,
+                          arena_printf(work->site.arena, "it has one already, in line %ld%s%s",
+                                       first->line, first->source != NULL ? " of " : "",
+                                       first->source != NULL ? first->source : ""),
+                          error);
+        }
+        counts->won = counts->won || (counts->rank > RANK_GRADE_AIR && one->rank <= RANK_GRADE_AIR);
+    }
+    work->count = kept;
+    return true;
+}
+
+/* What of a perturbation is one number, and the end of its name; of axes a parameter more each. */
+struct component {
+    enum perturbation_axis axis;
+    const char *words;
+};
+struct components {
+    const struct component *list;
+    size_t count;
+    enum parameter_kind first; /* PARAMETER_KINDS: none */
+};
+
+static struct components components_of(enum tolerance_kind kind)
+{
+    static const struct component round[] = {{PERTURBATION_ROUND, ""}};
+    static const struct component axes[] = {{PERTURBATION_X, " x"}, {PERTURBATION_Y, " y"}};
+    static const struct component forms[] = {
+        {PERTURBATION_X, " 0deg"}, {PERTURBATION_Y, " 45deg"}, {PERTURBATION_ROUND, " spherical"}};
+    switch (kind) {
+    case TOLERANCE_IRREGULARITY:
+        return (struct components){forms, 3, PARAMETER_KINDS};
+    case TOLERANCE_TILT:
+    case TOLERANCE_WEDGE:
+        return (struct components){axes, 2, PARAMETER_TILT_X};
+    case TOLERANCE_DECENTER:
+        return (struct components){axes, 2, PARAMETER_DECENTER_X};
+    case TOLERANCE_ELEMENT_TILT:
+    case TOLERANCE_ELEMENT_DECENTER:
+        return (struct components){axes, 2, PARAMETER_KINDS};
+    default:
+        return (struct components){round, 1, PARAMETER_KINDS};
+    }
+}
+
+static bool emit(const struct work *work, const struct entry *entry,
+                 struct perturbations *perturbations, struct error *error)
+{
+    const struct lens_tolerance *from = entry->place.from;
+    struct perturbation one = {.spread = spread_of(from->distribution, from->sigmas),
+                               .name = tolerance_place_name(&work->site, &entry->place)};
+    const char *wrong = tolerance_place_amount(&work->site, &entry->place, &one);
+    if (wrong != NULL) {
+        return refuse(work, entry, wrong, error);
+    }
+    const struct components components = components_of(one.kind);
+    for (size_t i = 0; i < components.count; i++) {
+        struct perturbation part = one;
+        part.axis = components.list[i].axis;
+        part.name = ARENA_JOIN(work->site.arena, one.name, components.list[i].words);
+        if (components.first != PARAMETER_KINDS) {
+            const int kind = (int)components.first + (int)i;
+            part.what = (struct parameter){one.first, (enum parameter_kind)kind, 0};
+        }
+        perturbations->list[perturbations->count++] = part;
+    }
+    return true;
+}
+
+/* The names of those that won over the grade; null: none did. */
+static const char *won_over(const struct work *work)
+{
+    struct growing names = {.arena = work->site.arena};
+    for (size_t i = 0; i < work->count; i++) {
+        if (work->entries[i].won) {
+            growing_format(&names, "%s%s", names.length > 0 ? ", " : "",
+                           tolerance_place_name(&work->site, &work->entries[i].place));
+        }
+    }
+    const struct text all = growing_done(&names);
+    return all.length > 0 ? arena_string(work->site.arena, all.start, all.length) : NULL;
+}
+
+bool perturbations_of(const struct lens *lens, const struct perturbation_wish *wish,
+                      struct arena *arena, struct perturbations *perturbations, struct error *error)
+{
+    struct work work = {.grade = wish->grade, .left_out = {.arena = arena}};
+    struct element *elements;
+    work.site = (struct tolerance_site){.all = lens,
+                                        .lens = lens_at_position(lens, 0, arena),
+                                        .element_count = elements_of(lens, arena, &elements),
+                                        .arena = arena};
+    work.site.elements = elements;
+    for (size_t i = 0; i < wish->of_grade.count + wish->marks.count; i++) {
+        const bool is_grade = i < wish->of_grade.count;
+        const struct lens_tolerance *from =
+            is_grade ? &wish->of_grade.list[i] : &wish->marks.list[i - wish->of_grade.count];
+        if (!add_tolerance(&work, from, is_grade, error)) {
+            return false;
+        }
+    }
+    if (work.count == 0) {
+        fail(error, ERROR_DOMAIN, "nothing of the lens has a tolerance");
+        return error_hint(error,
+                          "give a grade, or lines 'tolerance R1 0.1%% uniform' in the lens or "
+                          "in a file of their own");
+    }
+    if (!keep_first(&work, error)) {
+        return false;
+    }
+    *perturbations = (struct perturbations){
+        .list = ARENA_ARRAY(arena, 3 * work.count, struct perturbation), .won = won_over(&work)};
+    for (size_t i = 0; i < work.count; i++) {
+        if (!emit(&work, &work.entries[i], perturbations, error)) {
+            return false;
+        }
+    }
+    const struct text left_out = growing_done(&work.left_out);
+    perturbations->left_out =
+        left_out.length > 0 ? arena_string(arena, left_out.start, left_out.length) : NULL;
+    return true;
+}
+
+/* -------- as random numbers -------- */
+
+/* The first of the two of an astigmatism, which lie side by side. */
+static bool is_astigmatism(const struct perturbation *one)
+{
+    return one->kind == TOLERANCE_IRREGULARITY && one->axis == PERTURBATION_X;
+}
+
+void perturbation_errors(const struct perturbation *list, size_t count, const double *even,
+                         double *errors)
+{
+    for (size_t i = 0; i < count; i++) {
+        errors[i] = spread_quantile(&list[i].spread, even[i]);
+        if (is_astigmatism(&list[i]) && i + 1 < count) {
+            const double size = errors[i], turn = even[i + 1];
+            double cosine, sine;
+            turns_of(turn, &cosine, &sine);
+            errors[i++] = size * cosine;
+            errors[i] = size * sine;
+        }
+    }
+}
+
+struct perturbation_moments perturbation_moments(const struct perturbation *one)
+{
+    const bool shares = one->kind == TOLERANCE_IRREGULARITY && one->axis != PERTURBATION_ROUND;
+    return (struct perturbation_moments){
+        .second = spread_variance(&one->spread) * (shares ? 1.0 / 2 : 1),
+        .fourth = spread_fourth(&one->spread) * (shares ? 3.0 / 8 : 1)};
+}

@@ -1,0 +1,510 @@
+/* design/tolerance/tolerance_open.c - one lens made ready for trials of its tolerances. */
+/* SPDX-License-Identifier: MIT */
+#include "design/merit/merit_mtf.h"
+#include "design/merit/merit_rays.h"
+#include "design/tolerance/tolerance_trial.h"
+
+#include <math.h>
+#include <string.h>
+
+/* -------- the image plane as a distance -------- */
+
+/* Where the file has it, in one position. */
+static bool find_image(const struct merit_question *view, size_t position, struct arena *arena,
+                       double *image, struct error *error)
+{
+    const struct setup_question asked = {.lens = view->lens,
+                                         .position = position,
+                                         .section = view->section,
+                                         .wavelength = NAN,
+                                         .wavelengths = WAVELENGTHS_ALL,
+                                         .spectrum = view->wavelengths,
+                                         .spectrum_count = view->wavelength_count,
+                                         .fnumber = view->fnumber,
+                                         .fields = view->fields,
+                                         .field_count = view->field_count,
+                                         .field_policy = FIELDS_ALL,
+                                         .takes_telecentric = true};
+    struct setup setup;
+    if (!setup_open(&asked, arena, &setup, error) ||
+        !setup_place_image(&setup, &(struct plane_value){.kind = PLANE_OF_LENS}, error)) {
+        return false;
+    }
+    *image = setup.image;
+    return isfinite(*image) ||
+           fail(error, ERROR_DOMAIN, "the image is infinitely far away: nothing is in focus there");
+}
+
+static struct figure plain(double value)
+{
+    return (struct figure){.value = pair_of(value), .variable = LENS_NONE};
+}
+
+/* The last thickness of a lens with `focus paraxial` or `best`: a word where positions differ. */
+static bool put_image(const struct merit_question *view, struct lens *lens, struct arena *arena,
+                      struct error *error)
+{
+    static const char word[] = "image_distance";
+    const size_t count = lens->position_count > 0 ? lens->position_count : 1;
+    struct figure *values = ARENA_ARRAY(arena, count, struct figure);
+    struct surface *last = &lens->surfaces[lens->surface_count - 1];
+    for (size_t p = 0; p < count; p++) {
+        double image;
+        if (!find_image(view, p, arena, &image, error)) {
+            return false;
+        }
+        values[p] = plain(image);
+    }
+    lens->focus = FOCUS_TABLE;
+    last->has_thickness = true;
+    last->thickness = values[0];
+    if (count > 1) {
+        struct lens_variable *words =
+            ARENA_ARRAY(arena, lens->variable_count + 1, struct lens_variable);
+        for (size_t i = 0; i < lens->variable_count; i++) {
+            words[i] = lens->variables[i];
+        }
+        words[lens->variable_count] = (struct lens_variable){text_of(word), values, NULL};
+        last->thickness.variable = lens->variable_count;
+        lens->variables = words;
+        lens->variable_count++;
+    }
+    return true;
+}
+
+static bool fix_image(struct tolerance *tolerance, struct arena *arena, struct error *error)
+{
+    const struct merit_question *view = &tolerance->question.view;
+    const struct surface *last = &view->lens->surfaces[view->lens->surface_count - 1];
+    tolerance->lens = view->lens;
+    if (view->lens->focus == FOCUS_TABLE && last->has_thickness) {
+        return true;
+    }
+    struct lens *lens = parameter_apply(view->lens, NULL, NULL, 0, arena);
+    tolerance->lens = lens;
+    return put_image(view, lens, arena, error);
+}
+
+/* -------- what is adjusted -------- */
+
+/* The image plane, in every position. */
+static void add_refocus(struct tolerance *tolerance, struct arena *arena)
+{
+    const struct lens *lens = tolerance->lens;
+    const struct parameter last = {lens->surface_count - 1, PARAMETER_THICKNESS, 0};
+    const bool is_word = lens->surfaces[last.surface].thickness.variable != LENS_NONE;
+    const size_t count = is_word ? lens->position_count : 1;
+    struct compensator *mover = &tolerance->movers[tolerance->mover_count++];
+    *mover = (struct compensator){.parts = ARENA_ARRAY(arena, count, struct compensator_part),
+                                  .part_count = count,
+                                  .low = -INFINITY,
+                                  .high = INFINITY,
+                                  .name = "refocus"};
+    for (size_t p = 0; p < count; p++) {
+        mover->parts[p] = (struct compensator_part){last, is_word ? p : LENS_NONE, 1};
+    }
+}
+
+static size_t variable_of(const struct compensator_part *part, struct variable *list, size_t *count,
+                          const char *name)
+{
+    for (size_t i = 0; i < *count; i++) {
+        if (list[i].position == part->position && parameter_is_same(list[i].what, part->what)) {
+            return i;
+        }
+    }
+    list[*count] = (struct variable){.what = part->what,
+                                     .position = part->position,
+                                     .low = -INFINITY,
+                                     .high = INFINITY,
+                                     .name = name};
+    return (*count)++;
+}
+
+/* The image plane and a gap `last` are one thing: the compensator counts, as it may have bounds. */
+static bool moves_image(const struct tolerance_question *question, const struct lens *lens)
+{
+    for (size_t i = 0; i < question->compensator_count; i++) {
+        const struct compensator *one = &question->compensators[i];
+        if (one->part_count > 0 && one->parts[0].what.surface + 1 == lens->surface_count &&
+            one->parts[0].what.kind == PARAMETER_THICKNESS) {
+            return true;
+        }
+    }
+    return false;
+}
+
+static bool open_movers(struct tolerance *tolerance, struct arena *arena, struct error *error)
+{
+    struct tolerance_question *question = &tolerance->question;
+    size_t parts = question->view.lens->position_count + 1, count = 0, at = 0;
+    tolerance->movers = ARENA_ARRAY(arena, question->compensator_count + 1, struct compensator);
+    if (question->refocus == REFOCUS_BEST && moves_image(question, tolerance->lens)) {
+        question->refocus = REFOCUS_NONE;
+    }
+    if (question->refocus == REFOCUS_BEST && !tolerance->closed) {
+        add_refocus(tolerance, arena);
+    }
+    for (size_t i = 0; i < question->compensator_count; i++) {
+        tolerance->movers[tolerance->mover_count++] = question->compensators[i];
+        parts += question->compensators[i].part_count;
+    }
+    struct variable *list = ARENA_ARRAY(arena, parts, struct variable);
+    tolerance->of_part = ARENA_ARRAY(arena, parts, size_t);
+    for (size_t i = 0; i < tolerance->mover_count; i++) {
+        const struct compensator *mover = &tolerance->movers[i];
+        for (size_t k = 0; k < mover->part_count; k++) {
+            tolerance->of_part[at++] = variable_of(&mover->parts[k], list, &count, mover->name);
+        }
+    }
+    tolerance->numbers = ARENA_ARRAY(arena, count + 1, double);
+    tolerance->base = ARENA_ARRAY(arena, count + 1, double);
+    return variables_open(tolerance->lens, list, count, arena, &tolerance->variables, error);
+}
+
+static bool open_perturbed(struct tolerance *tolerance, struct arena *arena, struct error *error)
+{
+    const struct tolerance_question *question = &tolerance->question;
+    const struct lens *lens = tolerance->lens;
+    struct perturbed *perturbed = &tolerance->perturbed;
+    const struct perturbed_question asked = {.lens = lens,
+                                             .list = question->perturbations,
+                                             .count = question->perturbation_count,
+                                             .lenses = tolerance->variables.lenses};
+    if (!perturbed_open(&asked, arena, perturbed, error)) {
+        return false;
+    }
+    perturbed_keep(perturbed, (struct parameter){lens->surface_count - 1, PARAMETER_THICKNESS, 0});
+    for (size_t i = 0; i < tolerance->variables.count; i++) {
+        perturbed_keep(perturbed, tolerance->variables.list[i].what);
+    }
+    return true;
+}
+
+/* Height and slopes of a surface: what its perturbations are of. */
+static bool open_irregularities(struct tolerance *tolerance, struct arena *arena,
+                                struct error *error)
+{
+    static const enum irregularity_form forms[] = {[PERTURBATION_ROUND] = IRREGULARITY_SPHERICAL,
+                                                   [PERTURBATION_X] = IRREGULARITY_COS,
+                                                   [PERTURBATION_Y] = IRREGULARITY_SIN};
+    const struct tolerance_question *question = &tolerance->question;
+    const size_t most = question->perturbation_count + 1;
+    tolerance->irregularities = ARENA_ARRAY(arena, most, struct irregularity);
+    tolerance->irregular = ARENA_ARRAY(arena, most, size_t);
+    tolerance->irregular_amounts = ARENA_ARRAY(arena, most, double);
+    for (size_t i = 0; i < question->perturbation_count; i++) {
+        const struct perturbation *one = &question->perturbations[i];
+        if (one->kind != TOLERANCE_IRREGULARITY) {
+            continue;
+        }
+        const struct surface *surface = &tolerance->lens->surfaces[one->first];
+        if (!surface->has_diameter) {
+            return fail(error, ERROR_DOMAIN,
+                        "%s: surface %zu has no diameter for its irregularity to be over",
+                        one->name, one->first + 1);
+        }
+        tolerance->irregular[tolerance->irregularity_count] = i;
+        tolerance->irregularities[tolerance->irregularity_count++] =
+            (struct irregularity){.surface = one->first,
+                                  .form = forms[one->axis],
+                                  .radius = surface->diameter.value.hi / 2};
+    }
+    return true;
+}
+
+/* -------- what is looked at -------- */
+
+/* Does something that the lens may have decentre, tilt or bend its surfaces? */
+static bool is_skew(const struct tolerance_question *question)
+{
+    bool is = false;
+    for (size_t i = 0; i < question->perturbation_count; i++) {
+        const struct perturbation *one = &question->perturbations[i];
+        is = is || one->kind == TOLERANCE_ELEMENT_TILT || one->kind == TOLERANCE_ELEMENT_DECENTER ||
+             one->kind == TOLERANCE_IRREGULARITY ||
+             (one->what.kind >= PARAMETER_DECENTER_X && one->what.kind < PARAMETER_KINDS);
+    }
+    return is;
+}
+
+static struct merit_question view_of(struct tolerance *tolerance)
+{
+    struct merit_question view = tolerance->question.view;
+    view.lens = tolerance->lens;
+    view.variables = &tolerance->variables;
+    view.variable_count = tolerance->variables.count;
+    view.is_skew = is_skew(&tolerance->question);
+    view.irregularities = tolerance->irregularities;
+    view.irregularity_count = tolerance->irregularity_count;
+    view.irregularity_amounts =
+        tolerance->irregularity_count > 0 ? tolerance->irregular_amounts : NULL;
+    return view;
+}
+
+/* Spots or wave fronts, where they are the figures or what is adjusted for. */
+static bool open_quality(struct tolerance *tolerance, struct arena *arena, struct error *error)
+{
+    const struct tolerance_question *asked = &tolerance->question;
+    const enum criterion_kind kind = asked->criterion.kind;
+    const bool is_focal = kind == CRITERION_EFL || kind == CRITERION_BFL;
+    if (is_focal && asked->compensator_count == 0) {
+        return true;
+    }
+    struct operand *operand = ARENA_NEW(arena, struct operand);
+    *operand =
+        (struct operand){.kind = tolerance_looks_at_waves(asked) ? OPERAND_OPD : OPERAND_POLY,
+                         .deviation = 1,
+                         .wavelength = NAN,
+                         .position = LENS_NONE,
+                         .first = LENS_NONE,
+                         .last = LENS_NONE,
+                         .frequency = NAN,
+                         .name = tolerance_looks_at_waves(asked) ? "wavefront" : "spot"};
+    struct merit_question question = view_of(tolerance);
+    question.operands = operand;
+    question.operand_count = 1;
+    if (!merit_open(&question, arena, &tolerance->quality, error)) {
+        return false;
+    }
+    const struct merit *merit = &tolerance->quality;
+    size_t spots = 0;
+    tolerance->residuals = ARENA_ARRAY(arena, merit->residual_count, double);
+    tolerance->jacobian =
+        ARENA_ARRAY(arena, merit->residual_count * merit->variable_count + 1, double);
+    tolerance->lines = ARENA_ARRAY(arena, merit->slot_count, struct merit_lines *);
+    for (size_t i = 0; i < merit->slot_count; i++) {
+        spots += merit_rays_look(&merit->slots[i]).bundle->wish.field_count;
+        if (!tolerance_looks_at_waves(asked)) {
+            tolerance->lines[i] = merit_lines_open(&merit->slots[i], arena);
+        }
+    }
+    tolerance->spots = ARENA_ARRAY(arena, spots, struct merit_spot);
+    return true;
+}
+
+/* Those of a place, from its setup. */
+static bool counts(enum criterion_kind kind, const struct setup_field *field)
+{
+    const bool is_axis = field->point.kind == FIELD_NONE ||
+                         (field->point.value[0] == 0 && field->point.value[1] == 0);
+    return field->weight > 0 &&
+           !(is_axis && criterion_type(kind)->operand != OPERAND_KINDS && kind != CRITERION_MTF);
+}
+
+static double distance_of(const struct setup_field *field)
+{
+    return field->point.kind == FIELD_NONE ? 0
+                                           : hypot(field->point.value[0], field->point.value[1]);
+}
+
+static bool add_figures(struct tolerance *tolerance, const struct setup *setup, size_t place,
+                        size_t spot)
+{
+    static const struct setup_field axis = {{.kind = FIELD_NONE}, 1};
+    const enum criterion_kind kind = tolerance->question.criterion.kind;
+    const size_t before = tolerance->figure_count;
+    const size_t count = setup->field_count > 0 ? setup->field_count : 1;
+    const struct setup_field *fields = setup->field_count > 0 ? setup->fields : &axis;
+    struct tolerance_figure *figures = tolerance->figures;
+    if (criterion_type(kind)->of_fields) {
+        for (size_t f = 0; f < count; f++) {
+            if (counts(kind, &fields[f])) {
+                struct tolerance_figure figure = {place, &fields[f], spot + f, ORIENTATION_BOTH};
+                if (kind == CRITERION_MTF) {
+                    figure.orientation = ORIENTATION_TANGENTIAL;
+                    figures[tolerance->figure_count++] = figure;
+                    figure.orientation = ORIENTATION_SAGITTAL;
+                }
+                figures[tolerance->figure_count++] = figure;
+            }
+        }
+        return tolerance->figure_count > before;
+    }
+    size_t nearest = 0;
+    for (size_t f = 1; f < count; f++) {
+        nearest = distance_of(&fields[f]) < distance_of(&fields[nearest]) ? f : nearest;
+    }
+    figures[tolerance->figure_count++] =
+        (struct tolerance_figure){place, NULL, spot + nearest, ORIENTATION_BOTH};
+    return true;
+}
+
+/* What figures there are, once the positions are known; `merit` knows them. */
+static bool list_figures(struct tolerance *tolerance, const struct merit *merit,
+                         struct arena *arena, struct error *error)
+{
+    size_t room = 0, spot = 0;
+    for (size_t i = 0; i < merit->place_count; i++) {
+        room += 2 * (merit->places[i].setup.field_count + 1);
+    }
+    tolerance->figures = ARENA_ARRAY(arena, room, struct tolerance_figure);
+    for (size_t i = 0; i < merit->place_count; i++) {
+        const struct setup *setup = &merit->places[i].setup;
+        if (!add_figures(tolerance, setup, i, spot)) {
+            return fail(error, ERROR_DOMAIN, "%s is that of a field off the axis: there is none",
+                        tolerance->question.criterion.name);
+        }
+        spot += setup->field_count > 0 ? setup->field_count : 1;
+    }
+    return true;
+}
+
+/* -------- operands that are the criterion -------- */
+
+static struct operand operand_of(const struct tolerance *tolerance, const struct merit *merit,
+                                 const struct tolerance_figure *figure)
+{
+    const struct criterion *criterion = &tolerance->question.criterion;
+    return (struct operand){.kind = criterion_type(criterion->kind)->operand,
+                            .target = criterion->kind == CRITERION_EFL ||
+                                      criterion->kind == CRITERION_MTF,
+                            .deviation = 1,
+                            .wavelength = NAN,
+                            .field = figure->field,
+                            .position = merit->places[figure->place].position,
+                            .first = LENS_NONE,
+                            .last = LENS_NONE,
+                            .frequency = criterion->frequency,
+                            .name = criterion->name};
+}
+
+/* The positions alone, where nothing else has looked at them: by their focal length. */
+static bool open_places(struct tolerance *tolerance, struct arena *arena, struct merit *merit,
+                        struct error *error)
+{
+    static const struct operand efl = {.kind = OPERAND_EFL,
+                                       .target = 1,
+                                       .deviation = 1,
+                                       .wavelength = NAN,
+                                       .position = LENS_NONE,
+                                       .first = LENS_NONE,
+                                       .last = LENS_NONE,
+                                       .frequency = NAN,
+                                       .name = "efl"};
+    struct merit_question question = view_of(tolerance);
+    question.operands = &efl;
+    question.operand_count = 1;
+    return merit_open(&question, arena, merit, error);
+}
+
+static bool open_judge(struct tolerance *tolerance, const struct merit *merit, struct arena *arena,
+                       struct error *error)
+{
+    const size_t count = tolerance->figure_count;
+    if (criterion_type(tolerance->question.criterion.kind)->operand == OPERAND_KINDS) {
+        return true;
+    }
+    struct operand *operands = ARENA_ARRAY(arena, count, struct operand);
+    const bool is_contrast = tolerance->question.criterion.kind == CRITERION_MTF;
+    for (size_t i = 0; i < count; i++) {
+        operands[i] = operand_of(tolerance, merit, &tolerance->figures[i]);
+    }
+    if (is_contrast) { /* all of them in one look, in this order */
+        operands[0].field = NULL;
+        operands[0].position = LENS_NONE;
+    }
+    struct merit_question question = view_of(tolerance);
+    question.operands = operands;
+    question.operand_count = is_contrast ? 1 : count;
+    if (!merit_open(&question, arena, &tolerance->judge, error)) {
+        return false;
+    }
+    tolerance->judged = ARENA_ARRAY(arena, tolerance->judge.residual_count, double);
+    return true;
+}
+
+/* -------- the nominal lens -------- */
+
+/* Contrasts are those of rays that stay, as spots are. */
+static bool aim_judge(struct tolerance *tolerance, struct error *error)
+{
+    struct merit *merit = &tolerance->judge;
+    if (tolerance->question.criterion.kind != CRITERION_MTF) {
+        return true;
+    }
+    if (!merit_evaluate(merit, tolerance->numbers, tolerance->judged, NULL)) {
+        *error = merit->why;
+        return false;
+    }
+    for (size_t i = 0; i < merit->slot_count; i++) {
+        merit_mtf_settle(&merit->slots[i], !tolerance->question.aims);
+        if (tolerance->irregularity_count > 0 && !merit_mtf_deform(&merit->slots[i], error)) {
+            return false;
+        }
+    }
+    return true;
+}
+
+/* Rays are aimed at the stop of the nominal lens, whatever is adjusted in it. */
+static bool aim_nominal(struct tolerance *tolerance, struct arena *arena, struct error *error)
+{
+    struct merit *merit = &tolerance->quality;
+    variables_get(&tolerance->variables, tolerance->numbers);
+    if (merit->slot_count == 0) {
+        return true;
+    }
+    if (!merit_evaluate(merit, tolerance->numbers, tolerance->residuals, NULL)) {
+        *error = merit->why;
+        return false;
+    }
+    for (size_t i = 0; i < merit->slot_count; i++) {
+        merit_rays_settle(&merit->slots[i], !tolerance->question.aims);
+        if (tolerance->irregularity_count > 0 && !merit_rays_deform(&merit->slots[i], error)) {
+            return false;
+        }
+    }
+    return aim_judge(tolerance, error) && tolerance_check_movers(tolerance, arena, error);
+}
+
+static bool judge_nominal(struct tolerance *tolerance, struct arena *arena, struct error *error)
+{
+    const size_t count = tolerance->figure_count;
+    double *none = ARENA_ARRAY(arena, tolerance->question.perturbation_count + 1, double);
+    tolerance->rest = arena_array(arena, count, sizeof *tolerance->rest);
+    tolerance->nominal = ARENA_ARRAY(arena, count, double);
+    tolerance->nominal_moves = ARENA_ARRAY(arena, tolerance_moves(tolerance), double);
+    struct tolerance_trial trial = {.figures = tolerance->nominal,
+                                    .moves = tolerance->nominal_moves};
+    if (!tolerance_trial(tolerance, none, &trial)) {
+        *error = trial.why;
+        return error_prefix(error, "the nominal lens: ");
+    }
+    for (size_t i = 0; i < count && tolerance->question.criterion.kind == CRITERION_BORESIGHT;
+         i++) {
+        const struct merit_spot *spot = &tolerance->spots[tolerance->figures[i].spot];
+        const double s = tolerance->closed ? trial.moves[0] : 0;
+        for (int k = 0; k < 2; k++) {
+            tolerance->rest[i][k] = spot->centroid[k] + s * spot->drift[k];
+        }
+        tolerance->nominal[i] = 0;
+    }
+    return true;
+}
+
+bool tolerance_open(const struct tolerance_question *question, struct arena *arena,
+                    struct tolerance *tolerance, struct error *error)
+{
+    struct merit places;
+    const struct merit *view = &tolerance->quality;
+    *tolerance = (struct tolerance){.question = *question, .within = arena_within(arena)};
+    tolerance->closed = question->compensator_count == 0 && !tolerance_looks_at_waves(question);
+    if (question->refocus == REFOCUS_PARAXIAL && question->compensator_count > 0) {
+        return fail(error, ERROR_DOMAIN,
+                    "a paraxial refocus takes no notice of what is adjusted beside it");
+    }
+    if (!fix_image(tolerance, arena, error) || !open_movers(tolerance, arena, error) ||
+        !open_perturbed(tolerance, arena, error) || !open_irregularities(tolerance, arena, error) ||
+        !open_quality(tolerance, arena, error)) {
+        return false;
+    }
+    if (tolerance->quality.slot_count == 0) {
+        if (!open_places(tolerance, arena, &places, error)) {
+            return false;
+        }
+        view = &places;
+    }
+    return list_figures(tolerance, view, arena, error) &&
+           open_judge(tolerance, view, arena, error) && aim_nominal(tolerance, arena, error) &&
+           judge_nominal(tolerance, arena, error);
+}

@@ -1,0 +1,499 @@
+/* design/tolerance/tolerance_run.c - many lenses as they may be made: what is counted of them. */
+/* SPDX-License-Identifier: MIT */
+#include "design/tolerance/tolerance_run.h"
+
+#include "base/parallel.h"
+#include "base/random.h"
+
+#include <math.h>
+#include <string.h>
+
+/* -------- errors -------- */
+
+void tolerance_errors(const struct tolerance_question *question, uint64_t seed, uint64_t trial,
+                      double *errors)
+{
+    const size_t count = question->perturbation_count;
+    for (size_t i = 0; i < count; i += 2) {
+        const struct random_words words =
+            random_words(RANDOM_TOLERANCES, seed, trial, (uint32_t)(i / 2));
+        errors[i] = random_unit_of(words.w[0], words.w[1]);
+        if (i + 1 < count) {
+            errors[i + 1] = random_unit_of(words.w[2], words.w[3]);
+        }
+    }
+    perturbation_errors(question->perturbations, count, errors, errors);
+}
+
+/* -------- what is judged -------- */
+
+static double badness(const struct tolerance *tolerance, size_t figure, double value)
+{
+    return criterion_badness(tolerance->question.criterion.kind, value, tolerance->nominal[figure]);
+}
+
+static double weight_of(const struct tolerance_figure *figure)
+{
+    return figure->field != NULL ? figure->field->weight : 1;
+}
+
+/* The mean by the weights of the fields. */
+static double mean_of(const struct tolerance *tolerance, const double *figures)
+{
+    double sum = 0, weights = 0;
+    for (size_t i = 0; i < tolerance->figure_count; i++) {
+        const double weight = weight_of(&tolerance->figures[i]);
+        sum += weight * figures[i];
+        weights += weight;
+    }
+    return sum / weights;
+}
+
+static size_t worst_of(const struct tolerance *tolerance, const double *figures)
+{
+    size_t worst = 0;
+    for (size_t i = 1; i < tolerance->figure_count; i++) {
+        worst = badness(tolerance, i, figures[i]) > badness(tolerance, worst, figures[worst])
+                    ? i
+                    : worst;
+    }
+    return worst;
+}
+
+double tolerance_judged(const struct tolerance *tolerance, enum tolerance_of of,
+                        const double *figures)
+{
+    return of == TOLERANCE_OF_MEAN ? mean_of(tolerance, figures)
+                                   : figures[worst_of(tolerance, figures)];
+}
+
+/* How bad a lens is as a whole. */
+static double badness_of(const struct tolerance *tolerance, enum tolerance_of of,
+                         const double *figures)
+{
+    if (of == TOLERANCE_OF_MEAN) {
+        return criterion_badness(tolerance->question.criterion.kind, mean_of(tolerance, figures),
+                                 mean_of(tolerance, tolerance->nominal));
+    }
+    const size_t worst = worst_of(tolerance, figures);
+    return badness(tolerance, worst, figures[worst]);
+}
+
+/* Of one column. */
+static double column_badness(const struct tolerance *tolerance, enum tolerance_of of, size_t column,
+                             const double *figures)
+{
+    return of == TOLERANCE_OF_EACH ? badness(tolerance, column, figures[column])
+                                   : badness_of(tolerance, of, figures);
+}
+
+bool tolerance_passes(const struct tolerance *tolerance, const struct tolerance_run *run,
+                      size_t column, const double *figures)
+{
+    return criterion_passes(tolerance->question.criterion.kind,
+                            column_badness(tolerance, run->of, column, figures), run->limit);
+}
+
+/* -------- counting -------- */
+
+void tolerance_result_open(const struct tolerance_run *run, const struct tolerance *tolerance,
+                           size_t worst, struct arena *arena, struct tolerance_result *result)
+{
+    const bool each = run->of == TOLERANCE_OF_EACH;
+    *result = (struct tolerance_result){.tolerance = tolerance,
+                                        .column_count = each ? tolerance->figure_count : 1,
+                                        .worst_most = worst,
+                                        .is_whole = true,
+                                        .arena = arena};
+    result->columns = ARENA_ARRAY(arena, result->column_count, struct tolerance_column);
+    result->moves = ARENA_ARRAY(arena, tolerance_moves(tolerance), struct tally);
+    result->worst = ARENA_ARRAY(arena, worst + 1, struct tolerance_worst);
+    result->reasons = ARENA_ARRAY(arena, TOLERANCE_REASONS + 1, struct tolerance_reason);
+    for (size_t i = 0; i < result->column_count; i++) {
+        struct tolerance_column *column = &result->columns[i];
+        column->of = each ? &tolerance->figures[i] : NULL;
+        tally_open(each ? tolerance->nominal[i]
+                        : tolerance_judged(tolerance, run->of, tolerance->nominal),
+                   run->total, arena, &column->tally);
+        tally_open(column_badness(tolerance, run->of, i, tolerance->nominal), run->total, arena,
+                   &column->badness);
+    }
+    for (size_t i = 0; i < tolerance_moves(tolerance); i++) {
+        tally_open(tolerance->nominal_moves[i], run->total, arena, &result->moves[i]);
+    }
+}
+
+static bool is_worse(const struct tolerance_worst *a, const struct tolerance_worst *b)
+{
+    return a->badness > b->badness || (a->badness == b->badness && a->trial < b->trial);
+}
+
+static void keep_worst(struct tolerance_result *result, struct tolerance_worst one)
+{
+    size_t at = result->worst_count;
+    while (at > 0 && is_worse(&one, &result->worst[at - 1])) {
+        at--;
+    }
+    if (at >= result->worst_most) {
+        return;
+    }
+    const size_t last =
+        result->worst_count < result->worst_most ? result->worst_count : result->worst_most - 1;
+    memmove(&result->worst[at + 1], &result->worst[at], (last - at) * sizeof one);
+    result->worst[at] = one;
+    result->worst_count = last + 1;
+}
+
+/* Reasons beyond the room for them are one, which says so. */
+static void keep_reason(struct tolerance_result *result, struct tolerance_reason one)
+{
+    size_t i = 0;
+    while (i < result->reason_count && strcmp(result->reasons[i].why, one.why) != 0) {
+        i++;
+    }
+    if (i == TOLERANCE_REASONS) {
+        i = TOLERANCE_REASONS - 1;
+        result->reasons[i].why = "other reasons";
+    }
+    if (i == result->reason_count) {
+        one.why = arena_string(result->arena, one.why, strlen(one.why));
+        result->reasons[result->reason_count++] = one;
+    } else {
+        struct tolerance_reason *has = &result->reasons[i];
+        has->count += one.count;
+        has->first = one.first < has->first ? one.first : has->first;
+    }
+    for (; i > 0 && result->reasons[i].first < result->reasons[i - 1].first; i--) {
+        const struct tolerance_reason before = result->reasons[i - 1];
+        result->reasons[i - 1] = result->reasons[i];
+        result->reasons[i] = before;
+    }
+}
+
+static void count_figures(const struct tolerance_run *run, const double *figures,
+                          struct tolerance_result *result)
+{
+    const enum criterion_kind kind = run->question->criterion.kind;
+    for (size_t i = 0; i < result->column_count; i++) {
+        struct tolerance_column *column = &result->columns[i];
+        const double bad = column_badness(result->tolerance, run->of, i, figures);
+        tally_add(&column->tally, column->of != NULL
+                                      ? figures[i]
+                                      : tolerance_judged(result->tolerance, run->of, figures));
+        tally_add(&column->badness, bad);
+        column->passed += criterion_passes(kind, bad, run->limit) ? 1 : 0;
+    }
+}
+
+static void count_trial(const struct tolerance_run *run, uint64_t number, bool found,
+                        const struct tolerance_trial *trial, struct tolerance_result *result)
+{
+    result->done++;
+    if (!found) {
+        result->failed++;
+        keep_reason(result, (struct tolerance_reason){1, number, trial->why.message});
+        return;
+    }
+    count_figures(run, trial->figures, result);
+    for (size_t i = 0; i < tolerance_moves(result->tolerance); i++) {
+        tally_add(&result->moves[i], trial->moves[i]);
+    }
+    keep_worst(result, (struct tolerance_worst){
+                           number, badness_of(result->tolerance, run->of, trial->figures)});
+}
+
+static void join(struct tolerance_result *result, const struct tolerance_result *more)
+{
+    result->done += more->done;
+    result->failed += more->failed;
+    for (size_t i = 0; i < result->column_count; i++) {
+        tally_join(&result->columns[i].tally, &more->columns[i].tally);
+        tally_join(&result->columns[i].badness, &more->columns[i].badness);
+        result->columns[i].passed += more->columns[i].passed;
+    }
+    for (size_t i = 0; i < tolerance_moves(result->tolerance); i++) {
+        tally_join(&result->moves[i], &more->moves[i]);
+    }
+    for (size_t i = 0; i < more->worst_count; i++) {
+        keep_worst(result, more->worst[i]);
+    }
+    for (size_t i = 0; i < more->reason_count; i++) {
+        keep_reason(result, more->reasons[i]);
+    }
+}
+
+/* -------- threads -------- */
+
+/* What a thread has: opened when it takes its first piece. */
+struct worker {
+    bool is_open;
+    struct tolerance *tolerance; /* null: to second order, in */
+    double *lanes;               /* errors, figures and movements */
+    struct tolerance_result result;
+    struct tolerance_trial trial;
+    double *errors;
+    struct error error;
+};
+
+struct tolerance_team {
+    const struct tolerance_run *run;
+    struct tolerance_result *result;
+    struct worker workers[PARALLEL_MOST];
+    struct parallel threads;
+    const struct tolerance_round *round;
+};
+
+/* A lens of its own; to second order none is needed. */
+static bool open_worker(const struct tolerance_team *team, struct arena *arena,
+                        struct worker *worker)
+{
+    const struct tolerance *nominal = team->result->tolerance;
+    const size_t figures = nominal->figure_count, moves = tolerance_moves(nominal);
+    if (team->run->differential == NULL) {
+        worker->tolerance = ARENA_NEW(arena, struct tolerance);
+        if (!tolerance_open(team->run->question, arena, worker->tolerance, &worker->error)) {
+            return false;
+        }
+    } else {
+        worker->lanes = ARENA_ARRAY(
+            arena, DIFFERENTIAL_LANES * (team->run->question->perturbation_count + figures + moves),
+            double);
+    }
+    tolerance_result_open(team->run, nominal, team->result->worst_most, arena, &worker->result);
+    worker->trial.figures = ARENA_ARRAY(arena, figures, double);
+    worker->trial.moves = ARENA_ARRAY(arena, moves, double);
+    worker->errors = ARENA_ARRAY(arena, team->run->question->perturbation_count + 1, double);
+    worker->is_open = true;
+    return true;
+}
+
+/* A trial that was made. */
+static void count(const struct tolerance_team *team, struct worker *worker, size_t at, bool found)
+{
+    const struct tolerance_round *round = team->round;
+    count_trial(team->run, round->begin + at, found, &worker->trial, &worker->result);
+    if (round->listener != NULL) {
+        round->listener(round->context, at, found, &worker->trial);
+    }
+}
+
+static void try_exactly(const struct tolerance_team *team, struct worker *worker, size_t at)
+{
+    const struct tolerance_run *run = team->run;
+    tolerance_errors(run->question, run->seed, team->round->begin + at, worker->errors);
+    count(team, worker, at, tolerance_trial(worker->tolerance, worker->errors, &worker->trial));
+}
+
+/* DIFFERENTIAL_LANES of them at most; a lane that nobody asked for has no errors. */
+static void try_about(const struct tolerance_team *team, struct worker *worker, size_t begin,
+                      size_t end)
+{
+    enum { LANES = DIFFERENTIAL_LANES };
+    const struct tolerance_run *run = team->run;
+    const size_t n = run->question->perturbation_count;
+    const size_t figures = team->result->tolerance->figure_count;
+    const size_t moves = tolerance_moves(team->result->tolerance);
+    double *errors = worker->lanes, *results = errors + n * LANES;
+    memset(errors, 0, n * LANES * sizeof *errors);
+    for (size_t at = begin; at < end; at++) {
+        tolerance_errors(run->question, run->seed, team->round->begin + at, worker->errors);
+        for (size_t i = 0; i < n; i++) {
+            errors[i * LANES + at - begin] = worker->errors[i];
+        }
+    }
+    differential_trials(run->differential, errors, results);
+    for (size_t at = begin; at < end; at++) {
+        for (size_t f = 0; f < figures; f++) {
+            worker->trial.figures[f] = results[f * LANES + at - begin];
+        }
+        for (size_t m = 0; m < moves; m++) {
+            worker->trial.moves[m] = results[(figures + m) * LANES + at - begin];
+        }
+        count(team, worker, at, true);
+    }
+}
+
+/* parallel_work: some trials. */
+static void work(void *context, const struct parallel_piece *piece)
+{
+    struct tolerance_team *team = context;
+    struct worker *worker = &team->workers[piece->thread];
+    if (worker->error.code != ERROR_NONE ||
+        (!worker->is_open && !open_worker(team, piece->arena, worker))) {
+        return;
+    }
+    if (team->run->differential == NULL) {
+        for (size_t at = piece->begin; at < piece->end; at++) {
+            try_exactly(team, worker, at);
+        }
+        return;
+    }
+    for (size_t at = piece->begin; at < piece->end; at += DIFFERENTIAL_LANES) {
+        const size_t next = at + DIFFERENTIAL_LANES;
+        try_about(team, worker, at, next < piece->end ? next : piece->end);
+    }
+}
+
+struct tolerance_team *tolerance_team_open(const struct tolerance_run *run,
+                                           struct tolerance_result *result)
+{
+    struct tolerance_team *team = ARENA_NEW(result->arena, struct tolerance_team);
+    team->run = run;
+    team->result = result;
+    team->threads.threads = run->threads;
+    return team;
+}
+
+bool tolerance_team_round(struct tolerance_team *team, const struct tolerance_round *round,
+                          struct error *error)
+{
+    enum { PIECE = 32 };
+    team->round = round;
+    parallel_pieces(&team->threads, round->count, PIECE, work, team);
+    for (size_t i = 0; i < PARALLEL_MOST; i++) {
+        if (team->workers[i].error.code != ERROR_NONE) {
+            *error = team->workers[i].error;
+            return false;
+        }
+    }
+    return true;
+}
+
+void tolerance_team_close(struct tolerance_team *team)
+{
+    for (size_t i = 0; i < PARALLEL_MOST; i++) {
+        if (team->workers[i].is_open && team->workers[i].error.code == ERROR_NONE) {
+            join(team->result, &team->workers[i].result);
+        }
+    }
+    parallel_free(&team->threads);
+}
+
+bool tolerance_run(const struct tolerance_run *run, struct tolerance_result *result,
+                   struct error *error)
+{
+    struct tolerance_team *team = tolerance_team_open(run, result);
+    struct tolerance_round round = {.begin = run->begin};
+    bool done = true;
+    result->is_whole = true;
+    while (round.begin < run->end && result->is_whole && done) {
+        const uint64_t left = run->end - round.begin;
+        round.count = left < TOLERANCE_ROUND ? (size_t)left : TOLERANCE_ROUND;
+        done = tolerance_team_round(team, &round, error);
+        round.begin += round.count;
+        if (run->watch != NULL && !watch_add(run->watch, round.count) && round.begin < run->end) {
+            result->is_whole = false;
+        }
+    }
+    tolerance_team_close(team);
+    return done;
+}
+
+/* -------- lines -------- */
+
+static const char *put_numbers(const char *text, const uint64_t *numbers, size_t count,
+                               struct arena *arena)
+{
+    for (size_t i = 0; i < count; i++) {
+        text = arena_printf(arena, "%s%lld%c", text, (long long)numbers[i],
+                            i + 1 < count ? ' ' : '\n');
+    }
+    return text;
+}
+
+static const char *write_lists(const struct tolerance_result *result, struct arena *arena)
+{
+    const uint64_t head[] = {result->done, result->failed, result->worst_count,
+                             result->reason_count};
+    const char *text = put_numbers("", head, 4, arena);
+    for (size_t i = 0; i < result->worst_count; i++) {
+        uint64_t one[2] = {result->worst[i].trial, 0};
+        memcpy(&one[1], &result->worst[i].badness, sizeof one[1]);
+        text = put_numbers(text, one, 2, arena);
+    }
+    for (size_t i = 0; i < result->reason_count; i++) {
+        const struct tolerance_reason *reason = &result->reasons[i];
+        text = arena_printf(arena, "%s%lld %lld %s\n", text, (long long)reason->count,
+                            (long long)reason->first, reason->why);
+    }
+    return text;
+}
+
+struct text tolerance_result_write(const struct tolerance_result *result, struct arena *arena)
+{
+    const char *text = write_lists(result, arena);
+    for (size_t i = 0; i < result->column_count; i++) {
+        text = put_numbers(text, &result->columns[i].passed, 1, arena);
+        text = ARENA_JOIN(arena, text, tally_write(&result->columns[i].tally, arena).start);
+        text = ARENA_JOIN(arena, text, tally_write(&result->columns[i].badness, arena).start);
+    }
+    for (size_t i = 0; i < tolerance_moves(result->tolerance); i++) {
+        text = ARENA_JOIN(arena, text, tally_write(&result->moves[i], arena).start);
+    }
+    return text_of(text);
+}
+
+static bool take_numbers(struct text *rest, uint64_t *numbers, size_t count)
+{
+    struct text line = text_cut(rest, '\n');
+    bool took = true;
+    for (size_t i = 0; i < count && took; i++) {
+        int64_t number;
+        took = tally_take(&line, &number);
+        numbers[i] = (uint64_t)number;
+    }
+    return took;
+}
+
+static bool read_reason(struct text *rest, struct tolerance_result *result)
+{
+    struct text line = text_cut(rest, '\n');
+    int64_t count, first;
+    if (!tally_take(&line, &count) || !tally_take(&line, &first) || line.start == NULL) {
+        return false;
+    }
+    keep_reason(result,
+                (struct tolerance_reason){(uint64_t)count, (uint64_t)first,
+                                          arena_string(result->arena, line.start, line.length)});
+    return true;
+}
+
+static bool read_lists(struct text *rest, struct tolerance_result *result)
+{
+    uint64_t head[4], one[2];
+    if (!take_numbers(rest, head, 4)) {
+        return false;
+    }
+    result->done += head[0];
+    result->failed += head[1];
+    for (uint64_t i = 0; i < head[2]; i++) {
+        struct tolerance_worst worst;
+        if (!take_numbers(rest, one, 2)) {
+            return false;
+        }
+        worst.trial = one[0];
+        memcpy(&worst.badness, &one[1], sizeof one[1]);
+        keep_worst(result, worst);
+    }
+    bool read = true;
+    for (uint64_t i = 0; i < head[3] && read; i++) {
+        read = read_reason(rest, result);
+    }
+    return read;
+}
+
+bool tolerance_result_read(struct text body, struct tolerance_result *result)
+{
+    struct text rest = body;
+    bool read = read_lists(&rest, result);
+    for (size_t i = 0; i < result->column_count && read; i++) {
+        uint64_t passed = 0;
+        read = take_numbers(&rest, &passed, 1) && tally_read(&rest, &result->columns[i].tally) &&
+               tally_read(&rest, &result->columns[i].badness);
+        result->columns[i].passed += passed;
+    }
+    for (size_t i = 0; i < tolerance_moves(result->tolerance) && read; i++) {
+        read = tally_read(&rest, &result->moves[i]);
+    }
+    return read;
+}
