@@ -9,7 +9,7 @@
 #   stress     the worst errors where arithmetic is hardest: SECONDS=60 SEED=1
 #   coverage   lines and branches that the fast tests reach, by folder
 #   mutate     is a changed sign noticed? COUNT=60 SEED=1,2,3
-#   cluster    parts of pictures and searches as arrays of Slurm, a task killed
+#   cluster    parts of pictures, searches and trials as arrays of Slurm, a task killed
 #   cross      build for aarch64, run the command-line tests under qemu
 
 PREFIX  = /usr/local

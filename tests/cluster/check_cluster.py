@@ -1,11 +1,11 @@
 #!/usr/bin/env python3
 """tests/cluster/check_cluster.py - arrays of Slurm: check_cluster.py BUILD_DIR
 
-A picture, and a search for lenses. Four tasks take the parts of each; one is killed in the middle
-of it, and requeued. What merge makes of them must be the bytes of one run. So must what GNU
-parallel makes of the parts of a search. The Slurm is the one that answers here; if none does, one is
-started on this machine by ../shared/cluster/slurm-local.sh, and that is said. Without either the
-check fails, and says so.
+A picture, a search for lenses, and trials of a lens as it may be made. Four tasks take the parts of
+each; one is killed in the middle of it, and requeued. What merge makes of them must be the bytes of
+one run. So must what GNU parallel makes of the parts of a search, and of trials. The Slurm is the
+one that answers here; if none does, one is started on this machine by
+../shared/cluster/slurm-local.sh, and that is said. Without either the check fails, and says so.
 """
 # SPDX-License-Identifier: MIT
 
@@ -28,9 +28,13 @@ PICTURE = ["render", "chart:star", "--lens", "double-gauss-50", "-s", "1m", "--s
            "1024", "--noise", "--mosaic", "rggb"]
 SEARCH = ["optimize", "double-gauss", "--vary", "R1..R11", "--goals", "poly,efl=100", "--rays",
           "200", "--global", "120", "--spread", "0.6", "--seed", "1", "--keep", "2", "--csv"]
+TRIALS = ["tolerance", "double-gauss", "--grade", "precision", "--trials", "400000", "--seed", "1",
+          "--limit", "57um", "--save", "worst:2", "--csv"]
 # what is asked, how a task goes on where it was, and how the files of the answer end
 CASES = {"picture": (PICTURE, "--resume", [".png"]),
-         "search": (SEARCH, "--state state-$i", ["-1.lens", "-2.lens"])}
+         "search": (SEARCH, "--state state-$i", ["-1.lens", "-2.lens"]),
+         "trials": (TRIALS, "", ["-1.lens", "-2.lens"])}
+BY_PARALLEL = ["search", "trials"]
 LIMIT = 180  # s
 # A task that fails is queued again; its worker's number is there for who wants to kill it.
 TASK = """#!/bin/sh
@@ -129,10 +133,11 @@ def compare(checks, program, folder, asked, endings):
             checks.check(one.read() == other.read(), f"{ending}: not the bytes of one run")
 
 
-def run_parallel(checks, folder, environment, asked):
+def run_parallel(checks, folder, environment, asked, resuming):
     """The parts by GNU parallel."""
-    words = ["parallel", "-j", "2", "lenscalc", *asked, "--part", f"{{}}/{PARTS}", "--state",
-             "state-{}", "-o", "part-{}.part", ":::", *map(str, range(1, PARTS + 1))]
+    words = ["parallel", "-j", "2", "lenscalc", *asked, "--part", f"{{}}/{PARTS}",
+             *resuming.replace("$i", "{}").split(), "-o", "part-{}.part", ":::",
+             *map(str, range(1, PARTS + 1))]
     result = subprocess.run(words, cwd=folder, env=environment, capture_output=True, text=True,
                             check=False)
     checks.check(result.returncode == 0, f"parallel: {result.stderr}")
@@ -152,10 +157,12 @@ def main():
                 if is_there:
                     run_array(checks, place, environment, asked, resuming)
                     compare(checks, program, place, asked, endings)
-            place = os.path.join(folder, "parallel")
-            os.mkdir(place)
-            run_parallel(checks, place, environment, SEARCH)
-            compare(checks, program, place, SEARCH, CASES["search"][2])
+            for name in BY_PARALLEL:
+                asked, resuming, endings = CASES[name]
+                place = os.path.join(folder, "parallel-" + name)
+                os.mkdir(place)
+                run_parallel(checks, place, environment, asked, resuming)
+                compare(checks, program, place, asked, endings)
         finally:
             if is_own and os.path.exists(os.path.join(folder, "slurm")):
                 subprocess.run(["sh", LOCAL, "stop", os.path.join(folder, "slurm")], check=False)
