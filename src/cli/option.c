@@ -220,18 +220,23 @@ static bool read_text(const struct reader *reader, const struct option *option, 
 static bool read_count(const struct reader *reader, const struct option *option, struct text text,
                        void *member, struct error *error)
 {
+    const double most = 1e9; /* where no range is said */
     (void)reader;
     double value;
     if (!quantity_read(text, &dimension_number, NULL, &value, NULL, error)) {
         return option_blame(option, text, error);
     }
-    if (!(fabs(value) <= 1e9) || value != floor(value)) {
+    if (value != floor(value)) { /* NaN too */
         return fail(error, ERROR_USAGE, "%s '%.*s' is not a whole number", CALLED(option),
                     text_shown(text), text.start);
     }
     if (!option_check_range(option, value, error)) {
         error->code = ERROR_USAGE; /* a count is no physics */
         return false;
+    }
+    if (!(fabs(value) <= most)) {
+        return fail(error, ERROR_USAGE, "%s '%.*s' is out of range: it must be %g to %g",
+                    CALLED(option), text_shown(text), text.start, -most, most);
     }
     *(long *)member = (long)value;
     return true;

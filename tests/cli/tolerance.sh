@@ -71,7 +71,9 @@ try --trials 1e10
 try --save worst
 try --save last:1 -o x.lens
 try --criterion sport
+try --trials 2.5
 try --criterion mtf
+try --criterion mtf@40 --clip
 try --limit 3deg
 try --gap 5 --refocus paraxial
 try --adjust R3

@@ -221,6 +221,12 @@ static bool ask_view(struct tolerance_job *job, struct error *error)
     struct setup_field *fields = ARENA_ARRAY(arena, question->fields.count + 1, struct setup_field);
     /* the transfer function of a pupil that is cut is not there */
     const bool is_contrast = job->question.criterion.kind == CRITERION_MTF;
+    if (is_contrast && input->clip) {
+        return fail(
+            error, ERROR_USAGE,
+            "{--clip} is not for {--criterion} mtf: contrast is that of the whole pupil, as "
+            "with {--no-clip}");
+    }
     *view = (struct merit_question){.lens = job->lens,
                                     .wavelengths = input->waves.items,
                                     .wavelength_count = input->waves.count,
