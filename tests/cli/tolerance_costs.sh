@@ -32,6 +32,8 @@ try --show sensitivity --digits 3 | sed -n 1,8p
 try --show sensitivity --criterion efl --digits 4 --columns perturbation,field,linear,plus | head -4
 try --show offenders --digits 3 | head -8
 try --show inverse --drop 5um --digits 3 | head -16
+# the pattern sobol has a seed of its own
+try --show offenders --seed 1 --pattern sobol --columns rank --csv | tail -1
 # proposals are tolerances, and cost what they should
 try --show inverse --drop 5um --columns line --csv | tail -n +2 > proposed.txt
 try --tolerances proposed.txt --show inverse --drop 5um --columns together,factor --csv --digits 4 | head -4
@@ -59,3 +61,6 @@ try --method differential --adjust t5[0,20]
 try --show sensitivity --limit 5um
 try --show offenders --part 1/2 -o x.part
 try --show inverse --drop 5um --method differential
+try --show sensitivity --trials 50
+try --show inverse --drop 5um --seed 1
+try --show offenders --threads 2

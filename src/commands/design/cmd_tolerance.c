@@ -43,6 +43,9 @@ static const struct word aims[] = {
     {NULL, NULL},
 };
 
+/* Rows of single errors take notice of no trials. */
+#define FOR_TRIALS "show=summary|show=trials|show=yield"
+
 static const struct option options[] = {
     LENS_OPTION(struct tolerance_input, question),
     {OPTION(struct tolerance_input, grade), .name = "grade", .value = "NAME",
@@ -66,9 +69,10 @@ static const struct option options[] = {
     {OPTION(struct tolerance_input, adjust), .name = "adjust", .value = "PARTS",
      .help = "what else is adjusted: ax9,dx4[-1,1],t5, each with bounds"},
     {OPTION(struct tolerance_input, trials), .name = "trials", .lowest = 1, .highest = 1e9,
-     .fallback = "1000", .value = "COUNT", .help = "lenses that are made"},
+     .fallback = "1000", .value = "COUNT", .wants = FOR_TRIALS, .help = "lenses that are made"},
     {OPTION(struct tolerance_input, seed), .name = "seed", .lowest = 0, .highest = 1e9,
-     .fallback = "0", .value = "NUMBER", .help = "another one makes other lenses"},
+     .fallback = "0", .value = "NUMBER", .wants = FOR_TRIALS "|pattern=sobol",
+     .help = "another one makes other lenses"},
     {OPTION(struct tolerance_input, show), .name = "show", .words = shows, .fallback = "summary",
      .value = "WHAT", .help = "which rows"},
     {OPTION(struct tolerance_input, method), .name = "method", .words = methods,
@@ -95,12 +99,12 @@ static const struct option options[] = {
      .fallback = "21", .value = "COUNT",
      .help = "approximate number of rays per field and wavelength"},
     {OPTION(struct tolerance_input, clip), .name = "clip", .excludes = "no-clip",
-     .help = "only rays that pass the nominal lens (default)"},
+     .help = "only rays that pass the nominal lens (default, but not for mtf)"},
     {OPTION(struct tolerance_input, no_clip), .name = "no-clip",
-     .help = "do not clip rays at clear apertures"},
+     .help = "do not clip rays at clear apertures (default for mtf)"},
     {OPTION(struct tolerance_input, threads), .name = "threads", .lowest = 0,
      .highest = PARALLEL_MOST, .value = "N", .fallback = "1", .flags = OPTION_ASIDE,
-     .help = "threads; 0 = one a core"},
+     .wants = FOR_TRIALS, .help = "threads; 0 = one a core"},
     {OPTION(struct tolerance_input, part), .name = "part", .value = "I/N", .flags = OPTION_ASIDE,
      .wants = "output", .help = "only part I of N, into a .part for 'lenscalc merge'"},
 };
