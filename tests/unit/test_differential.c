@@ -159,11 +159,30 @@ static void check_failure(void)
     arena_free(&arena);
 }
 
+static void look(struct watch *watch)
+{
+    atomic_store(&watch->is_ended, true);
+}
+
+static void check_stopped(void)
+{
+    struct watch watch = {.is_busy = ATOMIC_FLAG_INIT, .look = look};
+    struct differential_problem watched = problem;
+    struct arena arena = {0};
+    struct differential differential;
+    struct error error = {.code = ERROR_NONE};
+    watched.watch = &watch;
+    CHECK(!differential_open(&watched, &arena, &differential, &error));
+    CHECK(strstr(error.message, "interrupted before") != NULL);
+    arena_free(&arena);
+}
+
 int main(void)
 {
     check_trials();
     check_sets();
     check_shares();
     check_failure();
+    check_stopped();
     return check_report();
 }

@@ -40,6 +40,28 @@ static void check_table(void)
     arena_free(&arena);
 }
 
+/* Whoever stops the work after its fifth trial. */
+static void look(struct watch *watch)
+{
+    atomic_store(&watch->is_ended, atomic_load(&watch->done) > 5);
+}
+
+/* Only rows that are complete count: of four trials each. */
+static void check_stopped(void)
+{
+    struct arena arena = {0};
+    struct watch watch = {.is_busy = ATOMIC_FLAG_INIT, .look = look};
+    struct differential_problem watched = problem;
+    struct sensitivity table[ERRORS][2];
+    const double nominal[] = {1, 5};
+    const char *failure;
+    watched.watch = &watch;
+    CHECK(sensitivity_find(&watched, nominal, &arena, table[0], &failure) == 1);
+    CHECK(atomic_load(&watch.done) == 6);
+    CHECK(sensitivity_find(&problem, nominal, &arena, table[0], &failure) == ERRORS);
+    arena_free(&arena);
+}
+
 /* How much the second figure is off. */
 static double off(void *context, const double *figures)
 {
@@ -110,12 +132,16 @@ static void check_inverse(void)
     question.high = near;
     inverse_find(&question, &arena, answers);
     CHECK(answers[1].limit == INVERSE_LOOSEST && answers[1].factor == 1e-5);
+    struct watch watch = {.is_busy = ATOMIC_FLAG_INIT, .look = look};
+    of.watch = &watch;
+    CHECK(isnan(inverse_find(&question, &arena, answers)));
     arena_free(&arena);
 }
 
 int main(void)
 {
     check_table();
+    check_stopped();
     check_inverse();
     return check_report();
 }

@@ -42,7 +42,7 @@ static bool open_test(struct under_test *test, const char *text, struct toleranc
     const bool done = tolerance_open(&question, &arena, &test->tolerance, &error);
     CHECK(done);
     if (done) {
-        tolerance_model_open(&test->tolerance, &arena, &test->model);
+        tolerance_model_open(&test->tolerance, NULL, &arena, &test->model);
         CHECK(test->model.problem.figure_count <= FIGURES);
     } else {
         printf("%s\n%s\n", text, error.message);

@@ -105,14 +105,18 @@ bool tolerance_emit_sensitivity(struct tolerance_job *job, struct error *error)
     struct tolerance_model *model = ARENA_NEW(arena, struct tolerance_model);
     const char *failure;
     (void)error;
-    tolerance_model_open(&job->tolerance, arena, model);
+    tolerance_model_open(&job->tolerance, job->run->watch, arena, model);
     const size_t n = model->problem.error_count, figures = model->problem.figure_count;
     struct sensitivity *table = ARENA_ARRAY(arena, n * figures, struct sensitivity);
-    sensitivity_find(&model->problem, model->nominal, arena, table, &failure);
+    const size_t done = sensitivity_find(&model->problem, model->nominal, arena, table, &failure);
+    if (done < n) {
+        fail(&job->run->shortfall, ERROR_DOMAIN,
+             "interrupted after %zu of %zu errors: those so far, incomplete", done, n);
+    }
     if (failure != NULL) {
         doubts_add(job->run->doubts, "%s", failure);
     }
-    for (size_t i = 0; i < n; i++) {
+    for (size_t i = 0; i < done; i++) {
         const struct perturbation *one = &job->question.perturbations[i];
         const struct range range = range_of(one);
         for (size_t f = 0; f < tolerance->figure_count; f++) {
@@ -332,7 +336,7 @@ bool tolerance_emit_inverse(struct tolerance_job *job, struct error *error)
     const struct things things = things_of(job);
     struct tolerance_model *model = ARENA_NEW(arena, struct tolerance_model);
     struct inverse *answers = ARENA_ARRAY(arena, things.count + 1, struct inverse);
-    tolerance_model_open(&job->tolerance, arena, model);
+    tolerance_model_open(&job->tolerance, job->run->watch, arena, model);
     const struct inverse_question question = {.problem = &model->problem,
                                               .cost = cost_of,
                                               .context = job,
@@ -342,6 +346,10 @@ bool tolerance_emit_inverse(struct tolerance_job *job, struct error *error)
                                               .low = things.low,
                                               .high = things.high};
     const double together = inverse_find(&question, arena, answers);
+    if (watch_is_ended(job->run->watch)) {
+        return fail(error, ERROR_DOMAIN,
+                    "interrupted before the tolerances were found: none is proposed");
+    }
     if (isnan(together)) {
         return fail(error, ERROR_DOMAIN,
                     "one of the tightest tolerances that shops promise leaves a lens without "
@@ -402,7 +410,7 @@ bool tolerance_offenders(struct tolerance_job *job, struct tolerance_offender **
     struct differential differential;
     struct differential_share *shares = ARENA_ARRAY(arena, n + 1, struct differential_share);
     struct perturbation_moments *moments = ARENA_ARRAY(arena, n + 1, struct perturbation_moments);
-    tolerance_model_open(&job->tolerance, arena, model);
+    tolerance_model_open(&job->tolerance, job->run->watch, arena, model);
     if (!differential_open(&model->problem, arena, &differential, error)) {
         return false;
     }

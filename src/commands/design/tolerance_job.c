@@ -78,7 +78,8 @@ static bool find_aim_error(struct tolerance_job *job, struct error *error)
                                     .moves = ARENA_ARRAY(arena, tolerance_moves(held), double)};
     double sum = 0;
     size_t count = 0;
-    for (uint64_t k = 0; k < LOOKS && k < job->trials.total; k++) {
+    for (uint64_t k = 0; k < LOOKS && k < job->trials.total && !watch_is_ended(job->run->watch);
+         k++) {
         tolerance_errors(&question, job->trials.seed, k, errors);
         if (!tolerance_trial(held, errors, &trial)) {
             continue;

@@ -19,7 +19,7 @@ bool tolerance_method_open(struct tolerance_job *job, struct error *error)
                         one->name);
         }
     }
-    tolerance_model_open(&job->tolerance, job->run->arena, &job->model);
+    tolerance_model_open(&job->tolerance, job->run->watch, job->run->arena, &job->model);
     if (!differential_open(&job->model.problem, job->run->arena, &job->differential, error)) {
         return false;
     }
@@ -61,7 +61,8 @@ bool tolerance_method_check(struct tolerance_job *job, struct error *error)
     size_t count = 0;
     (void)error;
     job->method_most = 0;
-    for (uint64_t k = 0; k < LOOKS && k < job->trials.total; k++) {
+    for (uint64_t k = 0; k < LOOKS && k < job->trials.total && !watch_is_ended(job->run->watch);
+         k++) {
         struct error why;
         tolerance_errors(&job->question, job->trials.seed, k, errors);
         if (!problem->trial(problem->context, errors, exact, &why)) {

@@ -27,6 +27,10 @@ static bool look(const struct developing *developing, size_t i, size_t j, double
                  double *figures)
 {
     const struct differential_problem *problem = developing->problem;
+    if (!watch_add(problem->watch, 1)) {
+        return fail(developing->error, ERROR_DOMAIN,
+                    "interrupted before all pairs of errors were looked at: no figures");
+    }
     memset(developing->errors, 0, problem->error_count * sizeof(double));
     if (problem->error_count > 0) {
         developing->errors[i] = developing->errors[j] = size;

@@ -5,6 +5,7 @@
 
 #include "base/arena.h"
 #include "base/error.h"
+#include "base/watch.h"
 #include "design/tolerance/perturbation.h"
 
 #include <stdbool.h>
@@ -19,6 +20,7 @@ struct differential_problem {
     size_t judged_count; /* the first of the figures: those that matter */
     const bool *is_root; /* of each figure: it is the root of a sum of squares, such as an RMS */
     const char *const *names; /* of each error, for messages */
+    struct watch *watch;      /* counts trials, and is asked before each; or null */
 };
 
 /* A function of errors p to second order: value + slope.p + p.curve p/2. */
@@ -48,7 +50,8 @@ struct differential {
  * Source    [Hopkins66], [Rimmer70]: the variance of a wave front is a quadratic form of all
  *           perturbations, products of different ones included. They take first derivatives of
  *           the wave front for it; here its second ones, and those of rays, are in it
- * Errors    ERROR_DOMAIN: a lens with one or two errors of half their range has no figures
+ * Errors    ERROR_DOMAIN: a lens with one or two errors of half their range has no figures; or the
+ *           watch stops it
  */
 bool differential_open(const struct differential_problem *problem, struct arena *arena,
                        struct differential *differential, struct error *error);

@@ -41,8 +41,8 @@ static struct sensitivity of_figure(const double values[SIDES], double nominal, 
     return all;
 }
 
-void sensitivity_find(const struct differential_problem *problem, const double *nominal,
-                      struct arena *arena, struct sensitivity *table, const char **failure)
+size_t sensitivity_find(const struct differential_problem *problem, const double *nominal,
+                        struct arena *arena, struct sensitivity *table, const char **failure)
 {
     const size_t figures = problem->figure_count;
     double *errors = ARENA_ARRAY(arena, problem->error_count, double);
@@ -51,6 +51,9 @@ void sensitivity_find(const struct differential_problem *problem, const double *
     for (size_t i = 0; i < problem->error_count; i++) {
         for (int k = 0; k < SIDES; k++) {
             struct error why;
+            if (!watch_add(problem->watch, 1)) {
+                return i;
+            }
             if (!try_one(problem, i, sides[k], errors, at + (size_t)k * figures, &why) &&
                 *failure == NULL) {
                 *failure = arena_printf(arena, "%s of %g times its tolerance: %s",
@@ -65,6 +68,7 @@ void sensitivity_find(const struct differential_problem *problem, const double *
             table[i * figures + f] = of_figure(values, nominal[f], problem->is_root[f]);
         }
     }
+    return problem->error_count;
 }
 
 /* -------- what they may cost -------- */
@@ -81,6 +85,9 @@ static double cost_of_one(const struct searching *searching, size_t i, double fa
     double worst = 0;
     for (int side = -1; side <= 1; side += 2) {
         struct error why;
+        if (!watch_add(question->problem->watch, 1)) {
+            return worst; /* of no use to anybody */
+        }
         const bool made = try_one(question->problem, i, side * factor, searching->errors,
                                   searching->figures, &why);
         const double cost =
@@ -170,5 +177,5 @@ double inverse_find(const struct inverse_question *question, struct arena *arena
         answers[i].cost = cost_of(&searching, i, answers[i].factor);
         sum += answers[i].cost * answers[i].cost;
     }
-    return sqrt(sum);
+    return watch_is_ended(question->problem->watch) ? (double)NAN : sqrt(sum);
 }

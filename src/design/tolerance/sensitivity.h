@@ -19,12 +19,13 @@ struct sensitivity {
  * Given     nominal  figures without errors
  *           table    receives error_count rows of figure_count
  *           failure  receives why the first that failed has no figures; null: none has
+ * Result    so many errors have their rows: all, unless the watch of the problem stops it
  * Formula   linear: with D(h) = (f(h) - f(-h))/2h and h = 1/8, (D(h) - h^2 D(1))/(1 - h^2), which
  *           leaves out h^2/120 of the fifth derivative; of a root that of its square over twice
  *           the root
  */
-void sensitivity_find(const struct differential_problem *problem, const double *nominal,
-                      struct arena *arena, struct sensitivity *table, const char **failure);
+size_t sensitivity_find(const struct differential_problem *problem, const double *nominal,
+                        struct arena *arena, struct sensitivity *table, const char **failure);
 
 /* What is wanted of tolerances. */
 struct inverse_question {
@@ -58,7 +59,8 @@ struct inverse {
  *
  * Given     answers  receives one a tolerance
  * Result    what they cost together, the root of the sum of the squares; more than `drop` where the
- *           tightest tolerances already cost it. NaN: a tightest one makes a lens without figures
+ *           tightest tolerances already cost it. NaN: a tightest one makes a lens without figures,
+ *           or the watch of the problem stops it
  * Formula   the share s with the sum of clamp(s, cost at the tightest, cost at the loosest)^2 =
  *           drop^2, a thousandth of the drop at least; then cost(factor) = s, the worse of both
  *           ends, by bisection: exact trials at each step

@@ -21,7 +21,7 @@ static bool is_root(enum criterion_kind kind)
     return kind == CRITERION_SPOT || kind == CRITERION_WAVEFRONT || kind == CRITERION_BORESIGHT;
 }
 
-void tolerance_model_open(struct tolerance *tolerance, struct arena *arena,
+void tolerance_model_open(struct tolerance *tolerance, struct watch *watch, struct arena *arena,
                           struct tolerance_model *model)
 {
     const struct tolerance_question *question = &tolerance->question;
@@ -41,8 +41,10 @@ void tolerance_model_open(struct tolerance *tolerance, struct arena *arena,
                                                   .figure_count = figures + moves,
                                                   .judged_count = figures,
                                                   .is_root = roots,
-                                                  .names = names},
+                                                  .names = names,
+                                                  .watch = watch},
                                       .nominal = ARENA_ARRAY(arena, figures + moves, double)};
+    watch_begin(watch, "trials", 0);
     memcpy(model->nominal, tolerance->nominal, figures * sizeof(double));
     memcpy(model->nominal + figures, tolerance->nominal_moves, moves * sizeof(double));
 }

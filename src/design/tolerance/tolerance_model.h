@@ -16,10 +16,11 @@ struct tolerance_model {
 /*
  * Make a problem of trials, of which the tolerance does one after the other.
  *
+ * Given     watch  counts the trials, and may stop them; or null
  * Result    model->problem: RMS and distances are roots of squares; pointers into the tolerance and
  *           the arena
  */
-void tolerance_model_open(struct tolerance *tolerance, struct arena *arena,
+void tolerance_model_open(struct tolerance *tolerance, struct watch *watch, struct arena *arena,
                           struct tolerance_model *model);
 
 #endif
