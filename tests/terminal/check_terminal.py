@@ -348,6 +348,7 @@ def check_interrupted(checks, program):
                  "interrupted" in found[-1]["error"], f"a sweep: {len(found)} rows, {error!r}")
     check_interrupted_lens(checks, program)
     check_interrupted_search(checks, program)
+    check_interrupted_trials(checks, program)
 
 
 def check_interrupted_lens(checks, program):
@@ -387,6 +388,30 @@ def check_interrupted_search(checks, program):
         resumed = program.run(*asked, *state, "--threads", "2")
         checks.check(resumed.returncode == 0 and resumed.stdout == program.run(*asked).stdout,
                      f"a search, gone on from: {resumed.stdout!r}")
+
+
+def check_interrupted_trials(checks, program):
+    """What there is by then comes at once, or the reason for nothing; all would take long."""
+    large = ["--rays", "2000"]
+    cases = ((["--trials", "1e8"], True, "of 100000000 trials: what they say so far, incomplete"),
+             (["--trials", "1e8", "--show", "trials"], True, "of 100000000 trials: those so far"),
+             (["--show", "sensitivity", *large], True, "of 78 errors: those so far"),
+             (["--show", "inverse", "--drop", "5um", *large], False, "before the tolerances were"),
+             (["--show", "offenders", *large], False, "before all pairs of errors"),
+             (["--method", "differential", *large], False, "before all pairs of errors"))
+    processes = [subprocess.Popen([*program.command, "tolerance", "double-gauss", "--grade",
+                                   "precision", "--csv", *asked], stdout=subprocess.PIPE,
+                                  stderr=subprocess.PIPE, env=program.environment())
+                 for asked, _, _ in cases]
+    time.sleep(0.4)
+    began = time.perf_counter()
+    for process in processes:
+        process.send_signal(signal.SIGINT)
+    for process, (asked, has_rows, said) in zip(processes, cases):
+        answer, error = process.communicate()
+        checks.check(process.returncode == 1 and said.encode() in error and
+                     bool(answer) == has_rows, f"{asked}: {answer[-300:]!r}, {error!r}")
+    checks.check(time.perf_counter() - began < 10, "trials: they do not end")
 
 
 def check_picture(checks, program):

@@ -246,7 +246,7 @@ static const struct sheet trial_sheet = SHEET(trial_columns, struct trial_row);
 struct waiting {
     struct tolerance_job *job;
     struct tolerance_trial *trials;
-    bool *found;
+    bool *made, *found;
 };
 
 /* tolerance_listener, from any thread. */
@@ -255,6 +255,7 @@ static void hear(void *context, size_t at, bool found, const struct tolerance_tr
     const struct waiting *waiting = context;
     const struct tolerance *tolerance = &waiting->job->tolerance;
     struct tolerance_trial *kept = &waiting->trials[at];
+    waiting->made[at] = true;
     waiting->found[at] = found;
     memcpy(kept->figures, trial->figures, tolerance->figure_count * sizeof(double));
     memcpy(kept->moves, trial->moves, tolerance_moves(tolerance) * sizeof(double));
@@ -303,31 +304,52 @@ static bool emit_trial(struct tolerance_job *job, uint64_t number, bool found,
     return goes_on;
 }
 
+enum { AT_ONCE = 2048 };
+
+static struct waiting waiting_open(struct tolerance_job *job)
+{
+    struct arena *arena = job->run->arena;
+    const struct waiting waiting = {job, ARENA_ARRAY(arena, AT_ONCE, struct tolerance_trial),
+                                    ARENA_ARRAY(arena, AT_ONCE, bool),
+                                    ARENA_ARRAY(arena, AT_ONCE, bool)};
+    for (size_t i = 0; i < AT_ONCE; i++) {
+        waiting.trials[i].figures = ARENA_ARRAY(arena, job->tolerance.figure_count, double);
+        waiting.trials[i].moves = ARENA_ARRAY(arena, tolerance_moves(&job->tolerance), double);
+    }
+    return waiting;
+}
+
+/* Up to the first that was not made. */
 static bool emit_trials(struct tolerance_job *job, struct error *error)
 {
     struct arena *arena = job->run->arena;
     const struct tolerance_about about = tolerance_about_of(job);
-    const size_t room = TOLERANCE_ROUND;
-    struct waiting waiting = {job, ARENA_ARRAY(arena, room, struct tolerance_trial),
-                              ARENA_ARRAY(arena, room, bool)};
-    for (size_t i = 0; i < room; i++) {
-        waiting.trials[i].figures = ARENA_ARRAY(arena, job->tolerance.figure_count, double);
-        waiting.trials[i].moves = ARENA_ARRAY(arena, tolerance_moves(&job->tolerance), double);
-    }
+    struct waiting waiting = waiting_open(job);
+    uint64_t k = job->trials.begin;
+    watch_begin(job->run->watch, "trials", (size_t)(job->trials.end - k));
     struct tolerance_team *team = tolerance_team_open(&job->trials, &job->result);
     bool goes_on = true, done = true;
-    for (uint64_t k = job->trials.begin; k < job->trials.end && goes_on && done; k += room) {
+    while (k < job->trials.end && goes_on && done) {
         const uint64_t left = job->trials.end - k;
-        const size_t count = left < room ? (size_t)left : room;
+        const size_t count = left < AT_ONCE ? (size_t)left : AT_ONCE;
         const struct tolerance_round round = {k, count, hear, &waiting};
+        memset(waiting.made, 0, count * sizeof *waiting.made);
         done = tolerance_team_round(team, &round, error);
         const struct arena_mark mark = arena_mark(arena);
         for (size_t i = 0; i < count && goes_on && done; i++) {
-            goes_on = emit_trial(job, k + i, waiting.found[i], &waiting.trials[i], &about);
+            goes_on =
+                waiting.made[i] && emit_trial(job, k, waiting.found[i], &waiting.trials[i], &about);
+            k += goes_on ? 1 : 0;
         }
         arena_reset(arena, mark);
     }
     tolerance_team_close(team);
+    if (k < job->trials.end && watch_is_ended(job->run->watch)) {
+        fail(&job->run->shortfall, ERROR_DOMAIN,
+             "interrupted after %llu of %llu trials: those so far, incomplete",
+             (unsigned long long)(k - job->trials.begin),
+             (unsigned long long)(job->trials.end - job->trials.begin));
+    }
     return done;
 }
 

@@ -103,7 +103,6 @@ void tolerance_result_open(const struct tolerance_run *run, const struct toleran
     *result = (struct tolerance_result){.tolerance = tolerance,
                                         .column_count = each ? tolerance->figure_count : 1,
                                         .worst_most = worst,
-                                        .is_whole = true,
                                         .arena = arena};
     result->columns = ARENA_ARRAY(arena, result->column_count, struct tolerance_column);
     result->moves = ARENA_ARRAY(arena, tolerance_moves(tolerance), struct tally);
@@ -313,12 +312,13 @@ static void try_about(const struct tolerance_team *team, struct worker *worker, 
     }
 }
 
-/* parallel_work: some trials. */
+/* parallel_work: some trials, until the watch stops them. */
 static void work(void *context, const struct parallel_piece *piece)
 {
     struct tolerance_team *team = context;
     struct worker *worker = &team->workers[piece->thread];
     if (worker->error.code != ERROR_NONE ||
+        !watch_add(team->run->watch, piece->end - piece->begin) ||
         (!worker->is_open && !open_worker(team, piece->arena, worker))) {
         return;
     }
@@ -347,9 +347,10 @@ struct tolerance_team *tolerance_team_open(const struct tolerance_run *run,
 bool tolerance_team_round(struct tolerance_team *team, const struct tolerance_round *round,
                           struct error *error)
 {
-    enum { PIECE = 32 };
+    enum { PIECE = 8 }; /* rays of large pieces take long, and are to stop soon */
+    const size_t piece = team->run->differential != NULL ? DIFFERENTIAL_LANES : PIECE;
     team->round = round;
-    parallel_pieces(&team->threads, round->count, PIECE, work, team);
+    parallel_pieces(&team->threads, round->count, piece, work, team);
     for (size_t i = 0; i < PARALLEL_MOST; i++) {
         if (team->workers[i].error.code != ERROR_NONE) {
             *error = team->workers[i].error;
@@ -373,18 +374,9 @@ bool tolerance_run(const struct tolerance_run *run, struct tolerance_result *res
                    struct error *error)
 {
     struct tolerance_team *team = tolerance_team_open(run, result);
-    struct tolerance_round round = {.begin = run->begin};
-    bool done = true;
-    result->is_whole = true;
-    while (round.begin < run->end && result->is_whole && done) {
-        const uint64_t left = run->end - round.begin;
-        round.count = left < TOLERANCE_ROUND ? (size_t)left : TOLERANCE_ROUND;
-        done = tolerance_team_round(team, &round, error);
-        round.begin += round.count;
-        if (run->watch != NULL && !watch_add(run->watch, round.count) && round.begin < run->end) {
-            result->is_whole = false;
-        }
-    }
+    const struct tolerance_round round = {.begin = run->begin,
+                                          .count = (size_t)(run->end - run->begin)};
+    const bool done = tolerance_team_round(team, &round, error);
     tolerance_team_close(team);
     return done;
 }

@@ -29,7 +29,7 @@ struct tolerance_run {
     int threads;
     const struct differential *differential; /* figures and movements to second order, of the
                                                 trials' own problem; null: by rays */
-    struct watch *watch;                     /* counts trials; or null */
+    struct watch *watch;                     /* counts trials, may stop them; or null */
 };
 
 enum { TOLERANCE_WORST_MOST = 1000, TOLERANCE_REASONS = 32 };
@@ -65,7 +65,6 @@ struct tolerance_result {
     size_t worst_count, worst_most;
     struct tolerance_reason *reasons; /* by their first trial */
     size_t reason_count;
-    bool is_whole; /* false: it was stopped before its end */
     struct arena *arena;
 };
 
@@ -91,15 +90,13 @@ void tolerance_result_open(const struct tolerance_run *run, const struct toleran
 typedef void tolerance_listener(void *context, size_t at, bool found,
                                 const struct tolerance_trial *trial);
 
-enum { TOLERANCE_ROUND = 2048 }; /* trials at once */
-
 /* Threads that are ready, each with a lens of its own. The run and the result must outlive it. */
 struct tolerance_team;
 struct tolerance_team *tolerance_team_open(const struct tolerance_run *run,
                                            struct tolerance_result *result);
 
 /*
- * Trials begin .. begin + count - 1, TOLERANCE_ROUND at most.
+ * Trials begin .. begin + count - 1; where the watch stops them, some of them.
  *
  * Given     listener  null: nobody listens
  * Errors    as tolerance_open, in a thread
@@ -120,7 +117,7 @@ void tolerance_team_close(struct tolerance_team *team);
  * Make trials, and count them.
  *
  * Result    the same bytes for any number of threads, and for any parts that are joined. Where the
- *           watch stops it, those up to there
+ *           watch stops it, those that were made by then: with several threads not the first ones
  * Errors    as tolerance_team_round
  */
 bool tolerance_run(const struct tolerance_run *run, struct tolerance_result *result,
