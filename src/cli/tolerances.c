@@ -42,6 +42,12 @@ static const char *words_of(const struct tolerances_reader *reader, const char *
     return arena_string(reader->arena, done.start, done.length);
 }
 
+const char *tolerances_grade(const struct lens *lens, const char *grade, const char *file)
+{
+    const bool says = file != NULL || lens->tolerance_count > 0;
+    return grade == NULL && !says ? "precision" : grade;
+}
+
 bool tolerances_of(const struct tolerances_reader *reader, const char *grade, const char *file,
                    struct perturbations *perturbations, const char **assumed, struct error *error)
 {

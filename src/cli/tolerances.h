@@ -12,6 +12,9 @@ struct tolerances_reader {
     struct arena *arena;
 };
 
+/* The grade that is asked for; of a lens that nothing is said of `precision`; null: none. */
+const char *tolerances_grade(const struct lens *lens, const char *grade, const char *file);
+
 /*
  * What may be wrong with the lens.
  *

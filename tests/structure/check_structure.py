@@ -111,7 +111,7 @@ FOR_TESTS = {
     # tolerances, which trials stand on
     "distribution_words": "", "spread_of": "", "spread_quantile": "", "spread_variance": "",
     "tolerances_of": "",
-    "perturbed_links": "", "tally_histogram": "",
+    "tally_histogram": "",
     # what there is to try
     "foreign_formats": "the fuzzer's list of formats",
 }

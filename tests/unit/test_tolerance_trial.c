@@ -1,5 +1,6 @@
 /* tests/unit/test_tolerance_trial.c - lenses as they may be made, adjusted and judged. */
 /* SPDX-License-Identifier: MIT */
+#include "any_errors.h"
 #include "check.h"
 #include "design/tolerance/tolerance_trial.h"
 #include "double_gauss.h"
@@ -18,46 +19,13 @@ static const char double_gauss[] = "wavelength d F C\n"
 
 static struct arena arena;
 
-/* Any error of each kind. */
 static size_t list_all(const struct lens *lens, struct perturbation *list)
 {
     const struct spread spread = spread_of(DISTRIBUTION_UNIFORM, DISTRIBUTION_SIGMAS);
-    static const struct perturbation some[] = {
-        {.kind = TOLERANCE_RADIUS, .what = {0, PARAMETER_RADIUS, 0}, .amount = 0.1, .name = "R1"},
-        {.kind = TOLERANCE_RADIUS,
-         .what = {5, PARAMETER_CURVATURE, 0},
-         .amount = 1e-5,
-         .name = "R6"},
-        {.kind = TOLERANCE_AIR, .what = {1, PARAMETER_THICKNESS, 0}, .amount = 0.05, .name = "t2"},
-        {.kind = TOLERANCE_INDEX, .what = {2, PARAMETER_INDEX, 0}, .amount = 1e-3, .name = "n3"},
-        {.kind = TOLERANCE_ABBE, .what = {2, PARAMETER_ABBE, 0}, .amount = 0.4, .name = "V3"},
-        {.kind = TOLERANCE_CONIC, .what = {3, PARAMETER_CONIC, 0}, .amount = 0.01, .name = "k4"},
-        {.kind = TOLERANCE_TILT,
-         .what = {3, PARAMETER_TILT_X, 0},
-         .axis = PERTURBATION_X,
-         .amount = 1e-3,
-         .name = "tilt"},
-        {.kind = TOLERANCE_ELEMENT_TILT,
-         .first = 6,
-         .last = 8,
-         .what.kind = PARAMETER_KINDS,
-         .axis = PERTURBATION_Y,
-         .amount = 1e-3,
-         .pivot = 2,
-         .name = "element tilt"},
-        {.kind = TOLERANCE_ELEMENT_DECENTER,
-         .first = 2,
-         .last = 4,
-         .what.kind = PARAMETER_KINDS,
-         .axis = PERTURBATION_X,
-         .amount = 0.05,
-         .name = "element decenter"},
-        {.kind = TOLERANCE_FOCUS, .what.kind = PARAMETER_KINDS, .amount = 0.1, .name = "focus"},
-    };
-    const size_t count = sizeof some / sizeof some[0];
+    const size_t count = sizeof any_errors / sizeof any_errors[0];
     CHECK(lens->surface_count == 11);
     for (size_t i = 0; i < count; i++) {
-        list[i] = some[i];
+        list[i] = any_errors[i];
         list[i].spread = spread;
     }
     return count;

@@ -34,6 +34,12 @@ static const struct option options[] = {
      .help = "what is wanted: spot, poly, efl=100, 'bfl@F>38:0.02', 'edge 1..11 > 1', mtf@40/mm=1; "
              "== for what "
              "is met exactly; otherwise the goals in the lens, or usual ones"},
+    {OPTION(struct optimize_input, grade), .name = "grade", .value = "NAME",
+     .help = "of the goal asbuilt, how well it is made: commercial, precision or high ('list "
+             "tolerances'); without it the marks of the lens, without any precision"},
+    {OPTION(struct optimize_input, tolerances), .name = "tolerances", .value = "FILE",
+     .flags = OPTION_FILE,
+     .help = "of the goal asbuilt, lines like those with 'tolerance' in a lens, in its place"},
     {OPTION(struct optimize_input, glasses), .name = "glasses", .value = "GLASSES",
      .help = "catalogues and glasses that take the place of the model glasses that vary: "
              "SCHOTT,OHARA or N-BK7,N-SF5"},

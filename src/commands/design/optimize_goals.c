@@ -3,6 +3,7 @@
 #include "commands/design/optimize_goals.h"
 
 #include "base/constants.h"
+#include "cli/tolerances.h"
 #include "optics/first_order.h"
 
 #include <math.h>
@@ -168,5 +169,27 @@ bool optimize_goals(struct optimize_job *job, const struct merit_question *quest
         return false;
     }
     add_grazing(job, goals);
+    return true;
+}
+
+bool optimize_errors(struct optimize_job *job, const struct goals *goals, struct error *error)
+{
+    const struct optimize_input *input = job->input;
+    const struct tolerances_reader reader = {job->lens, job->run->db, job->run->arena};
+    const char *grade = tolerances_grade(job->lens, input->grade, input->tolerances), *words;
+    bool counts = false;
+    for (size_t i = 0; i < goals->count; i++) {
+        counts = counts || goals->list[i].kind == OPERAND_ASBUILT;
+    }
+    if (!counts) {
+        return (input->grade == NULL && input->tolerances == NULL) ||
+               fail(error, ERROR_USAGE, "{--%s} is of the goal asbuilt, and there is no such goal",
+                    input->grade != NULL ? "grade" : "tolerances");
+    }
+    if (!tolerances_of(&reader, grade, input->tolerances, &job->errors, &words, error)) {
+        return false;
+    }
+    job->made = arena_printf(job->run->arena, "%zu error%s, %s", job->errors.count,
+                             job->errors.count == 1 ? "" : "s", words);
     return true;
 }

@@ -19,4 +19,11 @@
 bool optimize_goals(struct optimize_job *job, const struct merit_question *question,
                     struct goals *goals, struct error *error);
 
+/*
+ * What may be wrong with the lens, for goals of how it is made: job->errors.
+ *
+ * Errors    as tolerances_of; ERROR_USAGE: it is told, and no goal asks for it
+ */
+bool optimize_errors(struct optimize_job *job, const struct goals *goals, struct error *error);
+
 #endif

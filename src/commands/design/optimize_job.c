@@ -407,9 +407,10 @@ bool optimize_open(struct optimize_job *job, struct merit_question *question, st
         return false;
     }
     *question = question_of(job, &view);
-    if (!optimize_goals(job, question, &goals, error)) {
+    if (!optimize_goals(job, question, &goals, error) || !optimize_errors(job, &goals, error)) {
         return false;
     }
+    question->errors = &job->errors;
     question->operands = goals.list;
     question->operand_count = goals.count;
     return merit_open(question, job->run->arena, &job->merit, error) &&

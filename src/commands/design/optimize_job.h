@@ -19,7 +19,7 @@ enum optimize_show {
 struct optimize_input {
     struct lens_question question;
     struct spectrum_value waves;
-    const char *vary, *hold, *goals, *glasses;
+    const char *vary, *hold, *goals, *glasses, *grade, *tolerances;
     int show, solver, aim, pattern;
     long rays, seed, iterations; /* iterations: 0 = as many as it takes */
     long threads;                /* 0: one a core */
@@ -40,6 +40,8 @@ struct optimize_job {
     const char *const *names; /* of the variables */
     const char *goals;        /* in words that --goals takes */
     bool guards;              /* the last goal keeps rays from loss, and is none of these words */
+    struct perturbations errors; /* of the goal asbuilt */
+    const char *made;            /* what they are, in words; null: there is no such goal */
     struct merit merit;
     struct optimize_task task;
     const struct glass_candidate *glasses; /* of --glasses */

@@ -12,7 +12,7 @@
 struct answer_row {
     double fnumber, merit_before, merit_after;
     long seed, rank, hits, evaluations, iterations, variables, residuals;
-    const char *solver, *status, *goals, *rays, *search, *lens, *warning;
+    const char *solver, *status, *goals, *made, *rays, *search, *lens, *warning;
 };
 
 static const struct column answer_columns[] = {
@@ -40,6 +40,9 @@ static const struct column answer_columns[] = {
      .label = "residuals", .help = "squares in the sum"},
     {COLUMN(struct answer_row, goals), .flags = COLUMN_EXTRA | COLUMN_ASSUMED, .name = "goals",
      .depends = "goals lens", .label = "goals", .help = "what is wanted, as --goals takes it"},
+    {COLUMN(struct answer_row, made), .flags = COLUMN_EXTRA | COLUMN_ASSUMED, .name = "tolerances",
+     .depends = "grade tolerances lens goals", .label = "tolerances",
+     .help = "of the goal asbuilt, how many independent errors, and where they are from"},
     {COLUMN(struct answer_row, rays), .flags = COLUMN_EXTRA | COLUMN_ASSUMED, .name = "rays",
      .depends = "rays pattern aim clip no-clip", .label = "rays",
      .help = "those of each field and wavelength"},
@@ -77,6 +80,7 @@ static void emit_answer(struct optimize_job *job)
                                    .solver = job->input->solver == SOLVER_CERES ? "ceres" : "dls",
                                    .status = job->status,
                                    .goals = job->goals,
+                                   .made = job->made,
                                    .rays = rays_in_words(job->input, job->run->arena),
                                    .search = job->search,
                                    .lens = job->lens->title,

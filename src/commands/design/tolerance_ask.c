@@ -243,13 +243,11 @@ static bool ask_view(struct tolerance_job *job, struct error *error)
            lens_fields_asked(question, view->positions[0], fields, error);
 }
 
-/* A lens that says nothing of how well it is made is made precisely. */
 static bool ask_errors(struct tolerance_job *job, struct error *error)
 {
     const struct tolerance_input *input = job->input;
     const struct tolerances_reader reader = {job->lens, job->run->db, job->run->arena};
-    const bool says = input->tolerances != NULL || job->lens->tolerance_count > 0;
-    const char *grade = input->grade == NULL && !says ? "precision" : input->grade;
+    const char *grade = tolerances_grade(job->lens, input->grade, input->tolerances);
     return tolerances_of(&reader, grade, input->tolerances, &job->perturbations, &job->made, error);
 }
 

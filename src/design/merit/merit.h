@@ -3,6 +3,7 @@
 #ifndef LENSCALC_DESIGN_MERIT_MERIT_H
 #define LENSCALC_DESIGN_MERIT_MERIT_H
 
+#include "design/merit/merit_place.h"
 #include "design/merit/merit_state.h"
 #include "design/solver/solver.h"
 
@@ -27,9 +28,5 @@ solver_function merit_measure;
 
 /* The same with what counts only: of '<' and '>' 0 where it is met. */
 solver_function merit_evaluate;
-
-/* The lens with these numbers, in all places, for who looks at slots by himself; derives: with
-   derivatives. */
-void merit_put_lens(struct merit *merit, const double *parameters, bool derives);
 
 #endif

@@ -125,6 +125,9 @@ bool merit_beams_aim(struct merit *merit, const struct merit_slot *slot, struct 
         bundle->rates[j] = is_bare ? (struct bundle_rate){0, 0, 0, 0}
                                    : merit_bundle_rate(bundle, &figures[j].first);
     }
+    if (merit->derives && merit->question.by != NULL && bundle->image_moves) {
+        bundle->rates[0].image += 1; /* where it is a distance, a link has it */
+    }
     find_links(merit, slot, beams);
     return beams->spheres == NULL || find_spheres(merit, slot, figures, beams);
 }

@@ -75,7 +75,7 @@ size_t merit_prepare_rays(struct merit *merit, struct merit_slot *slot, struct a
         return 0;
     }
     slot->own = rays;
-    rays->is_joint = slot->operand->kind == OPERAND_POLY;
+    rays->is_joint = slot->operand->kind == OPERAND_POLY || slot->operand->kind == OPERAND_ASBUILT;
     rays->outputs = path ? 1 : 2;
     rays->variable_count = merit->variable_count;
     if (!merit_beams_open(merit, slot, (struct merit_beams_wish){.path = path}, arena, &rays->beams,

@@ -26,8 +26,11 @@ struct merit_light *merit_light(struct merit *merit, const struct merit_slot *sl
     struct merit_place *place = &merit->places[slot->place];
     struct merit_light *light = find_light(place, wavelength);
     if (merit->derives && light->linked != merit->evaluation) {
-        light->link_count = variables_links(merit->question.variables, place->position,
-                                            light->wavelength, light->links);
+        const struct merit_by *by = merit->question.by;
+        light->link_count =
+            by != NULL ? by->links(by->context, place->position, light->wavelength, light->links)
+                       : variables_links(merit->question.variables, place->position,
+                                         light->wavelength, light->links);
         light->linked = merit->evaluation;
     }
     return light;

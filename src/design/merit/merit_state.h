@@ -10,6 +10,7 @@
 #include "design/merit/operand.h"
 #include "design/solver/solver.h"
 #include "design/tolerance/irregularity.h"
+#include "design/tolerance/perturbation.h"
 #include "design/variable.h"
 #include "optics/paraxial_dual.h"
 #include "trace/sample.h"
@@ -18,11 +19,20 @@
 #include <stddef.h>
 #include <stdint.h>
 
+/* What columns are derivatives by, in place of variables; the first is the image plane alone. */
+struct merit_by {
+    size_t most; /* links at a wavelength */
+    size_t (*links)(void *context, size_t position, double wavelength, struct variable_link *links);
+    void *context;
+};
+
 /* What is optimised, and how it is looked at. All of it must outlive the merit. */
 struct merit_question {
     const struct lens *lens; /* with all its positions */
     struct variables *variables;
     size_t variable_count;
+    const struct merit_by *by;          /* variable_count is of these; null: of the variables */
+    const struct perturbations *errors; /* of OPERAND_ASBUILT; null: there are none */
     const struct irregularity *irregularities; /* columns behind those of the variables; or */
     size_t irregularity_count;
     const double *irregularity_amounts; /* mm, one each, read at every look: what rays are moved by,
@@ -108,6 +118,7 @@ struct merit {
     bool forgets; /* rays are aimed without those of the lens before: slower, but a lens has a
                      value or none whichever came before it */
     unsigned long evaluation;
+    const double *parameters; /* of merit_put_lens */
 };
 
 /*

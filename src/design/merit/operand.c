@@ -46,6 +46,8 @@ static const struct operand_type types[OPERAND_KINDS] = {
                      SURFACES | TARGET},
     [OPERAND_SPOT] = {"spot", "spots, each about its own centroid", LENGTH, W | F | RAYS},
     [OPERAND_POLY] = {"poly", "spots, of all wavelengths about one centroid", LENGTH, W | F | RAYS},
+    [OPERAND_ASBUILT] = {"asbuilt", "the same, with what errors of a lens that is made add", LENGTH,
+                         W | F | RAYS},
     [OPERAND_OPD] = {"opd", "optical path differences, wavelengths", NUMBER, W | F | RAYS},
     [OPERAND_GRAZING] = {"grazing", "largest angle of a ray at a surface, near loss", ANGLE,
                          TARGET},

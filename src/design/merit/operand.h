@@ -36,6 +36,7 @@ enum operand_kind {
     OPERAND_AIR,
     OPERAND_SPOT,
     OPERAND_POLY,
+    OPERAND_ASBUILT,
     OPERAND_OPD,
     OPERAND_GRAZING,
     OPERAND_MTF,

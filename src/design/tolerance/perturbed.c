@@ -477,6 +477,36 @@ size_t perturbed_links(const struct perturbed *perturbed, size_t perturbation,
     return 1;
 }
 
+/* -------- forms of surfaces -------- */
+
+bool perturbed_forms_of(const struct lens *lens, const struct perturbation *list, size_t count,
+                        struct arena *arena, struct perturbed_forms *forms, struct error *error)
+{
+    static const enum irregularity_form kinds[] = {[PERTURBATION_ROUND] = IRREGULARITY_SPHERICAL,
+                                                   [PERTURBATION_X] = IRREGULARITY_COS,
+                                                   [PERTURBATION_Y] = IRREGULARITY_SIN};
+    *forms = (struct perturbed_forms){ARENA_ARRAY(arena, count + 1, struct irregularity),
+                                      ARENA_ARRAY(arena, count + 1, size_t), 0};
+    for (size_t i = 0; i < count; i++) {
+        const struct perturbation *one = &list[i];
+        if (one->kind != TOLERANCE_IRREGULARITY) {
+            continue;
+        }
+        const struct surface *surface = &lens->surfaces[one->first];
+        if (!surface->has_diameter) {
+            return fail(error, ERROR_DOMAIN,
+                        "%s: surface %zu has no diameter for its irregularity to be over",
+                        one->name, one->first + 1);
+        }
+        forms->from[forms->count] = i;
+        forms->list[forms->count++] =
+            (struct irregularity){.surface = one->first,
+                                  .form = kinds[one->axis],
+                                  .radius = surface->diameter.value.hi / 2};
+    }
+    return true;
+}
+
 /* -------- writing -------- */
 
 /* A word of its own for a cell whose numbers are no longer those of its word. */

@@ -3,6 +3,7 @@
 #ifndef LENSCALC_DESIGN_TOLERANCE_PERTURBED_H
 #define LENSCALC_DESIGN_TOLERANCE_PERTURBED_H
 
+#include "design/tolerance/irregularity.h"
 #include "design/tolerance/perturbation.h"
 #include "optics/lens_numbers.h"
 #include "optics/melt.h"
@@ -79,6 +80,17 @@ void perturbed_keep(struct perturbed *perturbed, struct parameter what);
  * Limits    the roll about its own axis that two tilts make is left out of round surfaces
  */
 void perturbed_put(struct perturbed *perturbed, const double *errors);
+
+/* Perturbations that are deformations of a surface. */
+struct perturbed_forms {
+    struct irregularity *list;
+    size_t *from; /* of each its perturbation */
+    size_t count;
+};
+
+/* Errors    ERROR_DOMAIN: a surface without a diameter for one to be over */
+bool perturbed_forms_of(const struct lens *lens, const struct perturbation *list, size_t count,
+                        struct arena *arena, struct perturbed_forms *forms, struct error *error);
 
 /* What a small error changes first: numbers of the lens, and how fast. */
 struct perturbed_link {

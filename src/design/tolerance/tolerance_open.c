@@ -185,31 +185,16 @@ static bool open_perturbed(struct tolerance *tolerance, struct arena *arena, str
 static bool open_irregularities(struct tolerance *tolerance, struct arena *arena,
                                 struct error *error)
 {
-    static const enum irregularity_form forms[] = {[PERTURBATION_ROUND] = IRREGULARITY_SPHERICAL,
-                                                   [PERTURBATION_X] = IRREGULARITY_COS,
-                                                   [PERTURBATION_Y] = IRREGULARITY_SIN};
     const struct tolerance_question *question = &tolerance->question;
-    const size_t most = question->perturbation_count + 1;
-    tolerance->irregularities = ARENA_ARRAY(arena, most, struct irregularity);
-    tolerance->irregular = ARENA_ARRAY(arena, most, size_t);
-    tolerance->irregular_amounts = ARENA_ARRAY(arena, most, double);
-    for (size_t i = 0; i < question->perturbation_count; i++) {
-        const struct perturbation *one = &question->perturbations[i];
-        if (one->kind != TOLERANCE_IRREGULARITY) {
-            continue;
-        }
-        const struct surface *surface = &tolerance->lens->surfaces[one->first];
-        if (!surface->has_diameter) {
-            return fail(error, ERROR_DOMAIN,
-                        "%s: surface %zu has no diameter for its irregularity to be over",
-                        one->name, one->first + 1);
-        }
-        tolerance->irregular[tolerance->irregularity_count] = i;
-        tolerance->irregularities[tolerance->irregularity_count++] =
-            (struct irregularity){.surface = one->first,
-                                  .form = forms[one->axis],
-                                  .radius = surface->diameter.value.hi / 2};
+    struct perturbed_forms forms;
+    if (!perturbed_forms_of(tolerance->lens, question->perturbations, question->perturbation_count,
+                            arena, &forms, error)) {
+        return false;
     }
+    tolerance->irregularities = forms.list;
+    tolerance->irregularity_count = forms.count;
+    tolerance->irregular = forms.from;
+    tolerance->irregular_amounts = ARENA_ARRAY(arena, forms.count + 1, double);
     return true;
 }
 

@@ -1,0 +1,250 @@
+/* tests/unit/test_merit_asbuilt.c - spots of lenses as they are made. */
+/* SPDX-License-Identifier: MIT */
+#include "any_errors.h"
+#include "check.h"
+#include "design/merit/merit.h"
+#include "design/tolerance/perturbed.h"
+#include "double_gauss.h"
+#include "lens_of.h"
+
+#include <math.h>
+#include <string.h>
+
+#define HEAD                                                                                       \
+    "wavelength d F C\n"                                                                           \
+    "object inf\n"                                                                                 \
+    "aperture stop\n"                                                                              \
+    "field angle 0 10 14\n"
+static const char in_table[] = HEAD "focus table\n" DOUBLE_GAUSS("34.2");
+static const char paraxial[] = HEAD "focus paraxial\n" DOUBLE_GAUSS("34.2");
+
+static struct arena arena;
+
+enum { SIMPLE = sizeof any_errors / sizeof any_errors[0], ERRORS = SIMPLE + 1, MOST = 4000 };
+
+/* Errors of numbers of the lens, and a form of a surface. */
+static struct perturbation list[ERRORS];
+
+/* Uniform errors: the deviation is the half range over the root of 3. */
+static void set_list(void)
+{
+    memcpy(list, any_errors, sizeof any_errors);
+    list[SIMPLE] = (struct perturbation){.kind = TOLERANCE_IRREGULARITY,
+                                         .first = 4,
+                                         .axis = PERTURBATION_Y,
+                                         .what.kind = PARAMETER_KINDS,
+                                         .amount = 0.5,
+                                         .name = "irregularity"};
+    for (size_t i = 0; i < ERRORS; i++) {
+        list[i].spread = spread_of(DISTRIBUTION_UNIFORM, DISTRIBUTION_SIGMAS);
+    }
+}
+
+static struct operand operand_of(enum operand_kind kind)
+{
+    return (struct operand){.kind = kind,
+                            .deviation = 1,
+                            .wavelength = NAN,
+                            .position = LENS_NONE,
+                            .first = LENS_NONE,
+                            .last = LENS_NONE,
+                            .frequency = NAN,
+                            .name = "goal"};
+}
+
+struct bench {
+    struct lens lens;
+    struct variables variables;
+    struct perturbations errors;
+    struct operand operand;
+    struct merit merit;
+    double numbers[4];
+};
+
+static bool open_bench(struct bench *bench, const char *text, enum operand_kind kind,
+                       const struct variable *vary, size_t count)
+{
+    struct error error = {.code = ERROR_NONE};
+    bench->lens = lens_of(text, &arena);
+    bench->errors = (struct perturbations){.list = list, .count = ERRORS};
+    bench->operand = operand_of(kind);
+    CHECK(variables_open(&bench->lens, vary, count, &arena, &bench->variables, &error));
+    const struct merit_question question = {.lens = &bench->lens,
+                                            .variables = &bench->variables,
+                                            .variable_count = count,
+                                            .errors = &bench->errors,
+                                            .operands = &bench->operand,
+                                            .operand_count = 1,
+                                            .fnumber = NAN,
+                                            .is_skew = true,
+                                            .pattern = PATTERN_GAUSS,
+                                            .rays = 12};
+    variables_get(&bench->variables, bench->numbers);
+    const bool done = merit_open(&question, &arena, &bench->merit, &error);
+    CHECK(done);
+    if (!done) {
+        printf("%s\n", error.message);
+    }
+    return done;
+}
+
+/* Residuals of lenses that are made with an error of this size, as numbers of a lens. */
+struct made {
+    struct bench bench;
+    struct perturbed perturbed;
+};
+
+static void residuals_of(struct made *made, size_t error, double size, double *residuals)
+{
+    double errors[ERRORS] = {0};
+    errors[error] = size;
+    perturbed_put(&made->perturbed, errors);
+    CHECK(merit_measure(&made->bench.merit, made->bench.numbers, residuals, NULL));
+}
+
+/* Central differences without the term of the square of the step. */
+static void derive(struct made *made, size_t error, double step, double *column)
+{
+    static double at[4][MOST];
+    residuals_of(made, error, step, at[0]);
+    residuals_of(made, error, -step, at[1]);
+    residuals_of(made, error, 2 * step, at[2]);
+    residuals_of(made, error, -2 * step, at[3]);
+    for (size_t i = 0; i < made->bench.merit.residual_count; i++) {
+        column[i] = (8 * (at[0][i] - at[1][i]) - (at[2][i] - at[3][i])) / (12 * step);
+    }
+}
+
+static double dot(const double *a, const double *b, size_t count)
+{
+    double sum = 0;
+    for (size_t i = 0; i < count; i++) {
+        sum += a[i] * b[i];
+    }
+    return sum;
+}
+
+/* The nominal spots, and what each error adds, beside lenses that are perturbed by hand. */
+static void check_values(void)
+{
+    static struct bench bench;
+    static struct made made;
+    static double got[MOST], nominal[MOST], column[MOST], focus[MOST];
+    struct error error = {.code = ERROR_NONE};
+    if (!open_bench(&bench, in_table, OPERAND_ASBUILT, NULL, 0) ||
+        !open_bench(&made.bench, in_table, OPERAND_POLY, NULL, 0)) {
+        return;
+    }
+    const size_t rays = made.bench.merit.residual_count;
+    const struct perturbed_question asked = {.lens = &made.bench.lens,
+                                             .list = list,
+                                             .count = ERRORS,
+                                             .lenses = made.bench.variables.lenses};
+    CHECK(bench.merit.residual_count == rays + ERRORS && rays < MOST);
+    CHECK(perturbed_open(&asked, &arena, &made.perturbed, &error));
+    CHECK(merit_measure(&bench.merit, bench.numbers, got, NULL));
+    residuals_of(&made, 0, 0, nominal);
+    CHECK(memcmp(got, nominal, rays * sizeof got[0]) == 0);
+    const size_t plane = SIMPLE - 1; /* the error of the focus */
+    derive(&made, plane, 0.1, focus);
+    for (size_t j = 0; j < SIMPLE; j++) {
+        derive(&made, j, 0.1, column);
+        const double share = dot(column, focus, rays) / dot(focus, focus, rays);
+        for (size_t i = 0; i < rays; i++) {
+            column[i] -= share * focus[i];
+        }
+        const double expected = sqrt(dot(column, column, rays) / 3);
+        CHECK_NEAR(got[rays + j], expected, 1e-6 * expected + 1e-9, list[j].name);
+        CHECK(j == plane || got[rays + j] > 1e-6);
+    }
+    CHECK(got[rays + SIMPLE] > 1e-4);
+}
+
+/* Where an image plane follows the paraxial image it is focused anew all the same. */
+static void check_image(void)
+{
+    static struct bench table, follows;
+    static double here[MOST], there[MOST];
+    if (!open_bench(&follows, paraxial, OPERAND_ASBUILT, NULL, 0)) {
+        return;
+    }
+    const double at = follows.merit.places[0].setup.first.bfl;
+    char text[2000];
+    snprintf(text, sizeof text, "%s", in_table);
+    char *old = strstr(text, "72.228");
+    CHECK(old != NULL);
+    char end[200];
+    snprintf(end, sizeof end, "%.15g%s", at, old + strlen("72.228"));
+    strcpy(old, end);
+    if (!open_bench(&table, text, OPERAND_ASBUILT, NULL, 0)) {
+        return;
+    }
+    CHECK(merit_measure(&follows.merit, follows.numbers, here, NULL));
+    CHECK(merit_measure(&table.merit, table.numbers, there, NULL));
+    for (size_t i = 0; i < table.merit.residual_count; i++) {
+        CHECK_NEAR(here[i], there[i], 1e-9, "paraxial");
+    }
+}
+
+/* Derivatives by variables, beside extrapolated differences of values. */
+static void check_slopes(void)
+{
+    static const struct variable vary[] = {
+        {.what = {0, PARAMETER_RADIUS, 0},
+         .position = LENS_NONE,
+         .name = "R1",
+         .low = -INFINITY,
+         .high = INFINITY},
+        {.what = {6, PARAMETER_THICKNESS, 0},
+         .position = LENS_NONE,
+         .name = "t7",
+         .low = -INFINITY,
+         .high = INFINITY},
+        {.what = {2, PARAMETER_INDEX, 0},
+         .position = LENS_NONE,
+         .name = "n3",
+         .low = -INFINITY,
+         .high = INFINITY},
+    };
+    enum { VARIABLES = sizeof vary / sizeof vary[0] };
+    static const double steps[VARIABLES] = {2e-5, 0.05, 1e-3};
+    static struct bench bench;
+    static double at[4][MOST], jacobian[MOST * VARIABLES], again[MOST];
+    if (!open_bench(&bench, paraxial, OPERAND_ASBUILT, vary, VARIABLES)) {
+        return;
+    }
+    const size_t count = bench.merit.residual_count;
+    CHECK(merit_measure(&bench.merit, bench.numbers, again, jacobian));
+    for (size_t k = 0; k < VARIABLES; k++) {
+        static const double sides[4] = {1, -1, 2, -2};
+        for (size_t s = 0; s < 4; s++) {
+            double numbers[VARIABLES];
+            memcpy(numbers, bench.numbers, sizeof numbers);
+            numbers[k] += sides[s] * steps[k];
+            CHECK(merit_measure(&bench.merit, numbers, at[s], NULL));
+        }
+        double most = 0, off = 0;
+        for (size_t i = 0; i < count; i++) {
+            const double slope =
+                (8 * (at[0][i] - at[1][i]) - (at[2][i] - at[3][i])) / (12 * steps[k]);
+            most = fmax(most, fabs(slope));
+            off = fmax(off, fabs(slope - jacobian[i * VARIABLES + k]));
+        }
+        CHECK_NEAR(off / most, 0, 1e-5, vary[k].name);
+    }
+    CHECK(merit_measure(&bench.merit, bench.numbers, at[0], NULL));
+    for (size_t i = 0; i < count; i++) {
+        CHECK_NEAR(at[0][i], again[i], 1e-12, "the lens is left as it was");
+    }
+}
+
+int main(void)
+{
+    arena = (struct arena){0};
+    set_list();
+    check_values();
+    check_image();
+    check_slopes();
+    arena_free(&arena);
+    return check_report();
+}
