@@ -7,6 +7,9 @@
 #include "commands/design/tolerance_about.h"
 #include "design/tolerance/sensitivity.h"
 #include "design/tolerance/tolerance_model.h"
+#include "file/lens_tolerance.h"
+#include "file/lens_unit.h"
+#include "optics/growing.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -244,12 +247,6 @@ struct things {
     double *low, *high;
 };
 
-static bool is_same_thing(const struct perturbation *a, const struct perturbation *b)
-{
-    return a->kind == b->kind && a->first == b->first && a->last == b->last &&
-           a->what.order == b->what.order && a->what.surface == b->what.surface;
-}
-
 /* With what shops promise at best, and what they need not be asked for. */
 static struct things things_of(const struct tolerance_job *job)
 {
@@ -262,7 +259,7 @@ static struct things things_of(const struct tolerance_job *job)
                             ARENA_ARRAY(arena, n, double), ARENA_ARRAY(arena, n, double)};
     for (size_t i = 0; i < question->perturbation_count; i++) {
         const struct perturbation *one = &question->perturbations[i];
-        const bool is_new = i == 0 || !is_same_thing(one - 1, one);
+        const bool is_new = i == 0 || one[-1].thing != one->thing;
         if (is_new) {
             const double best = in_grade(&tight, one), worst = in_grade(&loose, one);
             things.low[things.count] = isnan(best) ? least : best;
@@ -285,17 +282,25 @@ static const char *thing_name(const struct tolerance_job *job, const struct thin
     return is_one || end == NULL ? name : arena_string(job->run->arena, name, (size_t)(end - name));
 }
 
-/* Null: it has no such words. */
+/* The line of the tolerance, so many times as wide, in the unit that it was written in. */
 static const char *line_of(const struct tolerance_job *job, const struct perturbation *one,
-                           const char *name, double proposed)
+                           double factor)
 {
-    const struct range range = range_of(one);
-    const struct spread *spread = &one->spread;
-    const char *unit = strcmp(range.unit, "1") == 0 ? "" : range.unit;
-    return one->what.kind == PARAMETER_CURVATURE || one->kind == TOLERANCE_COEFFICIENT
-               ? NULL
-               : arena_printf(job->run->arena, "tolerance %s %.4g%s %s", name, proposed, unit,
-                              distribution_words[spread->distribution].word);
+    static const char *const endings[TOLERANCE_UNITS] = {"mm", "arcmin", "", "%", "fringes"};
+    const double arcminutes = 60 * DEGREES_PER_RADIAN;
+    struct lens_tolerance now = *one->line;
+    struct growing text = {.arena = job->run->arena};
+    const bool is_power = now.kind == TOLERANCE_COEFFICIENT && now.unit == TOLERANCE_NUMBER;
+    const double scale = is_power ? pow(lens_unit_mm(job->lens->unit),
+                                        -parameter_length(PARAMETER_COEFFICIENT, now.order))
+                                  : (now.unit == TOLERANCE_ANGLE ? arcminutes : 1);
+    const double amount = now.amount.value.hi * factor * scale;
+    const char *typed = arena_printf(job->run->arena, "%.4g%s", amount, endings[now.unit]);
+    now.amount.typed = text_of(typed);
+    growing_string(&text, "tolerance ");
+    lens_tolerance_write(&now, job->lens->unit, &text);
+    const struct text line = growing_done(&text);
+    return arena_string(job->run->arena, line.start, line.length);
 }
 
 static void emit_inverse(struct tolerance_job *job, const struct things *things,
@@ -320,7 +325,7 @@ static void emit_inverse(struct tolerance_job *job, const struct things *things,
                                             job->trials.of == TOLERANCE_OF_MEAN ? "mean" : "worst",
                                         .unit = type->unit,
                                         .limited = limits[answers[i].limit],
-                                        .line = line_of(job, one, name, proposed),
+                                        .line = line_of(job, one, answers[i].factor),
                                         .proposed = proposed,
                                         .factor = answers[i].factor,
                                         .cost = type->scale * answers[i].cost,

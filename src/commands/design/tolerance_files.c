@@ -47,6 +47,12 @@ bool tolerance_check_output(const struct artifact_job *job, struct error *error)
                fail(error, ERROR_USAGE, "%s is the name of a part: {--part} says of which",
                     job->path);
     }
+    if (input->part.count > 0 && job->run->parts == NULL) {
+        return fail(error, ERROR_USAGE,
+                    "{--part} goes into a .part: lenses of {--save} are those that 'lenscalc "
+                    "merge' writes, not %s",
+                    job->path != NULL ? job->path : "");
+    }
     return input->save != NULL ||
            fail(error, ERROR_USAGE, "{--output} %s needs {--save}, which says what is written",
                 job->path != NULL ? job->path : "");

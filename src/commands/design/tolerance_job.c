@@ -5,6 +5,8 @@
 #include "commands/design/tolerance_method.h"
 
 #include <math.h>
+#include <stdlib.h>
+#include <string.h>
 
 /* -------- divided runs -------- */
 
@@ -96,7 +98,7 @@ static bool find_aim_error(struct tolerance_job *job, struct error *error)
 
 /* -------- the job -------- */
 
-static void judge(struct tolerance_job *job)
+static void say_incomplete(struct tolerance_job *job)
 {
     const struct tolerance_result *result = &job->result;
     struct run *run = job->run;
@@ -110,11 +112,29 @@ static void judge(struct tolerance_job *job)
                          (unsigned long long)result->done, (unsigned long long)whole);
         fail(&run->shortfall, ERROR_DOMAIN, "%s", job->incomplete);
     }
-    for (size_t i = 0; i < result->reason_count; i++) {
-        const struct tolerance_reason *reason = &result->reasons[i];
-        doubts_add(run->doubts, "%llu of %llu lenses failed, trial %llu first: %s",
-                   (unsigned long long)reason->count, (unsigned long long)result->done,
-                   (unsigned long long)reason->first + 1, reason->why);
+}
+
+static int by_first(const void *a, const void *b)
+{
+    const struct tolerance_reason *left = a, *right = b;
+    return left->first < right->first ? -1 : 1;
+}
+
+/* Why lenses failed, in the order that trials met it. */
+static void add_doubts(const struct tolerance_job *job)
+{
+    const struct tolerance_result *result = &job->result;
+    const size_t kept = result->reason_count, all = kept + (result->others.count > 0 ? 1 : 0);
+    struct tolerance_reason *reasons =
+        ARENA_ARRAY(job->run->arena, TOLERANCE_REASONS + 1, struct tolerance_reason);
+    memcpy(reasons, result->reasons, kept * sizeof reasons[0]);
+    reasons[kept] = result->others;
+    reasons[kept].why = "other reasons";
+    qsort(reasons, all, sizeof reasons[0], by_first);
+    for (size_t i = 0; i < all; i++) {
+        doubts_add(job->run->doubts, "%llu of %llu lenses failed, trial %llu first: %s",
+                   (unsigned long long)reasons[i].count, (unsigned long long)result->done,
+                   (unsigned long long)reasons[i].first + 1, reasons[i].why);
     }
 }
 
@@ -142,7 +162,8 @@ bool tolerance_job_run(struct tolerance_job *job, struct error *error)
             return false;
         }
     }
-    judge(job);
+    say_incomplete(job);
+    add_doubts(job);
     if (!tolerance_method_check(job, error)) {
         return false;
     }

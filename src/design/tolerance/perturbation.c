@@ -224,8 +224,15 @@ static bool emit(const struct work *work, const struct entry *entry,
                  struct perturbations *perturbations, struct error *error)
 {
     const struct lens_tolerance *from = entry->place.from;
+    struct lens_tolerance *line = ARENA_NEW(work->site.arena, struct lens_tolerance);
+    *line = *from;
+    line->is_range = false;
+    line->first = entry->place.first;
+    line->last = entry->place.last;
     struct perturbation one = {.spread = spread_of(from->distribution, from->sigmas),
-                               .name = tolerance_place_name(&work->site, &entry->place)};
+                               .name = tolerance_place_name(&work->site, &entry->place),
+                               .thing = (size_t)(entry - work->entries),
+                               .line = line};
     const char *wrong = tolerance_place_amount(&work->site, &entry->place, &one);
     if (wrong != NULL) {
         return refuse(work, entry, wrong, error);

@@ -36,6 +36,8 @@ struct perturbation {
     struct spread spread;
     double pivot;     /* of an element's tilt: mm from the vertex of `first`, along the axis */
     const char *name; /* "R1", "t3", "element 3..5 tilt x", for rows and messages */
+    size_t thing;     /* numbers of one tolerance of one thing have the same, side by side */
+    const struct lens_tolerance *line; /* that tolerance, as a line of this thing alone has it */
 };
 
 /*

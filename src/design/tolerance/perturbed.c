@@ -58,14 +58,14 @@ static size_t number_of(struct perturbed *perturbed, struct parameter what)
     return i;
 }
 
-/* Tilt about x and y are one motion, as are decentres along them. */
+/* Tilt about x and y of one tolerance are one motion, as are decentres along them. */
 static size_t motion_of(struct perturbed *perturbed, size_t at)
 {
     const struct perturbation *one = &perturbed->list[at];
     for (size_t i = 0; i < at; i++) {
         const struct perturbation *other = &perturbed->list[i];
-        if (other->kind == one->kind && other->first == one->first && other->last == one->last &&
-            other->pivot == one->pivot && part_of(other) != part_of(one)) {
+        if (other->kind == one->kind && other->thing == one->thing && other->first == one->first &&
+            other->last == one->last && part_of(other) != part_of(one)) {
             return perturbed->target[i];
         }
     }
@@ -218,9 +218,9 @@ static void add_up(struct perturbed *perturbed, const double *errors)
         const size_t target = perturbed->target[i];
         const double error = one->amount * errors[i];
         if (one->kind == TOLERANCE_ELEMENT_TILT) {
-            perturbed->motions[target].tilt[part_of(one)] = error;
+            perturbed->motions[target].tilt[part_of(one)] += error;
         } else if (one->kind == TOLERANCE_ELEMENT_DECENTER) {
-            perturbed->motions[target].shift[part_of(one)] = error;
+            perturbed->motions[target].shift[part_of(one)] += error;
         } else if (is_of_medium(one)) {
             perturbed->off[target][one->kind == TOLERANCE_ABBE ? 1 : 0] += error;
         } else if (target != LENS_NONE) {

@@ -143,30 +143,36 @@ static void keep_worst(struct tolerance_result *result, struct tolerance_worst o
     result->worst_count = last + 1;
 }
 
-/* Reasons beyond the room for them are one, which says so. */
+static void add_reason(struct tolerance_reason *has, const struct tolerance_reason *one)
+{
+    has->first = has->count == 0 || one->first < has->first ? one->first : has->first;
+    has->count += one->count;
+}
+
+/* Those whose words come first in the alphabet are kept, whatever came before: so the counts are
+   the same for any threads and parts. */
 static void keep_reason(struct tolerance_result *result, struct tolerance_reason one)
 {
     size_t i = 0;
-    while (i < result->reason_count && strcmp(result->reasons[i].why, one.why) != 0) {
+    int order = -1;
+    while (i < result->reason_count && (order = strcmp(result->reasons[i].why, one.why)) < 0) {
         i++;
     }
+    if (i < result->reason_count && order == 0) {
+        add_reason(&result->reasons[i], &one);
+        return;
+    }
     if (i == TOLERANCE_REASONS) {
-        i = TOLERANCE_REASONS - 1;
-        result->reasons[i].why = "other reasons";
+        add_reason(&result->others, &one);
+        return;
     }
-    if (i == result->reason_count) {
-        one.why = arena_string(result->arena, one.why, strlen(one.why));
-        result->reasons[result->reason_count++] = one;
-    } else {
-        struct tolerance_reason *has = &result->reasons[i];
-        has->count += one.count;
-        has->first = one.first < has->first ? one.first : has->first;
+    if (result->reason_count == TOLERANCE_REASONS) {
+        add_reason(&result->others, &result->reasons[--result->reason_count]);
     }
-    for (; i > 0 && result->reasons[i].first < result->reasons[i - 1].first; i--) {
-        const struct tolerance_reason before = result->reasons[i - 1];
-        result->reasons[i - 1] = result->reasons[i];
-        result->reasons[i] = before;
-    }
+    memmove(&result->reasons[i + 1], &result->reasons[i], (result->reason_count - i) * sizeof one);
+    one.why = arena_string(result->arena, one.why, strlen(one.why));
+    result->reasons[i] = one;
+    result->reason_count++;
 }
 
 static void count_figures(const struct tolerance_run *run, const double *figures,
@@ -218,6 +224,9 @@ static void join(struct tolerance_result *result, const struct tolerance_result 
     }
     for (size_t i = 0; i < more->reason_count; i++) {
         keep_reason(result, more->reasons[i]);
+    }
+    if (more->others.count > 0) {
+        add_reason(&result->others, &more->others);
     }
 }
 
@@ -393,11 +402,14 @@ static const char *put_numbers(const char *text, const uint64_t *numbers, size_t
     return text;
 }
 
+/* Of the first line: of trials, of what follows, and the other reasons. */
+enum { HEAD_NUMBERS = 6 };
+
 static const char *write_lists(const struct tolerance_result *result, struct arena *arena)
 {
-    const uint64_t head[] = {result->done, result->failed, result->worst_count,
-                             result->reason_count};
-    const char *text = put_numbers("", head, 4, arena);
+    const uint64_t head[] = {result->done,         result->failed,       result->worst_count,
+                             result->reason_count, result->others.count, result->others.first};
+    const char *text = put_numbers("", head, HEAD_NUMBERS, arena);
     for (size_t i = 0; i < result->worst_count; i++) {
         uint64_t one[2] = {result->worst[i].trial, 0};
         memcpy(&one[1], &result->worst[i].badness, sizeof one[1]);
@@ -452,8 +464,8 @@ static bool read_reason(struct text *rest, struct tolerance_result *result)
 
 static bool read_lists(struct text *rest, struct tolerance_result *result)
 {
-    uint64_t head[4], one[2];
-    if (!take_numbers(rest, head, 4)) {
+    uint64_t head[HEAD_NUMBERS], one[2];
+    if (!take_numbers(rest, head, HEAD_NUMBERS)) {
         return false;
     }
     result->done += head[0];
@@ -470,6 +482,9 @@ static bool read_lists(struct text *rest, struct tolerance_result *result)
     bool read = true;
     for (uint64_t i = 0; i < head[3] && read; i++) {
         read = read_reason(rest, result);
+    }
+    if (head[4] > 0) {
+        add_reason(&result->others, &(struct tolerance_reason){.count = head[4], .first = head[5]});
     }
     return read;
 }

@@ -63,8 +63,9 @@ struct tolerance_result {
     uint64_t done, failed;
     struct tolerance_worst *worst; /* from the worst on */
     size_t worst_count, worst_most;
-    struct tolerance_reason *reasons; /* by their first trial */
+    struct tolerance_reason *reasons; /* by their words: the first so many in the alphabet */
     size_t reason_count;
+    struct tolerance_reason others; /* what there was no room for; of no words */
     struct arena *arena;
 };
 
