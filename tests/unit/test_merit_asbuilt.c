@@ -3,6 +3,7 @@
 #include "any_errors.h"
 #include "check.h"
 #include "design/merit/merit.h"
+#include "design/merit/merit_rays.h"
 #include "design/tolerance/perturbed.h"
 #include "double_gauss.h"
 #include "lens_of.h"
@@ -52,7 +53,12 @@ static struct operand operand_of(enum operand_kind kind)
                             .name = "goal"};
 }
 
+/* That form, as rays are moved by it. */
+static const struct irregularity form = {.surface = 4, .form = IRREGULARITY_SIN, .radius = 18};
+static double height;
+
 struct bench {
+    bool is_formed;
     struct lens lens;
     struct variables variables;
     struct perturbations errors;
@@ -73,6 +79,10 @@ static bool open_bench(struct bench *bench, const char *text, enum operand_kind 
                                             .variables = &bench->variables,
                                             .variable_count = count,
                                             .errors = &bench->errors,
+                                            .irregularities = bench->is_formed ? &form : NULL,
+                                            .irregularity_count = bench->is_formed,
+                                            .irregularity_amounts =
+                                                bench->is_formed ? &height : NULL,
                                             .operands = &bench->operand,
                                             .operand_count = 1,
                                             .fnumber = NAN,
@@ -160,6 +170,30 @@ static void check_values(void)
     CHECK(got[rays + SIMPLE] > 1e-4);
 }
 
+/* An astigmatism at a random azimuth: half of the mean square of its height is in each direction.
+   The image plane does nothing for it. */
+static void check_form(void)
+{
+    static struct bench bench, formed = {.is_formed = true};
+    static double got[MOST], without[MOST], with[MOST];
+    struct error error = {.code = ERROR_NONE};
+    if (!open_bench(&bench, in_table, OPERAND_ASBUILT, NULL, 0) ||
+        !open_bench(&formed, in_table, OPERAND_POLY, NULL, 0)) {
+        return;
+    }
+    const size_t rays = formed.merit.residual_count;
+    CHECK(merit_measure(&bench.merit, bench.numbers, got, NULL));
+    CHECK(merit_measure(&formed.merit, formed.numbers, without, NULL));
+    CHECK(merit_rays_deform(&formed.merit.slots[0], &error));
+    height = 0.5 * TOLERANCE_WAVE_MM;
+    CHECK(merit_measure(&formed.merit, formed.numbers, with, NULL));
+    for (size_t i = 0; i < rays; i++) {
+        with[i] -= without[i];
+    }
+    const double expected = sqrt(dot(with, with, rays) / 3 / 2);
+    CHECK_NEAR(got[rays + SIMPLE], expected, 1e-9 * expected, "irregularity");
+}
+
 /* Where an image plane follows the paraxial image it is focused anew all the same. */
 static void check_image(void)
 {
@@ -243,6 +277,7 @@ int main(void)
     arena = (struct arena){0};
     set_list();
     check_values();
+    check_form();
     check_image();
     check_slopes();
     arena_free(&arena);
