@@ -26,12 +26,13 @@ static struct optimize_state new_state(const struct merit *merit, struct arena *
                                    .values = ARENA_ARRAY(arena, merit->residual_count + 1, double)};
 }
 
-/* Evaluate where `state` has its numbers. */
+/* Evaluate where `state` has its numbers; derivatives of all goals, of those too that are met. */
 static bool look(struct merit *merit, struct optimize_state *state, double *jacobian)
 {
-    if (!merit_evaluate(merit, state->numbers, state->residuals, jacobian)) {
+    if (!merit_measure(merit, state->numbers, state->residuals, jacobian)) {
         return false;
     }
+    merit_drop_met(merit, state->residuals, NULL);
     memcpy(state->values, merit->values, merit->residual_count * sizeof(double));
     state->merit = 0;
     for (size_t i = 0; i < merit->residual_count - merit->exact_count; i++) {

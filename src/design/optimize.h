@@ -41,7 +41,7 @@ struct optimize_answer {
 bool optimize_run(const struct optimize_task *task, struct arena *arena,
                   struct optimize_answer *answer, struct error *error);
 
-/* Who has an effect on a residual there is no longer idle. */
+/* Who has an effect on a residual there, by the derivatives of merit_measure, is no longer idle. */
 void optimize_find_effects(const struct merit *merit, const double *residuals,
                            const double *jacobian, bool *is_idle);
 

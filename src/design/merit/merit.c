@@ -152,13 +152,9 @@ bool merit_measure(void *context, const double *parameters, double *residuals, d
            fill_slots(merit, true, residuals, jacobian);
 }
 
-bool merit_evaluate(void *context, const double *parameters, double *residuals, double *jacobian)
+void merit_drop_met(const struct merit *merit, double *residuals, double *jacobian)
 {
-    const struct merit *merit = context;
     const size_t n = merit->variable_count;
-    if (!merit_measure(context, parameters, residuals, jacobian)) {
-        return false;
-    }
     for (size_t i = 0; i < merit->residual_count; i++) {
         if (merit->sides[i] != SIDE_BOTH && solver_counted(merit->sides, i, residuals[i]) == 0) {
             residuals[i] = 0;
@@ -167,5 +163,13 @@ bool merit_evaluate(void *context, const double *parameters, double *residuals, 
             }
         }
     }
-    return true;
+}
+
+bool merit_evaluate(void *context, const double *parameters, double *residuals, double *jacobian)
+{
+    const bool has_value = merit_measure(context, parameters, residuals, jacobian);
+    if (has_value) {
+        merit_drop_met(context, residuals, jacobian);
+    }
+    return has_value;
 }

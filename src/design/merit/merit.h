@@ -29,4 +29,7 @@ solver_function merit_measure;
 /* The same with what counts only: of '<' and '>' 0 where it is met. */
 solver_function merit_evaluate;
 
+/* What makes one of the other; the derivatives may be null, and so stay as they are. */
+void merit_drop_met(const struct merit *merit, double *residuals, double *jacobian);
+
 #endif
