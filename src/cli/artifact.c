@@ -290,12 +290,27 @@ bool artifacts_order(struct artifacts *artifacts, const struct artifact_setting 
            open_sinks(artifacts, setting, error);
 }
 
+/* Of several files some may not be made: one of that name that is there stays, and is told. */
+static void tell_left(struct output *sinks, size_t count)
+{
+    struct stat found;
+    for (size_t i = 0; i < count; i++) {
+        struct output *sink = &sinks[i];
+        if (sink->is_unused && sink->path != NULL && stat(sink->path, &found) == 0 &&
+            S_ISREG(found.st_mode)) {
+            sink->remarks = text_of(arena_printf(
+                sink->arena, "%s stays as it was: it is of an earlier run\n", sink->path));
+        }
+    }
+}
+
 bool artifacts_make(const struct artifacts *artifacts, struct error *error)
 {
     bool done = true;
     for (size_t i = 0; i < artifacts->count && done; i++) {
         const struct artifact_job *job = &artifacts->jobs[i];
         done = job->artifact->make(job, &artifacts->sinks[job->first], error);
+        tell_left(&artifacts->sinks[job->first], done ? job->files : 0);
     }
     return done;
 }

@@ -409,7 +409,8 @@ static bool check_allowed(const struct search *search, const struct node *root,
     return true;
 }
 
-/* The last step once more, of which all is kept now; to its end, as it was. */
+/* The last step once more, of which all is kept now: to its end, as it was; where the time is over
+   it begins where that ended. */
 static bool keep(struct search *search, const struct node *found, struct error *error)
 {
     struct glass_choice *choice = search->choice;
@@ -418,10 +419,12 @@ static bool keep(struct search *search, const struct node *found, struct error *
     struct outcome *outcome = ARENA_NEW(search->arena, struct outcome);
     const struct node last =
         put_glass(found->parent, found->exchange.surface, found->exchange.glass, search->arena);
-    how.goes_on = NULL;
+    const struct lens *start = choice->is_stopped  ? found->lens
+                               : found->from_start ? last.start
+                                                   : last.lens;
+    how.goes_on = choice->is_stopped ? how.goes_on : NULL;
     task.how = &how;
-    if (!optimise(&last, found->from_start ? last.start : last.lens, &task, search->arena, outcome,
-                  error)) {
+    if (!optimise(&last, start, &task, search->arena, outcome, error)) {
         return false;
     }
     choice->variables = outcome->variables;

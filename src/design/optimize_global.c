@@ -146,12 +146,19 @@ bool optimize_global_idle(const struct optimize_global *global, struct arena *ar
         const struct solver_problem problem = optimize_problem(&fresh.merit);
         const struct global_search search = search_of(&searching, &problem);
         if (begin_at(&searching, &search, start, &fresh.merit, numbers) &&
-            merit_evaluate(&fresh.merit, numbers, residuals, jacobian)) {
+            merit_measure(&fresh.merit, numbers, residuals, jacobian)) {
+            merit_drop_met(&fresh.merit, residuals, NULL);
             optimize_find_effects(&fresh.merit, residuals, jacobian, is_idle);
             found = true;
         }
     }
     return found;
+}
+
+static bool goes_on(const struct optimize_global *global)
+{
+    return !watch_is_ended(global->watch) &&
+           (global->goes_on == NULL || global->goes_on(global->context));
 }
 
 static void work(void *context, const struct parallel_piece *piece)
@@ -161,7 +168,7 @@ static void work(void *context, const struct parallel_piece *piece)
     for (size_t k = searching->first + piece->begin; k < searching->first + piece->end; k++) {
         struct global_result *result = &global->results[k];
         struct global_chain chain;
-        if (!result->is_done && !watch_is_ended(global->watch) &&
+        if (!result->is_done && goes_on(global) &&
             search_from(searching, k, piece->arena, &chain)) {
             *result = (struct global_result){true, chain.count, chain.minima, chain.evaluations};
             watch_add(global->watch, 1);
@@ -179,7 +186,7 @@ void optimize_global_search(struct optimize_global *global, struct arena *arena)
     for (; searching.first < global->end; searching.first += round) {
         const size_t left = global->end - searching.first;
         parallel_pieces(team, left < round ? left : round, 1, work, &searching);
-        if (watch_is_ended(global->watch)) {
+        if (!goes_on(global)) {
             break;
         }
         if (global->pause != NULL) {
@@ -295,6 +302,9 @@ size_t optimize_global_keep(const struct optimize_global *global, const struct o
     /* what ends in one minimum may have stopped here and there in its valley */
     const size_t most_tried = 8 * most + 16;
     for (size_t i = 0; i < candidates && count < most && tried < most_tried; i++) {
+        if (count > 0 && watch_is_ended(global->watch)) {
+            break; /* who interrupts gets the best, and does not wait for others */
+        }
         if (is_known(&problem, kept, count, list[i].minimum->parameters)) {
             continue;
         }

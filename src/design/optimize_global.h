@@ -76,7 +76,7 @@ struct global_kept {
  *
  * Given     task  of them; its merit lends its question alone
  *           kept  room for `most`; receives them
- * Result    how many there are
+ * Result    how many there are; once the watch has ended no more than one
  */
 size_t optimize_global_keep(const struct optimize_global *global, const struct optimize_task *task,
                             size_t most, struct arena *arena, struct global_kept *kept);

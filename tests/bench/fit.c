@@ -138,7 +138,7 @@ int main(void)
     const struct thick_lens *thick = &subject.fit.lenses[0];
     struct thick_lens thin = *thick;
     thin.front = subject.setup.first.length + thin.rear;
-    printf("rays %zu\niterations %d\n", subject.ray_data.rays.count,
+    printf("rays %zu\niterations %ld\n", subject.ray_data.rays.count,
            subject.fit.summary.iterations);
     printf("fit %.1f\nrays %.1f\n", 1e6 * subject.fit_time, 1e6 * subject.trace_time);
     printf("exact %.2f\n", time_exact(&subject.lens, &subject.setup.first, &arena));

@@ -46,7 +46,18 @@ lenscalc optimize hubble-rc --vary t1,t2,k1 --goals spot,efl=57600:100 --rays 9 
 lenscalc optimize double-gauss --vary R1 --goals efl=101 --rays 9 --global 5 --keep 5 -o one.lens \
     --columns rank,status
 ls one*
+# one of an earlier run that has the name of such a file stays, and is told
+touch two-2.lens
+lenscalc optimize double-gauss --vary R1 --goals efl=101 --rays 9 --global 2 --keep 2 -o two.lens \
+    --columns rank,status --force
+# warnings are those of each lens, but for what is said of all
+search --global 4 --keep 2 --seed 2 --goals 'poly, efl = 50 : 0.1, length < 3' --digits 3 \
+    --columns rank,warning --csv
+# seconds count for starts that have not begun
+timeout 20 lenscalc optimize double-gauss --vary R1 --goals efl=101 --global 1000000 --escapes 0 \
+    --seconds 0.3 --columns status --csv
 # refused
+search --global 2 --show glasses
 search --global 0
 search --global 3 --keep 0
 search --global 3 --keep 4

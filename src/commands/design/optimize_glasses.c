@@ -182,14 +182,23 @@ static bool read_words(struct glass_list *list, const char *typed, struct error 
                                     typed));
 }
 
+static bool fail_without(const struct optimize_job *job, struct error *error)
+{
+    if (job->input->global == 0) {
+        return fail(error, ERROR_USAGE, "{--show} glasses needs {--glasses}");
+    }
+    fail(error, ERROR_USAGE, "{--global} exchanges no glasses");
+    return error_hint(error, "write what it keeps by -o NEW.lens; a second run, with NEW.lens and "
+                             "{--glasses}, exchanges them");
+}
+
 bool optimize_glasses_open(struct optimize_job *job, struct error *error)
 {
     struct arena *arena = job->run->arena;
     struct glass_list list = {.job = job, .arena = arena, .place = {job->run->db, arena}};
     size_t *surfaces = ARENA_ARRAY(arena, job->variables.count + 1, size_t);
     if (job->input->glasses == NULL) {
-        return job->input->show != OPTIMIZE_GLASSES ||
-               fail(error, ERROR_USAGE, "{--show} glasses needs {--glasses}");
+        return job->input->show != OPTIMIZE_GLASSES || fail_without(job, error);
     }
     if (glass_choice_models(&job->variables, surfaces) == 0) {
         fail(error, ERROR_DOMAIN, "{--glasses}: no model glass nd/Vd varies");
@@ -279,8 +288,8 @@ bool optimize_glasses_choose(struct optimize_job *job, struct error *error)
         job->found = choice->lens;
         job->merit = choice->merit;
     }
-    job->answer.summary.evaluations += (int)choice->evaluations;
-    job->answer.summary.iterations += (int)choice->iterations;
+    job->answer.summary.evaluations += choice->evaluations;
+    job->answer.summary.iterations += choice->iterations;
     if (choice->is_stopped) {
         job->answer.summary.status = SOLVER_STOPPED;
     }

@@ -3,6 +3,7 @@
 #include "commands/design/optimize_search.h"
 
 #include "base/parallel.h"
+#include "cli/interrupt.h"
 #include "cli/progress.h"
 #include "commands/design/optimize_part.h"
 
@@ -35,10 +36,13 @@ static void keep_state(void *context)
     optimize_part_pause(job->part);
 }
 
-/* Once an iteration, from any thread. */
+/* Once an iteration, from any thread: the watch itself looks no sooner than a start is done. */
 static bool goes_on(void *context)
 {
     const struct optimize_job *job = context;
+    if (job->run->watch != NULL && interrupt_came()) {
+        atomic_store(&job->run->watch->is_ended, true);
+    }
     return !watch_is_ended(job->run->watch) && progress_clock() < job->until;
 }
 
@@ -153,6 +157,7 @@ static bool take_one(const struct optimize_job *job, const struct global_kept *k
     struct error *shortfall = &job->run->shortfall;
     const struct error before = *shortfall;
     *one = *job;
+    one->warning = NULL;
     one->answer = kept->answer;
     one->found = variables_lens(&job->variables, kept->answer.after.numbers, job->run->arena);
     one->rank = (long)rank;
@@ -164,6 +169,10 @@ static bool take_one(const struct optimize_job *job, const struct global_kept *k
     if (rank > 1) {
         *shortfall = before; /* what the best lacks counts */
     }
+    if (one->warning != NULL && optimize_keep_count(job->input) > 1) {
+        one->warning = arena_printf(job->run->arena, "lens %zu: %s", rank, one->warning);
+    }
+    one->warning = lens_warnings_join(job->warning, one->warning, job->run->arena);
     if (job->is_late) {
         one->status = "the time is up";
     }
@@ -176,6 +185,36 @@ static bool take_one(const struct optimize_job *job, const struct global_kept *k
 }
 
 /*
+ * The last descents. Where the search ended early they are short, so that what it found is brought
+ * near its minima, however many seconds are over; else they end with the time.
+ */
+static size_t descend_last(struct optimize_job *job, const struct optimize_global *global,
+                           size_t most, struct global_kept *kept)
+{
+    struct watch *watch = job->run->watch;
+    const bool is_cut = job->is_late || job->incomplete != NULL;
+    const int longest = is_cut ? CUT_ITERATIONS : LAST_ITERATIONS;
+    const struct optimize_task task = {.merit = &job->merit,
+                                       .iterations =
+                                           global->iterations > 0 ? global->iterations : longest,
+                                       .goes_on = watch_is_ended(watch) ? NULL : goes_on,
+                                       .context = job};
+    bool is_stopped = false;
+    job->until = is_cut ? INFINITY : job->until;
+    const size_t count = optimize_global_keep(global, &task, most, job->run->arena, kept);
+    for (size_t i = 0; i < count; i++) {
+        job->evaluations += kept[i].answer.summary.evaluations;
+        is_stopped = is_stopped || kept[i].answer.summary.status == SOLVER_STOPPED;
+    }
+    if (watch_is_ended(watch) && job->incomplete == NULL) {
+        job->incomplete = "interrupted before all that was found came to its minimum: the best so "
+                          "far, incomplete";
+    }
+    job->is_late = job->is_late || (is_stopped && !watch_is_ended(watch));
+    return count;
+}
+
+/*
  * The lenses that are kept; what is no lens, as its surfaces lie behind each other, is left out.
  *
  * Result    false: there were some, and all of them are none
@@ -184,18 +223,10 @@ static bool take_kept(struct optimize_job *job, const struct optimize_global *gl
                       struct error *error)
 {
     const size_t most = optimize_keep_count(job->input);
-    const bool is_cut = job->is_late || job->incomplete != NULL;
     struct arena *arena = job->run->arena;
     struct global_kept *kept = ARENA_ARRAY(arena, most, struct global_kept);
-    const struct optimize_task task = {.merit = &job->merit,
-                                       .iterations = global->iterations > 0 ? global->iterations
-                                                     : is_cut               ? CUT_ITERATIONS
-                                                                            : LAST_ITERATIONS};
-    const size_t count = optimize_global_keep(global, &task, most, arena, kept);
+    const size_t count = descend_last(job, global, most, kept);
     job->kept = ARENA_ARRAY(arena, count + 1, struct optimize_job);
-    for (size_t i = 0; i < count; i++) {
-        job->evaluations += kept[i].answer.summary.evaluations;
-    }
     for (size_t i = 0; i < count; i++) {
         struct optimize_job *one = &job->kept[job->kept_count];
         job->kept_count += take_one(job, &kept[i], job->kept_count + 1, one, error);

@@ -104,7 +104,7 @@ static void run_round(struct solving *solving, double *parameters, struct solver
                                .arena = solving->arena,
                                .at_bound = solving->at_bound,
                                .multipliers = solving->multipliers};
-    run->options.iterations = solving->options.iterations - summary->iterations;
+    run->options.iterations = solving->options.iterations - (int)summary->iterations;
     solving->engine->minimize(run);
     if (run->end == ENGINE_NO_MEMORY) {
         arena_end();
@@ -112,7 +112,7 @@ static void run_round(struct solving *solving, double *parameters, struct solver
     summary->iterations += run->iterations;
     summary->evaluations += run->evaluations;
     summary->derivatives += run->derivatives;
-    solving->done = summary->iterations;
+    solving->done = (int)summary->iterations;
 }
 
 static enum solver_status status_of(const struct solving *solving, const struct engine_run *run)

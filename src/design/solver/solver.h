@@ -93,7 +93,7 @@ enum solver_status {
 struct solver_summary {
     enum solver_status status;
     const char *message; /* in words */
-    int iterations, evaluations, derivatives;
+    long iterations, evaluations, derivatives;
     double initial_cost, final_cost; /* half the sum of rho */
     double rms;                      /* of the residuals at the end, without loss */
     double excess;                   /* the largest of the exact residuals */
