@@ -27,6 +27,19 @@ struct glass_map_point {
 #define GLASS_MAP_HIGHEST 2.02
 struct glass_map_point glass_map_at(double nd, double share);
 
+/*
+ * Indices nd of the map for Abbe numbers low .. high, either of which may be infinite: from that of
+ * the flint side at `high` to that of the crown side at `low`, as both curves fall; an empty range
+ * where no glass has such.
+ */
+struct glass_map_range {
+    double low, high;
+};
+struct glass_map_range glass_map_indices(double low, double high);
+
+/* And Abbe numbers for indices low .. high. */
+struct glass_map_range glass_map_abbes(double low, double high);
+
 /* The share of a glass; outside of 0 .. 1, or NaN, where the map has no such glass. */
 double glass_map_share(double nd, double Vd);
 

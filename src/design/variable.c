@@ -352,6 +352,15 @@ static double share_within(double nd, double Vd)
     return is_within(1 + share, 1, 2) ? fmin(fmax(share, 0), 1) : NAN;
 }
 
+static bool fail_outside(const struct lens *lens, size_t surface, struct error *error)
+{
+    const struct parameter nd = {surface, PARAMETER_INDEX, 0}, Vd = {surface, PARAMETER_ABBE, 0};
+    return fail(error, ERROR_DOMAIN,
+                "surface %zu: %.6g/%.6g lies outside of the map of optical "
+                "glasses, within which a model glass varies",
+                surface + 1, parameter_get(lens, nd), parameter_get(lens, Vd));
+}
+
 /* The two variables of a glass within the map. */
 static bool open_glass(struct variables *variables, const struct variable_drive *drive,
                        struct error *error)
@@ -363,10 +372,7 @@ static bool open_glass(struct variables *variables, const struct variable_drive 
     what.kind = PARAMETER_INDEX;
     double nd = parameter_get(lens, what);
     if (isnan(share_within(nd, Vd))) {
-        fail(error, ERROR_DOMAIN,
-             "surface %zu: %.6g/%.6g lies outside of the map of optical "
-             "glasses, within which a model glass varies",
-             what.surface + 1, nd, Vd);
+        fail_outside(lens, what.surface, error);
         return error_hint(error, "hold it, or give n%zu and V%zu bounds of their own",
                           what.surface + 1, what.surface + 1);
     }
@@ -375,6 +381,50 @@ static bool open_glass(struct variables *variables, const struct variable_drive 
     variables->low[share] = 0;
     variables->high[share] = 1;
     variables->scale[share] = variables->list[share].scale > 0 ? variables->list[share].scale : 0.5;
+    return true;
+}
+
+/* Of a model glass its other number, where that varies too; null: it does not. */
+static const struct variable *other_number(const struct variables *variables,
+                                           const struct variable *one)
+{
+    const struct variable *other = NULL;
+    for (size_t i = 0; i < variables->count && other == NULL; i++) {
+        const struct parameter *what = &variables->list[i].what;
+        if (is_of_medium(what->kind) && what->surface == one->what.surface &&
+            what->kind != one->what.kind) {
+            other = &variables->list[i];
+        }
+    }
+    return other;
+}
+
+/* One number of a model glass without bounds stays within the map too: where the other stands, or
+   as far as its bounds let it go. */
+static bool open_lone(struct variables *variables, size_t at, struct error *error)
+{
+    const struct variable *one = &variables->list[at], *other = other_number(variables, one);
+    const struct lens *lens = &variables->lenses[0].lens;
+    const bool is_index = one->what.kind == PARAMETER_INDEX;
+    if (!is_of_medium(one->what.kind) || !is_free(one) || (other != NULL && is_free(other)) ||
+        one->what.surface >= lens->surface_count ||
+        lens->surfaces[one->what.surface].medium.kind != MEDIUM_MODEL) {
+        return true;
+    }
+    struct parameter what = one->what;
+    what.kind = is_index ? PARAMETER_ABBE : PARAMETER_INDEX;
+    const double beside = parameter_get(lens, what);
+    const double low = other != NULL ? other->low : beside;
+    const double high = other != NULL ? other->high : beside;
+    const struct glass_map_range range =
+        is_index ? glass_map_indices(low, high) : glass_map_abbes(low, high);
+    const double value = parameter_get(lens, one->what);
+    if (!(range.low < range.high) || !is_within(value, range.low, range.high)) {
+        fail_outside(lens, what.surface, error);
+        return error_hint(error, "hold it, or give %s bounds of its own", one->name);
+    }
+    variables->low[at] = range.low;
+    variables->high[at] = range.high;
     return true;
 }
 
@@ -453,6 +503,11 @@ static bool open_all(struct variables *variables, struct error *error)
             return false;
         }
         add_drives(variables, i);
+    }
+    for (size_t i = 0; i < variables->count; i++) {
+        if (!open_lone(variables, i, error)) {
+            return false;
+        }
     }
     pair_glasses(variables);
     for (size_t i = 0; i < variables->drive_count; i++) {

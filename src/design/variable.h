@@ -14,7 +14,8 @@
 /*
  * One number that may change. A model glass is two of them, its index and its Abbe number: where
  * both stand in a list and neither has bounds, they stay within the glass map
- * (design/glass_map.h).
+ * (design/glass_map.h); so does one of them without bounds, where the other stands or as far as
+ * that one's bounds let it go.
  */
 struct variable {
     struct parameter what; /* as the user named it; of a word of the positions one of its cells */

@@ -10,6 +10,7 @@
 #include "commands/design/optimize_contrast.h"
 #include "commands/design/optimize_glasses.h"
 #include "commands/design/optimize_goals.h"
+#include "design/glass_map.h"
 #include "report/doubts.h"
 
 #include <math.h>
@@ -202,25 +203,32 @@ static void warn_of_missed(struct optimize_job *job)
     }
 }
 
-/* What keeps rays from loss is part of the merit that nobody has asked for: it is said. */
+/* What keeps rays from loss is part of the merit that nobody has asked for: it is said. So is the
+   angle where somebody has, as its residuals are none. */
 static void warn_of_grazing(struct optimize_job *job)
 {
     const struct optimize_state *after = &job->answer.after;
+    struct arena *arena = job->run->arena;
+    const char *name = NULL;
     double sum = 0, angle = 0;
-    for (size_t i = 0; i < job->merit.slot_count && job->guards; i++) {
+    for (size_t i = 0; i < job->merit.slot_count; i++) {
         const struct merit_slot *slot = &job->merit.slots[i];
         const double residual = after->residuals[slot->first];
         if (slot->operand->kind == OPERAND_GRAZING && residual > 0) {
             sum += residual * residual;
             angle = fmax(angle, after->values[slot->first]);
+            name = slot->operand->name;
         }
     }
     if (sum > 0) {
-        optimize_warn(
-            job, arena_printf(job->run->arena,
-                              "rays meet or leave a surface at up to %.1f deg from its normal: "
-                              "%.2g %% of the merit keeps them from loss",
-                              angle * DEGREES_PER_RADIAN, 100 * sum / after->merit));
+        const char *missed =
+            job->guards ? "" : arena_printf(arena, "the goal %s is missed: ", name);
+        const double percent = 100 * sum / after->merit;
+        optimize_warn(job, arena_printf(arena,
+                                        "%srays meet or leave a surface at up to %.1f deg from its "
+                                        "normal: %.*g %% of the merit keeps them from loss",
+                                        missed, angle * DEGREES_PER_RADIAN, percent < 99.5 ? 2 : 3,
+                                        percent));
     }
 }
 
@@ -258,6 +266,25 @@ static void warn_of_fnumber(struct optimize_job *job)
                                   "the goal %s does nothing: the f-number is given, whatever the "
                                   "lens",
                                   told->name));
+        }
+    }
+}
+
+/* Model glasses that became such as there are none, by wide bounds or by pick-ups. */
+static void warn_of_glasses(struct optimize_job *job)
+{
+    static const double slack = 1e-9; /* what lies on the border is within */
+    struct arena *arena = job->run->arena;
+    for (size_t i = 0; i < job->found->surface_count; i++) {
+        const struct medium *was = &job->lens->surfaces[i].medium;
+        const struct medium *is = &job->found->surfaces[i].medium;
+        const bool changed = is->index.hi != was->index.hi || is->abbe.hi != was->abbe.hi;
+        const double share = glass_map_share(is->index.hi, is->abbe.hi);
+        if (is->kind == MEDIUM_MODEL && changed && !(share >= -slack && share <= 1 + slack)) {
+            optimize_warn(job, arena_printf(arena,
+                                            "surface %zu: %.6g/%.4g lies outside of the map of "
+                                            "optical glasses",
+                                            i + 1, is->index.hi, is->abbe.hi));
         }
     }
 }
@@ -346,7 +373,7 @@ static void judge(struct optimize_job *job)
                                     : arena_printf(arena, ", %zu model glass%s left", missing,
                                                    missing > 1 ? "es" : "");
     if (summary->status == SOLVER_STOPPED && !job->is_late) {
-        why = arena_printf(arena, "interrupted after %d iterations: the best so far, incomplete%s",
+        why = arena_printf(arena, "interrupted after %ld iterations: the best so far, incomplete%s",
                            summary->iterations, left);
     } else if (missing > 0) {
         why = arena_printf(arena, "the time was up: the best so far, incomplete%s", left);
@@ -393,6 +420,7 @@ bool optimize_judge(struct optimize_job *job, struct error *error)
     warn_of_idle(job);
     warn_of_grazing(job);
     warn_of_missed(job);
+    warn_of_glasses(job);
     optimize_warn(job, optimize_contrast_doubt(job));
     judge(job);
     return warn_of_power(job, error) && check_found(job, error);
