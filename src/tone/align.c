@@ -156,9 +156,10 @@ static double differing(const struct pair *pair, long right, long down)
     const long left = right < 0 ? -right : 0, end = right > 0 ? width - right : width;
     size_t seen = 0, differ = 0, all = 0;
     for (long y = down < 0 ? -down : 0; y < height && y + down < height; y += (long)step) {
-        const uint8_t *a = pair->a + y * width, *b = pair->b + (y + down) * width + right;
+        const uint8_t *a = pair->a + y * width + left;
+        const uint8_t *b = pair->b + (y + down) * width + left + right;
         unsigned row_seen = 0, row_differ = 0;
-        for (long x = left; x < end; x++) {
+        for (long x = 0; x < end - left; x++) {
             const unsigned clear = (unsigned)(a[x] & b[x]) >> 1;
             row_seen += clear;
             row_differ += clear & (unsigned)(a[x] ^ b[x]);
@@ -211,24 +212,10 @@ static void find_shift(const struct shades *a, const struct shades *b, double sh
     arena_free(&scratch);
 }
 
-/* The frames by their times, the longest first. */
-static size_t *order_of(const struct tone_frame *frames, size_t count, struct arena *arena)
+void align_frames(struct tone_frame *frames, size_t count, struct align_step *steps)
 {
-    size_t *order = ARENA_ARRAY(arena, count, size_t);
-    for (size_t i = 0; i < count; i++) {
-        size_t k = i;
-        for (; k > 0 && frames[order[k - 1]].time < frames[i].time; k--) {
-            order[k] = order[k - 1];
-        }
-        order[k] = i;
-    }
-    return order;
-}
-
-void align_frames(struct tone_frame *frames, size_t count, struct align_step *steps,
-                  struct arena *arena)
-{
-    const size_t *order = order_of(frames, count, arena);
+    size_t order[FRAMES_MOST];
+    frames_order(frames, count, order);
     struct arena here = {0}, next = {0};
     struct shades before = shades_of(&frames[order[0]], &here);
     frames[order[0]].right = frames[order[0]].down = 0;

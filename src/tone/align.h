@@ -34,7 +34,6 @@ struct align_step {
  * Limits    shifts of whole pixels, less than ALIGN_MOST each way, and than an eighth or so of
  *           small pictures; nothing turns
  */
-void align_frames(struct tone_frame *frames, size_t count, struct align_step *steps,
-                  struct arena *arena);
+void align_frames(struct tone_frame *frames, size_t count, struct align_step *steps);
 
 #endif

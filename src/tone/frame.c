@@ -10,6 +10,9 @@
 /* Where trust begins to end, as a share of the highest number's light. */
 static const double TRUSTED = 0.9;
 
+/* Variances that a weight of single precision stands: it is t^2 over them, t up to 1e9 s. */
+static const double SPREAD_LEAST = 1e-18;
+
 enum kind { KIND_GREY, KIND_RGB, KIND_XYZ, KIND_OTHER };
 
 static enum kind kind_of(const struct image *image)
@@ -123,7 +126,7 @@ const struct frame_level *frame_levels_of(const double *light, size_t count, str
         const double step = (above - below) / (i > 0 && i + 1 < count ? 2 : 1);
         const double keep = fmin(1, (top - light[i]) / (top * (1 - TRUSTED)));
         levels[i] = (struct frame_level){(float)light[i], (float)(i + 1 < count ? keep : 0),
-                                         (float)(step * step / 12)};
+                                         (float)fmax(step * step / 12, SPREAD_LEAST)};
     }
     return levels;
 }
@@ -132,4 +135,15 @@ unsigned frame_byte(const struct tone_frame *frame, size_t pixel, size_t channel
 {
     const size_t i = pixel * FRAME_CHANNELS + channel;
     return frame->bytes != NULL ? frame->bytes[i] : frame->codes != NULL ? frame->codes[i] >> 8 : 0;
+}
+
+void frames_order(const struct tone_frame *frames, size_t count, size_t *order)
+{
+    for (size_t i = 0; i < count; i++) {
+        size_t k = i;
+        for (; k > 0 && frames[order[k - 1]].time < frames[i].time; k--) {
+            order[k] = order[k - 1];
+        }
+        order[k] = i;
+    }
 }

@@ -53,11 +53,14 @@ bool frame_take(const struct image *image, struct arena *arena, struct tone_fram
  * Given     light  of each of `count` numbers, growing
  * Result    keep   1 up to nine tenths of the highest, from there in a straight line to 0: what
  *                  noise carries across an abrupt end would be missing in the mean
- *           spread  ((next - last)/2)^2/12
+ *           spread  ((next - last)/2)^2/12, at least 1e-18
  */
 const struct frame_level *frame_levels_of(const double *light, size_t count, struct arena *arena);
 
 /* The number of a pixel's channel, as of 8 bits. */
 unsigned frame_byte(const struct tone_frame *frame, size_t pixel, size_t channel);
+
+/* Which frames are the longest, by time: their numbers, the longest first. */
+void frames_order(const struct tone_frame *frames, size_t count, size_t *order);
 
 #endif

@@ -29,7 +29,8 @@ struct sums {
 /* What a picture is merged from. */
 struct merging {
     const struct tone_frame *frames;
-    size_t count, shortest;
+    size_t count;
+    const size_t *order; /* the longest first */
     struct part parts[FRAMES_MOST];
     struct merged *merged;
     size_t look; /* rows from one that is looked at to the next */
@@ -113,28 +114,37 @@ static void add_weighted(const struct part *part, const struct stretch *stretch,
     }
 }
 
-/* Where no frame keeps anything: what the shortest has, which is too little. */
+/* Where no frame keeps anything; counted as pixels and as values. */
+static bool count_full(const struct merging *merging, const struct place *place,
+                       const struct sums *sums)
+{
+    const size_t before = merging->merged->full;
+    for (size_t i = 0; i < place->pixels; i++) {
+        size_t full = 0;
+        for (size_t k = FRAME_CHANNELS * i; k < FRAME_CHANNELS * (i + 1); k++) {
+            full += sums->below[k] > 0 ? 0 : 1;
+        }
+        merging->merged->full += full;
+        merging->merged->saturated += full > 0;
+    }
+    return merging->merged->full > before;
+}
+
+/* There what the shortest has of those that have the pixel, which is too little. */
 static void fill_full(const struct merging *merging, const struct place *place, struct sums *sums)
 {
     struct stretch stretch;
-    const struct tone_frame *frame = &merging->frames[merging->shortest];
-    bool is_fetched = false;
-    for (size_t i = 0; i < place->pixels; i++) {
-        bool is_full = false;
-        for (size_t k = FRAME_CHANNELS * i; k < FRAME_CHANNELS * (i + 1); k++) {
-            if (sums->below[k] > 0) {
-                continue;
+    for (size_t f = merging->count; f-- > 0;) {
+        const struct tone_frame *frame = &merging->frames[merging->order[f]];
+        size_t from, to, at;
+        overlap(frame, place, &from, &to, &at);
+        fetch(frame, place, &stretch);
+        for (size_t k = FRAME_CHANNELS * from; k < FRAME_CHANNELS * to; k++) {
+            if (!(sums->below[k] > 0)) {
+                sums->above[k] = stretch.light[k];
+                sums->below[k] = (float)frame->time;
             }
-            if (!is_fetched) {
-                fetch(frame, place, &stretch);
-                is_fetched = true;
-            }
-            const float light = stretch.light[k];
-            sums->above[k] = light;
-            sums->below[k] = (float)frame->time;
-            is_full = true;
         }
-        merging->merged->saturated += is_full;
     }
 }
 
@@ -176,7 +186,9 @@ static void merge_place(const struct merging *merging, const struct place *place
         }
         add_weighted(&merging->parts[f], &stretch, &sums);
     }
-    fill_full(merging, place, &sums);
+    if (count_full(merging, place, &sums)) {
+        fill_full(merging, place, &sums);
+    }
     if (merging->count > 1 && place->row % merging->look == 0) {
         look(merging, place, &sums);
     }
@@ -196,22 +208,21 @@ static void open_parts(struct merging *merging, const struct merge_noise *noise)
                                 ? (struct part){(float)frame->time, (float)frame->time, 0}
                                 : (struct part){(float)frame->time, (float)(read * read),
                                                 (float)(1 / noise->full_well)};
-        if (frame->time < merging->frames[merging->shortest].time) {
-            merging->shortest = f;
-        }
     }
 }
 
 bool merge_frames(const struct tone_frame *frames, size_t count, const struct merge_noise *noise,
                   struct arena *arena, struct merged *merged, struct error *error)
 {
-    struct merging merging = {.frames = frames, .count = count, .merged = merged};
+    size_t order[FRAMES_MOST];
+    struct merging merging = {.frames = frames, .count = count, .order = order, .merged = merged};
     *merged = (struct merged){
         .image = {.width = frames->width, .height = frames->height, .channels = FRAME_CHANNELS}};
     if (!image_new(&merged->image, arena, error)) {
         return false;
     }
     const size_t width = frames->width, height = frames->height;
+    frames_order(frames, count, order);
     open_parts(&merging, noise);
     merging.look = width * height / LOOK_MOST + 1;
     for (size_t row = 0; row < height; row++) {
@@ -220,7 +231,8 @@ bool merge_frames(const struct tone_frame *frames, size_t count, const struct me
             merge_place(&merging, &(struct place){row, column, rest < most ? rest : most});
         }
     }
-    return merged->saturated < width * height ||
+    return merged->full < FRAME_CHANNELS * width * height ||
            fail(error, ERROR_DOMAIN,
-                "every pixel is saturated in every frame: there is no light to be told from");
+                "every pixel is saturated%s: there is no light to be told from",
+                count > 1 ? " in every frame" : "");
 }

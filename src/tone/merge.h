@@ -13,7 +13,9 @@ struct merge_noise {
 
 struct merged {
     struct image image; /* linear sRGB: light over time */
-    size_t saturated;   /* pixels of which a channel is full in every frame: that of the shortest */
+    size_t saturated;   /* pixels of which a channel is full in every frame that has it: it is that
+                           of the shortest of these */
+    size_t full;        /* such channels */
     size_t looked,
         apart; /* pixels that were looked at; in which frames differ by more than noise */
 };
@@ -29,7 +31,7 @@ struct merged {
  *           weights must not follow the noise of the value they weigh. Apart: by more than 6
  *           standard deviations and 2 % in green, where it is looked
  * Source    least squares; [EMVA16] 2.1 for the variance
- * Errors    ERROR_DOMAIN: all pixels are full in all frames
+ * Errors    ERROR_DOMAIN: all channels of all pixels are full in all frames
  */
 bool merge_frames(const struct tone_frame *frames, size_t count, const struct merge_noise *noise,
                   struct arena *arena, struct merged *merged, struct error *error);

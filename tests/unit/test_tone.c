@@ -91,6 +91,61 @@ static void test_shifted(void)
     CHECK(merged.apart == 0);
 }
 
+/* Full in all that have it, and beyond the edge of the shortest: what the next longer one has. */
+static void test_edge(void)
+{
+    const uint8_t brief[] = {20, 30, 40, 50}, middle[] = {102, 255, 255, 255};
+    const uint8_t lengthy[] = {255, 255, 255, 255};
+    struct tone_frame frames[] = {frame_of(lengthy, 4, 1, 4), frame_of(brief, 4, 1, 1),
+                                  frame_of(middle, 4, 1, 2)};
+    const struct merge_noise noise = {1000, 10};
+    struct merged merged;
+    frames[1].right = 2; /* it begins and ends two pixels further left */
+    CHECK(merge_frames(frames, 3, &noise, arena, &merged, &error));
+    const float *pixels = merged.image.pixels;
+    CHECK_RELATIVE((double)pixels[3], 50.0 / 255 * (50.0 / 255), 1e-6, "the shortest has it");
+    CHECK_RELATIVE((double)pixels[6], 0.5, 1e-6, "the middle one, full in 2 s");
+    CHECK_RELATIVE((double)pixels[9], 0.5, 1e-6, "the outermost");
+    CHECK(merged.saturated == 2);
+}
+
+/* Red is full everywhere: green and blue tell all the same. */
+static void test_full_channel(void)
+{
+    const uint8_t greys[] = {255, 255, 255, 255};
+    struct tone_frame frame = frame_of(greys, 4, 1, 1);
+    uint8_t bytes[] = {255, 51, 0, 255, 51, 0, 255, 51, 0, 255, 51, 0};
+    const struct merge_noise noise = {1, 0};
+    struct merged merged;
+    frame.bytes = bytes;
+    CHECK(merge_frames(&frame, 1, &noise, arena, &merged, &error) && merged.saturated == 4);
+    CHECK_RELATIVE((double)merged.image.pixels[0], 1.0, 1e-6, "red, too little");
+    CHECK_RELATIVE((double)merged.image.pixels[1], 0.04, 1e-6, "green");
+    frame.bytes = frame_of(greys, 4, 1, 1).bytes;
+    CHECK(!merge_frames(&frame, 1, &noise, arena, &merged, &error));
+    CHECK(strstr(error.message, "every frame") == NULL);
+}
+
+/* Steep levels near black are narrower than single precision has; without noise nothing is 0/0. */
+static void test_steep(void)
+{
+    const uint8_t greys[] = {0, 1, 2, 200};
+    double light[FRAME_LEVELS];
+    struct tone_frame frame = frame_of(greys, 4, 1, 1);
+    struct merged merged;
+    for (int i = 0; i < FRAME_LEVELS; i++) {
+        light[i] = pow(i / 255.0, 20);
+    }
+    for (size_t k = 0; k < FRAME_CHANNELS; k++) {
+        frame.levels[k] = frame_levels_of(light, FRAME_LEVELS, arena);
+    }
+    CHECK(merge_frames(&frame, 1, &(struct merge_noise){1000, 0}, arena, &merged, &error));
+    CHECK_NEAR((double)merged.image.pixels[0], 0, 0, "black");
+    CHECK_NEAR((double)merged.image.pixels[3], 0, 1e-30, "hardly more");
+    CHECK_RELATIVE((double)merged.image.pixels[9], light[200], 1e-6, "light");
+    CHECK(merged.saturated == 0);
+}
+
 /* By hand from the formulas; they meet where one follows the other, within their own rounding. */
 static void test_sight(void)
 {
@@ -191,7 +246,7 @@ static void test_align(void)
     struct tone_frame frames[] = {
         {.name = "a", .width = SIDE, .height = SIDE, .values = first, .time = 4},
         {.name = "b", .width = SIDE, .height = SIDE, .values = second, .time = 1}};
-    align_frames(frames, 2, steps, arena);
+    align_frames(frames, 2, steps);
     CHECK(frames[0].right == 0 && frames[0].down == 0);
     CHECK(frames[1].right == 3 && frames[1].down == -2);
     CHECK(steps[1].is_told && steps[1].now < 0.5 * steps[1].before);
@@ -200,12 +255,12 @@ static void test_align(void)
         first[i] = (float)exp(-((x - 22) * (x - 22) + y * y) / 300.0);
         second[i] = (float)exp(-((x - 42) * (x - 42) + y * y) / 300.0);
     }
-    align_frames(frames, 2, steps, arena);
+    align_frames(frames, 2, steps);
     CHECK(steps[1].is_beyond && frames[1].right == 0 && frames[1].down == 0);
     for (int i = 0; i < SIDE * SIDE * 3; i++) {
         first[i] = second[i] = 1;
     }
-    align_frames(frames, 2, steps, arena);
+    align_frames(frames, 2, steps);
     CHECK(frames[1].right == 0 && frames[1].down == 0 && !steps[1].is_told);
 }
 
@@ -214,6 +269,9 @@ int main(void)
     test_levels();
     test_merge();
     test_shifted();
+    test_edge();
+    test_full_channel();
+    test_steep();
     test_sight();
     test_histogram();
     test_colours();

@@ -120,7 +120,7 @@ static void align(const struct tone_input *input, struct tone_frames *frames,
                   struct growing *remarks)
 {
     struct align_step steps[FRAMES_MOST];
-    align_frames(frames->frames, frames->count, steps, remarks->arena);
+    align_frames(frames->frames, frames->count, steps);
     say_shifts(input, frames, steps, remarks);
     for (size_t i = 0; i < frames->count && !input->align; i++) {
         frames->frames[i].right = frames->frames[i].down = 0;
