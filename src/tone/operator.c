@@ -120,17 +120,23 @@ static void show_pixel(const struct showing *showing, const struct curve *curve,
     fit(pixel, made < most ? made : most, most);
 }
 
-static double brightest(const struct image *image)
+/* What makes the mean by logarithms a middle grey, over that mean. */
+static double white_of_mean(const struct tone_way *way)
 {
-    float most = 0;
-    for (size_t i = 0; i < image->width * image->height; i++) {
-        most = fmaxf(most, sight_luminance(image->pixels + CHANNELS * i));
+    switch (way->operation) {
+    case TONE_GAMMA:
+        return pow(TONE_GREY, -way->gamma);
+    case TONE_FILMIC:
+        return FILMIC_WHITE / 2 / TONE_GREY;
+    case TONE_LINEAR:
+    case TONE_WARD:
+        break;
     }
-    return (double)most;
+    return 1 / TONE_GREY;
 }
 
 static bool choose_white(const struct tone_way *way, const struct foveal *foveal,
-                         const struct image *image, struct toned *toned, struct error *error)
+                         struct toned *toned, struct error *error)
 {
     toned->log_mean = exp(foveal_log_mean(foveal));
     toned->white = way->white;
@@ -141,10 +147,7 @@ static bool choose_white(const struct tone_way *way, const struct foveal *foveal
     if (!isnan(way->white)) {
         return true;
     }
-    toned->white =
-        way->operation == TONE_GAMMA
-            ? brightest(image)
-            : toned->log_mean / TONE_GREY * (way->operation == TONE_FILMIC ? FILMIC_WHITE / 2 : 1);
+    toned->white = toned->log_mean * white_of_mean(way);
     return toned->white > 0 ||
            fail(error, ERROR_DOMAIN, "all is darker than %g cd/m2: {white} cannot be chosen",
                 SIGHT_LEAST);
@@ -155,7 +158,7 @@ bool tone_show(const struct tone_way *way, const struct foveal *foveal, struct i
 {
     const struct showing showing = {way, toned};
     *toned = (struct toned){.white = NAN};
-    if (!choose_white(way, foveal, image, toned, error)) {
+    if (!choose_white(way, foveal, toned, error)) {
         return false;
     }
     const struct curve curve = curve_of(&showing, arena);

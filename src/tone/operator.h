@@ -38,8 +38,8 @@ struct toned {
  *           F) - E/F, A 0.15, B 0.5, C 0.1, D 0.2, E 0.02, F 0.3; WARD histogram_shown. A share is
  *           (L_d - l)/(m - l). Of all but FILMIC the colours of a pixel keep their proportions, or
  *           are mixed with as bright a grey as far as the display cannot show them
- *           White, where it is chosen: LINEAR what makes the log mean TONE_GREY of it, FILMIC
- *           11.2/2 times that, GAMMA the brightest pixel
+ *           White, where it is chosen: LINEAR what makes the log mean TONE_GREY of it, GAMMA
+ *           what makes it s^(1/gamma) = TONE_GREY, FILMIC 11.2/2 times that of LINEAR
  * Source    [Hable10] for h, which takes a white paper for x = 2
  * Errors    as histogram_adjust
  * Limits    curves are tables of 256 steps an octave, with straight lines between: within 1e-6,

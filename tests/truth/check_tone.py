@@ -540,6 +540,13 @@ def check_operators(tone, checks):
         for made, pixel in zip(shown[7] if shown else [], scene[7]):
             wanted = min(100, max(0.5, 100 * curve(pixel[0] / white)))
             checks.check(abs(made[0] - wanted) < 1e-4 * wanted, f"{operator}: {pixel} {made} {wanted}")
+    # white by itself: even light becomes a middle grey, 18 % of the display's
+    tone.scene([[(37.0,) * 3 for _ in range(20)] for _ in range(20)])
+    for operator, white in (("linear", 37 / 0.18), ("gamma", 37 / 0.18 ** 2.2), ("filmic", 37 * 5.6 / 0.18)):
+        shown, said = tone.run("scene.pfm", "--operator", operator)
+        checks.check(f"{operator}: {white:.4g} cd/m2 become white" in said, f"{operator}: {said}")
+        if operator != "filmic" and shown:
+            checks.check(abs(shown[3][3][1] - 18) < 0.02, f"{operator}: {shown[3][3]}, not 18")
 
 
 def main():
