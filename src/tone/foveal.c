@@ -14,17 +14,16 @@ static size_t between(double x, size_t least, size_t most)
     return x < (double)least ? least : x > (double)most ? most : (size_t)x;
 }
 
-struct foveal foveal_look(const struct image *image, double angle, struct arena *arena)
+/* Means over so many cells of a picture that lies so wide on the plane. */
+static struct foveal sample(const struct image *image, double width, size_t columns, size_t rows,
+                            struct arena *arena)
 {
-    const double width = 2 * tan(angle / 2), pixel = width / (double)image->width;
+    const double pixel = width / (double)image->width;
     struct foveal foveal = {
-        .columns = between(width / RADIANS_PER_DEGREE + 0.5, 1, image->width),
-        .rows =
-            between(pixel * (double)image->height / RADIANS_PER_DEGREE + 0.5, 1, image->height)};
-    const size_t columns = foveal.columns, rows = foveal.rows;
-    foveal.cell[0] = width / (double)columns;
-    foveal.cell[1] = pixel * (double)image->height / (double)rows;
-    foveal.light = ARENA_ARRAY(arena, columns * rows * CHANNELS, float);
+        .columns = columns,
+        .rows = rows,
+        .light = ARENA_ARRAY(arena, columns * rows * CHANNELS, float),
+        .cell = {width / (double)columns, pixel * (double)image->height / (double)rows}};
     for (size_t r = 0; r < rows; r++) {
         const size_t top = r * image->height / rows, bottom = (r + 1) * image->height / rows;
         double *sums = ARENA_ARRAY(arena, columns * CHANNELS, double);
@@ -51,6 +50,14 @@ struct foveal foveal_look(const struct image *image, double angle, struct arena 
         }
     }
     return foveal;
+}
+
+struct foveal foveal_look(const struct image *image, double angle, struct arena *arena)
+{
+    const double width = 2 * tan(angle / 2), pixel = width / (double)image->width;
+    const double high = pixel * (double)image->height;
+    return sample(image, width, between(width / RADIANS_PER_DEGREE + 0.5, 1, image->width),
+                  between(high / RADIANS_PER_DEGREE + 0.5, 1, image->height), arena);
 }
 
 double foveal_luminance(const struct foveal *foveal, size_t cell)
@@ -187,12 +194,12 @@ struct foveal_between foveal_between(const struct foveal *foveal, double x, doub
         {(1 - u) * (1 - v), u * (1 - v), (1 - u) * v, u * v}};
 }
 
-/* Light of a cell's neighbours at a pixel. */
-static void veil_at(const struct foveal *foveal, const float *veil, const struct image *image,
+/* Light of a cell's neighbours at a pixel, one of so many across and down. */
+static void veil_at(const struct foveal *foveal, const float *veil, const size_t size[2],
                     size_t pixel, float light[CHANNELS])
 {
-    const double x = ((double)(pixel % image->width) + 0.5) / (double)image->width;
-    const double y = ((double)(pixel / image->width) + 0.5) / (double)image->height;
+    const double x = ((double)(pixel % size[0]) + 0.5) / (double)size[0];
+    const double y = ((double)(pixel / size[0]) + 0.5) / (double)size[1];
     const struct foveal_between at = foveal_between(foveal, x, y);
     for (size_t k = 0; k < CHANNELS; k++) {
         light[k] = 0;
@@ -205,10 +212,11 @@ static void veil_at(const struct foveal *foveal, const float *veil, const struct
 /* So much of the veil that it has all that was taken away, in each channel. */
 static void keep_light(const struct foveal *foveal, const struct image *image, float *veil)
 {
+    const size_t size[] = {image->width, image->height};
     double taken[CHANNELS] = {0}, given[CHANNELS] = {0};
     for (size_t i = 0; i < image->width * image->height; i++) {
         float light[CHANNELS];
-        veil_at(foveal, veil, image, i, light);
+        veil_at(foveal, veil, size, i, light);
         for (size_t k = 0; k < CHANNELS; k++) {
             taken[k] += SIGHT_VEIL * (double)image->pixels[CHANNELS * i + k];
             given[k] += (double)light[k];
@@ -220,13 +228,30 @@ static void keep_light(const struct foveal *foveal, const struct image *image, f
     }
 }
 
-void foveal_veil(struct foveal *foveal, struct image *image, struct arena *arena)
+/* The cells, or larger ones: their number counts twice over, as givers and as takers of light. */
+static struct foveal cells_for_veil(const struct foveal *foveal, const struct image *image,
+                                    struct arena *arena)
 {
-    const size_t count = foveal->columns * foveal->rows;
-    if (count < 2) {
-        return; /* light that goes nowhere else */
+    const double count = (double)(foveal->columns * foveal->rows);
+    if (count <= FOVEAL_VEIL_MOST) {
+        return *foveal;
     }
-    struct cells cells = cells_of(foveal, arena);
+    const double over = sqrt(FOVEAL_VEIL_MOST / count);
+    const size_t columns = between((double)foveal->columns * over, 1, FOVEAL_VEIL_MOST);
+    const size_t rows = between((double)foveal->rows * over, 1, (size_t)FOVEAL_VEIL_MOST / columns);
+    return sample(image, foveal->cell[0] * (double)foveal->columns, columns, rows, arena);
+}
+
+struct foveal_grid foveal_veil(struct foveal *foveal, struct image *image, struct arena *arena)
+{
+    const struct foveal coarse = cells_for_veil(foveal, image, arena);
+    const struct foveal_grid grid = {coarse.columns, coarse.rows};
+    const size_t size[] = {image->width, image->height};
+    const size_t places[] = {foveal->columns, foveal->rows}, count = grid.columns * grid.rows;
+    if (count < 2) {
+        return grid; /* light that goes nowhere else */
+    }
+    struct cells cells = cells_of(&coarse, arena);
     balance(&cells, arena);
     float *veil = ARENA_ARRAY(arena, count * CHANNELS, float);
     for (size_t i = 0; i < count; i++) {
@@ -236,16 +261,22 @@ void foveal_veil(struct foveal *foveal, struct image *image, struct arena *arena
             veil[CHANNELS * i + k] = (float)(SIGHT_VEIL * (double)cells.balance[i] * light[k]);
         }
     }
-    keep_light(foveal, image, veil);
+    keep_light(&coarse, image, veil);
     for (size_t i = 0; i < image->width * image->height; i++) {
         float light[CHANNELS];
-        veil_at(foveal, veil, image, i, light);
+        veil_at(&coarse, veil, size, i, light);
         for (size_t k = 0; k < CHANNELS; k++) {
             float *pixel = &image->pixels[CHANNELS * i + k];
             *pixel = (float)(1 - SIGHT_VEIL) * *pixel + light[k];
         }
     }
-    for (size_t i = 0; i < count * CHANNELS; i++) {
-        foveal->light[i] = (float)(1 - SIGHT_VEIL) * foveal->light[i] + veil[i];
+    for (size_t i = 0; i < foveal->columns * foveal->rows; i++) {
+        float light[CHANNELS];
+        veil_at(&coarse, veil, places, i, light);
+        for (size_t k = 0; k < CHANNELS; k++) {
+            float *cell = &foveal->light[CHANNELS * i + k];
+            *cell = (float)(1 - SIGHT_VEIL) * *cell + light[k];
+        }
     }
+    return grid;
 }

@@ -12,6 +12,13 @@ struct foveal {
     double cell[2]; /* across and down a cell on the plane at distance 1 */
 };
 
+/* How many cells there are. */
+struct foveal_grid {
+    size_t columns, rows;
+};
+
+enum { FOVEAL_VEIL_MOST = 8000 };
+
 /*
  * Look at a picture.
  *
@@ -33,9 +40,12 @@ double foveal_luminance(const struct foveal *foveal, size_t cell);
  * Source    [WardLarson97], after [MoonSpencer45]. There w is divided by its sum for the cell that
  *           receives light, so that light appears or gets lost at the edges; here none does, and an
  *           even picture stays even all the same
- * Result    the mean of all pixels is what it was, in each channel
+ * Result    the mean of all pixels is what it was, in each channel; the cells between which light
+ *           is scattered
+ * Limits    of more than FOVEAL_VEIL_MOST cells larger ones are taken: the work goes with the
+ *           square of their number
  */
-void foveal_veil(struct foveal *foveal, struct image *image, struct arena *arena);
+struct foveal_grid foveal_veil(struct foveal *foveal, struct image *image, struct arena *arena);
 
 /*
  * Between the middles of cells in straight lines, beyond the outermost as those.

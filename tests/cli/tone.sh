@@ -26,7 +26,14 @@ lenscalc tone scene.exr --falsecolor --scale 1,1000 --acuity --color-loss -o col
 lenscalc tone w-1.png w-2.png w-3.png --response debevec --curves curve.csv -o curve.pfm
 wc -l < curve.csv
 ls
-rm *.pfm *.hdr curve.csv
+# one pixel: too few places, no room for a scale; black is shown where the scale is given
+printf 'PF\n1 1\n-1.0\n\0\0\240\100\0\0\240\100\0\0\240\100' > five.pfm
+printf 'PF\n1 1\n-1.0\n\0\0\0\0\0\0\0\0\0\0\0\0' > black.pfm
+lenscalc tone five.pfm --operator linear -o five.png
+lenscalc tone five.pfm --operator linear --fov 2 -o five.png
+lenscalc tone five.pfm --operator gamma --white 5 -o five.png
+lenscalc tone black.pfm --falsecolor --scale 1,10 -o black.png
+rm *.pfm *.hdr curve.csv five.png black.png
 cp w-1.png plain=x.png
 lenscalc tone plain=x.png w-2.png -o named.png
 exec 2>&1
@@ -45,6 +52,12 @@ try w-1.png light.pfm --times 1,2
 try light.pfm light.pfm
 try w-1.png=1/0x w-2.png
 try w-1.png=0 w-2.png
+try w-1.png=1e-300 w-2.png
+try w-1.png w-2.png --times 1,1e300
+lenscalc tone w-1.png -o light.hdr 2> /dev/null
+try light.hdr=1/4
+try light.hdr light.hdr
+rm light.hdr
 try w-1.png w-2.png --times 1
 try w-1.png w-2.png --times 1,2,3
 try w-1.png w-2.png --times 1,x
@@ -78,6 +91,7 @@ try w-1.png w-2.png --calibrate 5 --iso 100
 try w-1.png --full-well 5
 try w-1.png --align
 try light.pfm=1 light.pfm=2 --read-noise 5
+try scene.exr scene.exr=1/4
 try scene.exr -N 4
 try light.pfm -N 4
 try w-1.png --iso 100 --operator linear --white 5 --fov 30

@@ -213,6 +213,31 @@ static void test_histogram(void)
     CHECK(error.code == ERROR_DOMAIN);
 }
 
+/* More places than light is scattered between: even green stays even, and red of a lamp is kept. */
+static void test_veil(void)
+{
+    enum { SIDE = 100, LAMP = 3 * (SIDE * 20 + 15), FAR = 3 * (SIDE * 30 + 30) };
+    float *pixels = ARENA_ARRAY(arena, SIDE * SIDE * 3, float);
+    struct image image = {.width = SIDE, .height = SIDE, .channels = 3, .pixels = pixels};
+    double before = 0, after = 0, off = 0;
+    for (size_t i = 0; i < SIDE * SIDE * 3; i++) {
+        pixels[i] = i == LAMP ? 1e5F : 2;
+        before += i % 3 == 0 ? (double)pixels[i] : 0;
+    }
+    struct foveal foveal = foveal_look(&image, 2.0, arena);
+    const struct foveal_grid grid = foveal_veil(&foveal, &image, arena);
+    CHECK(foveal.columns == SIDE && foveal.rows == SIDE);
+    CHECK(grid.columns == 89 && grid.rows == 89); /* 100 sqrt(8000/10000) = 89.4 */
+    for (size_t i = 0; i < SIDE * SIDE * 3; i += 3) {
+        after += (double)pixels[i];
+        off = fmax(off, fabs((double)pixels[i + 1] - 2));
+    }
+    CHECK_RELATIVE(after, before, 1e-5, "light");
+    CHECK_NEAR(off, 0, 0.01, "even");
+    CHECK(pixels[LAMP + 9] > pixels[FAR] && pixels[FAR] > 2);
+    CHECK_RELATIVE((double)foveal.light[FAR], (double)pixels[FAR], 1e-3, "places of one pixel");
+}
+
 /* Colours that the display does not have keep their luminance. */
 static void test_colours(void)
 {
@@ -274,6 +299,7 @@ int main(void)
     test_steep();
     test_sight();
     test_histogram();
+    test_veil();
     test_colours();
     test_align();
     arena_free(arena);

@@ -45,8 +45,8 @@ struct tone_frames {
 /*
  * Read all frames.
  *
- * Errors    as image_file_read and frame_take; a time that is missing, or given twice; frames of
- *           different sizes; raw data, densities
+ * Errors    as image_file_read and frame_take; a time that is missing, given twice or not from
+ *           1e-9 to 1e9 s; frames of different sizes; raw data, densities; luminances with a time
  */
 bool tone_frames_read(const struct tone_input *input, struct arena *arena,
                       struct tone_frames *frames, struct error *error);
@@ -71,7 +71,12 @@ bool tone_picture(const struct artifact_job *job, struct output *sink, struct er
 
 /* -------- commands/camera/tone_scale.c -------- */
 
-/* Luminance in colours, with a scale beside it. Given: range  of the scale, cd/m^2 */
+/*
+ * Luminance in false colours, with a scale beside it.
+ *
+ * Given     range    of the scale, cd/m^2
+ * Result    picture  as wide as the light where it is too low for a scale
+ */
 bool tone_falsecolor(const struct image *light, const double range[2], struct arena *arena,
                      struct image *picture, struct error *error);
 

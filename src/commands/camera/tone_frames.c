@@ -7,6 +7,9 @@
 #include <math.h>
 #include <string.h>
 
+/* Exposure times, s. */
+static const double TIME_LEAST = 1e-9, TIME_MOST = 1e9;
+
 /* Frames as they are read, one after the other. */
 struct reading {
     const struct tone_input *input;
@@ -38,16 +41,8 @@ static double noted(const struct image *image, const char *key, const struct dim
                : NAN;
 }
 
-static bool check_time(double time, struct text text, struct error *error)
-{
-    return (time > 0 && !isinf(time)) ||
-           fail(error, ERROR_USAGE, "the exposure time '%.*s' must be above 0 s", text_shown(text),
-                text.start);
-}
-
 /* FILE=1/60 is a name and a time where a time stands behind the last '='; else all is a name. */
-static bool cut_time(struct text word, struct arena *arena, const char **path, double *time,
-                     struct error *error)
+static void cut_time(struct text word, struct arena *arena, const char **path, double *time)
 {
     size_t at = word.length;
     struct error ignored;
@@ -58,11 +53,10 @@ static bool cut_time(struct text word, struct arena *arena, const char **path, d
     const struct text behind = {word.start + at, word.length - at};
     if (at > 1 && quantity_read(behind, &dimension_time, NULL, time, NULL, &ignored)) {
         *path = arena_string(arena, word.start, at - 1);
-        return check_time(*time, behind, error);
+        return;
     }
     *time = NAN;
     *path = arena_string(arena, word.start, word.length);
-    return true;
 }
 
 /* The next of --times. */
@@ -79,9 +73,8 @@ static bool take_time(struct reading *reading, double *time, struct error *error
                     reading->input->times);
     }
     const struct text text = text_trim(text_cut(&reading->times, ','));
-    return (quantity_read(text, &dimension_time, NULL, time, NULL, error) ||
-            error_prefix(error, "{--times}: ")) &&
-           check_time(*time, text, error);
+    return quantity_read(text, &dimension_time, NULL, time, NULL, error) ||
+           error_prefix(error, "{--times}: ");
 }
 
 /* What cannot be light. */
@@ -110,9 +103,26 @@ static bool check_alike(const struct tone_frames *frames, const struct tone_fram
 {
     const struct tone_frame *first = &frames->frames[0];
     return (frame->bits == 0) == (first->bits == 0) ||
-           fail(error, ERROR_DATA, "it has %s, and %.200s %s",
+           fail(error, ERROR_DATA, "it holds %s, and %.200s %s",
                 frame->bits == 0 ? "floats" : "whole numbers", first->name,
                 first->bits == 0 ? "floats" : "whole numbers");
+}
+
+/* Luminance needs no exposure, and pictures of it are no bracket. */
+static bool check_unit(const struct reading *reading, const struct image *image, bool is_timed,
+                       size_t i, struct error *error)
+{
+    const char *const units[] = {note_of(image, "Unit"), reading->frames->unit};
+    for (size_t k = 0; k < sizeof units / sizeof units[0]; k++) {
+        if (units[k] != NULL && strcmp(units[k], "cd/m2") == 0 && (is_timed || i > 0)) {
+            return fail(
+                error, ERROR_DATA,
+                "%.200s holds luminance, cd/m2: it takes no exposure time, and is no frame of "
+                "a bracket",
+                k == 0 ? "it" : reading->frames->frames[0].name);
+        }
+    }
+    return true;
 }
 
 static void take_notes(struct reading *reading, const struct image *image, size_t i)
@@ -140,7 +150,8 @@ static bool read_one(struct reading *reading, const char *path, double time, siz
         done = check_kind(&image, error) && frame_take(&image, reading->arena, frame, error);
         frame->name = path;
         frame->time = isnan(time) ? noted(&image, "Exposure time", &dimension_time) : time;
-        done = done && check_size(reading->frames, frame, error) &&
+        done = done && check_unit(reading, &image, !isnan(time), i, error) &&
+               check_size(reading->frames, frame, error) &&
                check_alike(reading->frames, frame, error);
         done = done || error_locate(error, path, 0, 0);
         take_notes(reading, &image, i);
@@ -150,10 +161,10 @@ static bool read_one(struct reading *reading, const char *path, double time, siz
 }
 
 /* One needs no time to be looked at; of several each has its own. */
-static bool check_times(const struct tone_frames *frames, struct error *error)
+static bool check_timed(const struct tone_frames *frames, struct error *error)
 {
     for (size_t i = 0; i < frames->count; i++) {
-        struct tone_frame *frame = &frames->frames[i];
+        const struct tone_frame *frame = &frames->frames[i];
         if (isnan(frame->time) && frames->count > 1) {
             fail(error, ERROR_USAGE, "nothing says how long %.200s was exposed", frame->name);
             return error_hint(error, "write FILE=1/60 for each, or {--times} 1/15,1/60");
@@ -186,6 +197,20 @@ static bool settle(const struct tone_frames *frames, const double *values, doubl
     return true;
 }
 
+/* Weights go with squares of times, in single precision. */
+static bool check_times(const struct tone_frames *frames, struct error *error)
+{
+    for (size_t i = 0; i < frames->count; i++) {
+        const struct tone_frame *frame = &frames->frames[i];
+        if (!isnan(frame->time) && !(frame->time >= TIME_LEAST && frame->time <= TIME_MOST)) {
+            return fail(error, frames->is_timed ? ERROR_USAGE : ERROR_DATA,
+                        "the exposure time of %.200s is %.6g s: it must be from %g to %g s",
+                        frame->name, frame->time, TIME_LEAST, TIME_MOST);
+        }
+    }
+    return true;
+}
+
 bool tone_frames_read(const struct tone_input *input, struct arena *arena,
                       struct tone_frames *frames, struct error *error)
 {
@@ -202,7 +227,8 @@ bool tone_frames_read(const struct tone_input *input, struct arena *arena,
         if (frames->count == FRAMES_MOST) {
             return fail(error, ERROR_USAGE, "at most %d frames can be merged", FRAMES_MOST);
         }
-        if (!cut_time(word, arena, &path, &time, error) || !take_time(&reading, &time, error)) {
+        cut_time(word, arena, &path, &time);
+        if (!take_time(&reading, &time, error)) {
             return false;
         }
         frames->is_timed = frames->is_timed || !isnan(time);
@@ -214,7 +240,8 @@ bool tone_frames_read(const struct tone_input *input, struct arena *arena,
         return fail(error, ERROR_USAGE, "{--times} '%.100s' has more times than the %zu frames",
                     input->times, frames->count);
     }
-    return check_times(frames, error) &&
+    return check_timed(frames, error) && check_times(frames, error) &&
            settle(frames, reading.iso, 1, "ISO speed", &frames->iso, error) &&
-           settle(frames, reading.fnumber, -2, "f-number", &frames->fnumber, error);
+           settle(frames, reading.fnumber, -2, "f-number", &frames->fnumber, error) &&
+           check_times(frames, error);
 }

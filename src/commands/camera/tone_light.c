@@ -162,13 +162,13 @@ static bool check_asked(const struct tone_input *input, const struct tone_frames
 {
     const bool has_noise = !isnan(input->full_well) || !isnan(input->read_noise);
     if (frames->count == 1 && (has_noise || input->align)) {
-        return fail(error, ERROR_USAGE, "{--%s} is of several frames",
+        return fail(error, ERROR_USAGE, "{--%s} needs several frames",
                     input->align               ? "align"
                     : !isnan(input->full_well) ? "full-well"
                                                : "read-noise");
     }
     return !(has_noise && frames->frames[0].bits == 0) ||
-           fail(error, ERROR_USAGE, "{--%s} is of whole numbers, and %.200s has floats",
+           fail(error, ERROR_USAGE, "{--%s} works only with whole numbers, and %.200s holds floats",
                 !isnan(input->full_well) ? "full-well" : "read-noise", frames->frames[0].name);
 }
 

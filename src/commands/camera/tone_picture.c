@@ -11,6 +11,7 @@
 #include <string.h>
 
 enum { FEW_CELLS = 64 };
+static const double LARGE_CELL = 1.5; /* degrees */
 
 const struct file_type *tone_picture_types(size_t i)
 {
@@ -67,11 +68,12 @@ static bool check_operator(const struct artifact_job *job, struct error *error)
               {"white",
                1U << (ASKED_FIRST + TONE_LINEAR) | 1U << (ASKED_FIRST + TONE_GAMMA) |
                    1U << (ASKED_FIRST + TONE_FILMIC),
-               "linear, gamma and filmic"},
-              {"display", ~(1U << ASKED_NONE), "a display"}};
+               "linear, gamma or filmic"},
+              {"display", ~(1U << ASKED_NONE), "linear, gamma, filmic or ward"}};
     for (size_t i = 0; i < sizeof of / sizeof of[0]; i++) {
         if (asking_given(job->asking, of[i].option) && (of[i].serves & 1U << asked) == 0) {
-            return fail(error, ERROR_USAGE, "{--%s} is of %s%s", of[i].option, of[i].whom,
+            return fail(error, ERROR_USAGE, "{--%s} works only with {--operator} %s%s",
+                        of[i].option, of[i].whom,
                         asked == ASKED_NONE ? ": this writes the light itself" : "");
         }
     }
@@ -113,8 +115,8 @@ static bool needs_view(const struct artifact_job *job)
 {
     const struct tone_input *input = job->inputs[0];
     const int asked = asked_of(job);
-    const bool chooses = isnan(input->white) && asked != ASKED_FIRST + (int)TONE_GAMMA;
-    return input->glare || input->acuity || (!input->falsecolor && asked != ASKED_NONE && chooses);
+    return input->glare || input->acuity ||
+           (!input->falsecolor && asked != ASKED_NONE && isnan(input->white));
 }
 
 bool tone_picture_check(const struct artifact_job *job, struct error *error)
@@ -125,10 +127,14 @@ bool tone_picture_check(const struct artifact_job *job, struct error *error)
         fail(error, ERROR_USAGE, "no picture is given");
         return error_hint(error, "name one, or a bracket: a.jpg=1/60 b.jpg=1/15");
     }
+    if (input->response == RESPONSE_DEBEVEC &&
+        strchr(input->files, OPTION_MANY_SEPARATOR) == NULL) {
+        return fail(error, ERROR_USAGE, "{--response} debevec needs at least two frames");
+    }
     if (asking_given(job->asking, "fov") && !needs_view(job)) {
         return fail(error, ERROR_USAGE,
-                    "{--fov} says nothing here: {--glare}, {--acuity}, ward and "
-                    "means by logarithms ask for it");
+                    "{--fov} has no effect here: only {--glare}, {--acuity}, ward and an operator "
+                    "that chooses its white use it");
     }
     return check_bits(input, job, error) &&
            (input->falsecolor ? check_colours(job, error) : check_operator(job, error)) &&
@@ -137,23 +143,36 @@ bool tone_picture_check(const struct artifact_job *job, struct error *error)
 
 /* -------- what an eye sees -------- */
 
-static struct foveal look(const struct tone_input *input, const struct image *image,
-                          struct arena *arena, struct growing *remarks)
+/* In places of about a degree; no place is smaller than a pixel. */
+static void say_places(const struct foveal *foveal, double view, struct growing *remarks)
 {
-    const struct foveal foveal = foveal_look(image, input->view, arena);
-    growing_format(remarks,
-                   "the eye looks about in %zu x %zu places of 1 degree: %.4g degrees wide\n",
-                   foveal.columns, foveal.rows, input->view / RADIANS_PER_DEGREE);
-    if (foveal.columns * foveal.rows < FEW_CELLS) {
-        growing_format(remarks, "warning: places of 1 degree are few in so narrow a view\n");
+    const double cell = fmax(foveal->cell[0], foveal->cell[1]);
+    const double across = 2 * atan(cell / 2) / RADIANS_PER_DEGREE;
+    growing_format(
+        remarks, "the eye looks about in %zu x %zu places of %.2g deg; the view is %.4g deg wide\n",
+        foveal->columns, foveal->rows, across, view / RADIANS_PER_DEGREE);
+    if (across > LARGE_CELL) {
+        growing_format(remarks, "warning: the picture has too few pixels for places of 1 degree\n");
+    } else if (foveal->columns * foveal->rows < FEW_CELLS) {
+        growing_format(remarks, "warning: so small a view has few places of 1 degree\n");
     }
-    return foveal;
+}
+
+static void scatter(struct foveal *foveal, struct image *image, struct growing *remarks)
+{
+    const struct foveal_grid grid = foveal_veil(foveal, image, remarks->arena);
+    if (grid.columns != foveal->columns || grid.rows != foveal->rows) {
+        growing_format(remarks,
+                       "light is scattered between %zu x %zu larger places, to save time\n",
+                       grid.columns, grid.rows);
+    }
 }
 
 /* In the order in which the eye does it. */
 static bool see(const struct tone_input *input, struct foveal *foveal, struct image *image,
-                struct arena *arena, struct error *error)
+                struct growing *remarks, struct error *error)
 {
+    struct arena *const arena = remarks->arena;
     struct image made;
     if (input->acuity) {
         if (!acuity_blur(foveal, image, arena, &made, error)) {
@@ -162,7 +181,7 @@ static bool see(const struct tone_input *input, struct foveal *foveal, struct im
         *image = made;
     }
     if (input->glare) {
-        foveal_veil(foveal, image, arena);
+        scatter(foveal, image, remarks);
     }
     if (input->color_loss) {
         acuity_fade(image);
@@ -247,7 +266,7 @@ static bool colour(const struct tone_input *input, struct image *image, struct g
         range[0] = luminance > 0 ? fmin(range[0], luminance) : range[0];
         range[1] = fmax(range[1], luminance);
     }
-    if (!(range[1] > 0)) {
+    if (!(range[1] > 0) && input->scale == NULL) {
         return fail(error, ERROR_DOMAIN, "all is black: there is no luminance to be shown");
     }
     range[1] = pow(10, ceil(log10(range[1]) - 1e-9));
@@ -261,6 +280,9 @@ static bool colour(const struct tone_input *input, struct image *image, struct g
                    range[0], range[1], beyond(image, range));
     if (!tone_falsecolor(image, range, remarks->arena, &picture, error)) {
         return false;
+    }
+    if (picture.width == image->width) {
+        growing_format(remarks, "warning: the picture is too low for a scale beside it\n");
     }
     *image = picture;
     return true;
@@ -280,9 +302,12 @@ static bool make(const struct artifact_job *job, struct image *image, struct gro
     const bool is_shown = !input->falsecolor && asked_of(job) != ASKED_NONE;
     struct foveal foveal = {.columns = 0};
     if (is_shown || input->glare || input->acuity) {
-        foveal = look(input, image, remarks->arena, remarks);
+        foveal = foveal_look(image, input->view, remarks->arena);
     }
-    if (!see(input, &foveal, image, remarks->arena, error)) {
+    if (needs_view(job)) {
+        say_places(&foveal, input->view, remarks);
+    }
+    if (!see(input, &foveal, image, remarks, error)) {
         return false;
     }
     note(image, remarks->arena, "Software", "lenscalc " LENSCALC_VERSION);

@@ -8,7 +8,7 @@
 
 #include <math.h>
 
-enum { CHANNELS = 3, LETTERS = 8, HEIGHT_OF_SIZE = 240, BAR = 6, GAP = 3 };
+enum { CHANNELS = 3, LETTERS = 8, HEIGHT_OF_SIZE = 240, LEAST_LINES = 4, BAR = 6, GAP = 3 };
 
 /* The colour of a place on the scale. */
 static void put_colour(double share, float *pixel)
@@ -68,8 +68,9 @@ bool tone_falsecolor(const struct image *light, const double range[2], struct ar
                      struct image *picture, struct error *error)
 {
     const size_t size = light->height / HEIGHT_OF_SIZE + 1;
+    const bool has_scale = light->height >= LEAST_LINES * LETTERING_HIGH;
     *picture = *light;
-    picture->width += size * (GAP + BAR + 1 + LETTERS * LETTERING_STEP);
+    picture->width += has_scale ? size * (GAP + BAR + 1 + LETTERS * LETTERING_STEP) : 0;
     if (!image_new(picture, arena, error)) {
         return false;
     }
@@ -81,6 +82,8 @@ bool tone_falsecolor(const struct image *light, const double range[2], struct ar
             put_colour(share_of(luminance, range), to + CHANNELS * x);
         }
     }
-    draw_scale(picture, light->width, size, range, arena);
+    if (has_scale) {
+        draw_scale(picture, light->width, size, range, arena);
+    }
     return true;
 }
