@@ -46,5 +46,28 @@ for threads in 1 3 4; do
     cmp said.1 said.$threads
 done
 cut -d: -f 3- said.1
+# the gap to the image plane is not the refocus, which stays
+try double-gauss --gap last --show sensitivity --digits 3 | sed -n '1,4p'
+# best focus takes back what a focus is off by: nobody is to blame
+echo 'tolerance focus 0.1mm' > focus.txt
+try double-gauss --tolerances focus.txt --show offenders --columns share_first,share_total --csv
+# in the unit that is printed
+for asked in 'mtf@20/mm -N 8 --limit 40%' 'wavefront --limit 2waves' 'distortion --limit 2%'; do
+    try double-gauss --criterion $asked --trials 5 --columns limit --csv
+done
+for limit in 120% 1 2waves; do
+    try double-gauss --criterion mtf@20/mm -N 8 --limit $limit --trials 5
+done
+try double-gauss --limit 2% --trials 5
+# one thing is adjusted once
+try double-gauss --gap 5 --adjust t5 --trials 5
+# what notes say of a figure that a lens has not
+try double-gauss --trials 5 --save trial:2 -o made.lens --columns trials --csv
+grep note made.lens
+# without diameters a grade cannot be, but lines can
+printf '%s\n' 'field angle 0 1' 'aperture f/8' 'surface 100 5 1.5 -' 'surface -100 95 air -' > bare.lens
+try bare.lens --trials 5
+echo 'tolerance R1..R2 0.1%' > radii.txt
+try bare.lens --tolerances radii.txt --trials 5 --columns trials --csv
 # a part is no lens
 try double-gauss --part 1/2 --save worst:1 -o one.lens

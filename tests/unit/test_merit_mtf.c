@@ -267,6 +267,11 @@ int main(void)
         {{"mirrors moved", mirrors, "R2 t2 tilt_x3 bend_tilt_y3 bend_decenter_x4", low, 0}, &stop},
         {{"zoom", zoom, "R1 R3 t1 n3 t7 V1", low, 0}, &stop},
     };
+    /* the operand of 0, 1/2 and 1 millionth, and of what is above */
+    CHECK(merit_mtf_contrast(0.5e-6) == 0);
+    CHECK_NEAR(merit_mtf_contrast(0.625e-6), 0.5e-6, 1e-18, "half a millionth");
+    CHECK_NEAR(merit_mtf_contrast(1e-6), 1e-6, 1e-18, "a millionth");
+    CHECK(merit_mtf_contrast(0.3) == 0.3);
     if (sizeof(real) == sizeof(double)) {
         printf("contrast: skipped, no number has more than 53 bits\n");
         return check_report();

@@ -77,6 +77,27 @@ static const char *rays_in_words(const struct tolerance_job *job)
                         job->question.view.clip ? "clipped" : "not clipped", aimed);
 }
 
+double tolerance_move_scale(const struct compensator *one, const char **unit)
+{
+    static const double degrees = 57.295779513082323;
+    const bool is_angle = (parameter_type(one->parts[0].what.kind)->is & PARAMETER_IS_ANGLE) != 0;
+    *unit = is_angle ? "deg" : "mm";
+    return is_angle ? degrees : 1;
+}
+
+const char *tolerance_moves_in_words(const struct tolerance_job *job, const double *moves)
+{
+    const char *words = NULL;
+    for (size_t i = 0; i < job->question.compensator_count; i++) {
+        const char *unit;
+        const double scale = tolerance_move_scale(&job->question.compensators[i], &unit);
+        words = arena_printf(job->run->arena, "%s%s%s %.6g %s", words != NULL ? words : "",
+                             words != NULL ? ", " : "", job->question.compensators[i].name,
+                             moves[i + 1] * scale, unit);
+    }
+    return words;
+}
+
 struct tolerance_about tolerance_about_of(const struct tolerance_job *job)
 {
     const struct tolerance_input *input = job->input;

@@ -64,4 +64,11 @@ const char *tolerance_name_of(const struct tolerance_job *job,
 const char *tolerance_position_of(const struct tolerance_job *job,
                                   const struct tolerance_figure *figure);
 
+/* What movements of a compensator are multiplied with to be in `unit`: mm, or of angles deg. */
+double tolerance_move_scale(const struct compensator *one, const char **unit);
+
+/* "5:-1 0.02 mm, ay9 0.1 deg" of the movements of a lens, the refocus first, which is left out;
+   null: nothing else is adjusted. */
+const char *tolerance_moves_in_words(const struct tolerance_job *job, const double *moves);
+
 #endif

@@ -77,6 +77,27 @@ static bool is_adjusted(enum parameter_kind kind)
     return kind == PARAMETER_THICKNESS || (kind >= PARAMETER_DECENTER_X && kind < PARAMETER_KINDS);
 }
 
+/* Two that move one thing would share its movement as they like. */
+static bool check_twice(const struct compensator *list, size_t count, struct error *error)
+{
+    const struct compensator *last = &list[count - 1];
+    for (size_t i = 0; i + 1 < count; i++) {
+        for (size_t a = 0; a < list[i].part_count; a++) {
+            for (size_t b = 0; b < last->part_count; b++) {
+                const struct compensator_part *one = &list[i].parts[a], *other = &last->parts[b];
+                const bool meets = one->position == other->position || one->position == LENS_NONE ||
+                                   other->position == LENS_NONE;
+                if (meets && parameter_is_same(one->what, other->what)) {
+                    return fail(error, ERROR_USAGE,
+                                "{--adjust} %s is adjusted already, by %s: once is enough",
+                                last->name, list[i].name);
+                }
+            }
+        }
+    }
+    return true;
+}
+
 static bool add_adjusted(struct tolerance_job *job, struct compensator *list, size_t *count,
                          struct error *error)
 {
@@ -108,6 +129,9 @@ static bool add_adjusted(struct tolerance_job *job, struct compensator *list, si
         *part = (struct compensator_part){one->what, one->position, 1};
         list[(*count)++] =
             (struct compensator){part, 1, one->low - now, one->high - now, one->name};
+        if (!check_twice(list, *count, error)) {
+            return false;
+        }
     }
     return true;
 }
@@ -130,6 +154,23 @@ static bool ask_compensators(struct tolerance_job *job, struct error *error)
 
 /* -------- the criterion -------- */
 
+static bool is_percent(struct text text)
+{
+    return text.length > 0 && text.start[text.length - 1] == '%';
+}
+
+/* Numbers have no units: that of a criterion, as it is printed, is for people. */
+static struct text without_unit(struct text text, const struct criterion_type *type)
+{
+    const char *unit = strcmp(type->unit, "1") == 0 ? "%" : type->unit;
+    const size_t length = strlen(unit);
+    if (type->dimension == &dimension_number && text.length > length &&
+        memcmp(text.start + text.length - length, unit, length) == 0) {
+        text.length -= length;
+    }
+    return text;
+}
+
 /* A figure above 0; by the name of what it is. */
 static bool read_figure(const char *what, struct text text, enum criterion_kind kind,
                         double *figure, struct error *error)
@@ -137,10 +178,14 @@ static bool read_figure(const char *what, struct text text, enum criterion_kind 
     const struct criterion_type *type = criterion_type(kind);
     const bool is_length = type->dimension == &dimension_length;
     const struct unit *unit = is_length ? unit_find(type->dimension, text_of(type->unit)) : NULL;
-    return quantity_read(text, type->dimension, unit, figure, NULL, error) &&
-           ((isfinite(*figure) && *figure > 0) ||
-            fail(error, ERROR_USAGE, "{--%s} '%.*s' must be finite and above 0", what,
-                 text_shown(text), text.start));
+    const double most = kind == CRITERION_MTF ? 1 : INFINITY;
+    if (!quantity_read(without_unit(text, type), type->dimension, unit, figure, NULL, error)) {
+        return false;
+    }
+    *figure /= kind == CRITERION_MTF && is_percent(text) ? 100 : 1;
+    return (*figure > 0 && *figure < most && isfinite(*figure)) ||
+           fail(error, ERROR_USAGE, "{--%s} '%.*s' must be %s", what, text_shown(text), text.start,
+                kind == CRITERION_MTF ? "a contrast above 0 and below 1" : "finite and above 0");
 }
 
 /* "worst:3", "trial:17". */
@@ -236,8 +281,7 @@ static bool ask_view(struct tolerance_job *job, struct error *error)
                                     .fnumber = question->fnumber,
                                     .clip = input->clip || (!input->no_clip && !is_contrast),
                                     .pattern = (enum pattern)input->pattern,
-                                    .rays = (size_t)input->rays,
-                                    .seed = (uint64_t)input->seed};
+                                    .rays = (size_t)input->rays}; /* the same for any seed */
     return lens_positions(question->lens.lens, names, arena, &view->positions,
                           &view->position_count, error) &&
            lens_fields_asked(question, view->positions[0], fields, error);

@@ -64,6 +64,7 @@ static struct range range_of(const struct perturbation *one)
 struct sensitivity_row {
     struct tolerance_about about;
     const char *perturbation, *range_unit, *position, *criterion, *of, *unit;
+    const char *moves;
     double range, field, height, linear, quadratic, plus, minus, compensation;
 };
 
@@ -86,9 +87,13 @@ static const struct column sensitivity_columns[] = {
     CHANGE(quadratic, "half of the sum of both changes: what does not depend on the sign"),
     CHANGE(plus, "change of the figure with the whole tolerance; absent where the lens has none"),
     CHANGE(minus, "the same with the opposite sign"),
-    {COLUMN(struct sensitivity_row, compensation), .flags = COLUMN_BRIEF, .digits = 4,
-     .name = "compensation", .dimension = &dimension_length, .unit = "mm", .label = "compensation",
-     .help = "how far the image plane moves with plus"},
+    {COLUMN(struct sensitivity_row, compensation), .flags = COLUMN_BRIEF | COLUMN_SPARSE,
+     .digits = 4, .name = "compensation", .dimension = &dimension_length, .unit = "mm",
+     .label = "compensation",
+     .help = "how far the image plane moves with plus; absent where something else is adjusted and "
+             "--refocus is none"},
+    {COLUMN(struct sensitivity_row, moves), .flags = COLUMN_BRIEF | COLUMN_SPARSE, .name = "moves",
+     .label = "moves", .help = "what else is adjusted, and how far with plus"},
     TOLERANCE_ABOUT_COLUMNS(struct sensitivity_row),
 };
 
@@ -105,6 +110,9 @@ bool tolerance_emit_sensitivity(struct tolerance_job *job, struct error *error)
     const struct tolerance *tolerance = &job->tolerance;
     const struct criterion_type *type = criterion_type(job->question.criterion.kind);
     const struct tolerance_about about = tolerance_about_of(job);
+    const bool holds_plane = /* but for what else is adjusted */
+        tolerance->question.refocus == REFOCUS_NONE && job->question.compensator_count > 0;
+    double *moves = ARENA_ARRAY(arena, tolerance_moves(tolerance), double);
     struct tolerance_model *model = ARENA_NEW(arena, struct tolerance_model);
     const char *failure;
     (void)error;
@@ -122,26 +130,29 @@ bool tolerance_emit_sensitivity(struct tolerance_job *job, struct error *error)
     for (size_t i = 0; i < done; i++) {
         const struct perturbation *one = &job->question.perturbations[i];
         const struct range range = range_of(one);
+        for (size_t m = 0; m < tolerance_moves(tolerance); m++) {
+            moves[m] = table[i * figures + tolerance->figure_count + m].plus;
+        }
         for (size_t f = 0; f < tolerance->figure_count; f++) {
             const struct sensitivity *at = &table[i * figures + f];
             const struct tolerance_figure *figure = &tolerance->figures[f];
             const double y = figure->field != NULL ? figure->field->point.value[1] : NAN;
-            const struct sensitivity_row row = {
-                .about = about,
-                .perturbation = one->name,
-                .range = one->amount * range.scale,
-                .range_unit = range.unit,
-                .position = tolerance_position_of(job, figure),
-                .criterion = job->question.criterion.name,
-                .of = tolerance_name_of(job, figure),
-                .unit = type->unit,
-                .field = is_angle(figure) ? y : NAN,
-                .height = is_angle(figure) ? NAN : y,
-                .linear = type->scale * at->linear,
-                .quadratic = type->scale * at->quadratic,
-                .plus = type->scale * at->plus,
-                .minus = type->scale * at->minus,
-                .compensation = table[i * figures + tolerance->figure_count].plus};
+            const struct sensitivity_row row = {.about = about,
+                                                .perturbation = one->name,
+                                                .range = one->amount * range.scale,
+                                                .range_unit = range.unit,
+                                                .position = tolerance_position_of(job, figure),
+                                                .criterion = job->question.criterion.name,
+                                                .of = tolerance_name_of(job, figure),
+                                                .unit = type->unit,
+                                                .field = is_angle(figure) ? y : NAN,
+                                                .height = is_angle(figure) ? NAN : y,
+                                                .linear = type->scale * at->linear,
+                                                .quadratic = type->scale * at->quadratic,
+                                                .plus = type->scale * at->plus,
+                                                .minus = type->scale * at->minus,
+                                                .moves = tolerance_moves_in_words(job, moves),
+                                                .compensation = holds_plane ? NAN : moves[0]};
             if (!run_emit(job->run, &row)) {
                 return true;
             }
@@ -406,6 +417,17 @@ static int by_share(const void *a, const void *b)
                                                       : 1;
 }
 
+/* What figures, of roots their squares, spread by rounding alone. */
+static double rounding_of(const struct differential_problem *problem, const double *nominal)
+{
+    const double rounding = 1e-9; /* of second differences */
+    double sum = 0;
+    for (size_t f = 0; f < problem->judged_count; f++) {
+        sum += problem->is_root[f] ? nominal[f] * nominal[f] : fabs(nominal[f]);
+    }
+    return rounding * sum / (double)problem->judged_count;
+}
+
 bool tolerance_offenders(struct tolerance_job *job, struct tolerance_offender **offenders,
                          double *deviation, struct error *error)
 {
@@ -423,6 +445,10 @@ bool tolerance_offenders(struct tolerance_job *job, struct tolerance_offender **
         moments[i] = perturbation_moments(&job->question.perturbations[i]);
     }
     *deviation = differential_shares(&differential, moments, LENS_NONE, shares);
+    if (*deviation <= rounding_of(&model->problem, model->nominal)) {
+        *deviation = 0;
+        memset(shares, 0, n * sizeof *shares);
+    }
     *offenders = ARENA_ARRAY(arena, n + 1, struct tolerance_offender);
     for (size_t i = 0; i < n; i++) {
         (*offenders)[i] = (struct tolerance_offender){i, shares[i]};

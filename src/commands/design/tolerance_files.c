@@ -1,6 +1,7 @@
 /* commands/design/tolerance_files.c - lenses as they may be made, and parts of a divided run. */
 /* SPDX-License-Identifier: MIT */
 #include "commands/design/fit.h"
+#include "commands/design/tolerance_about.h"
 #include "commands/design/tolerance_job.h"
 #include "file/lens_file.h"
 
@@ -58,6 +59,16 @@ bool tolerance_check_output(const struct artifact_job *job, struct error *error)
                 job->path != NULL ? job->path : "");
 }
 
+/* What the figure is by, and what of the trial the lens cannot have. */
+static void note_view(const struct tolerance_job *job, struct lens *lens)
+{
+    struct arena *arena = job->run->arena;
+    fit_note(lens, arena_printf(arena, "that is by rays %s", tolerance_about_of(job).rays), arena);
+    if (job->tolerance.irregularity_count > 0) {
+        fit_note(lens, "without the irregularity of its surfaces, which is in that figure", arena);
+    }
+}
+
 /* The lens of a trial, which is made once more. */
 static bool save_trial(struct tolerance_job *job, uint64_t number, struct output *sink,
                        struct error *error)
@@ -87,6 +98,7 @@ static bool save_trial(struct tolerance_job *job, uint64_t number, struct output
                           type->scale * tolerance_judged(tolerance, job->trials.of, trial.figures),
                           type->unit),
              arena);
+    note_view(job, lens);
     if (lens->source != NULL) {
         fit_note(lens, arena_printf(arena, "made after: %s", lens->source), arena);
         lens->source = NULL;

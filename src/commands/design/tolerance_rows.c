@@ -75,22 +75,13 @@ static const struct column summary_columns[] = {
 
 static const struct sheet summary_sheet = SHEET(summary_columns, struct summary_row);
 
-/* Angles in degrees. */
-static double in_degrees(const struct compensator *one, const char **unit)
-{
-    static const double degrees = 57.295779513082323;
-    const bool is_angle = (parameter_type(one->parts[0].what.kind)->is & PARAMETER_IS_ANGLE) != 0;
-    *unit = is_angle ? "deg" : "mm";
-    return is_angle ? degrees : 1;
-}
-
 static const char *moves_in_words(const struct tolerance_job *job)
 {
     const char *words = NULL;
     for (size_t i = 0; i < job->question.compensator_count; i++) {
         const struct tally_moments moments = tally_moments(&job->result.moves[i + 1]);
         const char *unit;
-        const double scale = in_degrees(&job->question.compensators[i], &unit);
+        const double scale = tolerance_move_scale(&job->question.compensators[i], &unit);
         words = arena_printf(job->run->arena, "%s%s%s %.4g +- %.4g %s", words != NULL ? words : "",
                              words != NULL ? ", " : "", job->question.compensators[i].name,
                              moments.mean * scale, moments.sd * scale, unit);
@@ -262,19 +253,6 @@ static void hear(void *context, size_t at, bool found, const struct tolerance_tr
     kept->why = trial->why;
 }
 
-static const char *trial_moves(const struct tolerance_job *job, const double *moves)
-{
-    const char *words = NULL;
-    for (size_t i = 0; i < job->question.compensator_count; i++) {
-        const char *unit;
-        const double scale = in_degrees(&job->question.compensators[i], &unit);
-        words = arena_printf(job->run->arena, "%s%s%s %.6g %s", words != NULL ? words : "",
-                             words != NULL ? ", " : "", job->question.compensators[i].name,
-                             moves[i + 1] * scale, unit);
-    }
-    return words;
-}
-
 static bool emit_trial(struct tolerance_job *job, uint64_t number, bool found,
                        const struct tolerance_trial *trial, const struct tolerance_about *about)
 {
@@ -292,7 +270,7 @@ static bool emit_trial(struct tolerance_job *job, uint64_t number, bool found,
             .criterion = job->question.criterion.name,
             .of = tolerance_name_of(job, column->of),
             .unit = type->unit,
-            .moves = found ? trial_moves(job, trial->moves) : NULL,
+            .moves = found ? tolerance_moves_in_words(job, trial->moves) : NULL,
             .why = found ? NULL : trial->why.message,
             .figure = found ? type->scale * figure : NAN,
             .refocus = found ? trial->moves[0] : NAN,

@@ -17,6 +17,11 @@ enum { TANGENTIAL, SAGITTAL, DIRECTIONS, RAYS_MOST = 1000 };
 /* |S| has no derivative at 0. */
 static const double least = 1e-6;
 
+double merit_mtf_contrast(double operand)
+{
+    return operand < least ? sqrt(fmax(2 * operand - least, 0) * least) : operand;
+}
+
 /* One field at one wavelength. */
 struct mtf_pupil {
     struct pupil_wave *wave;

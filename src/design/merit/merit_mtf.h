@@ -25,6 +25,9 @@
 merit_fill merit_fill_mtf;
 merit_prepare merit_prepare_mtf;
 
+/* The contrast |S| itself, of what the operand makes of it. */
+double merit_mtf_contrast(double operand);
+
 /* merit_beams_settle and merit_beams_deform of its rays. */
 void merit_mtf_settle(const struct merit_slot *slot, bool holds);
 bool merit_mtf_deform(const struct merit_slot *slot, struct error *error);

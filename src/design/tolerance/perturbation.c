@@ -40,7 +40,10 @@ static bool refuse(const struct work *work, const struct entry *entry, const cha
         fail(error, ERROR_DOMAIN, "the tolerance of %s in grade %s cannot be: %s", name,
              work->grade, why);
         return from->unit == TOLERANCE_FRINGES
-                   ? error_hint(error, "the diameter in the line of a surface is what it takes")
+                   ? error_hint(error,
+                                "the diameter in the line of a surface is what it takes; or lines "
+                                "'tolerance ...' without such in the lens or in a file "
+                                "of their own, in place of the grade")
                    : error_hint(error, "a line 'tolerance %s ...' of its own goes before the grade",
                                 name);
     }

@@ -2,6 +2,7 @@
 /* SPDX-License-Identifier: MIT */
 #include "design/tolerance/tolerance_trial.h"
 
+#include "design/merit/merit_mtf.h"
 #include "design/merit/merit_paraxial.h"
 
 #include <math.h>
@@ -253,7 +254,10 @@ static bool judge_operands(struct tolerance *tolerance, double *figures, struct 
         *error = merit->why;
         return false;
     }
-    memcpy(figures, merit->values, tolerance->figure_count * sizeof *figures);
+    const bool is_contrast = tolerance->question.criterion.kind == CRITERION_MTF;
+    for (size_t f = 0; f < tolerance->figure_count; f++) {
+        figures[f] = is_contrast ? merit_mtf_contrast(merit->values[f]) : merit->values[f];
+    }
     return true;
 }
 
