@@ -2,6 +2,7 @@
 /* SPDX-License-Identifier: MIT */
 #include "base/image/bytes.h"
 #include "base/image/crc.h"
+#include "base/image/exif.h"
 #include "base/image/half.h"
 #include "base/image/image.h"
 #include "base/image/srgb.h"
@@ -181,9 +182,21 @@ static void test_packing(struct arena *arena)
     }
 }
 
+/* Of an entry that is there twice, ISO 100 and 200, the first counts. */
+static void test_exif(struct arena *arena)
+{
+    static const unsigned char data[] = {'I', 'I', 42, 0, 8, 0, 0,   0, 2, 0, 0x27, 0x88,
+                                         3,   0,   1,  0, 0, 0, 100, 0, 0, 0, 0x27, 0x88,
+                                         3,   0,   1,  0, 0, 0, 200, 0, 0, 0};
+    struct image image = {.width = 1, .height = 1, .channels = 3};
+    exif_notes((struct text){(const char *)data, sizeof data}, &image, arena);
+    CHECK(image.note_count == 1 && strcmp(image.notes[0].value, "100") == 0);
+}
+
 int main(void)
 {
     struct arena arena = {0};
+    test_exif(&arena);
     test_limits();
     test_check(&arena);
     test_names(&arena);

@@ -33,8 +33,14 @@ static double value_of(const struct tiff *tiff, size_t entry)
     return below > 0 ? (double)number_at(tiff, place, 4) / below : 0;
 }
 
+/* The first of a kind: a file can repeat an entry ten thousands of times. */
 static void note(struct image *image, struct arena *arena, const char *key, const char *value)
 {
+    for (size_t i = 0; i < image->note_count; i++) {
+        if (strcmp(image->notes[i].key, key) == 0) {
+            return;
+        }
+    }
     image_note(image, arena, text_of(key), text_of(value));
 }
 
