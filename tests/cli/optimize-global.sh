@@ -56,6 +56,9 @@ search --global 4 --keep 2 --seed 2 --goals 'poly, efl = 50 : 0.1, length < 3' -
 # seconds count for starts that have not begun
 timeout 20 lenscalc optimize double-gauss --vary R1 --goals efl=101 --global 1000000 --escapes 0 \
     --seconds 0.3 --columns status --csv
+# and for the last descents, of starts that all are done
+search --global 2 --state two.state --columns rank,status --csv
+search --global 2 --state two.state --columns rank,status --csv --seconds 1e-9
 # refused
 search --global 2 --show glasses
 search --global 0

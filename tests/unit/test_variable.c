@@ -302,6 +302,17 @@ static void check_glass_map(void)
             CHECK_RELATIVE(glass_map_at(glasses[i].nd, share).Vd, glasses[i].Vd, 1e-13, "Vd");
         }
     }
+    /* ranges have their ends on the border: 13.07/(nd - 1.2688) - 2.4 and 59.5 - 96.6 y + ...,
+       y = nd - 1.7, which at 1.6 are 37.06256038647343 and 70.419; beyond it lie its ends */
+    const struct glass_map_range nd = glass_map_indices(37.06256038647343, 70.419);
+    CHECK_RELATIVE(nd.low, 1.2688 + 13.07 / 72.819, 1e-13, "nd of 70.4 on the flint side");
+    CHECK_RELATIVE(glass_map_at(nd.high, 1).Vd, 37.06256038647343, 1e-13, "nd on the crown side");
+    const struct glass_map_range Vd = glass_map_abbes(1.6, 1.6);
+    CHECK_RELATIVE(Vd.low, 37.06256038647343, 1e-13, "Vd of 1.6 on the flint side");
+    CHECK_RELATIVE(Vd.high, 70.419, 1e-13, "Vd of 1.6 on the crown side");
+    const struct glass_map_range all = glass_map_indices(-INFINITY, INFINITY);
+    CHECK(all.low == GLASS_MAP_LOWEST && all.high == GLASS_MAP_HIGHEST);
+    CHECK(glass_map_indices(5, 5).low > glass_map_indices(5, 5).high);
     struct lens lens = lens_of("surface 50 6 1.5/95 -\nsurface - 3 air -\n", &arena);
     const struct variable list[] = {variable_of("n1", -INFINITY, INFINITY),
                                     variable_of("V1", -INFINITY, INFINITY)};
