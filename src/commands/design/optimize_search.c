@@ -289,11 +289,13 @@ static bool search(struct optimize_job *job, const struct merit_question *questi
                                        .end = (size_t)input->global};
     global->results = ARENA_ARRAY(arena, global->start_count, struct global_result);
     job->part = ARENA_NEW(arena, struct optimize_part);
-    job->until = isnan(input->seconds) ? INFINITY : progress_clock() + input->seconds;
+    const double until = isnan(input->seconds) ? INFINITY : progress_clock() + input->seconds;
+    job->until = INFINITY; /* what is searched is the same, however little time there is */
     if (!check(input, error) || !drop_idle(job, global, question, error) ||
         !optimize_part_begin(job, global, job->part, error)) {
         return false;
     }
+    job->until = until;
     global->pause = job->part->state_path != NULL ? keep_state : NULL;
     run_search(job, global);
     if (!take_kept(job, global, error)) {
