@@ -87,10 +87,20 @@ static void open_fields(struct merit_mtf *mtf, size_t variable_count, struct are
     }
 }
 
+/*
+ * As well as the rays of their rings see the wave front; of more rays, which are for steep ones,
+ * as many as take the time of the least squares: that turns the phase within a line, too.
+ */
+static size_t lines_of(const struct pupil_form *form)
+{
+    const size_t orders = form->orders;
+    return orders > 4 ? orders * orders * 3 / 4 : 2 * orders;
+}
+
 static void open_pupils(struct merit_mtf *mtf, struct arena *arena)
 {
     const struct merit_bundle *bundle = &mtf->beams.bundle;
-    const size_t lines = 2 * mtf->rule.form.orders; /* as well as the rays of their rings */
+    const size_t lines = lines_of(&mtf->rule.form);
     mtf->pupils = ARENA_ARRAY(arena, bundle->group_count, struct mtf_pupil);
     for (size_t g = 0; g < bundle->group_count; g++) {
         struct mtf_pupil *pupil = &mtf->pupils[g];

@@ -8,7 +8,7 @@
 #include <stdbool.h>
 #include <stddef.h>
 
-enum { PUPIL_ORDERS = 11, PUPIL_RADIAL = 10, PUPIL_TERMS = 160, PUPIL_LANES = 8 };
+enum { PUPIL_ORDERS = 19, PUPIL_RADIAL = 18, PUPIL_TERMS = 504, PUPIL_LANES = 8 };
 
 /*
  * Terms T_j(2 r^2 - 1) r^m cos m phi for m = 0, 1 .. and j = 0 .. radial[m] - 1; behind those of
@@ -22,7 +22,7 @@ struct pupil_form {
 
 /*
  * Terms that k rings of 2 k + 1 points tell apart: m <= k, and a degree below 2 k, where the
- * quadrature of those points makes Zernike's polynomials orthogonal; k at most 10.
+ * quadrature of those points makes Zernike's polynomials orthogonal; k at most 18: of more the least squares of a distorted pupil lose their digits.
  */
 struct pupil_form pupil_form_of(size_t points);
 
