@@ -335,15 +335,28 @@ static struct text cut_relation(struct text item, struct text *left,
     return (struct text){item.start + at, item.length - at};
 }
 
+/* The goal as typed, with a target that its kind usually has. */
+static bool hint_target(const struct goal_reading *reading, struct text left, struct error *error)
+{
+    static const char *const usual[OPERAND_KINDS] = {
+        [OPERAND_INCIDENCE] = "< 45deg", [OPERAND_EDGE] = "> 1mm",      [OPERAND_CENTER] = "> 1mm",
+        [OPERAND_AIR] = "> 1mm",         [OPERAND_GRAZING] = "< 85deg", [OPERAND_MTF] = "> 0.5",
+        [OPERAND_GMTF] = "> 0.5"};
+    const char *words = usual[reading->operand->kind];
+    return words != NULL ? error_hint(error, "write %.*s %s", text_shown(left), left.start, words)
+                         : error_hint(error, "write %.*s = 1%s", text_shown(left), left.start,
+                                      reading->type->unit);
+}
+
 /* What the kind cannot do without. */
-static bool check(const struct goal_reading *reading, struct error *error)
+static bool check(const struct goal_reading *reading, struct text left, struct error *error)
 {
     const struct operand *operand = reading->operand;
     const unsigned is = reading->type->is;
     const char *name = reading->type->name;
     if ((is & OPERAND_NEEDS_TARGET) != 0 && !reading->has_target) {
         WRONG_AT(reading, reading->item, error, "%s has no target", name);
-        return error_hint(error, "write %s = 1%s", name, reading->type->unit);
+        return hint_target(reading, left, error);
     }
     if ((is & OPERAND_NEEDS_FIELD) != 0 && operand->field == NULL) {
         WRONG_AT(reading, reading->item, error, "%s is that of a field", name);
@@ -382,7 +395,7 @@ static bool read_goal(struct goal_reading *reading, struct error *error)
     left = text_trim(left);
     if (!read_left(reading, left, error) ||
         (reading->has_target && !read_figure(reading, target, &operand->target, error)) ||
-        !read_deviation(reading, deviation, error) || !check(reading, error)) {
+        !read_deviation(reading, deviation, error) || !check(reading, left, error)) {
         return false;
     }
     operand->name = name_of(reading, left, target);

@@ -27,7 +27,8 @@ lenscalc optimize triplet.lens --vary t6 --goals 'mtf@40/mm@20deg = 1' -N 2.5 --
 for goal in 'mtf@400/mm = 1' 'mtf@0/mm = 1' 'mtf@-5/mm = 1' 'mtf@nan/mm = 1' 'mtf@inf/mm = 1' \
     'mtf@1e-300/mm = 1' 'gmtf@1e300/mm = 1' \
     'mtf = 1' 'mtf@40/mm' 'mtf@40/mm = nan' 'mtf@40/mm@20/mm = 1' \
-    'mtf@40/mm tangential sagittal = 1' 'spot@40/mm' 'mtf@40/mm@10deg@F tangential > 2:0'
+    'mtf@40/mm tangential sagittal = 1' 'spot@40/mm' 'mtf@40/mm@10deg@F tangential > 2:0' \
+    'mtf@20/mm > 1.3' 'gmtf@20/mm = -0.1' 'gmtf@40/mm@10deg sagittal : 0.1' 'grazing : 2'
 do
     lenscalc optimize triplet.lens --vary R1 --goals "$goal"
     echo "status $?"

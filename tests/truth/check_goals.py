@@ -26,6 +26,9 @@ LENSES = (("double-gauss", "R1", 10, "F", "C"), ("cooke-triplet-50", "R1", 15, "
           ("canon-ef35-f2", "R1", 20, "F", "C"), ("edmund-achromat-120", "R1", 1, "F", "C"))
 # rays, and what contrasts of wave fronts that are off by up to 4 wavelengths err by
 CONTRASTS = (("36", 1e-3), ("210", 1e-6))
+# the same of double-gauss at f/2: field in deg, lines in a mm, rays, error
+STEEP = ((0, 20, "210", 1e-3), (0, 60, "210", 1e-3), (10, 20, "210", 1e-3),
+         (14, 20, "300", 1e-3), (10, 60, "465", 1e-3), (14, 60, "528", 5e-3))
 RADII, THICKNESS, INDEX, DIAMETER = (52.0, -97.0), 9.0, 1.6, 24.0
 
 
@@ -116,6 +119,19 @@ def check_contrast(program, checks):
                 checks.near("contrast", f"{lens}: {goal}, {rays} rays", value, wanted, tolerance)
 
 
+def check_steep(program, checks):
+    """Wide open and off the axis, where the phase turns dozens of times: with many rays."""
+    for field, frequency, rays, tolerance in STEEP:
+        row = first(program, "mtf", "double-gauss", "-w", "d", "--field", str(field),
+                    "--frequency", str(frequency), "--no-clip")
+        ways = ("tangential", "sagittal")
+        goals = [f"mtf@{frequency}/mm@{field}deg {way} = 1" for way in ways]
+        got = values(program, "double-gauss", "R1", goals, "--rays", rays, "-w", "d")
+        for goal, way, value in zip(goals, ways, got):
+            checks.near("steep", f"double-gauss: {goal}, {rays} rays", value, float(row[way]),
+                        tolerance)
+
+
 def check_sections(program, checks, folder):
     """A cylinder: the figures of each section."""
     path = os.path.join(folder, "cylinder.lens")
@@ -192,6 +208,7 @@ def main():
     check_analyses(program, checks)
     check_spots(program, checks)
     check_contrast(program, checks)
+    check_steep(program, checks)
     with tempfile.TemporaryDirectory() as folder:
         check_sections(program, checks, folder)
         check_telecentric(program, checks, folder)

@@ -24,19 +24,18 @@ static bool open_setup(const struct optimize_job *job, const struct merit_slot *
     const struct merit_place *place = &job->merit.places[slot->place];
     const struct setup_wavelength own = {slot->operand->wavelength, 1};
     const bool has_own = !isnan(own.wavelength);
-    const struct setup_question asked = {
-        .lens = job->found,
-        .position = place->position,
-        .section = question->section,
-        .wavelength = NAN,
-        .wavelengths = WAVELENGTHS_ALL,
-        .spectrum = has_own ? &own : question->wavelengths,
-        .spectrum_count = has_own ? 1 : question->wavelength_count,
-        .fnumber = question->fnumber,
-        .fields = question->fields,
-        .field_count = question->field_count,
-        .field_policy = FIELDS_ALL,
-        .takes_telecentric = true};
+    const struct setup_question asked = {.lens = job->found,
+                                         .position = place->position,
+                                         .section = question->section,
+                                         .wavelength = NAN,
+                                         .wavelengths = WAVELENGTHS_ALL,
+                                         .spectrum = has_own ? &own : question->wavelengths,
+                                         .spectrum_count = has_own ? 1 : question->wavelength_count,
+                                         .fnumber = question->fnumber,
+                                         .fields = question->fields,
+                                         .field_count = question->field_count,
+                                         .field_policy = FIELDS_ALL,
+                                         .takes_telecentric = true};
     return setup_open(&asked, job->run->arena, setup, error) &&
            setup_place_image(setup, &(struct plane_value){.kind = PLANE_OF_LENS}, error);
 }
@@ -121,10 +120,11 @@ const char *optimize_contrast_doubt(const struct optimize_job *job)
         return NULL;
     }
     return isnan(doubt.is)
-               ? arena_printf(arena,
-                              "contrast is in doubt: of goal %s %zu rays see %.3f, and lenscalc mtf "
-                              "has none",
-                              doubt.operand->name, rays, doubt.seen)
+               ? arena_printf(
+                     arena,
+                     "contrast is in doubt: of goal %s %zu rays see %.3f, and lenscalc mtf "
+                     "has none",
+                     doubt.operand->name, rays, doubt.seen)
                : arena_printf(arena,
                               "contrast wants more than %zu rays: of goal %s they see %.3f, where "
                               "lenscalc mtf has %.3f",
@@ -165,7 +165,7 @@ const char *optimize_contrast_missed(const struct optimize_job *job)
             }
         }
     }
-    return worst == NULL ? NULL
-                         : arena_printf(job->run->arena, "the goal %s is missed by %.2g",
-                                        worst->name, most);
+    return worst == NULL
+               ? NULL
+               : arena_printf(job->run->arena, "the goal %s is missed by %.2g", worst->name, most);
 }

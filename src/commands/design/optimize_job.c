@@ -421,6 +421,7 @@ bool optimize_judge(struct optimize_job *job, struct error *error)
     warn_of_grazing(job);
     warn_of_missed(job);
     warn_of_glasses(job);
+    optimize_warn(job, optimize_contrast_missed(job));
     optimize_warn(job, optimize_contrast_doubt(job));
     judge(job);
     return warn_of_power(job, error) && check_found(job, error);

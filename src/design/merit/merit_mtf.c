@@ -54,9 +54,13 @@ struct merit_mtf {
 
 /* -------- opening -------- */
 
-static bool check(const struct merit *merit, double frequency, struct error *error)
+static bool check(const struct merit *merit, const struct operand *operand, struct error *error)
 {
     const struct merit_question *question = &merit->question;
+    const double frequency = operand->frequency;
+    if (!(operand->target >= 0 && operand->target <= 1)) {
+        return fail(error, ERROR_DOMAIN, "contrast is 0 to 1, not %.6g", operand->target);
+    }
     if (!(frequency >= 1e-6 && frequency <= 1e6)) {
         return fail(error, ERROR_DOMAIN, "contrast is that of 1e-06 to 1e+06 lines in a mm");
     }
@@ -87,20 +91,10 @@ static void open_fields(struct merit_mtf *mtf, size_t variable_count, struct are
     }
 }
 
-/*
- * As well as the rays of their rings see the wave front; of more rays, which are for steep ones,
- * as many as take the time of the least squares: that turns the phase within a line, too.
- */
-static size_t lines_of(const struct pupil_form *form)
-{
-    const size_t orders = form->orders;
-    return orders > 4 ? orders * orders * 3 / 4 : 2 * orders;
-}
-
 static void open_pupils(struct merit_mtf *mtf, struct arena *arena)
 {
     const struct merit_bundle *bundle = &mtf->beams.bundle;
-    const size_t lines = lines_of(&mtf->rule.form);
+    const size_t lines = pupil_overlap_lines(&mtf->rule.form);
     mtf->pupils = ARENA_ARRAY(arena, bundle->group_count, struct mtf_pupil);
     for (size_t g = 0; g < bundle->group_count; g++) {
         struct mtf_pupil *pupil = &mtf->pupils[g];
@@ -189,7 +183,7 @@ size_t merit_prepare_mtf(struct merit *merit, struct merit_slot *slot, struct ar
     mtf->wants[TANGENTIAL] = operand->orientation != ORIENTATION_SAGITTAL;
     mtf->wants[SAGITTAL] = operand->orientation != ORIENTATION_TANGENTIAL;
     const struct merit_beams_wish wish = {.path = !mtf->by_rays, .whole = true};
-    if (!check(merit, operand->frequency, error) ||
+    if (!check(merit, operand, error) ||
         !merit_beams_open(merit, slot, wish, arena, &mtf->beams, error)) {
         return 0;
     }

@@ -24,6 +24,12 @@ static size_t open_nodes(size_t count, bool half, struct arena *arena, double **
     return here;
 }
 
+size_t pupil_overlap_lines(const struct pupil_form *form)
+{
+    const size_t orders = form->orders;
+    return orders > 5 ? orders * orders * 3 / 4 : 2 * orders;
+}
+
 void pupil_overlap_open(struct pupil_wave *wave, size_t lines, struct pupil_mirrors mirrors,
                         struct arena *arena, struct pupil_overlap *overlap)
 {

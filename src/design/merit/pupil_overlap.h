@@ -38,6 +38,12 @@ struct pupil_overlap {
     double *by_value[2], *by_place[2];
 };
 
+/*
+ * As many as see the wave front as well as the rays of its rings do. More rays are for steeper
+ * ones, which turn the phase many times along a line: so many take the time of the least squares.
+ */
+size_t pupil_overlap_lines(const struct pupil_form *form);
+
 /* Given     lines  so many, of as many points each, where nothing mirrors */
 void pupil_overlap_open(struct pupil_wave *wave, size_t lines, struct pupil_mirrors mirrors,
                         struct arena *arena, struct pupil_overlap *overlap);

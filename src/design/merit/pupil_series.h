@@ -22,7 +22,8 @@ struct pupil_form {
 
 /*
  * Terms that k rings of 2 k + 1 points tell apart: m <= k, and a degree below 2 k, where the
- * quadrature of those points makes Zernike's polynomials orthogonal; k at most 18: of more the least squares of a distorted pupil lose their digits.
+ * quadrature of those points makes Zernike's polynomials orthogonal; k at most 18: of more the
+ * least squares of a distorted pupil lose their digits.
  */
 struct pupil_form pupil_form_of(size_t points);
 
