@@ -19,6 +19,7 @@ struct easing {
     double share;
     bool is_whole, is_done; /* all goals count; the real one has a value */
     bool is_stopped;        /* by the caller */
+    bool is_refused;        /* a goal cannot be had, now that more of the lens has a value */
     double *numbers;
 };
 
@@ -104,7 +105,9 @@ static bool open_most(struct easing *easing, struct error *error)
     easing->is_whole = true;
     for (size_t i = 1; i < sizeof shares / sizeof shares[0]; i++) {
         easing->share = shares[i];
-        if (!open_eased(easing, question->operands, question->operand_count, error)) {
+        easing->is_refused =
+            !open_eased(easing, question->operands, question->operand_count, error);
+        if (easing->is_refused) {
             return false;
         }
         if (eased_has_value(easing)) {
@@ -221,6 +224,12 @@ bool optimize_begin(const struct optimize_task *task, double *numbers, struct ar
     }
     if (easing.is_done) {
         return true;
+    }
+    if (easing.is_refused && last < 0) {
+        return error_prefix(error,
+                            "the lens cannot be judged as it is: %s; with %.0f %% of the "
+                            "field: ",
+                            why.message, 100 * easing.share);
     }
     *error = why;
     return tell(&easing, last < 0, error);
