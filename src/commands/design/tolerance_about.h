@@ -13,6 +13,11 @@ struct tolerance_about {
     const char *made, *lens, *method, *rays, *adjusted, *limit, *warning;
 };
 
+/* Whatever trials depend on: some of them say how far rays and methods are right. */
+#define TOLERANCE_TRIED_BY                                                                         \
+    "lens grade tolerances criterion of refocus gap adjust trials seed method aim wavelength "     \
+    "field position aperture section pattern rays clip no-clip"
+
 #define TOLERANCE_ABOUT_COLUMNS(S)                                                                 \
     {COLUMN(S, about.fnumber),                                                                     \
      .flags = COLUMN_ECHO | COLUMN_EXTRA,                                                          \
@@ -36,11 +41,11 @@ struct tolerance_about {
          .depends = "refocus gap adjust",                                                          \
          .label = "adjusted",                                                                      \
          .help = "what is moved in every lens, to make its spots or wave fronts best"},            \
-        {COLUMN(S, about.method), .flags = COLUMN_EXTRA | COLUMN_ASSUMED,                          \
-         .name = "method",        .depends = "method trials",                                      \
+        {COLUMN(S, about.method), .flags = COLUMN_EXTRA | COLUMN_ASSUMED | COLUMN_SPARSE,          \
+         .name = "method",        .depends = TOLERANCE_TRIED_BY,                                   \
          .label = "method",       .help = "how trials were made"},                                 \
         {COLUMN(S, about.rays), .flags = COLUMN_EXTRA | COLUMN_ASSUMED,                            \
-         .name = "rays",        .depends = "rays pattern aim clip no-clip trials",                 \
+         .name = "rays",        .depends = TOLERANCE_TRIED_BY,                                     \
          .label = "rays",       .help = "those of each field and wavelength"},                     \
         LENS_TITLE_COLUMN(S, about.lens), LENS_WARNING_COLUMN(S, about.warning)
 
