@@ -69,10 +69,12 @@ static void try(struct under_test *test, const double *errors, double *figures)
         .kind = one, .first = surface, .last = surface, .what = {surface, which, 0},               \
         .amount = size, .spread = SPREAD, .name = #which                                           \
     }
+/* of the same surfaces, kind and pivot: one thing */
 #define ELEMENT(one, from, to, way, size, about)                                                   \
     {                                                                                              \
         .kind = one, .first = from, .last = to, .what.kind = PARAMETER_KINDS, .axis = way,         \
-        .amount = size, .pivot = about, .spread = SPREAD, .name = "element"                        \
+        .amount = size, .pivot = about, .spread = SPREAD, .name = "element",                       \
+        .thing = 1000 * (from) + 10 * (size_t)(one) + ((about) != 0)                               \
     }
 
 /* -------- against derivatives -------- */

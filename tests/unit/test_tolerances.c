@@ -112,7 +112,9 @@ static void test_refused(void)
         {"surface 50 5 1.5 -\nsurface -50 60 air 20\n", "commercial", NULL,
          "the tolerance of surface 1 irregularity in grade commercial cannot be: surface 1 without "
          "a diameter, which the irregularity is over",
-         "the diameter in the line of a surface is what it takes", ERROR_DOMAIN},
+         "the diameter in the line of a surface is what it takes; or lines 'tolerance ...' without "
+         "such in the lens or in a file of their own, in place of the grade",
+         ERROR_DOMAIN},
         {"surface 50 5 1.5 20\nsurface -50 0.01 air 20\n" LENS, "commercial", NULL,
          "the tolerance of t2 in grade commercial cannot be: it is as wide as the number itself, "
          "0.01",
