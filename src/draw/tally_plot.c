@@ -126,16 +126,25 @@ static void draw_curve(const struct tally_plot *plot, const struct page *page, s
     svg_group_end(svg);
 }
 
+enum { WORDS = 160 }; /* room of the words beside a mark */
+
+/* Do the words stand left of the line? Away from the other one, where there is room. */
+static bool turns_left(double x, double other)
+{
+    const bool wants = isnan(other) ? x > (LEFT + WIDTH - RIGHT) / 2 : x < other;
+    return wants ? x > LEFT + WORDS : x > WIDTH - RIGHT - WORDS;
+}
+
 /* A line from top to bottom; the words of the two stand in lines of their own. */
 static void draw_mark(const struct tally_plot *plot, int which, const struct page *page,
                       struct svg *svg)
 {
     const double value = which == 0 ? plot->nominal : plot->limit;
     const double x = x_at(page, value), base = TOP - 22 + 16 * which;
-    const bool turns = x > (LEFT + WIDTH - RIGHT) / 2;
     if (isnan(value)) {
         return;
     }
+    const bool turns = turns_left(x, x_at(page, which == 0 ? plot->limit : plot->nominal));
     const struct svg_style style = {.stroke = which == 0 ? "#000" : palette_colour(FAILS),
                                     .width = 1.6,
                                     .dash = which == 0 ? NULL : "6 4"};
