@@ -525,7 +525,9 @@ bool variables_open(const struct lens *lens, const struct variable *list, size_t
 {
     *variables = (struct variables){.lens = lens, .count = count};
     variables->list = ARENA_ARRAY(arena, count + 1, struct variable);
-    memcpy(variables->list, list, count * sizeof list[0]);
+    if (count > 0) {
+        memcpy(variables->list, list, count * sizeof list[0]);
+    }
     open_room(variables, arena);
     const struct lens *first = &variables->lenses[0].lens;
     double size = size_of(first, arena);
