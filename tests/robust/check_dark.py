@@ -115,7 +115,7 @@ def main():
                  f"a sweep of calibrated distortions: took {took:.1f} s")
     check_escape(checks, program)
     # of the known files every so many commands: an instrumented program takes ten times as long
-    every = 18 if program.is_instrumented else 1 if os.environ.get("LENSCALC_ALL") else 6
+    every = 40 if program.is_instrumented else 1 if os.environ.get("LENSCALC_ALL") else 6
     for number, (name, path) in enumerate(paths):
         for words in COMMANDS:
             if path in known and (number + COMMANDS.index(words)) % every:
