@@ -420,11 +420,7 @@ static bool add_goals(const struct goals_reader *reader, struct text rest, struc
         goals->list = arena_grow(reader->arena, goals->list, goals->count, &goals->room,
                                  sizeof(struct operand));
         struct operand *operand = &goals->list[goals->count];
-        *operand = (struct operand){.wavelength = NAN,
-                                    .frequency = NAN,
-                                    .position = LENS_NONE,
-                                    .first = LENS_NONE,
-                                    .last = LENS_NONE};
+        *operand = operand_of(OPERAND_KINDS, NULL);
         struct goal_reading reading = {.reader = reader, .item = *wrong, .operand = operand};
         if (!read_goal(&reading, error)) {
             return false;

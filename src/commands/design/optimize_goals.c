@@ -122,16 +122,9 @@ static const char *join_goals(const struct lens *lens, struct arena *arena)
 /* Rays near loss count, wherever rays do and nothing else is said. */
 static void add_grazing(struct optimize_job *job, struct goals *goals)
 {
-    static const struct operand grazing = {.kind = OPERAND_GRAZING,
-                                           .relation = OPERAND_BELOW,
-                                           .target = 85 * RADIANS_PER_DEGREE,
-                                           .deviation = 1,
-                                           .wavelength = NAN,
-                                           .position = LENS_NONE,
-                                           .first = LENS_NONE,
-                                           .last = LENS_NONE,
-                                           .frequency = NAN,
-                                           .name = "grazing < 85"};
+    struct operand grazing = operand_of(OPERAND_GRAZING, "grazing < 85");
+    grazing.relation = OPERAND_BELOW;
+    grazing.target = 85 * RADIANS_PER_DEGREE;
     struct operand *all = ARENA_ARRAY(job->run->arena, goals->count + 1, struct operand);
     bool has_rays = false, has_grazing = false;
     for (size_t i = 0; i < goals->count; i++) {

@@ -8,6 +8,7 @@
 #include "base/units.h"
 #include "optics/surface.h"
 
+#include <math.h>
 #include <stdbool.h>
 #include <stddef.h>
 
@@ -71,6 +72,19 @@ struct operand {
     const char *name; /* as typed, in one form: "bfl@F > 38" */
     struct typed_place place;
 };
+
+/* A goal of this kind, as near to 0 as can be, wherever it is not said otherwise. */
+static inline struct operand operand_of(enum operand_kind kind, const char *name)
+{
+    return (struct operand){.kind = kind,
+                            .deviation = 1,
+                            .wavelength = NAN,
+                            .position = LENS_NONE,
+                            .first = LENS_NONE,
+                            .last = LENS_NONE,
+                            .frequency = NAN,
+                            .name = name};
+}
 
 /* What may stand behind the name of a kind. */
 enum {

@@ -237,15 +237,8 @@ static bool open_quality(struct tolerance *tolerance, struct arena *arena, struc
         return true;
     }
     struct operand *operand = ARENA_NEW(arena, struct operand);
-    *operand =
-        (struct operand){.kind = tolerance_looks_at_waves(asked) ? OPERAND_OPD : OPERAND_POLY,
-                         .deviation = 1,
-                         .wavelength = NAN,
-                         .position = LENS_NONE,
-                         .first = LENS_NONE,
-                         .last = LENS_NONE,
-                         .frequency = NAN,
-                         .name = tolerance_looks_at_waves(asked) ? "wavefront" : "spot"};
+    *operand = tolerance_looks_at_waves(asked) ? operand_of(OPERAND_OPD, "wavefront")
+                                               : operand_of(OPERAND_POLY, "spot");
     struct merit_question question = view_of(tolerance);
     question.operands = operand;
     question.operand_count = 1;
@@ -337,38 +330,27 @@ static bool list_figures(struct tolerance *tolerance, const struct merit *merit,
 
 /* -------- operands that are the criterion -------- */
 
-static struct operand operand_of(const struct tolerance *tolerance, const struct merit *merit,
-                                 const struct tolerance_figure *figure)
+static struct operand judging_operand(const struct tolerance *tolerance, const struct merit *merit,
+                                      const struct tolerance_figure *figure)
 {
     const struct criterion *criterion = &tolerance->question.criterion;
-    return (struct operand){.kind = criterion_type(criterion->kind)->operand,
-                            .target = criterion->kind == CRITERION_EFL ||
-                                      criterion->kind == CRITERION_MTF,
-                            .deviation = 1,
-                            .wavelength = NAN,
-                            .field = figure->field,
-                            .position = merit->places[figure->place].position,
-                            .first = LENS_NONE,
-                            .last = LENS_NONE,
-                            .frequency = criterion->frequency,
-                            .name = criterion->name};
+    struct operand operand = operand_of(criterion_type(criterion->kind)->operand, criterion->name);
+    operand.target = criterion->kind == CRITERION_EFL || criterion->kind == CRITERION_MTF;
+    operand.field = figure->field;
+    operand.position = merit->places[figure->place].position;
+    operand.frequency = criterion->frequency;
+    return operand;
 }
 
 /* The positions alone, where nothing else has looked at them: by their focal length. */
 static bool open_places(struct tolerance *tolerance, struct arena *arena, struct merit *merit,
                         struct error *error)
 {
-    static const struct operand efl = {.kind = OPERAND_EFL,
-                                       .target = 1,
-                                       .deviation = 1,
-                                       .wavelength = NAN,
-                                       .position = LENS_NONE,
-                                       .first = LENS_NONE,
-                                       .last = LENS_NONE,
-                                       .frequency = NAN,
-                                       .name = "efl"};
+    struct operand *efl = ARENA_NEW(arena, struct operand);
+    *efl = operand_of(OPERAND_EFL, "efl");
+    efl->target = 1;
     struct merit_question question = view_of(tolerance);
-    question.operands = &efl;
+    question.operands = efl;
     question.operand_count = 1;
     return merit_open(&question, arena, merit, error);
 }
@@ -383,7 +365,7 @@ static bool open_judge(struct tolerance *tolerance, const struct merit *merit, s
     struct operand *operands = ARENA_ARRAY(arena, count, struct operand);
     const bool is_contrast = tolerance->question.criterion.kind == CRITERION_MTF;
     for (size_t i = 0; i < count; i++) {
-        operands[i] = operand_of(tolerance, merit, &tolerance->figures[i]);
+        operands[i] = judging_operand(tolerance, merit, &tolerance->figures[i]);
     }
     if (is_contrast) { /* all of them in one look, in this order */
         operands[0].field = NULL;
