@@ -26,18 +26,6 @@ struct under_test {
     double worst;
 };
 
-static struct operand operand_of(enum operand_kind kind)
-{
-    return (struct operand){.kind = kind,
-                            .deviation = 1,
-                            .wavelength = NAN,
-                            .position = LENS_NONE,
-                            .first = LENS_NONE,
-                            .last = LENS_NONE,
-                            .frequency = NAN,
-                            .name = "spot"};
-}
-
 /* "t2@1" is that of the second position. */
 static void add_variable(struct under_test *test, const char *name)
 {
@@ -67,7 +55,7 @@ static bool open_test(struct under_test *test, const char *text, const char *nam
                       struct error *error)
 {
     *test = (struct under_test){.text = text, .question = *question};
-    test->operand = operand_of(kind);
+    test->operand = operand_of(kind, "spot");
     bool done = lens_read("test", text_of(text), NULL, &test->arena, &test->lens, error);
     if (done) {
         add_variables(test, names);

@@ -41,18 +41,6 @@ static void set_list(void)
     }
 }
 
-static struct operand operand_of(enum operand_kind kind)
-{
-    return (struct operand){.kind = kind,
-                            .deviation = 1,
-                            .wavelength = NAN,
-                            .position = LENS_NONE,
-                            .first = LENS_NONE,
-                            .last = LENS_NONE,
-                            .frequency = NAN,
-                            .name = "goal"};
-}
-
 /* That form, as rays are moved by it. */
 static const struct irregularity form = {.surface = 4, .form = IRREGULARITY_SIN, .radius = 18};
 static double height;
@@ -73,7 +61,7 @@ static bool open_bench(struct bench *bench, const char *text, enum operand_kind 
     struct error error = {.code = ERROR_NONE};
     bench->lens = lens_of(text, &arena);
     bench->errors = (struct perturbations){.list = list, .count = ERRORS};
-    bench->operand = operand_of(kind);
+    bench->operand = operand_of(kind, "goal");
     CHECK(variables_open(&bench->lens, vary, count, &arena, &bench->variables, &error));
     const struct merit_question question = {.lens = &bench->lens,
                                             .variables = &bench->variables,
