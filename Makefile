@@ -48,7 +48,7 @@ LDFLAGS  =
 kernels := $(wildcard src/trace/kernel*.c src/camera/kernel*.c src/base/kernel*.c src/analysis/kernel*.c \
                       src/design/*/kernel*.c)
 # in the order of linking: what every answer needs lies together, on as few pages as can be
-folders := base report photo cli commands commands/photo commands/tool optics analysis trace data \
+folders := base light scene report photo cli commands commands/photo commands/tool optics analysis trace data \
            file exchange exchange/zemax exchange/codev exchange/oslo commands/lens \
            commands/analysis commands/data design design/merit design/solver design/fit \
            design/tolerance commands/design draw base/image camera tone commands/camera

@@ -17,6 +17,13 @@ struct word {
     const char *word, *help;
 };
 
+/* Where something stands in a file, for messages. */
+struct typed_place {
+    const char *source; /* null: in none */
+    long line;
+    size_t column; /* from 1 */
+};
+
 struct text text_of(const char *string);
 struct text text_between(const char *start, const char *end);
 

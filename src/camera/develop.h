@@ -3,8 +3,8 @@
 #ifndef LENSCALC_CAMERA_DEVELOP_H
 #define LENSCALC_CAMERA_DEVELOP_H
 
-#include "camera/colour.h"
 #include "camera/sensor.h"
+#include "light/colour.h"
 
 /*
  * sqrt(2): between a white that reflects all light and saturation ISO 12232 leaves half a stop, so
@@ -42,7 +42,7 @@ struct developed {
  * Formula   H = ((number - black)/K - dark)/electrons of each channel, the mean of the dark
  *           subtracted; over H_sat = (largest number - black)/(K electrons), which is 78/S where K
  *           comes from a speed; times headroom; the inverse of what the channels see; balance
- *           (camera/colour.h)
+ *           (light/colour.h)
  * Errors    ERROR_DOMAIN: a colour temperature out of range; an automatic balance of a picture in
  *           which nothing is between dark and saturation; another number of channels; channels
  *           that see the same

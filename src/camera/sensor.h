@@ -6,7 +6,7 @@
 #include "base/arena.h"
 #include "base/error.h"
 #include "base/image/image.h"
-#include "camera/colour.h"
+#include "light/colour.h"
 
 #include <stdbool.h>
 #include <stddef.h>

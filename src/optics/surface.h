@@ -54,13 +54,6 @@ struct displacement {
 };
 extern const struct displacement displacement_none; /* of 0 each: numbers, no variables */
 
-/* Where something stands in a file, for messages. */
-struct typed_place {
-    const char *source; /* null: in none */
-    long line;
-    size_t column; /* from 1 */
-};
-
 /* A mark: what of the surface the designer may change. */
 struct vary {
     enum parameter_kind kind;

@@ -2,7 +2,7 @@
 /* SPDX-License-Identifier: MIT */
 #include "tone/frame.h"
 
-#include "camera/colour.h"
+#include "light/colour.h"
 
 #include <math.h>
 #include <string.h>

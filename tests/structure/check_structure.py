@@ -22,20 +22,22 @@ from harness import ROOT, Checks
 # Folder -> folders it may include besides itself; folders inside it are of its layer.
 LAYERS = {
     "base": [],
+    "light": ["base"],
+    "scene": ["base", "light"],
     "report": ["base"],
     "photo": ["base"],
     "optics": ["base"],
     "trace": ["base", "optics"],
     "data": ["base", "optics", "photo"],
-    "file": ["base", "optics", "data"],
+    "file": ["base", "light", "scene", "optics", "data"],
     "exchange": ["base", "optics", "data", "file"],
     "analysis": ["base", "optics", "trace", "photo"],
     "design": ["base", "optics", "trace", "analysis", "photo"],
-    "camera": ["base", "optics", "trace", "analysis", "photo", "file"],
-    "tone": ["base", "camera"],
+    "camera": ["base", "light", "scene", "optics", "trace", "analysis", "photo", "file"],
+    "tone": ["base", "light", "camera"],
     "draw": ["base", "report", "photo", "optics", "analysis", "design"],
-    "cli": ["base", "report", "photo", "optics", "trace", "data", "file", "exchange", "analysis",
-            "design", "camera", "tone", "draw"],
+    "cli": ["base", "light", "scene", "report", "photo", "optics", "trace", "data", "file",
+            "exchange", "analysis", "design", "camera", "tone", "draw"],
     "commands": None,  # everything
     "": None,          # main.c
 }
@@ -45,7 +47,7 @@ OPTION = re.compile(r"--[a-z%]")
 NAME = re.compile(r"\{(?:the )?([A-Za-z][A-Za-z0-9 -]*)\}")
 FAILURE = re.compile(r"\b(?:fail|fail_at|error_prefix|error_hint)\(([^\";]*"
                      r"\"(?:\\.|[^\"\\\n])*\"(?:[\s\\]*\"(?:\\.|[^\"\\\n])*\")*)")
-NUMERIC = ("base", "photo", "optics", "trace", "analysis", "design", "camera",
+NUMERIC = ("base", "light", "scene", "photo", "optics", "trace", "analysis", "design", "camera",
            "tone")
 # Words no numeric source may use; stdio only formats into buffers there. What asks the processor
 # anew costs every start, see base/processor.h.

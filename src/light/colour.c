@@ -1,6 +1,6 @@
-/* camera/colour.c - sRGB, XYZ, whites and Bradford's adaptation. */
+/* light/colour.c - sRGB, XYZ, whites and Bradford's adaptation. */
 /* SPDX-License-Identifier: MIT */
-#include "camera/colour.h"
+#include "light/colour.h"
 
 #include <math.h>
 

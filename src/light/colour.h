@@ -1,7 +1,7 @@
-/* camera/colour.h - colours as numbers: sRGB and XYZ, whites, and how one becomes another. */
+/* light/colour.h - colours as numbers: sRGB and XYZ, whites, and how one becomes another. */
 /* SPDX-License-Identifier: MIT */
-#ifndef LENSCALC_CAMERA_COLOUR_H
-#define LENSCALC_CAMERA_COLOUR_H
+#ifndef LENSCALC_LIGHT_COLOUR_H
+#define LENSCALC_LIGHT_COLOUR_H
 
 #include "base/error.h"
 
