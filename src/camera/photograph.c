@@ -4,6 +4,7 @@
 
 #include "base/parallel.h"
 #include "camera/lens_film.h"
+#include "camera/subject.h"
 
 #include <math.h>
 #include <stdatomic.h>
@@ -18,7 +19,7 @@ struct work {
     const struct photograph_question *question;
     const struct lens_film *film;
     struct card card;
-    const struct relief *relief; /* null: the card is flat */
+    struct subject subject;
     struct image *image;
     unsigned char *done; /* of each tile */
     size_t first;        /* tile of the slice that is taken */
@@ -29,12 +30,16 @@ struct work {
     double scale;              /* (n'/n)^2, n of the scene */
     size_t passes;             /* one a wavelength, or one for all where nothing disperses */
     const struct spare_pass *pass;
+    struct sobol when; /* the dimension after those of the film */
 };
 
 /* What one thread traces in. */
 struct room {
     struct film_samples samples;
     struct rays rays;
+    subject_light light;
+    double times[RAYS_BLOCK]; /* when each ray comes, s; all 0 where nothing needs it */
+    uint32_t when;            /* the tile's scrambling of them */
     double sums[PIXELS][PHOTOGRAPH_CHANNELS], half[PIXELS][PHOTOGRAPH_CHANNELS];
     uint64_t counts[PHOTOGRAPH_COUNTS];
     struct spare_room *spare;
@@ -90,36 +95,16 @@ static void trace_plan(const struct lens_film *film, const struct film_plan *pla
     rays_trace(film->systems[wavelength], &room->rays, NULL);
 }
 
-/* Where a ray that has left the lens meets the card; false: it never does. */
-static bool meet(const struct ray_block *rays, size_t i, double distance, double at[2])
+/* When the rays of a block come: evenly within the exposure, its middle at 0. */
+static void time_rays(const struct work *work, uint32_t block, struct room *room)
 {
-    const double way = (-distance - rays->z[i]) / rays->r[i];
-    at[0] = rays->x[i] + way * rays->p[i];
-    at[1] = rays->y[i] + way * rays->q[i];
-    return rays->lost[i] == 0 && way > 0;
-}
-
-/* What a ray sees that has left the lens; false: nothing. */
-static bool see(const struct work *work, struct room *room, size_t i, struct card_light *light)
-{
-    const struct ray_block *rays = room->rays.blocks;
-    double at[2];
-    if (work->relief == NULL) {
-        const bool meets = meet(rays, i, work->card.distance, at);
-        *light = meets ? card_look(&work->card, at[0], at[1]) : (struct card_light){{0, 0, 0}};
-        return meets;
+    const double duration = work->question->duration;
+    if (duration > 0) {
+        sobol_points(&work->when, room->when, block, room->times);
+        for (size_t i = 0; i < RAYS_BLOCK; i++) {
+            room->times[i] = duration * (room->times[i] - 0.5);
+        }
     }
-    if (rays->lost[i] != 0 || !(rays->r[i] < 0)) {
-        return false;
-    }
-    const double way = work->relief->pupil - rays->z[i];
-    const double slope[2] = {rays->p[i] / rays->r[i], rays->q[i] / rays->r[i]};
-    const struct relief_ray ray = {.x = {rays->x[i] + way * slope[0], rays->y[i] + way * slope[1]},
-                                   .slope = {slope[0], slope[1]}};
-    enum relief_sight sight;
-    *light = relief_look(work->relief, &ray, &sight);
-    room->counts[sight]++;
-    return true;
 }
 
 /* -------- which tiles -------- */
@@ -209,23 +194,20 @@ static bool is_lit(const struct film_plan *plan, double largest)
 }
 
 /* What one ray brings to its pixel. */
-static void add_ray(const struct work *work, const struct film_plan *plan,
-                    const struct spare_pass *pass, size_t i, struct room *room)
+static void add_ray(const struct film_plan *plan, const struct spare_pass *pass, size_t i,
+                    struct room *room)
 {
     const struct film_samples *samples = &room->samples;
     const double across = (samples->x[i] - plan->left) / plan->width * ACROSS;
     const double down = (samples->y[i] - plan->bottom) / plan->height * DOWN;
     const size_t column = (size_t)fmin(across, ACROSS - 1), row = (size_t)fmin(down, DOWN - 1);
     double *sums = room->sums[row * ACROSS + (ACROSS - 1 - column)];
-    struct card_light light;
+    const double *light = room->light[i];
     const bool is_sent = samples->weight[i] > 0; /* from a lit place, and taken by the pixel */
     room->counts[PHOTOGRAPH_TRACED] += is_sent;
     room->counts[PHOTOGRAPH_PASSED] += is_sent && room->rays.blocks->lost[i] == 0;
-    if (!see(work, room, i, &light)) {
-        return;
-    }
     for (size_t channel = pass->begin; channel < pass->end; channel++) {
-        sums[channel] += pass->share * samples->weight[i] * (double)light.of[channel];
+        sums[channel] += pass->share * samples->weight[i] * light[channel];
     }
 }
 
@@ -237,8 +219,11 @@ static void sum_blocks(const struct work *work, const struct film_plan *plan, si
     for (size_t pass = 0; pass < work->passes; pass++) {
         for (uint32_t block = (uint32_t)begin; block < end; block++) {
             trace_plan(work->film, plan, block, pass, room);
+            time_rays(work, block, room);
+            const struct subject_rays rays = {room->rays.blocks, room->samples.weight, room->times};
+            work->subject.look(&work->subject, &rays, room->counts, room->light);
             for (size_t i = 0; i < RAYS_BLOCK; i++) {
-                add_ray(work, plan, &work->pass[pass], i, room);
+                add_ray(plan, &work->pass[pass], i, room);
             }
         }
     }
@@ -270,6 +255,7 @@ static size_t sum_tile(const struct work *work, struct film_plan *plan, size_t t
     for (uint32_t k = 0; k < FILM_DIMENSIONS; k++) {
         plan->scrambling[k] = sobol_scrambling(question->seed, tile, k);
     }
+    room->when = sobol_scrambling(question->seed, tile, FILM_DIMENSIONS);
     const struct spare_tile spared = {plan, ACROSS, DOWN, question->samples};
     const enum spare_way way = work->spare != NULL
                                    ? spare_take(work->spare, &spared, room->spare, room->sums)
@@ -352,7 +338,7 @@ static void look_through(const struct work *work, double x, double y, struct roo
     room->samples.v[0] = film->region.has_hole ? 0.5 : 0; /* not at the edge of a hole */
     film->aim(film, &room->samples, room->rays.blocks);
     rays_trace(film->systems[0], &room->rays, NULL);
-    if (!meet(room->rays.blocks, 0, work->card.distance, at)) {
+    if (!subject_meets(room->rays.blocks, 0, work->card.distance, at)) {
         at[0] = at[1] = 0;
     }
 }
@@ -404,16 +390,17 @@ static bool check_card(const struct photograph_question *question, struct error 
                 distance > 0 ? "at infinity: it needs a {distance}" : "within the lens");
 }
 
-/* The card becomes the relief that it shows. */
-static bool open_relief(struct work *work, struct arena *arena, struct error *error)
+/* The card, or the relief that it shows. */
+static bool open_subject(struct work *work, struct arena *arena, struct error *error)
 {
     const struct photograph_question *question = work->question;
     const struct setup *setup = question->film.setup;
     if (question->depths.map == NULL) {
+        work->subject = subject_card(&work->card);
         return true;
     }
     struct relief *relief = ARENA_NEW(arena, struct relief);
-    work->relief = relief;
+    work->subject = subject_relief(relief);
     const struct relief_question asked = {.depths = question->depths.map,
                                           .name = question->depths.name,
                                           .hidden = question->depths.hidden,
@@ -438,7 +425,7 @@ static void open_spare(struct work *work, struct arena *arena)
     struct spare *spare = ARENA_NEW(arena, struct spare);
     *spare = (struct spare){.film = work->film,
                             .card = &work->card,
-                            .relief = work->relief,
+                            .relief = work->subject.relief,
                             .passes = work->passes,
                             .pass = work->pass,
                             .kept = question->kept};
@@ -509,13 +496,14 @@ bool photograph_take(const struct photograph_question *question, struct arena *a
                         .passes = passes};
     photograph->passes = passes;
     work.pass = passes_of(question, work.passes, arena);
+    sobol_open(FILM_DIMENSIONS, &work.when);
     struct room *room = room_of(work.passes, arena);
     if (!size_card(&work, room, &photograph->card, error) ||
         !image_new(&photograph->image, arena, error)) {
         return false;
     }
     work.card = photograph->card;
-    if (!open_relief(&work, arena, error)) {
+    if (!open_subject(&work, arena, error)) {
         return false;
     }
     open_spare(&work, arena);

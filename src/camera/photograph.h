@@ -54,6 +54,7 @@ struct photograph_question {
     /* Each tile has as many as it needs for this error, a share of the white in the middle of the
        film, and `samples` at most; 0: all have `samples` */
     double error;
+    double duration; /* of the exposure, s, where rays at different times differ; 0: they do not */
     uint64_t seed;
     int threads;
     unsigned kept; /* 1 << enum skip, of what is done though it need not be */

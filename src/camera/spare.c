@@ -2,6 +2,7 @@
 /* SPDX-License-Identifier: MIT */
 #include "camera/spare.h"
 
+#include "camera/subject.h"
 #include "trace/dispatch.h"
 
 #include <math.h>
@@ -118,14 +119,6 @@ static double light_of_pixel(const struct spare *spare, const struct spare_tile 
 
 /* -------- what is seen -------- */
 
-static struct relief_ray told(const struct spare *spare, const struct ray_block *rays, size_t i)
-{
-    const double slope[AXES] = {rays->p[i] / rays->r[i], rays->q[i] / rays->r[i]};
-    const double way = spare->plane - rays->z[i];
-    return (struct relief_ray){{rays->x[i] + way * slope[X], rays->y[i] + way * slope[Y]},
-                               {slope[X], slope[Y]}};
-}
-
 /* Where it passes the frame's lines of sight at w. */
 static double seen_at(const struct spare *spare, const struct relief_ray *ray, int axis, double w)
 {
@@ -155,7 +148,7 @@ static void trace_rims(const struct spare *spare, const struct film_plan *plan,
         trace(spare, w, room);
         for (size_t i = 0; i < RAYS_BLOCK; i++) {
             room->passed[w][i] = room->rays.blocks->lost[i] == 0 && room->rays.blocks->r[i] < 0;
-            room->rim[w][i] = told(spare, room->rays.blocks, i);
+            room->rim[w][i] = subject_ray(room->rays.blocks, i, spare->plane);
         }
     }
 }
@@ -296,10 +289,10 @@ static bool trace_pupil(const struct spare *spare, const struct film_plan *plan,
     film_rays_plan(&middle, 0, SET_BEST, &room->samples);
     room->samples.u[0] = room->samples.v[0] = 0;
     trace(spare, wavelength, room);
-    const struct relief_ray chief = told(spare, room->rays.blocks, 0);
+    const struct relief_ray chief = subject_ray(room->rays.blocks, 0, spare->plane);
     pupil->count = 0;
     for (size_t i = 1; i < RAYS_BLOCK; i++) {
-        const struct relief_ray ray = told(spare, room->rays.blocks, i);
+        const struct relief_ray ray = subject_ray(room->rays.blocks, i, spare->plane);
         if (room->rays.blocks->lost[i] == 0 && room->samples.weight[i] > 0) {
             for (int k = X; k < AXES; k++) {
                 pupil->from[pupil->count].x[k] = ray.x[k] - chief.x[k];
@@ -328,7 +321,7 @@ static bool trace_nodes(const struct spare *spare, const struct film_plan *plan,
     bool all = true;
     for (size_t i = 0; i < RAYS_BLOCK; i++) {
         all = all && room->rays.blocks->lost[i] == 0 && room->rays.blocks->r[i] < 0;
-        room->rim[wavelength][i] = told(spare, room->rays.blocks, i);
+        room->rim[wavelength][i] = subject_ray(room->rays.blocks, i, spare->plane);
     }
     return all;
 }

@@ -1,0 +1,51 @@
+/* camera/subject.h - what is photographed: the light that rays meet which have left the lens. */
+/* SPDX-License-Identifier: MIT */
+#ifndef LENSCALC_CAMERA_SUBJECT_H
+#define LENSCALC_CAMERA_SUBJECT_H
+
+#include "camera/card.h"
+#include "camera/relief.h"
+#include "trace/rays.h"
+
+#include <stdint.h>
+
+enum { SUBJECT_CHANNELS = CARD_CHANNELS };
+
+/* A block of rays that a film has sent through a lens, and that were traced. */
+struct subject_rays {
+    const struct ray_block *block;
+    const double *weights; /* of each; what has none need not be looked at */
+    const double *times;   /* of each, s; 0 is the middle of the exposure */
+};
+
+/* The light of a block, of each ray by channel. */
+typedef double subject_light[RAYS_BLOCK][SUBJECT_CHANNELS];
+
+struct subject;
+typedef void subject_look(const struct subject *subject, const struct subject_rays *rays,
+                          uint64_t sights[RELIEF_SIGHTS], subject_light light);
+
+/* One of these; read-only afterwards: threads share it. */
+struct subject {
+    /* Light of all rays of a block, 0 of those that are lost or meet nothing. Of a relief adds up
+       what they found out. */
+    subject_look *look;
+    const struct card *card;
+    const struct relief *relief;
+};
+
+struct subject subject_card(const struct card *card);
+struct subject subject_relief(const struct relief *relief);
+
+/*
+ * Where a ray that has left the lens meets the plane of a card.
+ *
+ * Given     distance  of it before the first vertex, mm
+ * Result    at        x, y, mm; false: it never does
+ */
+bool subject_meets(const struct ray_block *rays, size_t i, double distance, double at[2]);
+
+/* A ray of a block, told where it passes the plane so far behind the first vertex. */
+struct relief_ray subject_ray(const struct ray_block *rays, size_t i, double plane);
+
+#endif
