@@ -2,6 +2,8 @@
 /* SPDX-License-Identifier: MIT */
 #include "exchange/command_words.h"
 
+#include "file/lens_words.h"
+
 #include <stdarg.h>
 #include <stdio.h>
 #include <string.h>
@@ -171,9 +173,9 @@ struct command_word commands_word(const struct commands *commands, size_t word)
     return last;
 }
 
-struct lens_words commands_place(const struct commands *commands, const struct command_word *word)
+struct file_words commands_place(const struct commands *commands, const struct command_word *word)
 {
-    return (struct lens_words){.source = commands->job->source,
+    return (struct file_words){.source = commands->job->source,
                                .line = word->line,
                                .number = word->number,
                                .at = word->line.start,
@@ -185,12 +187,12 @@ bool commands_fail(const struct commands *commands, const struct command_word *w
                    struct error *error, const char *format, ...)
 {
     char message[sizeof error->message];
-    const struct lens_words place = commands_place(commands, word);
+    const struct file_words place = commands_place(commands, word);
     va_list arguments;
     va_start(arguments, format);
     vsnprintf(message, sizeof message, format, arguments);
     va_end(arguments);
-    return lens_words_fail(&place, word->text, error, "%s", message);
+    return file_words_fail(&place, word->text, error, "%s", message);
 }
 
 bool commands_lose(const struct commands *commands, struct error *error, const char *format, ...)
@@ -198,7 +200,7 @@ bool commands_lose(const struct commands *commands, struct error *error, const c
     enum { MOST_SHOWN = 20 };
     char message[sizeof error->message];
     const struct command_word *word = &commands->words[0];
-    const struct lens_words place = commands_place(commands, word);
+    const struct file_words place = commands_place(commands, word);
     const size_t length = word->text.length;
     va_list arguments;
     va_start(arguments, format);
@@ -212,7 +214,7 @@ bool commands_figure(const struct commands *commands, size_t word, struct number
                      const char *what, struct figure *figure, struct error *error)
 {
     const struct command_word found = commands_word(commands, word);
-    const struct lens_words place = commands_place(commands, &found);
+    const struct file_words place = commands_place(commands, &found);
     return lens_words_figure(&place, found.text, scale, what, figure, error);
 }
 

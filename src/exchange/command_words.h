@@ -61,8 +61,8 @@ bool commands_next(struct commands *commands, struct error *error);
 /* The word of this number, or an empty one where the command has ended. */
 struct command_word commands_word(const struct commands *commands, size_t word);
 
-/* The line of a word, for foreign_loss and lens_words_fail. */
-struct lens_words commands_place(const struct commands *commands, const struct command_word *word);
+/* The line of a word, for foreign_loss and file_words_fail. */
+struct file_words commands_place(const struct commands *commands, const struct command_word *word);
 
 /* Report something wrong with a word. Returns false. */
 bool commands_fail(const struct commands *commands, const struct command_word *word,

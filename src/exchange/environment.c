@@ -3,6 +3,7 @@
 #include "exchange/environment.h"
 
 #include "file/lens_glass.h"
+#include "file/lens_words.h"
 #include "optics/air.h"
 #include "optics/growing.h"
 #include "optics/wavelength.h"
@@ -102,7 +103,7 @@ static const char *table_of(const struct environment *environment, const struct 
     return any ? arena_string(arena, done.start, done.length) : NULL;
 }
 
-bool environment_apply(const struct environment *environment, const struct lens_words *words,
+bool environment_apply(const struct environment *environment, const struct file_words *words,
                        struct text word, struct medium *medium, struct error *error)
 {
     const struct glass *glass = lens_glass_of(medium);

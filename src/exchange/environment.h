@@ -32,7 +32,7 @@ struct environment {
  *           air: Penndorf's differs by 1.1e-7 and less from -20 to 60 C
  * Errors    a loss where the catalogue lacks what it takes
  */
-bool environment_apply(const struct environment *environment, const struct lens_words *words,
+bool environment_apply(const struct environment *environment, const struct file_words *words,
                        struct text word, struct medium *medium, struct error *error);
 
 #endif

@@ -37,7 +37,7 @@ const char *foreign_unit_word(const struct foreign_unit *units, const char *unit
     return units->word;
 }
 
-bool foreign_loss(struct foreign_job *job, const struct lens_words *words, struct text word,
+bool foreign_loss(struct foreign_job *job, const struct file_words *words, struct text word,
                   struct error *error, const char *format, ...)
 {
     char message[sizeof error->message];
@@ -244,7 +244,7 @@ static void fail_first(const struct foreign_job *job, const struct foreign_loss 
 {
     const char *prefix = first->effect == LOSS_OF_LENS ? "" : "cannot be kept: ";
     if (first->line > 0) {
-        lens_words_fail(&first->line_of, first->word, error, "%s%s", prefix, first->message);
+        file_words_fail(&first->line_of, first->word, error, "%s%s", prefix, first->message);
     } else {
         fail(error, ERROR_DATA, "%s%s", prefix, first->message);
         error_locate(error, job->source, 0, 0);
@@ -291,7 +291,7 @@ bool foreign_settle(const struct foreign_job *job, bool done, struct error *erro
     return advise(job, all[0].first[0]->effect, error);
 }
 
-bool foreign_lack(struct foreign_job *job, const struct lens_words *words, struct text word,
+bool foreign_lack(struct foreign_job *job, const struct file_words *words, struct text word,
                   struct medium *medium, const char *message)
 {
     struct error unused;
@@ -446,14 +446,14 @@ static bool ask_all(const struct foreign_job *job, const struct foreign_name *na
                arena_string(job->arena, named->name.start, named->name.length), medium, error);
 }
 
-bool foreign_glass(struct foreign_job *job, const struct lens_words *words,
+bool foreign_glass(struct foreign_job *job, const struct file_words *words,
                    const struct foreign_name *named, struct medium *medium, struct error *error)
 {
     const struct text name = named->name;
     if (job->glasses == NULL) {
         *medium = (struct medium){.kind = MEDIUM_GLASS, .written = name, .index = {1, 0}};
         return is_glass_word(name) ||
-               lens_words_fail(words, name, error, "this cannot be the name of a glass");
+               file_words_fail(words, name, error, "this cannot be the name of a glass");
     }
     error->code = ERROR_NONE;
     for (size_t i = 0; i < named->catalog_count && error->code == ERROR_NONE; i++) {
@@ -472,6 +472,6 @@ bool foreign_glass(struct foreign_job *job, const struct lens_words *words,
         error->code = ERROR_NONE; /* not a homonym: unknown */
         return false;
     }
-    lens_words_fail(words, name, error, "%s", found.message);
+    file_words_fail(words, name, error, "%s", found.message);
     return error_hint(error, "%s", found.hint);
 }

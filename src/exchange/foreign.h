@@ -7,9 +7,9 @@
 #include "base/error.h"
 #include "base/file_type.h"
 #include "base/text.h"
+#include "file/file_words.h"
 #include "file/lens_build.h"
 #include "file/lens_file.h"
-#include "file/lens_words.h"
 #include "optics/growing.h"
 #include "optics/lens.h"
 
@@ -31,7 +31,7 @@ struct foreign_loss {
     const char *what; /* one line, in the arena */
     enum loss_effect effect;
     const char *message;       /* without what is done instead */
-    struct lens_words line_of; /* for messages, where `line` is not 0 */
+    struct file_words line_of; /* for messages, where `line` is not 0 */
     struct text word;
 };
 
@@ -113,7 +113,7 @@ struct foreign_format {
  * Result    true: the loss is in the list, and reading goes on so that all are found.
  *           foreign_settle says what becomes of them
  */
-bool foreign_loss(struct foreign_job *job, const struct lens_words *words, struct text word,
+bool foreign_loss(struct foreign_job *job, const struct file_words *words, struct text word,
                   struct error *error, const char *format, ...)
     __attribute__((format(printf, 5, 6)));
 
@@ -152,7 +152,7 @@ void foreign_summary(const struct foreign_job *job, struct growing *line);
  * Given     medium  receives one with which reading goes on
  * Result    true
  */
-bool foreign_lack(struct foreign_job *job, const struct lens_words *words, struct text word,
+bool foreign_lack(struct foreign_job *job, const struct file_words *words, struct text word,
                   struct medium *medium, const char *message);
 
 /* A glass as a file has it. */
@@ -175,7 +175,7 @@ struct foreign_name {
  * Note      a name is never changed but by glass_alias and glass_homonym, and then the medium has a
  *           warning
  */
-bool foreign_glass(struct foreign_job *job, const struct lens_words *words,
+bool foreign_glass(struct foreign_job *job, const struct file_words *words,
                    const struct foreign_name *named, struct medium *medium, struct error *error);
 
 /*

@@ -41,7 +41,7 @@ void json_put_design(struct growing *text, const struct lens *lens, struct arena
 
 /* Texts as the lines of a .lens file in mm have them. */
 static bool read_lines(struct json_reading *reading, const struct json_value *value,
-                       bool (*read)(struct lens_words *words, struct lens *lens,
+                       bool (*read)(struct file_words *words, struct lens *lens,
                                     struct error *error),
                        struct error *error)
 {
@@ -54,7 +54,7 @@ static bool read_lines(struct json_reading *reading, const struct json_value *va
             memchr(item->text.start, '\n', item->text.length) != NULL) {
             return json_wrong(reading, item, error, "expected a line of text here");
         }
-        struct lens_words words = json_place(reading, item);
+        struct file_words words = json_place(reading, item);
         words.line = item->text;
         words.at = item->text.start;
         words.scale = lens_unit_scale("mm");

@@ -6,6 +6,7 @@
 
 #include "base/constants.h"
 #include "file/lens_unit.h"
+#include "file/lens_words.h"
 
 #include <math.h>
 
@@ -35,7 +36,7 @@ static bool read_wave(struct json_reading *reading, const struct json_value *ite
     struct lens_wavelength *one =
         lens_build_wavelength(&reading->build, micrometres, figure.value.hi);
     double named = 0;
-    struct lens_words words = json_place(reading, item);
+    struct file_words words = json_place(reading, item);
     struct error ignored;
     if (!json_is_null(name) && name->kind == JSON_STRING &&
         lens_words_wavelength(&words, name->text, &named, &ignored) && named == micrometres) {

@@ -4,6 +4,7 @@
 
 #include "base/constants.h"
 #include "file/lens_unit.h"
+#include "file/lens_words.h"
 
 #include <math.h>
 #include <stdarg.h>
@@ -13,7 +14,7 @@
 enum { MOST_KEYS = 32 };
 
 /* The line of a value, for messages. */
-struct lens_words json_place(struct json_reading *reading, const struct json_value *value)
+struct file_words json_place(struct json_reading *reading, const struct json_value *value)
 {
     const char *start = reading->content.start;
     size_t at = value->at - 1, length = reading->content.length;
@@ -28,7 +29,7 @@ struct lens_words json_place(struct json_reading *reading, const struct json_val
         end = memchr(start + reading->line_start, '\n', length - reading->line_start);
     }
     const char *last = end != NULL ? end : start + length;
-    return (struct lens_words){.source = reading->job->source,
+    return (struct file_words){.source = reading->job->source,
                                .line = text_between(start + reading->line_start, last),
                                .number = reading->line,
                                .scale = NUMBER_UNSCALED,
@@ -39,13 +40,13 @@ bool json_wrong(struct json_reading *reading, const struct json_value *value, st
                 const char *format, ...)
 {
     char message[200];
-    const struct lens_words words = json_place(reading, value);
+    const struct file_words words = json_place(reading, value);
     const struct text word = {reading->content.start + value->at - 1, 0};
     va_list arguments;
     va_start(arguments, format);
     vsnprintf(message, sizeof message, format, arguments);
     va_end(arguments);
-    return lens_words_fail(&words, word, error, "%s", message);
+    return file_words_fail(&words, word, error, "%s", message);
 }
 
 /* Each key once, and none that is not in the list: that is a loss. */
@@ -62,7 +63,7 @@ bool json_check_keys(struct json_reading *reading, const struct json_value *obje
             return json_wrong(reading, item, error, "the key '%s' appears twice", keys[i]);
         }
         seen[i] = keys[i] != NULL ? item : NULL;
-        const struct lens_words words = json_place(reading, item);
+        const struct file_words words = json_place(reading, item);
         if (keys[i] == NULL &&
             !foreign_loss(reading->job, &words,
                           (struct text){reading->content.start + item->at - 1, 0}, error,
@@ -204,7 +205,7 @@ bool json_read_medium(struct json_reading *reading, const struct json_value *val
     if (value->kind != JSON_STRING) {
         return json_wrong(reading, value, error, "a medium is a text, as in a .lens file");
     }
-    struct lens_words words = json_place(reading, value);
+    struct file_words words = json_place(reading, value);
     bool table = value->text.length > 0 && value->text.start[0] == '{';
     for (size_t i = 0; i < value->text.length; i++) {
         unsigned char c = (unsigned char)value->text.start[i];

@@ -5,8 +5,8 @@
 
 #include "base/json_read.h"
 #include "exchange/foreign.h"
+#include "file/file_words.h"
 #include "file/lens_build.h"
-#include "file/lens_words.h"
 
 struct json_reading {
     struct foreign_job *job;
@@ -17,7 +17,7 @@ struct json_reading {
 };
 
 /* The line of a value, for messages. */
-struct lens_words json_place(struct json_reading *reading, const struct json_value *value);
+struct file_words json_place(struct json_reading *reading, const struct json_value *value);
 
 /* ERROR_DATA with line, column and caret at the value. Returns false. */
 bool json_wrong(struct json_reading *reading, const struct json_value *value, struct error *error,

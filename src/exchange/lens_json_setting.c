@@ -3,6 +3,7 @@
 #include "exchange/lens_json_reading.h"
 #include "file/lens_setting.h"
 #include "file/lens_unit.h"
+#include "file/lens_words.h"
 
 #include <math.h>
 #include <string.h>
@@ -88,7 +89,7 @@ static bool read_lights(struct json_reading *reading, const struct json_value *v
         if (item->kind != JSON_STRING) {
             return json_wrong(reading, item, error, "wavelengths of a position are a text: d,F,C");
         }
-        struct lens_words words = json_place(reading, item);
+        struct file_words words = json_place(reading, item);
         words.line = item->text;
         if (!lens_light_read(&words, item->text, &lights[i], error)) {
             return false;
@@ -108,7 +109,7 @@ static bool read_points(struct json_reading *reading, const struct json_value *v
         if (item->kind != JSON_STRING) {
             return json_wrong(reading, item, error, "fields of a position are a text: 0;5;7");
         }
-        struct lens_words words = json_place(reading, item);
+        struct file_words words = json_place(reading, item);
         words.line = item->text;
         words.scale = lens_unit_scale("mm");
         if (!lens_words_points(&words, item->text, lens->field_kind, &points[i], error)) {

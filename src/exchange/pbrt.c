@@ -4,6 +4,7 @@
 
 #include "base/number.h"
 #include "file/lens_build.h"
+#include "file/lens_words.h"
 
 #include <math.h>
 #include <string.h>
@@ -66,15 +67,15 @@ struct row {
     struct text words[CELLS];
 };
 
-static bool check_row(const struct lens_words *words, const struct row *row, struct error *error)
+static bool check_row(const struct file_words *words, const struct row *row, struct error *error)
 {
     for (int i = INDEX; i < CELLS; i++) {
         if (!(row->figures[i].value.hi >= 0)) {
-            return lens_words_fail(words, row->words[i], error, "a negative %s", names[i]);
+            return file_words_fail(words, row->words[i], error, "a negative %s", names[i]);
         }
     }
     return row->figures[DIAMETER].value.hi > 0 ||
-           lens_words_fail(words, row->words[DIAMETER], error, "a surface without diameter");
+           file_words_fail(words, row->words[DIAMETER], error, "a surface without diameter");
 }
 
 static struct medium medium_of(const struct figure *index)
@@ -92,7 +93,7 @@ static bool is_same_index(const struct medium *a, const struct medium *b)
 }
 
 /* Radius 0: a stop, unless it is between two media. */
-static bool read_stop(struct lens_build *build, const struct lens_words *words,
+static bool read_stop(struct lens_build *build, const struct file_words *words,
                       const struct row *row, struct surface *surface, struct error *error)
 {
     size_t at = build->lens->surface_count - 1;
@@ -101,12 +102,12 @@ static bool read_stop(struct lens_build *build, const struct lens_words *words,
     if (!(row->figures[INDEX].value.hi > 0)) {
         surface->medium = *before;
     } else if (!is_same_index(before, &surface->medium)) {
-        lens_words_fail(words, row->words[RADIUS], error,
+        file_words_fail(words, row->words[RADIUS], error,
                         "radius 0 is the stop, which does not refract, but the index changes here");
         return error_hint(error, "write a plane as a very long radius");
     }
     if (build->lens->stop != LENS_NONE) {
-        return lens_words_fail(words, row->words[RADIUS], error,
+        return file_words_fail(words, row->words[RADIUS], error,
                                "a second stop: surface %zu is one already", build->lens->stop + 1);
     }
     lens_build_stop(build, at);
@@ -114,7 +115,7 @@ static bool read_stop(struct lens_build *build, const struct lens_words *words,
     return true;
 }
 
-static bool add_surface(struct lens_build *build, const struct lens_words *words,
+static bool add_surface(struct lens_build *build, const struct file_words *words,
                         const struct row *row, struct error *error)
 {
     if (!check_row(words, row, error)) {
@@ -134,14 +135,14 @@ static bool add_surface(struct lens_build *build, const struct lens_words *words
     return read_stop(build, words, row, surface, error);
 }
 
-static bool read_words(struct lens_build *build, struct lens_words *words, struct error *error)
+static bool read_words(struct lens_build *build, struct file_words *words, struct error *error)
 {
     struct row row;
     int cell = RADIUS;
     struct text last = {words->rest.start, 0};
-    while (lens_words_line(words)) {
-        for (struct text word = lens_words_next(words); word.length > 0;
-             word = lens_words_next(words)) {
+    while (file_words_line(words)) {
+        for (struct text word = file_words_next(words); word.length > 0;
+             word = file_words_next(words)) {
             row.words[cell] = last = word;
             if (!lens_words_figure(words, word, NUMBER_UNSCALED, names[cell], &row.figures[cell],
                                    error)) {
@@ -160,7 +161,7 @@ static bool read_words(struct lens_build *build, struct lens_words *words, struc
         }
     }
     if (cell != RADIUS) {
-        return lens_words_fail(words, last, error, "the last surface has no %s", names[cell]);
+        return file_words_fail(words, last, error, "the last surface has no %s", names[cell]);
     }
     return build->lens->surface_count > 0 ||
            (fail(error, ERROR_DATA, "no surface: a line is radius, thickness, index, diameter") ||
@@ -170,11 +171,11 @@ static bool read_words(struct lens_build *build, struct lens_words *words, struc
 static bool read(struct foreign_job *job, struct text content, struct lens *lens,
                  struct error *error)
 {
-    struct lens_words words;
+    struct file_words words;
     struct lens_build build;
     lens_build_begin(&build, lens, job->arena);
     read_comments(&build, content);
-    return lens_words_open(&words, job->source, content, job->arena, error) &&
+    return file_words_open(&words, job->source, content, job->arena, error) &&
            read_words(&build, &words, error);
 }
 

@@ -3,6 +3,7 @@
 #include "exchange/sequence.h"
 #include "exchange/sequence_move.h"
 #include "exchange/virtual_object.h"
+#include "file/lens_words.h"
 
 #include <math.h>
 #include <string.h>
@@ -31,7 +32,7 @@ struct sequence_surface *sequence_add(struct sequence *sequence, struct command_
 bool sequence_medium(const struct commands *commands, const struct command_word *at,
                      const char *written, struct medium *medium, struct error *error)
 {
-    struct lens_words words = commands_place(commands, at);
+    struct file_words words = commands_place(commands, at);
     words.line = text_of(written);
     return lens_words_medium(&words, words.line, medium, error);
 }
@@ -84,7 +85,7 @@ static bool put_aperture(const struct sequence *sequence, struct sequence_apertu
         surface->aperture_count++;
         return true;
     }
-    const struct lens_words place = commands_place(sequence->commands, &one->at);
+    const struct file_words place = commands_place(sequence->commands, &one->at);
     return foreign_loss(sequence->job, &place, one->at.text, error,
                         "%.*s: an aperture that is not stated whole" LOSS_VIGNETTES LOSS_INSTEAD
                         "left out",
@@ -166,7 +167,7 @@ static bool put_object(const struct sequence *sequence, struct error *error)
 {
     struct lens *lens = sequence->build->lens;
     struct sequence_surface *object = &sequence->surfaces[0];
-    const struct lens_words place = commands_place(sequence->commands, &object->at);
+    const struct file_words place = commands_place(sequence->commands, &object->at);
     bool along = sequence_is_some(&object->shift[2]);
     if ((sequence_is_some(&object->curve) || sequence_is_decentred(object) || along) &&
         !foreign_loss(sequence->job, &place, object->at.text, error,
@@ -190,7 +191,7 @@ static bool check_telecentric(const struct sequence *sequence, struct error *err
 {
     struct lens *lens = sequence->build->lens;
     const struct command_word *at = &sequence->surfaces[0].at;
-    const struct lens_words place = commands_place(sequence->commands, at);
+    const struct file_words place = commands_place(sequence->commands, at);
     if (!lens->is_telecentric || !lens->object_is_infinite) {
         return true;
     }
@@ -204,7 +205,7 @@ static bool check_telecentric(const struct sequence *sequence, struct error *err
 static bool put_image(const struct sequence *sequence, bool is_solved, struct error *error)
 {
     struct sequence_surface *image = &sequence->surfaces[sequence->count - 1];
-    const struct lens_words place = commands_place(sequence->commands, &image->at);
+    const struct file_words place = commands_place(sequence->commands, &image->at);
     struct lens *lens = sequence->build->lens;
     size_t last = lens->surface_count;
     lens->focus = sequence->is_afocal ? FOCUS_AFOCAL : is_solved ? FOCUS_PARAXIAL : FOCUS_TABLE;

@@ -38,7 +38,7 @@ bool sequence_to_environment(struct sequence *sequence, struct error *error)
         struct sequence_surface *surface = &sequence->surfaces[i];
         const struct command_word *at =
             surface->glass.text.length > 0 ? &surface->glass : &surface->at;
-        const struct lens_words place = commands_place(sequence->commands, at);
+        const struct file_words place = commands_place(sequence->commands, at);
         if (!environment_apply(environment, &place, at->text, &surface->medium, error)) {
             return false;
         }

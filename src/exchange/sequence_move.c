@@ -56,7 +56,7 @@ void sequence_spread_z(const struct sequence *sequence)
 bool sequence_check_move(const struct sequence *sequence, const struct sequence_surface *from,
                          struct error *error)
 {
-    const struct lens_words place = commands_place(sequence->commands, &from->decentred_at);
+    const struct file_words place = commands_place(sequence->commands, &from->decentred_at);
     const struct text word = from->decentred_at.text;
     int turns = sequence_is_some(&from->turn[0]) + sequence_is_some(&from->turn[1]);
     bool about_z = sequence_is_some(&from->turn[2]);

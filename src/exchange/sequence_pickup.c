@@ -2,6 +2,7 @@
 /* SPDX-License-Identifier: MIT */
 #include "exchange/keep_pickup.h"
 #include "exchange/sequence.h"
+#include "file/lens_words.h"
 
 #include <math.h>
 

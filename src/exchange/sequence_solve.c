@@ -3,6 +3,7 @@
 #include "exchange/sequence.h"
 
 #include "file/lens_build.h"
+#include "file/lens_words.h"
 
 #include <math.h>
 
@@ -102,7 +103,7 @@ static bool is_stored(const struct solving *solving)
 static bool keep(const struct solving *solving, const char *why, struct error *error)
 {
     const struct sequence *sequence = solving->sequence;
-    const struct lens_words place = commands_place(sequence->commands, &solving->solve->at);
+    const struct file_words place = commands_place(sequence->commands, &solving->solve->at);
     error->code = ERROR_NONE;
     if (!sequence->has_positions && is_stored(solving) && why != through_loss) {
         const char *note = arena_printf(sequence->job->arena,

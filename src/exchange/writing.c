@@ -7,6 +7,7 @@
 #include "file/lens_build.h"
 #include "file/lens_glass.h"
 #include "file/lens_unit.h"
+#include "file/lens_words.h"
 #include "optics/first_order.h"
 
 #include <math.h>

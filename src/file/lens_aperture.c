@@ -3,33 +3,34 @@
 #include "file/lens_aperture.h"
 
 #include "base/constants.h"
+#include "file/lens_words.h"
 
 #include <string.h>
 
-static bool refuse_shape(const struct lens_words *words, struct text word, struct error *error)
+static bool refuse_shape(const struct file_words *words, struct text word, struct error *error)
 {
     struct nearest nearest = {.typed = word};
     for (size_t i = 0; i < APERTURE_SHAPES; i++) {
         nearest_offer(&nearest, text_of(aperture_shapes[i].word));
     }
-    lens_words_fail(words, word, error,
+    file_words_fail(words, word, error,
                     "the shape is circle, ring, rectangle, ellipse, polygon or spider");
     return nearest.best.start != NULL &&
            error_hint(error, "did you mean '%.*s'?", (int)nearest.best.length, nearest.best.start);
 }
 
-static bool read_size(struct lens_words *words, const char *what, struct figure *size,
+static bool read_size(struct file_words *words, const char *what, struct figure *size,
                       struct error *error)
 {
-    struct text word = lens_words_next(words);
+    struct text word = file_words_next(words);
     return lens_words_figure(words, word, words->scale, what, size, error) &&
            (size->value.hi > 0 ||
-            lens_words_fail(words, word, error, "the %s must be above 0", what));
+            file_words_fail(words, word, error, "the %s must be above 0", what));
 }
 
-static bool read_arms(struct lens_words *words, unsigned *arms, struct error *error)
+static bool read_arms(struct file_words *words, unsigned *arms, struct error *error)
 {
-    struct text word = lens_words_next(words);
+    struct text word = file_words_next(words);
     struct figure figure;
     if (!lens_words_figure(words, word, NUMBER_UNSCALED, "number of arms", &figure, error)) {
         return false;
@@ -37,24 +38,24 @@ static bool read_arms(struct lens_words *words, unsigned *arms, struct error *er
     double count = figure.value.hi;
     *arms = count >= 1 && count <= APERTURE_MOST_ARMS ? (unsigned)count : 0;
     return (*arms > 0 && *arms == count) ||
-           lens_words_fail(words, word, error, "a spider has 1 to %d arms", APERTURE_MOST_ARMS);
+           file_words_fail(words, word, error, "a spider has 1 to %d arms", APERTURE_MOST_ARMS);
 }
 
 /* x,y as far as words have no '='. */
-static bool read_points(struct lens_words *words, struct aperture *aperture, struct error *error)
+static bool read_points(struct file_words *words, struct aperture *aperture, struct error *error)
 {
     const struct vector_form form = {"corner", 2, words->scale, 0};
     struct figure(*points)[2] = NULL;
     size_t room = 0, count = 0;
-    for (struct lens_words ahead = *words;; *words = ahead) {
-        struct text word = lens_words_next(&ahead);
+    for (struct file_words ahead = *words;; *words = ahead) {
+        struct text word = file_words_next(&ahead);
         if (word.length == 0 || memchr(word.start, '=', word.length) != NULL) {
             break;
         }
         points = arena_grow(words->arena, points, count, &room, sizeof *points);
         points[count][0] = points[count][1] = (struct figure){.variable = LENS_NONE};
         if (memchr(word.start, ',', word.length) == NULL) {
-            return lens_words_fail(words, word, error, "a corner of a polygon is written x,y");
+            return file_words_fail(words, word, error, "a corner of a polygon is written x,y");
         }
         if (!lens_words_vector(words, word, &form, points[count], error)) {
             return false;
@@ -67,23 +68,23 @@ static bool read_points(struct lens_words *words, struct aperture *aperture, str
 }
 
 /* decenter=x,y and turn=a, each once. */
-static bool read_place(struct lens_words *words, struct aperture *aperture, struct error *error)
+static bool read_place(struct file_words *words, struct aperture *aperture, struct error *error)
 {
     const struct vector_form shift = {"decentre", 2, words->scale, 0};
     const struct vector_form turn = {"turn", 1, NUMBER_UNSCALED, RADIANS_PER_DEGREE};
     unsigned seen = 0;
-    for (struct text word = lens_words_next(words); word.length > 0;
-         word = lens_words_next(words)) {
+    for (struct text word = file_words_next(words); word.length > 0;
+         word = file_words_next(words)) {
         struct text value = word, key = text_cut(&value, '=');
         bool decenter = text_equal(key, "decenter"), turned = text_equal(key, "turn");
         unsigned bit = decenter ? 1 : 2;
         if (value.start == NULL || (!decenter && !turned)) {
-            return lens_words_fail(
+            return file_words_fail(
                 words, word, error,
                 "behind the sizes an aperture has decenter=x,y and turn=degrees");
         }
         if ((seen & bit) != 0) {
-            return lens_words_fail(words, word, error, "'%.*s=' is there twice", text_shown(key),
+            return file_words_fail(words, word, error, "'%.*s=' is there twice", text_shown(key),
                                    key.start);
         }
         seen |= bit;
@@ -95,10 +96,10 @@ static bool read_place(struct lens_words *words, struct aperture *aperture, stru
     return true;
 }
 
-static bool read_shape(struct lens_words *words, bool blocks, struct aperture *aperture,
+static bool read_shape(struct file_words *words, bool blocks, struct aperture *aperture,
                        struct error *error)
 {
-    struct text word = lens_words_next(words);
+    struct text word = file_words_next(words);
     size_t shape = 0;
     while (shape < APERTURE_SHAPES && !text_equal(word, aperture_shapes[shape].word)) {
         shape++;
@@ -120,14 +121,14 @@ static bool read_shape(struct lens_words *words, bool blocks, struct aperture *a
     }
     struct error wrong = {.code = ERROR_NONE};
     return aperture_check(aperture, &wrong) ||
-           lens_words_fail(words, word, error, "%s", wrong.message);
+           file_words_fail(words, word, error, "%s", wrong.message);
 }
 
-bool lens_aperture_read(struct lens_words *words, bool blocks, struct surface *surface,
+bool lens_aperture_read(struct file_words *words, bool blocks, struct surface *surface,
                         size_t *room, struct error *error)
 {
     if (surface == NULL) {
-        return lens_words_fail(words, words->line, error,
+        return file_words_fail(words, words->line, error,
                                "an aperture stands below the line of its surface");
     }
     struct aperture *all = arena_grow(words->arena, (void *)surface->apertures,

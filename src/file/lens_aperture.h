@@ -3,7 +3,7 @@
 #ifndef LENSCALC_FILE_LENS_APERTURE_H
 #define LENSCALC_FILE_LENS_APERTURE_H
 
-#include "file/lens_words.h"
+#include "file/file_words.h"
 #include "optics/aperture.h"
 #include "optics/growing.h"
 
@@ -14,7 +14,7 @@
  *           room     of its list, 0 before the first
  * Errors    ERROR_DATA with line and column
  */
-bool lens_aperture_read(struct lens_words *words, bool blocks, struct surface *surface,
+bool lens_aperture_read(struct file_words *words, bool blocks, struct surface *surface,
                         size_t *room, struct error *error);
 
 /* The line of an aperture, with its end; lengths in the unit of the lens. */

@@ -21,16 +21,16 @@ static const char *const kept_words[KEPT_KINDS] = {"set", "pickup", "tolerance"}
 
 /* A file being read. Arrays grow by doubling in the arena. */
 struct parser {
-    struct lens_words words;
+    struct file_words words;
     struct lens *lens;
     const struct glass_source *glasses;
     size_t surface_room, note_room, variable_room, aperture_room;
     const struct displacement *coordinate_break; /* of the next surface */
     struct text aperture_word;                   /* where it was named, and in which line */
-    struct lens_words aperture_line;
-    struct lens_words *variable_lines; /* where each variable was first used */
+    struct file_words aperture_line;
+    struct file_words *variable_lines; /* where each variable was first used */
     struct lines {
-        struct lens_words *all;
+        struct file_words *all;
         size_t count, room;
     } kept[KEPT_KINDS];  /* lines, from behind their first word on */
     struct text keyword; /* of the present line */
@@ -39,7 +39,7 @@ struct parser {
 
 static const char *rest_string(struct parser *parser)
 {
-    struct text rest = lens_words_rest(&parser->words);
+    struct text rest = file_words_rest(&parser->words);
     return arena_string(parser->words.arena, rest.start, rest.length);
 }
 
@@ -76,27 +76,27 @@ static bool read_note(struct parser *parser, struct error *error)
 
 static bool read_unit(struct parser *parser, struct error *error)
 {
-    struct text word = lens_words_next(&parser->words);
+    struct text word = file_words_next(&parser->words);
     const char *unit = lens_unit_named(word);
     if (parser->lens->surface_count > 0 || parser->given > 1) {
-        return lens_words_fail(&parser->words, word, error,
+        return file_words_fail(&parser->words, word, error,
                                "the unit must come before all lengths");
     }
     if (unit == NULL) {
-        return lens_words_fail(&parser->words, word, error, "the unit is one of mm, cm, m, in");
+        return file_words_fail(&parser->words, word, error, "the unit is one of mm, cm, m, in");
     }
     parser->words.scale = lens_unit_scale(unit);
     parser->lens->unit = unit;
-    return lens_words_end(&parser->words, error);
+    return file_words_end(&parser->words, error);
 }
 
 static bool read_wavelengths(struct parser *parser, struct error *error)
 {
     struct lens *lens = parser->lens;
-    struct lens_words *words = &parser->words;
+    struct file_words *words = &parser->words;
     size_t room = 0;
-    for (struct text word = lens_words_next(words); word.length > 0 || lens->wavelength_count == 0;
-         word = lens_words_next(words)) {
+    for (struct text word = file_words_next(words); word.length > 0 || lens->wavelength_count == 0;
+         word = file_words_next(words)) {
         lens->wavelengths = arena_grow(words->arena, lens->wavelengths, lens->wavelength_count,
                                        &room, sizeof lens->wavelengths[0]);
         if (!lens_words_light(words, word, &lens->wavelengths[lens->wavelength_count++], error)) {
@@ -119,15 +119,15 @@ static bool read_distance(struct parser *parser, struct text word, struct figure
         return false;
     }
     return figure->value.hi > 0 ||
-           lens_words_fail(&parser->words, word, error,
+           file_words_fail(&parser->words, word, error,
                            "the object's distance is counted to the left: it is above 0, or inf");
 }
 
 /* `object 100 telecentric`, `let object telecentric 100 200`. */
 static void take_telecentric(struct parser *parser)
 {
-    const struct lens_words before = parser->words;
-    if (text_equal(lens_words_next(&parser->words), "telecentric")) {
+    const struct file_words before = parser->words;
+    if (text_equal(file_words_next(&parser->words), "telecentric")) {
         parser->lens->is_telecentric = true;
     } else {
         parser->words = before;
@@ -137,24 +137,24 @@ static void take_telecentric(struct parser *parser)
 static bool read_object(struct parser *parser, struct error *error)
 {
     struct lens *lens = parser->lens;
-    if (!read_distance(parser, lens_words_next(&parser->words), &lens->object, error)) {
+    if (!read_distance(parser, file_words_next(&parser->words), &lens->object, error)) {
         return false;
     }
     lens->object_is_infinite = isinf(lens->object.value.hi);
     take_telecentric(parser);
-    return lens_words_end(&parser->words, error);
+    return file_words_end(&parser->words, error);
 }
 
 static bool read_medium(struct parser *parser, struct error *error)
 {
     if (parser->lens->surface_count > 0) {
-        return lens_words_fail(&parser->words, parser->words.line, error,
+        return file_words_fail(&parser->words, parser->words.line, error,
                                "the object's medium must come before the surfaces");
     }
     struct medium *medium = &parser->lens->object_medium;
-    return lens_words_medium(&parser->words, lens_words_next(&parser->words), medium, error) &&
+    return lens_words_medium(&parser->words, file_words_next(&parser->words), medium, error) &&
            lens_words_glass(&parser->words, parser->glasses, medium, error) &&
-           lens_words_end(&parser->words, error);
+           file_words_end(&parser->words, error);
 }
 
 static bool read_field(struct parser *parser, struct error *error)
@@ -167,14 +167,14 @@ static bool read_field(struct parser *parser, struct error *error)
                  {"image", FIELD_IMAGE},
                  {"real", FIELD_REAL}};
     struct lens *lens = parser->lens;
-    struct text word = lens_words_next(&parser->words);
+    struct text word = file_words_next(&parser->words);
     for (size_t i = 0; i < sizeof kinds / sizeof kinds[0]; i++) {
         if (text_equal(word, kinds[i].name)) {
             lens->field_kind = kinds[i].kind;
         }
     }
     if (lens->field_kind == FIELD_NONE) {
-        return lens_words_fail(&parser->words, word, error,
+        return file_words_fail(&parser->words, word, error,
                                "a field is an angle, an object's height, or that of its paraxial "
                                "or real image: angle, height, image or real");
     }
@@ -191,11 +191,11 @@ static const struct {
 static bool read_aperture_value(struct parser *parser, struct text word, struct figure *figure,
                                 enum aperture_kind *kind, struct error *error)
 {
-    struct lens_words *words = &parser->words;
+    struct file_words *words = &parser->words;
     for (size_t i = 0; i < sizeof aperture_words / sizeof aperture_words[0]; i++) {
         if (text_equal(word, aperture_words[i].name)) {
             *kind = aperture_words[i].kind;
-            word = *kind != APERTURE_STOP ? lens_words_next(words) : word;
+            word = *kind != APERTURE_STOP ? file_words_next(words) : word;
         }
     }
     if (*kind == APERTURE_STOP) {
@@ -207,36 +207,36 @@ static bool read_aperture_value(struct parser *parser, struct text word, struct 
         *kind = APERTURE_FNUMBER;
         word = (struct text){word.start + 2, word.length - 2};
     } else if (*kind == APERTURE_NONE || *kind == APERTURE_FNUMBER) {
-        return lens_words_fail(words, word, error, "an aperture is stop, f/2, epd 50 or na 0.25");
+        return file_words_fail(words, word, error, "an aperture is stop, f/2, epd 50 or na 0.25");
     }
     if (!lens_words_figure(words, word, *kind == APERTURE_EPD ? words->scale : NUMBER_UNSCALED,
                            "aperture", figure, error)) {
         return false;
     }
     return figure->value.hi > 0 ||
-           lens_words_fail(words, word, error, "the aperture must be above 0");
+           file_words_fail(words, word, error, "the aperture must be above 0");
 }
 
 static bool read_aperture(struct parser *parser, struct error *error)
 {
-    parser->aperture_word = lens_words_next(&parser->words);
+    parser->aperture_word = file_words_next(&parser->words);
     parser->aperture_line = parser->words;
     return read_aperture_value(parser, parser->aperture_word, &parser->lens->aperture,
                                &parser->lens->aperture_kind, error) &&
-           lens_words_end(&parser->words, error);
+           file_words_end(&parser->words, error);
 }
 
 static bool read_focus(struct parser *parser, struct error *error)
 {
     static const char *const names[] = {"paraxial", "table", "best", "afocal"};
-    struct text word = lens_words_next(&parser->words);
+    struct text word = file_words_next(&parser->words);
     for (int i = 0; i < FOCUS_KINDS; i++) {
         if (text_equal(word, names[i])) {
             parser->lens->focus = (enum focus_kind)i;
-            return lens_words_end(&parser->words, error);
+            return file_words_end(&parser->words, error);
         }
     }
-    return lens_words_fail(&parser->words, word, error,
+    return file_words_fail(&parser->words, word, error,
                            "the focus is paraxial, table, best or afocal");
 }
 
@@ -263,13 +263,13 @@ static size_t find_variable(void *context, struct text name)
 static bool read_positions(struct parser *parser, struct error *error)
 {
     struct lens *lens = parser->lens;
-    struct lens_words *words = &parser->words;
+    struct file_words *words = &parser->words;
     size_t room = 0;
-    for (struct text word = lens_words_next(words); word.length > 0 || lens->position_count == 0;
-         word = lens_words_next(words)) {
+    for (struct text word = file_words_next(words); word.length > 0 || lens->position_count == 0;
+         word = file_words_next(words)) {
         if (word.length == 0 || text_equal(word, "all") ||
             lens_position_find(lens, word) != LENS_NONE) {
-            return lens_words_fail(words, word, error, "%s",
+            return file_words_fail(words, word, error, "%s",
                                    word.length == 0
                                        ? "the positions have no names"
                                        : "a position's name that cannot be used: twice, or 'all'");
@@ -285,7 +285,7 @@ static bool read_positions(struct parser *parser, struct error *error)
 static bool check_count(struct parser *parser, struct text name, size_t count, struct error *error)
 {
     return count == parser->lens->position_count ||
-           lens_words_fail(&parser->words, name, error, "%zu numbers for %zu positions", count,
+           file_words_fail(&parser->words, name, error, "%zu numbers for %zu positions", count,
                            parser->lens->position_count);
 }
 
@@ -295,12 +295,12 @@ static bool let_objects(struct parser *parser, struct text name, struct error *e
     struct figure *values = ARENA_ARRAY(parser->words.arena, lens->position_count, struct figure);
     size_t count = 0;
     take_telecentric(parser);
-    struct text word = lens_words_next(&parser->words);
+    struct text word = file_words_next(&parser->words);
     for (; word.length > 0 && count < lens->position_count; count++) {
         if (!read_distance(parser, word, &values[count], error)) {
             return false;
         }
-        word = lens_words_next(&parser->words);
+        word = file_words_next(&parser->words);
     }
     lens->objects = values;
     return check_count(parser, name, count + (word.length > 0), error);
@@ -310,19 +310,19 @@ static bool let_apertures(struct parser *parser, struct text name, struct error 
 {
     struct lens *lens = parser->lens;
     struct figure *values = ARENA_ARRAY(parser->words.arena, lens->position_count, struct figure);
-    struct text word = lens_words_next(&parser->words);
+    struct text word = file_words_next(&parser->words);
     size_t count = 0;
     lens->aperture_kind = APERTURE_NONE;
     for (; word.length > 0 && count < lens->position_count; count++) {
         if (text_equal(word, "stop") ||
             !read_aperture_value(parser, word, &values[count], &lens->aperture_kind, error)) {
             return text_equal(word, "stop")
-                       ? lens_words_fail(&parser->words, word, error,
+                       ? file_words_fail(&parser->words, word, error,
                                          "give the stop's diameter in every position by a "
                                          "variable in its line")
                        : false;
         }
-        word = lens_words_next(&parser->words);
+        word = file_words_next(&parser->words);
     }
     lens->apertures = values;
     return check_count(parser, name, count + (word.length > 0), error);
@@ -331,9 +331,9 @@ static bool let_apertures(struct parser *parser, struct text name, struct error 
 static bool read_let(struct parser *parser, struct error *error)
 {
     struct lens *lens = parser->lens;
-    struct text name = lens_words_next(&parser->words);
+    struct text name = file_words_next(&parser->words);
     if (lens->position_count == 0) {
-        return lens_words_fail(&parser->words, name, error,
+        return file_words_fail(&parser->words, name, error,
                                "'let' needs a line with 'position' before it");
     }
     if (text_equal(name, "object")) {
@@ -343,12 +343,12 @@ static bool read_let(struct parser *parser, struct error *error)
         return let_apertures(parser, name, error);
     }
     if (name.length == 0 || (name.start[0] | 32) < 'a' || (name.start[0] | 32) > 'z') {
-        return lens_words_fail(&parser->words, name, error, "the name of a variable is missing");
+        return file_words_fail(&parser->words, name, error, "the name of a variable is missing");
     }
     size_t index = find_variable(parser, name), count;
     struct lens_variable *variable = &lens->variables[index];
     if (variable->values != NULL) {
-        return lens_words_fail(&parser->words, name, error, "'%.*s' has its numbers already",
+        return file_words_fail(&parser->words, name, error, "'%.*s' has its numbers already",
                                text_shown(name), name.start);
     }
     return lens_let_read(&parser->words, lens->position_count, variable, &count, error) &&
@@ -378,8 +378,8 @@ static bool read_stated(struct parser *parser, struct error *error)
 {
     static const char *const names[STATED_COUNT] = {"efl", "bfl", "fnumber", "tstop"};
     struct lens *lens = parser->lens;
-    struct lens_words *words = &parser->words;
-    struct text word = lens_words_next(words);
+    struct file_words *words = &parser->words;
+    struct text word = file_words_next(words);
     for (int i = 0; i < STATED_COUNT; i++) {
         if (!text_equal(word, names[i])) {
             continue;
@@ -393,7 +393,7 @@ static bool read_stated(struct parser *parser, struct error *error)
         size_t count = lens->stated_count[i];
         return count == 1 || check_count(parser, word, count, error);
     }
-    return lens_words_fail(words, word, error, "what is stated is efl, bfl, fnumber or tstop");
+    return file_words_fail(words, word, error, "what is stated is efl, bfl, fnumber or tstop");
 }
 
 /* One surface more, with the coordinate break before it. */
@@ -403,11 +403,11 @@ static bool add_surface(struct parser *parser, enum surface_kind kind, struct er
     struct text word = {parser->words.line.start, 0};
     size_t last = lens->surface_count;
     if (last > 0 && !lens->surfaces[last - 1].has_thickness) {
-        return lens_words_fail(&parser->words, word, error,
+        return file_words_fail(&parser->words, word, error,
                                "a surface after one without a thickness");
     }
     if (last == LENS_MOST_SURFACES) {
-        return lens_words_fail(&parser->words, word, error, "more than %d surfaces",
+        return file_words_fail(&parser->words, word, error, "more than %d surfaces",
                                LENS_MOST_SURFACES);
     }
     lens->surfaces = arena_grow(parser->words.arena, lens->surfaces, last, &parser->surface_room,
@@ -428,7 +428,7 @@ static bool add_surface(struct parser *parser, enum surface_kind kind, struct er
     lens->surface_count++;
     if (surface->is_stop) {
         if (lens->stop != LENS_NONE) {
-            return lens_words_fail(&parser->words, word, error,
+            return file_words_fail(&parser->words, word, error,
                                    "a second stop: surface %zu is one already", lens->stop + 1);
         }
         lens->stop = last;
@@ -472,7 +472,7 @@ static bool read_block(struct parser *parser, struct error *error)
 static bool read_coordinate_break(struct parser *parser, struct error *error)
 {
     if (parser->coordinate_break != NULL) {
-        return lens_words_fail(&parser->words, parser->words.line, error,
+        return file_words_fail(&parser->words, parser->words.line, error,
                                "two coordinate breaks before one surface");
     }
     return lens_coordinate_break_read(&parser->words, &parser->coordinate_break, error);
@@ -517,7 +517,7 @@ static bool refuse_keyword(struct parser *parser, struct text word, struct error
     for (size_t i = 0; i < sizeof keywords / sizeof keywords[0]; i++) {
         nearest_offer(&nearest, text_of(keywords[i].word));
     }
-    lens_words_fail(&parser->words, word, error, "unknown word '%.*s'", text_shown(word),
+    file_words_fail(&parser->words, word, error, "unknown word '%.*s'", text_shown(word),
                     word.start);
     return nearest.best.start != NULL &&
            error_hint(error, "did you mean '%.*s'?", (int)nearest.best.length, nearest.best.start);
@@ -525,7 +525,7 @@ static bool refuse_keyword(struct parser *parser, struct text word, struct error
 
 static bool read_line(struct parser *parser, struct error *error)
 {
-    const struct text word = lens_words_next(&parser->words);
+    const struct text word = file_words_next(&parser->words);
     size_t i = 0, count = sizeof keywords / sizeof keywords[0];
     while (i < count && !text_equal(word, keywords[i].word)) {
         i++;
@@ -538,7 +538,7 @@ static bool read_line(struct parser *parser, struct error *error)
             (keywords[i].read == read_wavelengths && parser->lens->wavelength_count > 0) ||
             (keywords[i].read == read_positions && parser->lens->position_count > 0);
     if (twice) {
-        return lens_words_fail(&parser->words, word, error, "'%s' stands here twice",
+        return file_words_fail(&parser->words, word, error, "'%s' stands here twice",
                                keywords[i].word);
     }
     parser->given |= keywords[i].once;
@@ -560,12 +560,12 @@ static bool finish(struct parser *parser, struct error *error)
         }
     }
     if (lens->aperture_kind == APERTURE_STOP && lens->stop == LENS_NONE) {
-        return lens_words_fail(&parser->aperture_line, parser->aperture_word, error,
+        return file_words_fail(&parser->aperture_line, parser->aperture_word, error,
                                "'aperture stop' needs a stop, and the lens has none");
     }
     for (int kind = 0; kind < KEPT_KINDS; kind++) {
         for (size_t i = 0; i < parser->kept[kind].count; i++) {
-            struct lens_words *line = &parser->kept[kind].all[i];
+            struct file_words *line = &parser->kept[kind].all[i];
             if (kind == KEPT_SETTING  ? !lens_setting_read(line, parser->glasses, lens, error)
                 : kind == KEPT_PICKUP ? !lens_pickup_read(line, lens, error)
                                       : !lens_tolerance_read(line, lens, error)) {
@@ -586,11 +586,11 @@ bool lens_read(const char *source, struct text content, const struct glass_sourc
                           .object = {{INFINITY, 0}, {NULL, 0}, LENS_NONE},
                           .object_medium = medium_air,
                           .stop = LENS_NONE};
-    if (!lens_words_open(&parser.words, source, content, arena, error) ||
-        !lens_words_plain(source, content, error)) {
+    if (!file_words_open(&parser.words, source, content, arena, error) ||
+        !file_words_plain(source, content, error)) {
         return false;
     }
-    while (lens_words_line(&parser.words)) {
+    while (file_words_line(&parser.words)) {
         if (!read_line(&parser, error)) {
             return false;
         }

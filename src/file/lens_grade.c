@@ -17,7 +17,7 @@ static bool add_row(const struct lensdb_tolerance *row, struct lens *lens, struc
         lens->surface_count, (int)quantity.length, quantity.start, (int)row->amount.length,
         row->amount.start, (int)row->unit.length, row->unit.start, (int)row->distribution.length,
         row->distribution.start);
-    struct lens_words words = {.source = row->file,
+    struct file_words words = {.source = row->file,
                                .line = text_of(line),
                                .number = row->line,
                                .at = line,

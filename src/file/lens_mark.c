@@ -4,6 +4,7 @@
 
 #include "base/constants.h"
 #include "file/lens_unit.h"
+#include "file/lens_words.h"
 
 #include <math.h>
 #include <string.h>
@@ -16,7 +17,7 @@ bool lens_bounds_are_sound(const struct vary *mark)
     return low <= high || through_plane;
 }
 
-static bool read_bound(const struct lens_words *words, struct text text, const struct vary *mark,
+static bool read_bound(const struct file_words *words, struct text text, const struct vary *mark,
                        struct figure *figure, struct error *error)
 {
     double sign = text_equal(text, "inf") ? 1 : text_equal(text, "-inf") ? -1 : 0;
@@ -27,20 +28,20 @@ static bool read_bound(const struct lens_words *words, struct text text, const s
     return lens_words_number(words, text, mark->kind, mark->order, figure, error);
 }
 
-bool lens_bounds_read(const struct lens_words *words, struct text bounds, struct vary *mark,
+bool lens_bounds_read(const struct file_words *words, struct text bounds, struct vary *mark,
                       struct error *error)
 {
     if (bounds.length == 0) {
         return true;
     }
     if (mark->kind == PARAMETER_GLASS) {
-        return lens_words_fail(words, bounds, error,
+        return file_words_fail(words, bounds, error,
                                "a glass has no bounds: it stays within the map of optical glasses");
     }
     struct text high = {bounds.start + 1, bounds.length >= 2 ? bounds.length - 2 : 0};
     struct text low = text_cut(&high, ',');
     if (bounds.start[0] != '[' || bounds.start[bounds.length - 1] != ']' || high.start == NULL) {
-        return lens_words_fail(words, bounds, error, "bounds are written [low,high]");
+        return file_words_fail(words, bounds, error, "bounds are written [low,high]");
     }
     if (!read_bound(words, low, mark, &mark->low, error) ||
         !read_bound(words, high, mark, &mark->high, error)) {
@@ -48,7 +49,7 @@ bool lens_bounds_read(const struct lens_words *words, struct text bounds, struct
     }
     mark->has_bounds = true;
     return lens_bounds_are_sound(mark) ||
-           lens_words_fail(words, bounds, error, "the lower bound is above the upper");
+           file_words_fail(words, bounds, error, "the lower bound is above the upper");
 }
 
 void lens_number_write(struct growing *text, const struct figure *figure, enum parameter_kind kind,
@@ -79,7 +80,7 @@ void lens_mark_write(const struct vary *mark, const char *name, const char *unit
 }
 
 /* 15.2, 15.2~, 15.2~[10,20] */
-static bool read_marked(const struct lens_words *words, struct text word, struct figure *value,
+static bool read_marked(const struct file_words *words, struct text word, struct figure *value,
                         const struct vary **mark, struct error *error)
 {
     struct text bounds = word, number = text_cut(&bounds, '~');
@@ -91,20 +92,20 @@ static bool read_marked(const struct lens_words *words, struct text word, struct
         return true;
     }
     struct vary *made = ARENA_NEW(words->arena, struct vary);
-    *made = (struct vary){.kind = PARAMETER_THICKNESS, .place = lens_words_place(words, word)};
+    *made = (struct vary){.kind = PARAMETER_THICKNESS, .place = file_words_place(words, word)};
     *mark = made;
     return lens_bounds_read(words, bounds, made, error);
 }
 
-bool lens_let_read(struct lens_words *words, size_t positions, struct lens_variable *variable,
+bool lens_let_read(struct file_words *words, size_t positions, struct lens_variable *variable,
                    size_t *count, struct error *error)
 {
     struct figure *values = ARENA_ARRAY(words->arena, positions + 1, struct figure);
     const struct vary **marks = ARENA_ARRAY(words->arena, positions + 1, const struct vary *);
     bool is_marked = false;
     *count = 0;
-    for (struct text word = lens_words_next(words); word.length > 0 || *count == 0;
-         word = lens_words_next(words)) {
+    for (struct text word = file_words_next(words); word.length > 0 || *count == 0;
+         word = file_words_next(words)) {
         size_t at = *count < positions ? *count : positions;
         if (!read_marked(words, word, &values[at], &marks[at], error)) {
             return false;
@@ -117,13 +118,13 @@ bool lens_let_read(struct lens_words *words, size_t positions, struct lens_varia
     return true;
 }
 
-bool lens_let_check(const struct lens_words *words, const struct lens *lens, size_t word,
+bool lens_let_check(const struct file_words *words, const struct lens *lens, size_t word,
                     struct error *error)
 {
     const struct lens_variable *one = &lens->variables[word];
     const struct text name = one->name;
     if (one->values == NULL) {
-        lens_words_fail(words, name, error,
+        file_words_fail(words, name, error,
                         "'%.*s' is not a number, and no line with 'let' gives it any",
                         text_shown(name), name.start);
         return error_hint(error, "a zoom has 'position wide tele' and 'let %.*s 2.4 8.3'",
@@ -137,16 +138,16 @@ bool lens_let_check(const struct lens_words *words, const struct lens *lens, siz
         }
     }
     return one->varies == NULL ||
-           lens_words_fail(words, name, error,
+           file_words_fail(words, name, error,
                            "'%.*s' is marked, but stands for no thickness and no focal length",
                            text_shown(name), name.start);
 }
 
-bool lens_goal_read(struct lens_words *words, struct lens *lens, struct error *error)
+bool lens_goal_read(struct file_words *words, struct lens *lens, struct error *error)
 {
-    const struct text text = lens_words_rest(words);
+    const struct text text = file_words_rest(words);
     if (text.length == 0) {
-        return lens_words_fail(words, text, error, "the goal is missing: efl = 100");
+        return file_words_fail(words, text, error, "the goal is missing: efl = 100");
     }
     struct lens_goal *all = ARENA_ARRAY(words->arena, lens->goal_count + 1, struct lens_goal);
     for (size_t i = 0; i < lens->goal_count; i++) {

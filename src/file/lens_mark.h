@@ -3,7 +3,7 @@
 #ifndef LENSCALC_FILE_LENS_MARK_H
 #define LENSCALC_FILE_LENS_MARK_H
 
-#include "file/lens_words.h"
+#include "file/file_words.h"
 #include "optics/growing.h"
 
 /*
@@ -14,7 +14,7 @@
  * Errors    ERROR_DATA with line and column: not two numbers, a glass, the lower above the upper.
  *           Of a radius or focal length [50,-100] leads through a plane
  */
-bool lens_bounds_read(const struct lens_words *words, struct text bounds, struct vary *mark,
+bool lens_bounds_read(const struct file_words *words, struct text bounds, struct vary *mark,
                       struct error *error);
 
 /* "t~[2,10]"; without a name "~[2,10]". */
@@ -29,7 +29,7 @@ void lens_number_write(struct growing *text, const struct figure *figure, enum p
 bool lens_bounds_are_sound(const struct vary *mark);
 
 /* Read the numbers of a word behind `let d5`, one a position: 2.4 8.3~ 15.2~[10,20]. */
-bool lens_let_read(struct lens_words *words, size_t positions, struct lens_variable *variable,
+bool lens_let_read(struct file_words *words, size_t positions, struct lens_variable *variable,
                    size_t *count, struct error *error);
 
 /*
@@ -37,10 +37,10 @@ bool lens_let_read(struct lens_words *words, size_t positions, struct lens_varia
  *
  * Given     words  the line that it was first used in
  */
-bool lens_let_check(const struct lens_words *words, const struct lens *lens, size_t word,
+bool lens_let_check(const struct file_words *words, const struct lens *lens, size_t word,
                     struct error *error);
 
 /* A line with `goal`, kept as it is: cli/goals.h reads it. */
-bool lens_goal_read(struct lens_words *words, struct lens *lens, struct error *error);
+bool lens_goal_read(struct file_words *words, struct lens *lens, struct error *error);
 
 #endif

@@ -5,13 +5,14 @@
 #include "base/constants.h"
 #include "file/lens_build.h"
 #include "file/lens_mark.h"
+#include "file/lens_words.h"
 #include "optics/pickup.h"
 
 #include <math.h>
 
 /* A sum of one number of the lens and one plain number, while it is read. */
 struct sum {
-    const struct lens_words *words;
+    const struct file_words *words;
     struct text rest;
     struct lens_pickup *pickup;
     bool has_from, has_offset;
@@ -72,11 +73,11 @@ static bool read_term(struct sum *sum, bool minus, struct error *error)
     const struct text name = cut_name(sum);
     const struct text at = name.length > 0 || digits.length == 0 ? name : digits;
     if (at.length == 0) {
-        return lens_words_fail(sum->words, at, error,
+        return file_words_fail(sum->words, at, error,
                                "a pick-up is written R6 = -R3 or t9 = 0.5 t4 + 2");
     }
     if (name.length > 0 ? sum->has_from : sum->has_offset) {
-        return lens_words_fail(sum->words, at, error,
+        return file_words_fail(sum->words, at, error,
                                "a second %s: a pick-up is a factor times one number of the lens, "
                                "plus one plain number",
                                name.length > 0 ? "number that is followed" : "plain number");
@@ -99,23 +100,23 @@ static bool read_sum(struct sum *sum, struct error *error)
             sum->rest.length > 0 && (*sum->rest.start == '-' || *sum->rest.start == '+');
         bool minus = is_signed && *sum->rest.start == '-';
         if (!is_signed && sum->rest.start != whole.start) {
-            return lens_words_fail(sum->words, sum->rest, error, "expected '+' or '-' here");
+            return file_words_fail(sum->words, sum->rest, error, "expected '+' or '-' here");
         }
         cut(sum, is_signed ? 1 : 0);
         if (!read_term(sum, minus, error)) {
             return false;
         }
     } while (sum->rest.length > 0);
-    return sum->has_from || lens_words_fail(sum->words, whole, error,
+    return sum->has_from || file_words_fail(sum->words, whole, error,
                                             "a pick-up follows a number of the lens: R6 = -R3");
 }
 
-bool lens_pickup_read(struct lens_words *words, struct lens *lens, struct error *error)
+bool lens_pickup_read(struct file_words *words, struct lens *lens, struct error *error)
 {
     struct lens_pickup pickup = {.factor = figure_of(1, words->arena), .offset = figure_zero()};
-    struct text value = lens_words_rest(words), name = text_trim(text_cut(&value, '='));
+    struct text value = file_words_rest(words), name = text_trim(text_cut(&value, '='));
     if (value.start == NULL) {
-        return lens_words_fail(words, name, error,
+        return file_words_fail(words, name, error,
                                "a pick-up is written R6 = -R3 or t9 = 0.5 t4 + 2");
     }
     struct sum sum = {.words = words, .rest = text_trim(value), .pickup = &pickup};
@@ -124,15 +125,15 @@ bool lens_pickup_read(struct lens_words *words, struct lens *lens, struct error 
     }
     bool plain = pickup.factor.value.hi == 1 && pickup.offset.value.hi == 0;
     if (pickup.what.kind == PARAMETER_GLASS && !plain) {
-        return lens_words_fail(words, name, error,
+        return file_words_fail(words, name, error,
                                "a glass follows another as it is: %.*s = glass1", text_shown(name),
                                name.start);
     }
     if (!(fabs(pickup.factor.value.hi) > 0)) {
-        return lens_words_fail(words, name, error, "the factor is 0: nothing is followed");
+        return file_words_fail(words, name, error, "the factor is 0: nothing is followed");
     }
     const char *against = lens_pickup_add(lens, pickup, words->arena);
-    return against == NULL || lens_words_fail(words, name, error, "%s", against);
+    return against == NULL || file_words_fail(words, name, error, "%s", against);
 }
 
 void lens_pickup_write(const struct lens_pickup *pickup, const char *unit, struct growing *text)

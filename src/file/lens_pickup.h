@@ -3,7 +3,7 @@
 #ifndef LENSCALC_FILE_LENS_PICKUP_H
 #define LENSCALC_FILE_LENS_PICKUP_H
 
-#include "file/lens_words.h"
+#include "file/file_words.h"
 #include "optics/growing.h"
 
 /*
@@ -14,7 +14,7 @@
  * Errors    ERROR_DATA with line and column: unknown names, no number that is followed, two of
  *           them, and what lens_pickup_add refuses
  */
-bool lens_pickup_read(struct lens_words *words, struct lens *lens, struct error *error);
+bool lens_pickup_read(struct file_words *words, struct lens *lens, struct error *error);
 void lens_pickup_write(const struct lens_pickup *pickup, const char *unit, struct growing *text);
 
 /*

@@ -3,11 +3,12 @@
 #include "file/lens_setting.h"
 
 #include "base/constants.h"
+#include "file/lens_words.h"
 
 #include <math.h>
 #include <string.h>
 
-bool lens_words_glass(const struct lens_words *words, const struct glass_source *glasses,
+bool lens_words_glass(const struct file_words *words, const struct glass_source *glasses,
                       struct medium *medium, struct error *error)
 {
     if (medium->kind != MEDIUM_GLASS || glasses == NULL || medium->glass_index != NULL ||
@@ -15,7 +16,7 @@ bool lens_words_glass(const struct lens_words *words, const struct glass_source 
         return true;
     }
     const struct error found = *error;
-    lens_words_fail(words, medium->written, error, "%s", found.message);
+    file_words_fail(words, medium->written, error, "%s", found.message);
     return error_hint(error, "%s", found.hint);
 }
 
@@ -136,25 +137,25 @@ const char *lens_setting_lights(struct lens *lens, const struct lens_light *ligh
 }
 
 /* Says what lens_setting_ functions answered. */
-static bool report(const struct lens_words *words, struct text name, const char *why,
+static bool report(const struct file_words *words, struct text name, const char *why,
                    struct error *error)
 {
-    return why == NULL || lens_words_fail(words, name, error, "%s", why);
+    return why == NULL || file_words_fail(words, name, error, "%s", why);
 }
 
 /* The next value of the line: there is one for each position and no more. */
-static bool next_value(struct lens_words *words, const struct lens *lens, size_t at,
+static bool next_value(struct file_words *words, const struct lens *lens, size_t at,
                        struct text *word, struct error *error)
 {
-    *word = lens_words_next(words);
+    *word = file_words_next(words);
     if ((word->length > 0) == (at < lens->position_count)) {
         return true;
     }
-    return lens_words_fail(words, *word, error, "one value for each of the %zu positions",
+    return file_words_fail(words, *word, error, "one value for each of the %zu positions",
                            lens->position_count);
 }
 
-static bool read_number(struct lens_words *words, struct text word, struct parameter parameter,
+static bool read_number(struct file_words *words, struct text word, struct parameter parameter,
                         struct figure *figure, struct error *error)
 {
     const struct parameter_type *type = parameter_type(parameter.kind);
@@ -168,10 +169,10 @@ static bool read_number(struct lens_words *words, struct text word, struct param
         return false;
     }
     return (parameter.kind != PARAMETER_RADIUS && parameter.kind != PARAMETER_FOCAL) ||
-           figure->value.hi != 0 || lens_words_fail(words, word, error, "the %s is 0", type->words);
+           figure->value.hi != 0 || file_words_fail(words, word, error, "the %s is 0", type->words);
 }
 
-static bool read_figures(struct lens_words *words, struct text name, struct lens_setting setting,
+static bool read_figures(struct file_words *words, struct text name, struct lens_setting setting,
                          struct lens *lens, struct error *error)
 {
     struct figure *figures = ARENA_ARRAY(words->arena, lens->position_count, struct figure);
@@ -187,7 +188,7 @@ static bool read_figures(struct lens_words *words, struct text name, struct lens
     return report(words, name, lens_setting_add(lens, setting, words->arena), error);
 }
 
-static bool read_media(struct lens_words *words, struct text name, struct lens_setting setting,
+static bool read_media(struct file_words *words, struct text name, struct lens_setting setting,
                        const struct glass_source *glasses, struct lens *lens, struct error *error)
 {
     struct medium *media = ARENA_ARRAY(words->arena, lens->position_count, struct medium);
@@ -203,7 +204,7 @@ static bool read_media(struct lens_words *words, struct text name, struct lens_s
     return report(words, name, lens_setting_add(lens, setting, words->arena), error);
 }
 
-static bool read_stops(struct lens_words *words, struct text name, struct lens *lens,
+static bool read_stops(struct file_words *words, struct text name, struct lens *lens,
                        struct error *error)
 {
     size_t *stops = ARENA_ARRAY(words->arena, lens->position_count, size_t);
@@ -221,7 +222,7 @@ static bool read_stops(struct lens_words *words, struct text name, struct lens *
         }
         double value = number.value.hi;
         if (!(value >= 1 && value <= (double)lens->surface_count && value == floor(value))) {
-            return lens_words_fail(words, word, error, "surfaces have the numbers 1 to %zu",
+            return file_words_fail(words, word, error, "surfaces have the numbers 1 to %zu",
                                    lens->surface_count);
         }
         stops[i] = (size_t)value - 1;
@@ -242,7 +243,7 @@ const char *lens_light_write(const struct lens_light *light, struct arena *arena
     return all;
 }
 
-bool lens_light_read(const struct lens_words *words, struct text list, struct lens_light *light,
+bool lens_light_read(const struct file_words *words, struct text list, struct lens_light *light,
                      struct error *error)
 {
     size_t room = 0;
@@ -258,7 +259,7 @@ bool lens_light_read(const struct lens_words *words, struct text list, struct le
     return true;
 }
 
-static bool read_lights(struct lens_words *words, struct text name, struct lens *lens,
+static bool read_lights(struct file_words *words, struct text name, struct lens *lens,
                         struct error *error)
 {
     struct lens_light *lights = ARENA_ARRAY(words->arena, lens->position_count, struct lens_light);
@@ -274,7 +275,7 @@ static bool read_lights(struct lens_words *words, struct text name, struct lens 
     return report(words, name, lens_setting_lights(lens, lights), error);
 }
 
-static bool read_points(struct lens_words *words, struct text name, struct lens *lens,
+static bool read_points(struct file_words *words, struct text name, struct lens *lens,
                         struct error *error)
 {
     struct lens_points *points =
@@ -297,13 +298,13 @@ bool lens_setting_takes(enum parameter_kind kind)
     return kind != PARAMETER_INDEX && kind != PARAMETER_ABBE;
 }
 
-bool lens_setting_read(struct lens_words *words, const struct glass_source *glasses,
+bool lens_setting_read(struct file_words *words, const struct glass_source *glasses,
                        struct lens *lens, struct error *error)
 {
-    struct text name = lens_words_next(words);
+    struct text name = file_words_next(words);
     struct lens_setting setting = {.figures = NULL};
     if (lens->position_count == 0) {
-        return lens_words_fail(words, name, error, "'set' needs a line with 'position' before it");
+        return file_words_fail(words, name, error, "'set' needs a line with 'position' before it");
     }
     if (text_equal(name, "stop")) {
         return read_stops(words, name, lens, error);
@@ -316,11 +317,11 @@ bool lens_setting_read(struct lens_words *words, const struct glass_source *glas
     }
     if (!parameter_read(name, lens_setting_takes, &setting.parameter, error)) {
         const struct error found = *error;
-        lens_words_fail(words, name, error, "%s", found.message);
+        file_words_fail(words, name, error, "%s", found.message);
         return found.hint[0] != '\0' && error_hint(error, "%s", found.hint);
     }
     if (!lens_setting_takes(setting.parameter.kind)) {
-        return lens_words_fail(words, name, error,
+        return file_words_fail(words, name, error,
                                "the positions set a medium as a whole: glass%zu 1.5/60 1.6/40",
                                setting.parameter.surface + 1);
     }

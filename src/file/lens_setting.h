@@ -14,7 +14,7 @@
  * Errors    ERROR_DATA with line and column: no such surface or number, one value too few or many,
  *           a first value that is not that of the surface's own line, and what a cell would refuse
  */
-bool lens_setting_read(struct lens_words *words, const struct glass_source *glasses,
+bool lens_setting_read(struct file_words *words, const struct glass_source *glasses,
                        struct lens *lens, struct error *error);
 
 /* All kinds but the index and the Abbe number, for which the medium is set as a whole. */
@@ -34,12 +34,12 @@ const char *lens_setting_points(struct lens *lens, const struct lens_points *poi
 const char *lens_setting_lights(struct lens *lens, const struct lens_light *lights);
 
 /* The wavelengths of a position as one word, "d,F:0.5,656.3nm", and back. */
-bool lens_light_read(const struct lens_words *words, struct text list, struct lens_light *light,
+bool lens_light_read(const struct file_words *words, struct text list, struct lens_light *light,
                      struct error *error);
 const char *lens_light_write(const struct lens_light *light, struct arena *arena);
 
 /* A medium of a catalogue gets its glass; false with the reason at the word. */
-bool lens_words_glass(const struct lens_words *words, const struct glass_source *glasses,
+bool lens_words_glass(const struct file_words *words, const struct glass_source *glasses,
                       struct medium *medium, struct error *error);
 
 #endif

@@ -4,12 +4,13 @@
 
 #include "base/constants.h"
 #include "file/lens_mark.h"
+#include "file/lens_words.h"
 
 #include <string.h>
 
 /* A surface being read: the displacement and the marks live in the arena once there is one. */
 struct reading {
-    struct lens_words *words;
+    struct file_words *words;
     struct surface *surface;
     struct displacement *decentre;
     struct vary *varies;
@@ -29,9 +30,9 @@ static bool is_flat(struct text text)
     return text_equal(text, "-") || text_equal(text, "inf") || text_equal(text, "-inf");
 }
 
-static bool read_radius(struct lens_words *words, struct surface *surface, struct error *error)
+static bool read_radius(struct file_words *words, struct surface *surface, struct error *error)
 {
-    struct text word = lens_words_next(words);
+    struct text word = file_words_next(words);
     surface->is_plane = is_flat(word);
     surface->radius = (struct figure){.typed = word, .variable = LENS_NONE};
     if (surface->is_plane) {
@@ -41,17 +42,17 @@ static bool read_radius(struct lens_words *words, struct surface *surface, struc
         return false;
     }
     if (surface->radius.value.hi == 0) {
-        return lens_words_fail(words, word, error, "the radius is 0: a plane is '-' or 'inf'");
+        return file_words_fail(words, word, error, "the radius is 0: a plane is '-' or 'inf'");
     }
     return true;
 }
 
 /* A length, or the name of a variable, or '-' for none. */
-static bool read_cell(struct lens_words *words, const char *what,
+static bool read_cell(struct file_words *words, const char *what,
                       const struct lens_surface_line *line, struct figure *figure, bool *is_given,
                       struct error *error)
 {
-    struct text word = lens_words_next(words);
+    struct text word = file_words_next(words);
     *figure = (struct figure){.typed = word, .variable = LENS_NONE};
     *is_given = !text_equal(word, "-");
     if (!*is_given) {
@@ -68,7 +69,7 @@ static bool read_cell(struct lens_words *words, const char *what,
 }
 
 /* A curvature or a coefficient was read as a plain number. */
-static bool rescale(const struct lens_words *words, int power, struct figure *figure)
+static bool rescale(const struct file_words *words, int power, struct figure *figure)
 {
     figure->value = lens_words_per_length(figure->value, words->scale, power);
     return true;
@@ -78,7 +79,7 @@ static bool read_curvature(struct reading *reading, struct text value, struct er
 {
     struct surface *surface = reading->surface;
     if (!surface->is_plane) {
-        return lens_words_fail(reading->words, value, error,
+        return file_words_fail(reading->words, value, error,
                                "a curvature beside a radius: the radius must be '-'");
     }
     surface->has_curvature = true;
@@ -125,14 +126,14 @@ static bool read_cylinder(struct reading *reading, struct text value, struct err
             return true;
         }
     }
-    return lens_words_fail(reading->words, value, error, "a cylinder is cyl=x or cyl=y");
+    return file_words_fail(reading->words, value, error, "a cylinder is cyl=x or cyl=y");
 }
 
 static bool read_name(struct reading *reading, struct text value, struct error *error)
 {
     bool quoted = value.length >= 2 && value.start[0] == '"';
     if (quoted && value.start[value.length - 1] != '"') {
-        return lens_words_fail(reading->words, value, error, "the name does not end with '\"'");
+        return file_words_fail(reading->words, value, error, "the name does not end with '\"'");
     }
     size_t cut = quoted ? 1 : 0;
     reading->surface->name =
@@ -172,10 +173,10 @@ static const struct {
               {"hiatus", read_hiatus, SURFACE_HAS_FOCAL},
               {"distortion", read_distortion, SURFACE_HAS_FOCAL}};
 
-static bool refuse_twice(const struct lens_words *words, struct text word, struct text key,
+static bool refuse_twice(const struct file_words *words, struct text word, struct text key,
                          const char *sign, struct error *error)
 {
-    return lens_words_fail(words, word, error, "'%.*s%s' is there twice", text_shown(key),
+    return file_words_fail(words, word, error, "'%.*s%s' is there twice", text_shown(key),
                            key.start, sign);
 }
 
@@ -196,11 +197,11 @@ static bool read_vary(struct reading *reading, struct text what, struct text bou
                       struct error *error)
 {
     struct surface *surface = reading->surface;
-    struct lens_words *words = reading->words;
-    struct vary vary = {.place = lens_words_place(words, what)};
+    struct file_words *words = reading->words;
+    struct vary vary = {.place = file_words_place(words, what)};
     if (!parameter_name_read(what, &vary.kind, &vary.order) ||
         !parameter_is_mark(vary.kind, surface)) {
-        return lens_words_fail(words, what, error, "'%.*s~' cannot vary: %s",
+        return file_words_fail(words, what, error, "'%.*s~' cannot vary: %s",
                                (int)(what.length < 20 ? what.length : 20), what.start,
                                parameter_marks(surface, words->arena));
     }
@@ -208,7 +209,7 @@ static bool read_vary(struct reading *reading, struct text what, struct text bou
         return refuse_twice(words, what, what, "~", error);
     }
     if (surface->vary_count == PARAMETER_MOST_MARKS) {
-        return lens_words_fail(words, what, error, "more than %d marks", PARAMETER_MOST_MARKS);
+        return file_words_fail(words, what, error, "more than %d marks", PARAMETER_MOST_MARKS);
     }
     if (reading->varies == NULL) {
         reading->varies = ARENA_ARRAY(words->arena, PARAMETER_MOST_MARKS, struct vary);
@@ -231,7 +232,7 @@ static bool refuse_extra(struct reading *reading, struct text word, struct text 
             nearest_offer(&nearest, text_of(extras[i].key));
         }
     }
-    lens_words_fail(reading->words, word, error, "unknown word '%.*s' after the diameter",
+    file_words_fail(reading->words, word, error, "unknown word '%.*s' after the diameter",
                     (int)(word.length < 40 ? word.length : 40), word.start);
     if (nearest.best.start != NULL) {
         error_hint(error, "did you mean '%.*s='?", (int)nearest.best.length, nearest.best.start);
@@ -286,15 +287,15 @@ static bool read_extra(struct reading *reading, struct text word, struct error *
                : read_coefficient(reading, order, value, error);
 }
 
-static bool read_medium(struct lens_words *words, const struct medium *before,
+static bool read_medium(struct file_words *words, const struct medium *before,
                         struct surface *surface, struct error *error)
 {
-    struct text word = lens_words_next(words);
+    struct text word = file_words_next(words);
     if (!text_equal(word, "mirror")) {
         return lens_words_medium(words, word, &surface->medium, error);
     }
     if (!surface_has(surface, SURFACE_MAY_MIRROR)) {
-        return lens_words_fail(words, word, error,
+        return file_words_fail(words, word, error,
                                surface_has(surface, SURFACE_HAS_FOCAL)
                                    ? "a thick lens is not a mirror"
                                    : "a stop that is a mirror: write it as a surface "
@@ -306,7 +307,7 @@ static bool read_medium(struct lens_words *words, const struct medium *before,
 }
 
 /* The cell in place of the radius: a number or a variable, not 0. */
-static bool read_focal(struct lens_words *words, const struct lens_surface_line *line,
+static bool read_focal(struct file_words *words, const struct lens_surface_line *line,
                        struct surface *surface, struct error *error)
 {
     bool is_given;
@@ -317,11 +318,11 @@ static bool read_focal(struct lens_words *words, const struct lens_surface_line 
     }
     bool is_number = surface->focal.variable == LENS_NONE;
     return (is_given && !(is_number && surface->focal.value.hi == 0)) ||
-           lens_words_fail(words, surface->focal.typed, error,
+           file_words_fail(words, surface->focal.typed, error,
                            "a thick lens has a focal length other than 0");
 }
 
-bool lens_surface_read(struct lens_words *words, const struct lens_surface_line *line,
+bool lens_surface_read(struct file_words *words, const struct lens_surface_line *line,
                        struct surface *surface, struct error *error)
 {
     struct reading reading = {.words = words, .surface = surface, .line = line};
@@ -337,7 +338,7 @@ bool lens_surface_read(struct lens_words *words, const struct lens_surface_line 
         return false;
     }
     if (is_stop && !surface->is_plane) {
-        return lens_words_fail(words, surface->radius.typed, error,
+        return file_words_fail(words, surface->radius.typed, error,
                                "a stop is a plane: for a stop on glass put the word stop behind "
                                "the diameter of its surface");
     }
@@ -348,11 +349,11 @@ bool lens_surface_read(struct lens_words *words, const struct lens_surface_line 
     }
     if (surface->has_diameter && surface->diameter.variable == LENS_NONE &&
         !(surface->diameter.value.hi > 0)) {
-        return lens_words_fail(words, surface->diameter.typed, error,
+        return file_words_fail(words, surface->diameter.typed, error,
                                "the diameter must be above 0");
     }
-    for (struct text word = lens_words_next(words); word.length > 0;
-         word = lens_words_next(words)) {
+    for (struct text word = file_words_next(words); word.length > 0;
+         word = file_words_next(words)) {
         if (!read_extra(&reading, word, error)) {
             return false;
         }
@@ -360,18 +361,18 @@ bool lens_surface_read(struct lens_words *words, const struct lens_surface_line 
     return true;
 }
 
-bool lens_coordinate_break_read(struct lens_words *words,
+bool lens_coordinate_break_read(struct file_words *words,
                                 const struct displacement **coordinate_break, struct error *error)
 {
     struct displacement *all = ARENA_NEW(words->arena, struct displacement);
     bool has_decenter = false, has_tilt = false;
     *all = displacement_none;
-    for (struct text word = lens_words_next(words); word.length > 0;
-         word = lens_words_next(words)) {
+    for (struct text word = file_words_next(words); word.length > 0;
+         word = file_words_next(words)) {
         struct text value = word, key = text_cut(&value, '=');
         bool decenter = text_equal(key, "decenter"), tilt = text_equal(key, "tilt");
         if (value.start == NULL || (!decenter && !tilt)) {
-            return lens_words_fail(words, word, error,
+            return file_words_fail(words, word, error,
                                    "a coordinate break has decenter=x,y and tilt=ax,ay,az");
         }
         bool *seen = decenter ? &has_decenter : &has_tilt;

@@ -3,7 +3,8 @@
 #ifndef LENSCALC_FILE_LENS_SURFACE_H
 #define LENSCALC_FILE_LENS_SURFACE_H
 
-#include "file/lens_words.h"
+#include "file/file_words.h"
+#include "optics/lens.h"
 
 /* Finds or makes the variable of this name and gives its index. */
 typedef size_t lens_variable_function(void *context, struct text name);
@@ -17,11 +18,11 @@ struct lens_surface_line {
 };
 
 /* Read what follows the word `surface`, `stop` or `thick`. */
-bool lens_surface_read(struct lens_words *words, const struct lens_surface_line *line,
+bool lens_surface_read(struct file_words *words, const struct lens_surface_line *line,
                        struct surface *surface, struct error *error);
 
 /* Read what follows `bend`, a coordinate break. */
-bool lens_coordinate_break_read(struct lens_words *words,
+bool lens_coordinate_break_read(struct file_words *words,
                                 const struct displacement **coordinate_break, struct error *error);
 
 #endif

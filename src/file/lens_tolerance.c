@@ -6,6 +6,7 @@
 #include "base/units.h"
 #include "file/lens_mark.h"
 #include "file/lens_unit.h"
+#include "file/lens_words.h"
 
 #include <string.h>
 
@@ -13,7 +14,7 @@ enum { MOST_TOLERANCES = 1000 }; /* lines; each may be of a range */
 
 /* A line being read. */
 struct reading {
-    struct lens_words *words;
+    struct file_words *words;
     const struct lens *lens;
     struct lens_tolerance *one;
 };
@@ -40,7 +41,7 @@ static bool check_surface(const struct reading *reading, struct text word, size_
                           struct error *error)
 {
     return surface < reading->lens->surface_count ||
-           lens_words_fail(reading->words, word, error,
+           file_words_fail(reading->words, word, error,
                            "there is no surface %.*s: the lens has %zu", text_shown(word),
                            word.start, reading->lens->surface_count);
 }
@@ -60,7 +61,7 @@ static bool read_surface(const struct reading *reading, struct text word, size_t
     *surface = number - 1;
     return number > 0
                ? check_surface(reading, word, *surface, error)
-               : lens_words_fail(reading->words, word, error,
+               : file_words_fail(reading->words, word, error,
                                  "'%.*s' is no surface: they are counted from 1, as in 3 or 3..5",
                                  text_shown(word), word.start);
 }
@@ -68,7 +69,7 @@ static bool read_surface(const struct reading *reading, struct text word, size_t
 static bool check_order(const struct reading *reading, struct text word, struct error *error)
 {
     return reading->one->first <= reading->one->last ||
-           lens_words_fail(reading->words, word, error, "the range %.*s ends before it begins",
+           file_words_fail(reading->words, word, error, "the range %.*s ends before it begins",
                            text_shown(word), word.start);
 }
 
@@ -89,8 +90,8 @@ static bool fail_kind(const struct reading *reading, enum tolerance_owner owner,
     const char *list = arena_string(all.arena, done.start, done.length);
     const char *what = owner == TOLERANCE_OF_ELEMENT ? "an element" : "a surface";
     word.length == 0
-        ? lens_words_fail(reading->words, word, error, "what of %s is missing", what)
-        : lens_words_fail(reading->words, word, error, "unknown tolerance '%.*s' of %s",
+        ? file_words_fail(reading->words, word, error, "what of %s is missing", what)
+        : file_words_fail(reading->words, word, error, "unknown tolerance '%.*s' of %s",
                           text_shown(word), word.start, what);
     return nearest.best.start != NULL ? error_hint(error, "did you mean '%.*s'?",
                                                    text_shown(nearest.best), nearest.best.start)
@@ -101,13 +102,13 @@ static bool fail_kind(const struct reading *reading, enum tolerance_owner owner,
 static bool read_owned(struct reading *reading, enum tolerance_owner owner, struct error *error)
 {
     struct lens_tolerance *one = reading->one;
-    const struct text range = lens_words_next(reading->words);
+    const struct text range = file_words_next(reading->words);
     struct text last = range, first = text_cut_range(&last);
     if (!read_surface(reading, first, &one->first, error) ||
         !read_surface(reading, last, &one->last, error) || !check_order(reading, range, error)) {
         return false;
     }
-    const struct text word = lens_words_next(reading->words);
+    const struct text word = file_words_next(reading->words);
     for (int i = 0; i < TOLERANCE_KINDS; i++) {
         const struct tolerance_type *type = tolerance_type((enum tolerance_kind)i);
         if (type->owner == owner && i != TOLERANCE_COEFFICIENT && text_equal(word, type->word)) {
@@ -131,7 +132,7 @@ static bool read_named(struct reading *reading, struct text word, struct error *
         return false;
     }
     if (from.kind != to.kind || from.order != to.order) {
-        return lens_words_fail(reading->words, word, error,
+        return file_words_fail(reading->words, word, error,
                                "a range is of one kind of numbers: R1..R11");
     }
     one->kind = kind_of(from.kind);
@@ -140,7 +141,7 @@ static bool read_named(struct reading *reading, struct text word, struct error *
     one->last = to.surface;
     one->is_range = one->first != one->last;
     if (one->kind == TOLERANCE_KINDS) {
-        lens_words_fail(reading->words, word, error, "'%.*s' has no tolerance by this name",
+        file_words_fail(reading->words, word, error, "'%.*s' has no tolerance by this name",
                         text_shown(word), word.start);
         return error_hint(error,
                           "numbers are R, t, n, V, k and A4; tilts and decentres 'surface "
@@ -159,13 +160,13 @@ static bool read_subject(struct reading *reading, struct error *error)
     } owners[] = {{"surface", TOLERANCE_OF_SURFACE, true},
                   {"element", TOLERANCE_OF_ELEMENT, false},
                   {"elements", TOLERANCE_OF_ELEMENT, true}};
-    const struct text word = lens_words_next(reading->words);
+    const struct text word = file_words_next(reading->words);
     struct lens_tolerance *one = reading->one;
     const struct text line = reading->words->line;
     one->column = (size_t)(word.start - line.start) + 1;
     one->text = text_trim(text_between(word.start, line.start + line.length));
     if (word.length == 0) {
-        return lens_words_fail(reading->words, word, error,
+        return file_words_fail(reading->words, word, error,
                                "the tolerance is missing: R1 0.1%% uniform");
     }
     for (size_t i = 0; i < sizeof owners / sizeof owners[0]; i++) {
@@ -242,7 +243,7 @@ static bool bare_unit(const struct tolerance_type *type, enum tolerance_unit *un
 }
 
 /* The unit that bare lengths of the line are in: a word on its own in any file. */
-static const char *bare_length(const struct lens_words *words)
+static const char *bare_length(const struct file_words *words)
 {
     int i = 0;
     while (i < LENS_UNITS - 1) {
@@ -259,7 +260,7 @@ static const char *bare_length(const struct lens_words *words)
 static bool read_number(const struct reading *reading, struct text digits, const struct unit *named,
                         struct error *error)
 {
-    struct lens_words *words = reading->words;
+    struct file_words *words = reading->words;
     struct lens_tolerance *one = reading->one;
     struct figure *amount = &one->amount;
     const bool is_length = one->unit == TOLERANCE_LENGTH;
@@ -290,42 +291,42 @@ static bool check_amount(const struct reading *reading, struct text word, struct
     const struct lens_tolerance *one = reading->one;
     const double value = one->amount.value.hi;
     if (!(value > 0)) {
-        return lens_words_fail(reading->words, word, error,
+        return file_words_fail(reading->words, word, error,
                                "a tolerance is above 0: so much plus and minus");
     }
     if (one->unit == TOLERANCE_PERCENT && value >= 100) {
-        return lens_words_fail(reading->words, word, error,
+        return file_words_fail(reading->words, word, error,
                                "a tolerance of %.*s is as wide as the number itself",
                                text_shown(word), word.start);
     }
     return one->unit != TOLERANCE_ANGLE || value < PI / 2 ||
-           lens_words_fail(reading->words, word, error, "a tilt is below 90deg");
+           file_words_fail(reading->words, word, error, "a tilt is below 90deg");
 }
 
 static bool read_amount(struct reading *reading, struct error *error)
 {
-    struct lens_words *words = reading->words;
+    struct file_words *words = reading->words;
     struct lens_tolerance *one = reading->one;
     const struct tolerance_type *type = tolerance_type(one->kind);
-    const struct text word = lens_words_next(words);
+    const struct text word = file_words_next(words);
     double ignored;
     const char *end = word.start + word.length;
     const char *behind = number_read(word.start, end, NUMBER_UNSCALED, &ignored);
     if (behind == NULL) {
-        return lens_words_fail(words, word, error, "by how much is missing: %s",
+        return file_words_fail(words, word, error, "by how much is missing: %s",
                                amounts_of(type, words->arena));
     }
     const struct text digits = text_between(word.start, behind), name = text_between(behind, end);
     const struct unit *named = NULL;
     if (name.length == 0 ? !bare_unit(type, &one->unit) : !find_unit(name, &one->unit, &named)) {
-        name.length == 0 ? lens_words_fail(words, word, error, "'%.*s' has no unit",
+        name.length == 0 ? file_words_fail(words, word, error, "'%.*s' has no unit",
                                            text_shown(word), word.start)
-                         : lens_words_fail(words, name, error, "unknown unit '%.*s'",
+                         : file_words_fail(words, name, error, "unknown unit '%.*s'",
                                            text_shown(name), name.start);
         return error_hint(error, "it is %s", amounts_of(type, words->arena));
     }
     if ((type->units & 1U << one->unit) == 0) {
-        return lens_words_fail(words, name, error, "the %s has no tolerance in %.*s: it is %s",
+        return file_words_fail(words, name, error, "the %s has no tolerance in %.*s: it is %s",
                                type->word, text_shown(name), name.start,
                                amounts_of(type, words->arena));
     }
@@ -352,12 +353,12 @@ static bool read_sigmas(struct reading *reading, struct text word, struct error 
     }
     one->sigmas = figure.value.hi;
     if (one->distribution != DISTRIBUTION_NORMAL && one->distribution != DISTRIBUTION_TRUNCATED) {
-        return lens_words_fail(reading->words, word, error,
+        return file_words_fail(reading->words, word, error,
                                "only normal and truncated have standard deviations: normal %.*s",
                                text_shown(word), word.start);
     }
     return (one->sigmas >= DISTRIBUTION_SIGMAS_LEAST && one->sigmas <= DISTRIBUTION_SIGMAS_MOST) ||
-           lens_words_fail(reading->words, word, error,
+           file_words_fail(reading->words, word, error,
                            "the amount is %g to %g standard deviations", DISTRIBUTION_SIGMAS_LEAST,
                            DISTRIBUTION_SIGMAS_MOST);
 }
@@ -367,10 +368,10 @@ static bool read_pivot(struct reading *reading, struct text word, struct error *
     const struct lens_tolerance *one = reading->one;
     if (tolerance_type(one->kind)->owner != TOLERANCE_OF_ELEMENT || one->is_range ||
         one->kind == TOLERANCE_ELEMENT_DECENTER) {
-        return lens_words_fail(reading->words, word, error,
+        return file_words_fail(reading->words, word, error,
                                "a pivot belongs to the tilt, the roll or the wedge of one element");
     }
-    return read_surface(reading, lens_words_next(reading->words), &reading->one->pivot, error);
+    return read_surface(reading, file_words_next(reading->words), &reading->one->pivot, error);
 }
 
 static bool fail_word(const struct reading *reading, struct text word, struct error *error)
@@ -378,7 +379,7 @@ static bool fail_word(const struct reading *reading, struct text word, struct er
     struct nearest nearest = {.typed = word};
     enum tolerance_unit unit;
     const struct unit *named;
-    lens_words_fail(reading->words, word, error, "unknown distribution '%.*s'", text_shown(word),
+    file_words_fail(reading->words, word, error, "unknown distribution '%.*s'", text_shown(word),
                     word.start);
     if (find_unit(word, &unit, &named)) {
         return error_hint(error, "no blank stands between a number and its unit");
@@ -398,8 +399,8 @@ static bool read_rest(struct reading *reading, struct error *error)
 {
     struct lens_tolerance *one = reading->one;
     bool has_distribution = false;
-    for (struct text word = lens_words_next(reading->words); word.length > 0;
-         word = lens_words_next(reading->words)) {
+    for (struct text word = file_words_next(reading->words); word.length > 0;
+         word = file_words_next(reading->words)) {
         int i = 0;
         while (i < DISTRIBUTIONS && !text_equal(word, distribution_words[i].word)) {
             i++;
@@ -407,7 +408,7 @@ static bool read_rest(struct reading *reading, struct error *error)
         const bool has_sigma =
             word.length > 5 && memcmp(word.start + word.length - 5, "sigma", 5) == 0;
         if (i < DISTRIBUTIONS && has_distribution) {
-            return lens_words_fail(reading->words, word, error, "a second distribution");
+            return file_words_fail(reading->words, word, error, "a second distribution");
         }
         if (i < DISTRIBUTIONS) {
             has_distribution = true;
@@ -435,7 +436,7 @@ static void add(struct lens *lens, const struct lens_tolerance *one, struct aren
     lens->tolerances[lens->tolerance_count++] = *one;
 }
 
-bool lens_tolerance_read(struct lens_words *words, struct lens *lens, struct error *error)
+bool lens_tolerance_read(struct file_words *words, struct lens *lens, struct error *error)
 {
     struct lens_tolerance one = {.distribution = DISTRIBUTION_UNIFORM,
                                  .sigmas = DISTRIBUTION_SIGMAS,
@@ -444,7 +445,7 @@ bool lens_tolerance_read(struct lens_words *words, struct lens *lens, struct err
                                  .line = words->number};
     struct reading reading = {words, lens, &one};
     if (lens->tolerance_count == MOST_TOLERANCES) {
-        return lens_words_fail(words, lens_words_next(words), error, "more than %d tolerances",
+        return file_words_fail(words, file_words_next(words), error, "more than %d tolerances",
                                MOST_TOLERANCES);
     }
     if (!read_subject(&reading, error) || !read_amount(&reading, error) ||
@@ -458,19 +459,19 @@ bool lens_tolerance_read(struct lens_words *words, struct lens *lens, struct err
 bool lens_tolerances_read(const char *source, struct text content, const struct lens *lens,
                           struct arena *arena, struct tolerances *tolerances, struct error *error)
 {
-    struct lens_words words;
+    struct file_words words;
     struct lens marked = *lens;
     marked.tolerances = NULL;
     marked.tolerance_count = 0;
-    if (!lens_words_open(&words, source, content, arena, error) ||
-        !lens_words_plain(source, content, error)) {
+    if (!file_words_open(&words, source, content, arena, error) ||
+        !file_words_plain(source, content, error)) {
         return false;
     }
     words.scale = lens_unit_scale(lens->unit);
-    while (lens_words_line(&words)) {
-        const struct text word = lens_words_next(&words);
+    while (file_words_line(&words)) {
+        const struct text word = file_words_next(&words);
         if (!text_equal(word, "tolerance")) {
-            return lens_words_fail(&words, word, error,
+            return file_words_fail(&words, word, error,
                                    "unknown word '%.*s': lines of this file begin with 'tolerance'",
                                    text_shown(word), word.start);
         }

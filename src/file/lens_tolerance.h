@@ -3,7 +3,7 @@
 #ifndef LENSCALC_FILE_LENS_TOLERANCE_H
 #define LENSCALC_FILE_LENS_TOLERANCE_H
 
-#include "file/lens_words.h"
+#include "file/file_words.h"
 #include "optics/growing.h"
 #include "optics/tolerance.h"
 
@@ -17,7 +17,7 @@
  *           or does not belong to it, a surface that the lens has not, an amount of 0 or less, or
  *           of 100 % and more, more than 1000 lines
  */
-bool lens_tolerance_read(struct lens_words *words, struct lens *lens, struct error *error);
+bool lens_tolerance_read(struct file_words *words, struct lens *lens, struct error *error);
 
 /* The same, as a line of a file in this unit has it. */
 void lens_tolerance_write(const struct lens_tolerance *tolerance, const char *unit,

@@ -1,4 +1,4 @@
-/* file/lens_words.c - the words of a .lens file, and the numbers in them. */
+/* file/lens_words.c - the numbers of a .lens file, its fields, wavelengths and media. */
 /* SPDX-License-Identifier: MIT */
 #include "file/lens_words.h"
 
@@ -9,136 +9,21 @@
 #include "optics/wavelength.h"
 
 #include <math.h>
-#include <stdarg.h>
-#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
-bool lens_words_open(struct lens_words *words, const char *source, struct text content,
-                     struct arena *arena, struct error *error)
-{
-    *words = (struct lens_words){.source = source,
-                                 .rest = content,
-                                 .scale = NUMBER_UNSCALED,
-                                 .comment = "#",
-                                 .arena = arena};
-    if (content.length >= 3 && memcmp(content.start, "\xef\xbb\xbf", 3) == 0) {
-        words->rest = (struct text){content.start + 3, content.length - 3};
-    }
-    bool marked = content.length >= 2 && (memcmp(content.start, "\xff\xfe", 2) == 0 ||
-                                          memcmp(content.start, "\xfe\xff", 2) == 0);
-    const char *nul = content.length > 0 ? memchr(content.start, '\0', content.length) : NULL;
-    if (marked || nul != NULL) {
-        fail(error, ERROR_DATA, "not plain text: %s", marked ? "a file in UTF-16" : "a NUL byte");
-        return error_locate(error, source, 1, 1);
-    }
-    return true;
-}
-
-static bool is_blank(char c)
-{
-    return c == ' ' || c == '\t' || c == '\r';
-}
-
-/* A comment begins where a word may begin. */
-static struct text without_comment(struct text line, const char *mark)
-{
-    size_t length = mark != NULL ? strlen(mark) : 0;
-    for (size_t i = 0; length > 0 && i + length <= line.length; i++) {
-        if (memcmp(line.start + i, mark, length) == 0 && (i == 0 || is_blank(line.start[i - 1]))) {
-            line.length = i;
-        }
-    }
-    return line;
-}
-
-bool lens_words_line(struct lens_words *words)
-{
-    while (words->rest.start != NULL && words->rest.length > 0) {
-        struct text line = without_comment(text_cut(&words->rest, '\n'), words->comment);
-        words->number++;
-        while (line.length > 0 && is_blank(line.start[line.length - 1])) {
-            line.length--;
-        }
-        words->line = line;
-        words->at = line.start;
-        if (line.length > 0) {
-            return true;
-        }
-    }
-    return false;
-}
-
-static const char *line_end(const struct lens_words *words)
-{
-    return words->line.start + words->line.length;
-}
-
-struct text lens_words_next(struct lens_words *words)
-{
-    const char *end = line_end(words), *at = words->at;
-    while (at < end && is_blank(*at)) {
-        at++;
-    }
-    const char *start = at;
-    char closing = '\0';
-    for (; at < end && (closing != '\0' || !is_blank(*at)); at++) {
-        if (closing != '\0') {
-            closing = *at == closing ? '\0' : closing;
-        } else if (*at == '{' || *at == '"') {
-            closing = *at == '{' ? '}' : '"';
-        }
-    }
-    words->at = at;
-    return (struct text){start, (size_t)(at - start)};
-}
-
-struct text lens_words_rest(struct lens_words *words)
-{
-    struct text rest = text_trim((struct text){words->at, (size_t)(line_end(words) - words->at)});
-    words->at = line_end(words);
-    return rest;
-}
-
-struct typed_place lens_words_place(const struct lens_words *words, struct text word)
-{
-    return (struct typed_place){words->source, words->number,
-                                (size_t)(word.start - words->line.start) + 1};
-}
-
-bool lens_words_fail(const struct lens_words *words, struct text word, struct error *error,
-                     const char *format, ...)
-{
-    char message[sizeof error->message];
-    size_t column = (size_t)(word.start - words->line.start) + 1;
-    va_list arguments;
-    va_start(arguments, format);
-    vsnprintf(message, sizeof message, format, arguments);
-    va_end(arguments);
-    fail_at(error, ERROR_DATA, words->line, column, "%s", message);
-    return error_locate(error, words->source, words->number, column);
-}
-
-bool lens_words_end(struct lens_words *words, struct error *error)
-{
-    struct text word = lens_words_next(words);
-    return word.length == 0 ||
-           lens_words_fail(words, word, error, "'%.*s' does not belong here",
-                           (int)(word.length < 40 ? word.length : 40), word.start);
-}
-
-bool lens_words_figure(const struct lens_words *words, struct text text, struct number_scale scale,
+bool lens_words_figure(const struct file_words *words, struct text text, struct number_scale scale,
                        const char *what, struct figure *figure, struct error *error)
 {
     const char *end = text.start + text.length;
     *figure = (struct figure){.typed = text, .variable = LENS_NONE};
     const char *behind = text.length > 0 ? pair_read(text.start, end, scale, &figure->value) : NULL;
     if (text.length == 0) {
-        return lens_words_fail(words, text, error, "the %s is missing", what);
+        return file_words_fail(words, text, error, "the %s is missing", what);
     }
     if (behind != end) {
         struct text wrong = {behind != NULL ? behind : text.start, 1};
-        lens_words_fail(words, wrong, error, "the %s '%.*s' is not a number", what,
+        file_words_fail(words, wrong, error, "the %s '%.*s' is not a number", what,
                         text_shown(text), text.start);
         if (behind != NULL && *behind == ',') {
             error_hint(error, "the decimal separator must be a point");
@@ -146,7 +31,7 @@ bool lens_words_figure(const struct lens_words *words, struct text text, struct 
         return false;
     }
     if (!(fabs(figure->value.hi) < 1e100)) {
-        return lens_words_fail(words, text, error, "the %s must be finite and below 1e100", what);
+        return file_words_fail(words, text, error, "the %s must be finite and below 1e100", what);
     }
     return true;
 }
@@ -166,7 +51,7 @@ struct pair lens_words_per_length(struct pair value, struct number_scale scale, 
     return pair_divide(value, unit);
 }
 
-bool lens_words_number(const struct lens_words *words, struct text text, enum parameter_kind kind,
+bool lens_words_number(const struct file_words *words, struct text text, enum parameter_kind kind,
                        int order, struct figure *figure, struct error *error)
 {
     int length = parameter_length(kind, order);
@@ -183,7 +68,7 @@ bool lens_words_number(const struct lens_words *words, struct text text, enum pa
     return true;
 }
 
-bool lens_words_parameter(const struct lens_words *words, struct text name,
+bool lens_words_parameter(const struct file_words *words, struct text name,
                           bool (*takes)(enum parameter_kind kind), struct parameter *parameter,
                           struct error *error)
 {
@@ -191,18 +76,18 @@ bool lens_words_parameter(const struct lens_words *words, struct text name,
         return true;
     }
     const struct error found = *error;
-    lens_words_fail(words, name, error, "%s", found.message);
+    file_words_fail(words, name, error, "%s", found.message);
     return found.hint[0] != '\0' && error_hint(error, "%s", found.hint);
 }
 
-bool lens_words_figures(struct lens_words *words, struct number_scale scale, const char *what,
+bool lens_words_figures(struct file_words *words, struct number_scale scale, const char *what,
                         struct figure **figures, size_t *count, struct error *error)
 {
     size_t room = 0;
     *figures = NULL;
     *count = 0;
-    for (struct text word = lens_words_next(words); word.length > 0 || *count == 0;
-         word = lens_words_next(words)) {
+    for (struct text word = file_words_next(words); word.length > 0 || *count == 0;
+         word = file_words_next(words)) {
         *figures = arena_grow(words->arena, *figures, *count, &room, sizeof **figures);
         if (!lens_words_figure(words, word, scale, what, &(*figures)[*count], error)) {
             return false;
@@ -213,7 +98,7 @@ bool lens_words_figures(struct lens_words *words, struct number_scale scale, con
 }
 
 /* x,y:weight with x and weight left out where they are 0 and 1. */
-static bool read_field(const struct lens_words *words, struct text word, enum field_kind kind,
+static bool read_field(const struct file_words *words, struct text word, enum field_kind kind,
                        struct lens_field *field, struct error *error)
 {
     const bool angle = kind == FIELD_ANGLE;
@@ -233,7 +118,7 @@ static bool read_field(const struct lens_words *words, struct text word, enum fi
     if (angle) {
         const char *wrong = lens_field_from_degrees(field);
         if (wrong != NULL) {
-            return lens_words_fail(words, word, error, "%s", wrong);
+            return file_words_fail(words, word, error, "%s", wrong);
         }
     }
     if (weight.start != NULL &&
@@ -241,21 +126,21 @@ static bool read_field(const struct lens_words *words, struct text word, enum fi
         return false;
     }
     if (!(figure.value.hi >= 0)) {
-        return lens_words_fail(words, weight, error, "a weight is not below 0");
+        return file_words_fail(words, weight, error, "a weight is not below 0");
     }
     field->weight = figure.value.hi;
     field->weight_typed = weight;
     return true;
 }
 
-bool lens_words_fields(struct lens_words *words, enum field_kind kind, struct lens_field **fields,
+bool lens_words_fields(struct file_words *words, enum field_kind kind, struct lens_field **fields,
                        size_t *count, struct error *error)
 {
     size_t room = 0;
     *fields = NULL;
     *count = 0;
-    for (struct text word = lens_words_next(words); word.length > 0 || *count == 0;
-         word = lens_words_next(words)) {
+    for (struct text word = file_words_next(words); word.length > 0 || *count == 0;
+         word = file_words_next(words)) {
         *fields = arena_grow(words->arena, *fields, *count, &room, sizeof **fields);
         if (!read_field(words, word, kind, &(*fields)[*count], error)) {
             return false;
@@ -265,7 +150,7 @@ bool lens_words_fields(struct lens_words *words, enum field_kind kind, struct le
     return true;
 }
 
-bool lens_words_points(const struct lens_words *words, struct text list, enum field_kind kind,
+bool lens_words_points(const struct file_words *words, struct text list, enum field_kind kind,
                        struct lens_points *points, struct error *error)
 {
     size_t room = 0;
@@ -281,7 +166,7 @@ bool lens_words_points(const struct lens_words *words, struct text list, enum fi
     return true;
 }
 
-bool lens_words_wavelength(const struct lens_words *words, struct text text, double *wavelength,
+bool lens_words_wavelength(const struct file_words *words, struct text text, double *wavelength,
                            struct error *error)
 {
     static const char *const units[] = {"nm", "um"};
@@ -293,7 +178,7 @@ bool lens_words_wavelength(const struct lens_words *words, struct text text, dou
     const char *behind =
         text.length > 0 ? number_read(text.start, end, NUMBER_UNSCALED, &bare) : NULL;
     if (behind == NULL) {
-        return lens_words_fail(words, text, error,
+        return file_words_fail(words, text, error,
                                "'%.*s' is not a wavelength: a line such as d F C, "
                                "or a number with nm or um",
                                text_shown(text), text.start);
@@ -306,11 +191,11 @@ bool lens_words_wavelength(const struct lens_words *words, struct text text, dou
             if (*wavelength >= WAVELENGTH_SHORTEST && *wavelength <= WAVELENGTH_LONGEST) {
                 return true;
             }
-            return lens_words_fail(words, text, error,
+            return file_words_fail(words, text, error,
                                    "the wavelength is not within 1 nm to 100 mm");
         }
     }
-    lens_words_fail(words, text_between(behind, end), error,
+    file_words_fail(words, text_between(behind, end), error,
                     unit.length == 0 ? "the wavelength %.*s has no unit: nm or um"
                                      : "the wavelength %.*s has an unknown unit: nm or um",
                     text_shown(text), text.start);
@@ -321,7 +206,7 @@ bool lens_words_wavelength(const struct lens_words *words, struct text text, dou
     return false;
 }
 
-bool lens_words_light(const struct lens_words *words, struct text word,
+bool lens_words_light(const struct file_words *words, struct text word,
                       struct lens_wavelength *wavelength, struct error *error)
 {
     struct text weight = word, name = text_cut(&weight, ':');
@@ -332,7 +217,7 @@ bool lens_words_light(const struct lens_words *words, struct text word,
         return false;
     }
     if (!(figure.value.hi >= 0)) {
-        return lens_words_fail(words, weight, error, "a weight is not below 0");
+        return file_words_fail(words, weight, error, "a weight is not below 0");
     }
     wavelength->typed = name;
     wavelength->weight = figure.value.hi;
@@ -340,7 +225,7 @@ bool lens_words_light(const struct lens_words *words, struct text word,
     return true;
 }
 
-static bool read_index(const struct lens_words *words, struct text text, const char *what,
+static bool read_index(const struct file_words *words, struct text text, const char *what,
                        struct pair *value, struct error *error)
 {
     struct figure figure;
@@ -348,7 +233,7 @@ static bool read_index(const struct lens_words *words, struct text text, const c
         return false;
     }
     if (!(figure.value.hi > 0)) {
-        return lens_words_fail(words, text, error, "the %s %.*s is not above 0", what,
+        return file_words_fail(words, text, error, "the %s %.*s is not above 0", what,
                                text_shown(text), text.start);
     }
     *value = figure.value;
@@ -363,11 +248,11 @@ static int by_wavelength(const void *a, const void *b)
 }
 
 /* {587.56nm 1.5168, F 1.5224} */
-static bool read_table(const struct lens_words *words, struct text text, struct medium *medium,
+static bool read_table(const struct file_words *words, struct text text, struct medium *medium,
                        struct error *error)
 {
     if (text.length < 2 || text.start[text.length - 1] != '}') {
-        return lens_words_fail(words, text, error, "the table of indices does not end with '}'");
+        return file_words_fail(words, text, error, "the table of indices does not end with '}'");
     }
     struct text rest = {text.start + 1, text.length - 2};
     size_t most = 1;
@@ -391,7 +276,7 @@ static bool read_table(const struct lens_words *words, struct text text, struct 
     qsort(points, count, sizeof points[0], by_wavelength);
     for (size_t i = 1; i < count; i++) {
         if (!(points[i].wavelength > points[i - 1].wavelength)) {
-            return lens_words_fail(words, text, error, "the table has one wavelength twice");
+            return file_words_fail(words, text, error, "the table has one wavelength twice");
         }
     }
     medium->kind = MEDIUM_TABLE;
@@ -406,12 +291,12 @@ static bool begins_number(struct text text)
            strchr("0123456789.+-", text.start[0]) != NULL;
 }
 
-bool lens_words_medium(const struct lens_words *words, struct text text, struct medium *medium,
+bool lens_words_medium(const struct file_words *words, struct text text, struct medium *medium,
                        struct error *error)
 {
     *medium = (struct medium){.kind = MEDIUM_GLASS, .written = text, .index = {1, 0}};
     if (text.length == 0) {
-        return lens_words_fail(words, text, error, "the medium is missing");
+        return file_words_fail(words, text, error, "the medium is missing");
     }
     if (text.start[0] == '{') {
         return read_table(words, text, medium, error);
@@ -429,7 +314,7 @@ bool lens_words_medium(const struct lens_words *words, struct text text, struct 
            (abbe.start == NULL || read_index(words, abbe, "Abbe number", &medium->abbe, error));
 }
 
-bool lens_words_vector(const struct lens_words *words, struct text text,
+bool lens_words_vector(const struct file_words *words, struct text text,
                        const struct vector_form *form, struct figure *figures, struct error *error)
 {
     struct text rest = text;
@@ -443,29 +328,8 @@ bool lens_words_vector(const struct lens_words *words, struct text text,
         }
     }
     if (rest.start != NULL) {
-        return lens_words_fail(words, rest, error, "the %s has more than %zu numbers", form->what,
+        return file_words_fail(words, rest, error, "the %s has more than %zu numbers", form->what,
                                form->count);
-    }
-    return true;
-}
-
-bool lens_words_plain(const char *source, struct text content, struct error *error)
-{
-    long line = 1;
-    size_t begin = 0;
-    for (size_t i = 0; i < content.length; i++) {
-        unsigned char c = (unsigned char)content.start[i];
-        unsigned char next = i + 1 < content.length ? (unsigned char)content.start[i + 1] : 0;
-        bool wide = c == 0xc2 && next >= 0x80 && next < 0xa0;
-        if (wide || c == 0x7f || (c < 0x20 && c != '\t' && c != '\n' && c != '\r')) {
-            fail(error, ERROR_DATA, "not plain text: the control character U+%04X",
-                 wide ? next : c);
-            return error_locate(error, source, line, i - begin + 1);
-        }
-        if (c == '\n') {
-            line++;
-            begin = i + 1;
-        }
     }
     return true;
 }

@@ -152,7 +152,7 @@ bool codev_find_glass(struct codev *codev, struct sequence_surface *surface, str
 {
     struct arena *arena = codev->job->arena;
     const struct text text = surface->glass.text;
-    const struct lens_words place = commands_place(&codev->commands, &surface->glass);
+    const struct file_words place = commands_place(&codev->commands, &surface->glass);
     if (text.length == 0 || text_same(text, "AIR")) {
         return true;
     }

@@ -2,6 +2,7 @@
 /* SPDX-License-Identifier: MIT */
 #include "exchange/codev/codev.h"
 #include "file/lens_solve.h"
+#include "file/lens_words.h"
 
 #include <math.h>
 

@@ -217,7 +217,7 @@ static bool finish_lens(struct codev *codev, struct error *error)
     struct sequence *sequence = &codev->sequence;
     struct lens *lens = codev->build.lens;
     const struct command_word *at = &sequence->surfaces[0].at;
-    const struct lens_words place = commands_place(&codev->commands, at);
+    const struct file_words place = commands_place(&codev->commands, at);
     const double working = lens->aperture.value.hi;
     if (lens->aperture_kind != APERTURE_FNUMBER || !sequence_is_near(sequence)) {
         return sequence_finish(sequence, error);

@@ -207,7 +207,7 @@ bool oslo_put_apertures(struct oslo *oslo, struct error *error)
         struct sequence_aperture to = {.at = one->at, .label = one->letter};
         const char *wrong = is_of_several(oslo, one) ? "one of several groups of special apertures"
                                                      : shape_of(oslo, one, &to.aperture);
-        const struct lens_words place = commands_place(&oslo->commands, &one->at);
+        const struct file_words place = commands_place(&oslo->commands, &one->at);
         if (wrong != NULL) {
             if (!foreign_loss(oslo->job, &place, one->at.text, error,
                               "%s" LOSS_VIGNETTES LOSS_INSTEAD "left out", wrong)) {

@@ -2,6 +2,8 @@
 /* SPDX-License-Identifier: MIT */
 #include "exchange/oslo/oslo_reading.h"
 
+#include "file/lens_words.h"
+
 static const struct number_scale plain = {1, 0};
 
 static const struct {

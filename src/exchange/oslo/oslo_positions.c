@@ -142,7 +142,7 @@ bool oslo_check_solves(const struct oslo *oslo, struct error *error)
         const struct sequence_solve *solves[] = {&sequence->surfaces[i].curvature_solve,
                                                  &sequence->surfaces[i].thickness_solve};
         for (int k = 0; k < 2; k++) {
-            const struct lens_words place = commands_place(&oslo->commands, &solves[k]->at);
+            const struct file_words place = commands_place(&oslo->commands, &solves[k]->at);
             if (solves[k]->is_set &&
                 !foreign_loss(oslo->job, &place, solves[k]->at.text, error,
                               "a solve in a file with configurations" LOSS_INSTEAD

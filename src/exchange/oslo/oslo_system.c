@@ -2,6 +2,7 @@
 /* SPDX-License-Identifier: MIT */
 #include "exchange/oslo/oslo_reading.h"
 #include "file/decimal.h"
+#include "file/lens_words.h"
 #include "optics/wavelength.h"
 
 #include "base/constants.h"
@@ -200,7 +201,7 @@ static bool find_glass(struct oslo *oslo, const struct command_word *word, struc
     static const struct {
         const char *prefix, *catalog;
     } makers[] = {{"O_", "OHARA"}, {"H_", "HOYA"}, {"", "SCHOTT"}, {"", NULL}};
-    const struct lens_words place = commands_place(&oslo->commands, word);
+    const struct file_words place = commands_place(&oslo->commands, word);
     struct medium *medium = &oslo->sequence.surfaces[oslo->surface].medium;
     struct foreign_name named;
     struct text catalog;
@@ -323,7 +324,7 @@ bool oslo_mode(struct oslo *oslo, int what, struct error *error)
 bool oslo_fields(struct oslo *oslo, struct text line, struct error *error)
 {
     struct lens *lens = oslo->build.lens;
-    struct lens_words words = {.source = oslo->job->source,
+    struct file_words words = {.source = oslo->job->source,
                                .line = line,
                                .at = line.start,
                                .scale = oslo->commands.scale,
@@ -403,7 +404,7 @@ bool oslo_finish_system(struct oslo *oslo, struct error *error)
     struct pair units =
         pair_multiply(distance->value, lens_words_per_length(pair_of(1), oslo->commands.scale, 1));
     bool is_infinite = fabs(units.hi) >= oslo->commands.grammar->infinity;
-    const struct lens_words place = commands_place(&oslo->commands, &oslo->aperture);
+    const struct file_words place = commands_place(&oslo->commands, &oslo->aperture);
     const bool is_beam = lens->aperture_kind == APERTURE_EPD;
     finish_waves(oslo);
     finish_field(oslo, is_infinite);
@@ -424,7 +425,7 @@ bool oslo_finish_system(struct oslo *oslo, struct error *error)
 
 bool oslo_finish_aperture(struct oslo *oslo, struct error *error)
 {
-    const struct lens_words place = commands_place(&oslo->commands, &oslo->aperture);
+    const struct file_words place = commands_place(&oslo->commands, &oslo->aperture);
     struct lens *lens = oslo->build.lens;
     return !(oslo->near_value > 0) || lens->aperture_kind == APERTURE_STOP ||
            entrance_pupil_set(lens, oslo->near_aperture, oslo->near_value, oslo->job->arena) ||

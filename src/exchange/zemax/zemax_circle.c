@@ -55,7 +55,7 @@ static bool check_from(const struct zemax_file *file, size_t at, size_t kind, st
     }
     for (size_t i = 0; i < file->surface_count && walk < file->surface_count; i++) {
         if (walk == at) {
-            return lens_words_fail(&line->words, line->keyword, error,
+            return file_words_fail(&line->words, line->keyword, error,
                                    "the pick-ups go in a circle: surface %zu follows surface %zu, "
                                    "which follows it",
                                    at, source);

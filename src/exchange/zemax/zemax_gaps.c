@@ -15,7 +15,7 @@ static bool read_thicknesses(struct zemax_file *file, struct figure *thickness, 
         const struct zemax_line *line = file->surfaces[i].thickness;
         bool inside = i > 0 && i + 1 < file->surface_count;
         if (inside && line != NULL && line->infinite && file->surfaces[i].solve == NULL) {
-            return lens_words_fail(&line->words, line->first, error,
+            return file_words_fail(&line->words, line->first, error,
                                    "an infinite distance behind surface %zu", i);
         }
         thickness[i] = line != NULL && line->count > 0 ? line->numbers[0] : figure_zero();

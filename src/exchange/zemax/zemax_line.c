@@ -36,16 +36,16 @@ struct zemax_line *zemax_line_of(struct zemax_file *file, struct text keyword,
                                  struct number_scale scale)
 {
     struct zemax_line *line = ARENA_NEW(file->job->arena, struct zemax_line);
-    struct lens_words words = file->words, counting = words;
+    struct file_words words = file->words, counting = words;
     size_t room = 0;
-    while (lens_words_next(&counting).length > 0) {
+    while (file_words_next(&counting).length > 0) {
         room++;
     }
     line->words = words;
     line->keyword = keyword;
     line->numbers = ARENA_ARRAY(file->job->arena, room, struct figure);
-    for (struct text word = lens_words_next(&words); word.length > 0;
-         word = lens_words_next(&words)) {
+    for (struct text word = file_words_next(&words); word.length > 0;
+         word = file_words_next(&words)) {
         struct figure figure = {.typed = word, .variable = LENS_NONE};
         const char *end = word.start + word.length;
         if (line->first.start == NULL) {
@@ -68,6 +68,6 @@ bool zemax_has_number(const struct zemax_line *line, struct error *error)
         return true;
     }
     struct text word = line->first.start != NULL ? line->first : line->keyword;
-    return lens_words_fail(&line->words, word, error, "%.*s needs a number", 4,
+    return file_words_fail(&line->words, word, error, "%.*s needs a number", 4,
                            line->keyword.start);
 }

@@ -11,7 +11,7 @@ bool zemax_set_paraxial(struct zemax_file *file, const struct zemax_surface *fro
         return zemax_loss(file, from->glass, error, "an ideal lens that is a mirror" LOSS_IS_FATAL);
     }
     if (focal.value.hi == 0) {
-        return lens_words_fail(&place->words, given != NULL ? place->keyword : place->first, error,
+        return file_words_fail(&place->words, given != NULL ? place->keyword : place->first, error,
                                given != NULL ? "an ideal lens of the focal length 0"
                                              : "an ideal lens without a focal length");
     }

@@ -19,10 +19,10 @@ static bool read_surf(struct zemax_file *file, struct text keyword, struct error
     bool is_later =
         expected > 0 && number > (double)expected && number < 1e6 && number == floor(number);
     if (!(is_next || is_later) || line->count == 0) {
-        return lens_words_fail(&line->words, keyword, error, "SURF %zu is expected here", expected);
+        return file_words_fail(&line->words, keyword, error, "SURF %zu is expected here", expected);
     }
     if (file->surface_count == LENS_MOST_SURFACES) {
-        return lens_words_fail(&line->words, keyword, error, "more than %d surfaces",
+        return file_words_fail(&line->words, keyword, error, "more than %d surfaces",
                                LENS_MOST_SURFACES);
     }
     file->surfaces = arena_grow(file->job->arena, file->surfaces, file->surface_count,
@@ -39,12 +39,12 @@ static bool read_type(struct zemax_file *file, struct text keyword, struct error
     const struct zemax_line *line = zemax_line_of(file, keyword, NUMBER_UNSCALED);
     surface_of(file)->type = line;
     if (text_same(line->first, "NONSEQCO")) {
-        return lens_words_fail(&line->words, line->first, error,
+        return file_words_fail(&line->words, line->first, error,
                                "a non-sequential group: lenscalc has lenses whose surfaces follow "
                                "each other");
     }
     return !text_same(line->first, "USERSURF") ||
-           lens_words_fail(&line->words, line->first, error,
+           file_words_fail(&line->words, line->first, error,
                            "a surface computed by a program (DLL) of the user's, which the file "
                            "does not hold");
 }
@@ -124,8 +124,8 @@ static bool read_user_aperture(struct zemax_file *file, struct text keyword, str
     bool known = true;
     surface->user_aperture = line;
     surface->user_blocks = surface->user_blocks || text_same(keyword, "USOB");
-    for (struct text word = lens_words_next(&file->words); word.length > 0;
-         word = lens_words_next(&file->words)) {
+    for (struct text word = file_words_next(&file->words); word.length > 0;
+         word = file_words_next(&file->words)) {
         double value;
         bool number = number_read(word.start, word.start + word.length, NUMBER_UNSCALED, &value) ==
                       word.start + word.length;
@@ -147,10 +147,10 @@ static bool read_user_aperture(struct zemax_file *file, struct text keyword, str
 
 static bool read_glass(struct zemax_file *file, struct text keyword, struct error *error)
 {
-    struct lens_words words = file->words;
-    struct text name = lens_words_next(&file->words);
+    struct file_words words = file->words;
+    struct text name = file_words_next(&file->words);
     if (name.length == 0) {
-        return lens_words_fail(&file->words, name, error, "the glass is missing");
+        return file_words_fail(&file->words, name, error, "the glass is missing");
     }
     struct zemax_line *line = zemax_line_of(file, name, NUMBER_UNSCALED);
     line->words = words;
@@ -171,14 +171,14 @@ static bool read_comment(struct zemax_file *file, struct text keyword, struct er
 {
     (void)keyword;
     (void)error;
-    surface_of(file)->comment = lens_words_rest(&file->words);
+    surface_of(file)->comment = file_words_rest(&file->words);
     return true;
 }
 
 /* A coating is kept as a note. */
 static bool read_coating(struct zemax_file *file, struct text keyword, struct error *error)
 {
-    struct text rest = lens_words_rest(&file->words);
+    struct text rest = file_words_rest(&file->words);
     (void)keyword;
     (void)error;
     lens_build_note(&file->build,
@@ -195,7 +195,7 @@ static const struct zemax_line **place_of(struct zemax_file *file, const struct 
 {
     double number = zemax_number(line, 0);
     if (line->count < 2 || !(number >= 0 && number < 1e6)) {
-        lens_words_fail(&file->words, line->keyword, error, "%.4s needs a number and a value",
+        file_words_fail(&file->words, line->keyword, error, "%.4s needs a number and a value",
                         line->keyword.start);
         return NULL;
     }
@@ -377,7 +377,7 @@ static const struct word_group *group_behind(struct text word)
 
 static bool read_line(struct zemax_file *file, struct error *error)
 {
-    struct text word = lens_words_next(&file->words);
+    struct text word = file_words_next(&file->words);
     bool indented = word.start > file->words.line.start, in_surface = file->surface_count > 0;
     bool behind = in_surface && !indented;
     const struct zemax_keyword *keyword = find_keyword(file, word, indented);
@@ -386,7 +386,7 @@ static bool read_line(struct zemax_file *file, struct error *error)
         return read_surf(file, word, error);
     }
     if (keyword != NULL && !in_surface && find(surface_keywords, word) != NULL) {
-        return lens_words_fail(&file->words, word, error, "'%s' stands before any surface",
+        return file_words_fail(&file->words, word, error, "'%s' stands before any surface",
                                keyword->word);
     }
     if (keyword != NULL) {
@@ -479,14 +479,14 @@ static bool pick_up_glasses(struct zemax_file *file, struct error *error)
 
 bool zemax_parse(struct zemax_file *file, struct text content, struct error *error)
 {
-    if (!lens_words_open(&file->words, file->job->source, content, file->job->arena, error)) {
+    if (!file_words_open(&file->words, file->job->source, content, file->job->arena, error)) {
         return false;
     }
     file->words.comment = NULL;
     file->configurations = 1;
-    while (lens_words_line(&file->words)) {
-        struct lens_words start = file->words;
-        if (lens_words_next(&start).length > 0 && !read_line(file, error)) {
+    while (file_words_line(&file->words)) {
+        struct file_words start = file->words;
+        if (file_words_next(&start).length > 0 && !read_line(file, error)) {
             return false;
         }
     }

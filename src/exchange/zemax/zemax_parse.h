@@ -18,7 +18,7 @@ enum {
 
 /* One line: its keyword, where it stands, and the numbers after the keyword. */
 struct zemax_line {
-    struct lens_words words; /* for messages */
+    struct file_words words; /* for messages */
     struct text keyword;
     struct text first; /* the first word after the keyword */
     size_t count;      /* numbers before the first word that is none */
@@ -61,7 +61,7 @@ struct zemax_setting {
 struct zemax_file {
     struct foreign_job *job;
     struct lens_build build;
-    struct lens_words words;
+    struct file_words words;
     struct zemax_surface *surfaces;
     size_t surface_count, surface_room;
     size_t passed; /* surfaces behind the object that the lens does not have */

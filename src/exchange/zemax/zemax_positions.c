@@ -58,7 +58,7 @@ static bool place_diameter(const struct placing *placing, struct zemax_surface *
 {
     surface->diameter = line_with(placing, surface->diameter, 0);
     return placing->setting->line->numbers[2].value.hi >= 0 || /* 0 is none */
-           lens_words_fail(&placing->setting->line->words, placing->setting->line->numbers[2].typed,
+           file_words_fail(&placing->setting->line->words, placing->setting->line->numbers[2].typed,
                            placing->error, "a semi-diameter is not below 0");
 }
 
@@ -81,10 +81,10 @@ static bool place_shift(const struct placing *placing, struct zemax_surface *sur
 static bool place_glass(const struct placing *placing, struct zemax_surface *surface)
 {
     const struct zemax_line *own = placing->setting->line;
-    struct lens_words words = own->words;
+    struct file_words words = own->words;
     struct text name = {NULL, 0};
     for (int i = 0; i < 3; i++) {
-        name = lens_words_next(&words);
+        name = file_words_next(&words);
     }
     if (name.length >= 2 && name.start[0] == '"' && name.start[name.length - 1] == '"') {
         name = (struct text){name.start + 1, name.length - 2};
@@ -114,7 +114,7 @@ static bool place_numbered(const struct placing *placing, struct zemax_surface *
     const double number = zemax_number(own, 4);
     const size_t most = extra ? ZEMAX_EXTRAS : ZEMAX_PARAMETERS;
     if (own->count < 5 || !(number >= 0 && number < 1e6 && number == floor(number))) {
-        return lens_words_fail(&own->words, own->keyword, placing->error,
+        return file_words_fail(&own->words, own->keyword, placing->error,
                                "%.4s needs a surface, a configuration, its value and behind a "
                                "status the number of the parameter",
                                own->keyword.start);
@@ -179,7 +179,7 @@ static bool place_stop(const struct placing *placing)
     const struct zemax_line *line = placing->setting->line;
     double stop = zemax_number(line, 2);
     if (!(stop >= 1 && stop + 1 < (double)file->surface_count && stop == floor(stop))) {
-        return lens_words_fail(&line->words, line->numbers[2].typed, placing->error,
+        return file_words_fail(&line->words, line->numbers[2].typed, placing->error,
                                "the stop is one of the surfaces 1 to %zu", file->surface_count - 2);
     }
     for (size_t i = 0; i < file->surface_count; i++) {
@@ -208,7 +208,7 @@ static bool place_primary(const struct placing *placing)
     const struct zemax_line *line = placing->setting->line;
     double number = zemax_number(line, 2);
     if (!(number >= 1 && number <= (double)placing->file->wave_count && number == floor(number))) {
-        return lens_words_fail(&line->words, line->numbers[2].typed, placing->error,
+        return file_words_fail(&line->words, line->numbers[2].typed, placing->error,
                                "wavelengths have the numbers 1 to %zu", placing->file->wave_count);
     }
     placing->file->primary = (size_t)number - 1;
@@ -244,7 +244,7 @@ static bool place_field(const struct placing *placing)
     const struct zemax_line *old = *place;
     const long number = placing->setting->surface;
     if (!(number >= 1 && number <= ZEMAX_WAVES)) {
-        return lens_words_fail(&own->words, own->first, placing->error,
+        return file_words_fail(&own->words, own->first, placing->error,
                                "fields have the numbers 1 to %d", ZEMAX_WAVES);
     }
     struct zemax_line *line = line_with(placing, old, (size_t)number - 1);
@@ -273,7 +273,7 @@ static bool place_environment(const struct placing *placing)
     file->environment = line_with(placing, file->environment, second);
     return (zemax_number(file->environment, 0) > -273.15 &&
             zemax_number(file->environment, 1) >= 0) ||
-           lens_words_fail(&placing->setting->line->words, placing->setting->line->keyword,
+           file_words_fail(&placing->setting->line->words, placing->setting->line->keyword,
                            placing->error,
                            "a temperature is above -273.15 C, a pressure 0 or more atmospheres");
 }
@@ -329,13 +329,13 @@ static bool place_setting(const struct placing *placing)
 static bool check_constant(struct zemax_file *file, const struct zemax_setting *before,
                            const struct zemax_setting *one, struct error *error)
 {
-    struct lens_words a = one->line->words, b = before != NULL ? before->line->words : a;
+    struct file_words a = one->line->words, b = before != NULL ? before->line->words : a;
     bool same_operand = before != NULL && before->surface == one->surface &&
                         memcmp(before->line->keyword.start, one->line->keyword.start, 4) == 0;
     struct text left = {NULL, 0}, right = {NULL, 0};
     for (int i = 0; i < 3; i++) {
-        left = lens_words_next(&a);
-        right = lens_words_next(&b);
+        left = file_words_next(&a);
+        right = file_words_next(&b);
     }
     return !same_operand || text_identical(left, right) ||
            zemax_loss(file, one->line, error,
@@ -352,7 +352,7 @@ static bool place_settings(struct zemax_file *file, size_t configuration, struct
         const struct placing placing = {file, one, error};
         if (one->configuration == (long)configuration + 1 && !place_setting(&placing)) {
             return error->code == ERROR_NONE &&
-                   lens_words_fail(&one->line->words, one->line->keyword, error,
+                   file_words_fail(&one->line->words, one->line->keyword, error,
                                    "%.4s needs a surface, a configuration and its value",
                                    one->line->keyword.start);
         }

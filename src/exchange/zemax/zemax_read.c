@@ -30,7 +30,7 @@ static bool set_cone(struct zemax_file *file, const struct zemax_line *line, str
     const double angle = zemax_number(line, 0);
     const double primary = file->wave_count > 0 ? file->waves[file->primary].value.hi : 0;
     if (!(angle < 90)) {
-        return lens_words_fail(&line->words, line->numbers[0].typed, error,
+        return file_words_fail(&line->words, line->numbers[0].typed, error,
                                "the angle of the cone must be below 90 degrees");
     }
     if (!medium_index(&lens->object_medium, primary > 0 ? primary : WAVELENGTH_D, &index, error)) {
@@ -57,7 +57,7 @@ static bool set_aperture(struct zemax_file *file, struct error *error)
         return true;
     }
     if (!(line->numbers[0].value.hi > 0)) {
-        return lens_words_fail(&line->words, line->numbers[0].typed, error,
+        return file_words_fail(&line->words, line->numbers[0].typed, error,
                                "the aperture must be above 0");
     }
     lens->aperture = line->numbers[0];
@@ -89,7 +89,7 @@ static bool add_field(struct zemax_file *file, size_t at, bool angle, struct err
         const char *wrong = lens_field_from_degrees(field);
         const struct zemax_line *line = field->at[1].value.hi != 0 ? file->y : file->x;
         if (wrong != NULL) {
-            return lens_words_fail(&line->words, line->numbers[at].typed, error, "%s", wrong);
+            return file_words_fail(&line->words, line->numbers[at].typed, error, "%s", wrong);
         }
     }
     if (weights != NULL && at < weights->count && weights->numbers[at].value.hi != 1) {
@@ -97,7 +97,7 @@ static bool add_field(struct zemax_file *file, size_t at, bool angle, struct err
         field->weight_typed = weights->numbers[at].typed;
     }
     return field->weight >= 0 ||
-           lens_words_fail(&weights->words, field->weight_typed, error, "a weight is not below 0");
+           file_words_fail(&weights->words, field->weight_typed, error, "a weight is not below 0");
 }
 
 static bool set_fields(struct zemax_file *file, struct error *error)
@@ -132,7 +132,7 @@ static struct text after_um(struct zemax_file *file, struct text number)
 static bool fail_waves(const struct zemax_file *file, struct error *error, const char *message)
 {
     if (file->primary_line != NULL) {
-        return lens_words_fail(&file->primary_line->words, file->primary_line->keyword, error, "%s",
+        return file_words_fail(&file->primary_line->words, file->primary_line->keyword, error, "%s",
                                message);
     }
     fail(error, ERROR_DATA, "%s", message);
@@ -281,7 +281,7 @@ static bool set_object(struct zemax_file *file, struct error *error)
         return false;
     }
     if (object->is_stop) {
-        return lens_words_fail(&object->surf->words, object->surf->keyword, error,
+        return file_words_fail(&object->surf->words, object->surf->keyword, error,
                                "the object is the stop");
     }
     if (object->glass != NULL &&
@@ -357,7 +357,7 @@ static bool check_image(struct zemax_file *file, struct error *error)
         return false;
     }
     if (image->is_stop) {
-        return lens_words_fail(&image->surf->words, image->surf->keyword, error,
+        return file_words_fail(&image->surf->words, image->surf->keyword, error,
                                "the image is the stop");
     }
     return true;

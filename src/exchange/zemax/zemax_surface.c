@@ -69,7 +69,7 @@ static bool model_medium(struct zemax_file *file, const struct zemax_line *line,
                          struct medium *medium, struct error *error)
 {
     if (!(zemax_number(line, 2) > 0 && zemax_number(line, 2) < 100)) {
-        return lens_words_fail(&line->words, line->keyword, error,
+        return file_words_fail(&line->words, line->keyword, error,
                                "a model glass without an index");
     }
     bool constant = zemax_number(line, 3) == 0;
@@ -78,7 +78,7 @@ static bool model_medium(struct zemax_file *file, const struct zemax_line *line,
                                          .index = line->numbers[2].value}
                        : model_of(file, line->numbers[2], line->numbers[3]);
     if (!constant && zemax_number(line, 3) < 0) {
-        return lens_words_fail(&line->words, line->numbers[3].typed, error,
+        return file_words_fail(&line->words, line->numbers[3].typed, error,
                                "the Abbe number is below 0");
     }
     return zemax_number(line, 4) == 0 ||
@@ -525,7 +525,7 @@ static bool add_next(struct zemax_file *file, size_t at, size_t *place, struct e
     }
     *place = lens->surface_count - 1;
     if (surface->is_stop && lens->stop != LENS_NONE) {
-        return lens_words_fail(&surface->surf->words, surface->surf->keyword, error,
+        return file_words_fail(&surface->surf->words, surface->surf->keyword, error,
                                "a second stop");
     }
     if (surface->is_stop) {

@@ -13,11 +13,11 @@ const struct foreign_unit zemax_units[] = {
 
 static bool read_unit(struct zemax_file *file, struct text keyword, struct error *error)
 {
-    struct text word = lens_words_next(&file->words);
+    struct text word = file_words_next(&file->words);
     const char *unit = foreign_unit_named(zemax_units, word);
     (void)keyword;
     if (unit == NULL) {
-        return lens_words_fail(&file->words, word, error, "the unit is one of MM, CM, IN, METER");
+        return file_words_fail(&file->words, word, error, "the unit is one of MM, CM, IN, METER");
     }
     file->build.lens->unit = unit;
     file->words.scale = lens_unit_scale(unit);
@@ -26,17 +26,17 @@ static bool read_unit(struct zemax_file *file, struct text keyword, struct error
 
 static bool read_mode(struct zemax_file *file, struct text keyword, struct error *error)
 {
-    struct text word = lens_words_next(&file->words);
+    struct text word = file_words_next(&file->words);
     (void)keyword;
     return text_same(word, "SEQ") ||
-           lens_words_fail(&file->words, word, error,
+           file_words_fail(&file->words, word, error,
                            "a non-sequential system: lenscalc has lenses whose surfaces follow "
                            "each other");
 }
 
 static bool read_name(struct zemax_file *file, struct text keyword, struct error *error)
 {
-    struct text rest = lens_words_rest(&file->words);
+    struct text rest = file_words_rest(&file->words);
     (void)keyword;
     (void)error;
     if (rest.length > 0) {
@@ -48,7 +48,7 @@ static bool read_name(struct zemax_file *file, struct text keyword, struct error
 /* NOTE 0 has the text; other numbers are breaks of its lines. */
 static bool read_note(struct zemax_file *file, struct text keyword, struct error *error)
 {
-    struct text number = lens_words_next(&file->words), rest = lens_words_rest(&file->words);
+    struct text number = file_words_next(&file->words), rest = file_words_rest(&file->words);
     (void)keyword;
     (void)error;
     if (!text_equal(number, "0") || rest.length == 0) {
@@ -71,9 +71,9 @@ static bool read_catalogs(struct zemax_file *file, struct text keyword, struct e
 {
     (void)keyword;
     (void)error;
-    for (struct text word = lens_words_next(&file->words);
+    for (struct text word = file_words_next(&file->words);
          word.length > 0 && file->catalog_count < ZEMAX_CATALOGS;
-         word = lens_words_next(&file->words)) {
+         word = file_words_next(&file->words)) {
         file->catalogs[file->catalog_count++] = word;
     }
     return true;
@@ -119,11 +119,11 @@ static bool read_wave(struct zemax_file *file, struct text keyword, struct error
     const struct zemax_line *line = zemax_line_of(file, keyword, NUMBER_UNSCALED);
     double number = zemax_number(line, 0), wavelength = zemax_number(line, 1);
     if (!(number >= 1 && number < ZEMAX_WAVES) || line->count < 2) {
-        return lens_words_fail(&line->words, line->keyword, error,
+        return file_words_fail(&line->words, line->keyword, error,
                                "WAVM needs the number, the wavelength and its weight");
     }
     if (!(wavelength >= WAVELENGTH_SHORTEST && wavelength <= WAVELENGTH_LONGEST)) {
-        return lens_words_fail(&line->words, line->numbers[1].typed, error,
+        return file_words_fail(&line->words, line->numbers[1].typed, error,
                                "the wavelength is not within 0.001 to 100000 um");
     }
     size_t at = (size_t)number - 1;
@@ -140,13 +140,13 @@ static bool read_waves(struct zemax_file *file, struct text keyword, struct erro
     const struct zemax_line *line = zemax_line_of(file, keyword, NUMBER_UNSCALED);
     bool weights = text_same(keyword, "WWGT") || text_same(keyword, "WWGN");
     if (line->count > ZEMAX_WAVES) {
-        return lens_words_fail(&line->words, line->numbers[ZEMAX_WAVES].typed, error,
+        return file_words_fail(&line->words, line->numbers[ZEMAX_WAVES].typed, error,
                                "more than %d wavelengths", ZEMAX_WAVES);
     }
     for (size_t i = 0; i < line->count; i++) {
         double value = line->numbers[i].value.hi;
         if (!weights && !(value >= WAVELENGTH_SHORTEST && value <= WAVELENGTH_LONGEST)) {
-            return lens_words_fail(&line->words, line->numbers[i].typed, error,
+            return file_words_fail(&line->words, line->numbers[i].typed, error,
                                    "the wavelength is not within 0.001 to 100000 um");
         }
         *(weights ? &file->weights[i] : &file->waves[i]) = line->numbers[i];
@@ -163,7 +163,7 @@ static bool read_primary(struct zemax_file *file, struct text keyword, struct er
     file->primary_line = zemax_line_of(file, keyword, NUMBER_UNSCALED);
     double number = zemax_number(file->primary_line, 0);
     if (!(number >= 1 && number < ZEMAX_WAVES)) {
-        return lens_words_fail(&file->words, keyword, error, "PWAV needs a wavelength's number");
+        return file_words_fail(&file->words, keyword, error, "PWAV needs a wavelength's number");
     }
     file->primary = (size_t)number - 1;
     return true;
@@ -196,7 +196,7 @@ static bool read_environment(struct zemax_file *file, struct text keyword, struc
     file->environment = line;
     return zemax_number(line, 2) == 0 ||
            (zemax_number(line, 0) > -273.15 && zemax_number(line, 1) >= 0) ||
-           lens_words_fail(&line->words, keyword, error,
+           file_words_fail(&line->words, keyword, error,
                            "ENVD needs a temperature above -273.15 C and a pressure of 0 or more "
                            "atmospheres");
 }

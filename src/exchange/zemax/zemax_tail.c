@@ -7,7 +7,7 @@ static bool read_configurations(struct zemax_file *file, struct text keyword, st
     const struct zemax_line *line = zemax_line_of(file, keyword, NUMBER_UNSCALED);
     double count = zemax_number(line, 0);
     if (!(count >= 1 && count <= ZEMAX_CONFIGURATIONS)) {
-        return lens_words_fail(&file->words, keyword, error,
+        return file_words_fail(&file->words, keyword, error,
                                "MNUM needs the number of configurations, 1 to %d",
                                ZEMAX_CONFIGURATIONS);
     }
@@ -38,7 +38,7 @@ bool zemax_read_setting(struct zemax_file *file, struct text keyword, struct err
     double surface = zemax_number(line, 0), configuration = zemax_number(line, 1);
     if (line->count < 2 || !(surface >= 0 && surface <= LENS_MOST_SURFACES) ||
         !(configuration >= 1 && configuration <= (double)file->configurations)) {
-        return lens_words_fail(&file->words, keyword, error,
+        return file_words_fail(&file->words, keyword, error,
                                "%.4s needs a surface, a configuration and its value",
                                keyword.start);
     }

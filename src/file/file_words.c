@@ -1,0 +1,141 @@
+/* file/file_words.c - words of a file that is read line by line, and what is wrong with them. */
+/* SPDX-License-Identifier: MIT */
+#include "file/file_words.h"
+
+#include <stdarg.h>
+#include <stdio.h>
+#include <string.h>
+
+bool file_words_open(struct file_words *words, const char *source, struct text content,
+                     struct arena *arena, struct error *error)
+{
+    *words = (struct file_words){.source = source,
+                                 .rest = content,
+                                 .scale = NUMBER_UNSCALED,
+                                 .comment = "#",
+                                 .arena = arena};
+    if (content.length >= 3 && memcmp(content.start, "\xef\xbb\xbf", 3) == 0) {
+        words->rest = (struct text){content.start + 3, content.length - 3};
+    }
+    bool marked = content.length >= 2 && (memcmp(content.start, "\xff\xfe", 2) == 0 ||
+                                          memcmp(content.start, "\xfe\xff", 2) == 0);
+    const char *nul = content.length > 0 ? memchr(content.start, '\0', content.length) : NULL;
+    if (marked || nul != NULL) {
+        fail(error, ERROR_DATA, "not plain text: %s", marked ? "a file in UTF-16" : "a NUL byte");
+        return error_locate(error, source, 1, 1);
+    }
+    return true;
+}
+
+static bool is_blank(char c)
+{
+    return c == ' ' || c == '\t' || c == '\r';
+}
+
+/* A comment begins where a word may begin. */
+static struct text without_comment(struct text line, const char *mark)
+{
+    size_t length = mark != NULL ? strlen(mark) : 0;
+    for (size_t i = 0; length > 0 && i + length <= line.length; i++) {
+        if (memcmp(line.start + i, mark, length) == 0 && (i == 0 || is_blank(line.start[i - 1]))) {
+            line.length = i;
+        }
+    }
+    return line;
+}
+
+bool file_words_line(struct file_words *words)
+{
+    while (words->rest.start != NULL && words->rest.length > 0) {
+        struct text line = without_comment(text_cut(&words->rest, '\n'), words->comment);
+        words->number++;
+        while (line.length > 0 && is_blank(line.start[line.length - 1])) {
+            line.length--;
+        }
+        words->line = line;
+        words->at = line.start;
+        if (line.length > 0) {
+            return true;
+        }
+    }
+    return false;
+}
+
+static const char *line_end(const struct file_words *words)
+{
+    return words->line.start + words->line.length;
+}
+
+struct text file_words_next(struct file_words *words)
+{
+    const char *end = line_end(words), *at = words->at;
+    while (at < end && is_blank(*at)) {
+        at++;
+    }
+    const char *start = at;
+    char closing = '\0';
+    for (; at < end && (closing != '\0' || !is_blank(*at)); at++) {
+        if (closing != '\0') {
+            closing = *at == closing ? '\0' : closing;
+        } else if (*at == '{' || *at == '"') {
+            closing = *at == '{' ? '}' : '"';
+        }
+    }
+    words->at = at;
+    return (struct text){start, (size_t)(at - start)};
+}
+
+struct text file_words_rest(struct file_words *words)
+{
+    struct text rest = text_trim((struct text){words->at, (size_t)(line_end(words) - words->at)});
+    words->at = line_end(words);
+    return rest;
+}
+
+struct typed_place file_words_place(const struct file_words *words, struct text word)
+{
+    return (struct typed_place){words->source, words->number,
+                                (size_t)(word.start - words->line.start) + 1};
+}
+
+bool file_words_fail(const struct file_words *words, struct text word, struct error *error,
+                     const char *format, ...)
+{
+    char message[sizeof error->message];
+    size_t column = (size_t)(word.start - words->line.start) + 1;
+    va_list arguments;
+    va_start(arguments, format);
+    vsnprintf(message, sizeof message, format, arguments);
+    va_end(arguments);
+    fail_at(error, ERROR_DATA, words->line, column, "%s", message);
+    return error_locate(error, words->source, words->number, column);
+}
+
+bool file_words_end(struct file_words *words, struct error *error)
+{
+    struct text word = file_words_next(words);
+    return word.length == 0 ||
+           file_words_fail(words, word, error, "'%.*s' does not belong here",
+                           (int)(word.length < 40 ? word.length : 40), word.start);
+}
+
+bool file_words_plain(const char *source, struct text content, struct error *error)
+{
+    long line = 1;
+    size_t begin = 0;
+    for (size_t i = 0; i < content.length; i++) {
+        unsigned char c = (unsigned char)content.start[i];
+        unsigned char next = i + 1 < content.length ? (unsigned char)content.start[i + 1] : 0;
+        bool wide = c == 0xc2 && next >= 0x80 && next < 0xa0;
+        if (wide || c == 0x7f || (c < 0x20 && c != '\t' && c != '\n' && c != '\r')) {
+            fail(error, ERROR_DATA, "not plain text: the control character U+%04X",
+                 wide ? next : c);
+            return error_locate(error, source, line, i - begin + 1);
+        }
+        if (c == '\n') {
+            line++;
+            begin = i + 1;
+        }
+    }
+    return true;
+}
