@@ -25,6 +25,24 @@ struct scene_place {
     double spin;            /* rad/s */
 };
 
+/* Where something is at one time. */
+struct scene_pose {
+    struct vector at;
+    struct frame turned;
+};
+
+/*
+ * Given     time  s
+ * Formula   turned by the angle spin t about the axis by Rodrigues' formula, then moved
+ */
+struct scene_pose scene_pose_at(const struct scene_place *place, double time);
+
+static inline bool scene_place_moves(const struct scene_place *place)
+{
+    const struct vector v = place->velocity;
+    return v.x != 0 || v.y != 0 || v.z != 0 || place->spin != 0;
+}
+
 /* -------- what they are made of -------- */
 
 enum scene_material_kind {
@@ -139,5 +157,8 @@ struct scene {
     struct scene_light *lights;
     size_t light_count;
 };
+
+/* Does anything move: a thing, a light, the camera? */
+bool scene_moves(const struct scene *scene);
 
 #endif

@@ -1,0 +1,72 @@
+/* scene/shape.h - where rays meet things, in the things' own frames. */
+/* SPDX-License-Identifier: MIT */
+#ifndef LENSCALC_SCENE_SHAPE_H
+#define LENSCALC_SCENE_SHAPE_H
+
+#include "scene/scene.h"
+
+/* In the frame of a thing; its way has length 1. */
+struct shape_ray {
+    struct vector from, way;
+    double farthest; /* mm */
+};
+
+/* Where it met: enough to tell all the rest. */
+struct shape_meeting {
+    double distance; /* mm, above 0 and below the ray's farthest */
+    size_t part;     /* of a mesh the triangle; of a box the side, 2 axis + 1 if it is the upper */
+    double share[2]; /* of a triangle's second and third corner */
+};
+
+/* What is there, in the frame of the thing. */
+struct shape_spot {
+    struct vector at;     /* on the surface itself, not only near it */
+    struct vector normal; /* of length 1, outwards; of flat things to their front, z > 0 */
+    struct vector face;   /* the same of the surface itself, of meshes without smoothness */
+    double place[2];      /* in a texture, from the left and from below, 0 to 1 */
+    double size;          /* of the numbers that `at` was computed of: sums of its parts, mm */
+};
+
+/* The sum of its parts: what rounding errors of turned and moved points are shares of. */
+static inline double vector_taxi(struct vector a)
+{
+    return fabs(a.x) + fabs(a.y) + fabs(a.z);
+}
+
+/* Axis by axis, mm. */
+struct shape_box {
+    struct vector low, high;
+};
+
+/*
+ * Where does a ray first meet a thing?
+ *
+ * Given     thing  anything but a mesh
+ *           ray    way may have parts of 0
+ * Result    false: nowhere before its farthest. What starts on a plane does not meet it; spheres
+ *           and boxes are met from within as well. Where a card's alpha a is below 1, a share a of
+ *           all places is there, picked by enciphering the place itself: it is so for every ray and
+ *           at all times, and right in the mean
+ * Formula   sphere: from the point of the ray that is nearest to the middle, so that neither far
+ *           nor grazing rays lose digits [Haines19]
+ */
+bool shape_meet(const struct scene_thing *thing, const struct shape_ray *ray,
+                struct shape_meeting *meeting);
+
+/*
+ * The surface where they met.
+ *
+ * Result    places: of a disc in the square about it; of a sphere by longitude and latitude, y up,
+ *           z in the middle; of a box on each side, as one looks at it; of a plane what `repeat`
+ *           leaves
+ */
+struct shape_spot shape_spot(const struct scene_thing *thing, const struct shape_ray *ray,
+                             const struct shape_meeting *meeting);
+
+/* All of it lies within; a plane has none, and a mesh its own. */
+struct shape_box shape_box(const struct scene_thing *thing);
+
+/* Does a point lie inside a sphere or a box? Other things have no inside. */
+bool shape_holds(const struct scene_thing *thing, struct vector at);
+
+#endif

@@ -1,0 +1,46 @@
+/* scene/texture.c - pictures on things: what lies between four pixels. */
+/* SPDX-License-Identifier: MIT */
+#include "scene/texture.h"
+
+#include <math.h>
+
+/* Two pixels side by side, and how far it is from the first to the second. */
+struct between {
+    size_t at[2];
+    double share;
+};
+
+/* Beyond the ends the last one, or the first of the next; anything but a number is the first. */
+static size_t pixel_at(double at, size_t count, bool repeats)
+{
+    const double last = (double)(count - 1);
+    if (!(at >= 0)) {
+        return repeats && at < 0 ? count - 1 : 0;
+    }
+    return at <= last ? (size_t)at : repeats ? 0 : count - 1;
+}
+
+static struct between between_at(double place, size_t count, bool repeats)
+{
+    const double at = place * (double)count - 0.5, first = floor(at);
+    return (struct between){{pixel_at(first, count, repeats), pixel_at(first + 1, count, repeats)},
+                            at - first};
+}
+
+void texture_look(const struct image *image, const double place[2], bool repeats,
+                  double of[TEXTURE_CHANNELS])
+{
+    const struct between x = between_at(place[0], image->width, repeats);
+    const struct between y = between_at(1 - place[1], image->height, repeats);
+    const size_t left = x.at[0] * image->channels, right = x.at[1] * image->channels;
+    const float *upper = image_row(image, y.at[0]), *lower = image_row(image, y.at[1]);
+    const size_t step = image->channels < TEXTURE_ALPHA ? 0 : 1;
+    const size_t count = image->channels > TEXTURE_ALPHA ? TEXTURE_CHANNELS : TEXTURE_ALPHA;
+    of[TEXTURE_ALPHA] = 1;
+    for (size_t k = 0; k < count; k++) {
+        const double a = (double)upper[left + k * step], b = (double)upper[right + k * step];
+        const double c = (double)lower[left + k * step], d = (double)lower[right + k * step];
+        const double from = a + x.share * (b - a), to = c + x.share * (d - c);
+        of[k] = from + y.share * (to - from);
+    }
+}

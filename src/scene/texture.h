@@ -1,0 +1,26 @@
+/* scene/texture.h - pictures on things: what lies between four pixels. */
+/* SPDX-License-Identifier: MIT */
+#ifndef LENSCALC_SCENE_TEXTURE_H
+#define LENSCALC_SCENE_TEXTURE_H
+
+#include "base/image/image.h"
+
+#include <stdbool.h>
+
+/* Red, green, blue, and the share of it that is there. */
+enum { TEXTURE_ALPHA = 3, TEXTURE_CHANNELS };
+
+/*
+ * Look at a place of a picture.
+ *
+ * Given     image    1 to 3 channels, the first one or three are colours; 4: the last is alpha
+ *           place    from the left and from below, 0 to 1
+ *           repeats  beside its left and right, upper and lower borders it begins anew; else their
+ *                    pixels go on
+ * Result    of  linear sRGB; pixels have the light of their middles, and what lies between four of
+ *               them goes in a straight line. Alpha of a picture that has none is 1
+ */
+void texture_look(const struct image *image, const double place[2], bool repeats,
+                  double of[TEXTURE_CHANNELS]);
+
+#endif

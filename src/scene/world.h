@@ -1,0 +1,91 @@
+/* scene/world.h - a scene made ready for rays: what they meet, and where. */
+/* SPDX-License-Identifier: MIT */
+#ifndef LENSCALC_SCENE_WORLD_H
+#define LENSCALC_SCENE_WORLD_H
+
+#include "base/arena.h"
+#include "base/error.h"
+#include "scene/mesh.h"
+#include "scene/scene.h"
+
+#include <stdbool.h>
+#include <stddef.h>
+
+struct world_ray {
+    struct vector from, way; /* way has length 1 */
+    double time;             /* s, within the world's span */
+    double farthest;         /* mm; INFINITY */
+};
+
+/* The surface where a ray first met something. */
+struct world_hit {
+    double distance;      /* mm */
+    struct vector at;     /* on it, mm */
+    struct vector normal; /* of length 1, towards the side that the ray came from; smooth */
+    struct vector face;   /* the same of the surface itself */
+    bool is_back;         /* the ray came from behind a flat thing, or from within another */
+    size_t thing;         /* of the scene */
+    size_t triangle;      /* of a mesh */
+    double place[2];      /* in a texture, from the left and from below, 0 to 1 */
+    double slack;         /* mm: how far from the surface `at` may lie at most, see world_leave */
+};
+
+/* A thing of the scene, where it is at the time 0 or always. */
+struct world_thing {
+    const struct scene_thing *thing;
+    const struct mesh *mesh; /* null: of none */
+    struct scene_pose pose;
+    bool moves;
+};
+
+/* Read-only afterwards: threads share it. */
+struct world {
+    const struct scene *scene;
+    double span[2]; /* s */
+    struct world_thing *things;
+    size_t degenerate; /* triangles without area, which no ray meets */
+};
+
+/*
+ * Make a scene ready.
+ *
+ * Given     scene  as scene.h has it: its promises are the caller's, also those on lengths, axes
+ *                  and numbers of corners
+ *           span   times of all rays, from .. to, s
+ * Errors    ERROR_DOMAIN: a thing farther than WORLD_REACH from the middle, with its place
+ */
+bool world_open(const struct scene *scene, const double span[2], struct arena *arena,
+                struct world *world, struct error *error);
+
+#define WORLD_REACH 1e30 /* mm */
+
+/* What a ray meets first; false: it goes past everything. */
+bool world_look(const struct world *world, const struct world_ray *ray, struct world_hit *hit);
+
+/* Is nothing in its way up to its farthest? */
+bool world_is_clear(const struct world *world, const struct world_ray *ray);
+
+/*
+ * Where a ray starts that leaves a surface to the side of its face: it doesn't meet that surface
+ * where it left it.
+ *
+ * Formula   with u = 2^-53 and |.| the sum of a vector's parts: the point is computed on the
+ *           surface in the thing's own frame within 4 u |local|; turned out, moved, set off, and
+ *           turned back for the next ray it takes up 9 u |local|, 2 u |world|, and 16 u |local|
+ *           that the frame's axes lack in length and squareness: less than 32 u (|local| + |world|)
+ *           along each axis, sqrt(3) times that along the normal; `slack` is 128 u
+ */
+static inline struct vector world_leave(const struct world_hit *hit)
+{
+    return vector_along(hit->at, hit->slack, hit->face);
+}
+
+/*
+ * Is a point inside a sphere or a box?
+ *
+ * Given     time   s
+ * Result    thing  the first of the scene
+ */
+bool world_holds(const struct world *world, struct vector at, double time, size_t *thing);
+
+#endif
