@@ -3,6 +3,10 @@
 #ifndef LENSCALC_LIGHT_BANDS_H
 #define LENSCALC_LIGHT_BANDS_H
 
+#include "base/error.h"
+#include "light/spectrum.h"
+
+#include <stdbool.h>
 #include <stddef.h>
 
 /* So many bands at most are there; a ray carries up to BANDS_LANES of them at once. */
@@ -32,5 +36,40 @@ struct lanes {
 struct radiance {
     double of[BANDS_LANES];
 };
+
+/* Red, green and blue of sRGB. */
+void bands_three(struct bands *bands);
+
+/*
+ * The shares of each band that a surface reflects.
+ *
+ * Given     surface  RGB, each 0 to 1, or a table of shares of 0 to 1
+ *           of       receives a number for each band, 0 to 1
+ * Formula   of three bands the sRGB of what it reflects of D65; where that is not within 0 to 1,
+ *           the nearest to it on the way to the grey of its luminance
+ * Errors    ERROR_DOMAIN: what spectrum_check finds, shares above 1, the spectrum of a light
+ */
+bool bands_of_surface(const struct bands *bands, const struct spectrum *surface,
+                      double of[BANDS_MOST], struct error *error);
+
+/*
+ * Light of luminance 1 cd/m^2.
+ *
+ * Given     light  its relative spectrum, or the proportions of its RGB
+ *           of     receives a number of at least 0 for each band: sum of[k] rgb[k] has luminance 1
+ * Formula   the sRGB of its sums over the spectrum, with D65 as white; where one is negative, the
+ *           nearest to it on the way to the white of its luminance
+ * Errors    ERROR_DOMAIN: what spectrum_check finds; light that the eye does not see
+ */
+bool bands_of_light(const struct bands *bands, const struct spectrum *light, double of[BANDS_MOST],
+                    struct error *error);
+
+/*
+ * How much of a light's colour do the bands hold?
+ *
+ * Result    1: all of it; less: that share of its distance from white, since sRGB would have to
+ *           take some of a primary away. 1 of what bands_of_light does not take
+ */
+double bands_saturation(const struct bands *bands, const struct spectrum *light);
 
 #endif

@@ -117,6 +117,9 @@ FOR_TESTS = {
     "distribution_words": "", "spread_of": "", "spread_quantile": "", "spread_variance": "",
     "tolerances_of": "",
     "tally_histogram": "",
+    # light, which scenes stand on
+    "bands_of_light": "", "bands_of_surface": "", "bands_saturation": "", "bands_three": "",
+    "illuminant_star": "", "illuminant_words": "",
     # what there is to try
     "foreign_formats": "the fuzzer's list of formats",
 }

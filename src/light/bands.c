@@ -1,0 +1,187 @@
+/* light/bands.c - lights and surfaces as numbers in bands. */
+/* SPDX-License-Identifier: MIT */
+#include "light/bands.h"
+
+#include "light/colour.h"
+#include "light/illuminant.h"
+#include "light/observer.h"
+
+#include <math.h>
+
+/* CIE's D65, the white of sRGB. */
+static struct spectrum white_light(void)
+{
+    struct spectrum white;
+    struct error unused;
+    spectrum_named(text_of("D65"), &white, &unused);
+    return white;
+}
+
+/* -------- three bands -------- */
+
+void bands_three(struct bands *bands)
+{
+    *bands = (struct bands){.count = 3};
+    for (int k = 0; k < 3; k++) {
+        bands->wavelength[k] = (double)NAN;
+        bands->rgb[k][k] = bands->basis[k][k] = 1;
+    }
+}
+
+static double luminance(const double rgb[3])
+{
+    const double *y = colour_xyz_of_srgb.at[1];
+    return y[0] * rgb[0] + y[1] * rgb[1] + y[2] * rgb[2];
+}
+
+/* Linear sRGB of all light that comes from a surface, or of a light; sums as observer_sum's. */
+static void rgb_of_sum(const double xyz[3], double rgb[3])
+{
+    const struct colour_matrix to_srgb = colour_inverse(&colour_xyz_of_srgb);
+    const struct colour colour = colour_turned(&to_srgb, (struct colour){{xyz[0], xyz[1], xyz[2]}});
+    for (int i = 0; i < 3; i++) {
+        rgb[i] = colour.part[i];
+    }
+}
+
+static void rgb_of(const struct spectrum *light, const struct spectrum *surface, double rgb[3])
+{
+    static const double edges[2] = {OBSERVER_LEAST, OBSERVER_MOST};
+    double xyz[1][3];
+    observer_sum(light, surface, edges, 1, xyz);
+    rgb_of_sum(xyz[0], rgb);
+}
+
+/*
+ * The same with D65 as white (1, 1, 1): the white of sRGB is that of its standard, rounded, a few
+ * 1e-4 beside the sums.
+ */
+static void white_rgb_of(const struct spectrum *light, const struct spectrum *surface,
+                         double rgb[3])
+{
+    const struct spectrum white_spectrum = white_light();
+    double white[3];
+    rgb_of(light, surface, rgb);
+    rgb_of(&white_spectrum, NULL, white);
+    for (int i = 0; i < 3; i++) {
+        rgb[i] /= white[i];
+    }
+}
+
+/* The largest share of the way from grey to a colour that stays within 0 and `most`. */
+static double share_within(const double rgb[3], double grey, double most)
+{
+    double share = 1;
+    for (int i = 0; i < 3; i++) {
+        const double room = rgb[i] < grey ? grey : most - grey;
+        const double way = fabs(rgb[i] - grey);
+        share = way * share > room ? room / way : share;
+    }
+    return share;
+}
+
+/* Go that share of the way. */
+static void move_from_grey(double rgb[3], double grey, double share)
+{
+    for (int i = 0; i < 3; i++) {
+        const double moved = grey + share * (rgb[i] - grey);
+        rgb[i] = moved > 0 ? moved : 0;
+    }
+}
+
+/* -------- surfaces -------- */
+
+static bool check_shares(const struct spectrum *surface, struct error *error)
+{
+    const bool is_rgb = surface->kind == SPECTRUM_RGB;
+    if (!spectrum_check(surface, error)) {
+        return false;
+    }
+    if (!is_rgb && surface->kind != SPECTRUM_TABLE) {
+        return fail(error, ERROR_DOMAIN, "a surface has the spectrum of a light");
+    }
+    const double *shares = is_rgb ? surface->rgb : surface->value;
+    for (size_t i = 0; i < (is_rgb ? 3 : surface->count); i++) {
+        if (!(shares[i] <= 1)) {
+            return fail(error, ERROR_DOMAIN, "a surface reflects %.6g of the light; at most is 1",
+                        shares[i]);
+        }
+    }
+    return true;
+}
+
+bool bands_of_surface(const struct bands *bands, const struct spectrum *surface,
+                      double of[BANDS_MOST], struct error *error)
+{
+    if (!check_shares(surface, error)) {
+        return false;
+    }
+    double rgb[3];
+    if (surface->kind == SPECTRUM_RGB) {
+        for (int i = 0; i < 3; i++) {
+            rgb[i] = surface->rgb[i];
+        }
+    } else {
+        const struct spectrum white = white_light();
+        white_rgb_of(&white, surface, rgb);
+        const double grey = fmin(luminance(rgb), 1);
+        move_from_grey(rgb, grey, share_within(rgb, grey, 1));
+    }
+    for (size_t k = 0; k < bands->count; k++) {
+        const double *basis = bands->basis[k];
+        of[k] = rgb[0] * basis[0] + rgb[1] * basis[1] + rgb[2] * basis[2];
+    }
+    return true;
+}
+
+/* -------- lights -------- */
+
+/* Linear sRGB of luminance 1, as it is: parts may be negative. */
+static bool light_rgb(const struct spectrum *light, double rgb[3], struct error *error)
+{
+    if (!spectrum_check(light, error)) {
+        return false;
+    }
+    if (light->kind == SPECTRUM_RGB) {
+        for (int i = 0; i < 3; i++) {
+            rgb[i] = light->rgb[i];
+        }
+    } else {
+        white_rgb_of(light, NULL, rgb);
+    }
+    const double amount = luminance(rgb);
+    if (!(amount > 0 && 1 / amount < (double)INFINITY)) {
+        return fail(error, ERROR_DOMAIN,
+                    "the spectrum of the light has nothing between %g and %g"
+                    " um: no eye sees it",
+                    OBSERVER_LEAST, OBSERVER_MOST);
+    }
+    for (int i = 0; i < 3; i++) {
+        rgb[i] /= amount;
+    }
+    return true;
+}
+
+bool bands_of_light(const struct bands *bands, const struct spectrum *light, double of[BANDS_MOST],
+                    struct error *error)
+{
+    double rgb[3];
+    if (!light_rgb(light, rgb, error)) {
+        return false;
+    }
+    move_from_grey(rgb, 1, share_within(rgb, 1, (double)INFINITY));
+    for (size_t k = 0; k < bands->count; k++) {
+        const double *basis = bands->basis[k];
+        of[k] = rgb[0] * basis[0] + rgb[1] * basis[1] + rgb[2] * basis[2];
+    }
+    return true;
+}
+
+double bands_saturation(const struct bands *bands, const struct spectrum *light)
+{
+    double rgb[3];
+    struct error unused;
+    return bands->count == 3 && light_rgb(light, rgb, &unused)
+               ? share_within(rgb, 1, (double)INFINITY)
+               : 1;
+}

@@ -1,0 +1,268 @@
+/* tests/unit/test_light.c - lights and surfaces in bands: chromaticities, white, luminance. */
+/* SPDX-License-Identifier: MIT */
+#include "check.h"
+#include "light/bands.h"
+#include "light/colour.h"
+#include "light/illuminant.h"
+#include "light/observer.h"
+
+static const double seen[2] = {OBSERVER_LEAST, OBSERVER_MOST};
+
+static struct spectrum named(const char *name)
+{
+    struct spectrum spectrum;
+    struct error error;
+    CHECK(spectrum_named(text_of(name), &spectrum, &error));
+    return spectrum;
+}
+
+/* -------- what the eye sees of CIE's lights -------- */
+
+/* CIE 15:2004 tables T.3 and T.8.1; equal energy by definition. */
+static void test_chromaticities(void)
+{
+    static const struct {
+        const char *name;
+        double x, y, tolerance;
+    } lights[] = {
+        {"A", 0.44757, 0.40745, 2e-5},
+        {"D50", 0.34567, 0.35850, 2e-5},
+        {"D55", 0.33242, 0.34743, 2e-5},
+        {"D65", 0.31271, 0.32902, 2e-5},
+        {"D75", 0.29902, 0.31485, 2e-5},
+        {"E", 1.0 / 3, 1.0 / 3, 6e-5},
+        {"F2", 0.3721, 0.3751, 6e-5},
+        {"F7", 0.3129, 0.3292, 6e-5},
+        {"F11", 0.3805, 0.3769, 6e-5},
+        /* the Planckian locus, Wyszecki and Stiles 1982 table 1(3.11), four digits */
+        {"blackbody 1000K", 0.6527, 0.3445, 2e-4},
+        {"blackbody:6500K", 0.3135, 0.3237, 2e-4},
+        {"blackbody 10000 K", 0.2807, 0.2884, 2e-4},
+    };
+    for (size_t i = 0; i < sizeof lights / sizeof lights[0]; i++) {
+        const struct spectrum light = named(lights[i].name);
+        double xyz[1][3];
+        observer_sum(&light, NULL, seen, 1, xyz);
+        const double sum = xyz[0][0] + xyz[0][1] + xyz[0][2];
+        CHECK_NEAR(xyz[0][0] / sum, lights[i].x, lights[i].tolerance, lights[i].name);
+        CHECK_NEAR(xyz[0][1] / sum, lights[i].y, lights[i].tolerance, lights[i].name);
+    }
+}
+
+/* CIE 15:2004 table T.1, D65, and A by its formula with 40 digits. */
+static void test_values(void)
+{
+    static const struct {
+        const char *name;
+        double wavelength, value, tolerance;
+    } rows[] = {
+        {"D65", 0.300, 0.000341, 2e-6},
+        {"D65", 0.400, 0.827549, 2e-6},
+        {"D65", 0.450, 1.17008, 2e-5},
+        {"D65", 0.560, 1, 1e-12},
+        {"D65", 0.600, 0.900062, 2e-6},
+        {"D65", 0.780, 0.633828, 2e-6},
+        {"D65", 0.2999, 0, 0},
+        {"D65", 0.4025, (0.827549 + 0.871204) / 2, 2e-6},
+        {"A", 0.400, 0.147080, 1e-6},
+        {"A", 0.700, 1.98261, 1e-5},
+        {"E", 0.555, 1, 0},
+        {"F11", 0.545, 72.84, 0},
+    };
+    for (size_t i = 0; i < sizeof rows / sizeof rows[0]; i++) {
+        const struct spectrum light = named(rows[i].name);
+        CHECK_NEAR(spectrum_at(&light, rows[i].wavelength), rows[i].value, rows[i].tolerance,
+                   rows[i].name);
+    }
+}
+
+/* -------- names -------- */
+
+static void test_names(void)
+{
+    struct spectrum spectrum;
+    struct error error;
+    CHECK(named("5600K").kind == SPECTRUM_DAYLIGHT && named("5600K").kelvin == 5600);
+    CHECK(named("3200 K").kind == SPECTRUM_BLACKBODY);
+    CHECK(named("blackbody:5600K").kind == SPECTRUM_BLACKBODY);
+    CHECK(named(" d65 ").kind == SPECTRUM_DAYLIGHT);
+    static const struct {
+        const char *name, *message, *hint;
+    } wrong[] = {
+        {"D66", "unknown light 'D66'", "did you mean 'D65'?"},
+        {"", "unknown light ''",
+         "lights are A, D50, D55, D65, D75, E, F2, F7, F11, a temperature like 5600K, or "
+         "'blackbody:2856K'"},
+        {"400K", "the temperature 400 K of a black body is not from 500 to 100000 K", ""},
+        {"30000K", "the temperature 30000 K of daylight is not from 4000 to 25000 K",
+         "'blackbody:30000K' may be up to 100000 K"},
+        {"daylight 3000K", "the temperature 3000 K of daylight is not from 4000 to 25000 K", ""},
+        {"-5K", "the temperature -5 K of a black body is not from 500 to 100000 K", ""},
+    };
+    for (size_t i = 0; i < sizeof wrong / sizeof wrong[0]; i++) {
+        CHECK(!spectrum_named(text_of(wrong[i].name), &spectrum, &error));
+        CHECK(error.code == ERROR_USAGE);
+        CHECK_TEXT(error.message, wrong[i].message);
+        CHECK_TEXT(error.hint, wrong[i].hint);
+    }
+    CHECK(!spectrum_named(text_of("5600mm"), &spectrum, &error));
+    CHECK(!spectrum_named(text_of("blackbody "), &spectrum, &error));
+}
+
+/* -------- red, green and blue -------- */
+
+static double luminance(const struct bands *bands, const double of[BANDS_MOST])
+{
+    double y = 0;
+    for (size_t k = 0; k < bands->count; k++) {
+        y += of[k] *
+             (0.2126 * bands->rgb[k][0] + 0.7152 * bands->rgb[k][1] + 0.0722 * bands->rgb[k][2]);
+    }
+    return y;
+}
+
+/* Light of luminance 1, white of D65, whatever is saturated. */
+static void test_lights(void)
+{
+    struct bands bands;
+    double of[BANDS_MOST];
+    struct error error;
+    bands_three(&bands);
+    for (const struct word *word = illuminant_words; word->word != NULL; word++) {
+        const struct spectrum light = named(word->word);
+        CHECK(bands_of_light(&bands, &light, of, &error));
+        CHECK_NEAR(luminance(&bands, of), 1, 1e-14, word->word);
+        CHECK(bands_saturation(&bands, &light) == 1);
+    }
+    struct spectrum light = named("D65");
+    CHECK(bands_of_light(&bands, &light, of, &error));
+    for (int i = 0; i < 3; i++) {
+        CHECK_NEAR(of[i], 1, 1e-14, "D65 is white");
+    }
+    /* x, y = 0.44757, 0.40745 through the inverse matrix that IEC 61966-2-1 prints */
+    light = named("A");
+    CHECK(bands_of_light(&bands, &light, of, &error));
+    CHECK_NEAR(of[0], 1.84508, 5e-4, "red of A");
+    CHECK_NEAR(of[1], 0.82626, 5e-4, "green of A");
+    CHECK_NEAR(of[2], 0.23329, 5e-4, "blue of A");
+    light = (struct spectrum){.kind = SPECTRUM_RGB, .rgb = {10, 0, 0}};
+    CHECK(bands_of_light(&bands, &light, of, &error));
+    CHECK_NEAR(of[0], 1 / 0.2126, 1e-13, "red alone");
+    CHECK(of[1] == 0 && of[2] == 0);
+    /* a line of sodium: beyond sRGB, so nearer to white, with no negative part */
+    static const double wavelength[] = {0.588, 0.589, 0.590}, value[] = {0, 1, 0};
+    light = (struct spectrum){
+        .kind = SPECTRUM_TABLE, .count = 3, .wavelength = wavelength, .value = value};
+    CHECK(bands_of_light(&bands, &light, of, &error));
+    CHECK_NEAR(luminance(&bands, of), 1, 1e-14, "a line");
+    CHECK(of[0] > of[1] && of[1] > 0 && fabs(of[2]) < 1e-15);
+    CHECK(bands_saturation(&bands, &light) < 1 && bands_saturation(&bands, &light) > 0.8);
+}
+
+static void test_surfaces(void)
+{
+    static const double wavelength[] = {0.3, 0.5, 0.6, 0.61, 0.9};
+    struct bands bands;
+    double of[BANDS_MOST];
+    struct error error;
+    bands_three(&bands);
+    struct spectrum surface = {.kind = SPECTRUM_RGB, .rgb = {0.25, 0, 1}};
+    CHECK(bands_of_surface(&bands, &surface, of, &error));
+    CHECK(of[0] == 0.25 && of[1] == 0 && of[2] == 1);
+    const double grey[] = {0.18, 0.18, 0.18, 0.18, 0.18};
+    surface = (struct spectrum){
+        .kind = SPECTRUM_TABLE, .count = 5, .wavelength = wavelength, .value = grey};
+    CHECK(bands_of_surface(&bands, &surface, of, &error));
+    for (int i = 0; i < 3; i++) {
+        CHECK_NEAR(of[i], 0.18, 1e-15, "grey");
+    }
+    /* all that is red and no more: blue and green would be negative */
+    const double red[] = {0, 0, 0, 1, 1};
+    surface.value = red;
+    CHECK(bands_of_surface(&bands, &surface, of, &error));
+    for (int i = 0; i < 3; i++) {
+        CHECK(of[i] >= 0 && of[i] <= 1);
+    }
+    CHECK(of[0] > 0.5 && fmin(of[1], of[2]) < 1e-15);
+}
+
+static void test_refused(void)
+{
+    static const double rising[] = {0.4, 0.5}, level[] = {0.4, 0.4}, far[] = {1.0, 1.1};
+    static const double nothing[] = {0, 0}, much[] = {0.5, 1.5}, some[] = {1, 1};
+    const double wrong[] = {1, (double)NAN};
+    const struct {
+        struct spectrum spectrum;
+        bool is_surface;
+        const char *message;
+    } cases[] = {
+        {{.kind = SPECTRUM_NONE}, false, "no spectrum is given"},
+        {{.kind = SPECTRUM_RGB, .rgb = {1, -1, 0}},
+         false,
+         "green of the colour is -1; it must be a number of at least 0"},
+        {{.kind = SPECTRUM_RGB},
+         false,
+         "the spectrum of the light has nothing between 0.36 and 0.83 um: no eye sees it"},
+        {{.kind = SPECTRUM_TABLE, .count = 2, .wavelength = rising, .value = nothing},
+         false,
+         "the spectrum of the light has nothing between 0.36 and 0.83 um: no eye sees it"},
+        {{.kind = SPECTRUM_TABLE, .count = 2, .wavelength = far, .value = some},
+         false,
+         "the spectrum of the light has nothing between 0.36 and 0.83 um: no eye sees it"},
+        {{.kind = SPECTRUM_TABLE, .count = 2, .wavelength = level, .value = some},
+         false,
+         "the wavelength 0.4 um of the spectrum is not above the one before it"},
+        {{.kind = SPECTRUM_TABLE, .count = 2, .wavelength = rising, .value = wrong},
+         false,
+         "a value of the spectrum is nan; it must be a number of at least 0"},
+        {{.kind = SPECTRUM_TABLE, .count = 1, .wavelength = rising, .value = some},
+         false,
+         "a table of a spectrum has at least two rows"},
+        {{.kind = SPECTRUM_TABLE, .count = 2, .wavelength = rising, .value = much},
+         true,
+         "a surface reflects 1.5 of the light; at most is 1"},
+        {{.kind = SPECTRUM_DAYLIGHT, .kelvin = 5000},
+         true,
+         "a surface has the spectrum of a light"},
+    };
+    struct bands bands;
+    double of[BANDS_MOST];
+    struct error error;
+    bands_three(&bands);
+    for (size_t i = 0; i < sizeof cases / sizeof cases[0]; i++) {
+        CHECK(!(cases[i].is_surface ? bands_of_surface(&bands, &cases[i].spectrum, of, &error)
+                                    : bands_of_light(&bands, &cases[i].spectrum, of, &error)));
+        CHECK(error.code == ERROR_DOMAIN);
+        CHECK_TEXT(error.message, cases[i].message);
+    }
+}
+
+/*
+ * Magnitude 0 of the AB scale is 3631 Jy at every frequency: 683 lm/W times the integral of
+ * 3631e-26 c/l^2 V(l) over the wavelength, here with the observer's own y.
+ */
+static void test_stars(void)
+{
+    double wavelength[95], flux[95], xyz[1][3];
+    for (int i = 0; i < 95; i++) {
+        wavelength[i] = 0.36 + 0.005 * i;
+        flux[i] = 3631e-26 * 299792458 / (wavelength[i] * wavelength[i] * 1e-12); /* W/m^2/m */
+    }
+    const struct spectrum light = {
+        .kind = SPECTRUM_TABLE, .count = 95, .wavelength = wavelength, .value = flux};
+    observer_sum(&light, NULL, seen, 1, xyz);
+    CHECK_RELATIVE(illuminant_star(0), 683 * 1e-6 * xyz[0][1], 0.02, "magnitude 0");
+    CHECK_RELATIVE(illuminant_star(5), 2.54e-8, 1e-14, "magnitude 5");
+}
+
+int main(void)
+{
+    test_chromaticities();
+    test_values();
+    test_names();
+    test_lights();
+    test_surfaces();
+    test_refused();
+    test_stars();
+    return check_report();
+}
