@@ -42,6 +42,7 @@ enum random_purpose {
     RANDOM_STARS,      /* card_look */
     RANDOM_ESCAPES,    /* global_descend */
     RANDOM_TOLERANCES, /* tolerance_errors */
+    RANDOM_PATHS,      /* points_next */
 };
 
 /* Numbers `which` of a purpose, for one sample of a run. */

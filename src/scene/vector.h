@@ -65,4 +65,16 @@ static inline struct vector frame_in(const struct frame *frame, struct vector a)
                            vector_dot(frame->z, a)};
 }
 
+/*
+ * Axes, any, of which z is a direction of length 1.
+ *
+ * Source    [Duff17]
+ */
+static inline struct frame frame_about(struct vector z)
+{
+    const double sign = copysign(1, z.z), a = -1 / (sign + z.z), b = z.x * z.y * a;
+    return (struct frame){
+        {1 + sign * z.x * z.x * a, sign * b, -sign * z.x}, {b, sign + z.y * z.y * a, -z.y}, z};
+}
+
 #endif

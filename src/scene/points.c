@@ -1,0 +1,41 @@
+/* scene/points.c - the numbers that a ray decides by on its way through a scene. */
+/* SPDX-License-Identifier: MIT */
+#include "scene/points.h"
+
+#include "base/random.h"
+
+#include <assert.h>
+
+const struct points_table *points_table_new(uint32_t first, struct arena *arena)
+{
+    struct points_table *table = ARENA_NEW(arena, struct points_table);
+    assert(first + POINTS_DIMENSIONS <= SOBOL_DIMENSIONS);
+    table->first = first;
+    for (uint32_t k = 0; k < POINTS_DIMENSIONS; k++) {
+        sobol_open(first + k, &table->sobol[k]);
+    }
+    return table;
+}
+
+void points_sequence_open(const struct points_table *table, uint64_t seed, uint32_t number,
+                          struct points_sequence *sequence)
+{
+    sequence->table = table;
+    sequence->seed = seed;
+    sequence->number = number;
+    for (uint32_t k = 0; k < POINTS_DIMENSIONS; k++) {
+        sequence->scrambling[k] = sobol_scrambling(seed, number, table->first + k);
+    }
+}
+
+double points_next(struct points *points)
+{
+    const struct points_sequence *sequence = points->sequence;
+    const uint32_t k = points->next++;
+    if (k < POINTS_DIMENSIONS) {
+        return sobol_point(&sequence->table->sobol[k], sequence->scrambling[k], points->index);
+    }
+    const struct random_words words = random_words(
+        RANDOM_PATHS, sequence->seed, (uint64_t)sequence->number << 32 | points->index, k);
+    return random_unit_of(words.w[0], words.w[1]);
+}

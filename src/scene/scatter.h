@@ -1,0 +1,82 @@
+/* scene/scatter.h - how surfaces send light on: evenly, as a mirror, or glossy. */
+/* SPDX-License-Identifier: MIT */
+#ifndef LENSCALC_SCENE_SCATTER_H
+#define LENSCALC_SCENE_SCATTER_H
+
+#include "light/bands.h"
+#include "scene/scene.h"
+#include "scene/vector.h"
+
+#include <stdbool.h>
+#include <stddef.h>
+
+/*
+ * The coat of a glossy surface: its facets are mirrors of a clear medium, whose slopes are spread
+ * as GGX has it. What it lets through meets the ground.
+ */
+enum { COAT_NODES = 65 };
+struct coat {
+    double alpha;             /* root mean square slope, about */
+    double index;             /* of its medium */
+    double share[COAT_NODES]; /* that it reflects, in all directions together, of light from an
+                                 angle whose cosine is (k / (COAT_NODES - 1))^2 */
+    double mean;              /* of these, over light from everywhere */
+};
+
+/*
+ * Given     roughness  alpha, 0.001 .. 1
+ *           index      1 .. 3
+ * Formula   share(c) = mean of F(o.h) G(o, i)/G1(o) over normals h that are seen from o
+ * Source    [Heitz18] (normals that are seen); [Heitz14] equations 72, 99 (Smith's G1 and G)
+ * Limits    off by 3e-4 at most: seen by halving its steps
+ */
+void coat_open(double roughness, double index, struct coat *coat);
+
+/* What one point of a surface does to the lanes of a ray. */
+struct scatter {
+    enum scene_material_kind kind;
+    size_t lanes;
+    struct radiance colour;  /* shares, 0 to 1; of a glossy one those of its ground */
+    const struct coat *coat; /* of a glossy one */
+    double ground;           /* 0 to 1: about its colour, by which directions are chosen; the same
+                                for all lanes that a ray may have */
+};
+
+/* Towards where light is looked for. */
+struct scatter_sample {
+    struct vector way;     /* of length 1 */
+    struct radiance share; /* value over density */
+    double density;        /* per sr; INFINITY: a mirror's only way */
+};
+
+/*
+ * Light that comes from one direction and leaves in another.
+ *
+ * Given     out, in  of length 1, away from the surface, in axes of which z is its normal
+ * Result    value    of each lane f(in, out) cos(in), per sr: light that leaves towards `out` is
+ *                    the integral of it times what comes from `in`. Of mirrors 0
+ *           returns the density per sr with which scatter_sample finds `in`; 0: never, or one of
+ *           the two lies behind the surface
+ * Formula   Lambert: colour cos/pi. Glossy: F D G/(4 cos(in) cos(out)) of the coat, and of the
+ *           ground colour (1 - E(in)) (1 - E(out))/(pi (1 - mean E)), E the coat's share: so a
+ *           white ground gives all light back, no colour more than came, and either way is the same
+ * Source    [Walter07] equations 20, 22, 33 (microfacets, Fresnel, GGX); [Heitz14] equation 99 (G);
+ *           [Kelemen01] (the ground)
+ */
+double scatter_value(const struct scatter *scatter, struct vector out, struct vector in,
+                     struct radiance *value);
+
+/*
+ * Choose where to look for the light that leaves in a direction.
+ *
+ * Given     out  as above
+ *           u    three numbers, each evenly spread over 0..1
+ * Result    false: nothing comes from there, and no light is lost by that
+ * Formula   the coat or the ground by what each reflects; the coat's normals as they are seen, the
+ *           ground's directions by their cosine; the density is that of both together
+ * Source    [Heitz18]
+ */
+bool scatter_sample(const struct scatter *scatter, struct vector out, const double u[3],
+                    struct scatter_sample *sample);
+
+#endif
