@@ -252,15 +252,20 @@ static bool open_sinks(struct artifacts *artifacts, const struct artifact_settin
     return true;
 }
 
+bool artifacts_asked(const struct command *command, const struct arguments *arguments)
+{
+    bool asked = false;
+    for (size_t i = 0; i < command->artifact_count; i++) {
+        asked = asked || arguments->all[command->option_count + i].is_given;
+    }
+    return asked;
+}
+
 /* Of a command without rows the answer is made unless something else is asked for. */
 static bool is_answer(const struct artifact_setting *setting, size_t which)
 {
     const struct command *command = setting->command;
-    bool others = false;
-    for (size_t i = 0; i < command->artifact_count; i++) {
-        others = others || setting->arguments->all[command->option_count + i].is_given;
-    }
-    return command->run == NULL && which == 0 && !others;
+    return command->run == NULL && which == 0 && !artifacts_asked(command, setting->arguments);
 }
 
 bool artifacts_order(struct artifacts *artifacts, const struct artifact_setting *setting,

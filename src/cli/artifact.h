@@ -122,6 +122,9 @@ struct artifact_setting {
     struct arena *arena;
 };
 
+/* Is any of a command's own asked for? */
+bool artifacts_asked(const struct command *command, const struct arguments *arguments);
+
 /*
  * Find the artifacts that are asked for, refuse what cannot be made, and open their files.
  *

@@ -44,8 +44,8 @@ static bool check_sheets(struct driver *driver, struct error *error)
 {
     size_t count = driver->command->choose_sheet != NULL ? driver->sweep.total : 0;
     for (size_t i = 0; i < count; i++) {
-        sweep_set(&driver->sweep, i, driver->input);
-        if (!rows_check_sheet(driver, error)) {
+        if (!sweep_recall(&driver->sweep, i, driver->input, error) ||
+            !rows_check_sheet(driver, error)) {
             return false;
         }
     }
@@ -271,6 +271,9 @@ static bool ask(struct driver *driver, struct error *error)
 {
     const struct command *command = driver->command;
     const struct common *common = &driver->common;
+    /* rows that are kept for something point into what they were made from */
+    driver->reader.recalls = !driver->is_inside && common->table == NULL && common->plot == NULL &&
+                             !artifacts_asked(command, &driver->arguments);
     if (!common_format(common, arguments_given(&driver->arguments, "format"),
                        &driver->report.format, error) ||
         !sweep_build(&driver->sweep, &driver->arguments, &driver->reader, common->force,

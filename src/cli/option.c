@@ -74,6 +74,12 @@ bool option_check_range(const struct option *option, double value, struct error 
     return (low_enough && high_enough) || out_of_range(option, value, error);
 }
 
+bool option_recall(const struct reader *reader, const struct option *option, void *member,
+                   struct error *error)
+{
+    return option->kind->recall == NULL || option->kind->recall(reader, member, error);
+}
+
 bool option_blame(const struct option *option, struct text text, struct error *error)
 {
     const char *what = option->dimension != NULL ? "quantity" : "value";

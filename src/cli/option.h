@@ -30,7 +30,8 @@ struct reader {
     bool nominal;              /* labels of stop series stand for their exact values */
     bool fallback;             /* the text is what the program assumes, not what the user typed */
     struct lens_cache *lenses; /* null = every lens is read anew */
-    struct doubts *doubts;     /* of values that are legal but odd; null = nobody listens */
+    bool recalls; /* of a list of values that are large, names may do: see option_kind.recall */
+    struct doubts *doubts; /* of values that are legal but odd; null = nobody listens */
 };
 
 /* Data that an answer may depend on, which the user may add to. */
@@ -47,6 +48,9 @@ struct option_kind {
     bool is_list; /* may be swept */
     bool (*read)(const struct reader *reader, const struct option *option, struct text text,
                  void *member, struct error *error);
+    /* Read again, for the present row, a value of which a list has the name only; null: lists have
+       values whole. */
+    bool (*recall)(const struct reader *reader, void *member, struct error *error);
     /* The value's name, where it has one ("exact", "35mm (36 x 24 mm)"); null: it has none. */
     const char *(*name_of)(const struct option *option, const void *member);
     /* Its number in its own unit, where ranges of them may be swept; null: it has none. */
@@ -215,6 +219,14 @@ static inline const struct unit *option_unit(const struct option *option)
  */
 bool option_read(const struct reader *reader, const struct option *option, struct text text,
                  void *member, struct error *error);
+
+/*
+ * Make a member whole of which only the name was kept, as its kind does; others are.
+ *
+ * Errors    as option_read
+ */
+bool option_recall(const struct reader *reader, const struct option *option, void *member,
+                   struct error *error);
 
 /* Say whose text was wrong, before what was wrong with it. Returns false. */
 bool option_blame(const struct option *option, struct text text, struct error *error);

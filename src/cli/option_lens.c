@@ -8,13 +8,15 @@
 #include "exchange/lens_open.h"
 #include "optics/wavelength.h"
 
-static bool find_lens(struct lensdb *db, struct text name, struct arena *arena,
+#include <sys/stat.h>
+
+static bool find_lens(const struct reader *reader, struct text name, struct arena *arena,
                       struct lens_value *value, struct error *error)
 {
     struct lens *lens = ARENA_NEW(arena, struct lens);
     struct lens_warnings warnings;
     const char *warning = NULL;
-    if (!lens_open(db, name, arena, lens, error)) {
+    if (!lens_open(reader->db, name, arena, lens, error)) {
         return false;
     }
     if (!lens_check(lens, arena, &warnings, error)) {
@@ -36,6 +38,7 @@ static bool find_lens(struct lensdb *db, struct text name, struct arena *arena,
         .warning = warning,
         .arena = arena,
         .memo = ARENA_ARRAY(arena, positions, struct lens_memo),
+        .serial = reader->lenses != NULL ? ++reader->lenses->read : 0,
     };
     return true;
 }
@@ -63,9 +66,10 @@ void option_lens_keep(struct lens_cache *cache, const struct lens_value *value)
 }
 
 /* The first lenses of a batch are kept; of more, each row reads its own. */
-static bool read_lens_of_row(struct lensdb *db, struct lens_cache *cache, struct text name,
-                             struct arena *arena, struct lens_value *value, struct error *error)
+static bool read_lens_of_row(const struct reader *reader, struct text name,
+                             struct lens_value *value, struct error *error)
 {
+    struct lens_cache *cache = reader->lenses;
     const struct lens_value *known = known_lens(cache, name);
     if (known != NULL) {
         *value = *known;
@@ -74,17 +78,95 @@ static bool read_lens_of_row(struct lensdb *db, struct lens_cache *cache, struct
     if (text_equal(name, "-")) {
         return fail(error, ERROR_USAGE, "a row cannot read its lens from standard input");
     }
-    if (!find_lens(db, name, arena, value, error)) {
+    if (!find_lens(reader, name, reader->arena, value, error)) {
         return false;
     }
     if (cache->count == MOST_KEPT) {
         return true;
     }
     /* once more, now that it is good, to stay */
-    if (!find_lens(db, name, cache->arena, value, error)) {
+    if (!find_lens(reader, name, cache->arena, value, error)) {
         return false;
     }
     option_lens_keep(cache, value);
+    return true;
+}
+
+void option_lens_at_once(struct lens_cache *cache, size_t count)
+{
+    if (count > cache->slot_count) {
+        struct lens_slot *slots = ARENA_ARRAY(cache->arena, count, struct lens_slot);
+        for (size_t i = 0; i < count; i++) {
+            if (i < cache->slot_count) {
+                slots[i] = cache->slots[i];
+            } else {
+                slots[i].arena = arena_within(cache->arena);
+            }
+        }
+        cache->slots = slots;
+        cache->slot_count = count;
+    }
+}
+
+/* The slot that has this lens, else the one whose lens was wanted longest ago. */
+static struct lens_slot *slot_of(struct lens_cache *cache, struct text name)
+{
+    option_lens_at_once(cache, 1);
+    struct lens_slot *oldest = &cache->slots[0];
+    for (size_t i = 0; i < cache->slot_count; i++) {
+        struct lens_slot *slot = &cache->slots[i];
+        if (slot->value.lens != NULL && text_identical(name, text_of(slot->value.name))) {
+            return slot;
+        }
+        oldest = slot->used < oldest->used ? slot : oldest;
+    }
+    arena_reset(&oldest->arena, (struct arena_mark){NULL, 0});
+    oldest->value = (struct lens_value){.lens = NULL};
+    return oldest;
+}
+
+static bool read_into_slot(const struct reader *reader, struct text name, struct lens_value *value,
+                           struct error *error)
+{
+    struct lens_slot *slot = slot_of(reader->lenses, name);
+    slot->used = ++reader->lenses->wanted;
+    if (slot->value.lens == NULL && !find_lens(reader, name, &slot->arena, &slot->value, error)) {
+        return false;
+    }
+    *value = slot->value;
+    return true;
+}
+
+/* Does it say the same when it is read again, as a pipe does not? */
+static bool is_lasting(struct text name, struct arena *arena)
+{
+    struct stat found;
+    return !text_equal(name, "-") &&
+           (stat(arena_string(arena, name.start, name.length), &found) != 0 ||
+            S_ISREG(found.st_mode));
+}
+
+/* Of a list: beyond the first ones only the name stays. */
+static bool read_lens_of_list(const struct reader *reader, struct text name,
+                              struct lens_value *value, struct error *error)
+{
+    struct lens_cache *cache = reader->lenses;
+    const struct lens_value *known = known_lens(cache, name);
+    if (known != NULL) {
+        *value = *known;
+        return true;
+    }
+    if (cache->count < MOST_KEPT || !is_lasting(name, reader->arena)) {
+        if (!find_lens(reader, name, reader->arena, value, error)) {
+            return false;
+        }
+        option_lens_keep(cache, value);
+        return true;
+    }
+    if (!read_into_slot(reader, name, value, error)) {
+        return false;
+    }
+    *value = (struct lens_value){.name = arena_string(reader->arena, name.start, name.length)};
     return true;
 }
 
@@ -93,10 +175,19 @@ static bool read_lens(const struct reader *reader, const struct option *option, 
 {
     struct text name = text_trim(text);
     struct lens_cache *cache = reader->lenses;
-    (void)option;
-    return cache != NULL && cache->arena != reader->arena
-               ? read_lens_of_row(reader->db, cache, name, reader->arena, member, error)
-               : find_lens(reader->db, name, reader->arena, member, error);
+    if (cache != NULL && cache->arena != reader->arena) {
+        return read_lens_of_row(reader, name, member, error);
+    }
+    return reader->recalls && (option->flags & OPTION_MANY) != 0
+               ? read_lens_of_list(reader, name, member, error)
+               : find_lens(reader, name, reader->arena, member, error);
+}
+
+static bool recall_lens(const struct reader *reader, void *member, struct error *error)
+{
+    struct lens_value *value = member;
+    return value->lens != NULL || value->name == NULL ||
+           read_into_slot(reader, text_of(value->name), value, error);
 }
 
 static bool read_lens_text(const struct reader *reader, const struct option *option,
@@ -189,6 +280,7 @@ const struct option_kind kind_lens = {
     .name = "lens",
     .size = sizeof(struct lens_value),
     .read = read_lens,
+    .recall = recall_lens,
     .name_of = lens_name,
     .reads = READS_LENSDB | READS_GLASSES | READS_LENSES,
 };

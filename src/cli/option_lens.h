@@ -24,17 +24,34 @@ struct lens_value {
     const char *warning;     /* what lens_check doubts; null = nothing */
     struct arena *arena;     /* where it lives */
     struct lens_memo *memo;  /* one a position */
+    size_t serial; /* which of the lenses that were read: what is known of it; 0 = nobody counts */
 };
 
-/* The first lenses of a run, which the rows of a batch name again and again. */
+/* A lens that is read again when it is wanted. */
+struct lens_slot {
+    struct arena arena;
+    struct lens_value value;
+    size_t used; /* when it was wanted last */
+};
+
+/*
+ * The lenses of a run. The first ones stay, which rows name again and again; of those of a longer
+ * list only the names stay, beside the lenses that were wanted last.
+ */
 struct lens_cache {
     struct arena *arena;       /* lives as long as the run */
     struct lens_value *lenses; /* null = none yet */
     size_t count;
+    struct lens_slot *slots; /* null = none yet */
+    size_t slot_count;
+    size_t read, wanted; /* how often, up to now */
 };
 
 /* Keep one more, as long as there is room; `value` and all it points to live as long. */
 void option_lens_keep(struct lens_cache *cache, const struct lens_value *value);
+
+/* So many lenses of a list are wanted at once, where that is more than one. */
+void option_lens_at_once(struct lens_cache *cache, size_t count);
 
 /* A lens that is still text: it is read by the command. */
 struct lens_text_value {

@@ -205,6 +205,7 @@ static bool rows_by_team(struct driver *driver, struct error *error)
     driver->team = team_open(driver->command, &driver->run, driver->report.sheet->row_size, total,
                              keeps, &driver->arena);
     const size_t most = team_size(driver->team);
+    option_lens_at_once(&driver->lenses, most);
     struct team_answer *answers = ARENA_ARRAY(&driver->arena, most, struct team_answer);
     for (size_t k = 0; k < most; k++) {
         answers[k].input = arena_array(&driver->arena, 1, size);
@@ -212,7 +213,8 @@ static bool rows_by_team(struct driver *driver, struct error *error)
     for (size_t done = 0; done < total && is_going(driver); done += most) {
         const size_t here = total - done < most ? total - done : most;
         for (size_t k = 0; k < here; k++) {
-            sweep_set(&driver->sweep, done + k, driver->input);
+            answers[k].is_missing =
+                !sweep_recall(&driver->sweep, done + k, driver->input, &answers[k].error);
             memcpy(answers[k].input, driver->input, size);
         }
         team_answer(driver->team, answers, here);
@@ -235,8 +237,7 @@ bool rows_of_sweep(struct driver *driver, struct error *error)
     for (size_t i = 0; i < driver->sweep.total && is_going(driver); i++) {
         struct arena_mark mark = arena_mark(&driver->row_arena);
         driver->index = i;
-        sweep_set(&driver->sweep, i, driver->input);
-        if (!run_one(driver, error)) {
+        if (!sweep_recall(&driver->sweep, i, driver->input, error) || !run_one(driver, error)) {
             if (driver->sweep.total == 1 || error->code == ERROR_USAGE ||
                 !take_failure(driver, error)) {
                 return false;

@@ -59,7 +59,8 @@ static void answer_piece(void *context, const struct parallel_piece *piece)
         run.shortfall.code = ERROR_NONE;
         answer->rows = NULL;
         answer->count = answer->room = 0;
-        answer->done = team->command->run(answer->input, &run, &answer->error);
+        answer->done =
+            !answer->is_missing && team->command->run(answer->input, &run, &answer->error);
         answer->shortfall = run.shortfall;
         member->state = run.state;
     }

@@ -12,7 +12,8 @@
 /* The answer of one combination. Its rows live until the team is called again. */
 struct team_answer {
     void *input;
-    char *rows; /* count of row_size */
+    bool is_missing; /* the input cannot be had: `error` says why, and is the answer */
+    char *rows;      /* count of row_size */
     size_t count, room;
     bool done;
     struct error error;     /* why it is not */

@@ -478,7 +478,7 @@ static bool set_values(struct sweep *sweep, struct values *values, struct text t
         sweep->axes[sweep->axis_count++] =
             (struct axis){values->option, values->data, values->count, values->unit};
     }
-    return true;
+    return option_recall(values->reader, values->option, member, error);
 }
 
 /* An option's value, as given or as it is without that. */
@@ -505,7 +505,7 @@ static bool set_option(struct sweep *sweep, const struct argument *argument,
 bool sweep_build(struct sweep *sweep, const struct arguments *arguments,
                  const struct reader *reader, bool force, void *input, struct error *error)
 {
-    *sweep = (struct sweep){.total = 1};
+    *sweep = (struct sweep){.total = 1, .reader = reader};
     sweep->axes = ARENA_ARRAY(reader->arena, arguments->command->option_count + 1, struct axis);
     for (size_t i = 0; i < arguments->command->option_count; i++) {
         const struct argument *argument = &arguments->all[i];
@@ -553,36 +553,4 @@ bool sweep_check_single(const struct sweep *sweep, const struct command *command
         }
     }
     return true;
-}
-
-void sweep_set(const struct sweep *sweep, size_t index, void *input)
-{
-    for (size_t i = sweep->axis_count; i-- > 0;) {
-        const struct axis *axis = &sweep->axes[i];
-        size_t size = axis->option->kind->size;
-        memcpy((char *)input + axis->option->offset, axis->values + index % axis->count * size,
-               size);
-        index /= axis->count;
-    }
-}
-
-const struct axis *sweep_axis(const struct sweep *sweep, const char *option)
-{
-    for (size_t i = 0; i < sweep->axis_count; i++) {
-        if (strcmp(sweep->axes[i].option->name, option) == 0) {
-            return &sweep->axes[i];
-        }
-    }
-    return NULL;
-}
-
-bool axis_is_number(const struct axis *axis)
-{
-    return is_number(axis->option);
-}
-
-double axis_number(const struct axis *axis, size_t index)
-{
-    const struct option_kind *kind = axis->option->kind;
-    return kind->number_of(axis->values + index * kind->size);
 }

@@ -17,6 +17,7 @@ struct sweep {
     struct axis *axes; /* in the order of the command's options: the first is slowest */
     size_t axis_count;
     size_t total; /* combinations; 1 without axes */
+    const struct reader *reader;
 };
 
 /*
@@ -24,6 +25,7 @@ struct sweep {
  *
  * Given     input  the command's struct; members not swept are set, absent ones cleared
  *           force  allow more than a million combinations
+ *           reader  lives as long as the sweep
  * Errors    as option_read; a range that never ends or has no step; too many combinations
  */
 bool sweep_build(struct sweep *sweep, const struct arguments *arguments,
@@ -33,8 +35,18 @@ bool sweep_build(struct sweep *sweep, const struct arguments *arguments,
 bool sweep_check_single(const struct sweep *sweep, const struct command *command,
                         struct error *error);
 
-/* Put combination `index` (0 .. total - 1) into the input. */
+/* -------- cli/sweep_set.c -------- */
+
+/* Put combination `index` (0 .. total - 1) into the input, as the axes have it. */
 void sweep_set(const struct sweep *sweep, size_t index, void *input);
+
+/*
+ * The same, and whole: where reader->recalls, an axis may have no more than the name of a value.
+ *
+ * Result    what was read again lives until so many have been read as are wanted at once
+ * Errors    as option_read: what was good when the sweep was built may have changed
+ */
+bool sweep_recall(const struct sweep *sweep, size_t index, void *input, struct error *error);
 
 /* The axis of this option; null if it is not swept. */
 const struct axis *sweep_axis(const struct sweep *sweep, const char *option);

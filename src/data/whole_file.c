@@ -14,7 +14,7 @@ static size_t first_room(int descriptor, size_t most)
 {
     struct stat found;
     const bool is_known = fstat(descriptor, &found) == 0 && S_ISREG(found.st_mode) &&
-                          found.st_size >= 65536 && (uintmax_t)found.st_size < most;
+                          found.st_size > 0 && (uintmax_t)found.st_size < most;
     return is_known ? (size_t)found.st_size + 1 : 65536;
 }
 

@@ -243,6 +243,35 @@ def check_surfaces(tester):
                                     f"{what}: {error[:200]!r}")
 
 
+def frugal(tester, what, words):
+    """An answer, with at most 16 MiB of memory."""
+    program = tester.program
+    result = subprocess.run([sys.executable, "-ISc", LAUNCHER, *words], stdout=subprocess.PIPE,
+                            env=program.environment())
+    status, kibibytes = map(int, result.stdout.split())
+    tester.checks.check(status == 0, f"{what}: status {status}")
+    if not program.is_instrumented:
+        tester.checks.check(kibibytes <= 16 * 1024, f"{what}: {kibibytes} KiB of memory")
+
+
+def check_lenses(tester):
+    """As many lenses as a command line holds: one name again and again, and files."""
+    command = tester.program.command
+    for form in ("--csv", "--json"):
+        # the shell writes the words: a launcher that held them would count as well
+        frugal(tester, f"20000 lenses of one name {form}",
+               ["sh", "-c", 'exec "$@" $(yes double-gauss 2> /dev/null | head -n 20000) ' + form, "sh",
+                *command, "lens"])
+    with tempfile.TemporaryDirectory() as folder:
+        paths = [os.path.join(folder, f"{i}.lens") for i in range(1000)]
+        for radius, path in enumerate(paths, 50):
+            with open(path, "w") as file:
+                file.write(f"lens Plano\nsurface {radius} 2 1.5 10\nsurface - 90 air 10\n")
+        for command in ("lens", "surfaces"):
+            frugal(tester, f"{len(paths)} files {command}",
+                   tester.program.command + [command] + paths + ["--csv"])
+
+
 def check_memory(tester):
     """1e6 rows in at most 16 MiB, rows streamed: the first answer before the last question."""
     program = tester.program
@@ -259,13 +288,7 @@ def check_memory(tester):
         for options in (["--csv", "--columns", "hyperfocal_m,near_m,far_m", "--digits", "6"],
                         ["--csv"], ["--jsonl", "--columns", "near_m"]):
             words = program.command + ["dof", "--batch", path, *options]
-            result = subprocess.run([sys.executable, "-ISc", LAUNCHER, *words],
-                                    stdout=subprocess.PIPE, env=program.environment())
-            status, kibibytes = map(int, result.stdout.split())
-            tester.checks.check(status == 0, f"{rows} rows {options}: status {status}")
-            if not program.is_instrumented:
-                tester.checks.check(kibibytes <= 16 * 1024,
-                                    f"{rows} rows {options}: {kibibytes} KiB of memory")
+            frugal(tester, f"{rows} rows {options}", words)
     with subprocess.Popen(program.command + ["dof", "--batch", "-", "--csv", "--columns", "near_m"],
                           stdin=subprocess.PIPE, stdout=subprocess.PIPE,
                           env=program.environment()) as process:
@@ -343,8 +366,8 @@ def main():
         resource.setrlimit(resource.RLIMIT_AS, (2048 * MEGABYTE, 2048 * MEGABYTE))
     resource.setrlimit(resource.RLIMIT_CORE, (0, 0))
     tester = Tester(checks, program)
-    for check in (check_values, check_ranges, check_files, check_huge, check_surfaces, check_memory, check_words,
-                  check_lensdb):
+    for check in (check_values, check_ranges, check_files, check_huge, check_surfaces,
+                  check_lenses, check_memory, check_words, check_lensdb):
         check(tester)
     checks.finish()
 

@@ -110,12 +110,8 @@ static void fill(const struct distortion_case *ready, const struct distortion_po
     row->projection = ready->projection;
 }
 
-/* Null: lenses do not stay. One that ends with its row says nothing of one in the same place. */
-static struct distortion_memo *memo_of(const struct distortion_input *input, struct run *run)
+static struct distortion_memo *memo_of(struct run *run)
 {
-    if (input->question.lens.arena == run->arena) {
-        return NULL;
-    }
     if (run->state == NULL) {
         run->state = distortion_memo_new(run->kept);
     }
@@ -129,7 +125,7 @@ static bool answer(const struct analysis_case *one, size_t field, void *context,
     struct distortion_case ready;
     struct distortion_point found;
     struct row row;
-    if (!distortion_ready(asked->input, one, memo_of(asked->input, asked->run), &ready, error) ||
+    if (!distortion_ready(asked->input, one, memo_of(asked->run), &ready, error) ||
         !distortion_at(&ready.map, &one->setup->fields[field].point, &found, error)) {
         return false;
     }

@@ -11,7 +11,7 @@ enum { KEPT = 16 };
 
 /* What a calibrated scale depends on. */
 struct calibrated_case {
-    const struct lens *lens;
+    size_t lens; /* its serial number: another one may come to lie in the same place */
     const char *position;
     enum projection projection;
     enum field_kind edge_kind;
@@ -49,7 +49,7 @@ static struct calibrated_case case_of(const struct distortion_input *input,
                                       const struct setup *setup, const struct field_point *edge)
 {
     return (struct calibrated_case){
-        .lens = input->question.lens.lens,
+        .lens = input->question.lens.serial,
         .position = setup->position,
         .projection = projection_of(input),
         .edge_kind = edge->kind,

@@ -35,7 +35,7 @@ struct distortion_memo *distortion_memo_new(struct arena *arena);
 /*
  * Compare the lens with the projection that is asked for.
  *
- * Given     memo  of inputs whose lenses all outlive it; null: nothing is kept
+ * Given     memo  null: nothing is kept
  * Errors    as distortion_open and distortion_calibrate, with the options' names
  */
 bool distortion_ready(const struct distortion_input *input, const struct analysis_case *one,

@@ -395,14 +395,12 @@ static bool emit_rows(const struct pupil_case *point, void *context, struct erro
 static bool run(const void *data, struct run *run, struct error *error)
 {
     struct asked asked = {data, run};
-    /* a lens that ends with its row says nothing of one that comes to lie in the same place */
-    bool stays = asked.input->question.lens.arena != run->arena;
-    if (stays && run->state == NULL) {
+    if (run->state == NULL) {
         run->state = pupil_memo_new(run->kept);
     }
     const struct pupil_visitor visitor = {emit_rows, &asked,
                                           asked.input->outline > 0 ? PUPIL_EDGES : 0};
-    return pupil_each(data, run->arena, stays ? run->state : NULL, &visitor, error);
+    return pupil_each(data, run->arena, run->state, &visitor, error);
 }
 
 static bool brings(const void *data, const char *option)

@@ -115,7 +115,7 @@ static bool show_fields(const struct pupil_job *job, struct error *error)
 
 /* What the shape on the axis depends on. Compared byte by byte: filled with zeros first. */
 struct axis_key {
-    const struct lens *lens;
+    size_t lens; /* its serial number: another one may come to lie in the same place */
     const char *position;
     double wavelength, fnumber, film;
 };
@@ -132,7 +132,7 @@ static struct axis_key key_of(const struct pupil_job *job)
 {
     struct axis_key key;
     memset(&key, 0, sizeof key);
-    key.lens = job->asked->input->question.lens.lens;
+    key.lens = job->asked->input->question.lens.serial;
     key.position = job->one->setup->position;
     key.wavelength = job->one->light.wavelength;
     key.fnumber = job->asked->input->question.fnumber;

@@ -54,7 +54,7 @@ enum { PUPIL_EDGES = 512 };
 /*
  * Visit all points of an input: positions, wavelengths, fields.
  *
- * Given     memo  of inputs whose lenses all outlive it; null: nothing is kept
+ * Given     memo  null: nothing is kept
  * Errors    ERROR_DOMAIN: no stop, no image plane, a point on the lens; as lens_each
  */
 bool pupil_each(const struct pupil_input *input, struct arena *arena, struct pupil_memo *memo,

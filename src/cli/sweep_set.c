@@ -1,0 +1,49 @@
+/* cli/sweep_set.c - one combination of a sweep, and the values of its axes. */
+/* SPDX-License-Identifier: MIT */
+#include "cli/sweep.h"
+
+#include <string.h>
+
+void sweep_set(const struct sweep *sweep, size_t index, void *input)
+{
+    for (size_t i = sweep->axis_count; i-- > 0;) {
+        const struct axis *axis = &sweep->axes[i];
+        size_t size = axis->option->kind->size;
+        memcpy((char *)input + axis->option->offset, axis->values + index % axis->count * size,
+               size);
+        index /= axis->count;
+    }
+}
+
+bool sweep_recall(const struct sweep *sweep, size_t index, void *input, struct error *error)
+{
+    sweep_set(sweep, index, input);
+    for (size_t i = 0; i < sweep->axis_count; i++) {
+        const struct option *option = sweep->axes[i].option;
+        if (!option_recall(sweep->reader, option, (char *)input + option->offset, error)) {
+            return false;
+        }
+    }
+    return true;
+}
+
+const struct axis *sweep_axis(const struct sweep *sweep, const char *option)
+{
+    for (size_t i = 0; i < sweep->axis_count; i++) {
+        if (strcmp(sweep->axes[i].option->name, option) == 0) {
+            return &sweep->axes[i];
+        }
+    }
+    return NULL;
+}
+
+bool axis_is_number(const struct axis *axis)
+{
+    return axis->option->kind->number_of != NULL;
+}
+
+double axis_number(const struct axis *axis, size_t index)
+{
+    const struct option_kind *kind = axis->option->kind;
+    return kind->number_of(axis->values + index * kind->size);
+}
