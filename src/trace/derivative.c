@@ -321,7 +321,7 @@ void displacement_axes(const struct displacement *decentre, double axes[9])
     static const double straight[9] = {1, 0, 0, 0, 1, 0, 0, 0, 1};
     memcpy(axes, straight, sizeof straight);
     if (decentre != NULL) {
-        const struct frame frame = frame_of(decentre, 0);
+        const struct surface_frame frame = frame_of(decentre, 0);
         const double ax = decentre->tilt[0].value.hi;
         axes[4] = cos(ax);
         axes[5] = sin(ax);

@@ -7,7 +7,7 @@
 
 #include <math.h>
 
-static void turn(const struct frame *frame, const double from[3], double to[3])
+static void turn(const struct surface_frame *frame, const double from[3], double to[3])
 {
     for (int i = 0; i < 3; i++) {
         const double *row = &frame->turn[(ptrdiff_t)3 * i];
@@ -21,7 +21,7 @@ static struct ray_angles angles_at(const struct system *system, size_t place,
 {
     size_t surface = system_surface(system, place);
     bool is_image = surface >= system->lens->surface_count;
-    struct frame frame =
+    struct surface_frame frame =
         system_to_first(system, is_image ? system->lens->surface_count - 1 : surface);
     double normal[3] = {0, 0, 1}, normal_first[3], behind[3];
     if (!is_image) {
@@ -58,7 +58,7 @@ void ray_follow(const struct system *system, const struct ray *start, struct are
         meeting->angles = angles_at(system, place, before, &meeting->ray);
         size_t surface = system_surface(system, place);
         size_t last = system->lens->surface_count - 1;
-        struct frame frame = system_to_first(system, surface < last ? surface : last);
+        struct surface_frame frame = system_to_first(system, surface < last ? surface : last);
         turn(&frame, meeting->ray.cosine, before);
     }
 }

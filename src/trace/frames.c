@@ -32,9 +32,9 @@ static void add_turn(double m[9], int axis, double angle)
     }
 }
 
-struct frame frame_of(const struct displacement *displacement, double z)
+struct surface_frame frame_of(const struct displacement *displacement, double z)
 {
-    struct frame frame = {
+    struct surface_frame frame = {
         {1, 0, 0, 0, 1, 0, 0, 0, 1},
         {displacement->decenter[0].value.hi, displacement->decenter[1].value.hi, z}};
     for (int axis = 0; axis < 3; axis++) {
@@ -46,9 +46,9 @@ struct frame frame_of(const struct displacement *displacement, double z)
     return frame;
 }
 
-struct frame frame_inverse(const struct frame *frame)
+struct surface_frame frame_inverse(const struct surface_frame *frame)
 {
-    struct frame inverse;
+    struct surface_frame inverse;
     for (int i = 0; i < 9; i++) {
         inverse.turn[i] = frame->turn[3 * (i % 3) + i / 3];
     }
@@ -64,7 +64,7 @@ struct along_axis {
     double point[3], axis[3];
 };
 
-static void go_to(struct along_axis *ray, const struct frame *frame)
+static void go_to(struct along_axis *ray, const struct surface_frame *frame)
 {
     for (int i = 0; i < 3; i++) {
         ray->point[i] -= frame->shift[i];
@@ -73,7 +73,7 @@ static void go_to(struct along_axis *ray, const struct frame *frame)
     turn(frame->turn, ray->axis, ray->axis);
 }
 
-static void go_back(struct along_axis *ray, const struct frame *frame)
+static void go_back(struct along_axis *ray, const struct surface_frame *frame)
 {
     turn_back(frame->turn, ray->point, ray->point);
     turn_back(frame->turn, ray->axis, ray->axis);
@@ -117,12 +117,12 @@ void frame_directions(const struct lens *lens, double *direction)
     for (size_t i = 0; i < lens->surface_count; i++) {
         const struct surface *surface = &lens->surfaces[i];
         const double way = i > 0 ? surface_advance(&lens->surfaces[i - 1]).hi : 0;
-        struct frame frame = {{1, 0, 0, 0, 1, 0, 0, 0, 1}, {0, 0, way}};
+        struct surface_frame frame = {{1, 0, 0, 0, 1, 0, 0, 0, 1}, {0, 0, way}};
         if (surface->coordinate_break != NULL) {
             frame = frame_of(surface->coordinate_break, way);
         }
         go_to(&ray, &frame);
-        struct frame own = {{1, 0, 0, 0, 1, 0, 0, 0, 1}, {0, 0, 0}};
+        struct surface_frame own = {{1, 0, 0, 0, 1, 0, 0, 0, 1}, {0, 0, 0}};
         if (surface->decentre != NULL) {
             own = frame_of(surface->decentre, 0);
         }
@@ -136,16 +136,16 @@ void frame_directions(const struct lens *lens, double *direction)
     direction[lens->surface_count] = ray.axis[2] < 0 ? -1 : 1;
 }
 
-struct frame system_to_first(const struct system *system, size_t surface)
+struct surface_frame system_to_first(const struct system *system, size_t surface)
 {
     const struct lens *lens = system->lens;
-    struct frame all = {{1, 0, 0, 0, 1, 0, 0, 0, 1}, {0, 0, 0}};
+    struct surface_frame all = {{1, 0, 0, 0, 1, 0, 0, 0, 1}, {0, 0, 0}};
     size_t last = surface < lens->surface_count ? surface : lens->surface_count - 1;
     /* of X in this frame: all.turn^-1 X + all.shift, with turn the rows of its axes */
     for (size_t i = 0; i <= last; i++) {
         double way[3] = {0, 0, i > 0 ? surface_advance(&lens->surfaces[i - 1]).hi : 0}, moved[3];
         const struct displacement *coordinate_break = lens->surfaces[i].coordinate_break;
-        struct frame frame;
+        struct surface_frame frame;
         if (coordinate_break != NULL) {
             frame = frame_of(coordinate_break, way[2]);
             way[0] = frame.shift[0];
@@ -172,7 +172,7 @@ struct frame system_to_first(const struct system *system, size_t surface)
             all.shift[j] += moved[j];
         }
     }
-    struct frame result = all;
+    struct surface_frame result = all;
     for (int i = 0; i < 9; i++) {
         result.turn[i] = all.turn[3 * (i % 3) + i / 3];
     }
@@ -184,7 +184,7 @@ void system_to_own(const struct system *system, size_t surface, double point[3])
     const struct displacement *decentre =
         surface < system->lens->surface_count ? system->lens->surfaces[surface].decentre : NULL;
     if (decentre != NULL) {
-        struct frame frame = frame_of(decentre, 0);
+        struct surface_frame frame = frame_of(decentre, 0);
         for (int i = 0; i < 3; i++) {
             point[i] -= frame.shift[i];
         }
@@ -201,7 +201,7 @@ void system_normal(const struct system *system, size_t surface, const double poi
         return;
     }
     const struct surface *s = &system->lens->surfaces[surface];
-    struct frame frame;
+    struct surface_frame frame;
     double at[3] = {point[0], point[1], point[2]};
     if (s->decentre != NULL) {
         frame = frame_of(s->decentre, 0);

@@ -11,10 +11,10 @@
  *
  * Formula   axes of the new frame: Rx(ax) Ry(ay) Rz(az), right-handed; turn is its transpose
  */
-struct frame frame_of(const struct displacement *displacement, double z);
+struct surface_frame frame_of(const struct displacement *displacement, double z);
 
 /* X = turn' (X' - shift') leads back. */
-struct frame frame_inverse(const struct frame *frame);
+struct surface_frame frame_inverse(const struct surface_frame *frame);
 
 /*
  * Where light along the axis of the first surface goes at each surface: +1 or -1 along z, reflected

@@ -12,7 +12,7 @@ static struct rigid motion_of(const struct displacement *displacement, int numbe
 {
     struct rigid motion = {.sign = 1, .at = {0, 0, t}};
     double ax = 0;
-    struct frame frame = {.turn = {1, 0, 0, 0, 1, 0, 0, 0, 1}};
+    struct surface_frame frame = {.turn = {1, 0, 0, 0, 1, 0, 0, 0, 1}};
     if (displacement != NULL) {
         frame = frame_of(displacement, t);
         ax = displacement->tilt[0].value.hi;
@@ -54,7 +54,7 @@ static void turn_motion(struct rigid *motion, const struct displacement *coordin
     if (coordinate_break == NULL) {
         return;
     }
-    struct frame frame = frame_of(coordinate_break, 0);
+    struct surface_frame frame = frame_of(coordinate_break, 0);
     for (int i = 0; i < 3; i++) {
         const double *row = &frame.turn[(ptrdiff_t)3 * i];
         motion->shift[i] = row[0] * old.shift[0] + row[1] * old.shift[1] + row[2] * old.shift[2];

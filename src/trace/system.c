@@ -169,7 +169,7 @@ struct writing {
     size_t count;
 };
 
-static void put_move(struct writing *writing, const struct frame *frame, size_t place)
+static void put_move(struct writing *writing, const struct surface_frame *frame, size_t place)
 {
     struct step *step = &writing->steps[writing->count++];
     *step = (struct step){.kind = STEP_MOVE};
@@ -192,7 +192,7 @@ static double put_transfer(struct writing *writing, size_t place)
         const struct displacement *coordinate_break =
             reverse ? NULL : lens->surfaces[0].coordinate_break;
         if (coordinate_break != NULL) {
-            struct frame frame = frame_of(coordinate_break, 0);
+            struct surface_frame frame = frame_of(coordinate_break, 0);
             put_move(writing, &frame, 0);
         }
         return 0;
@@ -203,7 +203,7 @@ static double put_transfer(struct writing *writing, size_t place)
     if (coordinate_break == NULL) {
         return reverse ? -t : t;
     }
-    struct frame frame = frame_of(coordinate_break, t);
+    struct surface_frame frame = frame_of(coordinate_break, t);
     if (reverse) {
         frame = frame_inverse(&frame);
     }
@@ -261,9 +261,9 @@ static void put_surface(struct writing *writing, size_t place)
     bool reverse = system->options.reverse;
     double t = put_transfer(writing, place);
     size_t before = writing->count;
-    struct frame back;
+    struct surface_frame back;
     if (surface->decentre != NULL) {
-        struct frame frame = frame_of(surface->decentre, 0);
+        struct surface_frame frame = frame_of(surface->decentre, 0);
         back = frame_inverse(&frame);
         frame.shift[2] += t;
         put_move(writing, &frame, place);

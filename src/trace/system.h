@@ -145,11 +145,11 @@ double system_clear_radius(const struct system *system, size_t surface);
  * Result    a point X in the frame of `surface` lies at turn X + shift in that of the first
  *           vertex; turn is row by row; directions turn without the shift
  */
-struct frame {
+struct surface_frame {
     double turn[9];
     double shift[3]; /* mm */
 };
-struct frame system_to_first(const struct system *system, size_t surface);
+struct surface_frame system_to_first(const struct system *system, size_t surface);
 
 /*
  * A point in the frame of the axis at a surface, as rays are given there, into the surface's own:

@@ -26,8 +26,8 @@ struct irregularity_height irregularity_height(const struct irregularity *irregu
 
 /* A surface that is moved: where it has its vertex, and its axes. */
 struct place {
-    struct frame frame; /* own = turn (X - shift) */
-    double inverse[9];  /* of the axes that its tilts are about: turns from those by tilts */
+    struct surface_frame frame; /* own = turn (X - shift) */
+    double inverse[9]; /* of the axes that its tilts are about: turns from those by tilts */
 };
 
 static void invert(const double m[9], double inverse[9])
