@@ -112,7 +112,8 @@ FOR_TESTS = {
     "fft_has": "which lengths there are", "fft_transform": "lines, with every set of instructions",
     # what paths stand on
     "coat_open": "", "points_next": "", "points_sequence_open": "", "points_table_new": "",
-    "scatter_sample": "", "scatter_value": "",
+    "scatter_sample": "", "scatter_value": "", "materials_open": "", "materials_scatter": "",
+    "materials_shine": "", "materials_shines": "",
     # what divided runs stand on
     "digest_add": "", "digest_begin": "", "digest_end": "", "digest_item": "",
     "part_parse": "", "part_range": "", "part_read": "", "part_write": "", "parts_order": "",

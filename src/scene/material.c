@@ -1,0 +1,130 @@
+/* scene/material.c - what things are made of, in bands: what they reflect, and how they shine. */
+/* SPDX-License-Identifier: MIT */
+#include "scene/material.h"
+
+#include "scene/texture.h"
+
+#include <math.h>
+
+/* Of a glossy material; others with the same coat share it. */
+static const struct coat *coat_of(const struct scene *scene, const struct material *materials,
+                                  size_t i, struct arena *arena)
+{
+    const struct scene_material *material = &scene->materials[i];
+    for (size_t k = 0; k < i; k++) {
+        const struct coat *coat = materials[k].coat;
+        if (coat != NULL && coat->alpha == material->roughness && coat->index == material->index) {
+            return coat;
+        }
+    }
+    struct coat *coat = ARENA_NEW(arena, struct coat);
+    coat_open(material->roughness, material->index, coat);
+    return coat;
+}
+
+static bool open_material(const struct scene_material *written, const struct bands *bands,
+                          struct material *material, struct error *error)
+{
+    material->kind = written->kind;
+    material->texture = written->texture;
+    material->shines = written->emission.kind != SPECTRUM_NONE && written->luminance > 0;
+    if (written->kind != MATERIAL_BLACK &&
+        !bands_of_surface(bands, &written->colour, material->colour, error)) {
+        return false;
+    }
+    if (material->shines && !bands_of_light(bands, &written->emission, material->light, error)) {
+        return false;
+    }
+    for (size_t k = 0; k < bands->count; k++) {
+        material->ground = fmax(material->ground, material->colour[k]);
+        material->light[k] *= written->luminance;
+    }
+    return true;
+}
+
+bool materials_open(const struct scene *scene, const struct bands *bands, struct arena *arena,
+                    struct materials *materials, struct error *error)
+{
+    struct material *of = ARENA_ARRAY(arena, scene->material_count, struct material);
+    for (size_t i = 0; i < scene->material_count; i++) {
+        const struct scene_material *material = &scene->materials[i];
+        if (!open_material(material, bands, &of[i], error)) {
+            error_prefix(error, "material '%s': ", material->name);
+            return error_locate(error, material->place.source, material->place.line,
+                                material->place.column);
+        }
+        if (material->kind == MATERIAL_GLOSSY) {
+            of[i].coat = coat_of(scene, of, i, arena);
+        }
+    }
+    *materials = (struct materials){.scene = scene, .bands = bands, .of = of};
+    return true;
+}
+
+/* What a picture on a thing has at a place: shares of the lanes, and the mean of its colours. */
+static struct radiance look_at(const struct materials *materials, const struct scene_thing *thing,
+                               const struct image *picture, const double place[2],
+                               const struct lanes *lanes, double *mean)
+{
+    double rgb[TEXTURE_CHANNELS];
+    struct radiance of = {{0}};
+    texture_look(picture, place, thing->shape == SHAPE_PLANE, rgb);
+    for (size_t k = 0; k < lanes->count; k++) {
+        const double *basis = materials->bands->basis[lanes->band[k]];
+        of.of[k] = rgb[0] * basis[0] + rgb[1] * basis[1] + rgb[2] * basis[2];
+    }
+    *mean = (rgb[0] + rgb[1] + rgb[2]) / 3;
+    return of;
+}
+
+bool materials_scatter(const struct materials *materials, size_t thing, const double place[2],
+                       const struct lanes *lanes, struct scatter *scatter)
+{
+    const struct scene_thing *of = &materials->scene->things[thing];
+    scatter->lanes = lanes->count;
+    if (of->picture != NULL) {
+        scatter->kind = MATERIAL_LAMBERT;
+        scatter->colour = look_at(materials, of, of->picture, place, lanes, &scatter->ground);
+        return !of->shines;
+    }
+    const struct material *material = &materials->of[of->material];
+    scatter->kind = material->kind;
+    scatter->coat = material->coat;
+    scatter->ground = material->ground;
+    for (size_t k = 0; k < lanes->count; k++) {
+        scatter->colour.of[k] = material->colour[lanes->band[k]];
+    }
+    if (material->texture != NULL) {
+        double mean;
+        const struct radiance by = look_at(materials, of, material->texture, place, lanes, &mean);
+        for (size_t k = 0; k < lanes->count; k++) {
+            scatter->colour.of[k] *= by.of[k];
+        }
+        scatter->ground *= mean;
+    }
+    return material->kind != MATERIAL_BLACK;
+}
+
+bool materials_shines(const struct materials *materials, size_t thing)
+{
+    const struct scene_thing *of = &materials->scene->things[thing];
+    return of->picture != NULL ? of->shines && of->luminance > 0
+                               : materials->of[of->material].shines;
+}
+
+void materials_shine(const struct materials *materials, size_t thing, const double place[2],
+                     const struct lanes *lanes, struct radiance *light)
+{
+    const struct scene_thing *of = &materials->scene->things[thing];
+    if (of->picture != NULL) {
+        double mean;
+        *light = look_at(materials, of, of->picture, place, lanes, &mean);
+        for (size_t k = 0; k < lanes->count; k++) {
+            light->of[k] *= of->luminance;
+        }
+        return;
+    }
+    for (size_t k = 0; k < lanes->count; k++) {
+        light->of[k] = materials->of[of->material].light[lanes->band[k]];
+    }
+}

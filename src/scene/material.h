@@ -1,0 +1,61 @@
+/* scene/material.h - what things are made of, in bands: what they reflect, and how they shine. */
+/* SPDX-License-Identifier: MIT */
+#ifndef LENSCALC_SCENE_MATERIAL_H
+#define LENSCALC_SCENE_MATERIAL_H
+
+#include "base/arena.h"
+#include "base/error.h"
+#include "light/bands.h"
+#include "scene/scatter.h"
+#include "scene/scene.h"
+
+#include <stdbool.h>
+#include <stddef.h>
+
+/* A material of the scene. */
+struct material {
+    enum scene_material_kind kind;
+    const struct image *texture; /* null: none */
+    double colour[BANDS_MOST];   /* shares */
+    double ground;               /* the largest of them */
+    double light[BANDS_MOST];    /* with luminance in cd/m^2 */
+    bool shines;
+    const struct coat *coat;
+};
+
+/* Read-only afterwards: threads share it. */
+struct materials {
+    const struct scene *scene;
+    const struct bands *bands;
+    const struct material *of; /* one a material */
+};
+
+/*
+ * Make the materials of a scene ready.
+ *
+ * Errors    of bands_of_surface and bands_of_light, with the place of the material
+ */
+bool materials_open(const struct scene *scene, const struct bands *bands, struct arena *arena,
+                    struct materials *materials, struct error *error);
+
+/*
+ * What a thing reflects at one place.
+ *
+ * Given     thing  of the scene
+ *           place  in a texture, from the left and from below, 0 to 1
+ * Result    false: nothing. Cards with a picture are Lambertian, or, where they shine, black
+ */
+bool materials_scatter(const struct materials *materials, size_t thing, const double place[2],
+                       const struct lanes *lanes, struct scatter *scatter);
+
+/* Does a thing shine anywhere? */
+bool materials_shines(const struct materials *materials, size_t thing);
+
+/*
+ * The radiance of one that shines, alike in all directions and on both sides; where it is there:
+ * alpha counts nothing.
+ */
+void materials_shine(const struct materials *materials, size_t thing, const double place[2],
+                     const struct lanes *lanes, struct radiance *light);
+
+#endif
