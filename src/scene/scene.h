@@ -3,6 +3,7 @@
 #ifndef LENSCALC_SCENE_SCENE_H
 #define LENSCALC_SCENE_SCENE_H
 
+#include "base/digest.h"
 #include "base/image/image.h"
 #include "base/text.h"
 #include "light/spectrum.h"
@@ -56,7 +57,7 @@ struct scene_material {
     const char *name;
     enum scene_material_kind kind;
     struct spectrum colour;      /* share that is reflected, in all directions together */
-    const struct image *texture; /* times it, linear sRGB, 0 to 1; null: none */
+    const struct image *texture; /* times it, linear sRGB, 0 to 1, three channels; null: none */
     double roughness;            /* of a glossy one: alpha of GGX, 0.001 to 1 */
     double index;                /* refractive index of its coat; 1 to 3 */
     struct spectrum emission;    /* kind SPECTRUM_NONE: it does not shine */
@@ -92,7 +93,8 @@ struct scene_thing {
     struct vector size;          /* mm, > 0 */
     double repeat;               /* of a plane: width of a texture on it, mm */
     const struct image *picture; /* of a card: its light, with white 1, in place of a material;
-                                    four channels: the last is alpha, its share of what is there */
+                                    three channels, or four: the last is alpha, its share of what
+                                    is there */
     bool shines;                 /* a card whose picture is light, of white `luminance`; else it is
                                     a Lambertian surface of that colour */
     double luminance;            /* cd/m^2 */
@@ -130,7 +132,7 @@ struct scene_light {
     double diameter;         /* of a sun, rad, > 0 */
     double amount; /* sun and star: illuminance of a plane that faces it, lx; sky: luminance in the
                       zenith, cd/m^2; environment: of its white; point: intensity, cd */
-    const struct image *picture; /* of an environment: linear sRGB */
+    const struct image *picture; /* of an environment: linear sRGB, three channels */
     double turn;                 /* of it about y, rad */
     struct typed_place place;
 };
@@ -156,6 +158,9 @@ struct scene {
     size_t thing_count;
     struct scene_light *lights;
     size_t light_count;
+    const char **notes; /* what of its files is passed over, a line each */
+    size_t note_count;
+    struct digest_name digest; /* of the file and of all that it names */
 };
 
 /* Does anything move: a thing, a light, the camera? */

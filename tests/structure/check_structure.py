@@ -124,6 +124,8 @@ FOR_TESTS = {
     # light, which scenes stand on
     "bands_of_light": "", "bands_of_surface": "", "bands_saturation": "", "bands_three": "",
     "illuminant_star": "", "illuminant_words": "",
+    # scenes, before they are photographed
+    "scene_file_read": "", "scene_files_there": "", "scene_check": "",
     # what there is to try
     "foreign_formats": "the fuzzer's list of formats",
 }

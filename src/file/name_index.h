@@ -1,0 +1,27 @@
+/* file/name_index.h - numbers of names: which of a list has this one. */
+/* SPDX-License-Identifier: MIT */
+#ifndef LENSCALC_FILE_NAME_INDEX_H
+#define LENSCALC_FILE_NAME_INDEX_H
+
+#include "base/arena.h"
+#include "base/text.h"
+
+#include <stdbool.h>
+#include <stddef.h>
+
+/* Names in the order in which they came, found in a time that does not grow. Start with { 0 }. */
+struct name_index {
+    size_t count, room, slot_count;
+    struct text *names;
+    size_t *slots; /* one more than the number of a name; 0: free */
+};
+
+#define NAME_NONE ((size_t)-1)
+
+/* The number of a name; NAME_NONE: it is not there. */
+size_t name_index_find(const struct name_index *index, struct text name);
+
+/* Add a name that is not there, whose letters stay where they are; its number. */
+size_t name_index_add(struct name_index *index, struct text name, struct arena *arena);
+
+#endif

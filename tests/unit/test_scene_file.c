@@ -1,0 +1,264 @@
+/* tests/unit/test_scene_file.c - .scene files: what they say, and where they are wrong. */
+/* SPDX-License-Identifier: MIT */
+#include "check.h"
+#include "file/scene_file.h"
+#include "scene/scene_check.h"
+
+#define CAMERA "camera at=0,0,5 look=0,0,0\n"
+#define GREY   "material grey lambert colour=0.5\n"
+
+static bool read_text(const char *text, struct arena *arena, struct scene *scene,
+                      struct error *error)
+{
+    return scene_file_read("test.scene", text_of(text), &scene_files_there, arena, scene, error);
+}
+
+/* Each with the line, the column and a part of the message. */
+static const struct {
+    const char *text;
+    long line;
+    int column;
+    const char *message;
+} bad[] = {
+    {"", 0, 0, "no camera"},
+    {"scene a\nscene b\n", 2, 1, "twice"},
+    {"sphear radius=1\n", 1, 1, "unknown word 'sphear'"},
+    {CAMERA "unit cm\n", 2, 1, "before all lengths"},
+    {"unit cm\nunit cm\n", 2, 1, "once"},
+    {"unit kg\n", 1, 6, "one of length"},
+    {"unit cm mm\n", 1, 9, "does not belong here"},
+    {"camera look=0,0,0\n", 1, 1, "lacks at="},
+    {CAMERA CAMERA, 2, 1, "twice"},
+    {"camera at=0,0 look=0,0,0\n", 1, 11, "needs 3 numbers with commas between, and has 2"},
+    {"camera at=0,0,0,0\n", 1, 17, "more than 3 numbers"},
+    {"camera at=0,,0\n", 1, 13, "a number of at= is missing"},
+    {"camera at=0,0,5mn look=0,0,0\n", 1, 16, "at=: unknown unit 'mn'"},
+    {"camera at=0,0,5s look=0,0,0\n", 1, 16, "measures a time, expected a length"},
+    {"camera at=0,0,x\n", 1, 15, "no number here"},
+    {"camera at=0,0,2e9\n", 1, 15, "not within -1e9 m to 1e9 m"},
+    {"camera at=0,0,inf\n", 1, 15, "not within"},
+    {"camera at=0,0,nan\n", 1, 15, "nan is not a value"},
+    {"camera at=0,0,5 look=0,0,5\n", 1, 22, "at its own place"},
+    {"camera at=0,5,0 look=0,0,0\n", 1, 22, "looks along its up="},
+    {"camera at=0,0,5 look=0,0,0 up=0,0,2\n", 1, 31, "looks along its up="},
+    {"camera at=0,0,5 look=0,0,0 up=0,0,0\n", 1, 31, "no length"},
+    {"camera at=0,0,5 axis=0,1,0\n", 1, 22, "no spin="},
+    {"camera at=0,0,5 spin=1 axis=0,0,0\n", 1, 29, "no length"},
+    {"camera at=0,0,5 focus=0\n", 1, 23, "not within 1 nm to inf"},
+    {"camera at=0,0,5 at=0,0,4\n", 1, 17, "'at=' is there twice"},
+    {"camera at=0,0,5 radius=4\n", 1, 17, "'radius=' does not belong to 'camera'"},
+    {"camera at=0,0,5 loook=4\n", 1, 17, "unknown word 'loook=4'"},
+    {"camera at=0,0,5 look\n", 1, 17, "look= has no value"},
+    {"camera at=0,0,5 move=4e8,0,0\n", 1, 22, "299792458 m/s"},
+    {"camera at=0,0,5 look=\n", 1, 22, "look= has no value"},
+    {"camera at=0,0,5 look=\"0,0,0\n", 1, 22, "quotation marks"},
+    {"colour\n", 1, 7, "a colour needs a name"},
+    {"colour 5x rgb=1\n", 1, 8, "cannot be a name"},
+    {"colour red\n", 1, 1, "one of rgb="},
+    {"colour red rgb=1 srgb=#fff\n", 1, 1, "one of rgb="},
+    {"colour red rgb=1,2\n", 1, 16, "one number, a grey, or red, green and blue"},
+    {"colour red rgb=1,-2,0\n", 1, 18, "-2 is no part of a colour"},
+    {"colour red rgb=1,x,0\n", 1, 18, "no part of a colour"},
+    {"colour red srgb=#80808\n", 1, 17, "six digits"},
+    {"colour red srgb=#80808g\n", 1, 17, "six digits"},
+    {"colour D65 rgb=1\n", 1, 8, "a light that is known"},
+    {"colour red spectrum=D66\n", 1, 21, "unknown light 'D66'"},
+    {"colour red spectrum=A\nmaterial b lambert colour=red\n", 2, 27, "the colour of a light"},
+    {"material b lambert colour=5600K\n", 1, 27, "the colour of a light"},
+    {"colour red rgb=1\ncolour red rgb=1\n", 2, 8, "twice"},
+    {"material a\n", 1, 11, "lambert, mirror, glossy or black"},
+    {"material a lambart colour=1\n", 1, 12, "not 'lambart'"},
+    {"material a lambert\n", 1, 1, "needs colour= or texture="},
+    {"material a lambert colour=1.01\n", 1, 27, "at most 1 of the light"},
+    {"material a lambert colour=wood\n", 1, 27, "no line above has the colour 'wood'"},
+    {"material a lambert colour=1 roughness=1\n", 1, 29, "does not belong to 'material a lambert'"},
+    {"material a glossy colour=1\n", 1, 1, "lacks roughness="},
+    {"material a glossy colour=1 roughness=0\n", 1, 38, "not within 0.001 to 1"},
+    {"material a glossy colour=1 roughness=1 index=4\n", 1, 46, "not within 1 to 3"},
+    {"material a black emission=1\n", 1, 27, "needs luminance="},
+    {"material a black emission=0 luminance=1\n", 1, 27, "is dark"},
+    {"material a black luminance=0\n", 1, 28, "not within"},
+    {"material a lambert texture=there-is-none.png\n", 1, 28, "no file there-is-none.png"},
+    {"material a lambert texture=/dev/null\n", 1, 28, "neither PNG"},
+    {GREY GREY, 2, 10, "twice"},
+    {"sphere material=gray radius=1\n", 1, 17, "no line above has the material 'gray'"},
+    {GREY "sphere radius=1\n", 2, 1, "lacks material="},
+    {GREY "sphere material=grey\n", 2, 1, "lacks radius="},
+    {GREY "sphere material=grey radius=0\n", 2, 29, "not within 1 nm"},
+    {GREY "disc material=grey radius=-1\n", 2, 27, "not within 1 nm"},
+    {GREY "box material=grey size=1,2\n", 2, 24, "has 3 numbers, not 2"},
+    {GREY "box material=grey size=1,2,0\n", 2, 28, "not within"},
+    {GREY "card material=grey size=1\n", 2, 25, "has 2 numbers, not 1"},
+    {GREY "card material=grey size=1,2,3\n", 2, 25, "has 2 numbers, not 3"},
+    {GREY "card material=grey size=1,2 luminance=1\n", 2, 39, "that of a picture"},
+    {GREY "card size=1,2\n", 2, 1, "a card has a picture"},
+    {GREY "card material=grey size=1,2 normal=0,1,0 up=0,2,0\n", 2, 45, "along the normal"},
+    {GREY "plane material=grey repeat=1\n", 2, 28, "the material has none"},
+    {GREY "plane material=grey normal=0,0,0\n", 2, 28, "no length"},
+    {"light\n", 1, 6, "sun, sky, point, environment or star"},
+    {"light bulb\n", 1, 7, "not 'bulb'"},
+    {"light sun illuminance=1\n", 1, 1, "'light sun' lacks a direction"},
+    {"light sun illuminance=1 azimuth=3\n", 1, 1, "lacks a direction"},
+    {"light sun illuminance=1 azimuth=3 towards=0,1,0\n", 1, 43, "elevation= and azimuth="},
+    {"light sun illuminance=1 azimuth=3 elevation=91\n", 1, 45, "not within -90 deg"},
+    {"light sun towards=0,1,0\n", 1, 1, "lacks illuminance="},
+    {"light sky luminance=1\n", 1, 11, "uniform, overcast or clear"},
+    {"light sky overcast luminance=1 towards=0,1,0\n", 1, 1, "only a clear sky"},
+    {CAMERA "light sky clear luminance=1\n", 2, 1, "needs the direction of the sun"},
+    {"light point at=0,0,0\n", 1, 1, "needs intensity= or power="},
+    {"light point at=0,0,0 power=1 intensity=1\n", 1, 1, "one of them"},
+    {"light point at=0,0,0 intensity=1lm\n", 1, 33, "unit"},
+    {"light environment luminance=1\n", 1, 1, "lacks file="},
+    {"light star towards=0,1,0\n", 1, 1, "needs magnitude= or illuminance="},
+    {"light star magnitude=50 towards=0,1,0\n", 1, 22, "not within -30 to 40"},
+    {"scene a\x01\n", 1, 8, "control character"},
+};
+
+static void check_errors(void)
+{
+    for (size_t i = 0; i < sizeof bad / sizeof bad[0]; i++) {
+        struct arena arena = {0};
+        struct scene scene;
+        struct error error = {0};
+        CHECK(!read_text(bad[i].text, &arena, &scene, &error));
+        const bool named = strstr(error.message, bad[i].message) != NULL;
+        const bool placed = error.line == bad[i].line && error.column == bad[i].column;
+        if (!named || !placed || error.code != ERROR_DATA) {
+            printf("%s -> %ld:%d: %s\n", bad[i].text, error.line, error.column, error.message);
+        }
+        CHECK(named && placed && error.code == ERROR_DATA);
+        arena_free(&arena);
+    }
+}
+
+static bool is_near(struct vector a, double x, double y, double z)
+{
+    return vector_length(vector_minus(a, (struct vector){x, y, z})) <=
+           1e-12 * (1 + vector_length(a));
+}
+
+/* By hand: a unit of cm, units of other kinds, motion, a sphere that spins. */
+static void check_numbers(void)
+{
+    struct arena arena = {0};
+    struct scene scene;
+    struct error error = {0};
+    CHECK(read_text("\xef\xbb\xbfscene  Things # of all kinds\r\nunit cm\r\n"
+                    "camera at=0,1m,2ft look=0,1m,-3 focus=inf move=1,2m/s,36km/h\r\n"
+                    "colour leaf srgb=#0080ff\r\n"
+                    "material skin glossy colour=leaf roughness=0.2\r\n"
+                    "material lamp black luminance=5000\r\n"
+                    "sphere material=skin radius=5mm at=1,2,3 spin=60rpm axis=0,0,2\r\n"
+                    "box material=lamp size=1,2,3in turn=90,0,0\r\n"
+                    "light sun illuminance=90000 elevation=30 azimuth=90\r\n"
+                    "light sky clear luminance=4000\r\n"
+                    "light point at=0,0,0 power=1256.6370614359172\r\n"
+                    "light star magnitude=5 towards=0,0,-9 spectrum=10000K\r\n",
+                    &arena, &scene, &error));
+    CHECK_TEXT(scene.title, "Things");
+    CHECK(scene.material_count == 2 && scene.thing_count == 2 && scene.light_count == 4);
+    const struct scene_camera *camera = &scene.camera;
+    CHECK(is_near(camera->where.at, 0, 1000, 609.6) && isinf(camera->distance));
+    CHECK(is_near(camera->where.velocity, 10, 2000, 10000));
+    CHECK(is_near(camera->where.turned.z, 0, 0, 1) && is_near(camera->where.turned.y, 0, 1, 0));
+    const struct scene_material *skin = &scene.materials[0];
+    CHECK(skin->kind == MATERIAL_GLOSSY && skin->roughness == 0.2 && skin->index == 1.5);
+    CHECK(skin->emission.kind == SPECTRUM_NONE && skin->texture == NULL);
+    /* ((128/255 + 0.055)/1.055)^2.4, [IEC99] */
+    CHECK(skin->colour.rgb[0] == 0 && skin->colour.rgb[2] == 1);
+    CHECK_RELATIVE(skin->colour.rgb[1], 0.21586050011389926, 1e-14, "green");
+    CHECK(scene.materials[1].luminance == 5000 && scene.materials[1].emission.rgb[1] == 1);
+    const struct scene_thing *sphere = &scene.things[0], *box = &scene.things[1];
+    CHECK(sphere->radius == 5 && is_near(sphere->where.at, 10, 20, 30) && sphere->material == 0);
+    CHECK_RELATIVE(sphere->where.spin, 2 * 3.14159265358979323846, 1e-15, "a turn a second");
+    CHECK(is_near(sphere->where.axis, 0, 0, 1) && sphere->place.line == 7);
+    CHECK(is_near(box->size, 10, 20, 76.2));
+    CHECK(is_near(box->where.turned.y, 0, 0, 1) && is_near(box->where.turned.z, 0, -1, 0));
+    /* the sun in the east, 30 degrees high, and the sky about it */
+    CHECK(is_near(scene.lights[0].direction, sqrt(0.75), 0.5, 0));
+    CHECK(is_near(scene.lights[1].direction, sqrt(0.75), 0.5, 0));
+    CHECK_RELATIVE(scene.lights[2].amount, 100.0, 1e-14, "lm over 4 pi");
+    CHECK_RELATIVE(scene.lights[3].amount, 2.54e-8, 1e-14, "five magnitudes are a hundredth");
+    CHECK(is_near(scene.lights[3].direction, 0, 0, -1));
+    CHECK(scene.lights[2].spectrum.kind == SPECTRUM_RGB && scene.lights[2].spectrum.rgb[2] == 1);
+    CHECK(scene.lights[3].spectrum.kind == SPECTRUM_DAYLIGHT);
+    arena_free(&arena);
+}
+
+/* Turned axes are at right angles and right-handed; directions by hand. */
+static void check_frames(void)
+{
+    static const struct {
+        const char *words;
+        struct vector y, z;
+    } cases[] = {
+        {"", {0, 1, 0}, {0, 0, 1}},
+        {"normal=0,1,0", {0, 0, -1}, {0, 1, 0}},
+        {"normal=0,-2,0", {0, 0, 1}, {0, -1, 0}},
+        {"normal=1,0,0", {0, 1, 0}, {1, 0, 0}},
+        {"normal=0,1,0 up=1,0,0", {1, 0, 0}, {0, 1, 0}},
+        {"up=1,0,0", {1, 0, 0}, {0, 0, 1}},
+        {"turn=0,90,0", {0, 1, 0}, {1, 0, 0}},
+        {"turn=0,0,90", {-1, 0, 0}, {0, 0, 1}},
+        /* about x, then about the new y, which is the old z: the new z, -y, goes to x */
+        {"turn=90,90,0", {0, 0, 1}, {1, 0, 0}},
+        /* in its own plane, behind the normal */
+        {"normal=0,1,0 turn=0,0,90", {-1, 0, 0}, {0, 1, 0}},
+    };
+    for (size_t i = 0; i < sizeof cases / sizeof cases[0]; i++) {
+        struct arena arena = {0};
+        struct scene scene;
+        struct error error = {0};
+        const char *text =
+            arena_printf(&arena, CAMERA GREY "card material=grey size=1,1 %s\n", cases[i].words);
+        CHECK(read_text(text, &arena, &scene, &error));
+        const struct frame *own = &scene.things[0].where.turned;
+        const struct vector y = cases[i].y, z = cases[i].z, x = vector_cross(y, z);
+        if (!is_near(own->y, y.x, y.y, y.z) || !is_near(own->z, z.x, z.y, z.z)) {
+            printf("%s: y %g %g %g, z %g %g %g\n", cases[i].words, own->y.x, own->y.y, own->y.z,
+                   own->z.x, own->z.y, own->z.z);
+        }
+        CHECK(is_near(own->x, x.x, x.y, x.z) && is_near(own->y, y.x, y.y, y.z) &&
+              is_near(own->z, z.x, z.y, z.z));
+        arena_free(&arena);
+    }
+}
+
+/* Scenes of which nothing is seen. */
+static void check_light(void)
+{
+    static const struct {
+        const char *text;
+        int bounces;
+        const char *message; /* null: it is good */
+    } cases[] = {
+        {CAMERA GREY "sphere material=grey radius=1\n", 4, "has no light"},
+        {CAMERA GREY "light sky uniform luminance=1\n", 0, NULL},
+        {CAMERA "material lamp black luminance=1\n", 0, "has no light"},
+        {CAMERA "material lamp black luminance=1\nsphere material=lamp radius=1\n", 0, NULL},
+        {CAMERA "light point at=0,1,0 intensity=1\n", 4, "falls on nothing"},
+        {CAMERA GREY "sphere material=grey radius=1\nlight point at=0,9,0 intensity=1\n", 1, NULL},
+        {CAMERA GREY "sphere material=grey radius=1\nlight point at=0,9,0 intensity=1\n", 0,
+         "not seen by themselves"},
+        {CAMERA "light star magnitude=0 towards=0,0,-1\n", 0, NULL},
+    };
+    for (size_t i = 0; i < sizeof cases / sizeof cases[0]; i++) {
+        struct arena arena = {0};
+        struct scene scene;
+        struct error error = {0};
+        CHECK(read_text(cases[i].text, &arena, &scene, &error));
+        CHECK(scene_check(&scene, cases[i].bounces, &error) == (cases[i].message == NULL));
+        CHECK(cases[i].message == NULL || (strstr(error.message, cases[i].message) != NULL &&
+                                           strcmp(error.source, "test.scene") == 0));
+        arena_free(&arena);
+    }
+}
+
+int main(void)
+{
+    check_errors();
+    check_numbers();
+    check_frames();
+    check_light();
+    return check_report();
+}
