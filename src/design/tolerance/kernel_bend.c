@@ -15,6 +15,9 @@ static inline void change_of(const double *rows, const double *amounts, size_t c
     for (size_t i = 0; i < count; i++) {
         const double *restrict row = rows + i * RAYS_BLOCK;
         const double amount = amounts[i];
+        if (amount == 0) { /* of a single error all others are */
+            continue;
+        }
         for (int l = 0; l < RAYS_FEW; l++) {
             change[l] += amount * row[l];
         }

@@ -57,6 +57,7 @@ void tally_add(struct tally *tally, double figure)
     }
     tally->lowest = fmin(tally->lowest, figure);
     tally->highest = fmax(tally->highest, figure);
+    tally->is_sorted = false;
     tally->count++;
 }
 
@@ -78,6 +79,7 @@ void tally_join(struct tally *tally, const struct tally *more)
         }
     }
     tally->count += more->count;
+    tally->is_sorted = false;
     tally->lowest = fmin(tally->lowest, more->lowest);
     tally->highest = fmax(tally->highest, more->highest);
 }
@@ -187,8 +189,9 @@ double tally_quantile(struct tally *tally, double share, double *error)
         }
         return NAN;
     }
-    if (tally->keeps) {
+    if (tally->keeps && !tally->is_sorted) {
         qsort(tally->kept, tally->count, sizeof(double), by_size);
+        tally->is_sorted = true;
     }
     const double rank = share * (n - 1);
     if (error != NULL) {

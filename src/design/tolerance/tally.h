@@ -31,7 +31,8 @@ struct tally {
     uint64_t count;
     bool keeps; /* there will be TALLY_KEPT of them at most, of all that are joined */
     struct exact_sum powers[TALLY_POWERS];
-    double *kept;     /* departures */
+    double *kept;     /* departures, */
+    bool is_sorted;   /* in the order of their size */
     uint64_t **pages; /* TALLY_PAGES of them; null: nothing there */
     double lowest, highest;
     struct arena *arena;
