@@ -137,6 +137,18 @@ bool bundle_open(const struct bundle_question *question, struct arena *arena,
     return opened;
 }
 
+bool bundle_open_beside(const struct bundle_question *question, const struct bundle_source *before,
+                        struct arena *arena, struct bundle_source *source, struct error *error)
+{
+    if (!bundle_open(question, arena, source, error)) {
+        return false;
+    }
+    if (before != NULL && source->region != NULL) {
+        source->region->near = before->region->star;
+    }
+    return true;
+}
+
 /* -------- filling the pupil -------- */
 
 void bundle_aim(const struct bundle_source *source, const struct pupil_point *points, size_t count,

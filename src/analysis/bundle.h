@@ -68,6 +68,17 @@ bool bundle_open(const struct bundle_question *question, struct arena *arena,
                  struct bundle_source *source, struct error *error);
 
 /*
+ * The same beside a field that is ready at another wavelength: the edge of what is clear is looked
+ * for near the one there.
+ *
+ * Given     before  not filled yet, or filled; null: there is none
+ * Result    what is clear to its rounding: who compares digits goes from wavelength to wavelength
+ *           in the same order
+ */
+bool bundle_open_beside(const struct bundle_question *question, const struct bundle_source *before,
+                        struct arena *arena, struct bundle_source *source, struct error *error);
+
+/*
  * Rays through points of the pupil, where they start.
  *
  * Given     source  with a chief ray

@@ -63,12 +63,10 @@ static bool open_sources(struct seeking *seeking, struct arena *arena, struct er
         seeking->questions[g] = seeking->question->bundle;
         seeking->questions[g].wavelength = g;
         seeking->questions[g].near = near;
-        if (!bundle_open(&seeking->questions[g], arena, &seeking->sources[g], error)) {
+        const struct bundle_source *before = g > 0 ? &seeking->sources[g - 1] : NULL;
+        if (!bundle_open_beside(&seeking->questions[g], before, arena, &seeking->sources[g],
+                                error)) {
             return false;
-        }
-        struct quadrature_region *region = seeking->sources[g].region;
-        if (g > 0 && region != NULL) {
-            region->near = seeking->sources[g - 1].region->star;
         }
     }
     return true;

@@ -29,9 +29,49 @@ static bool check(const struct bundle_wish *wish, struct error *error)
     return true;
 }
 
+/* What a field lets through, from wavelength to wavelength as analysis/spot.c has it. */
+struct letting {
+    struct bundle_source *before; /* null: this is the first */
+    struct aim_near near;
+};
+
+/* What the lens at the start lets through. */
+static bool find_clear(const struct bundle_wish *wish, size_t field, size_t light,
+                       struct letting *letting, struct arena *arena, struct sample *sample,
+                       struct error *error)
+{
+    struct setup *setup = ARENA_NEW(arena, struct setup);
+    struct bundle_question *question = ARENA_NEW(arena, struct bundle_question);
+    struct bundle_source *source = ARENA_NEW(arena, struct bundle_source);
+    struct bundle bundle;
+    *setup = setup_at_wavelength(wish->setup, wish->wavelengths[light].wavelength, arena);
+    *question = (struct bundle_question){.setup = setup,
+                                         .field = &wish->fields[field].point,
+                                         .clip = true,
+                                         .from_entrance = wish->from_entrance,
+                                         .pattern = wish->pattern,
+                                         .seed = wish->seed,
+                                         .near = &letting->near};
+    if (!bundle_open_beside(question, letting->before, arena, source, error) ||
+        !bundle_trace(source, wish->rays, source->system->places, arena, &bundle, error)) {
+        return false;
+    }
+    letting->before = source;
+    sample->points = ARENA_ARRAY(arena, bundle.count, struct pupil_point);
+    sample->count = 0;
+    for (size_t i = 0; i < bundle.count; i++) {
+        const struct ray_block *block = &bundle.rays.blocks[i / RAYS_BLOCK];
+        if (ray_block_status(block, i % RAYS_BLOCK) == RAY_OK) {
+            sample->points[sample->count++] = bundle.points[i];
+        }
+    }
+    return true;
+}
+
 /* The points of the pupil of a field at a wavelength: a pattern, or what the lens lets through. */
 static bool find_sample(const struct bundle_wish *wish, size_t field, size_t light,
-                        struct arena *arena, struct sample *sample, struct error *error)
+                        struct letting *letting, struct arena *arena, struct sample *sample,
+                        struct error *error)
 {
     if (wish->is_chief) {
         sample->points = ARENA_NEW(arena, struct pupil_point);
@@ -42,29 +82,7 @@ static bool find_sample(const struct bundle_wish *wish, size_t field, size_t lig
     if (!wish->clip) {
         return sample_make(wish->pattern, wish->rays, wish->seed, arena, sample, error);
     }
-    struct setup *setup = ARENA_NEW(arena, struct setup);
-    *setup = setup_at_wavelength(wish->setup, wish->wavelengths[light].wavelength, arena);
-    const struct bundle_question question = {.setup = setup,
-                                             .field = &wish->fields[field].point,
-                                             .clip = true,
-                                             .from_entrance = wish->from_entrance,
-                                             .pattern = wish->pattern,
-                                             .seed = wish->seed};
-    struct bundle_source source;
-    struct bundle bundle;
-    if (!bundle_open(&question, arena, &source, error) ||
-        !bundle_trace(&source, wish->rays, source.system->places, arena, &bundle, error)) {
-        return false;
-    }
-    sample->points = ARENA_ARRAY(arena, bundle.count, struct pupil_point);
-    sample->count = 0;
-    for (size_t i = 0; i < bundle.count; i++) {
-        const struct ray_block *block = &bundle.rays.blocks[i / RAYS_BLOCK];
-        if (ray_block_status(block, i % RAYS_BLOCK) == RAY_OK) {
-            sample->points[sample->count++] = bundle.points[i];
-        }
-    }
-    return true;
+    return find_clear(wish, field, light, letting, arena, sample, error);
 }
 
 static enum merit_symmetry symmetry_of(const struct bundle_wish *wish, size_t field)
@@ -84,6 +102,7 @@ static bool open_groups(struct merit_bundle *bundle, struct error *error)
     const struct bundle_wish *wish = &bundle->wish;
     bundle->groups =
         ARENA_ARRAY(bundle->arena, wish->field_count * wish->wavelength_count, struct bundle_group);
+    struct letting *letting = ARENA_ARRAY(bundle->arena, wish->field_count, struct letting);
     for (size_t light = 0; light < wish->wavelength_count; light++) {
         for (size_t field = 0; field < wish->field_count; field++) {
             struct bundle_group *group = &bundle->groups[bundle->group_count++];
@@ -97,7 +116,8 @@ static bool open_groups(struct merit_bundle *bundle, struct error *error)
                 group->points = bundle->groups[field].points;
                 continue;
             }
-            if (!find_sample(wish, field, light, bundle->arena, &sample, error)) {
+            if (!find_sample(wish, field, light, &letting[field], bundle->arena, &sample,
+                             error)) {
                 return false;
             }
             merit_points_of(&sample, wish->whole ? SYMMETRY_NONE : group->symmetry, bundle->arena,
