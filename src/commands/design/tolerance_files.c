@@ -64,6 +64,10 @@ static void note_view(const struct tolerance_job *job, struct lens *lens)
 {
     struct arena *arena = job->run->arena;
     fit_note(lens, arena_printf(arena, "that is by rays %s", tolerance_about_of(job).rays), arena);
+    if (job->question.view.clip) {
+        fit_note(lens, "and what the nominal lens lets through: this one does not quite the same",
+                 arena);
+    }
     if (job->tolerance.irregularity_count > 0) {
         fit_note(lens, "without the irregularity of its surfaces, which is in that figure", arena);
     }
