@@ -116,8 +116,7 @@ static bool open_groups(struct merit_bundle *bundle, struct error *error)
                 group->points = bundle->groups[field].points;
                 continue;
             }
-            if (!find_sample(wish, field, light, &letting[field], bundle->arena, &sample,
-                             error)) {
+            if (!find_sample(wish, field, light, &letting[field], bundle->arena, &sample, error)) {
                 return false;
             }
             merit_points_of(&sample, wish->whole ? SYMMETRY_NONE : group->symmetry, bundle->arena,
