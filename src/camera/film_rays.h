@@ -13,6 +13,8 @@ struct film_samples {
     double x[RAYS_BLOCK], y[RAYS_BLOCK]; /* the point of the film, mm */
     double u[RAYS_BLOCK], v[RAYS_BLOCK]; /* which of its pupil, each in 0..1 */
     double weight[RAYS_BLOCK];           /* receives what the ray stands for, sr */
+    /* receive from when to when a shutter lets it pass, s; of a film that has one */
+    double begin[RAYS_BLOCK], end[RAYS_BLOCK];
 };
 
 enum { FILM_DIMENSIONS = 4 };

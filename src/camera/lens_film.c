@@ -159,14 +159,33 @@ static double lit_of(const struct lens_film *film, double x, double y)
     return least;
 }
 
+static bool check_shutter(const struct film_question *question, struct error *error)
+{
+    const struct shutter *shutter = question->shutter;
+    const double room = fabs(question->setup->image);
+    if (shutter != NULL && shutter->kind == SHUTTER_LEAF && question->model == MODEL_PINHOLE) {
+        return fail(error, ERROR_DOMAIN,
+                    "a pinhole has no width that a leaf shutter could open little by little");
+    }
+    return shutter == NULL || !(shutter->distance >= room) ||
+           fail(error, ERROR_DOMAIN,
+                "the curtains, %.6g mm before the film, stand in the lens: its last vertex is "
+                "%.6g mm before it",
+                shutter->distance, room);
+}
+
 bool lens_film_open(const struct film_question *question, struct arena *arena,
                     struct lens_film *film, struct error *error)
 {
     const struct setup *setup = question->setup;
     film->corner = hypot(question->width, question->height) / 2;
     film->acceptance = question->acceptance;
+    film->shutter = question->shutter;
     if (question->model == MODEL_PINHOLE && question->blades.count > 0) {
         return fail(error, ERROR_DOMAIN, "a pinhole has no shape: blades do nothing to it");
+    }
+    if (!check_shutter(question, error)) {
+        return false;
     }
     if (isnan(setup->image)) {
         fail(error, ERROR_DOMAIN, "the image of the lens lies at infinity: there is no film");
@@ -209,4 +228,48 @@ void lens_film_start(const struct lens_film *film, struct film_samples *samples,
 {
     film->start(film, samples, block);
     acceptance_weigh(film->acceptance, block, samples);
+}
+
+/* -------- shutters -------- */
+
+/* From when to when rays pass, which are traced meanwhile. */
+static void trace_open(const struct lens_film *film, const struct system *system,
+                       struct film_samples *samples, const struct rays *rays)
+{
+    const struct shutter *shutter = film->shutter;
+    const struct ray_block *block = rays->blocks;
+    const size_t behind =
+        shutter->kind == SHUTTER_LEAF ? system_place(system, system->stop) + 1 : 0;
+    const double to_full = shutter->stopped / system->stop_radius;
+    struct shutter_ray told[RAYS_BLOCK];
+    for (size_t i = 0; i < RAYS_BLOCK; i++) {
+        /* a ray along the film brings no light: its slope must be a number */
+        const double towards = fmax(fabs(block->r[i]), 1e-30);
+        told[i] = (struct shutter_ray){.film = {samples->x[i], samples->y[i]},
+                                       .slope = {block->p[i] / towards, block->q[i] / towards}};
+    }
+    rays_trace_part(system, 0, behind, rays, NULL);
+    for (size_t i = 0; i < RAYS_BLOCK; i++) {
+        double interval[2], at[3] = {block->x[i], block->y[i], block->z[i]};
+        if (behind > 0) {
+            system_to_own(system, system->stop, at);
+            told[i].stop = sqrt(at[0] * at[0] + at[1] * at[1]) * to_full;
+        }
+        shutter_interval(shutter, &told[i], interval);
+        samples->begin[i] = interval[0];
+        samples->end[i] = interval[1];
+        samples->weight[i] *= (interval[1] - interval[0]) / shutter->time;
+    }
+    rays_trace_part(system, behind, system->places, rays, NULL);
+}
+
+void lens_film_trace(const struct lens_film *film, size_t wavelength, struct film_samples *samples,
+                     const struct rays *rays)
+{
+    const struct system *system = film->systems[wavelength];
+    if (film->shutter == NULL) {
+        rays_trace(system, rays, NULL);
+    } else {
+        trace_open(film, system, samples, rays);
+    }
 }

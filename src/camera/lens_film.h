@@ -11,6 +11,7 @@
 #include "camera/disc_rays.h"
 #include "camera/film_rays.h"
 #include "camera/lens_model.h"
+#include "camera/shutter.h"
 #include "optics/blades.h"
 
 struct lens_film {
@@ -24,8 +25,9 @@ struct lens_film {
     struct film_region region;
     struct sobol sobol[FILM_DIMENSIONS];
     const struct acceptance *acceptance;
-    double corner;    /* how far from the axis the film goes, mm */
-    double lit;       /* the same of light, towards that corner where it ends first */
+    const struct shutter *shutter; /* null: nothing depends on it */
+    double corner;                 /* how far from the axis the film goes, mm */
+    double lit;                    /* the same of light, towards that corner where it ends first */
     struct disc disc; /* the pupil, of thick and thin lenses; then no region has been looked for */
     /* of a start anywhere: direction cosines from (0, h), least and most of x and y */
     double low[2], high[2];
@@ -38,12 +40,14 @@ struct film_question {
     struct blades blades;                /* count 0: the stop is round */
     enum lens_model model;               /* the setup's lens is that of it */
     const struct acceptance *acceptance; /* of its pixels; null: they take all light */
+    const struct shutter *shutter;       /* null: open to all rays at once; nobody asks when */
     bool is_anywhere; /* rays start in one rectangle of directions for all points of the film */
 };
 
 /*
  * Result    rays of regions of pupils, but of models whose pupil is a disc through that
- * Errors    ERROR_DOMAIN: blades of a pinhole; as film_region_open and blades_stop; no stop, or
+ * Errors    ERROR_DOMAIN: blades or a leaf shutter of a pinhole; curtains in the lens; as
+ *           film_region_open and blades_stop; no stop, or
  *           none with a diameter; no image plane; no light reaches the film; as setup_system
  */
 bool lens_film_open(const struct film_question *question, struct arena *arena,
@@ -52,5 +56,16 @@ bool lens_film_open(const struct film_question *question, struct arena *arena,
 /* Start a block of rays on the film: film_rays_start, weighed by what pixels accept. */
 void lens_film_start(const struct lens_film *film, struct film_samples *samples,
                      struct ray_block *block);
+
+/*
+ * Trace a block that has been started through the whole lens.
+ *
+ * Given     rays  one block
+ * Result    as rays_trace; of a film with a shutter samples' begin and end, and the weights times
+ *           the share of the exposure time that this is. The height of a ray in the stop, which a
+ *           leaf shutter wants to know, is that of the traced ray
+ */
+void lens_film_trace(const struct lens_film *film, size_t wavelength, struct film_samples *samples,
+                     const struct rays *rays);
 
 #endif

@@ -36,6 +36,17 @@ static bool open_stream(const struct lens_rays_question *question, struct arena 
     return true;
 }
 
+/* When, within what the shutter leaves of the exposure to each. */
+static void time_rays(struct stream *stream)
+{
+    const struct shutter *shutter = stream->film.shutter;
+    const double *begin = stream->samples.begin, *end = stream->samples.end;
+    for (size_t i = 0; shutter != NULL && i < RAYS_BLOCK; i++) {
+        const double time = begin[i] + stream->times[i] * (end[i] - begin[i]);
+        stream->times[i] = time / shutter->time + 0.5;
+    }
+}
+
 /* The first `count` rays of a block that pass; each weight is multiplied. */
 static size_t collect(struct stream *stream, const struct system *system, size_t count, double by)
 {
@@ -78,7 +89,8 @@ static bool send(struct stream *stream, size_t w, uint64_t samples, double share
         film_rays_plan(&stream->plan, block, SET_BEST, &stream->samples);
         sobol_points(&stream->sobol_time, when, block, stream->times);
         lens_film_start(&stream->film, &stream->samples, stream->rays.blocks);
-        rays_trace(system, &stream->rays, NULL);
+        lens_film_trace(&stream->film, w, &stream->samples, &stream->rays);
+        time_rays(stream);
         const size_t kept = collect(stream, system, left < RAYS_BLOCK ? (size_t)left : RAYS_BLOCK,
                                     by / (double)samples);
         *arrived += kept;

@@ -25,7 +25,8 @@ struct lens_ray {
     double point[3];   /* on the first surface, in the frame of its vertex, mm */
     double cosine[3];  /* direction, away from the film */
     double weight;     /* sr */
-    double time;       /* of the exposure: 0 it begins, 1 it ends */
+    double time;       /* of the exposure: 0 it begins, 1 it ends; in the middle of the film, of a
+                          shutter to which that matters */
 };
 
 /* Takes rays in their order; false: it has failed, with its error set. */

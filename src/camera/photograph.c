@@ -92,17 +92,20 @@ static void trace_plan(const struct lens_film *film, const struct film_plan *pla
 {
     film_rays_plan(plan, block, SET_BEST, &room->samples);
     lens_film_start(film, &room->samples, room->rays.blocks);
-    rays_trace(film->systems[wavelength], &room->rays, NULL);
+    lens_film_trace(film, wavelength, &room->samples, &room->rays);
 }
 
-/* When the rays of a block come: evenly within the exposure, its middle at 0. */
+/* When the rays of a block come: evenly within the time that each has, the middle of all at 0. */
 static void time_rays(const struct work *work, uint32_t block, struct room *room)
 {
     const double duration = work->question->duration;
     if (duration > 0) {
         sobol_points(&work->when, room->when, block, room->times);
+        const double *begin = room->samples.begin, *end = room->samples.end;
+        const bool is_shut = work->film->shutter != NULL;
         for (size_t i = 0; i < RAYS_BLOCK; i++) {
-            room->times[i] = duration * (room->times[i] - 0.5);
+            room->times[i] = is_shut ? begin[i] + room->times[i] * (end[i] - begin[i])
+                                     : duration * (room->times[i] - 0.5);
         }
     }
 }

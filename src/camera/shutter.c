@@ -48,9 +48,9 @@ static bool check_leaf(const struct shutter_question *question, struct error *er
     const double least = (1 - half_light) * ramps;
     return question->time >= least ||
            fail(error, ERROR_DOMAIN,
-                "in %.6g s the shutter had to close before it is open: it takes %.6g s, from half "
-                "of its light to half of it, to open in %.6g s and to close in %.6g s",
-                question->time, least, question->opening, question->closing);
+                "an exposure of %.6g s: a leaf shutter that opens in %.6g s and closes in %.6g s "
+                "takes %.6g s at least, from half of its light to half of it",
+                question->time, question->opening, question->closing, least);
 }
 
 bool shutter_open(const struct shutter_question *question, struct shutter *shutter,
@@ -76,6 +76,7 @@ bool shutter_open(const struct shutter_question *question, struct shutter *shutt
     if (kind == SHUTTER_LEAF) {
         shutter->opening = question->opening;
         shutter->closing = question->closing;
+        shutter->stopped = question->stopped;
     }
     if (runs) {
         shutter->extent = way[0] == 0 ? question->height : question->width;
@@ -115,17 +116,12 @@ void shutter_span(const struct shutter *shutter, double slope, double span[2])
     span[1] = q * shutter->per_mm + shutter->time / 2 + shutter->closing * half_light;
 }
 
-bool shutter_weighs(const struct shutter *shutter)
-{
-    return shutter->opening + shutter->closing > 0 || isfinite(shutter->run);
-}
-
 struct shutter_times shutter_times(const struct shutter *shutter, double beam)
 {
     const double ramps = shutter->opening + shutter->closing;
     struct shutter_times times = {shutter->time, shutter->time};
     if (shutter->kind == SHUTTER_LEAF) {
-        times.effective += ramps * (half_light - 2 * beam / 3);
+        times.effective += ramps * (half_light - 2 * shutter->stopped / 3);
         times.total += ramps * half_light;
     } else if (shutter->kind == SHUTTER_FOCAL) {
         times.total += beam * shutter->per_mm;

@@ -17,13 +17,7 @@
  * leaf     a round hole in the stop that opens from its middle, stays open, and closes again
  * rolling  line after line of the film, each for the whole exposure time
  */
-enum shutter_kind {
-    SHUTTER_GLOBAL,
-    SHUTTER_FOCAL,
-    SHUTTER_LEAF,
-    SHUTTER_ROLLING,
-    SHUTTER_KINDS
-};
+enum shutter_kind { SHUTTER_GLOBAL, SHUTTER_FOCAL, SHUTTER_LEAF, SHUTTER_ROLLING, SHUTTER_KINDS };
 
 /* Where curtains and reading go to in the picture, which stands upright. */
 enum shutter_direction { SHUTTER_DOWN, SHUTTER_UP, SHUTTER_RIGHT, SHUTTER_LEFT };
@@ -36,20 +30,22 @@ struct shutter_question {
     enum shutter_direction direction; /* of a focal and of a rolling one */
     double time;                      /* T: exposure time, s, above 0 */
     double width, height;             /* of the film, mm */
-    double travel;   /* of a curtain, or of the reading, from edge to edge of the film, s, above 0 */
+    double travel; /* of a curtain, or of the reading, from edge to edge of the film, s, above 0 */
     double distance; /* of the curtains before the film, mm, from 0 */
     double overrun;  /* how far beyond the film's edges curtains start and stop, mm, from 0; inf */
     double opening, closing; /* of a leaf shutter, from nothing to its full radius and back, s */
+    double stopped;          /* the stop's radius over that, above 0 to 1; of a leaf shutter */
 };
 
 struct shutter {
     enum shutter_kind kind;
     double time;             /* s */
     double opening, closing; /* s, of a leaf shutter; else 0 */
+    double stopped;          /* the stop's radius over that of a leaf shutter fully open */
     double along[2];         /* unit vector of the film: where curtains and reading go to */
     double per_mm;           /* s a curtain or the reading takes for it; else 0 */
-    double extent, run;      /* of the film along that; from the middle to where curtains stop, mm */
-    double distance;         /* of the curtains before the film, mm */
+    double extent, run; /* of the film along that; from the middle to where curtains stop, mm */
+    double distance;    /* of the curtains before the film, mm */
 };
 
 /* What a shutter is asked about a ray. */
@@ -100,9 +96,6 @@ void shutter_interval(const struct shutter *shutter, const struct shutter_ray *r
  */
 void shutter_span(const struct shutter *shutter, double slope, double span[2]);
 
-/* Does light that passes depend on the time, or on where it comes from? Else all weights are 1. */
-bool shutter_weighs(const struct shutter *shutter);
-
 /* How long light comes to a point of the film. */
 struct shutter_times {
     double effective; /* full light for so long would be as much, s */
@@ -112,13 +105,11 @@ struct shutter_times {
 /*
  * Effective and total time, as [IsoShutter19] has them; their ratio is the efficiency.
  *
- * Given     beam  of a leaf shutter the radius of the beam in the stop over that of the shutter
- *                 fully open, above 0 to 1; of a focal one the width of the beam in the plane of
- *                 the curtains, mm
- * Formula   leaf: the interval's mean over the beam, T + (a + b)(sqrt(1/2) - 2 beam/3), of
+ * Given     beam  the width of the beam in the plane of the curtains, mm; of others any
+ * Formula   leaf: the interval's mean over the stop of radius s, T + (a + b)(sqrt(1/2) - 2 s/3), of
  *           T + (a + b) sqrt(1/2); focal: T of T + beam R/h, so that the efficiency of a slit w is
  *           w/(w + beam), beam = d/N of the distance d
- * Source    [Ives20] (characteristics of the focal-plane shutter); leaf derived here: 2 r dr/beam^2
+ * Source    [Ives20] (characteristics of the focal-plane shutter); leaf derived here: 2 r dr/s^2
  */
 struct shutter_times shutter_times(const struct shutter *shutter, double beam);
 

@@ -63,7 +63,7 @@ static double light_at(const struct spare *spare, double h, size_t wavelength, s
         film_rays_plan(&plan, block, SET_BEST, &room->samples);
         spare->film->aim(spare->film, &room->samples, room->rays.blocks);
         acceptance_weigh(spare->film->acceptance, room->rays.blocks, &room->samples);
-        rays_trace(spare->film->systems[wavelength], &room->rays, NULL);
+        lens_film_trace(spare->film, wavelength, &room->samples, &room->rays);
         for (size_t i = 0; i < RAYS_BLOCK; i++) {
             sum += room->rays.blocks->lost[i] == 0 ? room->samples.weight[i] : 0;
         }
@@ -76,7 +76,8 @@ void spare_open(struct spare *spare, size_t blocks, struct arena *arena)
     const struct lens_film *film = spare->film;
     spare->plane = spare->relief != NULL ? spare->relief->pupil : 0;
     spare->frame = spare->plane + spare->card->distance;
-    if (!lens_is_round(film->systems[0]->lens)) {
+    if (!lens_is_round(film->systems[0]->lens) ||
+        (film->shutter != NULL && isfinite(film->shutter->run))) {
         return;
     }
     struct spare_room *room = spare_room_new(spare->passes, arena);
@@ -129,7 +130,7 @@ static double seen_at(const struct spare *spare, const struct relief_ray *ray, i
 static void trace(const struct spare *spare, size_t wavelength, struct spare_room *room)
 {
     spare->film->aim(spare->film, &room->samples, room->rays.blocks);
-    rays_trace(spare->film->systems[wavelength], &room->rays, NULL);
+    lens_film_trace(spare->film, wavelength, &room->samples, &room->rays);
 }
 
 /* From the corners of the tile, RIM rays each, within the rim of the pupil. */

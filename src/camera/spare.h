@@ -81,8 +81,8 @@ struct spare_tile {
  *           light. Where the rays of no corner are a quarter pixel apart, E/L times the mean light
  *           at half of the samples' points of the film: along rays through the middle of the pupil
  *           between 16 x 8 that are traced, moved as the pupil of the tile's middle moves them
- * Limits    where the lens is not the same all around only black is spared; at the end of the light
- *           and behind a hole in the pupil nothing is
+ * Limits    where lens or shutter are not the same all around only black is spared; at the end of
+ *           the light and behind a hole in the pupil nothing is
  */
 enum spare_way spare_take(const struct spare *spare, const struct spare_tile *tile,
                           struct spare_room *room, double (*sums)[CARD_CHANNELS]);

@@ -25,12 +25,16 @@ CASES = {
                 (r"uniform: [1-9]", "chart:points --lens double-gauss-50 -s 1m --size 96x64 "
                                     "--blades 7 --samples 16 --field-width 200mm"),
                 (r"uniform: [1-9]", "white.pfm --depth-map far.pfm --hidden nearby "
-                                    "--lens cs348b-dgauss-50 -s 1m --size 48x32 --acceptance 2")],
+                                    "--lens cs348b-dgauss-50 -s 1m --size 48x32 --acceptance 2"),
+                (r"uniform: [1-9]", "chart:edge --lens double-gauss-50 -s 1m --size 96x64 "
+                                    "--shutter leaf --opening-time 9ms --samples 16")],
     "blur": [(r"blur: .* in [1-9]", "chart:star --lens double-gauss-50 -s 1m -N 16 --size 64x48"),
              (r"blur: .* in [1-9]", "grey.pfm --depth-map far.pfm --lens double-gauss-50 -s 1m -N 32 "
                                     "--size 64x48"),
              (r"blur: .* in [1-9]", "grey.pfm --lens double-gauss-50 -s 1m -N 16 --size 480x320 "
                                     "--crop 208:136:64x48 --samples 32"),
+             (r"blur: .* in [1-9]", "chart:star --lens double-gauss-50 -s 1m -N 16 --size 64x48 "
+                                    "--shutter leaf --opening-time 9ms"),
              (r"blur: .* in [1-9]", "chart:wedge --lens wide-35 -s 1m -N 16 --size 64x48 --band 20")],
     "pupil": [(r"pupil: .*: 9", "chart:checker --lens double-gauss-50 -s 1m --size 48x32")],
     "colour": [(r"colour: all", "chart:checker --lens double-gauss-50 -s 1m --size 48x32 "

@@ -15,6 +15,11 @@
                                          .highest = 1, .flags = OPTION_ABOVE_LOWEST,               \
                                          .value = "NUMBER"
 
+#define RENDER_TIME(member)                                                                        \
+    OPTION(struct render_input, member),                                                           \
+        .dimension = &dimension_time, .unit = "s", .lowest = 0, .highest = INFINITY,               \
+        .flags = OPTION_ABOVE_LOWEST | OPTION_NO_INFINITY | OPTION_NO_SERIES, .value = "TIME"
+
 static const struct option options[] = {
     {OPTION(struct render_input, scene), .name = "subject", .value = "SCENE",
      .flags = OPTION_OPERAND | OPTION_FILE,
@@ -78,6 +83,26 @@ static const struct option options[] = {
      .help = "light on the card as in a typical scene: sunny-16, home-interior; see 'list scenes'"},
     OPTION_FILTER(struct render_input, filter, NULL),
     OPTION_TIME(struct render_input, time, 0),
+    {OPTION(struct render_input, shutter.kind), .name = "shutter", .words = shutter_kinds,
+     .fallback = "global", .value = "NAME", .help = "when each ray may pass in the exposure time"},
+    {RENDER_TIME(shutter.travel), .name = "travel-time", .wants = "shutter=focal",
+     .help = "of a curtain, from edge to edge of the film"},
+    {ANALYSIS_LENGTH(struct render_input, shutter.distance), .name = "curtain-distance",
+     .lowest = 0, .highest = INFINITY, .flags = OPTION_NO_INFINITY, .wants = "shutter=focal",
+     .help = "of the curtains before the film; default 0"},
+    {ANALYSIS_LENGTH(struct render_input, shutter.overrun), .name = "curtain-overrun", .lowest = 0,
+     .highest = INFINITY, .wants = "shutter=focal",
+     .help = "how far curtains run beyond the film's edges; default as far as rays need"},
+    {RENDER_TIME(shutter.opening), .name = "opening-time", .wants = "shutter=leaf",
+     .help = "of a leaf shutter, from closed to fully open"},
+    {RENDER_TIME(shutter.closing), .name = "closing-time", .wants = "shutter=leaf",
+     .help = "from fully open to closed; default as long as it takes to open"},
+    {RENDER_TIME(shutter.readout), .name = "readout", .wants = "shutter=rolling",
+     .help = "time from first to last line of the film"},
+    {OPTION(struct render_input, shutter.direction), .name = "shutter-direction",
+     .words = shutter_directions, .fallback = "down", .value = "WAY",
+     .wants = "shutter=focal|shutter=rolling",
+     .help = "where curtains or lines go to in the picture"},
     {OPTION(struct render_input, iso), .name = "iso", .quantity = "ISO speed",
      .dimension = &dimension_iso, .lowest = 0, .highest = INFINITY, .fallback = "100",
      .flags = OPTION_ABOVE_LOWEST | OPTION_NO_INFINITY, .value = "SPEED",
@@ -163,20 +188,24 @@ static bool check_lens(const struct artifact_job *job, struct error *error)
 
 static bool check_picture(const struct artifact_job *job, struct error *error)
 {
-    return check_lens(job, error) && render_check_picture(job, error);
+    return check_lens(job, error) && render_check_shutter(job, error) &&
+           render_check_picture(job, error);
 }
 
 /* Rays know nothing of what is photographed, nor of how it is exposed. */
 static bool check_rays(const struct artifact_job *job, struct error *error)
 {
     static const char *const of_pictures[] = {
-        "part",    "resume", "subject", "band",    "autofocus", "error",       "radiance",
-        "packing", "ev",     "scene",   "filter",  "depth-map", "field-width", "luminance",
-        "time",    "iso",    "size",    "crop",    "bits",      "film",        "grain",
-        "threads", "depth",  "hidden",  "no-skip", NULL};
-    const char *const *const lists[] = {of_pictures, render_sensor_options};
+        "part",    "resume", "subject", "band",   "autofocus", "error",       "radiance",
+        "packing", "ev",     "scene",   "filter", "depth-map", "field-width", "luminance",
+        "iso",     "size",   "crop",    "bits",   "film",      "grain",       "threads",
+        "depth",   "hidden", "no-skip", NULL};
+    static const char *const of_exposures[] = {"time", NULL};
+    const char *const *const lists[] = {of_pictures, render_sensor_options, of_exposures};
+    const struct render_input *input = job->inputs[0];
+    const size_t count = input->shutter.kind == SHUTTER_GLOBAL ? 3 : 2;
     const bool also_picture = asking_given(job->asking, "output");
-    for (size_t k = 0; k < 2 && !also_picture; k++) {
+    for (size_t k = 0; k < count && !also_picture; k++) {
         for (size_t i = 0; lists[k][i] != NULL; i++) {
             if (asking_given(job->asking, lists[k][i])) {
                 return fail(error, ERROR_USAGE,
@@ -185,7 +214,7 @@ static bool check_rays(const struct artifact_job *job, struct error *error)
             }
         }
     }
-    return check_lens(job, error);
+    return check_lens(job, error) && render_check_shutter(job, error);
 }
 
 static const struct artifact artifacts[] = {

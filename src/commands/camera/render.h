@@ -17,6 +17,13 @@
 /* And of any PNG of light: what its white is in the scene. */
 #define RENDER_NOTE_WHITE "Luminance of white"
 
+/* The options of a shutter; NaN: not given. */
+struct shutter_input {
+    int kind, direction;                      /* enum shutter_kind; enum shutter_direction */
+    double travel, readout, opening, closing; /* s */
+    double distance, overrun;                 /* mm */
+};
+
 struct render_input {
     const char *scene;
     struct analysis_question question;
@@ -55,6 +62,7 @@ struct render_input {
     double grain; /* rms granularity, as characteristic_grain takes it; NaN = none */
     double error; /* a share of white; NaN = not given */
     long samples, seed, threads, bits; /* samples, bits: 0 = not given */
+    struct shutter_input shutter;
 };
 
 /* -------- commands/camera/render_focus.c -------- */
@@ -141,6 +149,36 @@ struct film_question render_film(const struct render_input *input, const struct 
 
 /* The object before the first vertex of render_open's case, mm; NaN = that of the lens. */
 double render_object(const struct analysis_case *one);
+
+/* -------- commands/camera/render_shutter.c -------- */
+
+/*
+ * Errors    ERROR_USAGE: a shutter without its times, several exposures by a leaf shutter in a
+ *           part; as shutter_open, for each exposure
+ */
+bool render_check_shutter(const struct artifact_job *job, struct error *error);
+
+/* Do the job's exposures differ by more than how long they are? */
+bool render_shutter_varies(const struct artifact_job *job);
+
+/*
+ * The shutter of an exposure; null: open to all rays at once. A leaf shutter fully open is as wide
+ * as the stop of the lens by its own aperture, or by -N if that is wider or the lens has none.
+ *
+ * Errors    as shutter_open, setup_open
+ */
+bool render_shutter(const struct render_input *input, const struct analysis_case *one,
+                    struct arena *arena, const struct shutter **shutter, struct error *error);
+
+void render_note_shutter(const struct render_input *input, struct image *image,
+                         struct arena *arena);
+
+/* Its slit, and how long light comes. */
+void render_say_shutter(const struct render_input *input, const struct shutter *shutter,
+                        const struct setup *setup, struct growing *remarks);
+
+/* Its formula; null: nothing is said. */
+void render_explain_shutter(const struct shutter *shutter, struct growing *remarks);
 
 /* -------- commands/camera/render_colours.c -------- */
 
@@ -307,8 +345,8 @@ void render_say_scene(const struct photograph *photograph, const struct setup *s
 bool render_kept(const struct render_input *input, unsigned *kept, struct error *error);
 
 /* The equation that a picture solves, and what it did without. */
-void render_explain(const struct photograph_question *question, const struct photograph *photograph,
-                    size_t exposures, struct growing *remarks);
+void render_explain(const struct artifact_job *job, const struct photograph_question *question,
+                    const struct photograph *photograph, struct growing *remarks);
 
 /* -------- commands/camera/render_depth.c -------- */
 

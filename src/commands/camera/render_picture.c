@@ -52,6 +52,7 @@ static void add_notes(const struct analysis_case *one, const struct render_input
     render_note(image, arena, "Lens model", lens_models[input->model].word);
     render_note(image, arena, "Distance", arena_printf(arena, "%.9g mm", input->distance));
     render_note(image, arena, "Image plane", arena_printf(arena, "%.9g mm", setup->image));
+    render_note_shutter(input, image, arena);
     render_note(image, arena, "Seed", arena_printf(arena, "%ld", input->seed));
     if (input->crop != NULL) {
         render_note(image, arena, "Crop", input->crop);
@@ -76,9 +77,10 @@ static struct text doubts_of(const struct analysis_case *one, const struct artif
     render_say_scene(photograph, one->setup, &doubts);
     render_say_depths(input, photograph, &doubts);
     render_say_model(input, one, &doubts);
+    render_say_shutter(input, question->film.shutter, one->setup, &doubts);
     render_doubts(one, &arrival, &doubts);
     if (job->run->explain) {
-        render_explain(question, photograph, job->count, &doubts);
+        render_explain(job, question, photograph, &doubts);
     }
     return growing_done(&doubts);
 }
@@ -100,20 +102,22 @@ static void finish(const struct analysis_case *one, const struct artifact_job *j
     shot->doubts = doubts_of(one, job, question, &shot->photograph);
 }
 
-/* Each exposure of it, which --no-skip takes anew; a picture that is complete. */
+/* Each exposure of it, taken anew for --no-skip or for its shutter; a picture that is complete. */
 static bool expose_all(const struct analysis_case *one, const struct picture_job *picture,
                        struct photograph_question question, struct render_shot *shot,
                        struct error *error)
 {
     const struct artifact_job *job = picture->job;
-    const bool each =
-        (question.kept & 1U << SKIP_EXPOSURES) != 0 && !shot->photograph.is_incomplete;
+    const bool asked = (question.kept & 1U << SKIP_EXPOSURES) != 0 || render_shutter_varies(job);
+    const bool each = asked && !shot->photograph.is_incomplete;
     bool done = true;
     question.done = NULL;
     question.pause = NULL;
     for (size_t i = 0; i < job->count && done; i++) {
         if (i > 0 && each) {
-            done = photograph_take(&question, job->run->arena, &shot->photograph, error);
+            done = render_shutter(job->inputs[i], one, job->run->arena, &question.film.shutter,
+                                  error) &&
+                   photograph_take(&question, job->run->arena, &shot->photograph, error);
             if (done) {
                 finish(one, job, &question, shot);
             }
@@ -150,6 +154,7 @@ static bool take_picture(const struct analysis_case *one, void *context, struct 
     question.rows = shot.frame.rows;
     question.crop = shot.frame.taken;
     if (!render_acceptance(input, arena, &question.film.acceptance, error) ||
+        !render_shutter(input, one, arena, &question.film.shutter, error) ||
         !render_scene(input, arena, &question.card, error) ||
         !render_depths(input, question.card.picture, arena, &question.depths, error) ||
         !render_part_begin(job, one, &question, &part, error) ||

@@ -118,16 +118,19 @@ static bool send_rays(const struct analysis_case *one, void *context, struct err
                                           .seed = (uint64_t)input->seed};
     write_names(&writer);
     if (!render_acceptance(input, job->run->arena, &question.film.acceptance, error) ||
+        !render_shutter(input, one, job->run->arena, &question.film.shutter, error) ||
         !lens_rays_make(&question, job->run->arena, write_rays, &writer, &result, error)) {
         return false;
     }
     struct growing remarks = {.arena = job->run->arena};
     render_say_model(input, one, &remarks);
+    render_say_shutter(input, question.film.shutter, one->setup, &remarks);
     const double share = (double)result.arrived / (double)question.samples;
     const struct render_arrival arrival = {result.largest, result.corner,
                                            input->acceptance == NULL ? share : NAN};
     render_doubts(one, &arrival, &remarks);
     if (job->run->explain) {
+        render_explain_shutter(question.film.shutter, &remarks);
         growing_format(&remarks,
                        "E/L = integral over pupil directions w of cos(theta) dw, averaged over the "
                        "film: the sum of the weights; [Kolb95] (1)\n"

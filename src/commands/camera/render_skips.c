@@ -39,8 +39,8 @@ static const char *or_kept(const struct photograph_question *question, enum skip
     return (question->kept & 1U << skip) != 0 ? ", as --no-skip asks" : "";
 }
 
-void render_explain(const struct photograph_question *question, const struct photograph *photograph,
-                    size_t exposures, struct growing *remarks)
+void render_explain(const struct artifact_job *job, const struct photograph_question *question,
+                    const struct photograph *photograph, struct growing *remarks)
 {
     const uint64_t *tiles = photograph->counts + PHOTOGRAPH_WAYS;
     const uint64_t all = tiles[SPARE_TRACED] + tiles[SPARE_SHARP] + tiles[SPARE_EVEN];
@@ -52,6 +52,7 @@ void render_explain(const struct photograph_question *question, const struct pho
                    "pupil: rays only where light can come from: %.4g %% of %s arrived%s\n",
                    traced > 0 ? 100 * passed / traced : 0,
                    traced > 0 ? "those traced" : "none traced", or_kept(question, SKIP_PUPIL));
+    render_explain_shutter(question->film.shutter, remarks);
     growing_format(remarks, "colour: %s%s\n",
                    photograph->passes == 1 ? "all colours go the same way: one pass of rays"
                                            : "a pass of rays for each",
@@ -65,6 +66,9 @@ void render_explain(const struct photograph_question *question, const struct pho
                    "uniform: %" PRIu64 " of %" PRIu64
                    " tiles see the same light everywhere: no rays%s\n",
                    tiles[SPARE_EVEN], all, or_kept(question, SKIP_UNIFORM));
-    growing_format(remarks, "exposures: %zu of one picture%s\n", exposures,
+    growing_format(remarks, "exposures: %zu%s%s\n", job->count,
+                   render_shutter_varies(job)
+                       ? ", a picture each: how a leaf shutter weighs the pupil depends on the time"
+                       : " of one picture",
                    or_kept(question, SKIP_EXPOSURES));
 }

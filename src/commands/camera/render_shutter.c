@@ -1,0 +1,196 @@
+/* commands/camera/render_shutter.c - the shutter of a photograph, and what is said of it. */
+/* SPDX-License-Identifier: MIT */
+#include "commands/camera/render_part.h"
+#include "commands/lens/lens_options.h"
+#include "report/spoken.h"
+
+/* -------- what is asked -------- */
+
+/* What a shutter cannot do without, beside the exposure time. */
+static const char *const needed[SHUTTER_KINDS] = {[SHUTTER_FOCAL] = "travel-time",
+                                                  [SHUTTER_LEAF] = "opening-time",
+                                                  [SHUTTER_ROLLING] = "readout"};
+
+static struct shutter_question question_of(const struct render_input *input)
+{
+    const bool is_focal = input->shutter.kind == SHUTTER_FOCAL;
+    return (struct shutter_question){
+        .kind = (enum shutter_kind)input->shutter.kind,
+        .direction = (enum shutter_direction)input->shutter.direction,
+        .time = input->time,
+        .width = input->sensor.size.width,
+        .height = input->sensor.size.height,
+        .travel = is_focal ? input->shutter.travel : input->shutter.readout,
+        .distance = isnan(input->shutter.distance) ? 0 : input->shutter.distance,
+        .overrun = isnan(input->shutter.overrun) ? (double)INFINITY : input->shutter.overrun,
+        .opening = input->shutter.opening,
+        .closing = isnan(input->shutter.closing) ? input->shutter.opening : input->shutter.closing,
+        .stopped = 1};
+}
+
+bool render_check_shutter(const struct artifact_job *job, struct error *error)
+{
+    const struct render_input *input = job->inputs[0];
+    struct shutter shutter;
+    if (input->shutter.kind == SHUTTER_GLOBAL) {
+        return true;
+    }
+    const char *missing = isnan(input->time) ? "time"
+                          : !asking_given(job->asking, needed[input->shutter.kind])
+                              ? needed[input->shutter.kind]
+                              : NULL;
+    if (missing != NULL) {
+        return fail(error, ERROR_USAGE, "{--shutter} %s needs {--%s}",
+                    shutter_kinds[input->shutter.kind].word, missing);
+    }
+    for (size_t i = 0; i < job->count; i++) {
+        const struct shutter_question question = question_of(job->inputs[i]);
+        if (!shutter_open(&question, &shutter, error)) {
+            return false;
+        }
+    }
+    return !render_shutter_varies(job) || !render_is_part(job) ||
+           fail(error, ERROR_USAGE,
+                "a part is of one picture: each {--time} of a leaf shutter makes another one");
+}
+
+bool render_shutter_varies(const struct artifact_job *job)
+{
+    const struct render_input *first = job->inputs[0];
+    bool varies = false;
+    for (size_t i = 1; i < job->count && first->shutter.kind == SHUTTER_LEAF; i++) {
+        const struct render_input *input = job->inputs[i];
+        varies = varies || fabs(input->time - first->time) > 0;
+    }
+    return varies;
+}
+
+/* -------- the shutter -------- */
+
+/* The stop's radius by -N, over its radius by what the lens says of itself. */
+static bool find_stopped(const struct render_input *input, const struct analysis_case *one,
+                         struct arena *arena, double *stopped, struct error *error)
+{
+    const struct lens *lens = input->question.lens.lens;
+    const double object = render_object(one);
+    const size_t *positions;
+    size_t count;
+    struct setup own, asked;
+    *stopped = 1;
+    if (isnan(input->question.fnumber)) {
+        return true;
+    }
+    if (!lens_positions(lens, input->question.position, arena, &positions, &count, error)) {
+        return false;
+    }
+    struct setup_question question = {.lens = lens,
+                                      .position = positions[0],
+                                      .object = isnan(object) ? NULL : &object,
+                                      .wavelength = NAN,
+                                      .wavelengths = WAVELENGTHS_PRIMARY,
+                                      .fnumber = NAN};
+    if (!setup_open(&question, arena, &own, error)) {
+        return false;
+    }
+    question.fnumber = input->question.fnumber;
+    if (!setup_open(&question, arena, &asked, error)) {
+        return false;
+    }
+    const double share = fabs(asked.first.stop_radius / own.first.stop_radius);
+    *stopped =
+        share < 1 ? share : 1; /* the shutter of a lens without an aperture is as -N has it */
+    return true;
+}
+
+bool render_shutter(const struct render_input *input, const struct analysis_case *one,
+                    struct arena *arena, const struct shutter **shutter, struct error *error)
+{
+    struct shutter_question question = question_of(input);
+    *shutter = NULL;
+    if (question.kind == SHUTTER_GLOBAL) {
+        return true;
+    }
+    struct shutter *opened = ARENA_NEW(arena, struct shutter);
+    *shutter = opened;
+    return (question.kind != SHUTTER_LEAF ||
+            find_stopped(input, one, arena, &question.stopped, error)) &&
+           shutter_open(&question, opened, error);
+}
+
+/* -------- what is said of it -------- */
+
+static const char *way_of(const struct render_input *input)
+{
+    return shutter_directions[input->shutter.direction].word;
+}
+
+void render_note_shutter(const struct render_input *input, struct image *image, struct arena *arena)
+{
+    const struct shutter_question asked = question_of(input);
+    const char *words[SHUTTER_KINDS] = {NULL};
+    if (asked.kind == SHUTTER_GLOBAL) {
+        return;
+    }
+    words[SHUTTER_FOCAL] =
+        arena_printf(arena, "focal, %s in %.6g s, %.6g mm before the film, %.6g mm beyond it",
+                     way_of(input), asked.travel, asked.distance, asked.overrun);
+    words[SHUTTER_LEAF] = arena_printf(arena, "leaf, opens in %.6g s, closes in %.6g s",
+                                       asked.opening, asked.closing);
+    words[SHUTTER_ROLLING] =
+        arena_printf(arena, "rolling, %s in %.6g s", way_of(input), asked.travel);
+    render_note(image, arena, "Shutter", words[asked.kind]);
+}
+
+/* The beam of the axis where the curtains are, mm. */
+static double beam_of(const struct shutter *shutter, const struct setup *setup)
+{
+    const struct first_order *first = &setup->first;
+    const double way = fabs(setup->image - first->exit_pupil);
+    return shutter->distance *
+           (isfinite(way) ? fabs(first->exit_diameter) / way : 1 / first->working_fnumber);
+}
+
+void render_say_shutter(const struct render_input *input, const struct shutter *shutter,
+                        const struct setup *setup, struct growing *remarks)
+{
+    if (shutter == NULL) {
+        return;
+    }
+    const struct shutter_times times = shutter_times(shutter, beam_of(shutter, setup));
+    char effective[SPOKEN_LENGTH], total[SPOKEN_LENGTH];
+    spoken_time(effective, times.effective, 4);
+    spoken_time(total, times.total, 4);
+    if (shutter->kind == SHUTTER_FOCAL) {
+        growing_format(remarks, "focal plane shutter, %s: a slit of %.4g mm, at %.4g m/s; ",
+                       way_of(input), shutter->time / shutter->per_mm, 1e-3 / shutter->per_mm);
+    } else if (shutter->kind == SHUTTER_LEAF) {
+        growing_format(remarks, "leaf shutter, the stop at %.4g of its radius: ", shutter->stopped);
+    } else {
+        double span[2];
+        shutter_span(shutter, 0, span);
+        spoken_time(total, span[1] - span[0], 4);
+        growing_format(remarks, "rolling shutter, %s: %.4g m/s over the film, all of it takes %s\n",
+                       way_of(input), 1e-3 / shutter->per_mm, total);
+        return;
+    }
+    growing_format(remarks, "light for %s, as much as full light in %s: efficiency %.4g %%\n",
+                   total, effective, 100 * times.effective / times.total);
+}
+
+void render_explain_shutter(const struct shutter *shutter, struct growing *remarks)
+{
+    static const char *const formulas[SHUTTER_KINDS] = {
+        [SHUTTER_FOCAL] =
+            "shutter: each ray has t, later by q R/h, q where it passes the curtains, R "
+            "their time over the film's h; slit t h/R; efficiency slit/(slit + beam); "
+            "[Ives20]",
+        [SHUTTER_LEAF] =
+            "shutter: a ray at r of the shutter's radius has t + (a + b)(sqrt(1/2) - r), a and b "
+            "opening and closing time; in the mean over a stop of s "
+            "t + (a + b)(sqrt(1/2) - 2 s/3), the open area's integral over time; [IsoShutter19]",
+        [SHUTTER_ROLLING] = "shutter: each line has t, later by q R/h, q where it lies, R the "
+                            "readout of the film's h"};
+    if (shutter != NULL) {
+        growing_format(remarks, "%s\n", formulas[shutter->kind]);
+    }
+}
