@@ -2,20 +2,12 @@
 /* SPDX-License-Identifier: MIT */
 #include "light/bands.h"
 
+#include "light/bands_many.h"
 #include "light/colour.h"
 #include "light/illuminant.h"
 #include "light/observer.h"
 
 #include <math.h>
-
-/* CIE's D65, the white of sRGB. */
-static struct spectrum white_light(void)
-{
-    struct spectrum white;
-    struct error unused;
-    spectrum_named(text_of("D65"), &white, &unused);
-    return white;
-}
 
 /* -------- three bands -------- */
 
@@ -34,22 +26,13 @@ static double luminance(const double rgb[3])
     return y[0] * rgb[0] + y[1] * rgb[1] + y[2] * rgb[2];
 }
 
-/* Linear sRGB of all light that comes from a surface, or of a light; sums as observer_sum's. */
-static void rgb_of_sum(const double xyz[3], double rgb[3])
-{
-    const struct colour_matrix to_srgb = colour_inverse(&colour_xyz_of_srgb);
-    const struct colour colour = colour_turned(&to_srgb, (struct colour){{xyz[0], xyz[1], xyz[2]}});
-    for (int i = 0; i < 3; i++) {
-        rgb[i] = colour.part[i];
-    }
-}
-
+/* Linear sRGB of a light, or of what a surface reflects of it. */
 static void rgb_of(const struct spectrum *light, const struct spectrum *surface, double rgb[3])
 {
     static const double edges[2] = {OBSERVER_LEAST, OBSERVER_MOST};
     double xyz[1][3];
     observer_sum(light, surface, edges, 1, xyz);
-    rgb_of_sum(xyz[0], rgb);
+    bands_rgb_of_sum(xyz[0], rgb);
 }
 
 /*
@@ -59,7 +42,7 @@ static void rgb_of(const struct spectrum *light, const struct spectrum *surface,
 static void white_rgb_of(const struct spectrum *light, const struct spectrum *surface,
                          double rgb[3])
 {
-    const struct spectrum white_spectrum = white_light();
+    const struct spectrum white_spectrum = spectrum_white();
     double white[3];
     rgb_of(light, surface, rgb);
     rgb_of(&white_spectrum, NULL, white);
@@ -86,6 +69,21 @@ static void move_from_grey(double rgb[3], double grey, double share)
     for (int i = 0; i < 3; i++) {
         const double moved = grey + share * (rgb[i] - grey);
         rgb[i] = moved > 0 ? moved : 0;
+    }
+}
+
+/* Are the bands red, green and blue? */
+static bool is_three(const struct bands *bands)
+{
+    return isnan(bands->wavelength[0]);
+}
+
+/* A colour of sRGB, of surfaces or of lights, in the bands. */
+static void spread_rgb(const struct bands *bands, const double rgb[3], double of[BANDS_MOST])
+{
+    for (size_t k = 0; k < bands->count; k++) {
+        const double *basis = bands->basis[k];
+        of[k] = rgb[0] * basis[0] + rgb[1] * basis[1] + rgb[2] * basis[2];
     }
 }
 
@@ -116,48 +114,46 @@ bool bands_of_surface(const struct bands *bands, const struct spectrum *surface,
     if (!check_shares(surface, error)) {
         return false;
     }
-    double rgb[3];
+    const struct spectrum white = spectrum_white();
     if (surface->kind == SPECTRUM_RGB) {
-        for (int i = 0; i < 3; i++) {
-            rgb[i] = surface->rgb[i];
-        }
+        spread_rgb(bands, surface->rgb, of);
+    } else if (is_three(bands)) {
+        white_rgb_of(&white, surface, of);
+        const double grey = fmin(luminance(of), 1);
+        move_from_grey(of, grey, share_within(of, grey, 1));
     } else {
-        const struct spectrum white = white_light();
-        white_rgb_of(&white, surface, rgb);
-        const double grey = fmin(luminance(rgb), 1);
-        move_from_grey(rgb, grey, share_within(rgb, grey, 1));
-    }
-    for (size_t k = 0; k < bands->count; k++) {
-        const double *basis = bands->basis[k];
-        of[k] = rgb[0] * basis[0] + rgb[1] * basis[1] + rgb[2] * basis[2];
+        bands_ratios(bands, &white, surface, of);
     }
     return true;
 }
 
 /* -------- lights -------- */
 
-/* Linear sRGB of luminance 1, as it is: parts may be negative. */
-static bool light_rgb(const struct spectrum *light, double rgb[3], struct error *error)
+/* In bands, of any luminance; three may be negative. */
+static bool light_parts(const struct bands *bands, const struct spectrum *light,
+                        double of[BANDS_MOST], struct error *error)
 {
     if (!spectrum_check(light, error)) {
         return false;
     }
     if (light->kind == SPECTRUM_RGB) {
-        for (int i = 0; i < 3; i++) {
-            rgb[i] = light->rgb[i];
-        }
+        spread_rgb(bands, light->rgb, of);
+    } else if (is_three(bands)) {
+        white_rgb_of(light, NULL, of);
     } else {
-        white_rgb_of(light, NULL, rgb);
+        bands_ratios(bands, light, NULL, of);
     }
-    const double amount = luminance(rgb);
+    double amount = 0;
+    for (size_t k = 0; k < bands->count; k++) {
+        amount += of[k] * luminance(bands->rgb[k]);
+    }
     if (!(amount > 0 && 1 / amount < (double)INFINITY)) {
         return fail(error, ERROR_DOMAIN,
-                    "the spectrum of the light has nothing between %g and %g"
-                    " um: no eye sees it",
+                    "the spectrum of the light has nothing between %g and %g um: no eye sees it",
                     OBSERVER_LEAST, OBSERVER_MOST);
     }
-    for (int i = 0; i < 3; i++) {
-        rgb[i] /= amount;
+    for (size_t k = 0; k < bands->count; k++) {
+        of[k] /= amount;
     }
     return true;
 }
@@ -165,23 +161,20 @@ static bool light_rgb(const struct spectrum *light, double rgb[3], struct error 
 bool bands_of_light(const struct bands *bands, const struct spectrum *light, double of[BANDS_MOST],
                     struct error *error)
 {
-    double rgb[3];
-    if (!light_rgb(light, rgb, error)) {
+    if (!light_parts(bands, light, of, error)) {
         return false;
     }
-    move_from_grey(rgb, 1, share_within(rgb, 1, (double)INFINITY));
-    for (size_t k = 0; k < bands->count; k++) {
-        const double *basis = bands->basis[k];
-        of[k] = rgb[0] * basis[0] + rgb[1] * basis[1] + rgb[2] * basis[2];
+    if (is_three(bands)) {
+        move_from_grey(of, 1, share_within(of, 1, (double)INFINITY));
     }
     return true;
 }
 
 double bands_saturation(const struct bands *bands, const struct spectrum *light)
 {
-    double rgb[3];
+    double of[BANDS_MOST];
     struct error unused;
-    return bands->count == 3 && light_rgb(light, rgb, &unused)
-               ? share_within(rgb, 1, (double)INFINITY)
+    return is_three(bands) && light_parts(bands, light, of, &unused)
+               ? share_within(of, 1, (double)INFINITY)
                : 1;
 }

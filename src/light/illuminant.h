@@ -22,6 +22,9 @@ extern const struct word illuminant_words[];
  */
 bool spectrum_named(struct text name, struct spectrum *spectrum, struct error *error);
 
+/* D65, the white of sRGB. */
+struct spectrum spectrum_white(void);
+
 /*
  * Illuminance of a star on a plane that faces it.
  *

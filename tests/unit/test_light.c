@@ -186,6 +186,91 @@ static void test_surfaces(void)
     CHECK(of[0] > 0.5 && fmin(of[1], of[2]) < 1e-15);
 }
 
+/* -------- many bands -------- */
+
+/* Linear sRGB of light in bands, times what a surface reflects of it, if there is one. */
+static void rgb_of(const struct bands *bands, const double light[BANDS_MOST],
+                   const double surface[BANDS_MOST], double rgb[3])
+{
+    for (int i = 0; i < 3; i++) {
+        rgb[i] = 0;
+        for (size_t k = 0; k < bands->count; k++) {
+            rgb[i] += light[k] * (surface != NULL ? surface[k] : 1) * bands->rgb[k][i];
+        }
+    }
+}
+
+/* White is 1 in each band, and colours of sRGB come back: exactly, whatever the count. */
+static void test_colours_return(void)
+{
+    static const double colours[][3] = {{1, 0, 0}, {0, 1, 0},     {0, 0, 1},
+                                        {1, 1, 1}, {0.2, 0.9, 0}, {0.18, 0.18, 0.18}};
+    const struct spectrum d65 = named("D65");
+    struct bands bands;
+    struct error error;
+    for (size_t count = BANDS_LEAST; count <= BANDS_MOST; count++) {
+        double white[BANDS_MOST], of[BANDS_MOST], rgb[3];
+        CHECK(bands_many(count, &bands, &error) && bands.count == count);
+        CHECK(bands_of_light(&bands, &d65, white, &error));
+        for (size_t k = 0; k < count; k++) {
+            const double *basis = bands.basis[k];
+            CHECK_NEAR(white[k], 1, 1e-13, "white of a band");
+            CHECK(basis[0] >= 0 && basis[1] >= 0 && basis[2] >= 0);
+            CHECK_NEAR(basis[0] + basis[1] + basis[2], 1, 1e-15, "sum of the primaries");
+            CHECK_NEAR(bands.wavelength[k], 0.39 + 0.32 * ((double)k + 0.5) / (double)count, 1e-15,
+                       "wavelength");
+        }
+        for (size_t c = 0; c < sizeof colours / sizeof colours[0]; c++) {
+            const struct spectrum surface = {.kind = SPECTRUM_RGB,
+                                             .rgb = {colours[c][0], colours[c][1], colours[c][2]}};
+            CHECK(bands_of_surface(&bands, &surface, of, &error));
+            rgb_of(&bands, white, of, rgb);
+            for (int i = 0; i < 3; i++) {
+                CHECK_NEAR(rgb[i], colours[c][i], 1e-13, "a colour of sRGB");
+            }
+        }
+    }
+    CHECK(!bands_many(7, &bands, &error) && !bands_many(65, &bands, &error));
+    CHECK_TEXT(error.message, "65 bands of the spectrum; there may be 8 to 64");
+}
+
+/* Lights have luminance 1; what they make of surfaces is what the whole sums make of them. */
+static void test_many_lights(void)
+{
+    enum { ROWS = 48 };
+    double wavelength[ROWS], value[3][ROWS];
+    for (int i = 0; i < ROWS; i++) {
+        wavelength[i] = 0.36 + 0.01 * i;
+        value[0][i] = 0.05 + 0.85 / (1 + exp((0.55 - wavelength[i]) / 0.02)); /* orange */
+        value[1][i] = 0.8 * exp(-pow((wavelength[i] - 0.52) / 0.05, 2));      /* green */
+        value[2][i] = 0.7 * exp(-pow((wavelength[i] - 0.45) / 0.06, 2));      /* blue */
+    }
+    struct bands bands;
+    struct error error;
+    CHECK(bands_many(32, &bands, &error));
+    for (const struct word *word = illuminant_words; word->word != NULL; word++) {
+        const struct spectrum light = named(word->word);
+        const double allowed = word->word[0] == 'F' ? 0.008 : 0.002;
+        double of[BANDS_MOST], shares[BANDS_MOST], xyz[1][3], lit[1][3], rgb[3];
+        CHECK(bands_of_light(&bands, &light, of, &error));
+        CHECK_NEAR(luminance(&bands, of), 1, 1e-13, word->word);
+        CHECK(bands_saturation(&bands, &light) == 1);
+        observer_sum(&light, NULL, seen, 1, xyz);
+        for (int c = 0; c < 3; c++) {
+            const struct spectrum surface = {
+                .kind = SPECTRUM_TABLE, .count = ROWS, .wavelength = wavelength, .value = value[c]};
+            CHECK(bands_of_surface(&bands, &surface, shares, &error));
+            rgb_of(&bands, of, shares, rgb);
+            observer_sum(&light, &surface, seen, 1, lit);
+            for (int i = 0; i < 3; i++) {
+                const double *row = colour_xyz_of_srgb.at[i];
+                CHECK_NEAR(row[0] * rgb[0] + row[1] * rgb[1] + row[2] * rgb[2],
+                           lit[0][i] / xyz[0][1], allowed, word->word);
+            }
+        }
+    }
+}
+
 static void test_refused(void)
 {
     static const double rising[] = {0.4, 0.5}, level[] = {0.4, 0.4}, far[] = {1.0, 1.1};
@@ -262,6 +347,8 @@ int main(void)
     test_names();
     test_lights();
     test_surfaces();
+    test_colours_return();
+    test_many_lights();
     test_refused();
     test_stars();
     return check_report();

@@ -1,0 +1,146 @@
+/* light/bands_many.c - wavelengths as bands, and the colours of sRGB as spectra. */
+/* SPDX-License-Identifier: MIT */
+#include "light/bands_many.h"
+
+#include "light/colour.h"
+#include "light/illuminant.h"
+#include "light/observer.h"
+
+/*
+ * Shares that surfaces of red and green reflect, row by row of the observer's wavelengths; blue is
+ * what they leave of 1: the smoothest that look so under D65, of our own programme, which
+ * tests/truth/check_basis.py solves. [Mallett19] 3
+ */
+/* clang-format off */
+static const double primaries[OBSERVER_ROWS][2] = {
+    {0.025135, 0}, {0.025135, 0}, {0.025135, 0}, {0.025133, 0}, {0.025131, 0}, {0.025126, 0},
+    {0.025117, 0}, {0.025101, 0}, {0.025068, 0}, {0.024997, 0}, {0.024865, 0}, {0.024617, 0},
+    {0.024173, 0}, {0.023426, 0}, {0.02233, 0}, {0.021004, 0}, {0.019785, 0}, {0.019322, 0},
+    {0.020556, 0}, {0.024813, 0}, {0.029419, 0.008395}, {0.023744, 0.050013}, {0.012768, 0.118442},
+    {0.002693, 0.204895}, {0, 0.300651}, {0, 0.402755}, {0, 0.507639}, {0, 0.611255}, {0, 0.70991},
+    {0, 0.799963}, {0, 0.877614}, {0, 0.939043}, {0, 0.980745}, {0, 1}, {0, 1}, {0, 1}, {0, 1},
+    {0, 1}, {0, 1}, {0, 1}, {0, 0.996671}, {0, 0.97606}, {0.035188, 0.92368}, {0.111217, 0.84004},
+    {0.217406, 0.733814}, {0.342725, 0.613948}, {0.475966, 0.489442}, {0.607275, 0.368188},
+    {0.728052, 0.257118}, {0.831306, 0.161846}, {0.911838, 0.08649}, {0.966537, 0.033463},
+    {0.995436, 0.004564}, {1, 0}, {1, 0}, {1, 0}, {1, 0}, {1, 0}, {1, 0}, {1, 0}, {1, 0}, {1, 0},
+    {1, 0}, {1, 0}, {1, 0}, {1, 0}, {1, 0}, {1, 0}, {1, 0}, {1, 0}, {1, 0}, {1, 0}, {1, 0}, {1, 0},
+    {1, 0}, {1, 0}, {1, 0}, {1, 0}, {1, 0}, {1, 0}, {1, 0}, {1, 0}, {1, 0}, {1, 0}, {1, 0}, {1, 0},
+    {1, 0}, {1, 0}, {1, 0}, {1, 0}, {1, 0}, {1, 0}, {1, 0}, {1, 0}, {1, 0},
+};
+/* clang-format on */
+
+void bands_rgb_of_sum(const double xyz[3], double rgb[3])
+{
+    const struct colour_matrix to_srgb = colour_inverse(&colour_xyz_of_srgb);
+    const struct colour colour = colour_turned(&to_srgb, (struct colour){{xyz[0], xyz[1], xyz[2]}});
+    for (int i = 0; i < 3; i++) {
+        rgb[i] = colour.part[i];
+    }
+}
+
+/* -------- stretches of the spectrum -------- */
+
+static double edge(size_t count, size_t k)
+{
+    return BANDS_FIRST + (BANDS_LAST - BANDS_FIRST) * (double)k / (double)count;
+}
+
+static void sum_bands(size_t count, const struct spectrum *light, const struct spectrum *surface,
+                      double (*xyz)[3])
+{
+    double edges[BANDS_MOST + 1];
+    for (size_t k = 1; k < count; k++) {
+        edges[k] = edge(count, k);
+    }
+    edges[0] = OBSERVER_LEAST;
+    edges[count] = OBSERVER_MOST;
+    observer_sum(light, surface, edges, count, xyz);
+}
+
+void bands_ratios(const struct bands *bands, const struct spectrum *light,
+                  const struct spectrum *surface, double of[BANDS_MOST])
+{
+    double xyz[BANDS_MOST][3], white[BANDS_MOST][3];
+    const struct spectrum d65 = spectrum_white();
+    sum_bands(bands->count, light, surface, xyz);
+    sum_bands(bands->count, &d65, NULL, white);
+    for (size_t k = 0; k < bands->count; k++) {
+        of[k] = (xyz[k][0] + xyz[k][1] + xyz[k][2]) / (white[k][0] + white[k][1] + white[k][2]);
+    }
+}
+
+/* -------- colours of sRGB -------- */
+
+/* Of surfaces of a primary: shares of each band. */
+static void set_basis(struct bands *bands, size_t primary)
+{
+    double wavelength[OBSERVER_ROWS], value[OBSERVER_ROWS], of[BANDS_MOST];
+    for (size_t i = 0; i < OBSERVER_ROWS; i++) {
+        wavelength[i] = OBSERVER_LEAST + OBSERVER_STEP * (double)i;
+        value[i] = primaries[i][primary];
+    }
+    const struct spectrum surface = {
+        .kind = SPECTRUM_TABLE, .count = OBSERVER_ROWS, .wavelength = wavelength, .value = value};
+    const struct spectrum d65 = spectrum_white();
+    bands_ratios(bands, &d65, &surface, of);
+    for (size_t k = 0; k < bands->count; k++) {
+        bands->basis[k][primary] = of[k];
+    }
+}
+
+/*
+ * Let the bands' white be (1, 1, 1), and the three primaries look as they should: means over a band
+ * take some of their saturation, 0.5 % with 32 bands, which all colours get back here.
+ */
+static void set_colours(struct bands *bands)
+{
+    double white[3] = {0};
+    struct colour_matrix looks = {
+        {{0}}}; /* column by column the sRGB of a surface of each primary */
+    for (size_t k = 0; k < bands->count; k++) {
+        for (int i = 0; i < 3; i++) {
+            white[i] += bands->rgb[k][i];
+        }
+    }
+    for (size_t k = 0; k < bands->count; k++) {
+        for (int i = 0; i < 3; i++) {
+            bands->rgb[k][i] /= white[i];
+            for (int j = 0; j < 3; j++) {
+                looks.at[i][j] += bands->basis[k][j] * bands->rgb[k][i];
+            }
+        }
+    }
+    const struct colour_matrix back = colour_inverse(&looks);
+    for (size_t k = 0; k < bands->count; k++) {
+        double *rgb = bands->rgb[k];
+        const struct colour turned =
+            colour_turned(&back, (struct colour){{rgb[0], rgb[1], rgb[2]}});
+        for (int i = 0; i < 3; i++) {
+            rgb[i] = turned.part[i];
+        }
+    }
+}
+
+bool bands_many(size_t count, struct bands *bands, struct error *error)
+{
+    if (!(count >= BANDS_LEAST && count <= BANDS_MOST)) {
+        return fail(error, ERROR_DOMAIN, "%zu bands of the spectrum; there may be %d to %d", count,
+                    BANDS_LEAST, BANDS_MOST);
+    }
+    double xyz[BANDS_MOST][3];
+    const struct spectrum d65 = spectrum_white();
+    *bands = (struct bands){.count = count};
+    sum_bands(count, &d65, NULL, xyz);
+    for (size_t k = 0; k < count; k++) {
+        bands->wavelength[k] = (edge(count, k) + edge(count, k + 1)) / 2;
+        bands_rgb_of_sum(xyz[k], bands->rgb[k]);
+    }
+    set_basis(bands, 0);
+    set_basis(bands, 1);
+    for (size_t k = 0; k < count; k++) {
+        const double blue = 1 - bands->basis[k][0] - bands->basis[k][1];
+        bands->basis[k][2] = blue > 0 ? blue : 0;
+    }
+    set_colours(bands);
+    return true;
+}
