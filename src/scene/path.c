@@ -1,0 +1,126 @@
+/* scene/path.c - the light that a ray meets, after as many turns as it likes. */
+/* SPDX-License-Identifier: MIT */
+#include "scene/path.h"
+
+#include <math.h>
+
+/* After so many surfaces paths may end by chance. */
+enum { SURE_BOUNCES = 3 };
+
+/* A path so far: the ray that it goes on by. */
+struct walk {
+    const struct path *path;
+    const struct lanes *lanes;
+    struct points *points;
+    struct radiance *light; /* found so far */
+    struct world_ray ray;
+    struct radiance share; /* of light from there that comes back to the beginning */
+};
+
+bool path_open(const struct path_question *question, struct arena *arena, struct path *path,
+               struct error *error)
+{
+    path->question = *question;
+    return materials_open(question->world->scene, question->bands, arena, &path->materials, error);
+}
+
+static void add(struct walk *walk, const struct radiance *light, double by)
+{
+    for (size_t k = 0; k < walk->lanes->count; k++) {
+        walk->light->of[k] += by * walk->share.of[k] * light->of[k];
+    }
+}
+
+/* The light of what the ray has met, or of what is behind everything. */
+static void add_met(struct walk *walk, const struct world_hit *hit)
+{
+    const struct materials *materials = &walk->path->materials;
+    struct radiance light = {{0}};
+    if (hit == NULL || !materials_shines(materials, hit->thing)) {
+        return;
+    }
+    materials_shine(materials, hit->thing, hit->place, walk->lanes, &light);
+    add(walk, &light, 1);
+}
+
+/* The surface where a path goes on. */
+struct corner {
+    const struct world_hit *hit;
+    struct scatter scatter;
+    struct frame frame;
+    struct vector from, out; /* where rays leave it; where the path comes from, in the frame */
+};
+
+/* Does the path go on after `bounces` surfaces? Then it stands for those that do not, too. */
+static bool goes_on(struct walk *walk, int bounces)
+{
+    double most = 0;
+    for (size_t k = 0; k < walk->lanes->count; k++) {
+        most = fmax(most, walk->share.of[k]);
+    }
+    if (bounces < SURE_BOUNCES || !(most < 1)) {
+        return most > 0;
+    }
+    if (!(points_next(walk->points) < most)) {
+        return false;
+    }
+    for (size_t k = 0; k < walk->lanes->count; k++) {
+        walk->share.of[k] /= most;
+    }
+    return true;
+}
+
+/* Turn the path where it has met a surface; false: it ends there. */
+static bool turn(struct walk *walk, struct corner *corner)
+{
+    double u[3] = {0};
+    struct scatter_sample sample;
+    const bool is_mirror = corner->scatter.kind == MATERIAL_MIRROR;
+    for (int i = corner->scatter.kind == MATERIAL_GLOSSY ? 0 : 1; i < 3 && !is_mirror; i++) {
+        u[i] = points_next(walk->points);
+    }
+    if (!scatter_sample(&corner->scatter, corner->out, u, &sample)) {
+        return false;
+    }
+    walk->ray.from = corner->from;
+    walk->ray.way = frame_out(&corner->frame, sample.way);
+    for (size_t k = 0; k < walk->lanes->count; k++) {
+        walk->share.of[k] *= sample.share.of[k];
+    }
+    return vector_dot(walk->ray.way, corner->hit->face) > 0;
+}
+
+/* Add what a surface is lit by, and go on from there; false: nothing more comes. */
+static bool reflect(struct walk *walk, const struct world_hit *hit)
+{
+    struct corner corner = {.hit = hit, .from = world_leave(hit)};
+    const struct vector back = vector_times(-1, walk->ray.way);
+    if (!materials_scatter(&walk->path->materials, hit->thing, hit->place, walk->lanes,
+                           &corner.scatter)) {
+        return false;
+    }
+    /* smooth normals at the edge of a shape may turn away from who sees it */
+    corner.frame = frame_about(vector_dot(back, hit->normal) > 0 ? hit->normal : hit->face);
+    corner.out = frame_in(&corner.frame, back);
+    return turn(walk, &corner);
+}
+
+void path_look(const struct path *path, const struct world_ray *ray, const struct lanes *lanes,
+               struct points *points, struct radiance *light)
+{
+    struct walk walk = {
+        .path = path, .lanes = lanes, .points = points, .light = light, .ray = *ray};
+    *light = (struct radiance){{0}};
+    for (size_t k = 0; k < lanes->count; k++) {
+        walk.share.of[k] = 1;
+    }
+    for (int bounces = 0;; bounces++) {
+        struct world_hit hit;
+        const bool meets = world_look(path->question.world, &walk.ray, &hit);
+        add_met(&walk, meets ? &hit : NULL);
+        if (!meets || bounces == path->question.bounces || !goes_on(&walk, bounces) ||
+            !reflect(&walk, &hit)) {
+            return;
+        }
+    }
+}

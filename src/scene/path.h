@@ -1,0 +1,55 @@
+/* scene/path.h - the light that a ray meets, after as many turns as it likes. */
+/* SPDX-License-Identifier: MIT */
+#ifndef LENSCALC_SCENE_PATH_H
+#define LENSCALC_SCENE_PATH_H
+
+#include "base/arena.h"
+#include "base/error.h"
+#include "light/bands.h"
+#include "scene/material.h"
+#include "scene/points.h"
+#include "scene/world.h"
+
+#include <stdbool.h>
+
+struct lights;
+
+struct path_question {
+    const struct world *world;
+    const struct lights *lights;
+    const struct bands *bands;
+    /* How often light may be reflected on its way: 0: only what shines is seen; 1: what it lights
+       as well; more: what that lights */
+    int bounces;
+};
+
+/* Read-only afterwards: threads share it. */
+struct path {
+    struct path_question question;
+    struct materials materials;
+};
+
+/* Errors: as materials_open */
+bool path_open(const struct path_question *question, struct arena *arena, struct path *path,
+               struct error *error);
+
+/*
+ * What comes along a ray, against its way.
+ *
+ * Given     ray     its farthest is INFINITY
+ *           lanes   bands that are asked for
+ *           points  numbers of the ray; those used are taken
+ * Result    light   radiance of each lane, in cd/m^2 where the band is white. Its mean over many
+ *                   rays is that of the scene, whatever the number of them; its numbers depend on
+ *                   the points alone
+ * Formula   a path from the ray backwards, at each surface as it reflects; after three surfaces it
+ *           goes on only as often as it still carries light, and counts so much more. Densities
+ *           don't depend on the lanes, but for that last one, and each lane's mean is right by
+ *           itself. Cosines are to the smooth normal; what is behind the surface itself lights
+ *           nothing
+ * Source    [Kajiya86] (paths); [Veach97] section 10.4.1 (roulette)
+ */
+void path_look(const struct path *path, const struct world_ray *ray, const struct lanes *lanes,
+               struct points *points, struct radiance *light);
+
+#endif
