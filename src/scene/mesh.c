@@ -2,9 +2,9 @@
 /* SPDX-License-Identifier: MIT */
 #include "scene/mesh.h"
 
-#include <float.h>
+#include "scene/bvh_walk.h"
 
-/* -------- a triangle -------- */
+enum { MOST_TRIANGLES = 4 }; /* in a leaf */
 
 /* Twice its area, along its normal. */
 static struct vector across(const struct scene_mesh *mesh, size_t triangle)
@@ -21,88 +21,177 @@ static bool has_area(const struct scene_mesh *mesh, size_t triangle)
     return vector_dot(n, n) > 0;
 }
 
-static double part_of(struct vector a, int axis)
+/* -------- made ready -------- */
+
+static void reach(struct shape_box *box, struct vector at)
 {
-    return axis == 0 ? a.x : axis == 1 ? a.y : a.z;
+    struct vector *low = &box->low, *high = &box->high;
+    low->x = at.x < low->x ? at.x : low->x;
+    low->y = at.y < low->y ? at.y : low->y;
+    low->z = at.z < low->z ? at.z : low->z;
+    high->x = at.x > high->x ? at.x : high->x;
+    high->y = at.y > high->y ? at.y : high->y;
+    high->z = at.z > high->z ? at.z : high->z;
 }
 
-/* The axes of a ray, the steepest last, and how it is sheared to go along that. */
-struct sheared {
-    int axis[3];
-    double shear[3];
+static const struct shape_box nothing = {{INFINITY, INFINITY, INFINITY},
+                                         {-INFINITY, -INFINITY, -INFINITY}};
+
+/* About all corners of a triangle. */
+static struct shape_box box_of(const struct scene_mesh *mesh, size_t triangle)
+{
+    struct shape_box box = nothing;
+    for (size_t k = 0; k < 3; k++) {
+        reach(&box, mesh->corners[mesh->triangles[triangle][k]]);
+    }
+    return box;
+}
+
+/* Boxes of the triangles that have an area, and which they are. */
+struct counted {
+    struct bvh_box *boxes;
+    uint32_t *which;
+    size_t count;
 };
 
-static struct sheared shear_along(struct vector way)
+static struct counted count_triangles(const struct scene_mesh *of, struct arena *arena,
+                                      struct mesh *mesh)
 {
-    const double x = fabs(way.x), y = fabs(way.y), z = fabs(way.z);
-    const int steep = x > y ? (x > z ? 0 : 2) : (y > z ? 1 : 2);
-    struct sheared sheared = {.axis = {(steep + 1) % 3, (steep + 2) % 3, steep}};
-    const double along = part_of(way, steep);
-    sheared.shear[0] = part_of(way, sheared.axis[0]) / along;
-    sheared.shear[1] = part_of(way, sheared.axis[1]) / along;
-    sheared.shear[2] = 1 / along;
-    return sheared;
-}
-
-static struct vector sheared_corner(const struct sheared *sheared, struct vector corner,
-                                    struct vector from)
-{
-    const struct vector a = vector_minus(corner, from);
-    const double z = part_of(a, sheared->axis[2]);
-    return (struct vector){part_of(a, sheared->axis[0]) - sheared->shear[0] * z,
-                           part_of(a, sheared->axis[1]) - sheared->shear[1] * z,
-                           sheared->shear[2] * z};
-}
-
-static bool meet_triangle(const struct scene_mesh *mesh, size_t triangle,
-                          const struct sheared *sheared, const struct shape_ray *ray,
-                          struct shape_meeting *meeting)
-{
-    const size_t *of = mesh->triangles[triangle];
-    const struct vector a = sheared_corner(sheared, mesh->corners[of[0]], ray->from);
-    const struct vector b = sheared_corner(sheared, mesh->corners[of[1]], ray->from);
-    const struct vector c = sheared_corner(sheared, mesh->corners[of[2]], ray->from);
-    const double u = c.x * b.y - c.y * b.x, v = a.x * c.y - a.y * c.x, w = b.x * a.y - b.y * a.x;
-    const double whole = u + v + w, distance = (u * a.z + v * b.z + w * c.z) / whole;
-    if ((fmin(u, fmin(v, w)) < 0 && fmax(u, fmax(v, w)) > 0) ||
-        !(distance > 0 && distance < ray->farthest)) {
-        return false;
+    struct counted counted = {arena_buffer(arena, of->triangle_count * sizeof(struct bvh_box)),
+                              arena_buffer(arena, of->triangle_count * sizeof(uint32_t)), 0};
+    mesh->box = nothing;
+    for (size_t i = 0; i < of->triangle_count; i++) {
+        const struct shape_box box = box_of(of, i);
+        reach(&mesh->box, box.low);
+        reach(&mesh->box, box.high);
     }
-    *meeting = (struct shape_meeting){distance, triangle, {v / whole, w / whole}};
-    return true;
+    /* corners are sheared along the ray with errors that are shares of the whole triangle */
+    const double size = vector_taxi(vector_minus(mesh->box.high, mesh->box.low));
+    for (size_t i = 0; i < of->triangle_count; i++) {
+        if (has_area(of, i)) {
+            const struct shape_box box = box_of(of, i);
+            counted.boxes[counted.count] = bvh_box_of(box.low, box.high, size * 0x1p-44);
+            counted.which[counted.count++] = (uint32_t)i;
+        }
+    }
+    return counted;
 }
-
-/* -------- a mesh -------- */
 
 void mesh_open(const struct scene_mesh *triangles, struct arena *arena, struct mesh *mesh)
 {
-    (void)arena;
-    *mesh =
-        (struct mesh){.triangles = triangles,
-                      .box = {{INFINITY, INFINITY, INFINITY}, {-INFINITY, -INFINITY, -INFINITY}}};
-    struct vector *low = &mesh->box.low, *high = &mesh->box.high;
-    for (size_t i = 0; i < triangles->triangle_count; i++) {
-        for (size_t k = 0; k < 3; k++) {
-            const struct vector at = triangles->corners[triangles->triangles[i][k]];
-            *low = (struct vector){fmin(low->x, at.x), fmin(low->y, at.y), fmin(low->z, at.z)};
-            *high = (struct vector){fmax(high->x, at.x), fmax(high->y, at.y), fmax(high->z, at.z)};
-        }
-        mesh->degenerate += has_area(triangles, i) ? 0 : 1;
+    *mesh = (struct mesh){.triangles = triangles};
+    struct arena work = {0};
+    const struct counted counted = count_triangles(triangles, &work, mesh);
+    mesh->degenerate = triangles->triangle_count - counted.count;
+    bvh_open(counted.boxes, counted.count, MOST_TRIANGLES, arena, &mesh->tree);
+    struct mesh_triangle *leaves = arena_buffer(arena, counted.count * sizeof *leaves);
+    for (size_t i = 0; i < counted.count; i++) {
+        const uint32_t which = counted.which[mesh->tree.items[i]];
+        const size_t *of = triangles->triangles[which];
+        leaves[i] =
+            (struct mesh_triangle){{(uint32_t)of[0], (uint32_t)of[1], (uint32_t)of[2]}, which};
     }
+    mesh->leaves = leaves;
+    arena_free(&work);
 }
 
-bool mesh_meet(const struct mesh *mesh, const struct shape_ray *ray, struct shape_meeting *meeting)
+/* -------- rays -------- */
+
+/* The axes of a ray, the steepest last, and how space is sheared to make it the last of them. */
+struct sheared {
+    size_t axis[3];
+    double from[3]; /* by these axes */
+    double shear[3];
+};
+
+static struct sheared shear_along(const struct shape_ray *ray)
 {
-    const struct sheared sheared = shear_along(ray->way);
-    struct shape_ray rest = *ray;
-    for (size_t i = 0; i < mesh->triangles->triangle_count; i++) {
-        if (has_area(mesh->triangles, i) &&
-            meet_triangle(mesh->triangles, i, &sheared, &rest, meeting)) {
-            rest.farthest = meeting->distance;
+    const double from[] = {ray->from.x, ray->from.y, ray->from.z};
+    const double way[] = {ray->way.x, ray->way.y, ray->way.z};
+    const double x = fabs(way[0]), y = fabs(way[1]), z = fabs(way[2]);
+    const size_t steep = x > y ? (x > z ? 0 : 2) : (y > z ? 1 : 2);
+    const size_t first = steep < 2 ? steep + 1 : 0, second = first < 2 ? first + 1 : 0;
+    const double over = 1 / way[steep];
+    return (struct sheared){.axis = {first, second, steep},
+                            .from = {from[first], from[second], from[steep]},
+                            .shear = {way[first] * over, way[second] * over, over}};
+}
+
+/* A corner in sheared coordinates; z is still along the steepest axis of the ray, in mm. */
+struct corner {
+    double x, y, z;
+};
+
+static inline struct corner corner_of(const struct sheared *sheared, const struct vector *at)
+{
+    const double of[] = {at->x, at->y, at->z};
+    const double z = of[sheared->axis[2]] - sheared->from[2];
+    return (struct corner){of[sheared->axis[0]] - sheared->from[0] - sheared->shear[0] * z,
+                           of[sheared->axis[1]] - sheared->from[1] - sheared->shear[1] * z, z};
+}
+
+static inline double largest(double a, double b, double c)
+{
+    const double ab = fabs(a) > fabs(b) ? fabs(a) : fabs(b);
+    return ab > fabs(c) ? ab : fabs(c);
+}
+
+/*
+ * By how much u a.z + v b.z + w c.z may be wrong.
+ *
+ * Formula   with e = 2^-53 and X, Y, Z the largest parts: x is wrong by less than 5 e (X + Z), so
+ *           are y and z by less, an edge u by 2 (5 e (X + Z) Y + 5 e (Y + Z) X) + 4 e X Y, and the
+ *           sum of three products, each at most 2 X Y Z, by three times this times Z and 8 e X Y Z
+ */
+static double doubt(const struct corner *a, const struct corner *b, const struct corner *c)
+{
+    const double x = largest(a->x, b->x, c->x), y = largest(a->y, b->y, c->y);
+    const double z = largest(a->z, b->z, c->z);
+    return 3 * 0x1p-53 * z * (10 * ((x + z) * y + (y + z) * x) + 12 * x * y);
+}
+
+static inline bool meet(const struct mesh *mesh, const struct mesh_triangle *triangle,
+                        const struct sheared *sheared, double farthest,
+                        struct shape_meeting *meeting)
+{
+    const struct vector *corners = mesh->triangles->corners;
+    const struct corner a = corner_of(sheared, &corners[triangle->corner[0]]);
+    const struct corner b = corner_of(sheared, &corners[triangle->corner[1]]);
+    const struct corner c = corner_of(sheared, &corners[triangle->corner[2]]);
+    const double u = c.x * b.y - c.y * b.x, v = a.x * c.y - a.y * c.x, w = b.x * a.y - b.y * a.x;
+    if ((u < 0 || v < 0 || w < 0) && (u > 0 || v > 0 || w > 0)) {
+        return false;
+    }
+    const double whole = u + v + w, sum = u * a.z + v * b.z + w * c.z;
+    const double distance = sum / whole * sheared->shear[2];
+    if (!(distance > 0 && distance < farthest && fabs(sum) > doubt(&a, &b, &c))) {
+        return false;
+    }
+    *meeting = (struct shape_meeting){distance, triangle->number, {v / whole, w / whole}};
+    return true;
+}
+
+bool mesh_meet(const struct mesh *mesh, const struct shape_ray *ray, bool is_any,
+               struct shape_meeting *meeting)
+{
+    const struct sheared sheared = shear_along(ray);
+    double farthest = ray->farthest;
+    bool met = false;
+    struct bvh_walk walk;
+    struct bvh_kept leaf;
+    bvh_start(&walk, &mesh->tree, ray->from, ray->way);
+    while (!(met && is_any) && bvh_next(&walk, farthest, &leaf)) {
+        for (uint32_t i = 0; i < leaf.count; i++) {
+            if (meet(mesh, &mesh->leaves[leaf.child + i], &sheared, farthest, meeting)) {
+                met = true;
+                farthest = meeting->distance;
+            }
         }
     }
-    return rest.farthest < ray->farthest;
+    return met;
 }
+
+/* -------- what is there -------- */
 
 static struct vector mixed(const struct vector *of, const size_t corner[3], const double share[3])
 {

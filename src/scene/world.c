@@ -2,31 +2,164 @@
 /* SPDX-License-Identifier: MIT */
 #include "scene/world.h"
 
+#include "scene/bvh_walk.h"
+
+#include <stdlib.h>
+
 /* -------- made ready -------- */
+
+static int by_mesh(const void *a, const void *b)
+{
+    const uintptr_t p = (uintptr_t)(*(struct world_thing *const *)a)->thing->mesh;
+    const uintptr_t q = (uintptr_t)(*(struct world_thing *const *)b)->thing->mesh;
+    return (p > q) - (p < q);
+}
+
+/* Things that have the same mesh share its tree. */
+static void open_meshes(struct world *world, struct arena *arena)
+{
+    struct arena work = {0};
+    struct world_thing **with = ARENA_ARRAY(&work, world->scene->thing_count, struct world_thing *);
+    size_t count = 0;
+    for (size_t i = 0; i < world->scene->thing_count; i++) {
+        if (world->things[i].thing->shape == SHAPE_MESH) {
+            with[count++] = &world->things[i];
+        }
+    }
+    qsort(with, count, sizeof *with, by_mesh);
+    for (size_t i = 0; i < count; i++) {
+        if (i > 0 && with[i]->thing->mesh == with[i - 1]->thing->mesh) {
+            with[i]->mesh = with[i - 1]->mesh;
+            continue;
+        }
+        struct mesh *mesh = ARENA_NEW(arena, struct mesh);
+        mesh_open(with[i]->thing->mesh, arena, mesh);
+        world->degenerate += mesh->degenerate;
+        with[i]->mesh = mesh;
+    }
+    arena_free(&work);
+}
+
+/* What a frame's box reaches along an axis of the world, to both sides of its middle. */
+static double reach_of(double x, double y, double z, struct vector half)
+{
+    return fabs(x) * half.x + fabs(y) * half.y + fabs(z) * half.z;
+}
+
+/* Everywhere it is during the span. */
+static struct shape_box box_of(const struct world *world, const struct world_thing *thing)
+{
+    const struct shape_box own = thing->mesh != NULL ? thing->mesh->box : shape_box(thing->thing);
+    const struct scene_pose begin = scene_pose_at(&thing->thing->where, world->span[0]);
+    const struct scene_pose end = scene_pose_at(&thing->thing->where, world->span[1]);
+    struct vector half = vector_times(0.5, vector_minus(own.high, own.low));
+    struct vector middle = vector_along(own.low, 1, half);
+    if (thing->thing->where.spin != 0) {
+        /* the ball that it stays in */
+        const double r = vector_length(half) + vector_length(middle);
+        half = (struct vector){r, r, r};
+        middle = (struct vector){0, 0, 0};
+    } else {
+        const struct frame *turned = &begin.turned;
+        middle = frame_out(turned, middle);
+        half = (struct vector){reach_of(turned->x.x, turned->y.x, turned->z.x, half),
+                               reach_of(turned->x.y, turned->y.y, turned->z.y, half),
+                               reach_of(turned->x.z, turned->y.z, turned->z.z, half)};
+    }
+    const struct vector low = {fmin(begin.at.x, end.at.x), fmin(begin.at.y, end.at.y),
+                               fmin(begin.at.z, end.at.z)};
+    const struct vector high = {fmax(begin.at.x, end.at.x), fmax(begin.at.y, end.at.y),
+                                fmax(begin.at.z, end.at.z)};
+    return (struct shape_box){vector_minus(vector_along(low, 1, middle), half),
+                              vector_along(vector_along(high, 1, middle), 1, half)};
+}
+
+/* All of it where numbers reach. */
+static bool check_box(const struct scene_thing *thing, const struct shape_box *box,
+                      struct error *error)
+{
+    const double away = fmax(vector_taxi(box->low), vector_taxi(box->high));
+    if (away <= WORLD_REACH) {
+        return true;
+    }
+    fail(error, ERROR_DOMAIN,
+         "a thing reaches %.3g mm from the middle of the scene: it must be "
+         "within %g mm",
+         away, WORLD_REACH);
+    return error_locate(error, thing->place.source, thing->place.line, thing->place.column);
+}
+
+static bool check_counts(const struct scene *scene, struct error *error)
+{
+    if (scene->thing_count > WORLD_MOST) {
+        return fail(error, ERROR_DOMAIN, "%zu things: there may be %u", scene->thing_count,
+                    WORLD_MOST);
+    }
+    for (size_t i = 0; i < scene->thing_count; i++) {
+        const struct scene_thing *thing = &scene->things[i];
+        if (thing->shape == SHAPE_MESH &&
+            (thing->mesh->triangle_count > WORLD_MOST || thing->mesh->corner_count > WORLD_MOST)) {
+            fail(error, ERROR_DOMAIN, "a mesh of %zu triangles and %zu corners: there may be %u",
+                 thing->mesh->triangle_count, thing->mesh->corner_count, WORLD_MOST);
+            return error_locate(error, thing->place.source, thing->place.line, thing->place.column);
+        }
+    }
+    return true;
+}
+
+/* The tree of what has an end, and the list of what has none. */
+static bool open_tree(struct world *world, struct arena *arena, struct error *error)
+{
+    const size_t most = world->scene->thing_count;
+    struct arena work = {0};
+    struct bvh_box *boxes = arena_array(&work, most, sizeof *boxes);
+    uint32_t *bounded = ARENA_ARRAY(arena, most, uint32_t);
+    uint32_t *endless = ARENA_ARRAY(arena, most, uint32_t);
+    size_t count = 0;
+    bool good = true;
+    for (size_t i = 0; i < most && good; i++) {
+        const struct world_thing *thing = &world->things[i];
+        if (thing->thing->shape == SHAPE_PLANE) {
+            endless[world->endless_count++] = (uint32_t)i;
+            continue;
+        }
+        if (thing->mesh != NULL && thing->mesh->tree.count == 0) {
+            continue;
+        }
+        const struct shape_box box = box_of(world, thing);
+        const double room = 0x1p-40 * fmax(vector_taxi(box.low), vector_taxi(box.high));
+        good = check_box(thing->thing, &box, error);
+        boxes[count] = bvh_box_of(box.low, box.high, room);
+        bounded[count++] = (uint32_t)i;
+    }
+    if (good) {
+        bvh_open(boxes, count, 1, arena, &world->tree);
+    }
+    world->bounded = bounded;
+    world->endless = endless;
+    arena_free(&work);
+    return good;
+}
 
 bool world_open(const struct scene *scene, const double span[2], struct arena *arena,
                 struct world *world, struct error *error)
 {
-    (void)error;
     *world = (struct world){
         .scene = scene,
         .span = {span[0], span[1]},
         .things = ARENA_ARRAY(arena, scene->thing_count, struct world_thing),
     };
+    if (!check_counts(scene, error)) {
+        return false;
+    }
     for (size_t i = 0; i < scene->thing_count; i++) {
         const struct scene_thing *thing = &scene->things[i];
-        struct world_thing *made = &world->things[i];
-        *made = (struct world_thing){.thing = thing,
-                                     .pose = scene_pose_at(&thing->where, 0),
-                                     .moves = scene_place_moves(&thing->where)};
-        if (thing->shape == SHAPE_MESH) {
-            struct mesh *mesh = ARENA_NEW(arena, struct mesh);
-            mesh_open(thing->mesh, arena, mesh);
-            world->degenerate += mesh->degenerate;
-            made->mesh = mesh;
-        }
+        world->things[i] = (struct world_thing){.thing = thing,
+                                                .pose = scene_pose_at(&thing->where, 0),
+                                                .moves = scene_place_moves(&thing->where)};
     }
-    return true;
+    open_meshes(world, arena);
+    return open_tree(world, arena, error);
 }
 
 /* -------- rays -------- */
@@ -43,13 +176,41 @@ static struct shape_ray turned_in(const struct scene_pose *pose, const struct wo
                               frame_in(&pose->turned, ray->way), ray->farthest};
 }
 
-static bool meet(const struct world_thing *thing, const struct world_ray *ray,
+static bool meet(const struct world_thing *thing, const struct world_ray *ray, bool is_any,
                  struct shape_meeting *meeting)
 {
     const struct scene_pose pose = pose_of(thing, ray->time);
     const struct shape_ray own = turned_in(&pose, ray);
-    return thing->mesh != NULL ? mesh_meet(thing->mesh, &own, meeting)
+    return thing->mesh != NULL ? mesh_meet(thing->mesh, &own, is_any, meeting)
                                : shape_meet(thing->thing, &own, meeting);
+}
+
+/* Which thing a ray meets first, or any; SCENE_NONE. */
+static size_t search(const struct world *world, const struct world_ray *ray, bool is_any,
+                     struct shape_meeting *nearest)
+{
+    struct world_ray rest = *ray;
+    struct shape_meeting meeting = {0};
+    size_t which = SCENE_NONE;
+    for (size_t i = 0; i < world->endless_count; i++) {
+        if (meet(&world->things[world->endless[i]], &rest, is_any, &meeting)) {
+            which = world->endless[i];
+            *nearest = meeting;
+            rest.farthest = meeting.distance;
+        }
+    }
+    struct bvh_walk walk;
+    struct bvh_kept leaf;
+    bvh_start(&walk, &world->tree, ray->from, ray->way);
+    while (!(is_any && which != SCENE_NONE) && bvh_next(&walk, rest.farthest, &leaf)) {
+        const size_t thing = world->bounded[world->tree.items[leaf.child]];
+        if (meet(&world->things[thing], &rest, is_any, &meeting)) {
+            which = thing;
+            *nearest = meeting;
+            rest.farthest = meeting.distance;
+        }
+    }
+    return which;
 }
 
 /* Towards the side that the ray came from, also where a smooth normal would turn away from it. */
@@ -88,16 +249,8 @@ static void describe(const struct world *world, const struct world_ray *ray, siz
 
 bool world_look(const struct world *world, const struct world_ray *ray, struct world_hit *hit)
 {
-    struct world_ray rest = *ray;
-    struct shape_meeting nearest = {0}, meeting;
-    size_t which = SCENE_NONE;
-    for (size_t i = 0; i < world->scene->thing_count; i++) {
-        if (meet(&world->things[i], &rest, &meeting)) {
-            nearest = meeting;
-            which = i;
-            rest.farthest = meeting.distance;
-        }
-    }
+    struct shape_meeting nearest = {0};
+    const size_t which = search(world, ray, false, &nearest);
     if (which == SCENE_NONE) {
         return false;
     }
@@ -107,13 +260,8 @@ bool world_look(const struct world *world, const struct world_ray *ray, struct w
 
 bool world_is_clear(const struct world *world, const struct world_ray *ray)
 {
-    struct shape_meeting meeting;
-    for (size_t i = 0; i < world->scene->thing_count; i++) {
-        if (meet(&world->things[i], ray, &meeting)) {
-            return false;
-        }
-    }
-    return true;
+    struct shape_meeting any;
+    return search(world, ray, true, &any) == SCENE_NONE;
 }
 
 bool world_holds(const struct world *world, struct vector at, double time, size_t *thing)

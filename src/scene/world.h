@@ -5,6 +5,7 @@
 
 #include "base/arena.h"
 #include "base/error.h"
+#include "scene/bvh.h"
 #include "scene/mesh.h"
 #include "scene/scene.h"
 
@@ -43,6 +44,10 @@ struct world {
     const struct scene *scene;
     double span[2]; /* s */
     struct world_thing *things;
+    struct bvh tree;         /* of all things but planes */
+    const uint32_t *bounded; /* its items: which things they are */
+    const uint32_t *endless; /* planes */
+    size_t endless_count;
     size_t degenerate; /* triangles without area, which no ray meets */
 };
 
@@ -52,12 +57,14 @@ struct world {
  * Given     scene  as scene.h has it: its promises are the caller's, also those on lengths, axes
  *                  and numbers of corners
  *           span   times of all rays, from .. to, s
- * Errors    ERROR_DOMAIN: a thing farther than WORLD_REACH from the middle, with its place
+ * Errors    ERROR_DOMAIN: a thing reaches farther from the middle than WORLD_REACH, with its place;
+ *           more things than WORLD_MOST, or triangles or corners of a mesh
  */
 bool world_open(const struct scene *scene, const double span[2], struct arena *arena,
                 struct world *world, struct error *error);
 
 #define WORLD_REACH 1e30 /* mm */
+#define WORLD_MOST  4294967295U
 
 /* What a ray meets first; false: it goes past everything. */
 bool world_look(const struct world *world, const struct world_ray *ray, struct world_hit *hit);

@@ -1,0 +1,291 @@
+/* scene/bvh.c - boxes in boxes, so that a ray looks only at what it passes. */
+/* SPDX-License-Identifier: MIT */
+#include "scene/bvh.h"
+
+#include <float.h>
+#include <string.h>
+
+enum { AXES = 3, BINS = 16 };
+
+/* What is sorted: a box and whose it is. */
+struct item {
+    struct bvh_box box;
+    uint32_t which;
+};
+
+/* Items that lie together, and what becomes of them. */
+struct range {
+    size_t first, count;
+    struct bvh_box box;
+    int depth;
+    uint32_t parent, place; /* the node whose child it is; the root has no parent */
+};
+
+struct bin {
+    struct bvh_box box;
+    size_t count;
+};
+
+/* Where a range is cut: between bins `before` - 1 and `before` of an axis. */
+struct cut {
+    int axis, before; /* 0: nowhere */
+    double cost;
+    double low, scale; /* of the bins, in sums of an item's two sides */
+};
+
+struct builder {
+    struct item *items;
+    size_t most;
+    struct bvh_node *nodes;
+    size_t node_count;
+};
+
+static const struct bvh_box nothing = {{INFINITY, INFINITY, INFINITY},
+                                       {-INFINITY, -INFINITY, -INFINITY}};
+
+struct bvh_box bvh_box_of(struct vector low, struct vector high, double room)
+{
+    const double from[] = {low.x, low.y, low.z}, to[] = {high.x, high.y, high.z};
+    struct bvh_box box;
+    for (int k = 0; k < AXES; k++) {
+        const float least = (float)(from[k] - room), largest = (float)(to[k] + room);
+        /* rounded to the nearest they may be half a unit inside */
+        box.low[k] = least - (fabsf(least) * FLT_EPSILON + FLT_MIN);
+        box.high[k] = largest + (fabsf(largest) * FLT_EPSILON + FLT_MIN);
+    }
+    return box;
+}
+
+static void grow(struct bvh_box *box, const struct bvh_box *by)
+{
+    for (int k = 0; k < AXES; k++) {
+        box->low[k] = by->low[k] < box->low[k] ? by->low[k] : box->low[k];
+        box->high[k] = by->high[k] > box->high[k] ? by->high[k] : box->high[k];
+    }
+}
+
+/* Half the surface of a box; of none 0. */
+static double surface(const struct bvh_box *box)
+{
+    const double x = (double)box->high[0] - (double)box->low[0];
+    const double y = (double)box->high[1] - (double)box->low[1];
+    const double z = (double)box->high[2] - (double)box->low[2];
+    return x >= 0 ? x * y + y * z + z * x : 0;
+}
+
+/* -------- one cut -------- */
+
+/* Twice its middle along an axis. */
+static double middle_of(const struct item *item, int axis)
+{
+    return (double)item->box.low[axis] + (double)item->box.high[axis];
+}
+
+static int bin_of(const struct cut *cut, double middle)
+{
+    const int bin = (int)((middle - cut->low) * cut->scale);
+    return bin < BINS ? bin : BINS - 1;
+}
+
+/* The cheapest cut between bins of one axis, if it is cheaper than that found so far. */
+static void choose(const struct bin *bins, const struct cut *along, struct cut *best)
+{
+    double behind[BINS];
+    size_t count = 0;
+    struct bvh_box box = nothing;
+    for (int k = BINS - 1; k > 0; k--) {
+        grow(&box, &bins[k].box);
+        count += bins[k].count;
+        behind[k] = count > 0 ? surface(&box) * (double)count : INFINITY;
+    }
+    box = nothing;
+    count = 0;
+    for (int k = 1; k < BINS; k++) {
+        grow(&box, &bins[k - 1].box);
+        count += bins[k - 1].count;
+        const double cost = surface(&box) * (double)count + behind[k];
+        if (count > 0 && cost < best->cost) {
+            *best = *along;
+            best->before = k;
+            best->cost = cost;
+        }
+    }
+}
+
+static struct cut best_cut(const struct item *items, size_t count)
+{
+    struct cut along[AXES], best = {.cost = INFINITY};
+    double low[AXES] = {INFINITY, INFINITY, INFINITY};
+    double high[AXES] = {-INFINITY, -INFINITY, -INFINITY};
+    for (size_t i = 0; i < count; i++) {
+        for (int k = 0; k < AXES; k++) {
+            const double middle = middle_of(&items[i], k);
+            low[k] = middle < low[k] ? middle : low[k];
+            high[k] = middle > high[k] ? middle : high[k];
+        }
+    }
+    struct bin bins[AXES][BINS];
+    for (int k = 0; k < AXES; k++) {
+        const double width = high[k] - low[k];
+        along[k] = (struct cut){k, 0, INFINITY, low[k], width > 0 ? BINS / width : 0};
+        for (int b = 0; b < BINS; b++) {
+            bins[k][b] = (struct bin){nothing, 0};
+        }
+    }
+    for (size_t i = 0; i < count; i++) {
+        for (int k = 0; k < AXES; k++) {
+            struct bin *bin = &bins[k][bin_of(&along[k], middle_of(&items[i], k))];
+            grow(&bin->box, &items[i].box);
+            bin->count++;
+        }
+    }
+    for (int k = 0; k < AXES; k++) {
+        choose(bins[k], &along[k], &best);
+    }
+    return best;
+}
+
+static struct bvh_box box_around(const struct item *items, size_t count)
+{
+    struct bvh_box box = nothing;
+    for (size_t i = 0; i < count; i++) {
+        grow(&box, &items[i].box);
+    }
+    return box;
+}
+
+/* Those of the cut's lower bins to the front: how many they are. */
+static size_t part_items(struct item *items, size_t count, const struct cut *cut)
+{
+    size_t first = 0, end = count;
+    while (first < end) {
+        if (bin_of(cut, middle_of(&items[first], cut->axis)) < cut->before) {
+            first++;
+        } else {
+            const struct item other = items[--end];
+            items[end] = items[first];
+            items[first] = other;
+        }
+    }
+    return first;
+}
+
+/* The range becomes its first part; returns the second. */
+static struct range cut_range(const struct builder *builder, struct range *range)
+{
+    struct item *items = builder->items + range->first;
+    struct cut cut = {.before = 0};
+    if (range->depth < BVH_UNEVEN) {
+        cut = best_cut(items, range->count);
+    }
+    const size_t before = cut.before > 0 ? part_items(items, range->count, &cut) : range->count / 2;
+    struct range second = *range;
+    second.first += before;
+    second.count -= before;
+    second.box = box_around(items + before, second.count);
+    range->count = before;
+    range->box = box_around(items, before);
+    return second;
+}
+
+/* -------- a tree of them -------- */
+
+/* Which part is divided next; `count`: none, they are all leaves. */
+static size_t next_to_cut(const struct builder *builder, const struct range *parts, size_t count,
+                          bool by_number)
+{
+    size_t best = count;
+    double largest = -1;
+    for (size_t i = 0; i < count; i++) {
+        const double size = by_number ? (double)parts[i].count : surface(&parts[i].box);
+        if (parts[i].count > builder->most && size > largest) {
+            best = i;
+            largest = size;
+        }
+    }
+    return best;
+}
+
+static void put_child(struct bvh_node *node, size_t place, const struct range *part)
+{
+    for (int k = 0; k < AXES; k++) {
+        node->side[0][k][place] = part->box.low[k];
+        node->side[1][k][place] = part->box.high[k];
+    }
+    node->child[place] = (uint32_t)part->first;
+    node->count[place] = (uint32_t)part->count;
+}
+
+/* A node of a range: up to four parts; those that become nodes go on the heap. */
+static size_t make_node(struct builder *builder, const struct range *range, struct range *heap)
+{
+    struct range parts[BVH_WIDTH] = {*range};
+    size_t count = 1, kept = 0;
+    while (count < BVH_WIDTH) {
+        const size_t next = next_to_cut(builder, parts, count, range->depth >= BVH_UNEVEN);
+        if (next == count) {
+            break;
+        }
+        parts[count] = cut_range(builder, &parts[next]);
+        count++;
+    }
+    const uint32_t number = (uint32_t)builder->node_count++;
+    struct bvh_node *node = &builder->nodes[number];
+    for (size_t i = 0; i < BVH_WIDTH; i++) {
+        const struct range *part = i < count ? &parts[i] : &(struct range){.box = nothing};
+        put_child(node, i, part);
+        if (part->count > builder->most) {
+            node->count[i] = 0;
+            heap[kept] = *part;
+            heap[kept].depth++;
+            heap[kept].parent = number;
+            heap[kept++].place = (uint32_t)i;
+        }
+    }
+    return kept;
+}
+
+static void build(struct builder *builder, size_t count)
+{
+    struct range heap[BVH_KEPT + BVH_WIDTH];
+    size_t kept = 1;
+    heap[0] = (struct range){.count = count, .box = box_around(builder->items, count)};
+    while (kept > 0) {
+        const struct range range = heap[--kept];
+        if (builder->node_count > 0) {
+            builder->nodes[range.parent].child[range.place] = (uint32_t)builder->node_count;
+        }
+        kept += make_node(builder, &range, &heap[kept]);
+    }
+}
+
+void bvh_open(const struct bvh_box *boxes, size_t count, size_t most, struct arena *arena,
+              struct bvh *tree)
+{
+    *tree = (struct bvh){.count = count};
+    if (count == 0) {
+        return;
+    }
+    struct arena work = {0};
+    /* each node has at least two children but the root; pages of those that are not made cost
+       nothing */
+    struct builder builder = {
+        .items = arena_buffer(&work, count * sizeof *builder.items),
+        .most = most,
+        .nodes = arena_buffer(&work, count * sizeof *builder.nodes),
+    };
+    for (size_t i = 0; i < count; i++) {
+        builder.items[i] = (struct item){boxes[i], (uint32_t)i};
+    }
+    build(&builder, count);
+    struct bvh_node *nodes = arena_buffer(arena, builder.node_count * sizeof *nodes);
+    memcpy(nodes, builder.nodes, builder.node_count * sizeof *nodes);
+    uint32_t *items = arena_buffer(arena, count * sizeof *items);
+    for (size_t i = 0; i < count; i++) {
+        items[i] = builder.items[i].which;
+    }
+    tree->nodes = nodes;
+    tree->node_count = builder.node_count;
+    tree->items = items;
+    arena_free(&work);
+}
