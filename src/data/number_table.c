@@ -6,13 +6,9 @@
 
 #include <math.h>
 
-static bool begin(const char *path, const char *first, struct arena *arena, struct tsv *tsv,
+static bool begin(const char *path, struct text content, const char *first, struct tsv *tsv,
                   struct error *error)
 {
-    struct text content;
-    if (!whole_file(path, arena, &content, error)) {
-        return error->code == ERROR_NONE && fail(error, ERROR_IO, "there is no file %.200s", path);
-    }
     if (!tsv_open_foreign(tsv, path, content, error)) {
         return false;
     }
@@ -24,11 +20,11 @@ static bool begin(const char *path, const char *first, struct arena *arena, stru
     return true;
 }
 
-bool number_table_read(const char *path, const char *first, struct arena *arena,
-                       struct number_table *table, struct error *error)
+bool number_table_parse(const char *path, struct text content, const char *first,
+                        struct arena *arena, struct number_table *table, struct error *error)
 {
     struct tsv tsv;
-    if (!begin(path, first, arena, &tsv, error)) {
+    if (!begin(path, content, first, &tsv, error)) {
         return false;
     }
     *table = (struct number_table){.columns = tsv.columns};
@@ -50,4 +46,14 @@ bool number_table_read(const char *path, const char *first, struct arena *arena,
         }
     }
     return error->code == ERROR_NONE;
+}
+
+bool number_table_read(const char *path, const char *first, struct arena *arena,
+                       struct number_table *table, struct error *error)
+{
+    struct text content;
+    if (!whole_file(path, arena, &content, error)) {
+        return error->code == ERROR_NONE && fail(error, ERROR_IO, "there is no file %.200s", path);
+    }
+    return number_table_parse(path, content, first, arena, table, error);
 }

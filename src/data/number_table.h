@@ -23,4 +23,8 @@ struct number_table {
 bool number_table_read(const char *path, const char *first, struct arena *arena,
                        struct number_table *table, struct error *error);
 
+/* The same of a file that is there already. */
+bool number_table_parse(const char *path, struct text content, const char *first,
+                        struct arena *arena, struct number_table *table, struct error *error);
+
 #endif

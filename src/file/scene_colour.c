@@ -157,12 +157,15 @@ bool scene_colour_of(const struct scene_reader *reader, const struct scene_line 
     return true;
 }
 
-static bool read_colour(const struct scene_reader *reader, const struct scene_line *line,
+static bool read_colour(struct scene_reader *reader, const struct scene_line *line,
                         struct scene_colour *colour, struct error *error)
 {
     *colour = (struct scene_colour){.is_light = false};
     if (scene_line_has(line, KEY_RGB)) {
         return read_parts(line->words, line->value[KEY_RGB], &colour->spectrum, error);
+    }
+    if (scene_line_has(line, KEY_TABLE)) {
+        return scene_load_table(reader, line, &colour->spectrum, error);
     }
     return scene_line_has(line, KEY_SRGB)
                ? read_code(line->words, line->value[KEY_SRGB], &colour->spectrum, error)
@@ -183,7 +186,8 @@ static bool read_name(const struct scene_reader *reader, struct text name, struc
 
 bool scene_colour_read(struct scene_reader *reader, struct text head, struct error *error)
 {
-    const uint64_t ways = SCENE_BIT(KEY_RGB) | SCENE_BIT(KEY_SRGB) | SCENE_BIT(KEY_SPECTRUM);
+    const uint64_t ways =
+        SCENE_BIT(KEY_RGB) | SCENE_BIT(KEY_SRGB) | SCENE_BIT(KEY_SPECTRUM) | SCENE_BIT(KEY_TABLE);
     struct file_words *words = &reader->words;
     const struct text name = file_words_next(words);
     struct scene_line line;
@@ -193,7 +197,8 @@ bool scene_colour_read(struct scene_reader *reader, struct text head, struct err
         return false;
     }
     if (line.given == 0 || (line.given & (line.given - 1)) != 0) {
-        return file_words_fail(words, head, error, "a colour is one of rgb=, srgb= and spectrum=");
+        return file_words_fail(words, head, error,
+                               "a colour is one of rgb=, srgb=, spectrum= and table=");
     }
     if (!read_colour(reader, &line, &colour, error)) {
         return false;

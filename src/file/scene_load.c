@@ -2,8 +2,11 @@
 /* SPDX-License-Identifier: MIT */
 #include "file/scene_load.h"
 
+#include "data/number_table.h"
 #include "data/whole_file.h"
 #include "file/image_file.h"
+#include "file/obj_file.h"
+#include "light/spectrum.h"
 
 #include <string.h>
 
@@ -28,17 +31,25 @@ static const char *path_beside(const struct scene_reader *reader, struct text na
                         name.start);
 }
 
+/* Where it is wanted, and in whose memory. */
+struct wanted {
+    const struct scene_line *line;
+    enum scene_key key;
+    const char *path;
+    struct arena *arena;
+};
+
 /* Read it, and let it count in the scene's digest. */
-static bool read_file(struct scene_reader *reader, const struct scene_line *line,
-                      enum scene_key key, const char *path, struct text *content,
-                      struct error *error)
+static bool read_file(struct scene_reader *reader, const struct wanted *wanted,
+                      struct text *content, struct error *error)
 {
     struct error found;
     if (reader->files == NULL) {
-        return scene_line_fail(line, key, error, "no file may be named here");
+        return scene_line_fail(wanted->line, wanted->key, error, "no file may be named here");
     }
-    if (!reader->files->read(reader->files->context, path, reader->words.arena, content, &found)) {
-        return scene_line_fail(line, key, error, "%s", found.message);
+    if (!reader->files->read(reader->files->context, wanted->path, wanted->arena, content,
+                             &found)) {
+        return scene_line_fail(wanted->line, wanted->key, error, "%s", found.message);
     }
     digest_item(&reader->digest, *content);
     return true;
@@ -146,7 +157,8 @@ bool scene_load_picture(struct scene_reader *reader, const struct scene_line *li
         *image = reader->loaded[known];
         return true;
     }
-    if (!read_file(reader, line, key, path, &content, error)) {
+    const struct wanted wanted = {line, key, path, arena};
+    if (!read_file(reader, &wanted, &content, error)) {
         return false;
     }
     if (!parse_picture(path, content, kind, arena, read, &found)) {
@@ -157,5 +169,147 @@ bool scene_load_picture(struct scene_reader *reader, const struct scene_line *li
     reader->loaded[reader->images.count] = read;
     name_index_add(&reader->images, text_of(name), arena);
     *image = read;
+    return true;
+}
+
+/* -------- notes -------- */
+
+static void take_note(struct scene_reader *reader, const char *note)
+{
+    struct scene *scene = reader->scene;
+    scene->notes = arena_grow(reader->words.arena, scene->notes, scene->note_count,
+                              &reader->note_room, sizeof scene->notes[0]);
+    scene->notes[scene->note_count++] = note;
+}
+
+/* -------- tables -------- */
+
+#define UM_PER_NM        1e-3
+#define LEAST_WAVELENGTH 0.39
+#define MOST_WAVELENGTH  0.71
+#define MOST_VALUE       1e9
+
+/* What bands of wavelengths lie within; a table that ends before is 0 there, which is said. */
+static void note_ends(struct scene_reader *reader, const char *path,
+                      const struct spectrum *spectrum)
+{
+    const double first = spectrum->wavelength[0], last = spectrum->wavelength[spectrum->count - 1];
+    if (first > LEAST_WAVELENGTH || last < MOST_WAVELENGTH) {
+        take_note(reader,
+                  arena_printf(reader->words.arena, "%s: from %g to %g nm, and 0 beside that", path,
+                               first / UM_PER_NM, last / UM_PER_NM));
+    }
+}
+
+/* Wavelengths become um. */
+static bool take_spectrum(const char *path, const struct number_table *table,
+                          struct spectrum *spectrum, struct error *error)
+{
+    if (table->columns != 2) {
+        fail(error, ERROR_DATA, "a spectrum has two columns, and this file %zu", table->columns);
+        return error_locate(error, path, 0, 0);
+    }
+    for (size_t i = 0; i < table->rows; i++) {
+        table->column[0][i] *= UM_PER_NM;
+        if (!(table->column[1][i] <= MOST_VALUE)) {
+            fail(error, ERROR_DATA, "the value %.6g is above %g", table->column[1][i], MOST_VALUE);
+            return error_locate(error, path, 0, 0);
+        }
+    }
+    *spectrum = (struct spectrum){.kind = SPECTRUM_TABLE,
+                                  .count = table->rows,
+                                  .wavelength = table->column[0],
+                                  .value = table->column[1]};
+    if (!spectrum_check(spectrum, error)) {
+        error->code = ERROR_DATA;
+        return error_locate(error, path, 0, 0);
+    }
+    return true;
+}
+
+bool scene_load_table(struct scene_reader *reader, const struct scene_line *line,
+                      struct spectrum *spectrum, struct error *error)
+{
+    struct arena *arena = reader->words.arena;
+    const struct wanted wanted = {line, KEY_TABLE, path_beside(reader, line->value[KEY_TABLE]),
+                                  arena};
+    struct number_table table;
+    struct text content;
+    if (!read_file(reader, &wanted, &content, error) ||
+        !number_table_parse(wanted.path, content, "wavelength_nm", arena, &table, error) ||
+        !take_spectrum(wanted.path, &table, spectrum, error)) {
+        return false;
+    }
+    note_ends(reader, wanted.path, spectrum);
+    return true;
+}
+
+/* -------- meshes -------- */
+
+static void note_passed(struct scene_reader *reader, const char *path,
+                        const struct obj_passed *passed)
+{
+    struct arena *arena = reader->words.arena;
+    const char *const words[] = {passed->materials ? ", materials" : "",
+                                 passed->lines ? ", lines and points" : "",
+                                 passed->colours ? ", colours of corners" : ""};
+    const char *all = ARENA_JOIN(arena, words[0], words[1], words[2]);
+    if (all[0] != '\0') {
+        take_note(reader, arena_printf(arena, "%s: passed over: %s", path, all + 2));
+    }
+    if (passed->unplaced > 0) {
+        take_note(reader, arena_printf(arena,
+                                       "%s: %zu triangles have no places in a texture, and take "
+                                       "its lower left corner",
+                                       path, passed->unplaced));
+    }
+}
+
+/* What the file holds is given up: it is as large as the mesh. */
+static bool read_mesh(struct scene_reader *reader, struct wanted *wanted, double scale,
+                      struct scene_mesh *mesh, struct error *error)
+{
+    const struct obj_question question = {
+        .source = wanted->path,
+        .scale = scale,
+        .farthest = 1e12,
+        .most = SCENE_TRIANGLES_MOST - reader->triangles,
+    };
+    struct arena own = {0};
+    struct text content;
+    struct obj_passed passed;
+    wanted->arena = &own;
+    const bool is_read = read_file(reader, wanted, &content, error) &&
+                         obj_read(&question, content, reader->words.arena, mesh, &passed, error);
+    arena_free(&own);
+    if (is_read) {
+        reader->triangles += mesh->triangle_count;
+        note_passed(reader, wanted->path, &passed);
+    }
+    return is_read;
+}
+
+bool scene_load_mesh(struct scene_reader *reader, const struct scene_line *line,
+                     const struct scene_mesh **mesh, struct error *error)
+{
+    struct arena *arena = reader->words.arena;
+    struct wanted wanted = {line, KEY_FILE, path_beside(reader, line->value[KEY_FILE]), arena};
+    const double scale = unit_to_own(&reader->units.length, 1) *
+                         (scene_line_has(line, KEY_SCALE) ? line->number[KEY_SCALE][0] : 1);
+    const char *name = arena_printf(arena, "%.17g %s", scale, wanted.path);
+    const size_t known = name_index_find(&reader->meshes, text_of(name));
+    if (known != NAME_NONE) {
+        *mesh = reader->triangled[known];
+        return true;
+    }
+    struct scene_mesh *read = ARENA_NEW(arena, struct scene_mesh);
+    if (!read_mesh(reader, &wanted, scale, read, error)) {
+        return false;
+    }
+    reader->triangled = arena_grow(arena, reader->triangled, reader->meshes.count,
+                                   &reader->mesh_room, sizeof reader->triangled[0]);
+    reader->triangled[reader->meshes.count] = read;
+    name_index_add(&reader->meshes, text_of(name), arena);
+    *mesh = read;
     return true;
 }

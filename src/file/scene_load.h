@@ -24,7 +24,7 @@ bool scene_load_picture(struct scene_reader *reader, const struct scene_line *li
                         struct error *error);
 
 /*
- * A spectrum out of the columns wavelength_nm and value.
+ * A spectrum out of a table whose first column is wavelength_nm, and the second its values.
  *
  * Errors    ERROR_DATA: no such file, less than two rows, wavelengths that do not rise, values
  *           below 0
@@ -35,8 +35,5 @@ bool scene_load_table(struct scene_reader *reader, const struct scene_line *line
 /* The mesh of file= in the size of scale=. Errors: as obj_read; more triangles than may be. */
 bool scene_load_mesh(struct scene_reader *reader, const struct scene_line *line,
                      const struct scene_mesh **mesh, struct error *error);
-
-/* Something that whoever photographs the scene should know. */
-void scene_note(struct scene_reader *reader, const char *note);
 
 #endif

@@ -23,6 +23,10 @@ static const struct shape {
      {PLACED | MADE | SCENE_BIT(KEY_RADIUS), MADE | SCENE_BIT(KEY_RADIUS)},
      0},
     {"box", SHAPE_BOX, {PLACED | MADE | SCENE_BIT(KEY_SIZE), MADE | SCENE_BIT(KEY_SIZE)}, 3},
+    {"mesh",
+     SHAPE_MESH,
+     {PLACED | MADE | SCENE_BIT(KEY_FILE) | SCENE_BIT(KEY_SCALE), MADE | SCENE_BIT(KEY_FILE)},
+     0},
 };
 enum { SHAPES = sizeof shapes / sizeof shapes[0] };
 
@@ -48,6 +52,17 @@ static bool find_material(const struct scene_reader *reader, const struct scene_
         nearest_offer(&nearest, reader->materials.names[i]);
     }
     return scene_word_fail(line->words, name, &nearest, "no line above has the material", error);
+}
+
+static bool read_mesh(struct scene_reader *reader, const struct scene_line *line, bool has_texture,
+                      struct scene_thing *thing, struct error *error)
+{
+    if (!scene_load_mesh(reader, line, &thing->mesh, error)) {
+        return false;
+    }
+    return !has_texture || thing->mesh->places != NULL ||
+           scene_line_fail(line, KEY_FILE, error,
+                           "the mesh has no places in a texture, vt, and its material has one");
 }
 
 /* A picture with its light, or something of one material. */
@@ -100,6 +115,8 @@ static bool read_shape(struct scene_reader *reader, const struct scene_line *lin
     switch (shape->shape) {
     case SHAPE_CARD:
         return read_card(reader, line, thing, error);
+    case SHAPE_MESH:
+        return read_mesh(reader, line, texture != NULL, thing, error);
     case SHAPE_PLANE:
         return (texture != NULL) == scene_line_has(line, KEY_REPEAT) ||
                scene_line_fail(line, KEY_REPEAT, error, "%s",

@@ -4,6 +4,63 @@
 #include "file/scene_file.h"
 #include "scene/scene_check.h"
 
+/* Files that lie beside "there/test.scene", and no others. */
+static const struct beside {
+    const char *path, *content;
+} beside[] = {
+    {"there/flat.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nusemtl a\nf 1 2 3\n"},
+    {"there/bad.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 5\n"},
+    {"there/leaf.tsv", "wavelength_nm\treflectance\n400\t0.05\n550\t0.25\n700\t0.5\n"},
+    {"there/lamp.tsv", "wavelength_nm,relative\n380,1\n780,100\n"},
+    {"there/down.tsv", "wavelength_nm\tvalue\n500\t1\n400\t1\n"},
+    {"there/short.tsv", "wavelength_nm\tvalue\n500\t1\n"},
+    {"there/wide.tsv", "wavelength_nm\tvalue\tmore\n500\t1\t1\n600\t1\t1\n"},
+    {"there/cell.tsv", "wavelength_nm\tvalue\n500\tx\n600\t1\n"},
+    {"/absolute.tsv", "wavelength_nm\tvalue\n300\t1\n900\t1\n"},
+};
+
+static bool read_beside(void *context, const char *path, struct arena *arena, struct text *content,
+                        struct error *error)
+{
+    (void)context;
+    (void)arena;
+    for (size_t i = 0; i < sizeof beside / sizeof beside[0]; i++) {
+        if (strcmp(path, beside[i].path) == 0) {
+            *content = text_of(beside[i].content);
+            return true;
+        }
+    }
+    return fail(error, ERROR_IO, "there is no file %s", path);
+}
+
+/* Pictures: two pixels as PFM, whose rows are upwards and whose floats are little-endian. */
+static bool read_picture(void *context, const char *path, struct arena *arena, struct text *content,
+                         struct error *error)
+{
+    static const struct {
+        const char *path;
+        float pixels[6];
+        size_t cut;
+    } pictures[] = {{"nan.pfm", {1, 1, 1, 1, NAN, 1}, 0},
+                    {"bright.pfm", {1, 1, 1, 1, 1, 1.5F}, 0},
+                    {"dark.pfm", {1, 1, 1, 1, 1, -0.5F}, 0},
+                    {"cut.pfm", {1, 1, 1, 1, 1, 1}, 3},
+                    {"good.pfm", {1, 1, 1, 0.5F, 0.25F, 0}, 0}};
+    (void)context;
+    for (size_t i = 0; i < sizeof pictures / sizeof pictures[0]; i++) {
+        static const char head[] = "PF\n2 1\n-1.0\n";
+        if (strcmp(path, pictures[i].path) == 0) {
+            char *bytes = arena_array(arena, 1, sizeof head + sizeof pictures[i].pixels);
+            memcpy(bytes, head, sizeof head);
+            memcpy(bytes + sizeof head - 1, pictures[i].pixels, sizeof pictures[i].pixels);
+            *content =
+                (struct text){bytes, sizeof head - 1 + sizeof pictures[i].pixels - pictures[i].cut};
+            return true;
+        }
+    }
+    return fail(error, ERROR_IO, "there is no file %s", path);
+}
+
 #define CAMERA "camera at=0,0,5 look=0,0,0\n"
 #define GREY   "material grey lambert colour=0.5\n"
 
@@ -254,8 +311,127 @@ static void check_light(void)
     }
 }
 
+#define MESH(name)  GREY "mesh material=grey file=" name "\n"
+#define TABLE(name) "colour leaf table=" name "\n"
+
+/* What lies beside the scene: an error of a mesh or a table is in that file. */
+static void check_beside(void)
+{
+    static const struct {
+        const char *text, *source;
+        long line;
+        int column;
+        const char *message;
+    } cases[] = {
+        {MESH("none.obj"), "there/test.scene", 2, 25, "there is no file there/none.obj"},
+        {MESH("bad.obj"), "there/bad.obj", 4, 7, "there is no 'v' 5"},
+        {TABLE("none.tsv"), "there/test.scene", 1, 19, "there is no file there/none.tsv"},
+        {TABLE("flat.obj"), "there/flat.obj", 1, 0, "the first column"},
+        {TABLE("down.tsv"), "there/down.tsv", 0, 0, "0.4 um of the spectrum is not above"},
+        {TABLE("short.tsv"), "there/short.tsv", 0, 0, "at least two rows"},
+        {TABLE("wide.tsv"), "there/wide.tsv", 0, 0, "two columns"},
+        {TABLE("cell.tsv"), "there/cell.tsv", 2, 5, "number"},
+        {TABLE("lamp.tsv") "material a lambert colour=leaf\n", "there/test.scene", 2, 27,
+         "says 100"},
+    };
+    const struct scene_files files = {read_beside, NULL};
+    for (size_t i = 0; i < sizeof cases / sizeof cases[0]; i++) {
+        struct arena arena = {0};
+        struct scene scene;
+        struct error error = {0};
+        CHECK(!scene_file_read("there/test.scene", text_of(cases[i].text), &files, &arena, &scene,
+                               &error));
+        const bool named = strstr(error.message, cases[i].message) != NULL;
+        const bool placed = error.line == cases[i].line && error.column == cases[i].column &&
+                            strcmp(error.source, cases[i].source) == 0;
+        if (!named || !placed || error.code != ERROR_DATA) {
+            printf("%s -> %s:%ld:%d: %s\n", cases[i].text, error.source, error.line, error.column,
+                   error.message);
+        }
+        CHECK(named && placed && error.code == ERROR_DATA);
+        arena_free(&arena);
+    }
+}
+
+static void check_pictures(void)
+{
+    static const struct {
+        const char *text;
+        const char *message; /* null: it is good */
+    } cases[] = {
+        {"material a lambert texture=good.pfm\n", NULL},
+        {"material a lambert texture=nan.pfm\n", "nan.pfm: "},
+        {"material a lambert texture=bright.pfm\n", "column 2, row 1 is brighter than 1"},
+        {"material a lambert texture=dark.pfm\n", "dark.pfm: "},
+        {"material a lambert texture=cut.pfm\n", "cut.pfm: "},
+        {"card size=1 file=bright.pfm\n", "brighter than 1"},
+        {"card size=1 file=bright.pfm luminance=100\n", NULL},
+        {"light environment file=bright.pfm luminance=100\n", NULL},
+        {"light environment file=nan.pfm luminance=100\n", "column 2, row 1"},
+        {"material a mirror texture=good.pfm\nplane material=a\n", "needs repeat="},
+    };
+    const struct scene_files files = {read_picture, NULL};
+    for (size_t i = 0; i < sizeof cases / sizeof cases[0]; i++) {
+        struct arena arena = {0};
+        struct scene scene;
+        struct error error = {0};
+        const char *text = arena_printf(&arena, CAMERA "%s", cases[i].text);
+        const bool is_read =
+            scene_file_read("test.scene", text_of(text), &files, &arena, &scene, &error);
+        CHECK(is_read == (cases[i].message == NULL));
+        if (!is_read && (strstr(error.message, cases[i].message) == NULL ||
+                         strcmp(error.source, "test.scene") != 0 || error.line < 2)) {
+            printf("%s -> %s:%ld:%d: %s\n", cases[i].text, error.source, error.line, error.column,
+                   error.message);
+        }
+        CHECK(is_read || (strstr(error.message, cases[i].message) != NULL &&
+                          error.code == ERROR_DATA && error.line >= 2));
+        arena_free(&arena);
+    }
+}
+
+/* A card has the shape of its picture; what is named twice is read once; all is in the digest. */
+static void check_loaded(void)
+{
+    const struct scene_files files = {read_picture, NULL}, others = {read_beside, NULL};
+    struct arena arena = {0};
+    struct scene scene, again;
+    struct error error = {0};
+    const char *text = CAMERA "card size=3 file=good.pfm\ncard size=1,1 file=\"good.pfm\"\n";
+    CHECK(scene_file_read("test.scene", text_of(text), &files, &arena, &scene, &error));
+    CHECK(scene.things[0].size.x == 3000 && scene.things[0].size.y == 1500);
+    CHECK(scene.things[1].size.y == 1000 && scene.things[0].material == SCENE_NONE);
+    CHECK(scene.things[0].picture == scene.things[1].picture && !scene.things[0].shines);
+    CHECK(scene.things[0].picture->channels == 3 && scene.things[0].picture->pixels[4] == 0.25F);
+    const char *mesh = CAMERA TABLE("leaf.tsv") "material grey lambert colour=leaf\n"
+                                                "mesh material=grey file=flat.obj scale=0.5\n"
+                                                "mesh material=grey file=flat.obj scale=0.5 "
+                                                "at=1,0,0\n";
+    CHECK(scene_file_read("there/test.scene", text_of(mesh), &others, &arena, &scene, &error));
+    CHECK(scene.things[0].mesh == scene.things[1].mesh &&
+          scene.things[0].mesh->triangle_count == 1);
+    CHECK(scene.things[0].mesh->corners[1].x == 500 && scene.things[1].where.at.x == 1000);
+    CHECK(scene.note_count == 2 && strstr(scene.notes[1], "flat.obj: passed over: materials"));
+    CHECK(strstr(scene.notes[0], "leaf.tsv: from 400 to 700 nm") != NULL);
+    const struct spectrum *leaf = &scene.materials[0].colour;
+    CHECK(leaf->kind == SPECTRUM_TABLE && leaf->count == 3 && leaf->value[1] == 0.25);
+    CHECK_RELATIVE(leaf->wavelength[1], 0.55, 1e-15, "um");
+    CHECK(scene_file_read("there/test.scene", text_of(mesh), &others, &arena, &again, &error));
+    CHECK_TEXT(again.digest.text, scene.digest.text);
+    const char *other = CAMERA TABLE("/absolute.tsv");
+    CHECK(scene_file_read("there/test.scene", text_of(other), &others, &arena, &again, &error));
+    CHECK(strcmp(again.digest.text, scene.digest.text) != 0);
+    /* nobody reads files for it */
+    CHECK(!scene_file_read("test.scene", text_of(text), NULL, &arena, &scene, &error));
+    CHECK(strstr(error.message, "no file may be named") != NULL && error.line == 2);
+    arena_free(&arena);
+}
+
 int main(void)
 {
+    check_beside();
+    check_pictures();
+    check_loaded();
     check_errors();
     check_numbers();
     check_frames();

@@ -1,0 +1,431 @@
+/* file/obj_file.c - triangles out of Wavefront's .obj files. */
+/* SPDX-License-Identifier: MIT */
+#include "file/obj_file.h"
+
+#include "file/file_words.h"
+
+#include <math.h>
+#include <stdint.h>
+#include <string.h>
+
+#define NONE ((size_t)-1)
+
+/* What faces count: positions, places in a texture, normals. */
+enum part { PART_POSITION, PART_PLACE, PART_NORMAL, PARTS };
+static const char *const part_words[PARTS] = {"v", "vt", "vn"};
+
+/* Position, place and normal, from 0; NONE: it has none. */
+struct corner {
+    size_t of[PARTS];
+};
+
+struct obj {
+    struct file_words words;
+    const struct obj_question *question;
+    struct obj_passed *passed;
+    struct arena *arena;       /* of what is given up in the end */
+    struct vector *all[PARTS]; /* as they are written; places in x and y */
+    size_t count[PARTS], room[PARTS];
+    size_t total[PARTS]; /* in the whole file: faces may stand before their corners */
+    struct corner *corners;
+    size_t corner_count, corner_room;
+    size_t *slots, slot_count; /* of the corners, by what they are; one more than the number */
+    size_t (*triangles)[3];
+    size_t triangle_count, triangle_room;
+};
+
+/* -------- corners of which no two are alike -------- */
+
+static size_t slot_of(const struct obj *obj, const struct corner *corner)
+{
+    uint64_t hash = 0;
+    for (size_t i = 0; i < PARTS; i++) {
+        hash = (hash ^ corner->of[i]) * 0x9e3779b97f4a7c15;
+        hash ^= hash >> 32;
+    }
+    size_t slot = (size_t)hash & (obj->slot_count - 1);
+    while (obj->slots[slot] != 0 &&
+           memcmp(&obj->corners[obj->slots[slot] - 1], corner, sizeof *corner) != 0) {
+        slot = (slot + 1) & (obj->slot_count - 1);
+    }
+    return slot;
+}
+
+static size_t append_corner(struct obj *obj, const struct corner *corner)
+{
+    obj->corners =
+        arena_grow(obj->arena, obj->corners, obj->corner_count, &obj->corner_room, sizeof *corner);
+    obj->corners[obj->corner_count] = *corner;
+    return obj->corner_count++;
+}
+
+static size_t corner_number(struct obj *obj, const struct corner *corner)
+{
+    if (2 * (obj->corner_count + 1) > obj->slot_count) {
+        obj->slot_count = obj->slot_count > 0 ? 2 * obj->slot_count : 1024;
+        obj->slots = ARENA_ARRAY(obj->arena, obj->slot_count, size_t);
+        for (size_t i = 0; i < obj->corner_count; i++) {
+            obj->slots[slot_of(obj, &obj->corners[i])] = i + 1;
+        }
+    }
+    const size_t slot = slot_of(obj, corner);
+    if (obj->slots[slot] == 0) {
+        obj->slots[slot] = append_corner(obj, corner) + 1;
+    }
+    return obj->slots[slot] - 1;
+}
+
+/* -------- words -------- */
+
+/* The next word of a line, which goes on behind a backslash; a comment ends it. */
+static struct text next_word(struct obj *obj)
+{
+    struct text word = file_words_next(&obj->words);
+    while (text_equal(word, "\\") && file_words_line(&obj->words)) {
+        word = file_words_next(&obj->words);
+    }
+    if (word.length > 0 && word.start[0] == '#') {
+        file_words_rest(&obj->words);
+        word.length = 0;
+    }
+    return word;
+}
+
+static bool read_number(const struct obj *obj, struct text word, double most, double *value,
+                        struct error *error)
+{
+    const char *end = word.start + word.length;
+    const char *behind =
+        word.length > 0 ? number_read(word.start, end, NUMBER_UNSCALED, value) : NULL;
+    if (word.length == 0) {
+        return file_words_fail(&obj->words, word, error, "a number is missing");
+    }
+    if (behind != end) {
+        return file_words_fail(&obj->words, word, error, "'%.*s' is not a number", text_shown(word),
+                               word.start);
+    }
+    return fabs(*value) <= most ||
+           file_words_fail(&obj->words, word, error, "%.*s is not within -%.4g to %.4g",
+                           text_shown(word), word.start, most, most);
+}
+
+/* v x y z, with a weight or a colour behind; vt u, with v, and a depth; vn x y z. */
+static bool read_part(struct obj *obj, enum part part, struct error *error)
+{
+    static const size_t least[PARTS] = {3, 1, 3}, most[PARTS] = {7, 3, 3};
+    const double farthest =
+        part == PART_POSITION ? obj->question->farthest / obj->question->scale : 1e9;
+    double number[7] = {0};
+    size_t count = 0;
+    struct text word = next_word(obj);
+    for (; count < least[part] || (word.length > 0 && count < most[part]); count++) {
+        if (!read_number(obj, word, farthest, &number[count], error)) {
+            return false;
+        }
+        word = next_word(obj);
+    }
+    if (word.length > 0) {
+        return file_words_fail(&obj->words, word, error, "'%.*s' does not belong here",
+                               text_shown(word), word.start);
+    }
+    obj->passed->colours = obj->passed->colours || (part == PART_POSITION && count >= 6);
+    obj->all[part] = arena_grow(obj->arena, obj->all[part], obj->count[part], &obj->room[part],
+                                sizeof(struct vector));
+    obj->all[part][obj->count[part]++] = (struct vector){number[0], number[1], number[2]};
+    return true;
+}
+
+/* A number from 1, or from -1 for the last one so far. */
+static bool read_index(const struct obj *obj, struct text text, enum part part, size_t *index,
+                       struct error *error)
+{
+    const bool is_behind = text.length > 0 && text.start[0] == '-';
+    size_t value = 0, i = is_behind ? 1 : 0;
+    for (; i < text.length && char_is_digit(text.start[i]) && value < SIZE_MAX / 16; i++) {
+        value = 10 * value + (size_t)(text.start[i] - '0');
+    }
+    if (i < text.length || text.length == (is_behind ? 1 : 0)) {
+        return file_words_fail(&obj->words, text, error, "'%.*s' is not the number of a '%s'",
+                               text_shown(text), text.start, part_words[part]);
+    }
+    const size_t have = is_behind ? obj->count[part] : obj->total[part];
+    if (value == 0 || value > have) {
+        return file_words_fail(&obj->words, text, error, "there is no '%s' %.*s: %s has %zu",
+                               part_words[part], text_shown(text), text.start,
+                               is_behind ? "up to here the file" : "the file", have);
+    }
+    *index = is_behind ? have - value : value - 1;
+    return true;
+}
+
+/* 3, 3/4, 3//5 or 3/4/5 */
+static bool read_corner(struct obj *obj, struct text word, size_t *number, struct error *error)
+{
+    struct corner corner = {{NONE, NONE, NONE}};
+    struct text rest = word;
+    for (int part = 0; part < PARTS && rest.start != NULL; part++) {
+        const struct text text = text_cut(&rest, '/');
+        if ((part == PART_POSITION || text.length > 0) &&
+            !read_index(obj, text, (enum part)part, &corner.of[part], error)) {
+            return false;
+        }
+    }
+    if (rest.start != NULL) {
+        return file_words_fail(&obj->words, rest, error,
+                               "a corner is position/place/normal: three numbers at most");
+    }
+    *number = corner_number(obj, &corner);
+    return true;
+}
+
+static bool read_face(struct obj *obj, struct error *error)
+{
+    size_t corner[3], count = 0;
+    for (struct text word = next_word(obj); word.length > 0; word = next_word(obj)) {
+        const size_t here = count < 2 ? count : 2;
+        if (!read_corner(obj, word, &corner[here], error)) {
+            return false;
+        }
+        if (++count < 3) {
+            continue;
+        }
+        if (obj->triangle_count == obj->question->most) {
+            return file_words_fail(&obj->words, word, error, "more than %zu triangles",
+                                   obj->question->most);
+        }
+        obj->triangles = arena_grow(obj->arena, obj->triangles, obj->triangle_count,
+                                    &obj->triangle_room, sizeof obj->triangles[0]);
+        memcpy(obj->triangles[obj->triangle_count++], corner, sizeof corner);
+        corner[1] = corner[2];
+    }
+    const struct text end = {obj->words.line.start + obj->words.line.length, 0};
+    return count >= 3 || file_words_fail(&obj->words, end, error,
+                                         "a face needs three corners, and has %zu", count);
+}
+
+/* -------- lines -------- */
+
+enum action {
+    ACTION_PASS,
+    ACTION_MATERIAL,
+    ACTION_LINE,
+    ACTION_REFUSE /* free-form geometry: leaving it out would change what is there */
+};
+
+static const struct {
+    const char *word;
+    enum action action;
+} others[] = {
+    {"o", ACTION_PASS},          {"g", ACTION_PASS},          {"s", ACTION_PASS},
+    {"mg", ACTION_PASS},         {"usemtl", ACTION_MATERIAL}, {"mtllib", ACTION_MATERIAL},
+    {"usemap", ACTION_MATERIAL}, {"maplib", ACTION_MATERIAL}, {"bevel", ACTION_PASS},
+    {"c_interp", ACTION_PASS},   {"d_interp", ACTION_PASS},   {"lod", ACTION_PASS},
+    {"shadow_obj", ACTION_PASS}, {"trace_obj", ACTION_PASS},  {"l", ACTION_LINE},
+    {"p", ACTION_LINE},          {"vp", ACTION_REFUSE},       {"cstype", ACTION_REFUSE},
+    {"deg", ACTION_REFUSE},      {"bmat", ACTION_REFUSE},     {"step", ACTION_REFUSE},
+    {"curv", ACTION_REFUSE},     {"curv2", ACTION_REFUSE},    {"surf", ACTION_REFUSE},
+};
+
+static bool read_other(struct obj *obj, struct text head, struct error *error)
+{
+    for (size_t i = 0; i < sizeof others / sizeof others[0]; i++) {
+        if (!text_equal(head, others[i].word)) {
+            continue;
+        }
+        if (others[i].action == ACTION_REFUSE) {
+            return file_words_fail(&obj->words, head, error,
+                                   "'%s': free-form curves and surfaces are not read",
+                                   others[i].word);
+        }
+        obj->passed->materials = obj->passed->materials || others[i].action == ACTION_MATERIAL;
+        obj->passed->lines = obj->passed->lines || others[i].action == ACTION_LINE;
+        while (next_word(obj).length > 0) {
+        }
+        return true;
+    }
+    return file_words_fail(&obj->words, head, error, "unknown word '%.*s'", text_shown(head),
+                           head.start);
+}
+
+static bool read_line(struct obj *obj, struct error *error)
+{
+    const struct text head = next_word(obj);
+    if (head.length == 0) {
+        return true;
+    }
+    if (text_equal(head, "f")) {
+        return read_face(obj, error);
+    }
+    for (int part = 0; part < PARTS; part++) {
+        if (text_equal(head, part_words[part])) {
+            return read_part(obj, (enum part)part, error);
+        }
+    }
+    return read_other(obj, head, error);
+}
+
+/* How many parts of each kind there are. */
+static void count_parts(struct obj *obj)
+{
+    struct file_words words = obj->words;
+    while (file_words_line(&words)) {
+        const struct text head = file_words_next(&words);
+        for (int part = 0; part < PARTS; part++) {
+            obj->total[part] += text_equal(head, part_words[part]) ? 1 : 0;
+        }
+    }
+}
+
+/* -------- the mesh -------- */
+
+static struct vector position(const struct obj *obj, size_t corner)
+{
+    return obj->all[PART_POSITION][obj->corners[corner].of[PART_POSITION]];
+}
+
+/* Any direction for a triangle without area, which nothing meets. */
+static struct vector face_normal(const struct obj *obj, const size_t triangle[3])
+{
+    const struct vector a = position(obj, triangle[0]);
+    const struct vector across = vector_cross(vector_minus(position(obj, triangle[1]), a),
+                                              vector_minus(position(obj, triangle[2]), a));
+    const double length = vector_length(across);
+    return length > 0 && isfinite(length) ? vector_times(1 / length, across)
+                                          : (struct vector){0, 0, 1};
+}
+
+static bool has_normal(const struct obj *obj, size_t corner)
+{
+    const size_t normal = obj->corners[corner].of[PART_NORMAL];
+    return normal != NONE && vector_length(obj->all[PART_NORMAL][normal]) > 0;
+}
+
+/* Corners without a normal of their own get that of their face, each face its own corner. */
+static void give_normals(struct obj *obj)
+{
+    for (size_t i = 0; i < obj->triangle_count; i++) {
+        size_t *triangle = obj->triangles[i];
+        struct corner flat = {{0, 0, NONE}};
+        for (int k = 0; k < 3; k++) {
+            if (has_normal(obj, triangle[k])) {
+                continue;
+            }
+            if (flat.of[PART_NORMAL] == NONE) {
+                const struct vector normal = face_normal(obj, triangle);
+                obj->all[PART_NORMAL] =
+                    arena_grow(obj->arena, obj->all[PART_NORMAL], obj->count[PART_NORMAL],
+                               &obj->room[PART_NORMAL], sizeof normal);
+                obj->all[PART_NORMAL][obj->count[PART_NORMAL]] = normal;
+                flat.of[PART_NORMAL] = obj->count[PART_NORMAL]++;
+            }
+            flat.of[PART_POSITION] = obj->corners[triangle[k]].of[PART_POSITION];
+            flat.of[PART_PLACE] = obj->corners[triangle[k]].of[PART_PLACE];
+            triangle[k] = append_corner(obj, &flat);
+        }
+    }
+}
+
+/* Have some corners this part? */
+static bool has_part(const struct obj *obj, enum part part)
+{
+    for (size_t i = 0; i < obj->corner_count; i++) {
+        if (part == PART_NORMAL ? has_normal(obj, i) : obj->corners[i].of[part] != NONE) {
+            return true;
+        }
+    }
+    return false;
+}
+
+static void count_unplaced(struct obj *obj)
+{
+    for (size_t i = 0; i < obj->triangle_count; i++) {
+        const size_t *triangle = obj->triangles[i];
+        bool lacks = false;
+        for (int k = 0; k < 3; k++) {
+            lacks = lacks || obj->corners[triangle[k]].of[PART_PLACE] == NONE;
+        }
+        obj->passed->unplaced += lacks ? 1 : 0;
+    }
+}
+
+static void fill_corners(const struct obj *obj, struct vector *corners, struct vector *normals,
+                         double (*places)[2])
+{
+    for (size_t i = 0; i < obj->corner_count; i++) {
+        const size_t *of = obj->corners[i].of;
+        corners[i] = vector_times(obj->question->scale, obj->all[PART_POSITION][of[PART_POSITION]]);
+        if (normals != NULL) {
+            normals[i] = vector_unit(obj->all[PART_NORMAL][of[PART_NORMAL]]);
+        }
+        if (places != NULL && of[PART_PLACE] != NONE) {
+            places[i][0] = obj->all[PART_PLACE][of[PART_PLACE]].x;
+            places[i][1] = obj->all[PART_PLACE][of[PART_PLACE]].y;
+        }
+    }
+}
+
+static void make_mesh(struct obj *obj, struct arena *arena, struct scene_mesh *mesh)
+{
+    const bool has_normals = has_part(obj, PART_NORMAL), has_places = has_part(obj, PART_PLACE);
+    if (has_normals) {
+        give_normals(obj);
+    }
+    if (has_places) {
+        count_unplaced(obj);
+    }
+    struct vector *corners = ARENA_ARRAY(arena, obj->corner_count, struct vector);
+    struct vector *normals =
+        has_normals ? ARENA_ARRAY(arena, obj->corner_count, struct vector) : NULL;
+    double(*places)[2] =
+        has_places ? arena_array(arena, obj->corner_count, sizeof places[0]) : NULL;
+    size_t(*triangles)[3] = arena_array(arena, obj->triangle_count, sizeof triangles[0]);
+    memcpy(triangles, obj->triangles, obj->triangle_count * sizeof triangles[0]);
+    fill_corners(obj, corners, normals, places);
+    *mesh = (struct scene_mesh){
+        .file = arena_string(arena, obj->question->source, strlen(obj->question->source)),
+        .corner_count = obj->corner_count,
+        .triangle_count = obj->triangle_count,
+        .corners = corners,
+        .normals = normals,
+        .places = (const double(*)[2])places,
+        .triangles = (const size_t(*)[3])triangles,
+    };
+}
+
+static bool read_lines(struct obj *obj, struct error *error)
+{
+    count_parts(obj);
+    while (file_words_line(&obj->words)) {
+        if (!read_line(obj, error)) {
+            return false;
+        }
+    }
+    for (int part = 0; part < PARTS; part++) {
+        if (obj->count[part] != obj->total[part]) { /* faces may name one that was never read */
+            fail(error, ERROR_DATA, "a line that goes on from the one above begins with '%s'",
+                 part_words[part]);
+            return error_locate(error, obj->question->source, 0, 0);
+        }
+    }
+    if (obj->triangle_count == 0) {
+        fail(error, ERROR_DATA, "the mesh has no face");
+        return error_locate(error, obj->question->source, 0, 0);
+    }
+    return true;
+}
+
+bool obj_read(const struct obj_question *question, struct text content, struct arena *arena,
+              struct scene_mesh *mesh, struct obj_passed *passed, struct error *error)
+{
+    struct arena own = {0};
+    struct obj obj = {.question = question, .passed = passed, .arena = &own};
+    *passed = (struct obj_passed){.unplaced = 0};
+    bool is_read = file_words_open(&obj.words, question->source, content, &own, error);
+    obj.words.comment = NULL;
+    is_read = is_read && read_lines(&obj, error);
+    if (is_read) {
+        make_mesh(&obj, arena, mesh);
+    }
+    arena_free(&own);
+    return is_read;
+}
