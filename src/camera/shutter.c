@@ -23,12 +23,18 @@ const struct word shutter_directions[] = {
     {NULL, NULL},
 };
 
+/* How much longer than the exposure: more digits would be lost in the interval's ends. */
+static const double longest_travel = 1e8;
+
 static bool check_curtains(const struct shutter_question *question, struct error *error)
 {
-    if (!(question->travel > 0 && isfinite(question->travel))) {
-        return fail(error, ERROR_DOMAIN, "%s takes %.6g s over the film: it must be above 0",
-                    question->kind == SHUTTER_FOCAL ? "a curtain" : "the reading",
-                    question->travel);
+    const double most = longest_travel * question->time;
+    if (!(question->travel > 0 && question->travel <= most && isfinite(question->travel))) {
+        return fail(error, ERROR_DOMAIN,
+                    "%s takes %.6g s over the film: it must be above 0, and at most %.3g s for an "
+                    "exposure of %.6g s",
+                    question->kind == SHUTTER_FOCAL ? "a curtain" : "the reading", question->travel,
+                    most, question->time);
     }
     return (question->distance >= 0 && isfinite(question->distance) && question->overrun >= 0) ||
            fail(error, ERROR_DOMAIN,

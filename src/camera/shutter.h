@@ -59,9 +59,9 @@ struct shutter_ray {
 /*
  * Make ready.
  *
- * Errors    ERROR_DOMAIN: an exposure time that is not above 0; no travel time; distances and
- *           times below 0; a leaf shutter that had to close before it is open: T below
- *           (1 - sqrt(1/2)) (opening + closing)
+ * Errors    ERROR_DOMAIN: an exposure time that is not above 0; no travel time, or one of more than
+ *           1e8 exposures; distances and times below 0; a leaf shutter that had to close before it
+ *           is open: T below (1 - sqrt(1/2)) (opening + closing)
  */
 bool shutter_open(const struct shutter_question *question, struct shutter *shutter,
                   struct error *error);

@@ -129,6 +129,35 @@ def check_stop(fixture):
     fixture.checks.check(max(spread) < 0.02, "times lie evenly in their intervals")
 
 
+def check_blur(fixture):
+    """Light that is out of focus: the disc of a point is the time of each place of the pupil."""
+    point = bytearray(4 * 51 * 51)
+    point[4 * (51 * 25 + 25):4 * (51 * 25 + 26)] = struct.pack("<f", 1)
+    with open(os.path.join(fixture.folder, "point.pfm"), "wb") as file:
+        file.write(b"Pf\n51 51\n-1.0\n" + point)
+    words = ["point.pfm", "--lens", "double-gauss-50", "--model", "thin", "-s", "1m", "-w", "d",
+             "--field-width", "51mm", "--defocus", "0.6mm", "--sensor", "0.4x0.4mm", "--size",
+             "32x32", "--samples", "256"]
+
+    def spread(*shutter):
+        """Mean square of the distance from the middle."""
+        rows = fixture.picture(*words, *shutter)
+        all_light = sum(map(sum, rows))
+        return sum(value * ((x - 15.5) ** 2 + (y - 15.5) ** 2)
+                   for y, row in enumerate(rows) for x, value in enumerate(row)) / all_light
+
+    plain = spread(*GLOBAL)
+    size = (IMAGE + 0.6) / 1000 * 32 / 0.4  # of the point, in pixels
+    sharp = size * size / 3 + 1 / 6  # of the point, linear between pixels of the card, and a pixel
+    for opening, time in (1e-3, 1 / 500), (1e-3, 1 / 1600), (1e-3, 1 / 100):
+        ramps = 2 * opening / time  # over the exposure time
+        middle = 1 + ramps * HALF
+        share = (middle / 2 - ramps * 2 / 5) / (middle - ramps * 2 / 3) / (1 / 2)
+        found = spread("-t", repr(time), "--shutter", "leaf", "--opening-time", f"{opening}s")
+        fixture.checks.near("blur", f"disc of a point in {time} s", (found - sharp) / (plain - sharp),
+                            share, 0.004)
+
+
 def open_share(at, width, weight):
     """Share of a round beam, of such a width, below a straight edge: by slices."""
     slices = 400
@@ -231,7 +260,7 @@ def main():
             file.write(WHITE)
         with open(os.path.join(folder, "front.lens"), "w", encoding="ascii") as file:
             file.write(FRONT_STOP)
-        for check in (check_leaf, check_stop, check_penumbra, check_curtains, check_lines,
+        for check in (check_leaf, check_stop, check_blur, check_penumbra, check_curtains, check_lines,
                       check_files):
             check(fixture)
     return checks.finish()

@@ -206,6 +206,8 @@ static void test_refused(void)
     question.distance = 0;
     question.travel = 0;
     CHECK(!shutter_open(&question, &shutter, &error));
+    question.travel = 1.1e8 * question.time;
+    CHECK(!shutter_open(&question, &shutter, &error));
     question.kind = SHUTTER_ROLLING;
     question.travel = NAN;
     CHECK(!shutter_open(&question, &shutter, &error));

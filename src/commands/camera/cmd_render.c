@@ -238,6 +238,9 @@ static const struct example examples[] = {
      "the thick lens in its place, by as many rays as an error takes"},
     {"render chart:grid --lens double-gauss-50 -s 3m --scene sunny-16 -N 16 -t 1/100 -o sun.png",
      "in bright sun"},
+    {"render chart:points --lens double-gauss-50 -s 1m --defocus 1 -t 1/500 --shutter leaf "
+     "--opening-time 1ms -o leaf.png",
+     "out of focus, by a leaf shutter"},
     {"render --lens double-gauss-50 --rays rays.csv", "rays for another renderer"},
     {NULL, NULL},
 };
