@@ -168,7 +168,23 @@ $(BUILD)/ceres/%: tests/ceres/%.c $(objects) $(ceres)
 	$(Q)$(CC) $(ALL_CFLAGS) -Itests/unit -MMD -MP -MT $@ -c -o $@.o $<
 	$(Q)$(CXX) $(CXX_FLAGS) $(LDFLAGS) -o $@ $@.o $(objects) $(ceres) -lceres -lglog -lm
 
--include $(patsubst %.o,%.d,$(BUILD)/main.o $(objects) $(alone) $(ceres)) $(addsuffix .d,$(units))
+# the fuzz targets on the inputs that are kept, without a fuzzer
+targets  := $(patsubst tests/fuzz/fuzz_%.c,$(BUILD)/fuzz/replay_%.o,$(wildcard tests/fuzz/fuzz_*.c))
+solver_1 = $(ceres)
+solver_0 = $(alone)
+link_1   = $(CXX) $(CXX_FLAGS)
+link_0   = $(CC) $(ALL_CFLAGS)
+libs_1   = -lceres -lglog
+$(BUILD)/fuzz/replay_%.o: tests/fuzz/fuzz_%.c $(BUILD)/flags
+	@mkdir -p $(@D)
+	$(Q)$(CC) $(ALL_CFLAGS) -Itests/fuzz -DLLVMFuzzerTestOneInput=replay_$* -MMD -MP -c -o $@ $<
+
+$(BUILD)/replay: tests/fuzz/replay.c $(targets) $(objects) $(solver_$(CERES)) $(BUILD)/objects
+	@echo link $@
+	$(Q)$(CC) $(ALL_CFLAGS) -Itests/fuzz -c -o $(BUILD)/fuzz/replay.o $<
+	$(Q)$(link_$(CERES)) $(LDFLAGS) -o $@ $(BUILD)/fuzz/replay.o $(filter %.o,$^) $(libs_$(CERES)) -lm
+
+-include $(patsubst %.o,%.d,$(BUILD)/main.o $(objects) $(alone) $(ceres)) $(addsuffix .d,$(units)) $(targets:.o=.d)
 
 ceres_packages_1 = g++ libceres-dev
 build_packages = gcc make libc6-dev libstb-dev $(ceres_packages_$(CERES))
@@ -188,7 +204,7 @@ demo:
 # one build and all fast tests
 check:
 	@tests/deps $(check_packages)
-	@$(MAKE) -s all $(units)
+	@$(MAKE) -s all $(units) $(BUILD)/replay
 	@tests/run $(BUILD)
 
 # everything that has an end: other compiler, sanitizers, valgrind, short fuzzing

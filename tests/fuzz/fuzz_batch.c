@@ -36,7 +36,7 @@ static void require_passed(const struct batch *batch)
             last = (unsigned char)batch->passed[i].start[j];
         }
     }
-    REQUIRE(last <= 255);
+    (void)last;
 }
 
 /* Numbers are only absent where the command line left them absent. */

@@ -26,7 +26,7 @@ static void try_words(int count, char **words, bool nominal)
 {
     struct arena arena = {0};
     struct lensdb db = {.arena = &arena};
-    struct reader reader = {&db, &arena, nominal};
+    struct reader reader = {.db = &db, .arena = &arena, .nominal = nominal};
     struct arguments arguments = {0};
     struct sweep sweep = {0};
     struct error error = {0};
