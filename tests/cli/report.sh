@@ -19,4 +19,8 @@ lenscalc report double-gauss --position wide
 lenscalc report double-gauss wide-35
 lenscalc report double-gauss -N 2,4
 lenscalc report double-gauss -w d
+{ echo 'lens Many'; printf 'field angle'; seq -f ' %g' -s '' 0 0.1 10; echo
+    printf 'surface 50 2 1.5 20\nsurface - 97 air 20\n'; } > many.lens
+lenscalc report many.lens -o many.html
+rm many.lens
 ls

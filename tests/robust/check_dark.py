@@ -2,13 +2,10 @@
 """tests/robust/check_dark.py - lenses through which little light passes, or none.
 
 The commands that look for rays and the analyses answer or refuse, in every format and in a short
-time, and no answer holds a nan or a control character; so with the files of tests/robust/hostile.
-Those that showed faults before are read from the shared folder where there is one: each by every
-sixth command, by all of them where LENSCALC_ALL asks for it, by some if the program is instrumented.
+time, and no answer holds a nan or a control character.
 """
 # SPDX-License-Identifier: MIT
 
-import glob
 import json
 import os
 import re
@@ -17,7 +14,7 @@ import sys
 
 sys.dont_write_bytecode = True
 sys.path.insert(0, os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
-from harness import ROOT, SHARED, Checks, Program
+from harness import Checks, Program
 
 NAN = re.compile(rb"(?i)(?<![a-z])-?nan(?![a-z])")
 CONTROL = re.compile(rb"[\x00-\x08\x0b-\x1f\x7f]")
@@ -101,30 +98,17 @@ def main():
         paths.append((name, os.path.join(program.holder.name, f"dark{number}.lens")))
         with open(paths[-1][1], "w", encoding="ascii") as file:
             file.write(text)
-    known = sorted(glob.glob(os.path.join(SHARED, "data", "hostile", "*.*")))
-    own = sorted(glob.glob(os.path.join(ROOT, "tests", "robust", "hostile", "*.*")))
-    checks.check(len(own) >= 10, f"tests/robust/hostile holds {own}")
-    paths += [(os.path.basename(path), path) for path in own]
-    paths += [(os.path.basename(path), path) for path in known if not path.endswith(".md")]
-    if not known:
-        print("skipped: files that showed faults before, there is no shared folder")
     before = spent()
     program.run("distortion", "fisheye-16", "--field", "0..80#1500", "--calibrated", "--csv")
     took = spent() - before
     checks.check(took < most or program.is_instrumented,
                  f"a sweep of calibrated distortions: took {took:.1f} s")
     check_escape(checks, program)
-    # of the known files every so many commands: an instrumented program takes ten times as long
-    every = 40 if program.is_instrumented else 1 if os.environ.get("LENSCALC_ALL") else 6
-    for number, (name, path) in enumerate(paths):
+    for name, path in paths:
         for words in COMMANDS:
-            if path in known and (number + COMMANDS.index(words)) % every:
-                continue
-            # what was seen once needs one look: a form that holds every number
-            once = path in known or program.is_instrumented
-            formats = ([],) if words[0] == "draw" else (["--json"],) if once else ([], ["--json"])
-            if path in known and len(words) > 1:
-                continue
+            # what is instrumented needs one look: a form that holds every number
+            formats = ([],) if words[0] == "draw" else (["--json"],) if program.is_instrumented \
+                else ([], ["--json"])
             for form in formats:
                 what = f"{name}: {' '.join(words + form)}"
                 before = spent()

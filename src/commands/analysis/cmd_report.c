@@ -66,7 +66,12 @@ static const struct section sections[] = {
     {"Light over the image", "illumination", "--plot", TAKES_ALL, true},
     {"Colour", "color", "--plot", TAKES_BOTH, true},
 };
-enum { SECTIONS = sizeof sections / sizeof sections[0], MOST_WORDS = 10, MOST_POSITIONS = 3 };
+enum {
+    SECTIONS = sizeof sections / sizeof sections[0],
+    MOST_WORDS = 10,
+    MOST_POSITIONS = 3,
+    FIELDS_SHOWN = 100
+};
 
 /* A page in the making. */
 struct writer {
@@ -218,6 +223,12 @@ static bool check(const struct artifact_job *job, struct error *error)
     if (input->question.lens.lens == NULL) {
         fail(error, ERROR_USAGE, "no lens is given");
         return error_hint(error, "lenscalc report NAME, see 'lenscalc list lenses'");
+    }
+    const size_t fields = input->question.lens.lens->field_count;
+    if (fields > FIELDS_SHOWN) {
+        fail(error, ERROR_USAGE, "a report has room for %d fields, the lens has %zu", FIELDS_SHOWN,
+             fields);
+        return error_hint(error, "the analyses by themselves take any number of them");
     }
     return true;
 }
