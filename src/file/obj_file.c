@@ -354,8 +354,9 @@ static void fill_corners(const struct obj *obj, struct vector *corners, struct v
     for (size_t i = 0; i < obj->corner_count; i++) {
         const size_t *of = obj->corners[i].of;
         corners[i] = vector_times(obj->question->scale, obj->all[PART_POSITION][of[PART_POSITION]]);
-        if (normals != NULL) {
-            normals[i] = vector_unit(obj->all[PART_NORMAL][of[PART_NORMAL]]);
+        if (normals != NULL) { /* of those without one no triangle is left */
+            normals[i] = has_normal(obj, i) ? vector_unit(obj->all[PART_NORMAL][of[PART_NORMAL]])
+                                            : (struct vector){0, 0, 1};
         }
         if (places != NULL && of[PART_PLACE] != NONE) {
             places[i][0] = obj->all[PART_PLACE][of[PART_PLACE]].x;

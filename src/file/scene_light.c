@@ -130,7 +130,14 @@ static bool read_environment(struct scene_reader *reader, const struct scene_lin
 {
     light->amount = line->number[KEY_LUMINANCE][0];
     light->turn = -line->number[KEY_AZIMUTH][0];
-    return scene_load_picture(reader, line, KEY_FILE, PICTURE_OF_LIGHT, &light->picture, error);
+    if (!scene_load_picture(reader, line, KEY_FILE, PICTURE_OF_LIGHT, &light->picture, error)) {
+        return false;
+    }
+    return light->picture->width == 2 * light->picture->height ||
+           scene_line_fail(line, KEY_FILE, error,
+                           "a picture of all directions is twice as wide as high, and this one is "
+                           "%zu x %zu",
+                           light->picture->width, light->picture->height);
 }
 
 static bool read_kind(struct scene_reader *reader, size_t *kind, enum scene_sky *sky,

@@ -118,6 +118,9 @@ static void check_normals(void)
                             "f 1//1 2//1 3//1\nf 1 3 4\nf 1//2 2/1 4\n",
                     &arena, &mesh, &passed, &error));
     CHECK(mesh.triangle_count == 3 && passed.unplaced == 3);
+    for (size_t i = 0; i < mesh.corner_count; i++) {
+        CHECK_NEAR(vector_length(mesh.normals[i]), 1, 1e-15, "every corner has a normal");
+    }
     for (int k = 0; k < 3; k++) {
         CHECK(is_at(mesh.normals[mesh.triangles[0][k]], 0, 0, -1));
         /* (0,1,0) x (0,0,1), and (1,0,0) x (0,0,1) */

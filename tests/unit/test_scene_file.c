@@ -41,20 +41,20 @@ static bool read_picture(void *context, const char *path, struct arena *arena, s
         const char *path;
         float pixels[6];
         size_t cut;
-    } pictures[] = {{"nan.pfm", {1, 1, 1, 1, NAN, 1}, 0},
-                    {"bright.pfm", {1, 1, 1, 1, 1, 1.5F}, 0},
-                    {"dark.pfm", {1, 1, 1, 1, 1, -0.5F}, 0},
-                    {"cut.pfm", {1, 1, 1, 1, 1, 1}, 3},
-                    {"good.pfm", {1, 1, 1, 0.5F, 0.25F, 0}, 0}};
+    } pictures[] = {
+        {"nan.pfm", {1, 1, 1, 1, NAN, 1}, 0},       {"bright.pfm", {1, 1, 1, 1, 1, 1.5F}, 0},
+        {"dark.pfm", {1, 1, 1, 1, 1, -0.5F}, 0},    {"cut.pfm", {1, 1, 1, 1, 1, 1}, 3},
+        {"good.pfm", {1, 1, 1, 0.5F, 0.25F, 0}, 0}, {"tall.pfm", {1, 1, 1, 1, 1, 1}, 0}};
     (void)context;
     for (size_t i = 0; i < sizeof pictures / sizeof pictures[0]; i++) {
-        static const char head[] = "PF\n2 1\n-1.0\n";
+        const bool is_tall = strcmp(path, "tall.pfm") == 0;
+        const char *head = is_tall ? "PF\n1 2\n-1.0\n" : "PF\n2 1\n-1.0\n";
+        const size_t length = strlen(head);
         if (strcmp(path, pictures[i].path) == 0) {
-            char *bytes = arena_array(arena, 1, sizeof head + sizeof pictures[i].pixels);
-            memcpy(bytes, head, sizeof head);
-            memcpy(bytes + sizeof head - 1, pictures[i].pixels, sizeof pictures[i].pixels);
-            *content =
-                (struct text){bytes, sizeof head - 1 + sizeof pictures[i].pixels - pictures[i].cut};
+            char *bytes = arena_array(arena, 1, length + sizeof pictures[i].pixels);
+            memcpy(bytes, head, length);
+            memcpy(bytes + length, pictures[i].pixels, sizeof pictures[i].pixels);
+            *content = (struct text){bytes, length + sizeof pictures[i].pixels - pictures[i].cut};
             return true;
         }
     }
@@ -367,6 +367,7 @@ static void check_pictures(void)
         {"card size=1 file=bright.pfm\n", "brighter than 1"},
         {"card size=1 file=bright.pfm luminance=100\n", NULL},
         {"light environment file=bright.pfm luminance=100\n", NULL},
+        {"light environment file=tall.pfm luminance=100\n", "twice as wide as high"},
         {"light environment file=nan.pfm luminance=100\n", "column 2, row 1"},
         {"material a mirror texture=good.pfm\nplane material=a\n", "needs repeat="},
     };
