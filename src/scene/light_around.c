@@ -1,0 +1,241 @@
+/* scene/light_around.c - skies and environments, and directions to what is bright in them. */
+/* SPDX-License-Identifier: MIT */
+#include "scene/light_around.h"
+
+#include "base/constants.h"
+#include "light/colour.h"
+#include "scene/pick.h"
+#include "scene/sky.h"
+
+/* Of a sky; its horizon lies between two rows. */
+enum { SKY_ROWS = 90, SKY_COLUMNS = 180 };
+
+bool light_around_is(const struct scene_light *light)
+{
+    return (light->kind == LIGHT_SKY || light->kind == LIGHT_ENVIRONMENT) && light->amount > 0;
+}
+
+/* -------- where a direction lies -------- */
+
+/* In the picture's own axes, and back: turned about y. */
+static struct vector turned(const struct light_around *around, struct vector a, double sign)
+{
+    const double c = around->cosine, s = sign * around->sine;
+    return (struct vector){c * a.x + s * a.z, a.y, c * a.z - s * a.x};
+}
+
+/* From the left and from the top, 0 to 1. */
+static void place_of(const struct light_around *around, struct vector way, double place[2])
+{
+    const struct vector own = turned(around, way, -1);
+    const double across = sqrt(own.x * own.x + own.z * own.z);
+    place[0] = 0.5 + atan2(own.x, -own.z) / (2 * PI);
+    place[1] = atan2(across, own.y) / PI;
+}
+
+static struct vector way_at(const struct light_around *around, double left, double cosine)
+{
+    const double sine = sqrt(fmax(0, 1 - cosine * cosine)), angle = 2 * PI * (left - 0.5);
+    const struct vector own = {sine * sin(angle), cosine, -sine * cos(angle)};
+    return turned(around, vector_unit(own), 1);
+}
+
+/* Cosine of the zenith distance above a row; exact in the middle and at the ends. */
+static double cosine_above(const struct light_around *around, size_t row)
+{
+    return sin(PI * (0.5 - (double)row / (double)around->rows));
+}
+
+static double cell_solid_angle(const struct light_around *around, size_t row)
+{
+    return 2 * PI / (double)around->columns *
+           (cosine_above(around, row) - cosine_above(around, row + 1));
+}
+
+/* -------- how bright it is there -------- */
+
+static const float *pixel_at(const struct image *picture, long column, long row)
+{
+    const long width = (long)picture->width, height = (long)picture->height;
+    const long y = row < 0 ? 0 : row < height ? row : height - 1;
+    return image_row(picture, (size_t)y) + (size_t)((column + width) % width) * picture->channels;
+}
+
+/* Between the middles of four pixels, all round; beyond the first and last row as these are. */
+static void look(const struct image *picture, const double place[2], double rgb[3])
+{
+    const double x = place[0] * (double)picture->width - 0.5;
+    const double y = place[1] * (double)picture->height - 0.5;
+    const long left = (long)floor(x), top = (long)floor(y);
+    const double shares[2] = {x - (double)left, y - (double)top};
+    const float *corners[4];
+    for (int i = 0; i < 4; i++) {
+        corners[i] = pixel_at(picture, left + i % 2, top + i / 2);
+    }
+    for (int c = 0; c < 3; c++) {
+        const double upper = corners[0][c] + shares[0] * ((double)corners[1][c] - corners[0][c]);
+        const double lower = corners[2][c] + shares[0] * ((double)corners[3][c] - corners[2][c]);
+        rgb[c] = upper + shares[1] * (lower - upper);
+    }
+}
+
+static double luminance_of(const float *rgb)
+{
+    const double *y = colour_xyz_of_srgb.at[1];
+    return y[0] * rgb[0] + y[1] * rgb[1] + y[2] * rgb[2];
+}
+
+/* Mean over a pixel of what lies between it and its neighbours: nowhere 0 where there is light. */
+static double picture_mean(const struct image *picture, size_t row, size_t column)
+{
+    static const double shares[3] = {0.125, 0.75, 0.125};
+    double mean = 0;
+    for (int y = 0; y < 3; y++) {
+        for (int x = 0; x < 3; x++) {
+            mean += shares[y] * shares[x] *
+                    luminance_of(pixel_at(picture, (long)column + x - 1, (long)row + y - 1));
+        }
+    }
+    return mean;
+}
+
+static double sky_mean(const struct light_around *around, size_t row, size_t column)
+{
+    double mean = 0;
+    for (int i = 0; i < 4; i++) {
+        const double left = ((double)column + 0.25 + 0.5 * (i % 2)) / (double)around->columns;
+        const double down = ((double)row + 0.25 + 0.5 * (i / 2)) / (double)around->rows;
+        const struct vector way = way_at(around, left, cos(PI * down));
+        mean += sky_share(around->light->sky, around->light->direction, way) / 4;
+    }
+    return mean;
+}
+
+static double cell_mean(const struct light_around *around, size_t row, size_t column)
+{
+    return around->light->amount * (around->light->kind == LIGHT_SKY
+                                        ? sky_mean(around, row, column)
+                                        : picture_mean(around->light->picture, row, column));
+}
+
+/* -------- chances -------- */
+
+/* Sums of what comes before, as shares of all; nothing of a row without light. */
+static double sums_of(const double *weights, size_t count, float *sums)
+{
+    double all = 0, before = 0;
+    for (size_t i = 0; i < count; i++) {
+        all += weights[i];
+    }
+    for (size_t i = 0; i < count; i++) {
+        sums[i] = (float)(all > 0 ? before / all : (double)i / (double)count);
+        before += weights[i];
+    }
+    sums[count] = 1;
+    return all;
+}
+
+static void open_cells(struct light_around *around, struct arena *arena)
+{
+    const bool is_sky = around->light->kind == LIGHT_SKY;
+    around->rows = is_sky ? SKY_ROWS : around->light->picture->height;
+    around->columns = is_sky ? SKY_COLUMNS : around->light->picture->width;
+    const size_t line = around->columns + 1;
+    float *across = arena_buffer(arena, around->rows * line * sizeof(float));
+    float *down = ARENA_ARRAY(arena, around->rows + 1, float);
+    struct arena spare = arena_within(arena);
+    double *weights = ARENA_ARRAY(&spare, around->columns, double);
+    double *of_rows = ARENA_ARRAY(&spare, around->rows, double);
+    for (size_t row = 0; row < around->rows; row++) {
+        for (size_t column = 0; column < around->columns; column++) {
+            weights[column] = cell_mean(around, row, column);
+        }
+        of_rows[row] =
+            sums_of(weights, around->columns, across + row * line) * cell_solid_angle(around, row);
+    }
+    around->total = sums_of(of_rows, around->rows, down);
+    around->down = down;
+    around->across = across;
+    arena_free(&spare);
+}
+
+bool light_around_open(const struct scene_light *light, const struct bands *bands,
+                       struct arena *arena, struct light_around *around, struct error *error)
+{
+    *around =
+        (struct light_around){.light = light, .cosine = cos(light->turn), .sine = sin(light->turn)};
+    if (!bands_of_light(bands, &light->spectrum, around->unit, error)) {
+        return error_locate(error, light->place.source, light->place.line, light->place.column);
+    }
+    if (light->kind == LIGHT_SKY) {
+        around->cosine = 1;
+        around->sine = 0;
+    }
+    for (size_t k = 0; k < bands->count; k++) {
+        around->unit[k] *= light->amount;
+    }
+    open_cells(around, arena);
+    return true;
+}
+
+/* As pick_of. */
+static struct pick pick_share(const float *sums, size_t count, double u)
+{
+    size_t low = 0, high = count;
+    while (high - low > 1) {
+        const size_t middle = low + (high - low) / 2;
+        if ((double)sums[middle] <= u) {
+            low = middle;
+        } else {
+            high = middle;
+        }
+    }
+    return (struct pick){low, pick_rest(u, (double)sums[low], (double)sums[low + 1])};
+}
+
+struct vector light_around_sample(const struct light_around *around, double u, double v)
+{
+    const struct pick row = pick_share(around->down, around->rows, v);
+    const float *across = around->across + row.number * (around->columns + 1);
+    const struct pick column = pick_share(across, around->columns, u);
+    const double top = cosine_above(around, row.number);
+    const double bottom = cosine_above(around, row.number + 1);
+    return way_at(around, ((double)column.number + column.rest) / (double)around->columns,
+                  top + row.rest * (bottom - top));
+}
+
+static size_t step_of(double share, size_t steps)
+{
+    const size_t step = share > 0 ? (size_t)(share * (double)steps) : 0;
+    return step < steps ? step : steps - 1;
+}
+
+double light_around_density(const struct light_around *around, struct vector way)
+{
+    double place[2];
+    place_of(around, way, place);
+    const size_t row = step_of(place[1], around->rows);
+    const float *at =
+        around->across + row * (around->columns + 1) + step_of(place[0], around->columns);
+    const float *down = around->down + row;
+    return ((double)down[1] - (double)down[0]) * ((double)at[1] - (double)at[0]) /
+           cell_solid_angle(around, row);
+}
+
+void light_around_add(const struct light_around *around, const struct bands *bands,
+                      struct vector way, const struct lanes *lanes, struct radiance *light)
+{
+    double rgb[3] = {1, 1, 1}, share = 1;
+    if (around->light->kind == LIGHT_SKY) {
+        share = sky_share(around->light->sky, around->light->direction, way);
+    } else {
+        double place[2];
+        place_of(around, way, place);
+        look(around->light->picture, place, rgb);
+    }
+    for (size_t k = 0; k < lanes->count; k++) {
+        const double *basis = bands->basis[lanes->band[k]];
+        light->of[k] += share * around->unit[lanes->band[k]] *
+                        (rgb[0] * basis[0] + rgb[1] * basis[1] + rgb[2] * basis[2]);
+    }
+}

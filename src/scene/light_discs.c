@@ -1,0 +1,228 @@
+/* scene/light_discs.c - suns and stars, found by where they stand. */
+/* SPDX-License-Identifier: MIT */
+#include "scene/light_discs.h"
+
+#include "base/constants.h"
+#include "scene/pick.h"
+
+/* -------- cells of the sphere: rows of even height y, columns of longitude -------- */
+
+enum { ROWS_MOST = 512 };
+
+static size_t step_of(double share, size_t steps)
+{
+    const double at = share * (double)steps;
+    const size_t step = at > 0 ? (size_t)at : 0;
+    return step < steps ? step : steps - 1;
+}
+
+static size_t row_of(const struct light_discs *discs, double y)
+{
+    return step_of((y + 1) / 2, discs->rows);
+}
+
+/* Columns go round: longitudes beyond half a turn are another's. */
+static size_t column_of(const struct light_discs *discs, double longitude)
+{
+    const double turns = longitude / (2 * PI) + 0.5;
+    return step_of(turns - floor(turns), discs->columns);
+}
+
+static size_t cell_of(const struct light_discs *discs, struct vector way)
+{
+    return row_of(discs, way.y) * discs->columns + column_of(discs, atan2(way.x, way.z));
+}
+
+/* The cells that a disc may lie in. */
+struct cells {
+    size_t row[2], column, columns; /* rows from..to; columns on from the first, round */
+};
+
+static struct cells cells_of(const struct light_discs *discs, const struct light_disc *disc)
+{
+    const double reach = disc->radius * (1 + 1e-9) + 1e-12;
+    const double y = disc->way.y,
+                 across = sqrt(disc->way.x * disc->way.x + disc->way.z * disc->way.z);
+    const double latitude = atan2(y, across);
+    const double low = latitude - reach, high = latitude + reach;
+    struct cells cells = {{low <= -PI / 2 ? 0 : row_of(discs, sin(low)),
+                           high >= PI / 2 ? discs->rows - 1 : row_of(discs, sin(high))},
+                          0,
+                          discs->columns};
+    if (low > -PI / 2 && high < PI / 2) {
+        const double half = asin(fmin(1, sin(reach) / cos(latitude))) * (1 + 1e-9) + 1e-12;
+        const double longitude = atan2(disc->way.x, disc->way.z);
+        const size_t last = column_of(discs, longitude + half);
+        cells.column = column_of(discs, longitude - half);
+        cells.columns = half >= PI / 2
+                            ? discs->columns
+                            : (last + discs->columns - cells.column) % discs->columns + 1;
+    }
+    return cells;
+}
+
+/* Count the discs of each cell, or list them where they were counted. */
+static void fill(struct light_discs *discs, size_t *next, bool lists)
+{
+    for (size_t i = 0; i < discs->count; i++) {
+        const struct cells cells = cells_of(discs, &discs->all[i]);
+        for (size_t row = cells.row[0]; row <= cells.row[1]; row++) {
+            for (size_t k = 0; k < cells.columns; k++) {
+                const size_t cell = row * discs->columns + (cells.column + k) % discs->columns;
+                if (lists) {
+                    discs->listed[next[cell]] = i;
+                }
+                next[cell]++;
+            }
+        }
+    }
+}
+
+/* About one disc a cell, but cells no smaller than discs are in the mean. */
+static void sort_into_cells(struct light_discs *discs, struct arena *arena)
+{
+    double radii = 0;
+    for (size_t i = 0; i < discs->count; i++) {
+        radii += discs->all[i].radius;
+    }
+    double rows = fmin(sqrt((double)discs->count), 2 * (double)discs->count / radii);
+    rows = fmax(1, fmin(rows, ROWS_MOST));
+    discs->rows = (size_t)rows;
+    discs->columns = discs->rows;
+    const size_t cells = discs->rows * discs->columns;
+    size_t *next = ARENA_ARRAY(arena, cells + 1, size_t);
+    discs->begins = ARENA_ARRAY(arena, cells + 1, size_t);
+    fill(discs, next, false);
+    for (size_t i = 0; i < cells; i++) {
+        discs->begins[i + 1] = discs->begins[i] + next[i];
+        next[i] = discs->begins[i];
+    }
+    discs->listed = ARENA_ARRAY(arena, discs->begins[cells], size_t);
+    fill(discs, next, true);
+}
+
+/* -------- what they shine -------- */
+
+static bool is_disc(const struct scene_light *light)
+{
+    return (light->kind == LIGHT_SUN || light->kind == LIGHT_STAR) && light->amount > 0;
+}
+
+/* 1 - cos r, without losing the digits of small ones; the square of the chord is twice that. */
+static double height_of(double radius)
+{
+    const double half = sin(radius / 2);
+    return 2 * half * half;
+}
+
+/* Is it the light of the one before? Catalogues of stars are long, and colours are few. */
+static bool is_same(const struct spectrum *a, const struct spectrum *b)
+{
+    return a->kind == b->kind && a->kelvin == b->kelvin && a->value == b->value &&
+           a->rgb[0] == b->rgb[0] && a->rgb[1] == b->rgb[1] && a->rgb[2] == b->rgb[2];
+}
+
+/* `before` is the last that was opened, or null. */
+static bool open_disc(const struct scene_light *light, const struct scene_light *before,
+                      const struct bands *bands, struct arena *arena, struct light_disc *disc,
+                      struct error *error)
+{
+    const double *unit = before != NULL ? disc[-1].unit : NULL;
+    if (unit == NULL || !is_same(&light->spectrum, &before->spectrum)) {
+        double *own = ARENA_ARRAY(arena, BANDS_MOST, double);
+        if (!bands_of_light(bands, &light->spectrum, own, error)) {
+            return error_locate(error, light->place.source, light->place.line, light->place.column);
+        }
+        unit = own;
+    }
+    const double radius = light->diameter / 2, sine = sin(radius);
+    *disc = (struct light_disc){.way = light->direction,
+                                .radius = radius,
+                                .chord = 2 * height_of(radius),
+                                .luminance = light->amount / (PI * sine * sine),
+                                .unit = unit};
+    return true;
+}
+
+bool light_discs_open(const struct scene *scene, const struct bands *bands, struct arena *arena,
+                      struct light_discs *discs, struct error *error)
+{
+    *discs = (struct light_discs){.count = 0};
+    for (size_t i = 0; i < scene->light_count; i++) {
+        discs->count += is_disc(&scene->lights[i]) ? 1 : 0;
+    }
+    if (discs->count == 0) {
+        return true;
+    }
+    discs->all = ARENA_ARRAY(arena, discs->count, struct light_disc);
+    discs->below = ARENA_ARRAY(arena, discs->count + 1, double);
+    const struct scene_light *before = NULL;
+    size_t count = 0;
+    for (size_t i = 0; i < scene->light_count; i++) {
+        const struct scene_light *light = &scene->lights[i];
+        if (!is_disc(light)) {
+            continue;
+        }
+        if (!open_disc(light, before, bands, arena, &discs->all[count], error)) {
+            return false;
+        }
+        before = light;
+        discs->below[count + 1] = discs->below[count] + light->amount;
+        count++;
+    }
+    discs->total = discs->below[count];
+    for (size_t i = 0; i < count; i++) {
+        const double share = (discs->below[i + 1] - discs->below[i]) / discs->total;
+        discs->all[i].density = share / (2 * PI * height_of(discs->all[i].radius));
+    }
+    sort_into_cells(discs, arena);
+    return true;
+}
+
+struct vector light_discs_sample(const struct light_discs *discs, const double u[3])
+{
+    const struct pick pick = pick_of(discs->below, discs->count, u[0]);
+    const struct light_disc *disc = &discs->all[pick.number];
+    const struct frame frame = frame_about(disc->way);
+    const double height = height_of(disc->radius) * u[1]; /* even in the solid angle */
+    const double sine = sqrt(height * (2 - height));
+    const double angle = 2 * PI * u[2];
+    const struct vector own = {sine * cos(angle), sine * sin(angle), 1 - height};
+    return vector_unit(frame_out(&frame, own));
+}
+
+/* -------- looking -------- */
+
+static bool lies_in(const struct light_disc *disc, struct vector way)
+{
+    const struct vector off = vector_minus(way, disc->way);
+    return vector_dot(off, off) <= disc->chord;
+}
+
+double light_discs_density(const struct light_discs *discs, struct vector way)
+{
+    double density = 0;
+    if (discs->count > 0) {
+        const size_t cell = cell_of(discs, way);
+        for (size_t i = discs->begins[cell]; i < discs->begins[cell + 1]; i++) {
+            const struct light_disc *disc = &discs->all[discs->listed[i]];
+            density += lies_in(disc, way) ? disc->density : 0;
+        }
+    }
+    return density;
+}
+
+void light_discs_add(const struct light_discs *discs, struct vector way, const struct lanes *lanes,
+                     struct radiance *light)
+{
+    if (discs->count == 0) {
+        return;
+    }
+    const size_t cell = cell_of(discs, way);
+    for (size_t i = discs->begins[cell]; i < discs->begins[cell + 1]; i++) {
+        const struct light_disc *disc = &discs->all[discs->listed[i]];
+        for (size_t k = 0; k < lanes->count && lies_in(disc, way); k++) {
+            light->of[k] += disc->luminance * disc->unit[lanes->band[k]];
+        }
+    }
+}

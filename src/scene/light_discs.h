@@ -1,0 +1,56 @@
+/* scene/light_discs.h - discs of light infinitely far away: suns and stars. */
+/* SPDX-License-Identifier: MIT */
+#ifndef LENSCALC_SCENE_LIGHT_DISCS_H
+#define LENSCALC_SCENE_LIGHT_DISCS_H
+
+#include "base/arena.h"
+#include "light/bands.h"
+#include "scene/scene.h"
+
+#include <stdbool.h>
+#include <stddef.h>
+
+struct light_disc {
+    struct vector way;  /* to its middle */
+    double radius;      /* rad */
+    double chord;       /* its square, from the middle to the edge on the unit sphere */
+    double density;     /* with which samples lie in it, per sr */
+    double luminance;   /* cd/m^2 */
+    const double *unit; /* light of luminance 1 in the bands */
+};
+
+/* Read-only afterwards. Which discs a direction may lie in stands in cells of the sphere. */
+struct light_discs {
+    struct light_disc *all;
+    double *below; /* illuminance of those before each, and of all */
+    size_t count;
+    double total; /* lx */
+    size_t rows, columns;
+    size_t *begins; /* of each cell, and the end of the last */
+    size_t *listed; /* numbers of discs */
+};
+
+/*
+ * Make all suns and stars of a scene ready.
+ *
+ * Formula   L = E/(pi sin^2 r): the illuminance of a plane that faces a disc of the radius r
+ * Errors    of bands_of_light, with the place
+ */
+bool light_discs_open(const struct scene *scene, const struct bands *bands, struct arena *arena,
+                      struct light_discs *discs, struct error *error);
+
+/*
+ * A direction to one of them: each as often as its illuminance has it, evenly over its disc.
+ *
+ * Given     u  three numbers in 0..1
+ */
+struct vector light_discs_sample(const struct light_discs *discs, const double u[3]);
+
+/* Of these samples, per sr. */
+double light_discs_density(const struct light_discs *discs, struct vector way);
+
+/* Add what shines there. */
+void light_discs_add(const struct light_discs *discs, struct vector way, const struct lanes *lanes,
+                     struct radiance *light);
+
+#endif

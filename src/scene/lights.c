@@ -1,0 +1,267 @@
+/* scene/lights.c - which of the lights to look at, and how often. */
+/* SPDX-License-Identifier: MIT */
+#include "scene/lights.h"
+
+#include "base/constants.h"
+#include "scene/pick.h"
+#include "scene/texture.h"
+
+#define MM2_PER_M2 1e6
+
+/* -------- kinds of light -------- */
+
+enum { OF_DISCS, OF_AROUND, OF_LAMPS, OF_PLANES, KINDS };
+
+/* How much light each kind gives a point, roughly: luminance times solid angle, lx. */
+static void light_of_kinds(const struct lights *lights, struct vector from, double of[KINDS])
+{
+    of[OF_DISCS] = lights->discs.total;
+    of[OF_AROUND] = lights->around_below[lights->around_count];
+    of[OF_LAMPS] = lamp_tree_light(&lights->lamps, from);
+    of[OF_PLANES] = 2 * PI * lights->plane_below[lights->plane_count];
+}
+
+/* The chances of each kind, as sums before each; false: there is no light. */
+static bool chances(const struct lights *lights, struct vector from, double below[KINDS + 1])
+{
+    double of[KINDS], all = 0;
+    int there = 0;
+    light_of_kinds(lights, from, of);
+    for (int i = 0; i < KINDS; i++) {
+        all += of[i];
+        there += of[i] > 0 ? 1 : 0;
+    }
+    below[0] = 0;
+    for (int i = 0; i < KINDS; i++) {
+        below[i + 1] = below[i] + (of[i] > 0 ? 0.5 * of[i] / all + 0.5 / there : 0);
+    }
+    return there > 0;
+}
+
+static double chance_of(const double below[KINDS + 1], int kind)
+{
+    return (below[kind + 1] - below[kind]) / below[KINDS];
+}
+
+/* -------- behind everything -------- */
+
+static double background_density(const struct lights *lights, const double below[KINDS + 1],
+                                 struct vector way)
+{
+    double density = chance_of(below, OF_DISCS) * light_discs_density(&lights->discs, way);
+    const double all = lights->around_below[lights->around_count];
+    for (size_t i = 0; i < lights->around_count; i++) {
+        const struct light_around *around = &lights->arounds[i];
+        density += around->total > 0 ? chance_of(below, OF_AROUND) * around->total / all *
+                                           light_around_density(around, way)
+                                     : 0;
+    }
+    return density;
+}
+
+void lights_background(const struct lights *lights, struct vector way, const struct lanes *lanes,
+                       struct radiance *light)
+{
+    *light = (struct radiance){{0}};
+    light_discs_add(&lights->discs, way, lanes, light);
+    for (size_t i = 0; i < lights->around_count; i++) {
+        light_around_add(&lights->arounds[i], lights->bands, way, lanes, light);
+    }
+}
+
+static void sample_background(const struct lights *lights, const double below[KINDS + 1],
+                              struct vector way, const struct lanes *lanes,
+                              struct light_sample *sample)
+{
+    sample->way = way;
+    sample->distance = (double)INFINITY;
+    sample->density = background_density(lights, below, way);
+    lights_background(lights, way, lanes, &sample->light);
+}
+
+static struct vector around_way(const struct lights *lights, const double u[3])
+{
+    const struct pick pick = pick_of(lights->around_below, lights->around_count, u[0]);
+    return light_around_sample(&lights->arounds[pick.number], u[1], u[2]);
+}
+
+/* -------- lamps -------- */
+
+/* A point, and whether it is not just here. */
+static bool sample_point(const struct lights *lights, size_t which, struct vector from, double time,
+                         const struct lanes *lanes, struct light_sample *sample)
+{
+    const struct scene_light *light = &lights->scene->lights[which];
+    const struct vector to = vector_minus(vector_along(light->at, time, light->velocity), from);
+    const double square = vector_dot(to, to);
+    sample->is_point = true;
+    sample->distance = sqrt(square);
+    sample->way = vector_times(1 / sample->distance, to);
+    for (size_t k = 0; k < lanes->count; k++) {
+        sample->light.of[k] =
+            light->amount * MM2_PER_M2 / square * lights->points[which][lanes->band[k]];
+    }
+    return square > 0;
+}
+
+/* What of a card is not there does not shine. */
+static double share_there(const struct scene_thing *thing, const double place[2])
+{
+    double of[TEXTURE_CHANNELS] = {[TEXTURE_ALPHA] = 1};
+    if (thing->picture != NULL) {
+        texture_look(thing->picture, place, false, of);
+    }
+    return of[TEXTURE_ALPHA];
+}
+
+static void shine(const struct lights *lights, size_t thing, const double place[2],
+                  const struct lanes *lanes, struct light_sample *sample)
+{
+    const double there = share_there(&lights->scene->things[thing], place);
+    materials_shine(&lights->materials, thing, place, lanes, &sample->light);
+    for (size_t k = 0; k < lanes->count; k++) {
+        sample->light.of[k] *= there;
+    }
+}
+
+static bool sample_lamp(const struct lights *lights, struct vector from, double time,
+                        const double u[3], const struct lanes *lanes, struct light_sample *sample)
+{
+    double rest = u[0], chance;
+    const size_t leaf = lamp_tree_pick(&lights->lamps, from, &rest, &chance);
+    const struct lamp *lamp = &lights->lamps.lamps[leaf];
+    if (!(chance > 0)) {
+        return false;
+    }
+    if (lamp->thing == SCENE_NONE) {
+        sample->density = chance;
+        return sample_point(lights, lamp->part, from, time, lanes, sample);
+    }
+    const struct scene_pose pose = scene_pose_at(&lights->scene->things[lamp->thing].where, time);
+    struct lamp_ray ray = {.distance = 0};
+    if (!lamp_sample(lights->scene, lamp, &pose, from, u + 1, &ray)) {
+        return false;
+    }
+    sample->way = ray.way;
+    sample->distance = ray.distance;
+    sample->density = chance * ray.density;
+    shine(lights, lamp->thing, ray.place, lanes, sample);
+    return true;
+}
+
+/* Which lamp a thing that shines is where it was met: of a box by the side, from its face. */
+static size_t lamp_met(const struct lights *lights, const struct scene_pose *pose,
+                       const struct world_hit *hit)
+{
+    const struct scene_thing *thing = &lights->scene->things[hit->thing];
+    size_t part = thing->shape == SHAPE_MESH ? hit->triangle : 0;
+    if (thing->shape == SHAPE_BOX) {
+        const struct vector face =
+            vector_times(hit->is_back ? -1 : 1, frame_in(&pose->turned, hit->face));
+        const double along[3] = {face.x, face.y, face.z};
+        size_t axis = fabs(along[1]) > fabs(along[0]) ? 1 : 0;
+        axis = fabs(along[2]) > fabs(along[axis]) ? 2 : axis;
+        part = 2 * axis + (along[axis] > 0 ? 1 : 0);
+    }
+    return lights->first[hit->thing] + part;
+}
+
+static double met_lamp_density(const struct lights *lights, struct vector from, struct vector way,
+                               double time, const struct world_hit *hit)
+{
+    const struct lamp_tree *tree = &lights->lamps;
+    const struct scene_pose pose = scene_pose_at(&lights->scene->things[hit->thing].where, time);
+    const size_t lamp = lamp_met(lights, &pose, hit);
+    return lamp_tree_chance(tree, from, lamp) * lamp_density(lights->scene,
+                                                             &tree->lamps[tree->leaf_of[lamp]],
+                                                             &pose, from, way, hit->distance);
+}
+
+/* -------- planes without end: evenly over all ways that meet them -------- */
+
+static double plane_chance(const struct lights *lights, size_t number)
+{
+    return (lights->plane_below[number + 1] - lights->plane_below[number]) /
+           lights->plane_below[lights->plane_count];
+}
+
+static bool sample_plane(const struct lights *lights, struct vector from, double time,
+                         const double u[3], const struct lanes *lanes, struct light_sample *sample)
+{
+    static const double nowhere[2] = {0, 0};
+    const struct pick pick = pick_of(lights->plane_below, lights->plane_count, u[0]);
+    const size_t thing = lights->planes[pick.number];
+    const struct scene_pose pose = scene_pose_at(&lights->scene->things[thing].where, time);
+    const double above = vector_dot(pose.turned.z, vector_minus(from, pose.at));
+    const double sine = sqrt(1 - u[1] * u[1]), angle = 2 * PI * u[2];
+    const struct vector own = {sine * cos(angle), sine * sin(angle), above > 0 ? -u[1] : u[1]};
+    sample->way = frame_out(&pose.turned, own);
+    sample->distance = fabs(above) / u[1];
+    sample->density = plane_chance(lights, pick.number) / (2 * PI);
+    materials_shine(&lights->materials, thing, nowhere, lanes, &sample->light);
+    return sample->distance > 0 && sample->distance < (double)INFINITY;
+}
+
+/* -------- all of them -------- */
+
+static bool has_light(const struct light_sample *sample, const struct lanes *lanes)
+{
+    double most = 0;
+    for (size_t k = 0; k < lanes->count; k++) {
+        most = fmax(most, sample->light.of[k]);
+    }
+    return most > 0 && sample->density > 0;
+}
+
+bool lights_sample(const struct lights *lights, struct vector from, double time, const double u[3],
+                   const struct lanes *lanes, struct light_sample *sample)
+{
+    double below[KINDS + 1];
+    *sample = (struct light_sample){.distance = 0};
+    if (!chances(lights, from, below)) {
+        return false;
+    }
+    const struct pick kind = pick_of(below, KINDS, u[0]);
+    const double chance = chance_of(below, (int)kind.number);
+    const double rest[3] = {kind.rest, u[1], u[2]};
+    bool is_seen = true;
+    switch (kind.number) {
+    case OF_DISCS:
+        sample_background(lights, below, light_discs_sample(&lights->discs, rest), lanes, sample);
+        return has_light(sample, lanes);
+    case OF_AROUND:
+        sample_background(lights, below, around_way(lights, rest), lanes, sample);
+        return has_light(sample, lanes);
+    case OF_LAMPS:
+        is_seen = sample_lamp(lights, from, time, rest, lanes, sample);
+        break;
+    default:
+        is_seen = sample_plane(lights, from, time, rest, lanes, sample);
+        break;
+    }
+    sample->density *= chance;
+    if (!is_seen || !has_light(sample, lanes)) {
+        return false;
+    }
+    for (size_t k = 0; k < lanes->count && sample->is_point; k++) {
+        sample->light.of[k] /= sample->density;
+    }
+    sample->density = sample->is_point ? 1 : sample->density;
+    return true;
+}
+
+double lights_density(const struct lights *lights, struct vector from, struct vector way,
+                      double time, const struct world_hit *hit)
+{
+    double below[KINDS + 1];
+    if ((hit != NULL && lights->first[hit->thing] == SCENE_NONE) || !chances(lights, from, below)) {
+        return 0;
+    }
+    if (hit == NULL) {
+        return background_density(lights, below, way);
+    }
+    return lights->scene->things[hit->thing].shape == SHAPE_PLANE
+               ? chance_of(below, OF_PLANES) * plane_chance(lights, lights->first[hit->thing]) /
+                     (2 * PI)
+               : chance_of(below, OF_LAMPS) * met_lamp_density(lights, from, way, time, hit);
+}

@@ -1,0 +1,81 @@
+/* scene/lights.h - all that lights a scene: where rays to it may go, and what they find. */
+/* SPDX-License-Identifier: MIT */
+#ifndef LENSCALC_SCENE_LIGHTS_H
+#define LENSCALC_SCENE_LIGHTS_H
+
+#include "base/arena.h"
+#include "base/error.h"
+#include "light/bands.h"
+#include "scene/lamp_tree.h"
+#include "scene/light_around.h"
+#include "scene/light_discs.h"
+#include "scene/material.h"
+#include "scene/world.h"
+
+#include <stdbool.h>
+#include <stddef.h>
+
+/* Read-only afterwards: threads share it. */
+struct lights {
+    const struct scene *scene;
+    const struct bands *bands;
+    struct materials materials;
+    struct light_discs discs;
+    struct light_around *arounds;
+    double *around_below; /* light of those before each, and of all */
+    size_t around_count;
+    struct lamp_tree lamps;
+    const double **points; /* of a light that is a point its unit in the bands; else null */
+    size_t *planes;        /* things */
+    double *plane_below;   /* luminance of those before each, and of all */
+    size_t plane_count;
+    size_t *first; /* of a thing its first lamp, or its number among the planes; SCENE_NONE */
+};
+
+struct light_sample {
+    struct vector way;     /* of length 1 */
+    double distance;       /* mm, to what shines; INFINITY: behind everything */
+    double density;        /* with which all lights together get this way, per sr; of points 1 */
+    bool is_point;         /* no ray meets it by chance */
+    struct radiance light; /* radiance, cd/m^2; of a point its illuminance across the way, lx, over
+                              the chance that it was picked */
+};
+
+/*
+ * Make the lights of a scene ready, and the things in it that shine.
+ *
+ * Errors    of bands_of_light, with the place
+ */
+bool lights_open(const struct scene *scene, const struct bands *bands, struct arena *arena,
+                 struct lights *lights, struct error *error);
+
+/*
+ * Look for light from a point.
+ *
+ * Given     from    where it is wanted; which way it turns is not asked
+ *           time    s
+ *           u       three numbers in 0..1
+ *           sample  light over density is right in the mean for the light that comes through the
+ *                   unit sphere about the point, if nothing is in its way
+ * Result    false: this time none; counts as 0
+ * Formula   discs far away, skies and pictures, lamps, and planes that shine: each of these that
+ *           are there as often as half its share of their light and half evenly, so that what
+ *           the brightest one cannot reach is found too
+ */
+bool lights_sample(const struct lights *lights, struct vector from, double time, const double u[3],
+                   const struct lanes *lanes, struct light_sample *sample);
+
+/*
+ * The density of lights_sample for a way, per sr.
+ *
+ * Given     hit  what a ray met there; null: it went past everything
+ * Result    0: lights_sample does not go there
+ */
+double lights_density(const struct lights *lights, struct vector from, struct vector way,
+                      double time, const struct world_hit *hit);
+
+/* What comes from behind everything: suns, stars, skies and pictures; 0 where nothing is. */
+void lights_background(const struct lights *lights, struct vector way, const struct lanes *lanes,
+                       struct radiance *light);
+
+#endif

@@ -1,0 +1,40 @@
+/* scene/pick.h - one of many by chance, as often as its weight has it. */
+/* SPDX-License-Identifier: MIT */
+#ifndef LENSCALC_SCENE_PICK_H
+#define LENSCALC_SCENE_PICK_H
+
+#include <stddef.h>
+
+struct pick {
+    size_t number;
+    double rest; /* in 0..1, below 1: what the number that picked it says beyond that */
+};
+
+/* The rest of a number that lies between two others. */
+static inline double pick_rest(double at, double low, double high)
+{
+    const double most = 1 - 0x1p-53, rest = (at - low) / (high - low);
+    return rest < most ? rest > 0 ? rest : 0 : most;
+}
+
+/*
+ * Given     below  `count` + 1 sums: of the weights before each, from 0, and of all, above 0
+ *           u      in 0..1, below 1
+ * Result    never one without weight
+ */
+static inline struct pick pick_of(const double *below, size_t count, double u)
+{
+    const double at = u * below[count];
+    size_t low = 0, high = count;
+    while (high - low > 1) {
+        const size_t middle = low + (high - low) / 2;
+        if (below[middle] <= at) {
+            low = middle;
+        } else {
+            high = middle;
+        }
+    }
+    return (struct pick){low, pick_rest(at, below[low], below[low + 1])};
+}
+
+#endif
