@@ -219,7 +219,9 @@ struct shape_spot mesh_spot(const struct mesh *mesh, const struct shape_meeting 
     for (size_t k = 0; k < 2 && of->places != NULL; k++) {
         const double *place[3] = {of->places[corner[0]], of->places[corner[1]],
                                   of->places[corner[2]]};
-        spot.place[k] = share[0] * place[0][k] + b * place[1][k] + c * place[2][k];
+        const double at = share[0] * place[0][k] + b * place[1][k] + c * place[2][k];
+        /* pictures beside pictures, where places go on beyond them */
+        spot.place[k] = at >= 0 && at <= 1 ? at : at - floor(at);
     }
     return spot;
 }

@@ -82,7 +82,8 @@ struct scene_mesh {
     size_t corner_count, triangle_count;
     const struct vector *corners; /* mm, in the frame of the thing */
     const struct vector *normals; /* of the corners, of length 1; null: each triangle has its own */
-    const double (*places)[2];    /* of the corners in the texture, 0 to 1; null: none */
+    const double (*places)[2];    /* of the corners in the texture, which
+                                     goes on beyond 0 to 1 anew; null: none */
     const size_t (*triangles)[3];
 };
 

@@ -13,7 +13,8 @@ enum { TEXTURE_ALPHA = 3, TEXTURE_CHANNELS };
 /*
  * Look at a place of a picture.
  *
- * Given     image    1 to 3 channels, the first one or three are colours; 4: the last is alpha
+ * Given     image    colour is in the first channel, or of three and more in the first three; of
+ *                    four the last is alpha
  *           place    from the left and from below, 0 to 1
  *           repeats  beside its left and right, upper and lower borders it begins anew; else their
  *                    pixels go on

@@ -312,8 +312,30 @@ static void test_motion(void)
     arena_free(&arena);
 }
 
+/* Places that go on beyond a picture begin anew. */
+static void test_tiles(void)
+{
+    static const double tiled[][2] = {{-1, 0}, {2, 0}, {2, 3}, {-1, 3}};
+    struct scene_mesh mesh = square;
+    mesh.places = tiled;
+    struct scene_thing thing = thing_of(SHAPE_MESH, (struct vector){0, 0, 0});
+    thing.mesh = &mesh;
+    const struct scene scene = {.things = &thing, .thing_count = 1};
+    struct arena arena = {0};
+    struct world world;
+    struct world_hit hit;
+    struct error error;
+    CHECK(world_open(&scene, whole, &arena, &world, &error));
+    const struct world_ray ray = {{0.25, 0.75, 1}, {0, 0, -1}, 0, INFINITY};
+    CHECK(world_look(&world, &ray, &hit));
+    CHECK_NEAR(hit.place[0], 0.75, 1e-15, "-1 + 3 x");
+    CHECK_NEAR(hit.place[1], 0.25, 1e-15, "3 y");
+    arena_free(&arena);
+}
+
 int main(void)
 {
+    test_tiles();
     test_motion();
     test_shapes();
     return check_report();

@@ -1,53 +1,15 @@
 /* tests/unit/test_world_random.c - rays through random scenes, against every thing in turn. */
 /* SPDX-License-Identifier: MIT */
-#include "base/random.h"
 #include "scene/world.h"
 
 #include "check.h"
+#include "stream.h"
 
 #include <math.h>
 
 enum { THINGS = 60, SCENES = 30, RAYS = 400, FANS = 40 };
 
-static const double pi = 3.14159265358979323846, span[2] = {-0.5, 0.5};
-
-/* -------- numbers -------- */
-
-struct stream {
-    uint64_t seed;
-    uint64_t count;
-};
-
-static double next(struct stream *stream)
-{
-    return random_unit(stream->seed, stream->count++, 0);
-}
-
-static double between(struct stream *stream, double low, double high)
-{
-    return low + (high - low) * next(stream);
-}
-
-static struct vector vector_in(struct stream *stream, double half)
-{
-    const double x = between(stream, -half, half), y = between(stream, -half, half);
-    return (struct vector){x, y, between(stream, -half, half)};
-}
-
-/* All directions alike. */
-static struct vector direction(struct stream *stream)
-{
-    const double z = between(stream, -1, 1), turn = 2 * pi * next(stream), r = sqrt(1 - z * z);
-    return (struct vector){r * cos(turn), r * sin(turn), z};
-}
-
-static struct frame random_frame(struct stream *stream)
-{
-    struct frame frame = {.z = direction(stream)};
-    frame.x = vector_unit(vector_cross(frame.z, direction(stream)));
-    frame.y = vector_cross(frame.z, frame.x);
-    return frame;
-}
+static const double span[2] = {-0.5, 0.5};
 
 /* -------- every thing in turn, in longer numbers and by other formulas -------- */
 

@@ -1,0 +1,66 @@
+/* tests/unit/test_texture.c - between the pixels of pictures on things. */
+/* SPDX-License-Identifier: MIT */
+#include "scene/texture.h"
+
+#include "check.h"
+
+/* Two pixels wide and high, as one looks at it: 1 2 above, 4 8 below. */
+static float grey[] = {1, 2, 4, 8};
+static const struct image picture = {.width = 2, .height = 2, .channels = 1, .pixels = grey};
+
+static void test_places(void)
+{
+    static const struct {
+        const char *what;
+        double place[2];
+        bool repeats;
+        double expected;
+    } cases[] = {
+        {"upper left pixel", {0.25, 0.75}, false, 1},
+        {"upper right", {0.75, 0.75}, false, 2},
+        {"lower left", {0.25, 0.25}, false, 4},
+        {"lower right", {0.75, 0.25}, true, 8},
+        {"in the middle", {0.5, 0.5}, false, 3.75},
+        {"nearer to the lower right", {0.625, 0.375}, true, 0.0625 + 3.0 / 16 * 6 + 8 * 9.0 / 16},
+        {"corner", {0, 1}, false, 1},
+        {"other corner", {1, 0}, false, 8},
+        {"corner of all four", {0, 1}, true, 3.75},
+        {"other corner of all four", {1, 0}, true, 3.75},
+        {"left border", {0, 0.75}, true, 1.5},
+        {"beyond", {-3, 9}, false, 1},
+    };
+    for (size_t i = 0; i < sizeof cases / sizeof cases[0]; i++) {
+        double of[TEXTURE_CHANNELS];
+        texture_look(&picture, cases[i].place, cases[i].repeats, of);
+        for (size_t k = 0; k < TEXTURE_ALPHA; k++) {
+            CHECK_NEAR(of[k], cases[i].expected, 1e-15, cases[i].what);
+        }
+        CHECK_NEAR(of[TEXTURE_ALPHA], 1, 0, "nothing is missing");
+    }
+}
+
+static void test_channels(void)
+{
+    float pixels[] = {0.125F, 0.25F, 0.5F, 0.75F};
+    const double place[] = {0.1, 0.9};
+    double of[TEXTURE_CHANNELS];
+    for (size_t channels = 1; channels <= 4; channels++) {
+        const struct image one = {.width = 1, .height = 1, .channels = channels, .pixels = pixels};
+        texture_look(&one, place, false, of);
+        CHECK_NEAR(of[1], channels < 3 ? 0.125 : 0.25, 0, "green");
+        CHECK_NEAR(of[2], channels < 3 ? 0.125 : 0.5, 0, "blue");
+        CHECK_NEAR(of[TEXTURE_ALPHA], channels < 4 ? 1 : 0.75, 0, "alpha");
+    }
+    /* what is no number does no harm */
+    const double nowhere[] = {NAN, INFINITY};
+    texture_look(&picture, nowhere, true, of);
+    texture_look(&picture, nowhere, false, of);
+    CHECK(true);
+}
+
+int main(void)
+{
+    test_places();
+    test_channels();
+    return check_report();
+}
