@@ -17,6 +17,27 @@ double convergence_halves(const double *first, const double *both, size_t count,
     return sqrt(sum / (double)count);
 }
 
+/* Of one grey, as a share of white. */
+static double grey_level(double y)
+{
+    static const double levels = 255, steepest = 12.92, slope = 1.055 / 2.4;
+    const double root = sqrt(y);
+    return fmax(root * sqrt(sqrt(sqrt(root))) / slope, 1 / steepest) / levels;
+}
+
+double convergence_relative(const struct convergence_goal *goal, const double *first,
+                            const double *both, size_t count, double n)
+{
+    double sum = 0;
+    for (size_t i = 0; i < count; i++) {
+        const double off = (2 * first[i] - both[i]) / (2 * n), mean = fabs(both[i]) / (2 * n);
+        const double level = goal->white * grey_level(mean / goal->white);
+        const double share = off / fmax(goal->error * mean, level);
+        sum += share * share;
+    }
+    return sqrt(sum / (double)count);
+}
+
 void convergence_add(uint64_t counts[CONVERGENCE_COUNTS], double error, size_t rays)
 {
     const double square = fmin(error * error, most);

@@ -34,6 +34,26 @@ enum { CONVERGENCE_LEAST = 16 };
  */
 double convergence_halves(const double *first, const double *both, size_t count, double n);
 
+/* What is asked for of light without a white of its own. */
+struct convergence_goal {
+    double error; /* share of each number */
+    double white; /* what of them becomes white in a picture */
+};
+
+/*
+ * The same, each as a multiple of what it may be: a share of itself, or a grey level if that is
+ * more.
+ *
+ * Given     as convergence_halves
+ * Result    root mean square; 1: as asked for
+ * Formula   y = mean/white; a level of sRGB with 8 bits is dy = 1/(255 s'), s' = 0.4396 y^-0.583,
+ *           12.92 at most: with sqrt alone, the same bits everywhere, as 0.4396 y^-0.5625, within
+ *           11 %
+ * Source    [IEC99] 5.2
+ */
+double convergence_relative(const struct convergence_goal *goal, const double *first,
+                            const double *both, size_t count, double n);
+
 /* Count a tile: its error as a multiple of the one asked for, and the rays of its pixels. */
 void convergence_add(uint64_t counts[CONVERGENCE_COUNTS], double error, size_t rays);
 

@@ -3,6 +3,7 @@
 #include "camera/lens_film.h"
 
 #include <math.h>
+#include <string.h>
 
 static void start_in_disc(const struct lens_film *film, struct film_samples *samples,
                           struct ray_block *block)
@@ -272,4 +273,16 @@ void lens_film_trace(const struct lens_film *film, size_t wavelength, struct fil
     } else {
         trace_open(film, system, samples, rays);
     }
+}
+
+void lens_film_chief(const struct lens_film *film, const double at[2], struct film_samples *samples,
+                     struct rays *rays)
+{
+    const double share = fmin(1, 0.999 * film->region.largest / hypot(at[0], at[1]));
+    memset(samples, 0, sizeof *samples);
+    samples->x[0] = share * at[0];
+    samples->y[0] = share * at[1];
+    samples->v[0] = film->region.has_hole ? 0.5 : 0; /* not at the edge of a hole */
+    film->aim(film, samples, rays->blocks);
+    rays_trace(film->systems[0], rays, NULL);
 }

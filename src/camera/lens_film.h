@@ -68,4 +68,11 @@ void lens_film_start(const struct lens_film *film, struct film_samples *samples,
 void lens_film_trace(const struct lens_film *film, size_t wavelength, struct film_samples *samples,
                      const struct rays *rays);
 
+/*
+ * The ray from a point of the film through the middle of what is clear, of the first wavelength,
+ * traced: the first of a block. From beyond where light arrives: from the border of that.
+ */
+void lens_film_chief(const struct lens_film *film, const double at[2], struct film_samples *samples,
+                     struct rays *rays);
+
 #endif

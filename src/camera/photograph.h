@@ -1,4 +1,4 @@
-/* camera/photograph.h - a lens's picture of a card: light on the pixels of a film. */
+/* camera/photograph.h - a lens's picture of a card or scene: light on the pixels of a film. */
 /* SPDX-License-Identifier: MIT */
 #ifndef LENSCALC_CAMERA_PHOTOGRAPH_H
 #define LENSCALC_CAMERA_PHOTOGRAPH_H
@@ -12,15 +12,12 @@
 #include "camera/lens_film.h"
 #include "camera/relief.h"
 #include "camera/spare.h"
+#include "camera/tiling.h"
+#include "camera/view.h"
 
 #include <stdint.h>
 
-enum {
-    PHOTOGRAPH_CHANNELS = CARD_CHANNELS,
-    PHOTOGRAPH_ACROSS = 16, /* pixels of a tile: of 128 points of a net in base 2 each has one */
-    PHOTOGRAPH_DOWN = 8,
-    PHOTOGRAPH_PIXELS = PHOTOGRAPH_ACROSS * PHOTOGRAPH_DOWN
-};
+enum { PHOTOGRAPH_CHANNELS = TILE_CHANNELS, PHOTOGRAPH_PIXELS = TILE_PIXELS };
 
 /*
  * What is counted: rays of a picture with depths by their sight, as in camera/convergence.h, tiles
@@ -54,10 +51,14 @@ struct photograph_question {
     /* Each tile has as many as it needs for this error, a share of the white in the middle of the
        film, and `samples` at most; 0: all have `samples` */
     double error;
+    /* Of scenes it is a share of each pixel's light, or a grey level of a PNG of 8 bits whose white
+       is `white`, lx, if that is more; NaN: white is so many times the mean */
+    double white, white_of_mean;
     double duration; /* of the exposure, s, where rays at different times differ; 0: they do not */
     uint64_t seed;
     int threads;
-    unsigned kept; /* 1 << enum skip, of what is done though it need not be */
+    unsigned kept;           /* 1 << enum skip, of what is done though it need not be */
+    const struct view *view; /* of a scene; null: it is of a card */
     /* width 0: as large as the film's corners see; height 0: by its own proportions */
     struct card card;
     struct photograph_depths depths; /* of what the card shows; no map: it is flat */
@@ -78,22 +79,27 @@ struct photograph_question {
  */
 size_t photograph_tiles(const struct photograph_question *question);
 
-/* A tile's channels between a picture and an array by itself, 0 outside the crop. */
-enum photograph_way { TILE_FROM_PICTURE, TILE_TO_PICTURE };
+/* A tile's channels between a picture and an array by itself, as tiling_copy has it. */
 void photograph_tile(const struct photograph_question *question, const struct image *image,
-                     size_t tile, enum photograph_way way,
+                     size_t tile, enum tile_way way,
                      float pixels[PHOTOGRAPH_PIXELS][PHOTOGRAPH_CHANNELS]);
 
 struct photograph {
-    struct image image; /* of the crop: E/L, sr, of the white of the card; upright */
-    struct card card;   /* with its size */
-    double axis;        /* that of a white scene in the middle of the film */
+    /* Of the crop, upright: E/L, sr, of the white of the card; of a scene E, lx, by channel */
+    struct image image;
+    struct card card; /* with its size */
+    double
+        mean[PHOTOGRAPH_CHANNELS]; /* of a scene: illuminance of all the film, lx, as of pixels */
+    double axis;                   /* E/L of a white scene in the middle of the film, sr */
     uint64_t counts[PHOTOGRAPH_COUNTS]; /* they add up over parts of a picture */
     size_t passes;                      /* one for all colours, or one a wavelength */
     double largest, corner; /* how far from the axis light arrives, towards any corner, and the film
                                goes, mm */
     bool is_incomplete;     /* the watch has ended it: tiles are missing, and black */
 };
+
+/* Illuminance, lx, of light by channel as pixels have it. */
+double photograph_luminance(const double light[PHOTOGRAPH_CHANNELS]);
 
 /* The share of the rays that arrive which found out so much, of a picture with depths. */
 double photograph_share(const struct photograph *photograph, enum relief_sight sight);
@@ -103,7 +109,8 @@ double photograph_share(const struct photograph *photograph, enum relief_sight s
  *
  * Result    each pixel the mean over its area of the irradiance that the card's light brings,
  *           relative to the luminance of its white; every channel by rays of its
- *           wavelengths
+ *           wavelengths. Of a scene the irradiance itself; its mean is of 16384 rays all over the
+ *           film, the same for every crop
  * Formula   for 16 x 8 pixels at once the first 128 n points of a scrambled Sobol' sequence, of
  *           which each pixel has n where that is a power of two; rays as camera/film_rays.h,
  *           traced exactly, to the plane of the card, or to the relief that it is

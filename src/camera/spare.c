@@ -17,6 +17,8 @@ const struct word skips[] = {
     {"blur", "rays all over the pupil, where they see the same"},
     {"uniform", "rays, where everything has the same light"},
     {"exposures", "a picture for each exposure"},
+    {"time", "times of rays, where nothing moves"},
+    {"secondary", "rays beyond the first, where nothing sends on light"},
     {NULL, NULL},
 };
 

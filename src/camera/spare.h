@@ -14,6 +14,8 @@ enum skip {
     SKIP_BLUR,      /* rays through all of the pupil, where they see the same */
     SKIP_UNIFORM,   /* rays at all, where everything has the same light */
     SKIP_EXPOSURES, /* a picture for each exposure */
+    SKIP_TIME,      /* times of rays, where nothing moves */
+    SKIP_SECONDARY, /* rays beyond the first, where nothing sends on light that it receives */
     SKIP_COUNT
 };
 

@@ -1,4 +1,4 @@
-/* camera/subject.c - rays from a lens to a card, or to a relief. */
+/* camera/subject.c - rays from a lens to a card, a relief, or into a scene. */
 /* SPDX-License-Identifier: MIT */
 #include "camera/subject.h"
 
@@ -55,6 +55,31 @@ static void look_at_relief(const struct subject *subject, const struct subject_r
     }
 }
 
+static void look_into_scene(const struct subject *subject, const struct subject_rays *rays,
+                            uint64_t sights[RELIEF_SIGHTS], subject_light light)
+{
+    const struct view *view = subject->view;
+    const struct ray_block *block = rays->block;
+    const struct lanes *lanes = rays->lanes;
+    (void)sights;
+    memset(light, 0, sizeof(subject_light));
+    for (size_t i = 0; i < RAYS_BLOCK; i++) {
+        if (block->lost[i] != 0 || !(rays->weights[i] > 0)) {
+            continue;
+        }
+        const struct world_ray ray = view_ray(&view->camera, view->pupil, block, i, rays->times[i]);
+        struct points points = points_of(rays->sequence, rays->first + (uint32_t)i);
+        struct radiance radiance;
+        path_look(view->path, &ray, lanes, &points, &radiance);
+        for (size_t lane = 0; lane < lanes->count; lane++) {
+            const double *rgb = view->bands->rgb[lanes->band[lane]];
+            for (size_t k = 0; k < SUBJECT_CHANNELS; k++) {
+                light[i][k] += radiance.of[lane] * rgb[k];
+            }
+        }
+    }
+}
+
 struct subject subject_card(const struct card *card)
 {
     return (struct subject){.look = look_at_card, .card = card};
@@ -63,4 +88,9 @@ struct subject subject_card(const struct card *card)
 struct subject subject_relief(const struct relief *relief)
 {
     return (struct subject){.look = look_at_relief, .relief = relief};
+}
+
+struct subject subject_scene(const struct view *view)
+{
+    return (struct subject){.look = look_into_scene, .view = view};
 }

@@ -5,6 +5,7 @@
 
 #include "camera/card.h"
 #include "camera/relief.h"
+#include "camera/view.h"
 #include "trace/rays.h"
 
 #include <stdint.h>
@@ -14,8 +15,11 @@ enum { SUBJECT_CHANNELS = CARD_CHANNELS };
 /* A block of rays that a film has sent through a lens, and that were traced. */
 struct subject_rays {
     const struct ray_block *block;
-    const double *weights; /* of each; what has none need not be looked at */
-    const double *times;   /* of each, s; 0 is the middle of the exposure */
+    const double *weights;                  /* of each; what has none need not be looked at */
+    const double *times;                    /* of each, s; 0 is the middle of the exposure */
+    const struct lanes *lanes;              /* that a scene is looked at in */
+    const struct points_sequence *sequence; /* of their further numbers, and */
+    uint32_t first;                         /* which of it the first of them is */
 };
 
 /* The light of a block, of each ray by channel. */
@@ -32,10 +36,13 @@ struct subject {
     subject_look *look;
     const struct card *card;
     const struct relief *relief;
+    const struct view *view;
 };
 
 struct subject subject_card(const struct card *card);
 struct subject subject_relief(const struct relief *relief);
+/* Light of the lanes that rays carry: linear sRGB, cd/m^2. */
+struct subject subject_scene(const struct view *view);
 
 /*
  * Where a ray that has left the lens meets the plane of a card.

@@ -23,13 +23,13 @@
 static const struct option options[] = {
     {OPTION(struct render_input, scene), .name = "subject", .value = "SCENE",
      .flags = OPTION_OPERAND | OPTION_FILE,
-     .help = "a flat card: a picture (.png, .jpg, .exr, .pfm, .hdr), or chart:edge, star, grid, "
-             "checker, bars, wedge, points, stars"},
+     .help = "a scene (.scene), or a flat card: a picture (.png, .jpg, .exr, .pfm, .hdr), or "
+             "chart:edge, star, grid, checker, bars, wedge, points, stars"},
     {OPTION(struct render_input, question.lens), .name = "lens", .letter = 'l', .value = "LENS",
      .flags = OPTION_FILE, .types = lens_types,
      .help = "a lens of lensdb (list lenses), a file, or - for standard input"},
-    OPTION_DISTANCE(struct render_input, distance, OPTION_NO_INFINITY,
-                    "distance of the card, on which the lens is focused"),
+    OPTION_DISTANCE(struct render_input, distance, 0,
+                    "distance on which the lens is focused, and of a card; inf in scenes"),
     OPTION_FROM(struct render_input, from, distances_from),
     {ANALYSIS_LENGTH(struct render_input, field_width), .name = "field-width", .lowest = 0,
      .highest = INFINITY, .flags = OPTION_ABOVE_LOWEST | OPTION_NO_INFINITY,
@@ -119,6 +119,14 @@ static const struct option options[] = {
      .lowest = 1e-4, .highest = 1, .value = "RATIO",
      .help = "as many rays as each tile of 16 x 8 pixels needs for it, as a share of white: 1%; "
              "--samples then is the most (4096)"},
+    {OPTION(struct render_input, bounces), .name = "bounces", .lowest = 0, .highest = 1000,
+     .fallback = "4", .value = "COUNT",
+     .help = "of light in a scene: 0 what shines, 1 what it falls on, and so on"},
+    {OPTION(struct render_input, spectral), .name = "spectral",
+     .excludes = "wavelength spectrum band",
+     .help = "light of a scene in many wavelengths, not in red, green and blue"},
+    {OPTION(struct render_input, bands), .name = "bands", .lowest = 8, .highest = BANDS_MOST,
+     .fallback = "32", .wants = "spectral", .value = "COUNT", .help = "so many"},
     {OPTION(struct render_input, bits), .name = "bits", .lowest = 8, .highest = 32,
      .value = "8|16|32", .help = "of a number: PNG 8 or 16 (8), OpenEXR 16 or 32 (32)"},
     {OPTION(struct render_input, packing), .name = "packing", .words = render_packings,
@@ -159,7 +167,7 @@ static const struct option options[] = {
      .lowest = 0, .highest = 1000, .wants = "film", .value = "NUMBER",
      .help = "with its grain, by the rms granularity of its maker; default none"},
     {OPTION(struct render_input, no_skip), .name = "no-skip", .value = "NAMES",
-     .help = "do without a skip: pupil, colour, blur, uniform, exposures, or all"},
+     .help = "do without a skip: pupil, colour, blur, uniform, exposures, time, secondary, or all"},
     {OPTION(struct render_input, seed), .name = "seed", .lowest = 0, .highest = 1e9,
      .fallback = "0", .value = "NUMBER", .help = "another one gives other rays"},
     {OPTION(struct render_input, threads), .name = "threads", .lowest = 0, .highest = PARALLEL_MOST,
@@ -196,10 +204,10 @@ static bool check_picture(const struct artifact_job *job, struct error *error)
 static bool check_rays(const struct artifact_job *job, struct error *error)
 {
     static const char *const of_pictures[] = {
-        "part",    "resume", "subject", "band",   "autofocus", "error",       "radiance",
-        "packing", "ev",     "scene",   "filter", "depth-map", "field-width", "luminance",
-        "iso",     "size",   "crop",    "bits",   "film",      "grain",       "threads",
-        "depth",   "hidden", "no-skip", NULL};
+        "part",    "resume", "subject", "band",    "autofocus", "error",       "radiance",
+        "packing", "ev",     "scene",   "filter",  "depth-map", "field-width", "luminance",
+        "iso",     "size",   "crop",    "bits",    "film",      "grain",       "threads",
+        "depth",   "hidden", "no-skip", "bounces", "spectral",  "bands",       NULL};
     static const char *const of_exposures[] = {"time", NULL};
     const char *const *const lists[] = {of_pictures, render_sensor_options, of_exposures};
     const struct render_input *input = job->inputs[0];

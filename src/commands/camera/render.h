@@ -59,8 +59,10 @@ struct render_input {
     double band;                          /* of each colour, mm; NaN = one wavelength */
     const char *response, *acceptance;    /* a word or number, or a file */
     struct film_value film;
-    double grain; /* rms granularity, as characteristic_grain takes it; NaN = none */
-    double error; /* a share of white; NaN = not given */
+    double grain;        /* rms granularity, as characteristic_grain takes it; NaN = none */
+    double error;        /* a share of white; NaN = not given */
+    long bounces, bands; /* of light in scenes; wavelengths that it has */
+    bool spectral;
     long samples, seed, threads, bits; /* samples, bits: 0 = not given */
     struct shutter_input shutter;
 };
@@ -82,6 +84,9 @@ bool render_focus(const struct render_input *input, struct arena *arena,
                   struct analysis_question *question, struct error *error);
 
 /* -------- commands/camera/render_autofocus.c -------- */
+
+/* Where in the picture: fractions from the upper left. Errors: ERROR_USAGE: no place there */
+bool render_autofocus_place(const char *text, double *x, double *y, struct error *error);
 
 /* Errors: ERROR_USAGE: no place in the picture; what contradicts it */
 bool render_check_autofocus(const struct render_input *input, struct error *error);
@@ -320,6 +325,11 @@ bool render_develop(const struct render_input *input, bool is_print,
                     const struct render_frame *frame, struct image *image, struct growing *remarks,
                     struct error *error);
 
+/* -------- commands/camera/render_world.c -------- */
+
+/* Is it a scene, rather than a card? */
+bool render_is_world(const struct render_input *input);
+
 /* -------- commands/camera/render_scene.c -------- */
 
 /*
@@ -377,6 +387,7 @@ struct render_shot {
     struct render_frame frame;
     struct photograph photograph; /* with notes of what is the same in all exposures */
     struct text doubts;           /* lines about the lens */
+    bool is_world;                /* of a scene, whose light is not that of a white card */
     bool is_last;                 /* this exposure of it may use it up */
 };
 

@@ -5,20 +5,15 @@
 
 #include <stdlib.h>
 
-/* Fractions of width and height, from the upper left. */
-struct place {
-    double x, y;
-};
-
-static bool read_place(const char *text, struct place *place, struct error *error)
+bool render_autofocus_place(const char *text, double *x, double *y, struct error *error)
 {
     char *end;
-    place->x = strtod(text, &end);
+    *x = strtod(text, &end);
     const bool has_colon = end != text && *end == ':';
     const char *second = has_colon ? end + 1 : text;
-    place->y = strtod(second, &end);
-    return (has_colon && end != second && *end == '\0' && place->x >= 0 && place->x <= 1 &&
-            place->y >= 0 && place->y <= 1) ||
+    *y = strtod(second, &end);
+    return (has_colon && end != second && *end == '\0' && *x >= 0 && *x <= 1 && *y >= 0 &&
+            *y <= 1) ||
            fail(error, ERROR_USAGE,
                 "{--autofocus} '%.40s': fractions of width and height from the upper left, 0 to 1 "
                 "each, as 0.5:0.5",
@@ -29,12 +24,12 @@ static bool read_place(const char *text, struct place *place, struct error *erro
  * What the depth map has there, m. A map as large as the film sees is wider than it, or higher,
  * where the shapes differ.
  */
-static double depth_at(const struct image *map, const struct sensor *film, struct place place)
+static double depth_at(const struct image *map, const struct sensor *film, const double place[2])
 {
     const double proportion = (double)map->width / (double)map->height;
     const double width = fmax(film->width, proportion * film->height);
-    const double x = 0.5 + (place.x - 0.5) * film->width / width;
-    const double y = 0.5 + (place.y - 0.5) * film->height / (width / proportion);
+    const double x = 0.5 + (place[0] - 0.5) * film->width / width;
+    const double y = 0.5 + (place[1] - 0.5) * film->height / (width / proportion);
     const double column = fmin(floor(x * (double)map->width), (double)map->width - 1);
     const double row = fmin(floor(y * (double)map->height), (double)map->height - 1);
     return (double)image_row(map, (size_t)row)[(size_t)column * map->channels];
@@ -42,11 +37,11 @@ static double depth_at(const struct image *map, const struct sensor *film, struc
 
 bool render_check_autofocus(const struct render_input *input, struct error *error)
 {
-    struct place place;
+    double place[2];
     if (input->autofocus == NULL) {
         return true;
     }
-    if (!read_place(input->autofocus, &place, error)) {
+    if (!render_autofocus_place(input->autofocus, &place[0], &place[1], error)) {
         return false;
     }
     if (!isnan(input->field_width)) {
@@ -65,12 +60,12 @@ bool render_autofocus(const struct render_input *input, struct arena *arena,
                       struct render_input *focused, struct error *error)
 {
     struct photograph_depths depths;
-    struct place place;
+    double place[2];
     *focused = *input;
     if (input->autofocus == NULL || input->depth_map == NULL) {
         return true; /* a flat card lies as far away everywhere */
     }
-    if (!read_place(input->autofocus, &place, error) ||
+    if (!render_autofocus_place(input->autofocus, &place[0], &place[1], error) ||
         !render_depths(input, NULL, arena, &depths, error)) {
         return false;
     }
@@ -89,7 +84,9 @@ bool render_autofocus(const struct render_input *input, struct arena *arena,
 void render_say_autofocus(const struct render_input *input, double distance,
                           struct growing *remarks)
 {
-    if (input->autofocus != NULL) {
+    if (input->autofocus != NULL && isinf(distance)) {
+        growing_format(remarks, "focused on infinity: nothing lies at %s\n", input->autofocus);
+    } else if (input->autofocus != NULL) {
         growing_format(remarks, "focused on %.6g mm before the first vertex, what lies at %s\n",
                        distance, input->autofocus);
     }

@@ -87,11 +87,18 @@ static bool exposure_of(const struct render_input *input, const struct render_sh
     if (!render_speed(input, shot->frame.columns, arena, &iso, error)) {
         return false;
     }
-    const double full = saturation_exposure(iso), axis = shot->photograph.axis;
-    const double white = render_white(input);
+    const struct photograph *photograph = &shot->photograph;
+    const double full = saturation_exposure(iso), mean = photograph_luminance(photograph->mean);
+    const double white = shot->is_world ? 1 : render_white(input); /* its light is absolute */
+    if (shot->is_world && isnan(input->time) && !(mean > 0)) {
+        fail(error, ERROR_DOMAIN, "no light was found that reaches the film: nothing to meter");
+        return error_hint(error, "give {--time}, or more light");
+    }
     *exposure = (struct exposure){.luminance = white,
                                   .time = input->time,
-                                  .metered = WHITE_SHARE * full / (white * axis),
+                                  .metered = shot->is_world
+                                                 ? recommended_exposure(iso) / mean
+                                                 : WHITE_SHARE * full / (white * photograph->axis),
                                   .iso = iso,
                                   .full = full,
                                   .is_chosen = isnan(input->time)};
@@ -166,15 +173,17 @@ static void add_note_of_white(const struct render_input *input, const struct exp
     }
 }
 
-static void add_notes(const struct render_input *input, const struct exposure *exposure,
-                      struct image *image, struct arena *arena)
+static void add_notes(const struct render_input *input, const struct render_shot *shot,
+                      const struct exposure *exposure, struct image *image, struct arena *arena)
 {
     render_note(image, arena, "Exposure time", arena_printf(arena, "%.6g s", exposure->time));
     if (render_is_film(input)) {
         render_note(image, arena, "Film", input->film.name);
     }
     render_note(image, arena, "ISO", arena_printf(arena, "%.6g", exposure->iso));
-    render_note(image, arena, "White", arena_printf(arena, "%.6g cd/m2", exposure->luminance));
+    if (!shot->is_world) {
+        render_note(image, arena, "White", arena_printf(arena, "%.6g cd/m2", exposure->luminance));
+    }
 }
 
 /* Too much light, or too little, and what would mend it; shares of what saturates. */
@@ -200,11 +209,18 @@ static void add_warnings(const struct range *shares, double iso, struct growing 
     }
 }
 
-static void add_remarks(const struct photograph *photograph, const struct exposure *exposure,
+static void add_remarks(const struct render_shot *shot, const struct exposure *exposure,
                         bool is_film, struct growing *remarks)
 {
+    const struct photograph *photograph = &shot->photograph;
     char time[64];
     spoken_time(time, exposure->time, 3);
+    if (shot->is_world) {
+        growing_format(remarks, "%.4g lx on the film, its mean; %s at ISO %.4g%s\n",
+                       photograph_luminance(photograph->mean), time, exposure->iso,
+                       exposure->is_chosen ? ": a mean exposure of 10/ISO lx s (ISO 2720)" : "");
+        return;
+    }
     growing_format(remarks, "%.4g x %.4g mm of the card; white of %.4g cd/m2, %s at ISO %.4g%s\n",
                    photograph->card.width, photograph->card.height, exposure->luminance, time,
                    exposure->iso,
@@ -253,7 +269,7 @@ static bool expose(const struct render_input *input, const struct render_shot *s
     }
     const struct range shares =
         range_of(&photograph->image, exposure.luminance * exposure.metered / exposure.full);
-    add_remarks(photograph, &exposure, is_film, remarks);
+    add_remarks(shot, &exposure, is_film, remarks);
     if (!is_film) {
         add_warnings(&shares, exposure.iso, remarks);
     }
@@ -265,7 +281,7 @@ static bool expose(const struct render_input *input, const struct render_shot *s
         !scale(shot, unit, remarks->arena, &image, error)) {
         return false;
     }
-    add_notes(input, &exposure, &image, remarks->arena);
+    add_notes(input, shot, &exposure, &image, remarks->arena);
     if (is_png) {
         add_note_of_white(input, &exposure, photograph->axis, &image, remarks->arena);
     } else {

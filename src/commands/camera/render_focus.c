@@ -42,7 +42,7 @@ static bool find_object(const struct render_input *input, struct arena *arena, d
     }
     if (s <= lens.f) {
         return fail(error, ERROR_DOMAIN,
-                    "the card lies %.6g mm before the front principal plane: that must be more "
+                    "the subject lies %.6g mm before the front principal plane: that must be more "
                     "than the focal length, %.6g mm",
                     s, lens.f);
     }
@@ -114,7 +114,7 @@ static bool move_gaps(const struct moving *moving, double shift, struct state *s
     state->object = system.index[0].hi * pair_divide(ray.y, ray.v).hi;
     state->focused.image_plane = pair_add(state->focused.image_plane, pair_of(shift));
     return state->object > 0 ||
-           fail(error, ERROR_DOMAIN, "the card lies %.6g mm behind the first vertex",
+           fail(error, ERROR_DOMAIN, "the subject lies %.6g mm behind the first vertex",
                 -state->object);
 }
 

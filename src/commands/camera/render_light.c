@@ -49,6 +49,7 @@ void render_filter(const struct render_input *input, const struct setup *setup,
     for (size_t k = 0; k < PHOTOGRAPH_CHANNELS; k++) {
         through[k] = mean_transmittance(input, setup, k);
         most = fmax(most, through[k]);
+        photograph->mean[k] *= through[k];
     }
     for (size_t i = 0; i < image->width * image->height; i++) {
         for (size_t k = 0; k < PHOTOGRAPH_CHANNELS; k++) {

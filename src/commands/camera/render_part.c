@@ -197,8 +197,8 @@ static void save(void *context, struct photograph *photograph)
 }
 
 bool render_part_begin(const struct artifact_job *job, const struct analysis_case *one,
-                       struct photograph_question *question, struct render_part *part,
-                       struct error *error)
+                       const char *scene, struct photograph_question *question,
+                       struct render_part *part, struct error *error)
 {
     const struct render_input *input = job->inputs[0];
     struct growing facts = {.arena = job->run->arena};
@@ -216,6 +216,7 @@ bool render_part_begin(const struct artifact_job *job, const struct analysis_cas
     if (!find_facts(input, one, &facts, error)) {
         return false;
     }
+    growing_format(&facts, " %s", scene);
     division.facts = growing_done(&facts);
     part->own = part_range(division.part, division.total);
     if (!division_head(job->run, &division, &part->head, error) || !find_files(part, error)) {

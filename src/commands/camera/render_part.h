@@ -32,14 +32,15 @@ bool render_check_part(const struct artifact_job *job, struct error *error);
 /*
  * Before a picture is taken.
  *
- * Given     question  of all of it; receives which tiles are to be taken: those of the part that no
+ * Given     scene     digest of its files; "": of a card, whose file is asked for
+ *           question  of all of it; receives which tiles are to be taken: those of the part that no
  *                     file of it has yet, of a merged run none
  *           part      must stay where it is as long as the question is asked
  * Errors    as division_head and division_read; ERROR_DATA: a file that is not of this run
  */
 bool render_part_begin(const struct artifact_job *job, const struct analysis_case *one,
-                       struct photograph_question *question, struct render_part *part,
-                       struct error *error);
+                       const char *scene, struct photograph_question *question,
+                       struct render_part *part, struct error *error);
 
 /* After it: tiles that were there already go into it; it is incomplete if some are missing. */
 void render_part_fill(struct render_part *part, struct photograph *photograph);

@@ -1,24 +1,34 @@
 /* commands/camera/render_picture.c - a photograph of a card, exposed and written. */
 /* SPDX-License-Identifier: MIT */
 #include "commands/camera/render_part.h"
+#include "commands/camera/render_world.h"
 #include "file/image_file.h"
 #include "report/version.h"
 
 /* -------- what is asked -------- */
 
+/* Something, and for a card where. */
+static bool check_subject(const struct artifact_job *job, struct error *error)
+{
+    const struct render_input *input = job->inputs[0];
+    if (input->scene == NULL) {
+        fail(error, ERROR_USAGE, "what is to be photographed is not said");
+        return error_hint(error, "a scene (room.scene), a picture (card.png), or chart:edge, "
+                                 "chart:star and the like");
+    }
+    if (!render_is_world(input) && isnan(input->distance) &&
+        (input->autofocus == NULL || input->depth_map == NULL)) {
+        fail(error, ERROR_USAGE, "how far away the card is is not said");
+        return error_hint(error, "give {--distance}, as -s 2m");
+    }
+    return render_check_world(job, error);
+}
+
 bool render_check_picture(const struct artifact_job *job, struct error *error)
 {
     const struct render_input *input = job->inputs[0];
     struct render_frame frame;
-    if (input->scene == NULL) {
-        fail(error, ERROR_USAGE, "what is to be photographed is not said");
-        return error_hint(error, "a picture (card.png), or chart:edge, chart:star and the like");
-    }
-    if (isnan(input->distance) && (input->autofocus == NULL || input->depth_map == NULL)) {
-        fail(error, ERROR_USAGE, "how far away the card is is not said");
-        return error_hint(error, "give {--distance}, as -s 2m");
-    }
-    return render_check_part(job, error) &&
+    return check_subject(job, error) && render_check_part(job, error) &&
            (render_is_part(job) || render_check_file(input, job->type, error)) &&
            render_check_light(input, error) && render_check_samples(input, error) &&
            render_check_colours(input, error) && render_check_autofocus(input, error) &&
@@ -31,7 +41,8 @@ bool render_check_picture(const struct artifact_job *job, struct error *error)
 
 struct picture_job {
     const struct artifact_job *job;
-    struct output *sinks; /* one an exposure */
+    struct output *sinks;       /* one an exposure */
+    struct render_world *world; /* null: of a card */
 };
 
 /* What is the same in all exposures. */
@@ -50,7 +61,12 @@ static void add_notes(const struct analysis_case *one, const struct render_input
     render_note(image, arena, "Lens", setup->lens->title != NULL ? setup->lens->title : "");
     render_note(image, arena, "Aperture", arena_printf(arena, "f/%.4g", setup->first.fnumber));
     render_note(image, arena, "Lens model", lens_models[input->model].word);
-    render_note(image, arena, "Distance", arena_printf(arena, "%.9g mm", input->distance));
+    if (isnan(input->distance)) {
+        render_note(image, arena, "Object",
+                    arena_printf(arena, "%.9g mm before the first vertex", render_object(one)));
+    } else {
+        render_note(image, arena, "Distance", arena_printf(arena, "%.9g mm", input->distance));
+    }
     render_note(image, arena, "Image plane", arena_printf(arena, "%.9g mm", setup->image));
     render_note_shutter(input, image, arena);
     render_note(image, arena, "Seed", arena_printf(arena, "%ld", input->seed));
@@ -59,10 +75,11 @@ static void add_notes(const struct analysis_case *one, const struct render_input
     }
 }
 
-static struct text doubts_of(const struct analysis_case *one, const struct artifact_job *job,
+static struct text doubts_of(const struct analysis_case *one, const struct picture_job *picture,
                              const struct photograph_question *question,
                              const struct photograph *photograph)
 {
+    const struct artifact_job *job = picture->job;
     const struct render_input *input = job->inputs[0];
     struct growing doubts = {.arena = job->run->arena};
     const bool all_of_pupil = (question->kept & 1U << SKIP_PUPIL) == 0;
@@ -74,7 +91,11 @@ static struct text doubts_of(const struct analysis_case *one, const struct artif
     render_say_autofocus(input, render_object(one), &doubts);
     render_say_samples(input, photograph, &doubts);
     render_say_light(input, &doubts);
-    render_say_scene(photograph, one->setup, &doubts);
+    if (picture->world != NULL) {
+        render_say_world(picture->world, &doubts);
+    } else {
+        render_say_scene(photograph, one->setup, &doubts);
+    }
     render_say_depths(input, photograph, &doubts);
     render_say_model(input, one, &doubts);
     render_say_shutter(input, question->film.shutter, one->setup, &doubts);
@@ -86,9 +107,10 @@ static struct text doubts_of(const struct analysis_case *one, const struct artif
 }
 
 /* All that does not depend on the exposure. */
-static void finish(const struct analysis_case *one, const struct artifact_job *job,
+static void finish(const struct analysis_case *one, const struct picture_job *picture,
                    const struct photograph_question *question, struct render_shot *shot)
 {
+    const struct artifact_job *job = picture->job;
     const struct render_input *input = job->inputs[0];
     struct arena *arena = job->run->arena;
     render_filter(input, one->setup, &shot->photograph);
@@ -99,27 +121,46 @@ static void finish(const struct analysis_case *one, const struct artifact_job *j
         fail(&job->run->shortfall, ERROR_DOMAIN,
              "%s: the picture is incomplete, and black where it is missing", why);
     }
-    shot->doubts = doubts_of(one, job, question, &shot->photograph);
+    shot->doubts = doubts_of(one, picture, question, &shot->photograph);
 }
 
-/* Each exposure of it, taken anew for --no-skip or for its shutter; a picture that is complete. */
+/* What moves is somewhere else in an exposure of another length. */
+static double duration_of(const struct picture_job *picture, const struct render_input *input,
+                          unsigned kept)
+{
+    const bool moves = picture->world != NULL && picture->world->moves;
+    const bool is_asked = (kept & 1U << SKIP_TIME) != 0;
+    return moves ? input->time : is_asked ? (isnan(input->time) ? 1 : input->time) : 0;
+}
+
+/* Is exposure i another picture than the one before it? */
+static bool is_another(const struct picture_job *picture, size_t i, unsigned kept)
+{
+    const struct artifact_job *job = picture->job;
+    const struct render_input *one = job->inputs[i - 1], *next = job->inputs[i];
+    const bool moves = picture->world != NULL && picture->world->moves;
+    return (kept & 1U << SKIP_EXPOSURES) != 0 || render_shutter_varies(job) ||
+           (moves && next->time != one->time);
+}
+
+/* Each exposure of it, taken anew where that is another picture; of one that is complete. */
 static bool expose_all(const struct analysis_case *one, const struct picture_job *picture,
                        struct photograph_question question, struct render_shot *shot,
                        struct error *error)
 {
     const struct artifact_job *job = picture->job;
-    const bool asked = (question.kept & 1U << SKIP_EXPOSURES) != 0 || render_shutter_varies(job);
-    const bool each = asked && !shot->photograph.is_incomplete;
+    const bool is_whole = !shot->photograph.is_incomplete;
     bool done = true;
     question.done = NULL;
     question.pause = NULL;
     for (size_t i = 0; i < job->count && done; i++) {
-        if (i > 0 && each) {
+        if (i > 0 && is_whole && is_another(picture, i, question.kept)) {
+            question.duration = duration_of(picture, job->inputs[i], question.kept);
             done = render_shutter(job->inputs[i], one, job->run->arena, &question.film.shutter,
                                   error) &&
                    photograph_take(&question, job->run->arena, &shot->photograph, error);
             if (done) {
-                finish(one, job, &question, shot);
+                finish(one, picture, &question, shot);
             }
         }
         shot->is_last = i + 1 == job->count;
@@ -128,22 +169,42 @@ static bool expose_all(const struct analysis_case *one, const struct picture_job
     return done;
 }
 
+/* What is photographed. */
+static bool ask_subject(const struct picture_job *picture, const struct analysis_case *one,
+                        struct photograph_question *question, struct error *error)
+{
+    const struct render_input *input = picture->job->inputs[0];
+    struct arena *arena = picture->job->run->arena;
+    question->duration = duration_of(picture, input, question->kept);
+    if (picture->world != NULL) {
+        question->is_coloured = question->is_coloured && !input->spectral;
+        return render_world_open(picture->job, one, picture->world, question, error);
+    }
+    question->card = (struct card){.distance = render_object(one),
+                                   .width = isnan(input->field_width) ? 0 : input->field_width};
+    return render_scene(input, arena, &question->card, error) &&
+           render_depths(input, question->card.picture, arena, &question->depths, error);
+}
+
+/* Of all files that a scene is made of. */
+static const char *digest_of_world(const struct picture_job *picture)
+{
+    return picture->world != NULL ? picture->world->scene.digest.text : "";
+}
+
 static bool take_picture(const struct analysis_case *one, void *context, struct error *error)
 {
     const struct picture_job *picture = context;
     const struct artifact_job *job = picture->job;
     const struct render_input *input = job->inputs[0];
     struct arena *arena = job->run->arena;
-    struct render_shot shot;
+    struct render_shot shot = {.is_world = picture->world != NULL};
     struct render_part part;
-    struct photograph_question question = {
-        .film = render_film(input, one),
-        .is_coloured = !render_is_grey(input),
-        .seed = (uint64_t)input->seed,
-        .threads = parallel_threads(input->threads),
-        .card = {.distance = render_object(one),
-                 .width = isnan(input->field_width) ? 0 : input->field_width},
-        .watch = job->run->watch};
+    struct photograph_question question = {.film = render_film(input, one),
+                                           .is_coloured = !render_is_grey(input),
+                                           .seed = (uint64_t)input->seed,
+                                           .threads = parallel_threads(input->threads),
+                                           .watch = job->run->watch};
     render_ask_samples(input, &question);
     if (!render_frame_read(input, &shot.frame, error) ||
         !render_kept(input, &question.kept, error)) {
@@ -155,9 +216,8 @@ static bool take_picture(const struct analysis_case *one, void *context, struct 
     question.crop = shot.frame.taken;
     if (!render_acceptance(input, arena, &question.film.acceptance, error) ||
         !render_shutter(input, one, arena, &question.film.shutter, error) ||
-        !render_scene(input, arena, &question.card, error) ||
-        !render_depths(input, question.card.picture, arena, &question.depths, error) ||
-        !render_part_begin(job, one, &question, &part, error) ||
+        !ask_subject(picture, one, &question, error) ||
+        !render_part_begin(job, one, digest_of_world(picture), &question, &part, error) ||
         !photograph_take(&question, arena, &shot.photograph, error)) {
         return false;
     }
@@ -166,19 +226,43 @@ static bool take_picture(const struct analysis_case *one, void *context, struct 
         return true;
     }
     render_part_fill(&part, &shot.photograph);
-    finish(one, job, &question, &shot);
+    finish(one, picture, &question, &shot);
     return expose_all(one, picture, question, &shot, error);
 }
 
-bool render_picture(const struct artifact_job *job, struct output *sinks, struct error *error)
+static bool take_card(struct picture_job *picture, struct error *error)
 {
+    const struct artifact_job *job = picture->job;
     const struct render_input *input = job->inputs[0];
-    struct picture_job picture = {job, sinks};
     const struct spectrum_value colours = render_colours(input, job->run->arena);
     struct render_input focused;
     return render_autofocus(input, job->run->arena, &focused, error) &&
            render_open(&focused, render_is_grey(input) ? NULL : &colours, job->run, take_picture,
-                       &picture, error);
+                       picture, error);
+}
+
+static bool take_scene(struct picture_job *picture, struct error *error)
+{
+    const struct artifact_job *job = picture->job;
+    const struct render_input *input = job->inputs[0];
+    struct render_world *world = ARENA_NEW(job->run->arena, struct render_world);
+    struct render_input focused;
+    picture->world = world;
+    if (!render_world_read(job, world, error) || !render_world_focus(job, world, &focused, error)) {
+        return false;
+    }
+    const struct spectrum_value colours = input->spectral
+                                              ? render_world_colours(world, job->run->arena)
+                                              : render_colours(input, job->run->arena);
+    return render_open(&focused, render_is_grey(input) ? NULL : &colours, job->run, take_picture,
+                       picture, error);
+}
+
+bool render_picture(const struct artifact_job *job, struct output *sinks, struct error *error)
+{
+    struct picture_job picture = {job, sinks, NULL};
+    return render_is_world(job->inputs[0]) ? take_scene(&picture, error)
+                                           : take_card(&picture, error);
 }
 
 const struct file_type *render_picture_types(size_t i)

@@ -25,6 +25,19 @@ void render_ask_samples(const struct render_input *input, struct photograph_ques
     question->error = isnan(input->error) ? 0 : input->error;
 }
 
+/* An error that was reached, as a multiple of the one asked for. */
+static const char *error_in_words(const struct render_input *input, double reached,
+                                  struct arena *arena)
+{
+    const double percent = 100 * input->error * reached;
+    return render_is_world(input)
+               ? arena_printf(arena,
+                              "%.2g %% of each pixel's light, or %.2g of a grey level if that is "
+                              "more",
+                              percent, reached)
+               : arena_printf(arena, "%.2g %% of white", percent);
+}
+
 void render_say_samples(const struct render_input *input, const struct photograph *photograph,
                         struct growing *remarks)
 {
@@ -32,15 +45,14 @@ void render_say_samples(const struct render_input *input, const struct photograp
     if (isnan(input->error) || counts[CONVERGENCE_TILES] == 0) {
         return;
     }
-    growing_format(remarks, "error %.2g %% of white, by %.4g rays a pixel and colour on average\n",
-                   100 * input->error * convergence_error(counts, false),
+    growing_format(remarks, "error %s, by %.4g rays a pixel and colour on average\n",
+                   error_in_words(input, convergence_error(counts, false), remarks->arena),
                    (double)counts[CONVERGENCE_RAYS] / (double)counts[CONVERGENCE_TILES]);
     if (counts[CONVERGENCE_MISSED] > 0) {
         growing_format(remarks,
-                       "warning: %llu of %llu tiles have not reached the error: they have %.2g %% "
-                       "of white\n",
+                       "warning: %llu of %llu tiles have not reached the error: they have %s\n",
                        (unsigned long long)counts[CONVERGENCE_MISSED],
                        (unsigned long long)counts[CONVERGENCE_TILES],
-                       100 * input->error * convergence_error(counts, true));
+                       error_in_words(input, convergence_error(counts, true), remarks->arena));
     }
 }

@@ -24,9 +24,11 @@ bool render_kept(const struct render_input *input, unsigned *kept, struct error 
         const size_t length = comma != NULL ? (size_t)(comma - word) : strlen(word);
         const size_t which = find_skip(word, length);
         if (which > SKIP_COUNT) {
-            return fail(error, ERROR_USAGE,
-                        "{--no-skip} '%.*s': pupil, colour, blur, uniform, exposures or all",
-                        (int)(length < 40 ? length : 40), word);
+            return fail(
+                error, ERROR_USAGE,
+                "{--no-skip} '%.*s': pupil, colour, blur, uniform, exposures, time, secondary or "
+                "all",
+                (int)(length < 40 ? length : 40), word);
         }
         *kept |= which == SKIP_COUNT ? (1U << SKIP_COUNT) - 1 : 1U << which;
         word = comma != NULL ? comma + 1 : NULL;
@@ -39,11 +41,50 @@ static const char *or_kept(const struct photograph_question *question, enum skip
     return (question->kept & 1U << skip) != 0 ? ", as --no-skip asks" : "";
 }
 
+/* Tiles of cards that need few rays, or none. */
+static void explain_tiles(const struct photograph_question *question, const uint64_t *tiles,
+                          struct growing *remarks)
+{
+    const uint64_t all = tiles[SPARE_TRACED] + tiles[SPARE_SHARP] + tiles[SPARE_EVEN];
+    growing_format(remarks,
+                   "blur: below a quarter of a pixel in %" PRIu64 " of %" PRIu64
+                   " tiles of 16 x 8 pixels, each "
+                   "with one pupil%s\n",
+                   tiles[SPARE_SHARP], all, or_kept(question, SKIP_BLUR));
+    growing_format(remarks,
+                   "uniform: %" PRIu64 " of %" PRIu64
+                   " tiles see the same light everywhere: no rays%s\n",
+                   tiles[SPARE_EVEN], all, or_kept(question, SKIP_UNIFORM));
+}
+
+/* What a scene goes without. */
+static void explain_scene(const struct photograph_question *question, struct growing *remarks)
+{
+    const int bounces = question->view->path->question.bounces;
+    growing_format(remarks, "secondary: ");
+    if (bounces == 0) {
+        growing_format(remarks, "light that shines alone is seen: no rays beyond the first%s\n",
+                       or_kept(question, SKIP_SECONDARY));
+    } else {
+        growing_format(remarks, "light comes by up to %d bounces%s\n", bounces,
+                       or_kept(question, SKIP_SECONDARY));
+    }
+}
+
+/* Why exposures are not of one picture; null: they are. */
+static const char *why_anew(const struct artifact_job *job,
+                            const struct photograph_question *question)
+{
+    return render_shutter_varies(job) ? "how a leaf shutter weighs the pupil depends on the time"
+           : job->count > 1 && question->duration > 0 && (question->kept & 1U << SKIP_TIME) == 0
+               ? "how far things move depends on the time"
+               : NULL;
+}
+
 void render_explain(const struct artifact_job *job, const struct photograph_question *question,
                     const struct photograph *photograph, struct growing *remarks)
 {
     const uint64_t *tiles = photograph->counts + PHOTOGRAPH_WAYS;
-    const uint64_t all = tiles[SPARE_TRACED] + tiles[SPARE_SHARP] + tiles[SPARE_EVEN];
     const double traced = (double)photograph->counts[PHOTOGRAPH_TRACED];
     const double passed = (double)photograph->counts[PHOTOGRAPH_PASSED];
     growing_format(remarks,
@@ -57,18 +98,18 @@ void render_explain(const struct artifact_job *job, const struct photograph_ques
                    photograph->passes == 1 ? "all colours go the same way: one pass of rays"
                                            : "a pass of rays for each",
                    or_kept(question, SKIP_COLOUR));
-    growing_format(remarks,
-                   "blur: below a quarter of a pixel in %" PRIu64 " of %" PRIu64
-                   " tiles of 16 x 8 pixels, each "
-                   "with one pupil%s\n",
-                   tiles[SPARE_SHARP], all, or_kept(question, SKIP_BLUR));
-    growing_format(remarks,
-                   "uniform: %" PRIu64 " of %" PRIu64
-                   " tiles see the same light everywhere: no rays%s\n",
-                   tiles[SPARE_EVEN], all, or_kept(question, SKIP_UNIFORM));
-    growing_format(remarks, "exposures: %zu%s%s\n", job->count,
-                   render_shutter_varies(job)
-                       ? ", a picture each: how a leaf shutter weighs the pupil depends on the time"
-                       : " of one picture",
-                   or_kept(question, SKIP_EXPOSURES));
+    if (question->view == NULL) {
+        explain_tiles(question, tiles, remarks);
+    }
+    growing_format(remarks, "time: %s%s\n",
+                   question->duration > 0 ? "each ray has its own"
+                                          : "all rays come at once: nothing depends on it",
+                   or_kept(question, SKIP_TIME));
+    if (question->view != NULL) {
+        explain_scene(question, remarks);
+    }
+    const char *anew = why_anew(job, question);
+    growing_format(remarks, "exposures: %zu%s%s%s\n", job->count,
+                   anew != NULL ? ", a picture each: " : " of one picture",
+                   anew != NULL ? anew : "", or_kept(question, SKIP_EXPOSURES));
 }

@@ -1,0 +1,53 @@
+/* camera/tile_rays.h - the rays of a tile of a film, and what they bring to its pixels. */
+/* SPDX-License-Identifier: MIT */
+#ifndef LENSCALC_CAMERA_TILE_RAYS_H
+#define LENSCALC_CAMERA_TILE_RAYS_H
+
+#include "camera/photograph.h"
+#include "camera/subject.h"
+
+/* What the rays of all tiles have in common. Read-only: threads share it. */
+struct tile_rays {
+    const struct lens_film *film;
+    struct subject subject;
+    size_t passes; /* one a wavelength, or one for all where nothing disperses */
+    const struct spare_pass *pass;
+    double duration; /* of photograph_question */
+    uint64_t seed;
+    struct sobol when; /* the dimension after those of the film */
+};
+
+/* What one thread traces in. */
+struct tile_room {
+    struct film_samples samples;
+    struct rays rays;
+    subject_light light;
+    double times[RAYS_BLOCK];        /* when each ray comes, s; all 0 where nothing needs it */
+    uint32_t when, hero;             /* the tile's scramblings of them, and of bands of blocks */
+    struct points_sequence sequence; /* of the tile: what rays decide by in a scene */
+    double sums[TILE_PIXELS][TILE_CHANNELS];
+    uint64_t counts[PHOTOGRAPH_COUNTS];
+};
+
+/* Given: subject  may be set later */
+void tile_rays_open(const struct photograph_question *question, const struct lens_film *film,
+                    struct arena *arena, struct tile_rays *tile);
+
+struct tile_room *tile_room_new(struct arena *arena);
+
+/* Is light carried in many bands, each a wavelength of the lens? */
+bool tile_rays_in_bands(const struct tile_rays *tile);
+
+/* Begin tile `number` of the frame: its points, of the plan, too; and sums of 0. */
+void tile_rays_begin(const struct tile_rays *tile, size_t number, struct film_plan *plan,
+                     struct tile_room *room);
+
+/* Start and trace a block of points of a plan, at a wavelength of the lens. */
+void tile_rays_trace(const struct tile_rays *tile, const struct film_plan *plan, uint32_t block,
+                     size_t wavelength, struct tile_room *room);
+
+/* Add weights times light, a pixel and channel each: blocks begin .. end - 1 of points. */
+void tile_rays_sum(const struct tile_rays *tile, const struct film_plan *plan, size_t begin,
+                   size_t end, struct tile_room *room);
+
+#endif

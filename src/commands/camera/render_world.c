@@ -1,0 +1,336 @@
+/* commands/camera/render_world.c - scenes: read, asked for, and made ready for a lens. */
+/* SPDX-License-Identifier: MIT */
+#include "commands/camera/render_world.h"
+
+#include "camera/develop.h"
+#include "commands/camera/render_part.h"
+#include "file/scene_file.h"
+#include "photo/distance_from.h"
+#include "photo/sensitometry.h"
+#include "scene/scene_check.h"
+
+#include <string.h>
+
+/* -------- what is asked -------- */
+
+bool render_is_world(const struct render_input *input)
+{
+    static const char ending[] = ".scene";
+    const size_t length = input->scene != NULL ? strlen(input->scene) : 0;
+    return length >= sizeof ending - 1 &&
+           strcmp(input->scene + length - (sizeof ending - 1), ending) == 0;
+}
+
+static bool check_scene(const struct artifact_job *job, struct error *error)
+{
+    static const char *const of_cards[] = {"luminance", "ev",    "scene",  "field-width",
+                                           "depth-map", "depth", "hidden", NULL};
+    const struct render_input *input = job->inputs[0];
+    for (size_t i = 0; of_cards[i] != NULL; i++) {
+        if (asking_given(job->asking, of_cards[i])) {
+            return fail(error, ERROR_USAGE,
+                        "{--%s} is of flat cards: a .scene says itself how bright and how far away "
+                        "everything is",
+                        of_cards[i]);
+        }
+    }
+    if (input->autofocus != NULL && !isnan(input->distance)) {
+        return fail(error, ERROR_USAGE,
+                    "{--autofocus} finds the distance in the scene: not with {--distance}");
+    }
+    return !input->spectral || (isnan(input->filter.mired) || input->filter.mired == 0) ||
+           fail(error, ERROR_USAGE,
+                "{--filter} %s has a colour, which {--spectral} does not take: without it, it does",
+                input->filter.name);
+}
+
+bool render_check_world(const struct artifact_job *job, struct error *error)
+{
+    static const char *const of_scenes[] = {"bounces", "spectral", "bands", NULL};
+    const struct render_input *input = job->inputs[0];
+    if (render_is_world(input)) {
+        return check_scene(job, error);
+    }
+    for (size_t i = 0; of_scenes[i] != NULL; i++) {
+        if (asking_given(job->asking, of_scenes[i])) {
+            return fail(error, ERROR_USAGE,
+                        "{--%s} is of a .scene: light of a flat card comes straight from it",
+                        of_scenes[i]);
+        }
+    }
+    return !isinf(input->distance) ||
+           fail(error, ERROR_USAGE, "{--distance} inf: a card has a size, and lies somewhere");
+}
+
+/* -------- the scene -------- */
+
+/* Does anything send on light that it receives? */
+static bool scatters(const struct scene *scene)
+{
+    for (size_t i = 0; i < scene->thing_count; i++) {
+        const struct scene_thing *thing = &scene->things[i];
+        if (thing->material == SCENE_NONE
+                ? !thing->shines
+                : scene->materials[thing->material].kind != MATERIAL_BLACK) {
+            return true;
+        }
+    }
+    return false;
+}
+
+/* Times and what moves in them. */
+static bool check_times(const struct artifact_job *job, const struct render_world *world,
+                        struct error *error)
+{
+    const struct render_input *input = job->inputs[0];
+    if (world->moves && isnan(input->time)) {
+        fail(error, ERROR_USAGE,
+             "%.200s moves: how far it comes while it is exposed depends on {--time}",
+             input->scene);
+        return error_hint(error, "give it, as -t 1/125");
+    }
+    return !world->moves || !render_is_part(job) || job->count == 1 ||
+           fail(error, ERROR_USAGE,
+                "a part is of one picture: each {--time} makes another one of what moves");
+}
+
+bool render_world_read(const struct artifact_job *job, struct render_world *world,
+                       struct error *error)
+{
+    const struct render_input *input = job->inputs[0];
+    const struct scene_files *files = &scene_files_there;
+    struct arena *arena = job->run->arena;
+    struct text content;
+    *world = (struct render_world){.scene = {.source = input->scene}};
+    if (!files->read(files->context, input->scene, arena, &content, error) ||
+        !scene_file_read(input->scene, content, files, arena, &world->scene, error) ||
+        !scene_check(&world->scene, (int)input->bounces, error)) {
+        return false;
+    }
+    world->moves = scene_moves(&world->scene);
+    world->scatters = scatters(&world->scene);
+    bands_three(&world->bands);
+    return (!input->spectral || bands_many((size_t)input->bands, &world->bands, error)) &&
+           check_times(job, world, error);
+}
+
+struct spectrum_value render_world_colours(const struct render_world *world, struct arena *arena)
+{
+    const struct bands *bands = &world->bands;
+    struct setup_wavelength *items = ARENA_ARRAY(arena, bands->count, struct setup_wavelength);
+    for (size_t i = 0; i < bands->count; i++) {
+        items[i] = (struct setup_wavelength){bands->wavelength[i], 1};
+    }
+    return (struct spectrum_value){"bands", items, bands->count};
+}
+
+/* -------- where the lens stands in it -------- */
+
+/* The entrance pupil; of a lens that has it infinitely far away, the first vertex. */
+static double pupil_of(const struct setup *setup)
+{
+    return isfinite(setup->first.entrance_pupil) ? setup->first.entrance_pupil : 0;
+}
+
+/* The time at which something stands where no ray can come. */
+static bool stand_clear(const struct render_world *world, const struct setup *setup, double time,
+                        struct error *error)
+{
+    enum { LINES = 17 };
+    const double radius = fabs(setup->first.entrance_diameter) / 2;
+    const double length = fmax(setup->first.length, setup->image), pupil = pupil_of(setup);
+    for (int i = 0; i < LINES; i++) {
+        const double r = i == 0 ? 0 : i % 2 == 0 ? radius : radius / 2;
+        const double x = r * cos(2 * PI * i / (LINES - 1)), y = r * sin(2 * PI * i / (LINES - 1));
+        /* along the axis, from the film or the last vertex to the first */
+        struct ray_block line = {.x = {x}, .y = {y}, .z = {length}, .r = {-1}};
+        struct world_ray ray = view_ray(&world->scene.camera.where, pupil, &line, 0, time);
+        struct world_hit hit;
+        ray.farthest = length;
+        if (length > 0 && world_look(&world->world, &ray, &hit)) {
+            const struct scene_thing *thing = &world->scene.things[hit.thing];
+            fail(error, ERROR_DOMAIN,
+                 "what line %zu of %.200s places stands within the lens, which reaches from %.6g "
+                 "mm before the camera's place to %.6g mm behind it",
+                 thing->place.line, world->scene.source, pupil, length - pupil);
+            return error_hint(error, "move it, or the camera");
+        }
+    }
+    return true;
+}
+
+/* -------- focus -------- */
+
+struct looking {
+    const struct artifact_job *job;
+    struct render_world *world;
+    double x, y;     /* of the picture, from the upper left, 0 to 1 */
+    double distance; /* of what is there before the first vertex, mm; infinite: nothing */
+};
+
+static bool look(const struct analysis_case *one, void *context, struct error *error)
+{
+    struct looking *looking = context;
+    const struct render_input *input = looking->job->inputs[0];
+    struct arena *arena = looking->job->run->arena;
+    const struct film_question question = render_film(input, one);
+    const struct scene_place *camera = &looking->world->scene.camera.where;
+    /* the film is upside down */
+    const double at[2] = {(0.5 - looking->x) * question.width,
+                          (looking->y - 0.5) * question.height};
+    const double pupil = pupil_of(one->setup);
+    struct film_samples *samples = ARENA_NEW(arena, struct film_samples);
+    struct rays rays = rays_new(arena, RAYS_BLOCK);
+    struct lens_film *film = ARENA_NEW(arena, struct lens_film);
+    struct world_hit hit;
+    if (!lens_film_open(&question, arena, film, error)) {
+        return false;
+    }
+    lens_film_chief(film, at, samples, &rays);
+    if (rays.blocks->lost[0] != 0) {
+        return fail(error, ERROR_DOMAIN, "{--autofocus} %.40s: no light comes there",
+                    input->autofocus);
+    }
+    const struct world_ray ray = view_ray(camera, pupil, rays.blocks, 0, 0);
+    looking->distance = INFINITY;
+    if (world_look(&looking->world->world, &ray, &hit)) {
+        const struct scene_pose pose = scene_pose_at(camera, 0);
+        looking->distance = -pupil - vector_dot(pose.turned.z, vector_minus(hit.at, pose.at));
+    }
+    return true;
+}
+
+/* A lens that is focused sees another way: again, until the distance stays. */
+static bool find_distance(struct looking *looking, struct render_input *focused,
+                          struct error *error)
+{
+    enum { TURNS = 20 };
+    const double enough = 1e-9;
+    const double still[2] = {0, 0};
+    struct run *run = looking->job->run;
+    focused->distance = INFINITY;
+    focused->from = FROM_PRINCIPAL;
+    if (!world_open(&looking->world->scene, still, run->arena, &looking->world->world, error)) {
+        return false;
+    }
+    for (int turn = 0; turn < TURNS; turn++) {
+        const double before = focused->distance;
+        if (!render_open(focused, NULL, run, look, looking, error)) {
+            return false;
+        }
+        focused->distance = looking->distance;
+        focused->from = isinf(looking->distance) ? FROM_PRINCIPAL : FROM_FRONT;
+        if (isinf(focused->distance) || fabs(focused->distance / before - 1) < enough) {
+            return true;
+        }
+    }
+    return fail(error, ERROR_DOMAIN,
+                "{--autofocus} %.40s: what is seen there changes as the lens is focused on it",
+                focused->autofocus);
+}
+
+bool render_world_focus(const struct artifact_job *job, struct render_world *world,
+                        struct render_input *focused, struct error *error)
+{
+    const struct render_input *input = job->inputs[0];
+    *focused = *input;
+    if (input->autofocus != NULL) {
+        struct looking looking = {.job = job, .world = world};
+        return render_autofocus_place(input->autofocus, &looking.x, &looking.y, error) &&
+               find_distance(&looking, focused, error);
+    }
+    if (isnan(input->distance) && input->question.focus.kind == PLANE_OF_LENS) {
+        focused->distance = world->scene.camera.distance;
+        focused->from = FROM_PRINCIPAL;
+    }
+    if (!isnan(focused->distance) || input->question.focus.kind != PLANE_OF_LENS) {
+        return true;
+    }
+    fail(error, ERROR_USAGE, "on what the lens is focused is not said");
+    return error_hint(error, "give {--distance}, {--autofocus} X:Y, or focus= in the scene");
+}
+
+/* -------- a picture -------- */
+
+/* Light that becomes white in a PNG of the longest exposure, lx; NaN: nobody said how long. */
+static bool find_white(const struct artifact_job *job, size_t columns, double *white,
+                       struct error *error)
+{
+    *white = INFINITY;
+    for (size_t i = 0; i < job->count; i++) {
+        const struct render_input *input = job->inputs[i];
+        double iso;
+        if (!render_speed(input, columns, job->run->arena, &iso, error)) {
+            return false;
+        }
+        *white = isnan(input->time) || isnan(*white)
+                     ? NAN
+                     : fmin(*white, exp2(input->filter.stops) * saturation_exposure(iso) /
+                                        (DEVELOP_HEADROOM * input->time));
+    }
+    return true;
+}
+
+/* All times that rays of any exposure may come at. */
+static bool find_span(const struct artifact_job *job, const struct analysis_case *one,
+                      double span[2], struct error *error)
+{
+    static const double steepest = 10; /* of rays that leave a film */
+    span[0] = span[1] = 0;
+    for (size_t i = 0; i < job->count; i++) {
+        const struct render_input *input = job->inputs[i];
+        const struct shutter *shutter;
+        const double half = isnan(input->time) ? 0.5 : input->time / 2;
+        double own[2] = {-half, half};
+        if (!render_shutter(input, one, job->run->arena, &shutter, error)) {
+            return false;
+        }
+        if (shutter != NULL) {
+            shutter_span(shutter, steepest, own);
+        }
+        span[0] = fmin(span[0], own[0]);
+        span[1] = fmax(span[1], own[1]);
+    }
+    return true;
+}
+
+bool render_world_open(const struct artifact_job *job, const struct analysis_case *one,
+                       struct render_world *world, struct photograph_question *question,
+                       struct error *error)
+{
+    enum { FIRST_DIMENSION = FILM_DIMENSIONS + 1 }; /* behind those of film and time */
+    const struct render_input *input = job->inputs[0];
+    const bool scattered = world->scatters || (question->kept & 1U << SKIP_SECONDARY) != 0;
+    double span[2];
+    struct arena *arena = job->run->arena;
+    struct path_question asked = {.world = &world->world,
+                                  .bands = &world->bands,
+                                  .bounces = scattered ? (int)input->bounces : 0};
+    if (!find_span(job, one, span, error) ||
+        !world_open(&world->scene, span, arena, &world->world, error) ||
+        !path_open(&asked, arena, &world->path, error)) {
+        return false;
+    }
+    for (int i = 0; i < 3; i++) {
+        if (!stand_clear(world, one->setup, (span[0] * (2 - i) + span[1] * i) / 2, error)) {
+            return false;
+        }
+    }
+    world->view = (struct view){.path = &world->path,
+                                .bands = &world->bands,
+                                .points = points_table_new(FIRST_DIMENSION, arena),
+                                .camera = world->scene.camera.where,
+                                .pupil = pupil_of(one->setup)};
+    question->view = &world->view;
+    question->white_of_mean = saturation_exposure(1) / (DEVELOP_HEADROOM * recommended_exposure(1));
+    return find_white(job, question->columns, &question->white, error);
+}
+
+/* -------- what is said of it -------- */
+
+void render_say_world(const struct render_world *world, struct growing *remarks)
+{
+    for (size_t i = 0; i < world->scene.note_count; i++) {
+        growing_format(remarks, "%s\n", world->scene.notes[i]);
+    }
+}

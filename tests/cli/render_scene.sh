@@ -1,0 +1,72 @@
+# scenes: focus, exposure, motion, what is said of them, and what is refused
+cat > lamps.scene <<'END'
+scene Lamps
+camera at=0,0,3 look=0,0,0 focus=3
+material lamp black emission=1 luminance=1000
+material red black emission=1,0.1,0.1 luminance=500
+card size=2,2 at=0,0,0 material=red
+sphere radius=0.5 at=0,0,1 material=lamp
+END
+sed 's/at=0,0,1/& move=1,0,0/' lamps.scene > moving.scene
+small="--lens double-gauss-50 --size 48x32 --samples 8"
+lenscalc render lamps.scene $small -o lamps.png
+# the entrance pupil stands at 3 m, 19.97 mm behind the first vertex: 3 m - 1.5 m before it
+lenscalc render lamps.scene $small --autofocus 0.5:0.5 -o lamps.pfm
+lenscalc render lamps.scene $small --autofocus 0.5:0.5 --gap last -o gap.pfm 2>&1 | grep focused
+lenscalc render lamps.scene $small --autofocus 0.05:0.05 -o far.pfm 2>&1 | grep focused
+lenscalc render lamps.scene $small -s inf -t 1/30 --filter ND8 -o inf.pfm
+lenscalc render lamps.scene --lens double-gauss-50 --size 48x32 --error 2% --samples 256 -t 1/100 -o error.pfm
+lenscalc render lamps.scene $small --explain -t 1/100 -o why.pfm 2>&1 | sed 's/[0-9.]* % of/N % of/'
+lenscalc render lamps.scene $small --no-skip time,secondary --explain -t 1/100 -o why.pfm 2>&1 | grep -e time: -e secondary:
+lenscalc render moving.scene $small -t 1/100,1/10 -o moving.pfm --explain 2>&1 | grep -e lx -e time: -e exposures:
+# the same bits by threads, in parts, of a crop, and where nothing moves also of times
+lenscalc render moving.scene $small -t 1/4 -o whole.pfm
+lenscalc render moving.scene $small -t 1/4 --threads 2 -o threads.pfm
+for i in 1 2 3; do lenscalc render moving.scene $small -t 1/4 --part $i/3 -o $i.part; done
+lenscalc merge 1.part 2.part 3.part -o merged.pfm
+cmp whole.pfm threads.pfm && cmp whole.pfm merged.pfm && echo same
+lenscalc render lamps.scene $small -t 1/4 -o still.pfm
+lenscalc render lamps.scene $small -t 1/4 --no-skip time,secondary -o kept.pfm
+cmp still.pfm kept.pfm && echo same
+sed 's/luminance=500/luminance=501/' lamps.scene > other.scene
+lenscalc render lamps.scene $small --part 1/2 -o other.part
+cp other.scene lamps.scene
+lenscalc render lamps.scene $small --part 1/2 --resume -o other.part
+# refused
+lenscalc render moving.scene $small -o lost.pfm
+lenscalc render moving.scene $small -t 1,2 -o lost.part
+lenscalc render lamps.scene $small --luminance 5 -o lost.pfm
+lenscalc render lamps.scene $small --ev 5 -o lost.pfm
+lenscalc render lamps.scene $small --scene sunny-16 -o lost.pfm
+lenscalc render lamps.scene $small --field-width 1m -o lost.pfm
+lenscalc render lamps.scene $small --depth-map lamps.pfm -o lost.pfm
+lenscalc render lamps.scene $small --spectral -w d -o lost.pfm
+lenscalc render lamps.scene $small --spectral --band 20 -o lost.pfm
+lenscalc render lamps.scene $small --bands 16 -o lost.pfm
+lenscalc render lamps.scene $small --spectral --filter 80A -o lost.pfm
+lenscalc render lamps.scene $small --bounces -1 -o lost.pfm
+lenscalc render lamps.scene $small -s 40mm -o lost.pfm
+lenscalc render lamps.scene $small -s 30mm --gap last -o lost.pfm
+lenscalc render lamps.scene $small -s 1m --autofocus 0.5:0.5 -o lost.pfm
+lenscalc render lamps.scene $small --autofocus 2:2 -o lost.pfm
+lenscalc render lost.scene $small -o lost.pfm
+lenscalc render chart:edge $small -s 1m --bounces 1 -o lost.pfm
+lenscalc render chart:edge $small -s 1m --spectral -o lost.pfm
+lenscalc render chart:edge $small -s inf -o lost.pfm
+lenscalc render --lens double-gauss-50 --bounces 1 --rays lost.csv
+sed 's/ focus=3//' lamps.scene > unfocused.scene
+lenscalc render unfocused.scene $small -o lost.pfm
+lenscalc render unfocused.scene $small --focus paraxial -o unfocused.pfm 2>&1 | grep -c lx
+printf 'camera at=0,0,3 look=0,0,0\nmaterial a lambert colour=0.5\nsphere radius=1 at=0,0,0 material=a\n' > dark.scene
+lenscalc render dark.scene $small -s 1m -o lost.pfm
+printf 'camera at=0,0,3 look=0,0,0\nmaterial a black emission=1 luminance=1\nsphere radius=1 at=0,0,9 material=a\n' > behind.scene
+lenscalc render behind.scene $small -s 1m -o lost.pfm
+lenscalc render behind.scene $small -s 1m -t 1 -o behind.png
+printf 'camera at=0,0,3 look=0,0,0\nmaterial a black emission=1 luminance=1\nsphere radius=1mm at=0,0,3 material=a\n' > within.scene
+lenscalc render within.scene $small -s 1m -o lost.pfm
+printf 'camera at=0,0,3 look=0,0,0\nmaterial a lambert texture=lost.png\nlight sky uniform luminance=1\nsphere radius=1 material=a\n' > texture.scene
+lenscalc render texture.scene $small -s 1m -o lost.pfm
+lenscalc render lamps.scene $small -t 1us -o faint.png 2>&1 | grep warning
+lenscalc render lamps.scene $small -t 1us --noise --pitch 1um -o faint.png 2>&1 | grep electron
+lenscalc render lamps.scene $small -t 100s -o bright.png 2>&1 | grep saturated
+ls lost.*
