@@ -1,17 +1,17 @@
-/* scene/lamp.c - spheres, discs, rectangles and triangles that shine. */
+/* scene/lamp.c - spheres, discs, cards, boxes and triangles that shine. */
 /* SPDX-License-Identifier: MIT */
 #include "scene/lamp.h"
 
 #include "base/constants.h"
+#include "scene/pick.h"
+#include "scene/rectangle.h"
 
 size_t lamp_parts(const struct scene_thing *thing)
 {
-    return thing->shape == SHAPE_BOX    ? 6
-           : thing->shape == SHAPE_MESH ? thing->mesh->triangle_count
-                                        : 1;
+    return thing->shape == SHAPE_MESH ? thing->mesh->triangle_count : 1;
 }
 
-/* -------- flat ones: a corner or a middle, and two directions with lengths -------- */
+/* -------- triangles and discs: a corner or the middle, and two directions with lengths -------- */
 
 struct flat {
     struct vector at, x, y; /* in the frame of the thing */
@@ -19,67 +19,30 @@ struct flat {
     struct vector normal; /* of length 1 */
 };
 
-static struct flat flat_of(struct vector at, struct vector x, struct vector y, double share)
+static struct flat flat_of(const struct scene_thing *thing, size_t triangle)
 {
-    const struct vector across = vector_cross(x, y);
+    struct flat flat = {{0, 0, 0}, {thing->radius, 0, 0}, {0, thing->radius, 0}, 0, {0, 0, 0}};
+    if (thing->shape == SHAPE_MESH) {
+        const struct scene_mesh *mesh = thing->mesh;
+        const size_t *corners = mesh->triangles[triangle];
+        flat.at = mesh->corners[corners[0]];
+        flat.x = vector_minus(mesh->corners[corners[1]], flat.at);
+        flat.y = vector_minus(mesh->corners[corners[2]], flat.at);
+    }
+    const struct vector across = vector_cross(flat.x, flat.y);
     const double length = vector_length(across);
-    return (struct flat){at, x, y, share * length,
-                         length > 0 ? vector_times(1 / length, across) : across};
+    flat.area = (thing->shape == SHAPE_MESH ? 0.5 : PI) * length;
+    flat.normal = length > 0 ? vector_times(1 / length, across) : across;
+    return flat;
 }
 
-/* A side of a box, about its middle; x and y are half its edges. */
-static struct flat side_of(struct vector size, size_t side)
+/* Even over the area. */
+static struct vector flat_place(const struct flat *flat, bool is_triangle, const double u[2])
 {
-    const double half[3] = {size.x / 2, size.y / 2, size.z / 2};
-    double at[3] = {0}, x[3] = {0}, y[3] = {0};
-    const size_t axis = side / 2, next = (axis + 1) % 3, last = (axis + 2) % 3;
-    at[axis] = side % 2 == 1 ? half[axis] : -half[axis];
-    x[next] = half[next];
-    y[last] = half[last];
-    return flat_of((struct vector){at[0], at[1], at[2]}, (struct vector){x[0], x[1], x[2]},
-                   (struct vector){y[0], y[1], y[2]}, 4);
-}
-
-static struct flat triangle_of(const struct scene_mesh *mesh, size_t triangle)
-{
-    const size_t *corners = mesh->triangles[triangle];
-    const struct vector at = mesh->corners[corners[0]];
-    return flat_of(at, vector_minus(mesh->corners[corners[1]], at),
-                   vector_minus(mesh->corners[corners[2]], at), 0.5);
-}
-
-static struct flat flat_lamp(const struct scene_thing *thing, size_t part)
-{
-    const struct vector middle = {0, 0, 0};
-    switch (thing->shape) {
-    case SHAPE_MESH:
-        return triangle_of(thing->mesh, part);
-    case SHAPE_BOX:
-        return side_of(thing->size, part);
-    case SHAPE_CARD:
-        return flat_of(middle, (struct vector){thing->size.x / 2, 0, 0},
-                       (struct vector){0, thing->size.y / 2, 0}, 4);
-    default:
-        return flat_of(middle, (struct vector){thing->radius, 0, 0},
-                       (struct vector){0, thing->radius, 0}, PI);
-    }
-}
-
-/* Shares of the two directions, even over the area. */
-static void spread(enum scene_shape shape, const double u[2], double shares[2])
-{
-    if (shape == SHAPE_MESH) {
-        const double root = sqrt(u[0]);
-        shares[0] = root * (1 - u[1]);
-        shares[1] = root * u[1];
-    } else if (shape == SHAPE_DISC) {
-        const double radius = sqrt(u[0]), angle = 2 * PI * u[1];
-        shares[0] = radius * cos(angle);
-        shares[1] = radius * sin(angle);
-    } else {
-        shares[0] = 2 * u[0] - 1;
-        shares[1] = 2 * u[1] - 1;
-    }
+    const double root = sqrt(u[0]), angle = 2 * PI * u[1];
+    const double x = is_triangle ? root * (1 - u[1]) : root * cos(angle);
+    const double y = is_triangle ? root * u[1] : root * sin(angle);
+    return vector_along(vector_along(flat->at, x, flat->x), y, flat->y);
 }
 
 static double flat_density(const struct flat *flat, struct vector way, double distance)
@@ -88,21 +51,105 @@ static double flat_density(const struct flat *flat, struct vector way, double di
     return seen > 0 ? distance * distance / seen : 0;
 }
 
-static bool sample_flat(const struct scene_thing *thing, size_t part, struct vector from,
+/* The way to a place; false: it is here. */
+static bool go_to(struct vector from, struct vector at, struct lamp_ray *ray)
+{
+    const struct vector to = vector_minus(at, from);
+    ray->distance = vector_length(to);
+    ray->way = vector_times(1 / ray->distance, to);
+    return ray->distance > 0;
+}
+
+static bool sample_flat(const struct scene_thing *thing, size_t triangle, struct vector from,
                         const double u[2], struct lamp_ray *ray)
 {
-    const struct flat flat = flat_lamp(thing, part);
-    double shares[2];
-    spread(thing->shape, u, shares);
-    const struct vector at =
-        vector_along(vector_along(flat.at, shares[0], flat.x), shares[1], flat.y);
-    const struct vector to = vector_minus(at, from);
-    const double distance = vector_length(to);
-    if (!(distance > 0)) {
+    const struct flat flat = flat_of(thing, triangle);
+    if (!go_to(from, flat_place(&flat, thing->shape == SHAPE_MESH, u), ray)) {
         return false;
     }
-    *ray = (struct lamp_ray){.way = vector_times(1 / distance, to), .distance = distance};
-    ray->density = flat_density(&flat, ray->way, distance);
+    ray->density = flat_density(&flat, ray->way, ray->distance);
+    return ray->density > 0;
+}
+
+/* -------- cards, and the sides of a box that are seen -------- */
+
+enum { SIDES = 6 };
+
+static struct rectangle card_of(const struct scene_thing *thing)
+{
+    return (struct rectangle){
+        {0, 0, 0}, {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}, {thing->size.x / 2, thing->size.y / 2}};
+}
+
+/* Side 2 axis, or + 1 for the upper one; its own axes are the next ones. */
+static struct rectangle side_of(const struct scene_thing *thing, size_t side)
+{
+    static const struct vector axes[3] = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
+    const double half[3] = {thing->size.x / 2, thing->size.y / 2, thing->size.z / 2};
+    const size_t axis = side / 2, next = (axis + 1) % 3, last = (axis + 2) % 3;
+    return (struct rectangle){vector_times(side % 2 == 1 ? half[axis] : -half[axis], axes[axis]),
+                              {axes[next], axes[last], axes[axis]},
+                              {half[next], half[last]}};
+}
+
+/* What is seen of the sides before each, and of all: from within of all, else of those in front. */
+static double see_sides(const struct scene_thing *thing, struct vector from,
+                        double below[SIDES + 1])
+{
+    const double at[3] = {from.x, from.y, from.z};
+    const double half[3] = {thing->size.x / 2, thing->size.y / 2, thing->size.z / 2};
+    bool is_within = true;
+    for (int axis = 0; axis < 3; axis++) {
+        is_within = is_within && fabs(at[axis]) < half[axis];
+    }
+    below[0] = 0;
+    for (size_t side = 0; side < SIDES; side++) {
+        const double outwards = side % 2 == 1 ? at[side / 2] : -at[side / 2];
+        const struct rectangle rectangle = side_of(thing, side);
+        below[side + 1] =
+            below[side] +
+            (is_within || outwards > half[side / 2] ? rectangle_seen(&rectangle, from) : 0);
+    }
+    return below[SIDES];
+}
+
+static double side_density(const struct scene_thing *thing, size_t side, struct vector from,
+                           struct vector way, double distance)
+{
+    const struct rectangle rectangle = side_of(thing, side);
+    double below[SIDES + 1];
+    const double all = see_sides(thing, from, below);
+    return all > 0 ? (below[side + 1] - below[side]) / all *
+                         rectangle_density(&rectangle, from, way, distance)
+                   : 0;
+}
+
+static bool sample_box(const struct scene_thing *thing, struct vector from, const double u[2],
+                       struct lamp_ray *ray)
+{
+    double below[SIDES + 1], shares[2];
+    if (!(see_sides(thing, from, below) > 0)) {
+        return false;
+    }
+    const struct pick side = pick_of(below, SIDES, u[0]);
+    const struct rectangle rectangle = side_of(thing, side.number);
+    const double rest[2] = {side.rest, u[1]};
+    if (!go_to(from, rectangle_sample(&rectangle, from, rest, shares), ray)) {
+        return false;
+    }
+    ray->density = side_density(thing, side.number, from, ray->way, ray->distance);
+    return ray->density > 0;
+}
+
+static bool sample_card(const struct scene_thing *thing, struct vector from, const double u[2],
+                        struct lamp_ray *ray)
+{
+    const struct rectangle card = card_of(thing);
+    double shares[2];
+    if (!go_to(from, rectangle_sample(&card, from, u, shares), ray)) {
+        return false;
+    }
+    ray->density = rectangle_density(&card, from, ray->way, ray->distance);
     ray->place[0] = (shares[0] + 1) / 2;
     ray->place[1] = (shares[1] + 1) / 2;
     return ray->density > 0;
@@ -141,44 +188,95 @@ static bool sample_sphere(double radius, struct vector from, const double u[2],
 
 /* -------- all -------- */
 
+/* The side of a box that a ray met, from its face. */
+static size_t side_met(const struct scene_pose *pose, const struct world_hit *hit)
+{
+    const struct vector face =
+        vector_times(hit->is_back ? -1 : 1, frame_in(&pose->turned, hit->face));
+    const double along[3] = {face.x, face.y, face.z};
+    size_t axis = fabs(along[1]) > fabs(along[0]) ? 1 : 0;
+    axis = fabs(along[2]) > fabs(along[axis]) ? 2 : axis;
+    return 2 * axis + (along[axis] > 0 ? 1 : 0);
+}
+
 struct lamp_bounds lamp_bounds(const struct scene *scene, const struct lamp *lamp)
 {
     if (lamp->thing == SCENE_NONE) {
         return (struct lamp_bounds){scene->lights[lamp->part].at, 0, 0};
     }
     const struct scene_thing *thing = &scene->things[lamp->thing];
-    struct vector middle = {0, 0, 0};
-    double radius = thing->radius, area = 4 * PI * radius * radius;
-    if (thing->shape != SHAPE_SPHERE) {
-        const struct flat flat = flat_lamp(thing, lamp->part);
-        const double third = thing->shape == SHAPE_MESH ? 1.0 / 3 : 0;
-        middle = vector_along(vector_along(flat.at, third, flat.x), third, flat.y);
-        radius = sqrt(vector_dot(flat.x, flat.x) + vector_dot(flat.y, flat.y));
-        area = flat.area;
+    const struct vector size = thing->size;
+    struct lamp_bounds bounds = {thing->where.at, thing->radius, 0};
+    switch (thing->shape) {
+    case SHAPE_SPHERE:
+        bounds.area = PI * thing->radius * thing->radius;
+        break;
+    case SHAPE_DISC:
+        bounds.area = PI * thing->radius * thing->radius;
+        break;
+    case SHAPE_CARD:
+        bounds.area = size.x * size.y;
+        bounds.radius = sqrt(size.x * size.x + size.y * size.y) / 2;
+        break;
+    case SHAPE_BOX: /* a quarter of its surface: the mean of its shadows */
+        bounds.area = (size.x * size.y + size.y * size.z + size.z * size.x) / 2;
+        bounds.radius = vector_length(size) / 2;
+        break;
+    default: {
+        const struct flat flat = flat_of(thing, lamp->part);
+        const struct vector middle =
+            vector_along(vector_along(flat.at, 1.0 / 3, flat.x), 1.0 / 3, flat.y);
+        bounds.middle = vector_along(thing->where.at, 1, frame_out(&thing->where.turned, middle));
+        bounds.radius = fmax(vector_length(flat.x), vector_length(flat.y));
+        bounds.area = flat.area;
+        break;
     }
-    return (struct lamp_bounds){
-        vector_along(thing->where.at, 1, frame_out(&thing->where.turned, middle)), radius, area};
+    }
+    return bounds;
 }
 
-bool lamp_sample(const struct scene *scene, const struct lamp *lamp, const struct scene_pose *pose,
+bool lamp_sample(const struct scene_thing *thing, size_t part, const struct scene_pose *pose,
                  struct vector from, const double u[2], struct lamp_ray *ray)
 {
-    const struct scene_thing *thing = &scene->things[lamp->thing];
     const struct vector own = frame_in(&pose->turned, vector_minus(from, pose->at));
-    const bool is_seen = thing->shape == SHAPE_SPHERE ? sample_sphere(thing->radius, own, u, ray)
-                                                      : sample_flat(thing, lamp->part, own, u, ray);
-    ray->way = is_seen ? frame_out(&pose->turned, ray->way) : ray->way;
+    bool is_seen = false;
+    switch (thing->shape) {
+    case SHAPE_SPHERE:
+        is_seen = sample_sphere(thing->radius, own, u, ray);
+        break;
+    case SHAPE_CARD:
+        is_seen = sample_card(thing, own, u, ray);
+        break;
+    case SHAPE_BOX:
+        is_seen = sample_box(thing, own, u, ray);
+        break;
+    default:
+        is_seen = sample_flat(thing, part, own, u, ray);
+        break;
+    }
+    if (is_seen) {
+        ray->way = frame_out(&pose->turned, ray->way);
+    }
     return is_seen;
 }
 
-double lamp_density(const struct scene *scene, const struct lamp *lamp,
-                    const struct scene_pose *pose, struct vector from, struct vector way,
-                    double distance)
+double lamp_density(const struct scene_thing *thing, const struct scene_pose *pose,
+                    struct vector from, const struct world_hit *hit, struct vector way)
 {
-    const struct scene_thing *thing = &scene->things[lamp->thing];
-    if (thing->shape == SHAPE_SPHERE) {
-        return sphere_density(thing->radius, frame_in(&pose->turned, vector_minus(from, pose->at)));
+    const struct vector own = frame_in(&pose->turned, vector_minus(from, pose->at));
+    const struct vector own_way = frame_in(&pose->turned, way);
+    switch (thing->shape) {
+    case SHAPE_SPHERE:
+        return sphere_density(thing->radius, own);
+    case SHAPE_CARD: {
+        const struct rectangle card = card_of(thing);
+        return rectangle_density(&card, own, own_way, hit->distance);
     }
-    const struct flat flat = flat_lamp(thing, lamp->part);
-    return flat_density(&flat, frame_in(&pose->turned, way), distance);
+    case SHAPE_BOX:
+        return side_density(thing, side_met(pose, hit), own, own_way, hit->distance);
+    default: {
+        const struct flat flat = flat_of(thing, hit->triangle);
+        return flat_density(&flat, own_way, hit->distance);
+    }
+    }
 }

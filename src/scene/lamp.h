@@ -4,14 +4,15 @@
 #define LENSCALC_SCENE_LAMP_H
 
 #include "scene/scene.h"
+#include "scene/world.h"
 
 #include <stdbool.h>
 #include <stddef.h>
 
-/* A side of a box, a triangle, all of another thing, or a light that is a point. */
+/* A triangle, all of another thing, or a light that is a point. */
 struct lamp {
     size_t thing; /* of the scene; SCENE_NONE: a light */
-    size_t part;  /* of a box the side, 2 axis + 1 if it is the upper; a triangle; the light */
+    size_t part;  /* the triangle, or the light */
 };
 
 /* How many lamps a thing is that shines; a plane is none of them. */
@@ -21,7 +22,7 @@ size_t lamp_parts(const struct scene_thing *thing);
 struct lamp_bounds {
     struct vector middle;
     double radius; /* mm, about all of it */
-    double area;   /* mm^2 of what is seen from any side: of a sphere all of it; 0 of a point */
+    double area;   /* mm^2 that are seen from where it is seen best, of a box in the mean */
 };
 
 struct lamp_bounds lamp_bounds(const struct scene *scene, const struct lamp *lamp);
@@ -37,19 +38,20 @@ struct lamp_ray {
 /*
  * A way to a lamp that is no point.
  *
- * Given     pose  of its thing at the time of the ray
+ * Given     part  of it, a triangle
+ *           pose  of it at the time of the ray
  *           u     two numbers in 0..1
  * Result    false: it is not seen from there, or from its edge only
- * Formula   spheres by the solid angle of their cone, or all around from within; flat things by
- *           their area: density r^2/(A |cos|)
- * Source    [Shirley96] 2 and 3
+ * Formula   spheres by the solid angle of their cone, or all around from within; cards and the
+ *           sides of boxes that are in front by their solid angle; discs and triangles by their
+ *           area: density r^2/(A |cos|)
+ * Source    [Shirley96] 2 and 3; [Urena13]
  */
-bool lamp_sample(const struct scene *scene, const struct lamp *lamp, const struct scene_pose *pose,
+bool lamp_sample(const struct scene_thing *thing, size_t part, const struct scene_pose *pose,
                  struct vector from, const double u[2], struct lamp_ray *ray);
 
-/* The density of lamp_sample for a way that meets the lamp at a distance; 0 where it has none. */
-double lamp_density(const struct scene *scene, const struct lamp *lamp,
-                    const struct scene_pose *pose, struct vector from, struct vector way,
-                    double distance);
+/* The density of lamp_sample for a way on which a ray met the lamp; 0 where it has none. */
+double lamp_density(const struct scene_thing *thing, const struct scene_pose *pose,
+                    struct vector from, const struct world_hit *hit, struct vector way);
 
 #endif

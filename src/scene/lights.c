@@ -137,9 +137,10 @@ static bool sample_lamp(const struct lights *lights, struct vector from, double 
         sample->density = chance;
         return sample_point(lights, lamp->part, from, time, lanes, sample);
     }
-    const struct scene_pose pose = scene_pose_at(&lights->scene->things[lamp->thing].where, time);
+    const struct scene_thing *thing = &lights->scene->things[lamp->thing];
+    const struct scene_pose pose = scene_pose_at(&thing->where, time);
     struct lamp_ray ray = {.distance = 0};
-    if (!lamp_sample(lights->scene, lamp, &pose, from, u + 1, &ray)) {
+    if (!lamp_sample(thing, lamp->part, &pose, from, u + 1, &ray)) {
         return false;
     }
     sample->way = ray.way;
@@ -149,32 +150,15 @@ static bool sample_lamp(const struct lights *lights, struct vector from, double 
     return true;
 }
 
-/* Which lamp a thing that shines is where it was met: of a box by the side, from its face. */
-static size_t lamp_met(const struct lights *lights, const struct scene_pose *pose,
-                       const struct world_hit *hit)
-{
-    const struct scene_thing *thing = &lights->scene->things[hit->thing];
-    size_t part = thing->shape == SHAPE_MESH ? hit->triangle : 0;
-    if (thing->shape == SHAPE_BOX) {
-        const struct vector face =
-            vector_times(hit->is_back ? -1 : 1, frame_in(&pose->turned, hit->face));
-        const double along[3] = {face.x, face.y, face.z};
-        size_t axis = fabs(along[1]) > fabs(along[0]) ? 1 : 0;
-        axis = fabs(along[2]) > fabs(along[axis]) ? 2 : axis;
-        part = 2 * axis + (along[axis] > 0 ? 1 : 0);
-    }
-    return lights->first[hit->thing] + part;
-}
-
 static double met_lamp_density(const struct lights *lights, struct vector from, struct vector way,
                                double time, const struct world_hit *hit)
 {
-    const struct lamp_tree *tree = &lights->lamps;
-    const struct scene_pose pose = scene_pose_at(&lights->scene->things[hit->thing].where, time);
-    const size_t lamp = lamp_met(lights, &pose, hit);
-    return lamp_tree_chance(tree, from, lamp) * lamp_density(lights->scene,
-                                                             &tree->lamps[tree->leaf_of[lamp]],
-                                                             &pose, from, way, hit->distance);
+    const struct scene_thing *thing = &lights->scene->things[hit->thing];
+    const struct scene_pose pose = scene_pose_at(&thing->where, time);
+    const size_t lamp =
+        lights->first[hit->thing] + (thing->shape == SHAPE_MESH ? hit->triangle : 0);
+    return lamp_tree_chance(&lights->lamps, from, lamp) *
+           lamp_density(thing, &pose, from, hit, way);
 }
 
 /* -------- planes without end: evenly over all ways that meet them -------- */
