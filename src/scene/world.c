@@ -8,6 +8,46 @@
 
 /* -------- made ready -------- */
 
+static bool fail_at_thing(struct error *error, const struct scene_thing *thing)
+{
+    return error_locate(error, thing->place.source, thing->place.line, thing->place.column);
+}
+
+/* All of it where numbers reach. */
+static bool check_box(const struct scene_thing *thing, const struct shape_box *box,
+                      struct error *error)
+{
+    const double away = fmax(vector_taxi(box->low), vector_taxi(box->high));
+    if (away <= WORLD_REACH) {
+        return true;
+    }
+    fail(error, ERROR_DOMAIN,
+         "a thing reaches %.3g mm from the middle of the scene: it must be within %g mm", away,
+         WORLD_REACH);
+    return fail_at_thing(error, thing);
+}
+
+/* A mesh that numbers can hold. */
+static bool check_mesh(const struct scene_thing *thing, struct error *error)
+{
+    const struct scene_mesh *mesh = thing->mesh;
+    if (mesh->triangle_count > WORLD_MOST || mesh->corner_count > WORLD_MOST) {
+        fail(error, ERROR_DOMAIN, "a mesh of %zu triangles and %zu corners: there may be %u",
+             mesh->triangle_count, mesh->corner_count, WORLD_MOST);
+        return fail_at_thing(error, thing);
+    }
+    for (size_t i = 0; i < mesh->corner_count; i++) {
+        const double away = vector_taxi(mesh->corners[i]);
+        if (!(away <= WORLD_REACH)) {
+            fail(error, ERROR_DOMAIN,
+                 "corner %zu of a mesh lies %.3g mm from its origin: it must be within %g mm",
+                 i + 1, away, WORLD_REACH);
+            return fail_at_thing(error, thing);
+        }
+    }
+    return true;
+}
+
 static int by_mesh(const void *a, const void *b)
 {
     const uintptr_t p = (uintptr_t)(*(struct world_thing *const *)a)->thing->mesh;
@@ -15,8 +55,21 @@ static int by_mesh(const void *a, const void *b)
     return (p > q) - (p < q);
 }
 
+static bool open_mesh(struct world *world, struct world_thing *thing, struct arena *arena,
+                      struct error *error)
+{
+    if (!check_mesh(thing->thing, error)) {
+        return false;
+    }
+    struct mesh *mesh = ARENA_NEW(arena, struct mesh);
+    mesh_open(thing->thing->mesh, arena, mesh);
+    world->degenerate += mesh->degenerate;
+    thing->mesh = mesh;
+    return true;
+}
+
 /* Things that have the same mesh share its tree. */
-static void open_meshes(struct world *world, struct arena *arena)
+static bool open_meshes(struct world *world, struct arena *arena, struct error *error)
 {
     struct arena work = {0};
     struct world_thing **with = ARENA_ARRAY(&work, world->scene->thing_count, struct world_thing *);
@@ -27,17 +80,16 @@ static void open_meshes(struct world *world, struct arena *arena)
         }
     }
     qsort(with, count, sizeof *with, by_mesh);
-    for (size_t i = 0; i < count; i++) {
+    bool good = true;
+    for (size_t i = 0; i < count && good; i++) {
         if (i > 0 && with[i]->thing->mesh == with[i - 1]->thing->mesh) {
             with[i]->mesh = with[i - 1]->mesh;
-            continue;
+        } else {
+            good = open_mesh(world, with[i], arena, error);
         }
-        struct mesh *mesh = ARENA_NEW(arena, struct mesh);
-        mesh_open(with[i]->thing->mesh, arena, mesh);
-        world->degenerate += mesh->degenerate;
-        with[i]->mesh = mesh;
     }
     arena_free(&work);
+    return good;
 }
 
 /* What a frame's box reaches along an axis of the world, to both sides of its middle. */
@@ -72,39 +124,6 @@ static struct shape_box box_of(const struct world *world, const struct world_thi
                                 fmax(begin.at.z, end.at.z)};
     return (struct shape_box){vector_minus(vector_along(low, 1, middle), half),
                               vector_along(vector_along(high, 1, middle), 1, half)};
-}
-
-/* All of it where numbers reach. */
-static bool check_box(const struct scene_thing *thing, const struct shape_box *box,
-                      struct error *error)
-{
-    const double away = fmax(vector_taxi(box->low), vector_taxi(box->high));
-    if (away <= WORLD_REACH) {
-        return true;
-    }
-    fail(error, ERROR_DOMAIN,
-         "a thing reaches %.3g mm from the middle of the scene: it must be "
-         "within %g mm",
-         away, WORLD_REACH);
-    return error_locate(error, thing->place.source, thing->place.line, thing->place.column);
-}
-
-static bool check_counts(const struct scene *scene, struct error *error)
-{
-    if (scene->thing_count > WORLD_MOST) {
-        return fail(error, ERROR_DOMAIN, "%zu things: there may be %u", scene->thing_count,
-                    WORLD_MOST);
-    }
-    for (size_t i = 0; i < scene->thing_count; i++) {
-        const struct scene_thing *thing = &scene->things[i];
-        if (thing->shape == SHAPE_MESH &&
-            (thing->mesh->triangle_count > WORLD_MOST || thing->mesh->corner_count > WORLD_MOST)) {
-            fail(error, ERROR_DOMAIN, "a mesh of %zu triangles and %zu corners: there may be %u",
-                 thing->mesh->triangle_count, thing->mesh->corner_count, WORLD_MOST);
-            return error_locate(error, thing->place.source, thing->place.line, thing->place.column);
-        }
-    }
-    return true;
 }
 
 /* The tree of what has an end, and the list of what has none. */
@@ -149,8 +168,9 @@ bool world_open(const struct scene *scene, const double span[2], struct arena *a
         .span = {span[0], span[1]},
         .things = ARENA_ARRAY(arena, scene->thing_count, struct world_thing),
     };
-    if (!check_counts(scene, error)) {
-        return false;
+    if (scene->thing_count > WORLD_MOST) {
+        return fail(error, ERROR_DOMAIN, "%zu things: there may be %u", scene->thing_count,
+                    WORLD_MOST);
     }
     for (size_t i = 0; i < scene->thing_count; i++) {
         const struct scene_thing *thing = &scene->things[i];
@@ -158,8 +178,7 @@ bool world_open(const struct scene *scene, const double span[2], struct arena *a
                                                 .pose = scene_pose_at(&thing->where, 0),
                                                 .moves = scene_place_moves(&thing->where)};
     }
-    open_meshes(world, arena);
-    return open_tree(world, arena, error);
+    return open_meshes(world, arena, error) && open_tree(world, arena, error);
 }
 
 /* -------- rays -------- */

@@ -391,6 +391,19 @@ static void test_too_far(void)
     CHECK_TEXT(error.source, "far.scene");
     thing.where.at.y = NAN;
     CHECK(!world_open(&scene, span, &arena, &world, &error));
+    /* a mesh whose own numbers are too large, or none */
+    static const double bad[] = {3e300, NAN, -INFINITY};
+    for (size_t i = 0; i < 3; i++) {
+        const struct vector corners[] = {{0, 0, 0}, {1, 0, 0}, {0, bad[i], 0}};
+        static const size_t one[][3] = {{0, 1, 2}};
+        const struct scene_mesh mesh = {
+            .corner_count = 3, .triangle_count = 1, .corners = corners, .triangles = one};
+        thing.shape = SHAPE_MESH;
+        thing.where.at.y = 0;
+        thing.mesh = &mesh;
+        CHECK(!world_open(&scene, span, &arena, &world, &error));
+        CHECK(error.code == ERROR_DOMAIN && error.line == 7);
+    }
     arena_free(&arena);
 }
 
