@@ -304,10 +304,12 @@ bool render_world_open(const struct artifact_job *job, const struct analysis_cas
     double span[2];
     struct arena *arena = job->run->arena;
     struct path_question asked = {.world = &world->world,
+                                  .lights = &world->lights,
                                   .bands = &world->bands,
                                   .bounces = scattered ? (int)input->bounces : 0};
     if (!find_span(job, one, span, error) ||
         !world_open(&world->scene, span, arena, &world->world, error) ||
+        !lights_open(&world->scene, &world->bands, arena, &world->lights, error) ||
         !path_open(&asked, arena, &world->path, error)) {
         return false;
     }

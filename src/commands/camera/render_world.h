@@ -4,6 +4,7 @@
 #define LENSCALC_COMMANDS_CAMERA_RENDER_WORLD_H
 
 #include "commands/camera/render.h"
+#include "scene/lights.h"
 
 /* A scene that is photographed. */
 struct render_world {
@@ -11,6 +12,7 @@ struct render_world {
     bool moves, scatters; /* anything in it: the camera, too */
     struct bands bands;
     struct world world;
+    struct lights lights;
     struct path path;
     struct view view;
 };
