@@ -6,6 +6,8 @@
 
 /* After so many surfaces paths may end by chance. */
 enum { SURE_BOUNCES = 3 };
+/* Of the way to what shines, where something else may stand: what is left of it is rounding. */
+#define BEFORE_LIGHT (1 - 0x1p-24)
 
 /* A path so far: the ray that it goes on by. */
 struct walk {
@@ -15,6 +17,7 @@ struct walk {
     struct radiance *light; /* found so far */
     struct world_ray ray;
     struct radiance share; /* of light from there that comes back to the beginning */
+    double density;        /* by which the surface chose it; INFINITY: there was no choice */
 };
 
 bool path_open(const struct path_question *question, struct arena *arena, struct path *path,
@@ -22,6 +25,13 @@ bool path_open(const struct path_question *question, struct arena *arena, struct
 {
     path->question = *question;
     return materials_open(question->world->scene, question->bands, arena, &path->materials, error);
+}
+
+/* What counts of light that was found by one density, and is found by another one as well. */
+static double weight_of(double density, double other)
+{
+    const double ratio = other / density; /* of INFINITY 0 */
+    return 1 / (1 + ratio * ratio);
 }
 
 static void add(struct walk *walk, const struct radiance *light, double by)
@@ -34,13 +44,20 @@ static void add(struct walk *walk, const struct radiance *light, double by)
 /* The light of what the ray has met, or of what is behind everything. */
 static void add_met(struct walk *walk, const struct world_hit *hit)
 {
+    const struct lights *lights = walk->path->question.lights;
     const struct materials *materials = &walk->path->materials;
     struct radiance light = {{0}};
-    if (hit == NULL || !materials_shines(materials, hit->thing)) {
+    if (hit == NULL) {
+        lights_background(lights, walk->ray.way, walk->lanes, &light);
+    } else if (materials_shines(materials, hit->thing)) {
+        materials_shine(materials, hit->thing, hit->place, walk->lanes, &light);
+    } else {
         return;
     }
-    materials_shine(materials, hit->thing, hit->place, walk->lanes, &light);
-    add(walk, &light, 1);
+    const double other = isinf(walk->density) ? 0
+                                              : lights_density(lights, walk->ray.from,
+                                                               walk->ray.way, walk->ray.time, hit);
+    add(walk, &light, weight_of(walk->density, other));
 }
 
 /* The surface where a path goes on. */
@@ -50,6 +67,33 @@ struct corner {
     struct frame frame;
     struct vector from, out; /* where rays leave it; where the path comes from, in the frame */
 };
+
+/* Its light from one of those things that shine. */
+static void add_lit(struct walk *walk, const struct corner *corner)
+{
+    const struct path_question *question = &walk->path->question;
+    double u[3];
+    struct light_sample sample;
+    struct radiance value;
+    for (int i = 0; i < 3; i++) {
+        u[i] = points_next(walk->points);
+    }
+    if (!lights_sample(question->lights, corner->from, walk->ray.time, u, walk->lanes, &sample) ||
+        !(vector_dot(sample.way, corner->hit->face) > 0)) {
+        return;
+    }
+    const double density =
+        scatter_value(&corner->scatter, corner->out, frame_in(&corner->frame, sample.way), &value);
+    const struct world_ray ray = {corner->from, sample.way, walk->ray.time,
+                                  sample.distance * BEFORE_LIGHT};
+    if (!(density > 0) || !world_is_clear(question->world, &ray)) {
+        return;
+    }
+    for (size_t k = 0; k < walk->lanes->count; k++) {
+        value.of[k] *= sample.light.of[k];
+    }
+    add(walk, &value, (sample.is_point ? 1 : weight_of(sample.density, density)) / sample.density);
+}
 
 /* Does the path go on after `bounces` surfaces? Then it stands for those that do not, too. */
 static bool goes_on(struct walk *walk, int bounces)
@@ -84,6 +128,7 @@ static bool turn(struct walk *walk, struct corner *corner)
     }
     walk->ray.from = corner->from;
     walk->ray.way = frame_out(&corner->frame, sample.way);
+    walk->density = sample.density;
     for (size_t k = 0; k < walk->lanes->count; k++) {
         walk->share.of[k] *= sample.share.of[k];
     }
@@ -102,14 +147,21 @@ static bool reflect(struct walk *walk, const struct world_hit *hit)
     /* smooth normals at the edge of a shape may turn away from who sees it */
     corner.frame = frame_about(vector_dot(back, hit->normal) > 0 ? hit->normal : hit->face);
     corner.out = frame_in(&corner.frame, back);
+    if (corner.scatter.kind != MATERIAL_MIRROR) {
+        add_lit(walk, &corner);
+    }
     return turn(walk, &corner);
 }
 
 void path_look(const struct path *path, const struct world_ray *ray, const struct lanes *lanes,
                struct points *points, struct radiance *light)
 {
-    struct walk walk = {
-        .path = path, .lanes = lanes, .points = points, .light = light, .ray = *ray};
+    struct walk walk = {.path = path,
+                        .lanes = lanes,
+                        .points = points,
+                        .light = light,
+                        .ray = *ray,
+                        .density = INFINITY};
     *light = (struct radiance){{0}};
     for (size_t k = 0; k < lanes->count; k++) {
         walk.share.of[k] = 1;

@@ -6,13 +6,12 @@
 #include "base/arena.h"
 #include "base/error.h"
 #include "light/bands.h"
+#include "scene/lights.h"
 #include "scene/material.h"
 #include "scene/points.h"
 #include "scene/world.h"
 
 #include <stdbool.h>
-
-struct lights;
 
 struct path_question {
     const struct world *world;
@@ -42,12 +41,15 @@ bool path_open(const struct path_question *question, struct arena *arena, struct
  * Result    light   radiance of each lane, in cd/m^2 where the band is white. Its mean over many
  *                   rays is that of the scene, whatever the number of them; its numbers depend on
  *                   the points alone
- * Formula   a path from the ray backwards, at each surface as it reflects; after three surfaces it
- *           goes on only as often as it still carries light, and counts so much more. Densities
- *           don't depend on the lanes, but for that last one, and each lane's mean is right by
- *           itself. Cosines are to the smooth normal; what is behind the surface itself lights
- *           nothing
- * Source    [Kajiya86] (paths); [Veach97] section 10.4.1 (roulette)
+ * Formula   a path from the ray backwards: at each surface light is looked for in two ways, towards
+ *           something that shines, and as the surface reflects, and what both find is weighed by
+ *           the squares of their densities; after three surfaces a path goes on only as often as it
+ *           still carries light, and counts so much more. Densities don't depend on the lanes,
+ *           but for that last one, and each lane's mean is right by itself
+ *           Cosines are to the smooth normal; what is behind the surface itself lights nothing
+ * Source    [Kajiya86] (paths); [Veach97] sections 9.2.3 (power heuristic), 10.4.1 (roulette)
+ * Limits    light that a mirror sends onto a surface is met only as that surface reflects: of small
+ *           lamps rarely, and much of it at once
  */
 void path_look(const struct path *path, const struct world_ray *ray, const struct lanes *lanes,
                struct points *points, struct radiance *light);

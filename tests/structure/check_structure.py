@@ -110,9 +110,6 @@ FOR_TESTS = {
     "blades_area": "the opening of an iris in closed form",
     "blades_aperture": "its shape by itself",
     "fft_has": "which lengths there are", "fft_transform": "lines, with every set of instructions",
-    # what photographs of scenes stand on
-    "path_look": "", "path_open": "", "scatter_value": "",
-    "points_sequence_open": "", "points_table_new": "",
     # what divided runs stand on
     "digest_add": "", "digest_begin": "", "digest_end": "", "digest_item": "",
     "part_parse": "", "part_range": "", "part_read": "", "part_write": "", "parts_order": "",

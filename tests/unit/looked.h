@@ -14,6 +14,7 @@ struct looked {
     struct arena arena;
     struct bands bands;
     struct world world;
+    struct lights lights;
     struct path path;
     const struct points_table *table;
 };
@@ -43,7 +44,9 @@ static inline void looked_open(const struct scene *scene, int bounces, struct lo
     *looked = (struct looked){0};
     bands_three(&looked->bands);
     CHECK(world_open(scene, (const double[]){-1, 1}, &looked->arena, &looked->world, &error));
-    const struct path_question question = {&looked->world, NULL, &looked->bands, bounces};
+    CHECK(lights_open(scene, &looked->bands, &looked->arena, &looked->lights, &error));
+    const struct path_question question = {&looked->world, &looked->lights, &looked->bands,
+                                           bounces};
     CHECK(path_open(&question, &looked->arena, &looked->path, &error));
     looked->table = points_table_new(5, &looked->arena);
     if (error.message[0] != 0) {
@@ -86,13 +89,13 @@ static inline struct looked_mean looked_mean(const struct looked *looked,
     return (struct looked_mean){all, sqrt(variance / (LOOKED_SEQUENCES - 1))};
 }
 
-/* The mean is the expected one within 4 sigma, of which each is at most 4 % of it. */
+/* The mean is the expected one within 4 sigma, of which each is at most 0.5 % of it. */
 static inline void looked_check(const struct looked *looked, const struct world_ray *ray,
                                 uint32_t count, double expected, const char *what)
 {
     const struct looked_mean found = looked_mean(looked, ray, count);
     CHECK_NEAR(found.mean, expected, 4 * found.sigma + 1e-9 * fabs(expected), what);
-    CHECK_NEAR(found.sigma, 0, 0.04 * fabs(expected), what);
+    CHECK_NEAR(found.sigma, 0, 0.005 * fabs(expected), what);
 }
 
 static inline struct world_ray looked_ray(struct vector from, struct vector at)

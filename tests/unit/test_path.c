@@ -242,6 +242,91 @@ static void test_glossy(void)
     arena_free(&looked.arena);
 }
 
+/* Sums of one way of looking for light, over the points of a sequence. */
+enum way { BY_LIGHT, BY_SURFACE, BY_BOTH, WAYS };
+
+static double by_way(const struct looked *looked, const struct world_ray *ray, enum way way,
+                     struct points *points)
+{
+    const struct lanes lanes = {1, {0}};
+    struct world_hit hit;
+    struct scatter scatter;
+    struct radiance value, light;
+    struct light_sample to;
+    struct scatter_sample sample;
+    double u[3];
+    if (way == BY_BOTH) {
+        path_look(&looked->path, ray, &lanes, points, &light);
+        return light.of[0];
+    }
+    CHECK(world_look(&looked->world, ray, &hit));
+    materials_scatter(&looked->path.materials, hit.thing, hit.place, &lanes, &scatter);
+    const struct frame frame = frame_about(hit.normal);
+    const struct vector out = frame_in(&frame, vector_times(-1, ray->way));
+    struct world_ray on = {.from = world_leave(&hit), .time = 0, .farthest = INFINITY};
+    for (int i = 0; i < 3; i++) {
+        u[i] = points_next(points);
+    }
+    if (way == BY_LIGHT) {
+        return lights_sample(&looked->lights, on.from, 0, u, &lanes, &to) &&
+                       scatter_value(&scatter, out, frame_in(&frame, to.way), &value) > 0
+                   ? value.of[0] * to.light.of[0] / to.density
+                   : 0;
+    }
+    if (!scatter_sample(&scatter, out, u, &sample)) {
+        return 0;
+    }
+    on.way = frame_out(&frame, sample.way);
+    return world_look(&looked->world, &on, &hit) && hit.thing == 1 ? sample.share.of[0] * L : 0;
+}
+
+/*
+ * Large and small lamps on rough and fine surfaces: towards the lamps, as the surface reflects, and
+ * by both together the same light is found, and never with the error of the worse of them.
+ */
+static void test_ways(void)
+{
+    enum { COUNT = 256 };
+    static const double radii[] = {3, 60}, alphas[] = {0.02, 0.1, 0.6};
+    for (int i = 0; i < 6; i++) {
+        struct scene_thing things[] = {ground,
+                                       {.shape = SHAPE_DISC,
+                                        .where = LOOKED_PLACE(looked_down, 70, 90, 0),
+                                        .radius = radii[i / 3],
+                                        .material = LAMP}};
+        struct scene scene = scene_of(things, 2);
+        struct looked looked;
+        double mean[WAYS] = {0}, sigma[WAYS];
+        const struct world_ray ray =
+            looked_ray((struct vector){-70, 90, 0.5}, (struct vector){0, 0, 0});
+        things[0].material = GLOSSY;
+        materials[GLOSSY].roughness = alphas[i % 3];
+        looked_open(&scene, 1, &looked);
+        for (enum way way = BY_LIGHT; way < WAYS; way++) {
+            double squares = 0;
+            for (uint32_t s = 0; s < LOOKED_SEQUENCES; s++) {
+                struct points_sequence of;
+                double sum = 0;
+                points_sequence_open(looked.table, 1, s, &of);
+                for (uint32_t k = 0; k < COUNT; k++) {
+                    struct points points = points_of(&of, k);
+                    sum += by_way(&looked, &ray, way, &points) / COUNT;
+                }
+                mean[way] += sum / LOOKED_SEQUENCES;
+                squares += sum * sum / LOOKED_SEQUENCES;
+            }
+            sigma[way] = sqrt(fmax(0, squares - mean[way] * mean[way]) / (LOOKED_SEQUENCES - 1));
+        }
+        for (enum way way = BY_LIGHT; way < BY_BOTH; way++) {
+            CHECK_NEAR(mean[way], mean[BY_BOTH], 4 * hypot(sigma[way], sigma[BY_BOTH]), "a way");
+        }
+        CHECK(sigma[BY_BOTH] < 0.5 * fmax(sigma[BY_LIGHT], sigma[BY_SURFACE]));
+        CHECK(sigma[BY_BOTH] < 0.01 * mean[BY_BOTH]);
+        arena_free(&looked.arena);
+    }
+    materials[GLOSSY].roughness = 0.3;
+}
+
 /* The same whatever was looked at before; each lane by itself as with the others. */
 static void test_order(void)
 {
@@ -277,6 +362,7 @@ int main(void)
     test_mirror();
     test_alpha();
     test_glossy();
+    test_ways();
     test_order();
     return check_report();
 }
