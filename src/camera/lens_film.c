@@ -286,3 +286,31 @@ void lens_film_chief(const struct lens_film *film, const double at[2], struct fi
     film->aim(film, samples, rays->blocks);
     rays_trace(film->systems[0], rays, NULL);
 }
+
+void lens_film_span(const struct lens_film *film, double span[2])
+{
+    enum { STEPS = 16 };
+    const struct shutter *shutter = film->shutter;
+    const double *along = shutter->along, step = shutter->extent / STEPS;
+    const double across = 2 * film->corner / STEPS;
+    struct film_samples samples;
+    struct ray_block block;
+    double reach = 0;
+    for (int point = 0; point < (STEPS + 1) * (STEPS + 1); point++) {
+        const double q = step * (point % (STEPS + 1) - STEPS / 2);
+        const double beside = across * (point / (STEPS + 1) - STEPS / 2);
+        for (size_t i = 0; i < RAYS_BLOCK; i++) {
+            samples.x[i] = along[0] * q - along[1] * beside;
+            samples.y[i] = along[1] * q + along[0] * beside;
+            samples.u[i] = (double)i / RAYS_BLOCK;
+            samples.v[i] = 1;
+        }
+        film->aim(film, &samples, &block);
+        for (size_t i = 0; i < RAYS_BLOCK; i++) {
+            const double way = along[0] * block.p[i] + along[1] * block.q[i];
+            const double passed = q + shutter->distance * way / fabs(block.r[i]);
+            reach = samples.weight[i] > 0 ? fmax(reach, fabs(passed)) : reach;
+        }
+    }
+    shutter_span(shutter, reach + step, span);
+}

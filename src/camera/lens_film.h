@@ -69,6 +69,14 @@ void lens_film_trace(const struct lens_film *film, size_t wavelength, struct fil
                      const struct rays *rays);
 
 /*
+ * From when to when any ray of a film with a shutter comes.
+ *
+ * Result    span  s; for curtains by the rims of pupils of 17 x 17 points of the film, and a step
+ *                 between these more
+ */
+void lens_film_span(const struct lens_film *film, double span[2]);
+
+/*
  * The ray from a point of the film through the middle of what is clear, of the first wavelength,
  * traced: the first of a block. From beyond where light arrives: from the border of that.
  */

@@ -115,9 +115,10 @@ void shutter_interval(const struct shutter *shutter, const struct shutter_ray *r
     interval[1] = is_open ? later + shutter->time / 2 - shutter->closing * beyond : 0;
 }
 
-void shutter_span(const struct shutter *shutter, double slope, double span[2])
+void shutter_span(const struct shutter *shutter, double reach, double span[2])
 {
-    const double q = fmin(shutter->extent / 2 + shutter->distance * slope, shutter->run);
+    const double q =
+        shutter->kind == SHUTTER_FOCAL ? fmin(reach, shutter->run) : shutter->extent / 2;
     span[0] = -q * shutter->per_mm - shutter->time / 2 - shutter->opening * half_light;
     span[1] = q * shutter->per_mm + shutter->time / 2 + shutter->closing * half_light;
 }

@@ -91,10 +91,11 @@ void shutter_interval(const struct shutter *shutter, const struct shutter_ray *r
 /*
  * From when to when it lets any ray pass.
  *
- * Given     slope  the largest that rays have from film to lens along the curtains' way
+ * Given     reach  how far from the middle, along their way, rays pass the plane of the curtains at
+ *                  most, mm; of other shutters any
  *           span   receives both, s
  */
-void shutter_span(const struct shutter *shutter, double slope, double span[2]);
+void shutter_span(const struct shutter *shutter, double reach, double span[2]);
 
 /* How long light comes to a point of the film. */
 struct shutter_times {

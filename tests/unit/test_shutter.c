@@ -1,8 +1,11 @@
 /* tests/unit/test_shutter.c - exposures by hand: growing holes, slits, and lines that are read. */
 /* SPDX-License-Identifier: MIT */
+#include "analysis/setup.h"
 #include "base/constants.h"
+#include "camera/lens_film.h"
 #include "camera/shutter.h"
 #include "check.h"
+#include "file/lens_file.h"
 
 static struct error error;
 static struct shutter shutter;
@@ -78,7 +81,7 @@ static void test_slit(void)
     open_as(SHUTTER_FOCAL, SHUTTER_LEFT, 1.5);
     look(9, 3, 0.2, -0.7, NAN);
     CHECK_NEAR(interval[0] + interval[1], 2 * 9.3 * 4e-3 / 36, 1e-17, "along the width");
-    shutter_span(&shutter, 0.2, interval);
+    shutter_span(&shutter, 18.3, interval);
     CHECK_NEAR(interval[1], 0.5e-3 + 18.3 * 4e-3 / 36, 1e-17, "the last ray's end");
 }
 
@@ -96,7 +99,7 @@ static void test_ends(void)
     CHECK(interval[0] == 0 && interval[1] == 0);
     look(0, -12, 0, -0.14, NAN);
     CHECK(interval[0] == 0 && interval[1] == 0);
-    shutter_span(&shutter, 2, interval);
+    shutter_span(&shutter, 20, interval);
     CHECK_NEAR(interval[0], -0.5e-3 - 12.2 / 6e3, 1e-17, "no ray is earlier");
 }
 
@@ -135,7 +138,7 @@ static void test_penumbra(void)
     const struct shutter_times times = shutter_times(&shutter, 2);
     CHECK_NEAR(times.total, 8 / 6e3, 1e-17, "until the beam is past");
     CHECK_RELATIVE(times.effective / times.total, 6.0 / 8, 1e-12, "[Ives20] w/(w + d/N)");
-    shutter_span(&shutter, 0, interval);
+    shutter_span(&shutter, 12, interval);
     CHECK_NEAR(interval[1], 2.5e-3, 1e-17, "straight rays");
 }
 
@@ -186,6 +189,39 @@ static void test_leaf(void)
     CHECK(isfinite(interval[0]) && isfinite(interval[1]));
 }
 
+/*
+ * Behind a stop alone, 5 mm wide and 50 mm before a film of 36 x 24 mm, the last ray goes from the
+ * edge of the film to the near side of the stop.
+ */
+static void test_span(void)
+{
+    static const char text[] = "lens stop\nwavelength d\nobject inf\naperture stop\n"
+                               "stop - 50 air 5\n";
+    struct arena arena = {0};
+    struct lens lens;
+    struct setup setup;
+    struct lens_film opened;
+    const struct setup_question question = {
+        .lens = &lens, .wavelength = NAN, .wavelengths = WAVELENGTHS_ALL, .fnumber = NAN};
+    const struct plane_value plane = {.kind = PLANE_AT, .distance = 50};
+    open_as(SHUTTER_FOCAL, SHUTTER_DOWN, 8);
+    const struct film_question asked = {
+        .setup = &setup, .width = 36, .height = 24, .shutter = &shutter};
+    const bool good = lens_read("test", text_of(text), NULL, &arena, &lens, &error) &&
+                      setup_open(&question, &arena, &setup, &error) &&
+                      setup_place_image(&setup, &plane, &error) &&
+                      lens_film_open(&asked, &arena, &opened, &error);
+    CHECK(good);
+    if (good) {
+        double span[2];
+        const double last = 12 + 8 * (2.5 - 12) / 50, step = 24 / 16.0;
+        lens_film_span(&opened, span);
+        CHECK_NEAR(span[1], 0.5e-3 + (last + step) / 6e3, 5e-7, "and a step more");
+        CHECK_NEAR(span[0], -span[1], 1e-15, "the first");
+    }
+    arena_free(&arena);
+}
+
 /* Each would be refused. */
 static void test_refused(void)
 {
@@ -225,6 +261,7 @@ int main(void)
     test_ends();
     test_penumbra();
     test_leaf();
+    test_span();
     test_refused();
     return check_report();
 }

@@ -175,6 +175,14 @@ bool render_shutter_varies(const struct artifact_job *job);
 bool render_shutter(const struct render_input *input, const struct analysis_case *one,
                     struct arena *arena, const struct shutter **shutter, struct error *error);
 
+/*
+ * From when to when any ray of an exposure comes, s; of one whose time is not known about a second.
+ *
+ * Errors    as render_shutter, lens_film_open
+ */
+bool render_shutter_span(const struct render_input *input, const struct analysis_case *one,
+                         struct arena *arena, double span[2], struct error *error);
+
 void render_note_shutter(const struct render_input *input, struct image *image,
                          struct arena *arena);
 

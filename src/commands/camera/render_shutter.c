@@ -117,6 +117,31 @@ bool render_shutter(const struct render_input *input, const struct analysis_case
            shutter_open(&question, opened, error);
 }
 
+bool render_shutter_span(const struct render_input *input, const struct analysis_case *one,
+                         struct arena *arena, double span[2], struct error *error)
+{
+    struct film_question question = render_film(input, one);
+    struct lens_film *film = ARENA_NEW(arena, struct lens_film);
+    const double half = isnan(input->time) ? 0.5 : input->time / 2;
+    span[0] = -half;
+    span[1] = half;
+    if (!render_shutter(input, one, arena, &question.shutter, error)) {
+        return false;
+    }
+    if (question.shutter == NULL) {
+        return true;
+    }
+    if (!(question.shutter->distance > 0)) {
+        shutter_span(question.shutter, question.shutter->extent / 2, span);
+        return true;
+    }
+    if (!lens_film_open(&question, arena, film, error)) {
+        return false;
+    }
+    lens_film_span(film, span);
+    return true;
+}
+
 /* -------- what is said of it -------- */
 
 static const char *way_of(const struct render_input *input)

@@ -275,18 +275,11 @@ static bool find_white(const struct artifact_job *job, size_t columns, double *w
 static bool find_span(const struct artifact_job *job, const struct analysis_case *one,
                       double span[2], struct error *error)
 {
-    static const double steepest = 10; /* of rays that leave a film */
     span[0] = span[1] = 0;
     for (size_t i = 0; i < job->count; i++) {
-        const struct render_input *input = job->inputs[i];
-        const struct shutter *shutter;
-        const double half = isnan(input->time) ? 0.5 : input->time / 2;
-        double own[2] = {-half, half};
-        if (!render_shutter(input, one, job->run->arena, &shutter, error)) {
+        double own[2];
+        if (!render_shutter_span(job->inputs[i], one, job->run->arena, own, error)) {
             return false;
-        }
-        if (shutter != NULL) {
-            shutter_span(shutter, steepest, own);
         }
         span[0] = fmin(span[0], own[0]);
         span[1] = fmax(span[1], own[1]);
