@@ -328,4 +328,9 @@ void render_say_world(const struct render_world *world, struct growing *remarks)
     for (size_t i = 0; i < world->scene.note_count; i++) {
         growing_format(remarks, "%s\n", world->scene.notes[i]);
     }
+    const size_t flat = world->world.degenerate;
+    if (flat > 0) {
+        growing_format(remarks, "%zu triangle%s no area, and %s left out\n", flat,
+                       flat == 1 ? " has" : "s have", flat == 1 ? "is" : "are");
+    }
 }
