@@ -162,7 +162,7 @@ bool division_read(const char *path, struct arena *arena, struct part_file *file
                    struct error *error)
 {
     struct text content;
-    return large_file(path, DIVISION_FILE_MOST, arena, &content, error) &&
+    return file_of_kind(path, DIVISION_FILE_MOST, part_is, arena, &content, error) &&
            part_read(path, content, file, error);
 }
 

@@ -18,9 +18,19 @@ static size_t first_room(int descriptor, size_t most)
     return is_known ? (size_t)found.st_size + 1 : 65536;
 }
 
-static bool read_all(int descriptor, const char *path, size_t most, struct arena *arena,
+/* A file to be read, and how much of it: MiB. */
+struct wanted {
+    const char *path;
+    size_t most;
+    bool (*begins)(struct text first); /* null: it may begin as it likes */
+};
+
+static bool read_all(int descriptor, const struct wanted *wanted, struct arena *arena,
                      struct text *content, struct error *error)
 {
+    const char *path = wanted->path;
+    const size_t most = wanted->most;
+    bool is_known = wanted->begins == NULL;
     size_t room = first_room(descriptor, most << 20), used = 0;
     char *data = arena_array(arena, room, 1);
     for (;;) {
@@ -33,6 +43,13 @@ static bool read_all(int descriptor, const char *path, size_t most, struct arena
             return true;
         }
         used += (size_t)got;
+        if (!is_known && used >= WHOLE_FILE_FIRST) {
+            is_known = wanted->begins((struct text){data, WHOLE_FILE_FIRST});
+            if (!is_known) {
+                *content = (struct text){data, WHOLE_FILE_FIRST};
+                return true;
+            }
+        }
         if (used > most << 20) {
             return fail(error, ERROR_IO, "cannot read %s: larger than %zu MiB", path, most);
         }
@@ -47,11 +64,12 @@ static bool read_all(int descriptor, const char *path, size_t most, struct arena
 bool whole_stream(int descriptor, const char *path, struct arena *arena, struct text *content,
                   struct error *error)
 {
-    return read_all(descriptor, path, WHOLE_FILE_MOST, arena, content, error);
+    return read_all(descriptor, &(struct wanted){path, WHOLE_FILE_MOST, NULL}, arena, content,
+                    error);
 }
 
-bool large_file(const char *path, size_t most, struct arena *arena, struct text *content,
-                struct error *error)
+bool file_of_kind(const char *path, size_t most, bool (*begins)(struct text), struct arena *arena,
+                  struct text *content, struct error *error)
 {
     int descriptor = open(path, O_RDONLY | O_CLOEXEC);
     error->code = ERROR_NONE;
@@ -59,9 +77,15 @@ bool large_file(const char *path, size_t most, struct arena *arena, struct text 
         return errno != ENOENT &&
                fail(error, ERROR_IO, "cannot read %s: %s", path, strerror(errno));
     }
-    bool done = read_all(descriptor, path, most, arena, content, error);
+    bool done = read_all(descriptor, &(struct wanted){path, most, begins}, arena, content, error);
     close(descriptor);
     return done;
+}
+
+bool large_file(const char *path, size_t most, struct arena *arena, struct text *content,
+                struct error *error)
+{
+    return file_of_kind(path, most, NULL, arena, content, error);
 }
 
 bool whole_file(const char *path, struct arena *arena, struct text *content, struct error *error)

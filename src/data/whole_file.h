@@ -12,6 +12,9 @@
 /* MiB; what is larger is something else */
 enum { WHOLE_FILE_MOST = 64 };
 
+/* bytes by which a kind of file is told */
+enum { WHOLE_FILE_FIRST = 65536 };
+
 /*
  * Everything a descriptor gives: a file, a pipe, a terminal.
  *
@@ -29,6 +32,16 @@ bool whole_stream(int descriptor, const char *path, struct arena *arena, struct 
  */
 bool large_file(const char *path, size_t most, struct arena *arena, struct text *content,
                 struct error *error);
+
+/*
+ * The same of a kind of file that is told by how it begins: another one, which may be endless, is
+ * not read to its end.
+ *
+ * Given     begins  does it, if these are its first bytes, all or WHOLE_FILE_FIRST?
+ * Result    of another kind of file no more than these
+ */
+bool file_of_kind(const char *path, size_t most, bool (*begins)(struct text), struct arena *arena,
+                  struct text *content, struct error *error);
 
 /* The same, of at most WHOLE_FILE_MOST. */
 bool whole_file(const char *path, struct arena *arena, struct text *content, struct error *error);

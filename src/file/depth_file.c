@@ -81,7 +81,7 @@ bool depth_file_read(const char *path, const struct depth_range *range, struct a
 {
     struct text bytes;
     struct image image;
-    if (!large_file(path, IMAGE_FILE_MOST, arena, &bytes, error)) {
+    if (!file_of_kind(path, IMAGE_FILE_MOST, image_file_is, arena, &bytes, error)) {
         return error->code == ERROR_NONE ? fail(error, ERROR_IO, "there is no file %s", path)
                                          : false;
     }

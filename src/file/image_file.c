@@ -77,6 +77,15 @@ const struct file_type *image_file_types(size_t i)
     return i < FORMATS && formats[i].write != NULL ? &formats[i].type : NULL;
 }
 
+bool image_file_is(struct text first)
+{
+    size_t i = 0;
+    while (i < FORMATS && !formats[i].is(first)) {
+        i++;
+    }
+    return i < FORMATS;
+}
+
 bool image_file_parse(const char *path, struct text bytes, enum image_values values,
                       struct arena *arena, struct image *image, struct error *error)
 {
@@ -95,7 +104,7 @@ bool image_file_read(const char *path, enum image_values values, struct arena *a
                      struct image *image, struct error *error)
 {
     struct text bytes;
-    if (!large_file(path, IMAGE_FILE_MOST, arena, &bytes, error)) {
+    if (!file_of_kind(path, IMAGE_FILE_MOST, image_file_is, arena, &bytes, error)) {
         return error->code == ERROR_NONE ? fail(error, ERROR_IO, "there is no file %s", path)
                                          : false;
     }

@@ -12,6 +12,9 @@ enum { IMAGE_FILE_MOST = 4096 };
 /* The formats that are written: .png, .exr, .pfm, .hdr. */
 file_types image_file_types;
 
+/* Does a file that begins so have a format that is read? */
+bool image_file_is(struct text first);
+
 /*
  * Read a picture; its first bytes say of which format, whatever its name.
  *

@@ -214,6 +214,13 @@ static enum line understand(const struct text values[LINES], struct part_head *h
                                                                                  : LINES;
 }
 
+bool part_is(struct text first)
+{
+    const size_t length = sizeof first_line - 1;
+    return first.length > length && memcmp(first.start, first_line, length) == 0 &&
+           first.start[length] == '\n';
+}
+
 bool part_read(const char *path, struct text content, struct part_file *file, struct error *error)
 {
     const size_t first = sizeof first_line - 1;
@@ -221,8 +228,7 @@ bool part_read(const char *path, struct text content, struct part_file *file, st
     struct digest_name body;
     uint64_t length;
     *file = (struct part_file){.path = path};
-    if (content.length <= first || memcmp(content.start, first_line, first) != 0 ||
-        content.start[first] != '\n') {
+    if (!part_is(content)) {
         fail(error, ERROR_DATA, "no part of a divided run");
         return error_locate(error, path, 0, 0);
     }

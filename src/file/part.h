@@ -63,6 +63,9 @@ struct part_file {
 /* What stands before the body in a part's file, in the arena. */
 struct text part_lines(const struct part_head *head, struct text body, struct arena *arena);
 
+/* Does a file that begins so want to be one? */
+bool part_is(struct text first);
+
 /*
  * Read one.
  *

@@ -319,6 +319,17 @@ def check_words(tester):
             tester.sane(f"{words!r}", result, (1, 2))
 
 
+def check_endless(tester):
+    """What is no picture and no part is not read to its end, which it may not have."""
+    for words in (["merge", "/dev/zero"], ["tone", "/dev/zero", "-o", "lost.png"],
+                  ["render", "/dev/zero", "-s", "1", "-N", "8", "--lens", "double-gauss",
+                   "-o", "lost.png"]):
+        tester.option(" ".join(words), words, (4,), "/dev/zero")
+    for words in (["lens", "/dev/zero"], ["dof", "--batch", "/dev/zero", "-N", "8"],
+                  ["fit", "--glass", "/dev/zero"]):
+        tester.option(" ".join(words), words, (4, 5), "/dev/zero")
+
+
 def check_lensdb(tester):
     """The user's tables are parsed with the same care."""
     noise = random.Random(8)
@@ -367,7 +378,8 @@ def main():
     resource.setrlimit(resource.RLIMIT_CORE, (0, 0))
     tester = Tester(checks, program)
     for check in (check_values, check_ranges, check_files, check_huge, check_surfaces,
-                  check_lenses, check_memory, check_words, check_lensdb):
+                  check_lenses, check_memory, check_words, check_endless,
+                  check_lensdb):
         check(tester)
     checks.finish()
 
