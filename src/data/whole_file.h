@@ -43,6 +43,13 @@ bool large_file(const char *path, size_t most, struct arena *arena, struct text 
 bool file_of_kind(const char *path, size_t most, bool (*begins)(struct text), struct arena *arena,
                   struct text *content, struct error *error);
 
+/*
+ * The same, of a folder that is looked through: nobody waits at a pipe that lies there.
+ *
+ * Errors    ERROR_IO: it is no file, too
+ */
+bool folder_file(const char *path, struct arena *arena, struct text *content, struct error *error);
+
 /* The same, of at most WHOLE_FILE_MOST. */
 bool whole_file(const char *path, struct arena *arena, struct text *content, struct error *error);
 

@@ -83,6 +83,24 @@ static void compute(const struct list *list, const struct lens *lens, struct len
     row->warning = stated != NULL ? stated : warnings.count > 0 ? warnings.texts[0] : row->warning;
 }
 
+/* A file that is no lens keeps its row, too, and the rest is listed. */
+static void list_broken(struct list *list, struct lens_row *row, const struct error *failure)
+{
+    struct arena *arena = list->run->arena;
+    row->surfaces = NO_INTEGER;
+    row->warning = failure->line > 0
+                       ? arena_printf(arena, "%s:%ld:%d: %s", failure->source, failure->line,
+                                      failure->column, failure->message)
+                       : arena_printf(arena, "%s", failure->message);
+    if (list->input->kind != NULL || !list_matches(list, NULL, (const char *[]){row->name}, 1)) {
+        return;
+    }
+    list_row(list, row);
+    doubts_add(list->run->doubts, "%s: %s", row->name, row->warning);
+    fail(&list->run->shortfall, ERROR_DATA, "not all files of %s/lenses are lenses",
+         list->run->db->directory);
+}
+
 static bool list_place_of(struct list *list, enum lensdb_place place, struct error *error)
 {
     const char *const *names;
@@ -95,7 +113,8 @@ static bool list_place_of(struct list *list, enum lensdb_place place, struct err
         struct lens_row row = {
             .name = *names, .place = list_place(place), .efl = NAN, .bfl = NAN, .fnumber = NAN};
         if (!lens_open(list->run->db, text_of(*names), arena, &lens, error)) {
-            return false;
+            list_broken(list, &row, error);
+            continue;
         }
         row.title = lens.title;
         row.kind = lens.kind;
