@@ -3,7 +3,8 @@
 check_tolerance.py BUILD_DIR
 
 200 lenses as they may be made, of ten designs, are written as files, read again, and looked at by
-spot; of some also by wavefront, lens and distortion. The figures are those of the trials.
+spot, wavefront, lens, distortion and color; of some also by mtf, which adds rays until contrasts
+are right to what it says, and by a pupil that is clipped. The figures are those of the trials.
 """
 # SPDX-License-Identifier: MIT
 
@@ -25,8 +26,37 @@ LENSES = ("double-gauss", "double-gauss-50", "cooke-triplet-50", "brendel-tessar
           "rudolph-planar-100", "cs348b-wide-22")
 TRIALS = 20
 # of the lens, mm: what is left of doubles after a dozen surfaces, whatever size a spot has
-ROUNDING = 2e-12
-RAYS = ["--no-clip", "--pattern", "gauss", "--rays", "12"]
+ROUNDING = 4e-13
+RAYS = ["--pattern", "gauss", "--rays", "12"]
+OPEN = ["--no-clip", *RAYS]
+
+
+class Question:
+    """A criterion: words for tolerance, the command that says the same with its words, its column
+    (of two directions two), and what it may be off by: of itself, and in its own unit."""
+
+    def __init__(self, criterion, command, columns, least, *, share=1e-12, trial=(), asked=(),
+                 lenses=LENSES):
+        self.criterion, self.command, self.columns = criterion, command, columns
+        self.share, self.least = share, least
+        self.trial, self.asked, self.lenses = list(trial), list(asked), lenses
+
+
+QUESTIONS = (
+    Question("spot", "spot", ["rms_um"], 1e3 * ROUNDING, trial=OPEN, asked=OPEN),
+    # a wave is half a thousandth of a mm
+    Question("wavefront", "wavefront", ["rms_waves"], 2e3 * ROUNDING,
+             trial=["-w", "d", *OPEN], asked=["-w", "d", *OPEN]),
+    Question("efl", "lens", ["efl_mm"], ROUNDING),
+    Question("bfl", "lens", ["bfl_mm"], ROUNDING),
+    # percent of an image height of mm at least
+    Question("distortion", "distortion", ["distortion_percent"], 100 * ROUNDING),
+    # its own error is the least that it takes
+    Question("mtf@30", "mtf", ["tangential", "sagittal"], 2e-8, share=0,
+             trial=["-w", "d", "-N", "8", "--rays", "200"],
+             asked=["-w", "d", "-N", "8", "--no-clip", "--frequency", "30", "--error", "1e-8"],
+             lenses=("double-gauss",)),
+)
 
 
 def rows_of(program, folder, *words):
@@ -46,37 +76,110 @@ def marks(count, media):
             f"tolerance surface 1..{count} tilt 1arcmin normal\n")
 
 
-def check_lens(program, checks, folder, name):
+def write_marks(program, folder, name):
     surfaces, message = rows_of(program, folder, "surfaces", name, "--csv")
-    if not checks.check(surfaces, f"{name}: {message}"):
-        return
+    if not surfaces:
+        return message
     count = max(int(row["surface"]) for row in surfaces)
     media = sorted({int(row["surface"]) for row in surfaces
                     if row["medium"] not in ("air", "mirror", "1")})
     with open(os.path.join(folder, "marks.txt"), "w", encoding="ascii") as file:
         file.write(marks(count, media))
-    words = [name, "--tolerances", "marks.txt", "--trials", str(TRIALS), "--aim", "stop", "--of",
-             "each", "--show", "trials", "--save", f"worst:{TRIALS}", "-o", "made.lens", "--force",
-             "--csv", *RAYS]
-    trials, message = rows_of(program, folder, "tolerance", *words)
-    if not checks.check(trials, f"{name}: {message}"):
-        return
-    files = sorted(glob.glob(os.path.join(folder, "made-*.lens")))
-    checks.check(len(files) == TRIALS, f"{name}: {len(files)} lenses were written")
-    for path in files:
+    return ""
+
+
+def tried(program, folder, name, question, *words):
+    """The rows of all trials, {trial: [row]}."""
+    rows, message = rows_of(program, folder, "tolerance", name, "--tolerances", "marks.txt",
+                            "--trials", str(TRIALS), "--aim", "stop", "--of", "each", "--show",
+                            "trials", "--criterion", question.criterion, "--csv", *question.trial,
+                            *words)
+    trials = {}
+    for row in rows or []:
+        trials.setdefault(row["trial"], []).append(row)
+    return trials, message
+
+
+def saved(folder):
+    """{trial: path} of what was written."""
+    files = {}
+    for path in glob.glob(os.path.join(folder, "made-*.lens")):
         with open(path, encoding="utf-8") as file:
-            number = next(line.split()[5] for line in file if line.startswith("note        as made"))
-        wanted = [row for row in trials if row["trial"] == number]
-        position = ["--position", "all"] if wanted[0]["position"] else []
-        found, message = rows_of(program, folder, "spot", path, *position, "--csv",
-                                 *RAYS)
-        if not checks.check(found and len(found) == len(wanted),
-                            f"{name}, trial {number}: {message}"):
+            files[next(line.split()[5] for line in file
+                       if line.startswith("note        as made"))] = path
+    return files
+
+
+def said(program, folder, files, question, has_positions):
+    """What the command says of the lenses, {trial: [row]}."""
+    with open(os.path.join(folder, "files.csv"), "w", encoding="ascii") as file:
+        file.write("lens,trial\n" + "".join(f"{path},{trial}\n" for trial, path in files.items()))
+    words = ["--position", "all"] if has_positions else []
+    rows, message = rows_of(program, folder, question.command, "--batch", "files.csv", *words,
+                            "--columns", "wavelength_nm," + ",".join(question.columns), "--csv",
+                            *question.asked)
+    answers = {}
+    for row in rows or []:
+        answers.setdefault(row["trial"], []).append(row)
+    return answers, message
+
+
+def figures_of(rows, question):
+    """As trials have them: of the first wavelength; a distortion of a field off the axis."""
+    rows = [row for row in rows if row["wavelength_nm"] == rows[0]["wavelength_nm"]]
+    return [row[column] for row in rows for column in question.columns if row[column] != ""]
+
+
+def compare(program, checks, folder, name, question, trials, files):
+    has_positions = any(row["position"] for rows in trials.values() for row in rows)
+    answers, message = said(program, folder, files, question, has_positions)
+    for number, rows in trials.items():
+        what = f"{name}, trial {number}, {question.criterion}"
+        figures = figures_of(answers.get(number, []), question)
+        if not checks.check(len(figures) == len(rows), f"{what}: {message}"):
             continue
-        for row, spot in zip(wanted, found):
-            allowed = 1e-12 * float(spot["rms_um"]) + 1e3 * ROUNDING
-            checks.near("spot", f"{name}, trial {number}, {row['of']} {row['position']}",
-                        row["figure"], spot["rms_um"], allowed)
+        for row, figure in zip(rows, figures):
+            checks.near(question.criterion, f"{what}, {row['of']} {row['position']}",
+                        row["figure"], figure, question.share * abs(float(figure)) +
+                        question.least)
+
+
+def check_lens(program, checks, folder, name):
+    message = write_marks(program, folder, name)
+    if not checks.check(not message, f"{name}: {message}"):
+        return
+    for refocus in ("best", "none"):
+        files = {}
+        for question in QUESTIONS:
+            if name not in question.lenses or (refocus == "best") != (question is QUESTIONS[0]):
+                continue
+            words = ["--refocus", refocus]
+            if not files:
+                words += ["--save", f"worst:{TRIALS}", "-o", "made.lens", "--force"]
+            trials, message = tried(program, folder, name, question, *words)
+            if not trials and "there is none" in message:  # no field off the axis
+                continue
+            files = files or saved(folder)
+            if checks.check(len(trials) == len(files) == TRIALS,
+                            f"{name}, {question.criterion}: {message}"):
+                compare(program, checks, folder, name, question, trials, files)
+
+
+def check_clipped(program, checks, folder, name):
+    """Nothing is wrong with a lens: its rays are those that spot lets through, of all colours."""
+    with open(os.path.join(folder, "none.txt"), "w", encoding="ascii") as file:
+        file.write("tolerance t1 1e-9\n")
+    rows, message = rows_of(program, folder, "tolerance", name, "--tolerances", "none.txt",
+                            "--refocus", "none", "--of", "each", "--trials", "1", "--csv", *RAYS)
+    if not checks.check(rows, f"{name}, clipped: {message}"):
+        return
+    position = ["--position", "all"] if rows[0]["position"] else []
+    spots, message = rows_of(program, folder, "spot", name, *position, "--csv", *RAYS)
+    if not checks.check(spots and len(spots) == len(rows), f"{name}, clipped: {message}"):
+        return
+    for row, spot in zip(rows, spots):
+        checks.near("clipped", f"{name}, clipped, {row['of']} {row['position']}", row["nominal"],
+                    spot["rms_um"], 1e-12 * float(spot["rms_um"]) + 1e3 * ROUNDING)
 
 
 def main():
@@ -84,6 +187,7 @@ def main():
     for name in LENSES:
         with tempfile.TemporaryDirectory(prefix="lenscalc-tolerance-") as folder:
             check_lens(program, checks, folder, name)
+            check_clipped(program, checks, folder, name)
     for kind, (share, where) in checks.worst.items():
         print(f"{kind}: {share:.2g} of what is allowed at {where}")
     checks.finish()
