@@ -106,6 +106,17 @@ static inline bool variable_link_of_mirror(const struct variable_link *link,
            surface_reflects(&lens->surfaces[link->basis.surface]);
 }
 
+/*
+ * Links of an index: that behind its surface, and those behind the mirrors in its medium.
+ *
+ * Given     links  more of one that is there since `first` is added to it: an index changes by nd
+ *                  and Vd
+ *           count  of the links that are there
+ * Result    how many there are then
+ */
+size_t variable_index_links(const struct lens *lens, struct variable_link link, size_t first,
+                            size_t count, struct variable_link *links);
+
 /* Room that the links of a position may need. */
 size_t variables_most_links(const struct variables *variables);
 

@@ -106,7 +106,7 @@ static void derive(const struct variables *variables, size_t position, size_t va
     }
 }
 
-/* Another link, or more of one that is there since `first`: an index changes by nd and Vd. */
+/* Another link, or more of one that is there since `first`. */
 static size_t add_link(struct variable_link *links, size_t first, size_t count,
                        struct variable_link link)
 {
@@ -121,9 +121,8 @@ static size_t add_link(struct variable_link *links, size_t first, size_t count,
     return count + 1;
 }
 
-/* The index behind the surface, and behind the mirrors that stand in its medium. */
-static size_t add_index(const struct lens *lens, struct variable_link link, size_t first,
-                        size_t count, struct variable_link *links)
+size_t variable_index_links(const struct lens *lens, struct variable_link link, size_t first,
+                            size_t count, struct variable_link *links)
 {
     size_t i = link.basis.surface;
     do {
@@ -159,7 +158,7 @@ size_t variables_links(const struct variables *variables, size_t position, doubl
             if (link.basis.kind == PARAMETER_INDEX || link.basis.kind == PARAMETER_ABBE) {
                 link.slope *= parameter_slope(lens, number->what, wavelength);
                 link.basis.kind = PARAMETER_INDEX;
-                count = add_index(lens, link, first, count, links);
+                count = variable_index_links(lens, link, first, count, links);
             } else {
                 links[count++] = link;
             }

@@ -46,6 +46,8 @@ static const struct irregularity form = {.surface = 4, .form = IRREGULARITY_SIN,
 static double height;
 
 struct bench {
+    struct perturbation *list; /* null: that of all kinds */
+    size_t count;
     bool is_formed;
     struct lens lens;
     struct variables variables;
@@ -60,7 +62,8 @@ static bool open_bench(struct bench *bench, const char *text, enum operand_kind 
 {
     struct error error = {.code = ERROR_NONE};
     bench->lens = lens_of(text, &arena);
-    bench->errors = (struct perturbations){.list = list, .count = ERRORS};
+    bench->errors = (struct perturbations){.list = bench->list != NULL ? bench->list : list,
+                                           .count = bench->list != NULL ? bench->count : ERRORS};
     bench->operand = operand_of(kind, "goal");
     CHECK(variables_open(&bench->lens, vary, count, &arena, &bench->variables, &error));
     const struct merit_question question = {.lens = &bench->lens,
@@ -156,6 +159,59 @@ static void check_values(void)
         CHECK(j == plane || got[rays + j] > 1e-6);
     }
     CHECK(got[rays + SIMPLE] > 1e-4);
+}
+
+/* A lens with a mirror behind glass, which light passes twice: errors of its medium. */
+static void check_mirror(void)
+{
+    static const char text[] = "wavelength d F C\n"
+                               "object inf\n"
+                               "aperture epd 20\n"
+                               "field angle 0 1\n"
+                               "focus table\n"
+                               "surface -200 3 1.6/40 25 stop\n"
+                               "surface -300 -3 mirror 25\n"
+                               "surface -200 -110 air 25\n";
+    static struct perturbation media[] = {
+        {.kind = TOLERANCE_INDEX,
+         .what = {0, PARAMETER_INDEX, 0},
+         .amount = 1e-3,
+         .name = "n1",
+         .spread = {DISTRIBUTION_UNIFORM, DISTRIBUTION_SIGMAS}},
+        {.kind = TOLERANCE_ABBE,
+         .what = {0, PARAMETER_ABBE, 0},
+         .amount = 0.4,
+         .name = "V1",
+         .spread = {DISTRIBUTION_UNIFORM, DISTRIBUTION_SIGMAS}},
+        {.kind = TOLERANCE_FOCUS, .what.kind = PARAMETER_KINDS, .amount = 0.1, .name = "focus"},
+    };
+    enum { MEDIA = 2, PLANE = 2, ALL = 3 };
+    static struct bench bench = {.list = media, .count = MEDIA};
+    static struct made made = {.bench = {.list = media, .count = ALL}};
+    static double got[MOST], column[MOST], focus[MOST];
+    struct error error = {.code = ERROR_NONE};
+    if (!open_bench(&bench, text, OPERAND_ASBUILT, NULL, 0) ||
+        !open_bench(&made.bench, text, OPERAND_POLY, NULL, 0)) {
+        return;
+    }
+    const size_t rays = made.bench.merit.residual_count;
+    const struct perturbed_question asked = {.lens = &made.bench.lens,
+                                             .list = media,
+                                             .count = ALL,
+                                             .lenses = made.bench.variables.lenses};
+    CHECK(perturbed_open(&asked, &arena, &made.perturbed, &error));
+    CHECK(merit_measure(&bench.merit, bench.numbers, got, NULL));
+    derive(&made, PLANE, 0.1, focus);
+    for (size_t j = 0; j < MEDIA; j++) {
+        derive(&made, j, 0.1, column);
+        const double share = dot(column, focus, rays) / dot(focus, focus, rays);
+        for (size_t i = 0; i < rays; i++) {
+            column[i] -= share * focus[i];
+        }
+        const double expected = sqrt(dot(column, column, rays) / 3);
+        CHECK_NEAR(got[rays + j], expected, 1e-6 * expected, media[j].name);
+        CHECK(expected > 1e-6);
+    }
 }
 
 /* An astigmatism at a random azimuth: half of the mean square of its height is in each direction.
@@ -265,6 +321,7 @@ int main(void)
     arena = (struct arena){0};
     set_list();
     check_values();
+    check_mirror();
     check_form();
     check_image();
     check_slopes();

@@ -77,32 +77,18 @@ static size_t find_links(void *context, size_t position, double wavelength,
     for (size_t i = 0; i < asbuilt->errors->count; i++) {
         const size_t parts = perturbed_links(&asbuilt->perturbed, i, asbuilt->links);
         for (size_t k = 0; k < parts; k++) {
-            links[count++] = link_of(lens, i + 1, &asbuilt->links[k], wavelength);
+            const struct variable_link link = link_of(lens, i + 1, &asbuilt->links[k], wavelength);
+            if (link.basis.kind == PARAMETER_INDEX) {
+                count = variable_index_links(lens, link, count, count, links);
+            } else {
+                links[count++] = link;
+            }
         }
     }
     return count;
 }
 
 /* -------- opening -------- */
-
-/* A mirror's medium is that before it: one error there is two of the rays. */
-static bool check_media(const struct lens *lens, const struct perturbations *errors,
-                        struct error *error)
-{
-    bool reflects = false;
-    for (size_t i = 0; i < lens->surface_count; i++) {
-        reflects = reflects || surface_reflects(&lens->surfaces[i]);
-    }
-    for (size_t i = 0; i < errors->count && reflects; i++) {
-        const enum tolerance_kind kind = errors->list[i].kind;
-        if (kind == TOLERANCE_INDEX || kind == TOLERANCE_ABBE) {
-            return fail(error, ERROR_DOMAIN,
-                        "%s: of a lens with mirrors errors of media cannot be had",
-                        errors->list[i].name);
-        }
-    }
-    return true;
-}
 
 static bool open_errors(const struct merit *merit, struct merit_asbuilt *asbuilt,
                         struct arena *arena, struct error *error)
@@ -120,8 +106,7 @@ static bool open_errors(const struct merit *merit, struct merit_asbuilt *asbuilt
                                                  question->variables->lenses + asbuilt->position};
     asbuilt->links = ARENA_ARRAY(arena, 2 * surfaces + 1, struct perturbed_link);
     asbuilt->by = (struct merit_by){1 + 2 * surfaces * errors->count, find_links, asbuilt};
-    return check_media(question->lens, errors, error) &&
-           perturbed_open(&asked, arena, &asbuilt->perturbed, error);
+    return perturbed_open(&asked, arena, &asbuilt->perturbed, error);
 }
 
 /* `poly` of this position, by the errors. */
