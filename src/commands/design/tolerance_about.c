@@ -77,6 +77,12 @@ static const char *rays_in_words(const struct tolerance_job *job)
                         job->question.view.clip ? "clipped" : "not clipped", aimed);
 }
 
+double tolerance_refocus_of(const struct tolerance_job *job, double refocus)
+{
+    const struct tolerance_question *question = &job->tolerance.question;
+    return question->refocus == REFOCUS_NONE && question->compensator_count > 0 ? NAN : refocus;
+}
+
 double tolerance_move_scale(const struct compensator *one, const char **unit)
 {
     static const double degrees = 57.295779513082323;

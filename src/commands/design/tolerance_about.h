@@ -69,6 +69,10 @@ const char *tolerance_name_of(const struct tolerance_job *job,
 const char *tolerance_position_of(const struct tolerance_job *job,
                                   const struct tolerance_figure *figure);
 
+/* How far the image plane went, mm; NaN where it stays but for what else is adjusted, which may be
+   its gap. */
+double tolerance_refocus_of(const struct tolerance_job *job, double refocus);
+
 /* What movements of a compensator are multiplied with to be in `unit`: mm, or of angles deg. */
 double tolerance_move_scale(const struct compensator *one, const char **unit);
 

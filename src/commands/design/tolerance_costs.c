@@ -110,8 +110,6 @@ bool tolerance_emit_sensitivity(struct tolerance_job *job, struct error *error)
     const struct tolerance *tolerance = &job->tolerance;
     const struct criterion_type *type = criterion_type(job->question.criterion.kind);
     const struct tolerance_about about = tolerance_about_of(job);
-    const bool holds_plane = /* but for what else is adjusted */
-        tolerance->question.refocus == REFOCUS_NONE && job->question.compensator_count > 0;
     double *moves = ARENA_ARRAY(arena, tolerance_moves(tolerance), double);
     struct tolerance_model *model = ARENA_NEW(arena, struct tolerance_model);
     const char *failure;
@@ -152,7 +150,8 @@ bool tolerance_emit_sensitivity(struct tolerance_job *job, struct error *error)
                                                 .plus = type->scale * at->plus,
                                                 .minus = type->scale * at->minus,
                                                 .moves = tolerance_moves_in_words(job, moves),
-                                                .compensation = holds_plane ? NAN : moves[0]};
+                                                .compensation =
+                                                    tolerance_refocus_of(job, moves[0])};
             if (!run_emit(job->run, &row)) {
                 return true;
             }

@@ -60,7 +60,8 @@ static const struct column summary_columns[] = {
      .help = "lenses that were made"},
     {COLUMN(struct summary_row, nominal_refocus), .unit = "mm", .dimension = &dimension_length,
      .flags = COLUMN_HIDDEN, .name = "nominal_refocus", .label = "nominal refocus",
-     .help = "how far the image plane of the lens without errors goes"},
+     .help = "how far the image plane of the lens without errors goes; absent where something else "
+             "is adjusted and --refocus is none"},
     {COLUMN(struct summary_row, refocus), .unit = "mm", .dimension = &dimension_length,
      .flags = COLUMN_HIDDEN, .name = "refocus", .label = "refocus",
      .help = "how far the image plane goes on average"},
@@ -132,9 +133,10 @@ static void emit_summary(struct tolerance_job *job, struct tolerance_column *col
                                     .p98 = p[6],
                                     .failed = (long)job->result.failed,
                                     .trials = (long)job->result.done,
-                                    .nominal_refocus = job->tolerance.nominal_moves[0],
-                                    .refocus = moves.mean,
-                                    .refocus_sd = moves.sd,
+                                    .nominal_refocus =
+                                        tolerance_refocus_of(job, job->tolerance.nominal_moves[0]),
+                                    .refocus = tolerance_refocus_of(job, moves.mean),
+                                    .refocus_sd = tolerance_refocus_of(job, moves.sd),
                                     .moves = moves_in_words(job)};
     run_emit(job->run, &row);
 }
@@ -222,7 +224,7 @@ static const struct column trial_columns[] = {
     {COLUMN(struct trial_row, passes), .flags = COLUMN_HIDDEN, .name = "passes", .label = "passes",
      .help = "it keeps the limit; without a limit it has a figure"},
     {COLUMN(struct trial_row, refocus), .unit = "mm", .dimension = &dimension_length,
-     .flags = COLUMN_BRIEF, .name = "refocus", .label = "refocus",
+     .flags = COLUMN_BRIEF | COLUMN_SPARSE, .name = "refocus", .label = "refocus",
      .help = "how far its image plane goes"},
     {COLUMN(struct trial_row, moves), .flags = COLUMN_BRIEF | COLUMN_SPARSE, .name = "compensation",
      .label = "compensation", .help = "what else was adjusted, and how far"},
@@ -273,7 +275,7 @@ static bool emit_trial(struct tolerance_job *job, uint64_t number, bool found,
             .moves = found ? tolerance_moves_in_words(job, trial->moves) : NULL,
             .why = found ? NULL : trial->why.message,
             .figure = found ? type->scale * figure : NAN,
-            .refocus = found ? trial->moves[0] : NAN,
+            .refocus = found ? tolerance_refocus_of(job, trial->moves[0]) : NAN,
             .trial = (long)number + 1,
             .passes = found && (isnan(job->limit) ||
                                 tolerance_passes(tolerance, &job->trials, i, trial->figures))};
