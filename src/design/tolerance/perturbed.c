@@ -95,35 +95,23 @@ static bool add_motion(struct perturbed *perturbed, size_t at, struct error *err
     return true;
 }
 
-/* Words of the positions stand for thicknesses; other numbers of positions are settings. */
-static bool check_setting(const struct perturbed *perturbed, const struct perturbation *one,
-                          struct error *error)
-{
-    const struct lens *lens = perturbed->lens;
-    for (size_t i = 0; i < lens->setting_count; i++) {
-        if (parameter_is_same(lens->settings[i].parameter, one->what)) {
-            return fail(error, ERROR_DOMAIN, "%s is another number in every position", one->name);
-        }
-    }
-    return true;
-}
-
 static bool add_medium(struct perturbed *perturbed, size_t at, struct error *error)
 {
     const struct perturbation *one = &perturbed->list[at];
-    const struct lens *lens = perturbed->lens;
     const size_t surface = one->what.surface, space = surface + 1;
-    struct melt *melt = &perturbed->melts[space];
-    if (!perturbed->is_melted[space]) {
-        melt_open(surface == LENS_NONE ? &lens->object_medium : &lens->surfaces[surface].medium,
-                  melt);
-        perturbed->is_melted[space] = true;
+    bool has_abbe = true;
+    for (size_t p = 0; p < perturbed->position_count; p++) {
+        struct melt *melt = perturbed_melt(perturbed, p, space);
+        const struct lens *lens = perturbed->at[p];
+        if (!perturbed->is_melted[space]) {
+            melt_open(surface == LENS_NONE ? &lens->object_medium : &lens->surfaces[surface].medium,
+                      melt);
+        }
+        has_abbe = has_abbe && melt->has_abbe;
     }
+    perturbed->is_melted[space] = true;
     perturbed->target[at] = space;
-    if (!check_setting(perturbed, one, error)) {
-        return false;
-    }
-    return one->kind == TOLERANCE_INDEX || melt->has_abbe ||
+    return one->kind == TOLERANCE_INDEX || has_abbe ||
            fail(error, ERROR_DOMAIN, "%s: the medium behind surface %zu has no Abbe number",
                 one->name, space);
 }
@@ -142,9 +130,6 @@ static bool add(struct perturbed *perturbed, size_t at, struct error *error)
         const struct parameter last = thickness_of(perturbed->lens->surface_count - 1);
         perturbed->target[at] = number_of(perturbed, last);
     } else if (one->kind != TOLERANCE_IRREGULARITY) {
-        if (!check_setting(perturbed, one, error)) {
-            return false;
-        }
         perturbed->target[at] = number_of(perturbed, one->what);
         perturbed_keep(perturbed, one->what);
     }
@@ -177,15 +162,11 @@ bool perturbed_open(const struct perturbed_question *question, struct arena *are
         ARENA_ARRAY(arena, count + KINDS_KEPT * surfaces + 1, struct perturbed_number);
     perturbed->motions = ARENA_ARRAY(arena, count + 1, struct perturbed_motion);
     perturbed->target = ARENA_ARRAY(arena, count + 1, size_t);
-    perturbed->melts = ARENA_ARRAY(arena, surfaces + 1, struct melt);
+    perturbed->melts = ARENA_ARRAY(arena, perturbed->position_count * (surfaces + 1), struct melt);
     perturbed->off = arena_array(arena, surfaces + 1, sizeof *perturbed->off);
     perturbed->is_melted = ARENA_ARRAY(arena, surfaces + 1, bool);
     perturbed->is_posed = ARENA_ARRAY(arena, surfaces + 1, bool);
     perturbed->poses = ARENA_ARRAY(arena, surfaces + 1, struct perturbed_pose);
-    perturbed->bases = ARENA_ARRAY(arena, surfaces + 1, const struct displacement *);
-    for (size_t i = 0; i < surfaces; i++) {
-        perturbed->bases[i] = lens->surfaces[i].decentre;
-    }
     perturbed->at = ARENA_ARRAY(arena, perturbed->position_count, const struct lens *);
     for (size_t p = 0; p < perturbed->position_count; p++) {
         perturbed->at[p] = lens_at_position(lens, p, arena);
@@ -288,10 +269,10 @@ static double place_within(const struct lens *lens, size_t first, size_t surface
     return z;
 }
 
-static void begin_poses(struct perturbed *perturbed)
+static void begin_poses(struct perturbed *perturbed, const struct lens *nominal)
 {
     for (size_t i = 0; i < perturbed->lens->surface_count; i++) {
-        const struct displacement *base = perturbed->bases[i];
+        const struct displacement *base = nominal->surfaces[i].decentre;
         struct perturbed_pose *pose = &perturbed->poses[i];
         *pose = (struct perturbed_pose){.z = 0};
         for (int k = 0; k < 2 && base != NULL; k++) {
@@ -326,12 +307,13 @@ static void move_all(struct perturbed *perturbed, const struct lens *lens)
     }
 }
 
-static void put_pose(struct perturbed *perturbed, struct lens_numbers *lens, size_t i)
+static void put_pose(struct perturbed *perturbed, size_t position, size_t i)
 {
     const struct perturbed_pose *pose = &perturbed->poses[i];
+    struct lens_numbers *lens = &perturbed->lenses[position];
     struct displacement *room = &lens->displacements[2 * i];
     struct surface *surface = &lens->lens.surfaces[i];
-    const struct displacement *base = perturbed->bases[i];
+    const struct displacement *base = perturbed->at[position]->surfaces[i].decentre;
     struct displacement now = base != NULL ? *base : displacement_none;
     bool is_moved = false;
     for (int k = 0; k < 2; k++) {
@@ -391,17 +373,15 @@ static void put_numbers(struct perturbed *perturbed, size_t position)
     }
 }
 
-static void put_media(struct perturbed *perturbed, struct lens *lens)
+static void put_media(struct perturbed *perturbed, size_t position)
 {
-    const size_t count = perturbed->lens->surface_count;
-    if (perturbed->is_melted[0]) {
-        lens->object_medium =
-            *melt_set(&perturbed->melts[0], perturbed->off[0][0], perturbed->off[0][1]);
-    }
-    for (size_t i = 0; i < count; i++) {
-        if (perturbed->is_melted[i + 1]) {
-            lens->surfaces[i].medium = *melt_set(&perturbed->melts[i + 1], perturbed->off[i + 1][0],
-                                                 perturbed->off[i + 1][1]);
+    struct lens *lens = &perturbed->lenses[position].lens;
+    for (size_t space = 0; space <= lens->surface_count; space++) {
+        if (perturbed->is_melted[space]) {
+            const double *off = perturbed->off[space];
+            struct medium *medium =
+                space == 0 ? &lens->object_medium : &lens->surfaces[space - 1].medium;
+            *medium = *melt_set(perturbed_melt(perturbed, position, space), off[0], off[1]);
         }
     }
 }
@@ -427,12 +407,12 @@ void perturbed_put(struct perturbed *perturbed, const double *errors)
     for (size_t p = 0; p < perturbed->position_count; p++) {
         struct lens_numbers *lens = &perturbed->lenses[p];
         put_numbers(perturbed, p);
-        put_media(perturbed, &lens->lens);
-        begin_poses(perturbed);
+        put_media(perturbed, p);
+        begin_poses(perturbed, perturbed->at[p]);
         move_all(perturbed, &lens->lens);
         for (size_t i = 0; i < count; i++) {
             if (perturbed->is_posed[i]) {
-                put_pose(perturbed, lens, i);
+                put_pose(perturbed, p, i);
             }
         }
         put_places(perturbed, lens);
@@ -505,67 +485,4 @@ bool perturbed_forms_of(const struct lens *lens, const struct perturbation *list
                                   .radius = surface->diameter.value.hi / 2};
     }
     return true;
-}
-
-/* -------- writing -------- */
-
-/* A word of its own for a cell whose numbers are no longer those of its word. */
-static void put_word(struct perturbed *perturbed, size_t i, struct lens *to, struct arena *arena)
-{
-    const size_t word = perturbed->lens->surfaces[i].thickness.variable;
-    struct figure *cell = &to->surfaces[i].thickness;
-    struct lens_variable *made = &to->variables[to->variable_count];
-    bool is_same = true;
-    *made = perturbed->lens->variables[word];
-    made->name =
-        text_of(arena_printf(arena, "%.*s_%zu", (int)made->name.length, made->name.start, i + 1));
-    struct figure *values = ARENA_ARRAY(arena, perturbed->position_count, struct figure);
-    for (size_t p = 0; p < perturbed->position_count; p++) {
-        const struct figure *was = &perturbed->lens->variables[word].values[p];
-        values[p] = perturbed->lenses[p].lens.surfaces[i].thickness;
-        values[p].variable = was->variable;
-        is_same = is_same && values[p].value.hi == was->value.hi;
-    }
-    made->values = values;
-    *cell = perturbed->lens->surfaces[i].thickness;
-    if (!is_same) {
-        cell->variable = to->variable_count++;
-    }
-}
-
-struct lens *perturbed_lens(struct perturbed *perturbed, const double *wavelengths,
-                            size_t wavelength_count, struct arena *arena)
-{
-    const struct lens *from = perturbed->lens, *now = &perturbed->lenses[0].lens;
-    struct lens *to = parameter_apply(from, NULL, NULL, 0, arena);
-    to->variables =
-        ARENA_ARRAY(arena, from->variable_count + from->surface_count + 1, struct lens_variable);
-    for (size_t i = 0; i < from->variable_count; i++) {
-        to->variables[i] = from->variables[i];
-    }
-    to->pickup_count = 0; /* what was made follows nothing */
-    for (size_t i = 0; i < from->surface_count; i++) {
-        struct surface *surface = &to->surfaces[i];
-        const struct figure diameter = surface->diameter; /* may be a word */
-        *surface = now->surfaces[i];
-        surface->diameter = diameter;
-        if (surface->decentre != NULL) {
-            struct displacement *own = ARENA_NEW(arena, struct displacement);
-            *own = *surface->decentre;
-            surface->decentre = own;
-        }
-        if (perturbed->is_melted[i + 1] && surface->medium.glass == &perturbed->melts[i + 1]) {
-            surface->medium.written =
-                melt_written(&perturbed->melts[i + 1], wavelengths, wavelength_count, arena);
-        }
-        if (from->surfaces[i].thickness.variable != LENS_NONE) {
-            put_word(perturbed, i, to, arena);
-        }
-    }
-    if (perturbed->is_melted[0]) {
-        to->object_medium = now->object_medium;
-        to->object_medium.written =
-            melt_written(&perturbed->melts[0], wavelengths, wavelength_count, arena);
-    }
-    return to;
 }

@@ -48,12 +48,18 @@ struct perturbed {
     struct perturbed_motion *motions;
     size_t motion_count;
     size_t *target;     /* of each perturbation: its number, motion or medium; LENS_NONE: none */
-    struct melt *melts; /* surface_count + 1, object space first: those that change */
+    struct melt *melts; /* surface_count + 1 a position, object space first: those that change */
     double (*off)[2];   /* of their nd and Vd */
     bool *is_melted, *is_posed; /* of spaces; of surfaces */
     struct perturbed_pose *poses;
-    const struct displacement **bases; /* of each surface, as the lens has it */
 };
+
+/* What was melted in place of the medium of a space, object space first. */
+static inline struct melt *perturbed_melt(const struct perturbed *perturbed, size_t position,
+                                          size_t space)
+{
+    return &perturbed->melts[position * (perturbed->lens->surface_count + 1) + space];
+}
 
 /*
  * Make ready.
@@ -107,12 +113,15 @@ struct perturbed_link {
 size_t perturbed_links(const struct perturbed *perturbed, size_t perturbation,
                        struct perturbed_link *links);
 
+/* -------- design/tolerance/perturbed_write.c -------- */
+
 /*
  * The lens as perturbed->lenses have it now, to be written, with all its positions.
  *
  * Given     wavelengths  um: those that the index of a catalogue's glass is written at
  * Result    without pick-ups: what was made follows nothing. A word of the positions that no longer
- *           holds for a cell gives way to one of its own
+ *           holds for a cell gives way to one of its own; what differs between positions is set by
+ *           them
  */
 struct lens *perturbed_lens(struct perturbed *perturbed, const double *wavelengths,
                             size_t wavelength_count, struct arena *arena);
