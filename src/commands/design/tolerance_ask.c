@@ -281,7 +281,8 @@ static bool ask_view(struct tolerance_job *job, struct error *error)
                                     .fnumber = question->fnumber,
                                     .clip = input->clip || (!input->no_clip && !is_contrast),
                                     .pattern = (enum pattern)input->pattern,
-                                    .rays = (size_t)input->rays}; /* the same for any seed */
+                                    .rays = (size_t)input->rays, /* the same for any seed */
+                                    .watch = job->run->watch};
     return lens_positions(question->lens.lens, names, arena, &view->positions,
                           &view->position_count, error) &&
            lens_fields_asked(question, view->positions[0], fields, error);

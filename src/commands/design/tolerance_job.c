@@ -71,8 +71,12 @@ static bool find_aim_error(struct tolerance_job *job, struct error *error)
     struct tolerance *aimed = ARENA_NEW(arena, struct tolerance);
     struct tolerance *held = &job->tolerance;
     question.aims = true;
+    if (watch_is_ended(job->run->watch)) {
+        return true;
+    }
+    watch_begin(job->run->watch, "rays", 0);
     if (!tolerance_open(&question, arena, aimed, error)) {
-        return false;
+        return watch_is_ended(job->run->watch); /* without it */
     }
     double *errors = ARENA_ARRAY(arena, question.perturbation_count + 1, double);
     struct tolerance_trial trial = {.figures = ARENA_ARRAY(arena, held->figure_count, double),
@@ -141,14 +145,16 @@ static void add_doubts(const struct tolerance_job *job)
 bool tolerance_job_run(struct tolerance_job *job, struct error *error)
 {
     struct arena *arena = job->run->arena;
+    job->aim_error = NAN;
+    watch_begin(job->run->watch, "rays", 0);
     if (!tolerance_ask(job, error) ||
         !tolerance_open(&job->question, arena, &job->tolerance, error) || !divide(job, error) ||
         !tolerance_method_open(job, error)) {
         return false;
     }
+    job->trials.ready = &job->tolerance;
     tolerance_result_open(&job->trials, &job->tolerance, (size_t)job->save_count, arena,
                           &job->result);
-    job->aim_error = NAN;
     if (job->input->show == TOLERANCE_TRIALS || job->input->show >= TOLERANCE_SENSITIVITY) {
         return true; /* one by one, as they are printed; or none */
     }

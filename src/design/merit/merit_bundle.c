@@ -3,11 +3,17 @@
 #include "design/merit/merit_bundle.h"
 
 #include "analysis/bundle.h"
+#include "base/watch.h"
 #include "design/tolerance/bent.h"
 #include "optics/lens_indices.h"
 
 #include <math.h>
 #include <string.h>
+
+bool merit_bundle_goes_on(const struct merit_bundle *bundle, size_t rays, struct error *error)
+{
+    return watch_add(bundle->wish.watch, rays) || fail(error, ERROR_DOMAIN, "interrupted before rays were ready");
+}
 
 /* -------- choosing -------- */
 
@@ -116,7 +122,8 @@ static bool open_groups(struct merit_bundle *bundle, struct error *error)
                 group->points = bundle->groups[field].points;
                 continue;
             }
-            if (!find_sample(wish, field, light, &letting[field], bundle->arena, &sample, error)) {
+            if (!find_sample(wish, field, light, &letting[field], bundle->arena, &sample, error) ||
+                !merit_bundle_goes_on(bundle, sample.count, error)) {
                 return false;
             }
             merit_points_of(&sample, wish->whole ? SYMMETRY_NONE : group->symmetry, bundle->arena,
@@ -470,8 +477,11 @@ bool merit_bundle_aim(struct merit_bundle *bundle, const struct lens *lens,
         (!bundle->is_held && !move_beams(bundle, error))) {
         return false;
     }
+    const bool is_first = !bundle->is_settled && !bundle->is_held;
     for (size_t k = 0; k < bundle->block_count; k++) {
-        if (!aim_block(bundle, &bundle->blocks[k], error)) {
+        struct bundle_block *block = &bundle->blocks[k];
+        if (!aim_block(bundle, block, error) ||
+            (is_first && !merit_bundle_goes_on(bundle, (size_t)block->aimed.lanes, error))) {
             return false;
         }
     }

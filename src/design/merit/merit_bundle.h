@@ -33,6 +33,7 @@ struct bundle_wish {
     enum pattern pattern;
     size_t rays;
     uint64_t seed;
+    struct watch *watch; /* as in merit_question */
 };
 
 /* One field at one wavelength. */
@@ -113,6 +114,9 @@ struct bundle_links {
 bool merit_bundle_open(const struct bundle_wish *wish, const struct bundle_links *links,
                        size_t variable_count, struct arena *arena, struct merit_bundle *bundle,
                        struct error *error);
+
+/* The watch of the first aim; false: it ends it. */
+bool merit_bundle_goes_on(const struct merit_bundle *bundle, size_t rays, struct error *error);
 
 /* The next aim begins with nothing, not with the rays of the lens before. */
 void merit_bundle_forget(struct merit_bundle *bundle);

@@ -12,36 +12,50 @@ static double *part(struct ray_block *block, int which)
     return of[which];
 }
 
-bool merit_bundle_deform(struct merit_bundle *bundle, struct error *error)
+/* Of the block that was traced last. */
+static void deform(struct merit_bundle *bundle, struct bundle_block *block,
+                   struct irregularity_weights *weights)
 {
     const struct bundle_wish *wish = &bundle->wish;
+    const struct bundle_light *light = &bundle->lights[block->light];
+    const struct irregularity_sweep sweep = {&light->system, &light->layout, &bundle->work.tape,
+                                             bundle->gradient};
+    const size_t count = wish->irregularity_count;
+    struct ray_block adjoint;
+    struct aimed_rates rates;
+    for (size_t i = 0; i < count; i++) {
+        irregularity_weigh(&wish->irregularities[i], &sweep, &weights[i]);
+    }
+    for (int which = 0; which < BENT_PARTS; which++) {
+        memset(&adjoint, 0, sizeof adjoint);
+        for (int i = 0; i < block->aimed.lanes; i++) {
+            part(&adjoint, which)[i] = 1;
+        }
+        aimed_sweep(&block->aimed, &light->layout, &adjoint, bundle->gradient, &rates);
+        for (size_t i = 0; i < count; i++) {
+            irregularity_gain(&wish->irregularities[i], &sweep, &weights[i],
+                              block->deformed + ((size_t)which * count + i) * RAYS_BLOCK);
+        }
+    }
+}
+
+bool merit_bundle_deform(struct merit_bundle *bundle, struct error *error)
+{
+    const size_t count = bundle->wish.irregularity_count;
+    struct irregularity_weights *weights =
+        ARENA_ARRAY(bundle->arena, count, struct irregularity_weights);
     for (size_t k = 0; k < bundle->block_count; k++) {
         struct bundle_block *block = &bundle->blocks[k];
-        const struct bundle_light *light = &bundle->lights[block->light];
-        const struct irregularity_sweep sweep = {&light->system, &light->layout, &bundle->work.tape,
-                                                 bundle->gradient};
-        struct ray_block end, adjoint;
-        struct aimed_rates rates;
+        struct ray_block end;
         block->is_deformed = false;
-        if (!merit_bundle_trace(bundle, k, true, &end, error)) {
+        if (!merit_bundle_goes_on(bundle, (size_t)block->aimed.lanes, error) ||
+            !merit_bundle_trace(bundle, k, true, &end, error)) {
             return false;
         }
         if (block->deformed == NULL) {
-            block->deformed = ARENA_ARRAY(
-                bundle->arena, BENT_PARTS * wish->irregularity_count * RAYS_BLOCK, double);
+            block->deformed = ARENA_ARRAY(bundle->arena, BENT_PARTS * count * RAYS_BLOCK, double);
         }
-        for (int which = 0; which < BENT_PARTS; which++) {
-            memset(&adjoint, 0, sizeof adjoint);
-            for (int i = 0; i < block->aimed.lanes; i++) {
-                part(&adjoint, which)[i] = 1;
-            }
-            aimed_sweep(&block->aimed, &light->layout, &adjoint, bundle->gradient, &rates);
-            for (size_t i = 0; i < wish->irregularity_count; i++) {
-                irregularity_column(
-                    &wish->irregularities[i], &sweep,
-                    block->deformed + ((size_t)which * wish->irregularity_count + i) * RAYS_BLOCK);
-            }
-        }
+        deform(bundle, block, weights);
         block->is_deformed = true;
     }
     return true;

@@ -7,6 +7,7 @@
 #include "base/arena.h"
 #include "base/dual.h"
 #include "base/error.h"
+#include "base/watch.h"
 #include "design/merit/operand.h"
 #include "design/solver/solver.h"
 #include "design/tolerance/irregularity.h"
@@ -52,6 +53,8 @@ struct merit_question {
     enum pattern pattern;
     size_t rays;
     uint64_t seed;
+    struct watch *watch; /* counts rays while they are chosen and aimed first, may end that with an
+                            error; or null */
 };
 
 /* Paraxial figures and their derivatives by one variable. */

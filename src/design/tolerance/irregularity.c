@@ -81,13 +81,13 @@ static void apply_back(const double m[9], const double v[3], double result[3])
     }
 }
 
-/* What a ray gains that meets the surface at X, in the frame of the axis. */
-static double gain(const struct irregularity *irregularity, const struct system *system,
-                   const struct place *place, const double X[3], const double rows[6])
+/* What a ray gains by each row that meets the surface at X, in the frame of the axis. */
+static void weigh(const struct irregularity *irregularity, const struct system *system,
+                  const struct place *place, const double X[3], double weights[IRREGULARITY_ROWS])
 {
     const double *shift = place->frame.shift, *turn = place->frame.turn;
     const double from[3] = {X[0] - shift[0], X[1] - shift[1], X[2] - shift[2]};
-    double at[3], seen[3], normal[3], by_turn[3], own[3], w[3], along[3];
+    double at[3], seen[3], normal[3], own[3], w[3], along[3];
     apply(turn, from, at);
     system_normal(system, irregularity->surface, X, seen);
     apply(turn, seen, normal);
@@ -95,28 +95,48 @@ static double gain(const struct irregularity *irregularity, const struct system 
     turn_of(normal, height.slope, own);
     apply_back(turn, own, w);
     apply_back(turn, (double[3]){0, 0, height.z}, along);
-    apply(place->inverse, rows + 2, by_turn);
-    const double way[3] = {along[0] - (w[1] * from[2] - w[2] * from[1]),
-                           along[1] - (w[2] * from[0] - w[0] * from[2]),
-                           along[2] - (w[0] * from[1] - w[1] * from[0])};
-    return rows[0] * way[0] + rows[1] * way[1] + rows[DERIVE_SHIFT_Z] * way[2] + w[0] * by_turn[0] +
-           w[1] * by_turn[1] + w[2] * by_turn[2];
+    weights[0] = along[0] - (w[1] * from[2] - w[2] * from[1]);
+    weights[1] = along[1] - (w[2] * from[0] - w[0] * from[2]);
+    weights[DERIVE_SHIFT_Z] = along[2] - (w[0] * from[1] - w[1] * from[0]);
+    apply_back(place->inverse, w, weights + 2); /* tilts */
+}
+
+void irregularity_weigh(const struct irregularity *irregularity,
+                        const struct irregularity_sweep *sweep, struct irregularity_weights *all)
+{
+    const struct system *system = sweep->system;
+    const size_t step = system->begin[system_place(system, irregularity->surface) + 1];
+    const struct ray_block *behind = &sweep->tape->blocks[step];
+    const struct place place = place_of(&system->lens->surfaces[irregularity->surface]);
+    for (int i = 0; i < sweep->tape->lanes; i++) {
+        const double X[3] = {behind->x[i], behind->y[i], behind->z[i]};
+        double weights[IRREGULARITY_ROWS];
+        weigh(irregularity, system, &place, X, weights);
+        for (size_t k = 0; k < IRREGULARITY_ROWS; k++) {
+            all->rows[k][i] = weights[k];
+        }
+    }
+}
+
+void irregularity_gain(const struct irregularity *irregularity,
+                       const struct irregularity_sweep *sweep,
+                       const struct irregularity_weights *all, double *column)
+{
+    const size_t row = derivative_row(sweep->layout, irregularity_basis(irregularity));
+    const int lanes = sweep->tape->lanes;
+    memset(column, 0, (size_t)lanes * sizeof *column);
+    for (size_t k = 0; k < IRREGULARITY_ROWS; k++) {
+        const double *gradient = sweep->gradient + (row + k) * RAYS_BLOCK;
+        for (int i = 0; i < lanes; i++) {
+            column[i] += all->rows[k][i] * gradient[i];
+        }
+    }
 }
 
 void irregularity_column(const struct irregularity *irregularity,
                          const struct irregularity_sweep *sweep, double *column)
 {
-    const struct system *system = sweep->system;
-    const size_t step = system->begin[system_place(system, irregularity->surface) + 1];
-    const struct ray_block *behind = &sweep->tape->blocks[step];
-    const size_t row = derivative_row(sweep->layout, irregularity_basis(irregularity));
-    const struct place place = place_of(&system->lens->surfaces[irregularity->surface]);
-    for (int i = 0; i < sweep->tape->lanes; i++) {
-        const double X[3] = {behind->x[i], behind->y[i], behind->z[i]};
-        double rows[6];
-        for (size_t k = 0; k < 6; k++) {
-            rows[k] = sweep->gradient[(row + k) * RAYS_BLOCK + (size_t)i];
-        }
-        column[i] = gain(irregularity, system, &place, X, rows);
-    }
+    struct irregularity_weights weights;
+    irregularity_weigh(irregularity, sweep, &weights);
+    irregularity_gain(irregularity, sweep, &weights, column);
 }

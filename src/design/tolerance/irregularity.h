@@ -61,6 +61,17 @@ struct irregularity_sweep {
 void irregularity_column(const struct irregularity *irregularity,
                          const struct irregularity_sweep *sweep, double *column);
 
+/* The same in two steps, of which the first looks at the rays alone: for several sweeps of them. */
+enum { IRREGULARITY_ROWS = DERIVE_SHIFT_Z + 1 };
+struct irregularity_weights {
+    double rows[IRREGULARITY_ROWS][RAYS_BLOCK];
+};
+void irregularity_weigh(const struct irregularity *irregularity,
+                        const struct irregularity_sweep *sweep, struct irregularity_weights *all);
+void irregularity_gain(const struct irregularity *irregularity,
+                       const struct irregularity_sweep *sweep,
+                       const struct irregularity_weights *all, double *column);
+
 /* What derivative_layout_of must be asked for. */
 static inline struct parameter irregularity_basis(const struct irregularity *irregularity)
 {

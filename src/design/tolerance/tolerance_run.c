@@ -252,15 +252,20 @@ struct tolerance_team {
 };
 
 /* A lens of its own; to second order none is needed. */
-static bool open_worker(const struct tolerance_team *team, struct arena *arena,
+static bool open_worker(const struct tolerance_team *team, size_t thread, struct arena *arena,
                         struct worker *worker)
 {
     const struct tolerance *nominal = team->result->tolerance;
     const size_t figures = nominal->figure_count, moves = tolerance_moves(nominal);
     if (team->run->differential == NULL) {
-        worker->tolerance = ARENA_NEW(arena, struct tolerance);
-        if (!tolerance_open(team->run->question, arena, worker->tolerance, &worker->error)) {
-            return false;
+        struct tolerance_question question = *team->run->question;
+        question.view.watch = NULL; /* that counts trials */
+        worker->tolerance = thread == 0 ? team->run->ready : NULL;
+        if (worker->tolerance == NULL) {
+            worker->tolerance = ARENA_NEW(arena, struct tolerance);
+            if (!tolerance_open(&question, arena, worker->tolerance, &worker->error)) {
+                return false;
+            }
         }
     } else {
         worker->lanes = ARENA_ARRAY(
@@ -328,7 +333,7 @@ static void work(void *context, const struct parallel_piece *piece)
     struct worker *worker = &team->workers[piece->thread];
     if (worker->error.code != ERROR_NONE ||
         !watch_add(team->run->watch, piece->end - piece->begin) ||
-        (!worker->is_open && !open_worker(team, piece->arena, worker))) {
+        (!worker->is_open && !open_worker(team, piece->thread, piece->arena, worker))) {
         return;
     }
     if (team->run->differential == NULL) {
@@ -356,8 +361,9 @@ struct tolerance_team *tolerance_team_open(const struct tolerance_run *run,
 bool tolerance_team_round(struct tolerance_team *team, const struct tolerance_round *round,
                           struct error *error)
 {
-    enum { PIECE = 8 }; /* rays of large pieces take long, and are to stop soon */
-    const size_t piece = team->run->differential != NULL ? DIFFERENTIAL_LANES : PIECE;
+    enum { PIECE = 8, MANY = 500 }; /* rays of large pieces take long, and are to stop soon */
+    const size_t exact = team->run->question->view.rays < MANY ? PIECE : 1;
+    const size_t piece = team->run->differential != NULL ? DIFFERENTIAL_LANES : exact;
     team->round = round;
     parallel_pieces(&team->threads, round->count, piece, work, team);
     for (size_t i = 0; i < PARALLEL_MOST; i++) {

@@ -27,6 +27,8 @@ struct tolerance_run {
     uint64_t begin, end; /* trials begin .. end - 1 of */
     uint64_t total;      /* those of the whole run: 0 .. total - 1 */
     int threads;
+    struct tolerance
+        *ready; /* opened with the question, for the first thread; null: it opens one */
     const struct differential *differential; /* figures and movements to second order, of the
                                                 trials' own problem; null: by rays */
     struct watch *watch;                     /* counts trials, may stop them; or null */
