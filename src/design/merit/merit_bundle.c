@@ -12,7 +12,8 @@
 
 bool merit_bundle_goes_on(const struct merit_bundle *bundle, size_t rays, struct error *error)
 {
-    return watch_add(bundle->wish.watch, rays) || fail(error, ERROR_DOMAIN, "interrupted before rays were ready");
+    return watch_add(bundle->wish.watch, rays) ||
+           fail(error, ERROR_DOMAIN, "interrupted before rays were ready");
 }
 
 /* -------- choosing -------- */
