@@ -84,8 +84,8 @@ void perturbed_keep(struct perturbed *perturbed, struct parameter what);
  *           in the order of the list. A vertex that goes along z changes the thicknesses before and
  *           behind it; so that of the first surface carries the frame with it
  * Limits    the roll about its own axis that two tilts make is left out of round surfaces. A
- *           finite object, which is counted from the first vertex, goes along the axis with it: by z
- *           (1 - cos) of the distance z from the pivot, 1e-7 mm of 3 mm and an arc minute
+ *           finite object, which is counted from the first vertex, goes along the axis with it:
+ *           by z (1 - cos) of the distance z from the pivot, 1e-7 mm of 3 mm and an arc minute
  */
 void perturbed_put(struct perturbed *perturbed, const double *errors);
 
