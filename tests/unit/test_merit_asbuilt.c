@@ -125,12 +125,30 @@ static double dot(const double *a, const double *b, size_t count)
     return sum;
 }
 
+/* What errors add, less what the error of the focus takes of it: that of the place `plane`. */
+static void compare(struct made *made, size_t plane, size_t count, const double *got)
+{
+    static double column[MOST], focus[MOST];
+    const size_t rays = made->bench.merit.residual_count;
+    derive(made, plane, 0.1, focus);
+    for (size_t j = 0; j < count; j++) {
+        derive(made, j, 0.1, column);
+        const double share = dot(column, focus, rays) / dot(focus, focus, rays);
+        for (size_t i = 0; i < rays; i++) {
+            column[i] -= share * focus[i];
+        }
+        const double expected = sqrt(dot(column, column, rays) / 3);
+        CHECK_NEAR(got[j], expected, 1e-6 * expected + 1e-9, made->bench.errors.list[j].name);
+        CHECK(j == plane || got[j] > 1e-6);
+    }
+}
+
 /* The nominal spots, and what each error adds, beside lenses that are perturbed by hand. */
 static void check_values(void)
 {
     static struct bench bench;
     static struct made made;
-    static double got[MOST], nominal[MOST], column[MOST], focus[MOST];
+    static double got[MOST], nominal[MOST];
     struct error error = {.code = ERROR_NONE};
     if (!open_bench(&bench, in_table, OPERAND_ASBUILT, NULL, 0) ||
         !open_bench(&made.bench, in_table, OPERAND_POLY, NULL, 0)) {
@@ -146,18 +164,7 @@ static void check_values(void)
     CHECK(merit_measure(&bench.merit, bench.numbers, got, NULL));
     residuals_of(&made, 0, 0, nominal);
     CHECK(memcmp(got, nominal, rays * sizeof got[0]) == 0);
-    const size_t plane = SIMPLE - 1; /* the error of the focus */
-    derive(&made, plane, 0.1, focus);
-    for (size_t j = 0; j < SIMPLE; j++) {
-        derive(&made, j, 0.1, column);
-        const double share = dot(column, focus, rays) / dot(focus, focus, rays);
-        for (size_t i = 0; i < rays; i++) {
-            column[i] -= share * focus[i];
-        }
-        const double expected = sqrt(dot(column, column, rays) / 3);
-        CHECK_NEAR(got[rays + j], expected, 1e-6 * expected + 1e-9, list[j].name);
-        CHECK(j == plane || got[rays + j] > 1e-6);
-    }
+    compare(&made, SIMPLE - 1, SIMPLE, got + rays);
     CHECK(got[rays + SIMPLE] > 1e-4);
 }
 
@@ -188,7 +195,7 @@ static void check_mirror(void)
     enum { MEDIA = 2, PLANE = 2, ALL = 3 };
     static struct bench bench = {.list = media, .count = MEDIA};
     static struct made made = {.bench = {.list = media, .count = ALL}};
-    static double got[MOST], column[MOST], focus[MOST];
+    static double got[MOST];
     struct error error = {.code = ERROR_NONE};
     if (!open_bench(&bench, text, OPERAND_ASBUILT, NULL, 0) ||
         !open_bench(&made.bench, text, OPERAND_POLY, NULL, 0)) {
@@ -201,17 +208,7 @@ static void check_mirror(void)
                                              .lenses = made.bench.variables.lenses};
     CHECK(perturbed_open(&asked, &arena, &made.perturbed, &error));
     CHECK(merit_measure(&bench.merit, bench.numbers, got, NULL));
-    derive(&made, PLANE, 0.1, focus);
-    for (size_t j = 0; j < MEDIA; j++) {
-        derive(&made, j, 0.1, column);
-        const double share = dot(column, focus, rays) / dot(focus, focus, rays);
-        for (size_t i = 0; i < rays; i++) {
-            column[i] -= share * focus[i];
-        }
-        const double expected = sqrt(dot(column, column, rays) / 3);
-        CHECK_NEAR(got[rays + j], expected, 1e-6 * expected, media[j].name);
-        CHECK(expected > 1e-6);
-    }
+    compare(&made, PLANE, MEDIA, got + rays);
 }
 
 /* An astigmatism at a random azimuth: half of the mean square of its height is in each direction.
