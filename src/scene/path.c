@@ -20,13 +20,6 @@ struct walk {
     double density;        /* by which the surface chose it; INFINITY: there was no choice */
 };
 
-bool path_open(const struct path_question *question, struct arena *arena, struct path *path,
-               struct error *error)
-{
-    path->question = *question;
-    return materials_open(question->world->scene, question->bands, arena, &path->materials, error);
-}
-
 /* What counts of light that was found by one density, and is found by another one as well. */
 static double weight_of(double density, double other)
 {
@@ -44,8 +37,8 @@ static void add(struct walk *walk, const struct radiance *light, double by)
 /* The light of what the ray has met, or of what is behind everything. */
 static void add_met(struct walk *walk, const struct world_hit *hit)
 {
-    const struct lights *lights = walk->path->question.lights;
-    const struct materials *materials = &walk->path->materials;
+    const struct lights *lights = walk->path->lights;
+    const struct materials *materials = &lights->materials;
     struct radiance light = {{0}};
     if (hit == NULL) {
         lights_background(lights, walk->ray.way, walk->lanes, &light);
@@ -71,14 +64,14 @@ struct corner {
 /* Its light from one of those things that shine. */
 static void add_lit(struct walk *walk, const struct corner *corner)
 {
-    const struct path_question *question = &walk->path->question;
+    const struct path *path = walk->path;
     double u[3];
     struct light_sample sample;
     struct radiance value;
     for (int i = 0; i < 3; i++) {
         u[i] = points_next(walk->points);
     }
-    if (!lights_sample(question->lights, corner->from, walk->ray.time, u, walk->lanes, &sample) ||
+    if (!lights_sample(path->lights, corner->from, walk->ray.time, u, walk->lanes, &sample) ||
         !(vector_dot(sample.way, corner->hit->face) > 0)) {
         return;
     }
@@ -86,7 +79,7 @@ static void add_lit(struct walk *walk, const struct corner *corner)
         scatter_value(&corner->scatter, corner->out, frame_in(&corner->frame, sample.way), &value);
     const struct world_ray ray = {corner->from, sample.way, walk->ray.time,
                                   sample.distance * BEFORE_LIGHT};
-    if (!(density > 0) || !world_is_clear(question->world, &ray)) {
+    if (!(density > 0) || !world_is_clear(path->world, &ray)) {
         return;
     }
     for (size_t k = 0; k < walk->lanes->count; k++) {
@@ -140,7 +133,7 @@ static bool reflect(struct walk *walk, const struct world_hit *hit)
 {
     struct corner corner = {.hit = hit, .from = world_leave(hit)};
     const struct vector back = vector_times(-1, walk->ray.way);
-    if (!materials_scatter(&walk->path->materials, hit->thing, hit->place, walk->lanes,
+    if (!materials_scatter(&walk->path->lights->materials, hit->thing, hit->place, walk->lanes,
                            &corner.scatter)) {
         return false;
     }
@@ -168,9 +161,9 @@ void path_look(const struct path *path, const struct world_ray *ray, const struc
     }
     for (int bounces = 0;; bounces++) {
         struct world_hit hit;
-        const bool meets = world_look(path->question.world, &walk.ray, &hit);
+        const bool meets = world_look(path->world, &walk.ray, &hit);
         add_met(&walk, meets ? &hit : NULL);
-        if (!meets || bounces == path->question.bounces || !goes_on(&walk, bounces) ||
+        if (!meets || bounces == path->bounces || !goes_on(&walk, bounces) ||
             !reflect(&walk, &hit)) {
             return;
         }

@@ -3,34 +3,19 @@
 #ifndef LENSCALC_SCENE_PATH_H
 #define LENSCALC_SCENE_PATH_H
 
-#include "base/arena.h"
-#include "base/error.h"
 #include "light/bands.h"
 #include "scene/lights.h"
-#include "scene/material.h"
 #include "scene/points.h"
 #include "scene/world.h"
 
-#include <stdbool.h>
-
-struct path_question {
+/* What paths go through; the scene and bands of both are the same. */
+struct path {
     const struct world *world;
     const struct lights *lights;
-    const struct bands *bands;
     /* How often light may be reflected on its way: 0: only what shines is seen; 1: what it lights
        as well; more: what that lights */
     int bounces;
 };
-
-/* Read-only afterwards: threads share it. */
-struct path {
-    struct path_question question;
-    struct materials materials;
-};
-
-/* Errors: as materials_open */
-bool path_open(const struct path_question *question, struct arena *arena, struct path *path,
-               struct error *error);
 
 /*
  * What comes along a ray, against its way.

@@ -45,9 +45,7 @@ static inline void looked_open(const struct scene *scene, int bounces, struct lo
     bands_three(&looked->bands);
     CHECK(world_open(scene, (const double[]){-1, 1}, &looked->arena, &looked->world, &error));
     CHECK(lights_open(scene, &looked->bands, &looked->arena, &looked->lights, &error));
-    const struct path_question question = {&looked->world, &looked->lights, &looked->bands,
-                                           bounces};
-    CHECK(path_open(&question, &looked->arena, &looked->path, &error));
+    looked->path = (struct path){&looked->world, &looked->lights, bounces};
     looked->table = points_table_new(5, &looked->arena);
     if (error.message[0] != 0) {
         printf("%s\n", error.message);

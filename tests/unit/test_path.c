@@ -226,7 +226,7 @@ static void test_glossy(void)
     const struct world_ray ray = looked_ray((struct vector){-70, 90, 20}, (struct vector){0, 0, 0});
     looked_open(&scene, 1, &looked);
     struct scatter scatter;
-    materials_scatter(&looked.path.materials, 0, (const double[]){0, 0},
+    materials_scatter(&looked.lights.materials, 0, (const double[]){0, 0},
                       &(const struct lanes){1, {0}}, &scatter);
     const struct vector out = frame_in(&looked_level, vector_times(-1, ray.way));
     double sum = 0;
@@ -260,7 +260,7 @@ static double by_way(const struct looked *looked, const struct world_ray *ray, e
         return light.of[0];
     }
     CHECK(world_look(&looked->world, ray, &hit));
-    materials_scatter(&looked->path.materials, hit.thing, hit.place, &lanes, &scatter);
+    materials_scatter(&looked->lights.materials, hit.thing, hit.place, &lanes, &scatter);
     const struct frame frame = frame_about(hit.normal);
     const struct vector out = frame_in(&frame, vector_times(-1, ray->way));
     struct world_ray on = {.from = world_leave(&hit), .time = 0, .farthest = INFINITY};

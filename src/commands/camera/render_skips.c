@@ -60,7 +60,7 @@ static void explain_tiles(const struct photograph_question *question, const uint
 /* What a scene goes without. */
 static void explain_scene(const struct photograph_question *question, struct growing *remarks)
 {
-    const int bounces = question->view->path->question.bounces;
+    const int bounces = question->view->path->bounces;
     growing_format(remarks, "secondary: ");
     if (bounces == 0) {
         growing_format(remarks, "light that shines alone is seen: no rays beyond the first%s\n",

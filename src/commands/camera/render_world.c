@@ -296,14 +296,9 @@ bool render_world_open(const struct artifact_job *job, const struct analysis_cas
     const bool scattered = world->scatters || (question->kept & 1U << SKIP_SECONDARY) != 0;
     double span[2];
     struct arena *arena = job->run->arena;
-    struct path_question asked = {.world = &world->world,
-                                  .lights = &world->lights,
-                                  .bands = &world->bands,
-                                  .bounces = scattered ? (int)input->bounces : 0};
     if (!find_span(job, one, span, error) ||
         !world_open(&world->scene, span, arena, &world->world, error) ||
-        !lights_open(&world->scene, &world->bands, arena, &world->lights, error) ||
-        !path_open(&asked, arena, &world->path, error)) {
+        !lights_open(&world->scene, &world->bands, arena, &world->lights, error)) {
         return false;
     }
     for (int i = 0; i < 3; i++) {
@@ -311,6 +306,9 @@ bool render_world_open(const struct artifact_job *job, const struct analysis_cas
             return false;
         }
     }
+    world->path = (struct path){.world = &world->world,
+                                .lights = &world->lights,
+                                .bounces = scattered ? (int)input->bounces : 0};
     world->view = (struct view){.path = &world->path,
                                 .bands = &world->bands,
                                 .points = points_table_new(FIRST_DIMENSION, arena),

@@ -43,7 +43,7 @@ bool render_world_focus(const struct artifact_job *job, struct render_world *wor
  * Make it ready for a picture.
  *
  * Given     question  of the picture: receives its view, and how exact it is to be
- * Errors    ERROR_DOMAIN: something stands within the lens; as world_open, lights_open, path_open
+ * Errors    ERROR_DOMAIN: something stands within the lens; as world_open, lights_open
  */
 bool render_world_open(const struct artifact_job *job, const struct analysis_case *one,
                        struct render_world *world, struct photograph_question *question,
