@@ -1,0 +1,271 @@
+#!/usr/bin/env python3
+"""tests/truth/check_scene.py - scenes photographed by lenscalc render: check_scene.py BUILD_DIR
+
+Small pictures against closed forms: a sky of one luminance gives an independent program's
+irradiance (the course's double Gauss), and the same picture as a white card whatever is asked for;
+an unvignetted pupil the exact formula of a disc; sun, sky and lamps on surfaces, a furnace, the
+light of the sun through the pupil; what lies behind one another seen from the entrance pupil, in a
+mirror too; colours in bands of wavelengths; how errors fall and what they are.
+"""
+# SPDX-License-Identifier: MIT
+
+import math
+import os
+import sys
+import tempfile
+
+sys.dont_write_bytecode = True
+sys.path.insert(0, os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
+from harness import Checks, Program
+from photographs import take, write_pfm
+
+DOUBLE_GAUSS = "cs348b-dgauss-50"
+EFL = 50.358167  # mm, of this lens in golden figures
+# film radius, mm: E/L with the film at 36.105905 mm, to about 1e-4; and the mean over 36 x 24 mm
+# with the film at 36.3612 mm
+IRRADIANCE = {0: .192512, 5: .167216, 10: .125716, 15: .082428, 18: .057826, 20: .042577}
+MEAN = 0.110853
+UP = "camera at=0,1,0 look=0,2,0 up=0,0,-1\n"
+AHEAD = "camera at=0,0,0 look=0,0,-1\n"
+SKY = "light sky uniform luminance=1000\n"
+
+
+class Studio:
+    """Scenes are written into a folder and photographed there."""
+
+    def __init__(self, program, checks, folder):
+        self.program, self.checks, self.folder = program, checks, folder
+        self.count = 0
+
+    def take(self, scene, *words):
+        """Rows of pixels, lx s; None where no picture was taken."""
+        self.count += 1
+        name = f"{self.count}.scene"
+        with open(os.path.join(self.folder, name), "w", encoding="utf-8") as file:
+            file.write(scene)
+        return take(self.program, self.checks, self.folder, name, "--lens", DOUBLE_GAUSS, *words)
+
+    def near(self, found, expected, share, what):
+        self.checks.check(abs(found - expected) <= share * abs(expected),
+                          f"{what} is {found:.6g}, expected {expected:.6g}")
+
+
+def mean_of(rows, channel=1):
+    return sum(pixel[channel] for row in rows for pixel in row) / (len(rows) * len(rows[0]))
+
+
+def centroid(rows, pitch):
+    """To the right and up from the middle, mm."""
+    total = sum(pixel[1] for row in rows for pixel in row)
+    x = sum(pixel[1] * (i + 0.5) for row in rows for i, pixel in enumerate(row)) / total
+    y = sum(pixel[1] * (j + 0.5) for j, row in enumerate(rows) for pixel in row) / total
+    return (x - len(rows[0]) / 2) * pitch, (len(rows) / 2 - y) * pitch
+
+
+def check_uniform(studio):
+    """Irradiance of every film radius, with 1000 cd/m2 and 1/100 s: H = 10 E/L."""
+    width, height = 90, 60
+    rows = studio.take(UP + SKY, "-t", "0.01", "--focus", "36.105905", "--size",
+                       f"{width}x{height}", "--samples", "512", "--bounces", "0")
+    if rows is None:
+        return
+    for radius, expected in IRRADIANCE.items():
+        x, y = radius * 18 / math.hypot(18, 12), radius * 12 / math.hypot(18, 12)
+        column, row = x / 0.4 + width / 2, y / 0.4 + height / 2
+        left, above = int(column - 0.5), int(row - 0.5)
+        right, down = column - 0.5 - left, row - 0.5 - above
+        found = sum(rows[above + j][left + i][1] / 10 *
+                    (right if i else 1 - right) * (down if j else 1 - down)
+                    for i in (0, 1) for j in (0, 1))
+        studio.near(found, expected, 5e-3, f"E/L at {radius} mm")
+    rows = studio.take(UP + SKY, "-t", "0.01", "--focus", "36.3612", "--size", "45x30",
+                       "--samples", "256")
+    if rows is not None:
+        studio.near(mean_of(rows) / 10, MEAN, 1e-3, "mean E/L")
+
+
+def check_furnace(studio):
+    """A white card is photographed with the same rays: the same light in every pixel."""
+    write_pfm(os.path.join(studio.folder, "white.pfm"), [[1.0, 1.0], [1.0, 1.0]])
+    moving = "material grey lambert colour=0.5\n" + \
+             "sphere material=grey radius=1 at=0,-9,0 move=30,0,0 spin=1\n"
+    common = ["-t", "0.01", "--size", "24x16", "--samples", "64"]
+    for scene, words in (("", ["-s", "10m"]), ("", ["-s", "1m", "-N", "4"]),
+                         (moving, ["-s", "10m", "--no-skip", "time"]),
+                         ("", ["-s", "10m", "--no-skip", "all"]),
+                         ("", ["-s", "10m", "--model", "thick"])):
+        white = take(studio.program, studio.checks, studio.folder, "white.pfm", "--lens",
+                     DOUBLE_GAUSS, "--field-width", "60m", *words[:4], *common)
+        rows = studio.take(UP + SKY + scene, *words, *common)
+        if white is None or rows is None:
+            return
+        worst = max(abs(a[k] - b[k]) / (a[k] + 1e-9) for one, other in zip(white, rows)
+                    for a, b in zip(one, other) for k in range(3))
+        studio.checks.check(worst < 0.02, f"{words}: a pixel of the sky is {worst:.4f} off")
+        studio.near(mean_of(rows), mean_of(white), 1e-3, f"{words}: the sky")
+
+
+def check_disc(studio):
+    """A pupil that is a disc, of half angle a from the axis, at the field angle t."""
+    rows = studio.take(UP + SKY, "-t", "0.01", "-s", "inf", "-N", "2", "--model", "thin", "--size",
+                       "36x24", "--samples", "256", "--bounces", "0")
+    if rows is None:
+        return
+    tan_a2 = 1 / 16
+    for column, row in ((18, 12), (35, 12), (35, 23), (0, 0), (26, 4)):
+        tan_t2 = ((column - 17.5) ** 2 + (row - 11.5) ** 2) / EFL ** 2
+        expected = math.pi / 2 * (1 - (1 + tan_t2 - tan_a2) / math.sqrt(
+            tan_t2 ** 2 + 2 * tan_t2 * (1 - tan_a2) + (1 + tan_a2) ** 2))
+        studio.near(rows[row][column][1] / 10, expected, 5e-3, f"a disc seen from {column}, {row}")
+
+
+def check_reciprocity(studio):
+    """N and T against sqrt 2 N and 2 T: by sin^2 of the pupil's half angle."""
+    light = []
+    for number, time in ((2, 0.01), (2 * math.sqrt(2), 0.02)):
+        rows = studio.take(UP + SKY, "-t", str(time), "-s", "inf", "-N", repr(number), "--model",
+                           "thin", "--sensor", "0.2x0.1mm", "--size", "16x8", "--samples", "256")
+        if rows is None:
+            return
+        light.append(mean_of(rows))
+    expected = 2 * (1 + 4 * 4) / (1 + 4 * 8)
+    studio.near(light[1] / light[0], expected, 1e-4, "an exposure by half the pupil, twice as long")
+
+
+def check_lit(studio):
+    """A wall in the sun, and half of the sky: rho (E cos + pi L/2)/pi."""
+    wall = "material wall lambert colour=0.6\nplane material=wall at=0,0,-3 normal=0,0,1\n"
+    sun = "light sun illuminance=50000 towards=0,0.6,0.8\n"
+    common = ["-t", "0.01", "--focus", "36.105905", "--sensor", "1.6x0.8mm", "--size", "16x8",
+              "--samples", "1024", "--bounces", "1"]
+    for lights, expected in ((sun, 40000), (SKY, 500 * math.pi),
+                             (sun + SKY, 40000 + 500 * math.pi),
+                             ("light point at=1.5,0,-1 intensity=1000\n",
+                              1000 * 2 / (1.5 ** 2 + 4) ** 1.5),
+                             ("material lamp black luminance=9000\n"
+                              "sphere material=lamp radius=0.5 at=1.5,0,-1\n",
+                              9000 * math.pi * 0.25 * 2 / (1.5 ** 2 + 4) ** 1.5)):
+        rows = studio.take(AHEAD + wall + lights, *common)
+        if rows is not None:
+            studio.near(mean_of(rows), 0.01 * IRRADIANCE[0] * 0.6 * expected / math.pi, 5e-3,
+                        f"a wall in {lights.split()[1]}")
+
+
+def check_room(studio):
+    """Six walls that shine and reflect half: 1 + 1/2 + 1/4 .. of their light."""
+    walls = "material wall lambert colour=0.5 luminance=100\n" + "".join(
+        f"plane material=wall at={3 * x},{3 * y},{3 * z} normal={-x},{-y},{-z}\n"
+        for x, y, z in ((1, 0, 0), (-1, 0, 0), (0, 1, 0), (0, -1, 0), (0, 0, 1), (0, 0, -1)))
+    for bounces, expected in ((0, 100), (1, 150), (4, 193.75), (100, 200)):
+        rows = studio.take(AHEAD + walls, "-t", "0.01", "--focus", "36.105905", "--sensor",
+                           "1.6x0.8mm", "--size", "16x8", "--samples", "256", "--bounces",
+                           str(bounces))
+        if rows is not None:
+            studio.near(mean_of(rows), 0.01 * IRRADIANCE[0] * expected, 5e-3,
+                        f"a room, {bounces} bounces")
+
+
+def check_sun(studio):
+    """All light of the sun that the pupil takes: E times its area."""
+    rows = studio.take("camera at=0,1,0 look=0,1.6,0.8\nlight sun illuminance=1000 "
+                       "towards=0,0.6,0.8 diameter=2deg\n", "-t", "0.01", "-s", "inf", "-N", "8",
+                       "--sensor", "3.2x1.92mm", "--size", "32x20", "--samples", "256")
+    if rows is not None:
+        flux = mean_of(rows) / 0.01 * 3.2 * 1.92
+        studio.near(flux, 1000 * math.pi / 4 * (EFL / 8) ** 2, 5e-3, "lx mm2 of the sun")
+
+
+def check_places(studio):
+    """Lamps behind one another, and one behind a mirror: in one place through a small stop."""
+    lamp = "material lamp black luminance=1000\n"
+    common = ["-t", "0.01", "-s", "4m", "-N", "22", "--sensor", "18x12mm", "--size", "180x120",
+              "--samples", "16", "--bounces", "1"]
+    mirror = "material glass mirror colour=0.5\nplane material=glass at=0,0,-6 normal=0,0,1\n"
+    found = []
+    for where, radius, more in (("0.2,0.1,-2", 0.02, ""), ("0.8,0.4,-8", 0.08, ""),
+                                ("1.2,0.6,0", 0.12, mirror)):
+        rows = studio.take(AHEAD + lamp + f"sphere material=lamp radius={radius} at={where}\n" +
+                           more, *common)
+        if rows is None:
+            return
+        found.append((*centroid(rows, 0.1), sum(pixel[1] for row in rows for pixel in row)))
+    for (x, y, light), share, what in zip(found, (1, 1, 0.5), ("near", "far", "in the mirror")):
+        scale = EFL * 4000 / (4000 - EFL)  # to a plane that is sharp, from the entrance pupil
+        studio.checks.check(math.hypot(x - found[0][0], y - found[0][1]) < 0.02,
+                            f"a lamp {what} is at {x:.4f} {y:.4f}, expected as {found[0]}")
+        studio.checks.check(abs(y / x - 0.5) < 2e-3, f"a lamp {what} lies in another direction")
+        studio.checks.check(abs(x - 0.1 * scale) < 0.01 * 0.1 * scale,
+                            f"a lamp {what} is {x:.4f} mm to the right, about {0.1 * scale:.4f}")
+        studio.near(light, share * found[0][2], 0.02, f"light of a lamp {what}")
+
+
+def check_colours(studio):
+    """A colour of sRGB under daylight comes back, from three bands and from wavelengths."""
+    colour = (0.8, 0.3, 0.05)
+    scene = AHEAD + SKY + f"colour brick rgb={','.join(map(str, colour))}\n" \
+        "material wall lambert colour=brick\nplane material=wall at=0,0,-3 normal=0,0,1\n"
+    common = ["-t", "0.01", "--focus", "36.105905", "--sensor", "1.6x0.8mm", "--size", "16x8",
+              "--samples", "256", "--bounces", "1"]
+    for words in (["--spectral"], ["--spectral", "--bands", "8"], ["--spectral", "--bands", "57"],
+                  []):
+        rows = studio.take(scene, *words, *common)
+        for k in range(3 if rows is not None else 0):
+            studio.near(mean_of(rows, k), 0.01 * IRRADIANCE[0] * 500 * colour[k], 0.01,
+                        f"{' '.join(words)}: {'red green blue'.split()[k]}")
+
+
+def check_errors(studio):
+    """How the error of a smooth picture falls, and how often it is what differs says it is."""
+    scene = AHEAD + "material wall lambert colour=0.6\nplane material=wall at=0,0,-3 " \
+            "normal=0,0,1\nmaterial lamp black luminance=9000\n" \
+            "sphere material=lamp radius=0.5 at=1.5,0,-1\n" + SKY
+    common = ["-t", "0.01", "-s", "3m", "-N", "4", "--size", "16x8", "--bounces", "2"]
+    best = studio.take(scene, *common, "--samples", "4096", "--seed", "99")
+    if best is None:
+        return
+    errors = []
+    for samples in "8", "128":
+        rows = studio.take(scene, *common, "--samples", samples)
+        errors.append(math.sqrt(sum((a[1] - b[1]) ** 2 for row, other in zip(rows, best)
+                                    for a, b in zip(row, other))))
+    slope = math.log(errors[1] / errors[0]) / math.log(16)
+    studio.checks.check(slope <= -0.7, f"the error falls with the power {slope:.2f} of the samples")
+    several = [studio.take(scene, *common, "--samples", "16", "--seed", str(seed))
+               for seed in range(10)]
+    within = 0
+    for j, row in enumerate(best):
+        for i, truth in enumerate(row):
+            values = [rows[j][i][1] for rows in several]
+            middle = sum(values) / len(values)
+            sigma = math.sqrt(sum((v - middle) ** 2 for v in values) / (len(values) - 1) /
+                              len(values))
+            within += abs(middle - truth[1]) < 2.262 * sigma  # Student's, 9 degrees of freedom
+    share = within / (16 * 8)
+    studio.checks.check(0.89 <= share <= 1, f"{share:.3f} of the pixels are as near as they say")
+
+
+def check_threads(studio):
+    scene = AHEAD + "material wall glossy colour=0.6 roughness=0.2\nplane material=wall at=0,0,-3 " \
+            "normal=0,0,1\nsphere material=wall radius=0.4 at=0,0,-2\n" + SKY
+    common = ["-t", "0.01", "-s", "3m", "--size", "40x24", "--samples", "4", "--bounces", "6"]
+    one = studio.take(scene, *common)
+    studio.checks.check(studio.take(scene, *common, "--threads", "2") == one,
+                        "two threads take another picture than one")
+    crop = studio.take(scene, *common, "--crop", "17:5:9x12")
+    studio.checks.check(crop == [row[17:26] for row in one[5:17]], "a crop is another picture")
+    studio.checks.check(studio.take(scene, *common, "--seed", "1") != one,
+                        "another seed takes the same picture")
+
+
+def main():
+    program, checks = Program(sys.argv[1]), Checks()
+    with tempfile.TemporaryDirectory(prefix="lenscalc-scene-") as folder:
+        studio = Studio(program, checks, folder)
+        for check in (check_uniform, check_furnace, check_disc, check_reciprocity, check_lit,
+                      check_room, check_sun, check_places, check_colours,
+                      check_errors, check_threads):
+            check(studio)
+    return checks.finish()
+
+
+main()
