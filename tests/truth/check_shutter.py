@@ -115,7 +115,7 @@ def check_stop(fixture):
     words = ["--lens", "front.lens", "--samples", "4096", "--sensor", "24x16mm"]
     both = zip(fixture.rays(*words), fixture.rays(*words, *LEAF))
     worst_weight = worst_time = 0
-    places = []
+    places, moved = [], 0
     for plain, leaf in both:
         r = math.hypot(plain["x_mm"], plain["y_mm"]) / 6.25 - HALF
         begin, end = -T / 2 + OPENING * r, T / 2 - CLOSING * r
@@ -123,6 +123,8 @@ def check_stop(fixture):
         place = ((leaf["time"] - 0.5) * T - begin) / (end - begin)
         worst_time = max(worst_time, abs(place - plain["time"]))
         places.append(place)
+        moved += any(plain[key] != leaf[key] for key in plain if key not in ("weight", "time"))
+    fixture.checks.check(moved == 0, f"{moved} rays go another way with a shutter")
     fixture.checks.check(worst_weight < 1e-9, f"weights by the stop: off by {worst_weight}")
     fixture.checks.check(worst_time < 1e-9, f"times by the stop: off by {worst_time}")
     spread = [abs(place - (i + 0.5) / len(places)) for i, place in enumerate(sorted(places))]
@@ -246,6 +248,12 @@ def check_files(fixture):
     note = read_exr(fixture.bytes("one.exr"))[4]["Shutter"][1]
     fixture.checks.check(note.rstrip(b"\0") == b"leaf, opens in 0.001 s, closes in 0.001 s",
                          f"note: {note}")
+    for more, expected in ([], b""), (["--curtain-overrun", "1mm"], b", to 1 mm beyond its edges"):
+        fixture.run("render", *chart[:9], "-t", "1/100", "--shutter", "focal", "--travel-time",
+                    "4ms", "--curtain-distance", "2mm", *more, "-o", "focal.exr")
+        note = read_exr(fixture.bytes("focal.exr"))[4]["Shutter"][1]
+        fixture.checks.check(note.rstrip(b"\0") == b"focal, down in 0.004 s, 2 mm before the film" +
+                             expected, f"note: {note}")
     for part in "1/2", "2/2":
         fixture.run("render", *chart, "-t", "1/900", "--part", part, "-o", f"{part[0]}.part")
     fixture.run("merge", "1.part", "2.part", "-o", "merged.exr")

@@ -97,8 +97,7 @@ static bool find_stopped(const struct render_input *input, const struct analysis
         return false;
     }
     const double share = fabs(asked.first.stop_radius / own.first.stop_radius);
-    *stopped =
-        share < 1 ? share : 1; /* the shutter of a lens without an aperture is as -N has it */
+    *stopped = share < 1 ? share : 1; /* NaN: the lens has no aperture but that of -N */
     return true;
 }
 
@@ -121,7 +120,6 @@ bool render_shutter_span(const struct render_input *input, const struct analysis
                          struct arena *arena, double span[2], struct error *error)
 {
     struct film_question question = render_film(input, one);
-    struct lens_film *film = ARENA_NEW(arena, struct lens_film);
     const double half = isnan(input->time) ? 0.5 : input->time / 2;
     span[0] = -half;
     span[1] = half;
@@ -135,6 +133,7 @@ bool render_shutter_span(const struct render_input *input, const struct analysis
         shutter_span(question.shutter, question.shutter->extent / 2, span);
         return true;
     }
+    struct lens_film *film = ARENA_NEW(arena, struct lens_film);
     if (!lens_film_open(&question, arena, film, error)) {
         return false;
     }
@@ -156,9 +155,11 @@ void render_note_shutter(const struct render_input *input, struct image *image, 
     if (asked.kind == SHUTTER_GLOBAL) {
         return;
     }
-    words[SHUTTER_FOCAL] =
-        arena_printf(arena, "focal, %s in %.6g s, %.6g mm before the film, %.6g mm beyond it",
-                     way_of(input), asked.travel, asked.distance, asked.overrun);
+    words[SHUTTER_FOCAL] = arena_printf(
+        arena, "focal, %s in %.6g s, %.6g mm before the film%s", way_of(input), asked.travel,
+        asked.distance,
+        isinf(asked.overrun) ? ""
+                             : arena_printf(arena, ", to %.6g mm beyond its edges", asked.overrun));
     words[SHUTTER_LEAF] = arena_printf(arena, "leaf, opens in %.6g s, closes in %.6g s",
                                        asked.opening, asked.closing);
     words[SHUTTER_ROLLING] =
