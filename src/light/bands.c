@@ -108,23 +108,42 @@ static bool check_shares(const struct spectrum *surface, struct error *error)
     return true;
 }
 
+/* The sRGB of what it reflects of D65; receives its grey. */
+static void surface_rgb(const struct spectrum *surface, double rgb[3], double *grey)
+{
+    const struct spectrum white = spectrum_white();
+    white_rgb_of(&white, surface, rgb);
+    *grey = fmin(luminance(rgb), 1);
+}
+
 bool bands_of_surface(const struct bands *bands, const struct spectrum *surface,
                       double of[BANDS_MOST], struct error *error)
 {
     if (!check_shares(surface, error)) {
         return false;
     }
-    const struct spectrum white = spectrum_white();
     if (surface->kind == SPECTRUM_RGB) {
         spread_rgb(bands, surface->rgb, of);
     } else if (is_three(bands)) {
-        white_rgb_of(&white, surface, of);
-        const double grey = fmin(luminance(of), 1);
+        double grey;
+        surface_rgb(surface, of, &grey);
         move_from_grey(of, grey, share_within(of, grey, 1));
     } else {
+        const struct spectrum white = spectrum_white();
         bands_ratios(bands, &white, surface, of);
     }
     return true;
+}
+
+double bands_hold_surface(const struct bands *bands, const struct spectrum *surface)
+{
+    double rgb[3], grey;
+    struct error unused;
+    if (!is_three(bands) || surface->kind != SPECTRUM_TABLE || !check_shares(surface, &unused)) {
+        return 1;
+    }
+    surface_rgb(surface, rgb, &grey);
+    return share_within(rgb, grey, 1);
 }
 
 /* -------- lights -------- */
@@ -170,7 +189,7 @@ bool bands_of_light(const struct bands *bands, const struct spectrum *light, dou
     return true;
 }
 
-double bands_saturation(const struct bands *bands, const struct spectrum *light)
+double bands_hold_light(const struct bands *bands, const struct spectrum *light)
 {
     double of[BANDS_MOST];
     struct error unused;

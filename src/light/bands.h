@@ -86,11 +86,13 @@ bool bands_of_light(const struct bands *bands, const struct spectrum *light, dou
                     struct error *error);
 
 /*
- * How much of a light's colour do the bands hold?
+ * How much of a colour do the bands hold?
  *
- * Result    1: all of it; less: that share of its distance from white, since sRGB would have to
- *           take some of a primary away. 1 of what bands_of_light does not take
+ * Result    1: all of it; less: that share of its distance from the white or the grey of its
+ *           luminance, since sRGB would have to take some of a primary away. 1 of what
+ *           bands_of_light or bands_of_surface does not take
  */
-double bands_saturation(const struct bands *bands, const struct spectrum *light);
+double bands_hold_light(const struct bands *bands, const struct spectrum *light);
+double bands_hold_surface(const struct bands *bands, const struct spectrum *surface);
 
 #endif

@@ -118,7 +118,7 @@ FOR_TESTS = {
     "tolerances_of": "",
     "tally_histogram": "",
     # light, which scenes stand on
-    "bands_many": "", "bands_saturation": "", "bands_three": "", "illuminant_words": "",
+    "bands_many": "", "bands_three": "", "illuminant_words": "",
     "lights_background": "", "lights_density": "", "lights_open": "", "lights_sample": "",
     # scenes, before they are photographed
     "scene_file_read": "", "scene_files_there": "", "scene_check": "",

@@ -132,7 +132,7 @@ static void test_lights(void)
         const struct spectrum light = named(word->word);
         CHECK(bands_of_light(&bands, &light, of, &error));
         CHECK_NEAR(luminance(&bands, of), 1, 1e-14, word->word);
-        CHECK(bands_saturation(&bands, &light) == 1);
+        CHECK(bands_hold_light(&bands, &light) == 1);
     }
     struct spectrum light = named("D65");
     CHECK(bands_of_light(&bands, &light, of, &error));
@@ -156,7 +156,7 @@ static void test_lights(void)
     CHECK(bands_of_light(&bands, &light, of, &error));
     CHECK_NEAR(luminance(&bands, of), 1, 1e-14, "a line");
     CHECK(of[0] > of[1] && of[1] > 0 && fabs(of[2]) < 1e-15);
-    CHECK(bands_saturation(&bands, &light) < 1 && bands_saturation(&bands, &light) > 0.8);
+    CHECK(bands_hold_light(&bands, &light) < 1 && bands_hold_light(&bands, &light) > 0.8);
 }
 
 static void test_surfaces(void)
@@ -176,6 +176,7 @@ static void test_surfaces(void)
     for (int i = 0; i < 3; i++) {
         CHECK_NEAR(of[i], 0.18, 1e-15, "grey");
     }
+    CHECK_NEAR(bands_hold_surface(&bands, &surface), 1, 1e-9, "grey is held");
     /* all that is red and no more: blue and green would be negative */
     const double red[] = {0, 0, 0, 1, 1};
     surface.value = red;
@@ -184,6 +185,9 @@ static void test_surfaces(void)
         CHECK(of[i] >= 0 && of[i] <= 1);
     }
     CHECK(of[0] > 0.5 && fmin(of[1], of[2]) < 1e-15);
+    const double held = bands_hold_surface(&bands, &surface);
+    CHECK(held > 0.5 && held < 0.99);
+    CHECK(bands_many(8, &bands, &error) && bands_hold_surface(&bands, &surface) == 1);
 }
 
 /* -------- many bands -------- */
@@ -254,7 +258,7 @@ static void test_many_lights(void)
         double of[BANDS_MOST], shares[BANDS_MOST], xyz[1][3], lit[1][3], rgb[3];
         CHECK(bands_of_light(&bands, &light, of, &error));
         CHECK_NEAR(luminance(&bands, of), 1, 1e-13, word->word);
-        CHECK(bands_saturation(&bands, &light) == 1);
+        CHECK(bands_hold_light(&bands, &light) == 1);
         observer_sum(&light, NULL, seen, 1, xyz);
         for (int c = 0; c < 3; c++) {
             const struct spectrum surface = {

@@ -331,4 +331,5 @@ void render_say_world(const struct render_world *world, struct growing *remarks)
         growing_format(remarks, "%zu triangle%s no area, and %s left out\n", flat,
                        flat == 1 ? " has" : "s have", flat == 1 ? "is" : "are");
     }
+    render_say_colours(world, remarks);
 }

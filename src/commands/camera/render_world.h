@@ -55,4 +55,7 @@ struct spectrum_value render_world_colours(const struct render_world *world, str
 /* What is to be known of it. */
 void render_say_world(const struct render_world *world, struct growing *remarks);
 
+/* Its colours that red, green and blue of sRGB do not hold, and what becomes of them. */
+void render_say_colours(const struct render_world *world, struct growing *remarks);
+
 #endif
