@@ -29,6 +29,14 @@ struct work {
     double unit;                  /* of means, in errors that are asked for */
     double scale;                 /* (n'/n)^2, n of the scene */
     struct convergence_goal goal; /* of scenes */
+    struct stage *stages;         /* of tiles, where somebody waits; else null */
+};
+
+/* How far a tile has come. */
+struct stage {
+    double sums[PIXELS][PHOTOGRAPH_CHANNELS];
+    double error; /* as a multiple of the one asked for */
+    size_t samples;
 };
 
 /* What one thread works in. */
@@ -115,12 +123,37 @@ static size_t sum_until(const struct work *work, const struct film_plan *plan, s
     return samples;
 }
 
+/* One stage more, from what there is; returns how many samples there are then. */
+static size_t sum_stage(const struct work *work, const struct film_plan *plan, struct stage *stage,
+                        struct room *room)
+{
+    const size_t before = stage->samples, samples = before > 0 ? 2 * before : CONVERGENCE_LEAST;
+    memcpy(room->tile->sums, stage->sums, sizeof stage->sums);
+    memcpy(room->half, stage->sums, sizeof stage->sums);
+    tile_rays_sum(&work->rays, plan, before, samples, room->tile);
+    memcpy(stage->sums, room->tile->sums, sizeof stage->sums);
+    stage->samples = samples;
+    stage->error =
+        before > 0 && work->question->error > 0 ? error_of(work, room, (double)before) : INFINITY;
+    return samples;
+}
+
+/* Has it come as far as it may? */
+static bool is_last_stage(const struct work *work, const struct stage *stage)
+{
+    return stage->samples >= work->question->samples || stage->error <= 1;
+}
+
 /* All samples of a tile, by its place in the frame; returns how many. */
 static size_t sum_tile(const struct work *work, struct film_plan *plan, size_t tile,
-                       struct room *room)
+                       struct stage *stage, struct room *room)
 {
     const struct photograph_question *question = work->question;
     tile_rays_begin(&work->rays, tile, plan, room->tile);
+    if (stage != NULL) {
+        room->tile->counts[PHOTOGRAPH_WAYS + SPARE_TRACED] += stage->samples == 0;
+        return sum_stage(work, plan, stage, room);
+    }
     const struct spare_tile spared = {plan, ACROSS, DOWN, question->samples};
     const enum spare_way way = work->spare != NULL
                                    ? spare_take(work->spare, &spared, room->spare, room->tile->sums)
@@ -148,7 +181,9 @@ static void take_tile(const struct work *work, size_t tile, struct room *room)
     if (!is_lit(&plan, work->film->region.largest)) {
         return;
     }
-    const size_t samples = sum_tile(work, &plan, row / DOWN * tiling.frame + column / ACROSS, room);
+    struct stage *stage = work->stages != NULL ? &work->stages[tile] : NULL;
+    const size_t samples =
+        sum_tile(work, &plan, row / DOWN * tiling.frame + column / ACROSS, stage, room);
     for (size_t k = 0; k < PIXELS; k++) {
         for (size_t channel = 0; channel < PHOTOGRAPH_CHANNELS; channel++) {
             pixels[k][channel] =
@@ -156,6 +191,14 @@ static void take_tile(const struct work *work, size_t tile, struct room *room)
         }
     }
     photograph_tile(question, work->image, tile, TILE_TO_PICTURE, pixels);
+}
+
+/* Is there time for another stage of a tile that has had one? */
+static bool goes_on(const struct work *work, size_t tile)
+{
+    const struct photograph_question *question = work->question;
+    return work->stages != NULL && work->stages[tile].samples > 0 &&
+           !is_last_stage(work, &work->stages[tile]) && !question->is_over(question->clock);
 }
 
 static void take_tiles(void *context, const struct parallel_piece *piece)
@@ -170,6 +213,8 @@ static void take_tiles(void *context, const struct parallel_piece *piece)
             take_tile(work, tile, room);
             work->done[tile] = 1;
             watch_add(watch, PIXELS);
+        } else if (goes_on(work, tile)) {
+            take_tile(work, tile, room);
         }
     }
     for (int i = 0; i < RELIEF_SIGHTS; i++) {
@@ -179,6 +224,16 @@ static void take_tiles(void *context, const struct parallel_piece *piece)
         atomic_fetch_add(&work->counts[i], room->tile->counts[i]);
     }
     arena_reset(piece->arena, mark);
+}
+
+static size_t least_of(size_t a, size_t b)
+{
+    return a < b ? a : b;
+}
+
+static size_t most_of(size_t a, size_t b)
+{
+    return a > b ? a : b;
 }
 
 static size_t count_missing(const struct work *work, size_t tiles)
@@ -279,7 +334,8 @@ static void open_spare(struct work *work, struct arena *arena)
     const struct photograph_question *question = work->question;
     const unsigned none = 1U << SKIP_BLUR | 1U << SKIP_UNIFORM;
     const size_t rays = question->columns * question->rows * question->samples;
-    if (question->samples < FEW_SAMPLES || (question->kept & none) == none) {
+    if (question->samples < FEW_SAMPLES || (question->kept & none) == none ||
+        work->stages != NULL) {
         return;
     }
     struct spare *spare = ARENA_NEW(arena, struct spare);
@@ -308,6 +364,36 @@ double photograph_share(const struct photograph *photograph, enum relief_sight s
         all += (double)photograph->counts[i];
     }
     return all > 0 ? (double)photograph->counts[sight] / all : 0;
+}
+
+/* Stage after stage, until all tiles are done or the time is over. */
+static void take_stages(struct work *work, size_t tiles, struct photograph *photograph)
+{
+    const struct photograph_question *question = work->question;
+    struct parallel *parallel = arena_array(work->arena, 1, sizeof *parallel);
+    parallel->threads = question->threads;
+    for (size_t n = 0; n < question->samples && !watch_is_ended(question->watch);
+         n = n > 0 ? 2 * n : CONVERGENCE_LEAST) {
+        if (n == 0 || !question->is_over(question->clock)) {
+            parallel_pieces(parallel, tiles, 4, take_tiles, work);
+        }
+    }
+    parallel_free(parallel);
+    for (int i = 0; i < PHOTOGRAPH_COUNTS; i++) {
+        photograph->counts[i] = atomic_load(&work->counts[i]);
+    }
+    photograph->reached[0] = question->samples;
+    for (size_t i = 0; i < tiles; i++) {
+        const struct stage *stage = &work->stages[i];
+        if (stage->samples > 0) { /* it is lit */
+            photograph->reached[0] = least_of(photograph->reached[0], stage->samples);
+            photograph->reached[1] = most_of(photograph->reached[1], stage->samples);
+        }
+        if (stage->samples > CONVERGENCE_LEAST && question->error > 0) {
+            convergence_add(photograph->counts + PHOTOGRAPH_CONVERGENCE, stage->error,
+                            stage->samples);
+        }
+    }
 }
 
 /* All tiles that are wanted, in slices where somebody wants to see how far they are. */
@@ -406,6 +492,9 @@ bool photograph_take(const struct photograph_question *question, struct arena *a
                         .scale = n * n};
     tile_rays_open(question, &film, arena, &work.rays);
     photograph->passes = work.rays.passes;
+    if (question->is_over != NULL) {
+        work.stages = ARENA_ARRAY(arena, tiles, struct stage);
+    }
     struct room *room = room_of(work.rays.passes, arena);
     if (question->view != NULL) {
         open_scene(&work, room, photograph);
@@ -419,7 +508,7 @@ bool photograph_take(const struct photograph_question *question, struct arena *a
     photograph->axis = axis_light(&work, room);
     work.unit = work.scale / (photograph->axis * question->error);
     watch_begin(question->watch, "pixels", PIXELS * count_missing(&work, tiles));
-    take_all(&work, tiles, photograph);
+    (work.stages != NULL ? take_stages : take_all)(&work, tiles, photograph);
     photograph->is_incomplete = count_missing(&work, tiles) > 0;
     return true;
 }

@@ -65,6 +65,10 @@ struct photograph_question {
     /* One a tile of the crop, in rows from its top left: those that are not 0 are left out, black;
        others become 1 when they are taken. Null: all are taken */
     unsigned char *done;
+    /* Ends in time: all tiles have CONVERGENCE_LEAST samples, then twice as many again and again
+       until this is true; null: nobody waits. From any thread */
+    bool (*is_over)(const void *clock);
+    const void *clock;
     /* Called now and then, when some tiles are done and no thread is at work; null: it is not. */
     void (*pause)(void *pauser, struct photograph *so_far);
     void *pauser;
@@ -93,6 +97,7 @@ struct photograph {
     double axis;                   /* E/L of a white scene in the middle of the film, sr */
     uint64_t counts[PHOTOGRAPH_COUNTS]; /* they add up over parts of a picture */
     size_t passes;                      /* one for all colours, or one a wavelength */
+    size_t reached[2];      /* where it ended in time: samples of tiles, the fewest and the most */
     double largest, corner; /* how far from the axis light arrives, towards any corner, and the film
                                goes, mm */
     bool is_incomplete;     /* the watch has ended it: tiles are missing, and black */
@@ -116,8 +121,9 @@ double photograph_share(const struct photograph *photograph, enum relief_sight s
  *           traced exactly, to the plane of the card, or to the relief that it is
  *           With an error as many points as if there were no error and so many samples: twice as
  *           many, CONVERGENCE_LEAST at first, until the tile's halves agree (camera/convergence.h)
- *           Tiles are spared as camera/spare.h has it, of 8 samples and more
- *           No number depends on the threads, the crop, or what is done already
+ *           Tiles are spared as camera/spare.h has it, of 8 samples and more, where nobody waits
+ *           No number depends on the threads, the crop, or what is done already; how many samples
+ *           a tile has that ends in time does
  * Errors    ERROR_DOMAIN: as lens_film_open; the card within the lens; as relief_open
  */
 bool photograph_take(const struct photograph_question *question, struct arena *arena,

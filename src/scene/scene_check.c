@@ -8,7 +8,7 @@ static bool shines(const struct scene *scene, const struct scene_thing *thing)
                              scene->materials[thing->material].emission.kind != SPECTRUM_NONE);
 }
 
-static bool reflects(const struct scene *scene, const struct scene_thing *thing)
+bool scene_reflects(const struct scene *scene, const struct scene_thing *thing)
 {
     return thing->material == SCENE_NONE ? !thing->shines
                                          : scene->materials[thing->material].kind != MATERIAL_BLACK;
@@ -24,7 +24,7 @@ bool scene_check(const struct scene *scene, int bounces, struct error *error)
     }
     for (size_t i = 0; i < scene->thing_count; i++) {
         is_seen = is_seen || shines(scene, &scene->things[i]);
-        has_surface = has_surface || reflects(scene, &scene->things[i]);
+        has_surface = has_surface || scene_reflects(scene, &scene->things[i]);
     }
     if (is_seen || (has_points && has_surface && bounces > 0)) {
         return true;

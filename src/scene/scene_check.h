@@ -8,6 +8,9 @@
 
 #include <stdbool.h>
 
+/* Does a thing send on light that it receives? */
+bool scene_reflects(const struct scene *scene, const struct scene_thing *thing);
+
 /*
  * Refuse a scene whose every picture would be black.
  *

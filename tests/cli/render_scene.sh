@@ -32,7 +32,16 @@ sed 's/luminance=500/luminance=501/' lamps.scene > other.scene
 lenscalc render lamps.scene $small --part 1/2 -o other.part
 cp other.scene lamps.scene
 lenscalc render lamps.scene $small --part 1/2 --resume -o other.part
+# in time: at least 16 rays, and the same bits as so many
+lenscalc render lamps.scene --lens double-gauss-50 --size 48x32 --seconds 0 -o timed.pfm
+lenscalc render lamps.scene --lens double-gauss-50 --size 48x32 --samples 16 -o counted.pfm
+cmp timed.pfm counted.pfm && echo same
+lenscalc render moving.scene --lens double-gauss-50 --size 48x32 --seconds 60 --samples 32 -t 1/10,1/20 -o timed.pfm 2>&1 | grep given
+lenscalc render lamps.scene $small --spectral --explain -t 1/100 -o why.pfm 2>&1 | grep colour
+lenscalc render lamps.scene $small --spectral --bands 16 --model thin --explain -t 1/100 -o why.pfm 2>&1 | grep colour
 # refused
+lenscalc render lamps.scene --lens double-gauss-50 --seconds 1 --part 1/2 -o lost.part
+lenscalc render lamps.scene --lens double-gauss-50 --seconds 1 --samples 8 -o lost.pfm
 lenscalc render moving.scene $small -o lost.pfm
 lenscalc render moving.scene $small -t 1,2 -o lost.part
 lenscalc render lamps.scene $small --luminance 5 -o lost.pfm

@@ -119,6 +119,10 @@ static const struct option options[] = {
      .lowest = 1e-4, .highest = 1, .value = "RATIO",
      .help = "as many rays as each tile of 16 x 8 pixels needs for it, as a share of white: 1%; "
              "--samples then is the most (4096)"},
+    {OPTION(struct render_input, seconds), .name = "seconds", .dimension = &dimension_time,
+     .unit = "s", .lowest = 0, .highest = INFINITY, .flags = OPTION_NO_INFINITY, .value = "TIME",
+     .excludes = "part resume",
+     .help = "as many rays as there is time for, at most --samples (1048576), at least 16"},
     {OPTION(struct render_input, bounces), .name = "bounces", .lowest = 0, .highest = 1000,
      .fallback = "4", .value = "COUNT",
      .help = "of light in a scene: 0 what shines, 1 what it falls on, and so on"},
@@ -204,10 +208,11 @@ static bool check_picture(const struct artifact_job *job, struct error *error)
 static bool check_rays(const struct artifact_job *job, struct error *error)
 {
     static const char *const of_pictures[] = {
-        "part",    "resume", "subject", "band",    "autofocus", "error",       "radiance",
-        "packing", "ev",     "scene",   "filter",  "depth-map", "field-width", "luminance",
-        "iso",     "size",   "crop",    "bits",    "film",      "grain",       "threads",
-        "depth",   "hidden", "no-skip", "bounces", "spectral",  "bands",       NULL};
+        "part",        "resume",    "subject", "band",    "autofocus", "error",
+        "radiance",    "packing",   "ev",      "scene",   "filter",    "depth-map",
+        "field-width", "luminance", "iso",     "size",    "crop",      "bits",
+        "film",        "grain",     "threads", "depth",   "hidden",    "no-skip",
+        "bounces",     "spectral",  "bands",   "seconds", NULL};
     static const char *const of_exposures[] = {"time", NULL};
     const char *const *const lists[] = {of_pictures, render_sensor_options, of_exposures};
     const struct render_input *input = job->inputs[0];

@@ -63,6 +63,7 @@ struct render_input {
     double error;        /* a share of white; NaN = not given */
     long bounces, bands; /* of light in scenes; wavelengths that it has */
     bool spectral;
+    double seconds;                    /* that it may take; NaN = not given */
     long samples, seed, threads, bits; /* samples, bits: 0 = not given */
     struct shutter_input shutter;
 };

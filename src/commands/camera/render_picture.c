@@ -1,5 +1,6 @@
 /* commands/camera/render_picture.c - a photograph of a card, exposed and written. */
 /* SPDX-License-Identifier: MIT */
+#include "cli/progress.h"
 #include "commands/camera/render_part.h"
 #include "commands/camera/render_world.h"
 #include "file/image_file.h"
@@ -43,7 +44,26 @@ struct picture_job {
     const struct artifact_job *job;
     struct output *sinks;       /* one an exposure */
     struct render_world *world; /* null: of a card */
+    double until;               /* of progress_clock */
 };
+
+static bool is_over(const void *clock)
+{
+    return progress_clock() >= *(const double *)clock;
+}
+
+/* Take a picture, with all the time that one may have. */
+static bool take(struct picture_job *picture, struct photograph_question *question,
+                 struct photograph *photograph, struct error *error)
+{
+    const struct render_input *input = picture->job->inputs[0];
+    if (!isnan(input->seconds)) {
+        picture->until = progress_clock() + input->seconds;
+        question->is_over = is_over;
+        question->clock = &picture->until;
+    }
+    return photograph_take(question, picture->job->run->arena, photograph, error);
+}
 
 /* What is the same in all exposures. */
 static void add_notes(const struct analysis_case *one, const struct render_input *input,
@@ -144,7 +164,7 @@ static bool is_another(const struct picture_job *picture, size_t i, unsigned kep
 }
 
 /* Each exposure of it, taken anew where that is another picture; of one that is complete. */
-static bool expose_all(const struct analysis_case *one, const struct picture_job *picture,
+static bool expose_all(const struct analysis_case *one, struct picture_job *picture,
                        struct photograph_question question, struct render_shot *shot,
                        struct error *error)
 {
@@ -158,7 +178,7 @@ static bool expose_all(const struct analysis_case *one, const struct picture_job
             question.duration = duration_of(picture, job->inputs[i], question.kept);
             done = render_shutter(job->inputs[i], one, job->run->arena, &question.film.shutter,
                                   error) &&
-                   photograph_take(&question, job->run->arena, &shot->photograph, error);
+                   take(picture, &question, &shot->photograph, error);
             if (done) {
                 finish(one, picture, &question, shot);
             }
@@ -194,7 +214,7 @@ static const char *digest_of_world(const struct picture_job *picture)
 
 static bool take_picture(const struct analysis_case *one, void *context, struct error *error)
 {
-    const struct picture_job *picture = context;
+    struct picture_job *picture = context;
     const struct artifact_job *job = picture->job;
     const struct render_input *input = job->inputs[0];
     struct arena *arena = job->run->arena;
@@ -218,7 +238,7 @@ static bool take_picture(const struct analysis_case *one, void *context, struct 
         !render_shutter(input, one, arena, &question.film.shutter, error) ||
         !ask_subject(picture, one, &question, error) ||
         !render_part_begin(job, one, digest_of_world(picture), &question, &part, error) ||
-        !photograph_take(&question, arena, &shot.photograph, error)) {
+        !take(picture, &question, &shot.photograph, error)) {
         return false;
     }
     if (render_is_part(job)) {
@@ -260,7 +280,7 @@ static bool take_scene(struct picture_job *picture, struct error *error)
 
 bool render_picture(const struct artifact_job *job, struct output *sinks, struct error *error)
 {
-    struct picture_job picture = {job, sinks, NULL};
+    struct picture_job picture = {.job = job, .sinks = sinks};
     return render_is_world(job->inputs[0]) ? take_scene(&picture, error)
                                            : take_card(&picture, error);
 }

@@ -4,6 +4,12 @@
 
 enum { USUAL_SAMPLES = 64, USUAL_WITH_ERROR = 4096, MOST_SAMPLES = 1 << 20 };
 
+/* Does something else end before the samples do? */
+static bool ends_before(const struct render_input *input)
+{
+    return !isnan(input->error) || !isnan(input->seconds);
+}
+
 bool render_check_samples(const struct render_input *input, struct error *error)
 {
     const long samples = input->samples;
@@ -12,15 +18,17 @@ bool render_check_samples(const struct render_input *input, struct error *error)
                     "{--samples} %ld: rays of a pixel are a power of two, at most %d", samples,
                     MOST_SAMPLES);
     }
-    return isnan(input->error) || samples == 0 || samples >= CONVERGENCE_LEAST ||
+    return !ends_before(input) || samples == 0 || samples >= CONVERGENCE_LEAST ||
            fail(error, ERROR_USAGE,
-                "{--samples} %ld: with an {--error} they are the most there may be, %d or more",
-                samples, CONVERGENCE_LEAST);
+                "{--samples} %ld: with {--%s} they are the most there may be, %d or more", samples,
+                isnan(input->error) ? "seconds" : "error", CONVERGENCE_LEAST);
 }
 
 void render_ask_samples(const struct render_input *input, struct photograph_question *question)
 {
-    const long usual = isnan(input->error) ? USUAL_SAMPLES : USUAL_WITH_ERROR;
+    const long usual = !isnan(input->seconds) ? MOST_SAMPLES
+                       : isnan(input->error)  ? USUAL_SAMPLES
+                                              : USUAL_WITH_ERROR;
     question->samples = (size_t)(input->samples == 0 ? usual : input->samples);
     question->error = isnan(input->error) ? 0 : input->error;
 }
@@ -42,6 +50,10 @@ void render_say_samples(const struct render_input *input, const struct photograp
                         struct growing *remarks)
 {
     const uint64_t *counts = photograph->counts + PHOTOGRAPH_CONVERGENCE;
+    if (photograph->reached[1] > 0) {
+        growing_format(remarks, "in the time given %zu to %zu rays a pixel and colour\n",
+                       photograph->reached[0], photograph->reached[1]);
+    }
     if (isnan(input->error) || counts[CONVERGENCE_TILES] == 0) {
         return;
     }

@@ -41,6 +41,23 @@ static const char *or_kept(const struct photograph_question *question, enum skip
     return (question->kept & 1U << skip) != 0 ? ", as --no-skip asks" : "";
 }
 
+static void explain_colour(const struct photograph_question *question, bool as_one,
+                           struct growing *remarks)
+{
+    const bool in_bands =
+        question->view != NULL && question->view->bands->count > PHOTOGRAPH_CHANNELS;
+    growing_format(remarks, "colour: ");
+    if (in_bands) {
+        growing_format(remarks, "%zu bands, four for each point%s", question->view->bands->count,
+                       as_one ? ": " : ", a ray each");
+    }
+    growing_format(remarks, "%s%s\n",
+                   as_one     ? "all colours go the same way: one pass of rays"
+                   : in_bands ? ""
+                              : "a pass of rays for each",
+                   or_kept(question, SKIP_COLOUR));
+}
+
 /* Tiles of cards that need few rays, or none. */
 static void explain_tiles(const struct photograph_question *question, const uint64_t *tiles,
                           struct growing *remarks)
@@ -94,10 +111,7 @@ void render_explain(const struct artifact_job *job, const struct photograph_ques
                    traced > 0 ? 100 * passed / traced : 0,
                    traced > 0 ? "those traced" : "none traced", or_kept(question, SKIP_PUPIL));
     render_explain_shutter(question->film.shutter, remarks);
-    growing_format(remarks, "colour: %s%s\n",
-                   photograph->passes == 1 ? "all colours go the same way: one pass of rays"
-                                           : "a pass of rays for each",
-                   or_kept(question, SKIP_COLOUR));
+    explain_colour(question, photograph->passes == 1, remarks);
     if (question->view == NULL) {
         explain_tiles(question, tiles, remarks);
     }

@@ -64,18 +64,13 @@ bool render_check_world(const struct artifact_job *job, struct error *error)
 
 /* -------- the scene -------- */
 
-/* Does anything send on light that it receives? */
 static bool scatters(const struct scene *scene)
 {
-    for (size_t i = 0; i < scene->thing_count; i++) {
-        const struct scene_thing *thing = &scene->things[i];
-        if (thing->material == SCENE_NONE
-                ? !thing->shines
-                : scene->materials[thing->material].kind != MATERIAL_BLACK) {
-            return true;
-        }
+    bool does = false;
+    for (size_t i = 0; i < scene->thing_count && !does; i++) {
+        does = scene_reflects(scene, &scene->things[i]);
     }
-    return false;
+    return does;
 }
 
 /* Times and what moves in them. */
