@@ -138,7 +138,7 @@ static bool read_number(const struct scene_line *line, const struct form *form, 
         return found.hint[0] != '\0' && error_hint(error, "%s", found.hint);
     }
     if (!(*value >= form->low && *value <= form->high)) {
-        return file_words_fail(line->words, text, error, "%s= %.*s is not within %s", form->name,
+        return file_words_fail(line->words, text, error, "%s=%.*s is not within %s", form->name,
                                text_shown(text), text.start, form->range);
     }
     return true;
