@@ -159,7 +159,8 @@ def print_stars(latitude=65, hour=5.6):
         south = math.sin(phi) * math.cos(d) * math.cos(h) - math.cos(phi) * math.sin(d)
         west = math.cos(d) * math.sin(h)
         print(f"light star  magnitude={magnitude:<5} elevation={math.degrees(math.asin(up)):.2f} "
-              f"azimuth={math.degrees(math.atan2(west, south)):.2f} spectrum={kelvin} # {name}")
+              f"azimuth={math.degrees(math.atan2(west, south)):.2f} diameter=4arcmin spectrum={kelvin} "
+              f"# {name}")
 
 
 def main():

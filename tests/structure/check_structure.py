@@ -120,8 +120,6 @@ FOR_TESTS = {
     # light, which scenes stand on
     "bands_many": "", "bands_three": "", "illuminant_words": "",
     "lights_background": "", "lights_density": "", "lights_open": "", "lights_sample": "",
-    # scenes, before they are photographed
-    "scene_file_read": "", "scene_files_there": "", "scene_check": "",
     # what there is to try
     "foreign_formats": "the fuzzer's list of formats",
 }
