@@ -71,8 +71,8 @@ def ask(program, path, question, room):
             to.write(content)
         words = [copy if word == "@copy" else word.replace("@", path) for word in question.split()]
         said = [os.path.join(folder, name) for name in ("printed", "said")]
-        # a report is some twenty questions
-        most = MOST * (60 if program.is_instrumented else 1) * (6 if words[0] == "report" else 1)
+        # a report is some twenty questions, contrast at 61 frequencies among them
+        most = MOST * (60 if program.is_instrumented else 1) * (10 if words[0] == "report" else 1)
         # processor time, the limit of which is that of a program that never ends
         limited = ["sh", "-c", f'ulimit -t {int(20 * most)}; exec "$@"', "sh"]
         with open(said[0], "wb") as out, open(said[1], "wb") as err:
