@@ -73,6 +73,8 @@ def ask(program, path, question, room):
         said = [os.path.join(folder, name) for name in ("printed", "said")]
         # a report is some twenty questions, contrast at 61 frequencies among them
         most = MOST * (60 if program.is_instrumented else 1) * (10 if words[0] == "report" else 1)
+        # so many surfaces, fields or positions, each of which is answered
+        most *= 20 if re.search("_5000?_", path) else 1
         # processor time, the limit of which is that of a program that never ends
         limited = ["sh", "-c", f'ulimit -t {int(20 * most)}; exec "$@"', "sh"]
         with open(said[0], "wb") as out, open(said[1], "wb") as err:
