@@ -213,8 +213,9 @@ struct shape_spot mesh_spot(const struct mesh *mesh, const struct shape_meeting 
     }
     if (of->normals != NULL) {
         const struct vector smooth = mixed(of->normals, corner, share);
-        const double length = vector_length(smooth);
-        spot.normal = length > 0 ? vector_times(1 / length, smooth) : spot.face;
+        /* files go round their corners one way and turn normals the other */
+        const double length = copysign(vector_length(smooth), vector_dot(smooth, spot.face));
+        spot.normal = length != 0 ? vector_times(1 / length, smooth) : spot.face;
     }
     for (size_t k = 0; k < 2 && of->places != NULL; k++) {
         const double *place[3] = {of->places[corner[0]], of->places[corner[1]],

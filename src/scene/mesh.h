@@ -43,7 +43,10 @@ void mesh_open(const struct scene_mesh *triangles, struct arena *arena, struct m
 bool mesh_meet(const struct mesh *mesh, const struct shape_ray *ray, bool is_any,
                struct shape_meeting *meeting);
 
-/* The surface where they met; outwards is where corners 0, 1, 2 go round against the clock. */
+/*
+ * The surface where they met; outwards is where corners 0, 1, 2 go round against the clock, also
+ * where normals of the corners point inwards.
+ */
 struct shape_spot mesh_spot(const struct mesh *mesh, const struct shape_meeting *meeting);
 
 #endif

@@ -102,8 +102,7 @@ FOR_TESTS = {
     "instruction_set_name": "", "instruction_set_works": "",
     "first_order_compute_portable": "", "paraxial_trace_portable": "",
     # what scenes stand on
-    "scene_moves": "", "texture_look": "", "world_open": "", "world_look": "",
-    "world_is_clear": "", "world_holds": "",
+    "world_holds": "what stands in a camera's place",
     # what photographs stand on
     "image_file_bytes": "", "image_file_parse": "", "image_file_read": "", "image_file_types": "",
     "srgb_encoded": "",

@@ -333,8 +333,49 @@ static void test_tiles(void)
     arena_free(&arena);
 }
 
+/* Normals that lean to the right by 45 degrees at the left edge, upwards and downwards. */
+static void test_normals(void)
+{
+    const double half = sqrt(0.5);
+    for (int sign = -1; sign <= 1; sign += 2) {
+        const struct vector left = {sign * half, 0, sign * half}, right = {0, 0, sign};
+        const struct vector normals[] = {left, right, right, left};
+        struct scene_mesh mesh = square;
+        mesh.normals = normals;
+        struct scene_thing thing = thing_of(SHAPE_MESH, (struct vector){0, 0, 0});
+        thing.mesh = &mesh;
+        const struct scene scene = {.things = &thing, .thing_count = 1};
+        struct arena arena = {0};
+        struct world world;
+        struct world_hit hit;
+        struct error error;
+        CHECK(world_open(&scene, whole, &arena, &world, &error));
+        struct world_ray ray = {{1e-9, 0.5, 1}, {0, 0, -1}, 0, INFINITY};
+        CHECK(world_look(&world, &ray, &hit) && !hit.is_back);
+        CHECK_NEAR(hit.normal.x, half, 1e-8, "leans to the right");
+        CHECK_NEAR(hit.normal.z, half, 1e-8, "towards the ray");
+        CHECK_NEAR(hit.face.z, 1, 1e-15, "the surface itself");
+        ray = (struct world_ray){{1e-9, 0.5, -1}, {0, 0, 1}, 0, INFINITY};
+        CHECK(world_look(&world, &ray, &hit) && hit.is_back);
+        CHECK_NEAR(hit.normal.x, -half, 1e-8, "from behind");
+        CHECK_NEAR(hit.normal.z, -half, 1e-8, "towards the ray from behind");
+        /* a ray that a smooth normal turns away from still sees the surface */
+        ray = (struct world_ray){{1, 0.5, 0.5}, vector_unit((struct vector){-1, 0, -0.5}), 0, 9};
+        ray.from.x += 1e-9;
+        CHECK(world_look(&world, &ray, &hit));
+        CHECK(vector_dot(hit.normal, ray.way) < 0);
+        ray =
+            (struct world_ray){{-1, 0.5, 0.5}, vector_unit((struct vector){1.001, 0, -0.5}), 0, 9};
+        CHECK(world_look(&world, &ray, &hit));
+        CHECK(vector_dot(hit.normal, ray.way) < 0);
+        CHECK_NEAR(vector_length(hit.normal), 1, 1e-15, "its length");
+        arena_free(&arena);
+    }
+}
+
 int main(void)
 {
+    test_normals();
     test_tiles();
     test_motion();
     test_shapes();
