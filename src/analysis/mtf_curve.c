@@ -155,13 +155,14 @@ static void put_line(const struct overlapping *one, const struct exit_line *line
                      double *re, double *im, double *perfect)
 {
     kernel_exit_wave *find = wave_kernel();
-    const double first = line->spans.edges[0];
+    const double first = line->spans.edges[0], cells = (double)one->cells;
     struct exit_wave_lanes lanes = {.x = {0}};
     for (size_t k = 0; k < line->spans.count; k++) {
         const double *edges = line->spans.edges + 2 * k, wide = edges[1] - edges[0];
         const double end_x = beyond(&line->series[k]);
-        const size_t from = (size_t)((edges[0] - first) / one->step);
-        const size_t end = (size_t)fmin(ceil((edges[1] - first) / one->step), (double)one->cells);
+        /* edges that were found between few nodes may cross: no cell lies before the first */
+        const size_t from = (size_t)fmin(fmax((edges[0] - first) / one->step, 0), cells);
+        const size_t end = (size_t)fmin(fmax(ceil((edges[1] - first) / one->step), 0), cells);
         for (size_t i = from; i < end; i += LANES) {
             const size_t left = end - i < LANES ? end - i : LANES;
             for (size_t l = 0; l < left; l++) {
