@@ -1,7 +1,8 @@
 #!/usr/bin/env python3
 """tests/scene/make_files.py - what the scenes show beside them: make_files.py FOLDER
 
-Writes vase.obj, chart.png, wood.png and wheel.png, the same bytes each time; the stars of
+Writes three meshes, vase, roof and spire.obj, and four pictures, chart, wood, wheel and
+clock.png, the same bytes each time; the stars of
 night.scene are printed. The files are kept beside the scenes; this is how they were made.
 """
 # SPDX-License-Identifier: MIT
@@ -73,7 +74,32 @@ def make_vase(path):
     for i in range(len(points) - 1):
         for k in range(around):
             a, b = i * around + k + 1, i * around + (k + 1) % around + 1
-            lines.append("f " + " ".join(f"{n}//{n}" for n in (a, a + around, b + around, b)))
+            corners = [a, a + around, b + around, b]
+            if points[i + 1][0] <= 0:  # in the middle the sides meet
+                corners.remove(b + around)
+            if points[i][0] <= 0:
+                corners.remove(b)
+            lines.append("f " + " ".join(f"{n}//{n}" for n in corners))
+    with open(path, "w", encoding="ascii") as file:
+        file.write("\n".join(lines) + "\n")
+
+
+def make_roof(path):
+    """A gable roof, 1 wide and 0.6 high, its ridge 1 long along z."""
+    lines = ["# a gable roof; tests/scene/make_files.py made it"]
+    lines += [f"v {x} {y} {z}" for z in (0.5, -0.5) for x, y in ((-0.5, 0), (0.5, 0), (0, 0.6))]
+    lines += ["f 1 2 3", "f 5 4 6", "f 2 5 6 3", "f 4 1 3 6", "f 4 5 2 1"]
+    with open(path, "w", encoding="ascii") as file:
+        file.write("\n".join(lines) + "\n")
+
+
+def make_spire(path):
+    """A spire of eight sides, 1 wide and 2.4 high."""
+    lines = ["# a spire; tests/scene/make_files.py made it", "v 0 2.4 0"]
+    for k in range(8):
+        turn, r = math.pi * (2 * k + 1) / 8, 0.5 / math.cos(math.pi / 8)
+        lines.append(f"v {r * math.cos(turn):.4g} 0 {r * math.sin(turn):.4g}")
+    lines += [f"f 1 {(k + 1) % 8 + 2} {k + 2}" for k in range(8)]
     with open(path, "w", encoding="ascii") as file:
         file.write("\n".join(lines) + "\n")
 
@@ -142,6 +168,34 @@ def make_wheel(path):
     write_png(path, 128, 128, palette, pixel)
 
 
+def make_clock(path):
+    """The face of a clock at ten past ten, gilt on blue; nothing beside it."""
+    palette = [(0, 0, 0, 0), (28, 40, 74), (214, 170, 72)]
+
+    def along(across, down, hour):
+        turn = math.pi * hour / 6
+        return across * math.sin(turn) - down * math.cos(turn), \
+            abs(across * math.cos(turn) + down * math.sin(turn))
+
+    def pixel(x, y):
+        across, down = (x - 127.5) / 128, (y - 127.5) / 128
+        r = math.hypot(across, down)
+        if r > 0.99:
+            return 0
+        if r > 0.93 or r < 0.06 or 0.6 < r < 0.615:
+            return 2
+        for hour in range(12):
+            far, beside = along(across, down, hour)
+            if 0.66 < far < 0.88 and beside < (0.05 if hour % 3 == 0 else 0.03):
+                return 2
+        for hour, length, wide in ((10.17, 0.45, 0.045), (2, 0.72, 0.03)):
+            far, beside = along(across, down, hour)
+            if 0 < far < length and beside < wide:
+                return 2
+        return 1
+    write_png(path, 256, 256, palette, pixel)
+
+
 def print_stars(latitude=65, hour=5.6):
     """Orion and Sirius in the south, which is -z: azimuths grow to the right, to the west."""
     stars = [("Betelgeuse", 5.919, 7.407, 0.50, "3600K"), ("Rigel", 5.242, -8.202, 0.13, "12000K"),
@@ -166,9 +220,12 @@ def print_stars(latitude=65, hour=5.6):
 def main():
     folder = sys.argv[1]
     make_vase(os.path.join(folder, "vase.obj"))
+    make_roof(os.path.join(folder, "roof.obj"))
+    make_spire(os.path.join(folder, "spire.obj"))
     make_chart(os.path.join(folder, "chart.png"))
     make_wood(os.path.join(folder, "wood.png"))
     make_wheel(os.path.join(folder, "wheel.png"))
+    make_clock(os.path.join(folder, "clock.png"))
     print_stars()
 
 
