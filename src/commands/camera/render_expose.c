@@ -216,9 +216,9 @@ static void add_remarks(const struct render_shot *shot, const struct exposure *e
     char time[64];
     spoken_time(time, exposure->time, 3);
     if (shot->is_world) {
-        growing_format(remarks, "%.4g lx on the film, its mean; %s at ISO %.4g%s\n",
+        growing_format(remarks, "%.4g lx on the film on average, %s at ISO %.4g%s\n",
                        photograph_luminance(photograph->mean), time, exposure->iso,
-                       exposure->is_chosen ? ": a mean exposure of 10/ISO lx s (ISO 2720)" : "");
+                       exposure->is_chosen ? ": metered, 10/ISO lx s on average (ISO 2720)" : "");
         return;
     }
     growing_format(remarks, "%.4g x %.4g mm of the card; white of %.4g cd/m2, %s at ISO %.4g%s\n",
