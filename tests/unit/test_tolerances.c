@@ -2,6 +2,8 @@
 /* SPDX-License-Identifier: MIT */
 #include "cli/tolerances.h"
 
+#include "base/constants.h"
+
 #include "check.h"
 #include "lens_of.h"
 
@@ -41,7 +43,7 @@ static double amount_of(const struct asked *asked, const char *name)
     return NAN;
 }
 
-/* The grade's table by hand: of R 0.1 %, of planes 3.48 fringes over 20 mm, and so on. */
+/* The grade's table by hand: of R 0.1 %, of planes 5.79 fringes over 20 mm, and so on. */
 static void test_grade(void)
 {
     static const struct {
@@ -49,14 +51,14 @@ static void test_grade(void)
         double amount;
     } precision[] = {
         {"R1", 0.05},
-        {"R2", 3.48 * 546.07e-6 / (100 + 9.028e-7)}, /* 2 d/(r^2 + d^2) */
+        {"R2", 5.79 * 546.07e-6 / (100 + 9.028e-7)}, /* 2 d/(r^2 + d^2) */
         {"R3", 0.07},
         {"t1", 0.05},
-        {"t2", 0.025},
+        {"t2", 0.05},
         {"n1", 0.0005},
         {"V1", 0.3},
-        {"surface 2 irregularity 0deg", 0.29},
-        {"element 1..2 tilt x", 2.908882086657216e-4},
+        {"surface 2 irregularity 0deg", 0.232},
+        {"element 1..2 tilt x", 2.1 / 60 * PI / 180},
         {"element 3..4 decenter y", 0.0125},
     };
     struct asked asked;
