@@ -327,24 +327,39 @@ static bool open_subject(struct work *work, struct arena *arena, struct error *e
     return relief_open(&asked, arena, relief, error);
 }
 
+/* Are there tiles of a scene that are worth looking for? */
+static bool may_see_backdrop(const struct work *work, size_t rays)
+{
+    enum { FEW_RAYS = 1 << 18 };
+    const struct view *view = work->question->view;
+    const struct backdrop backdrop = backdrop_open(view->path->world, view->path->lights);
+    return !tile_rays_in_bands(&work->rays) && !scene_place_moves(&view->camera) &&
+           !backdrop.has_views && (backdrop.is_dark || rays >= FEW_RAYS);
+}
+
 /* What need not be traced; a table of light costs less than a hundredth of the picture. */
 static void open_spare(struct work *work, struct arena *arena)
 {
     enum { FEW_SAMPLES = 8 };
     const struct photograph_question *question = work->question;
-    const unsigned none = 1U << SKIP_BLUR | 1U << SKIP_UNIFORM;
+    const struct view *view = question->view;
+    const unsigned none = 1U << SKIP_UNIFORM | (view == NULL ? 1U << SKIP_BLUR : 0);
     const size_t rays = question->columns * question->rows * question->samples;
     if (question->samples < FEW_SAMPLES || (question->kept & none) == none ||
-        work->stages != NULL) {
+        work->stages != NULL || (view != NULL && !may_see_backdrop(work, rays))) {
         return;
     }
     struct spare *spare = ARENA_NEW(arena, struct spare);
     *spare = (struct spare){.film = work->film,
                             .card = &work->card,
                             .relief = work->rays.subject.relief,
+                            .view = view,
                             .passes = work->rays.passes,
                             .pass = work->rays.pass,
                             .kept = question->kept};
+    if (view != NULL) {
+        spare->backdrop = backdrop_open(view->path->world, view->path->lights);
+    }
     /* an error is one of all tiles' rays */
     spare->kept |= question->error > 0 ? 1U << SKIP_BLUR : 0;
     work->spare = spare;
@@ -450,6 +465,7 @@ static void open_scene(struct work *work, struct room *room, struct photograph *
                              ? question->white_of_mean * photograph_luminance(photograph->mean)
                              : question->white;
     work->goal = (struct convergence_goal){question->error, fmax(white / work->scale, least)};
+    open_spare(work, work->arena);
 }
 
 static bool open_card(struct work *work, struct room *room, struct photograph *photograph,

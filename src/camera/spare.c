@@ -35,6 +35,7 @@ struct spare_room {
     struct rays rays;
     struct relief_ray (*rim)[RAYS_BLOCK]; /* by pass */
     bool (*passed)[RAYS_BLOCK];
+    double before; /* how far rays of rims start from where they are told, at most, mm */
     unsigned long long sights[RELIEF_SIGHTS];
 };
 
@@ -76,9 +77,10 @@ static double light_at(const struct spare *spare, double h, size_t wavelength, s
 void spare_open(struct spare *spare, size_t blocks, struct arena *arena)
 {
     const struct lens_film *film = spare->film;
+    const bool is_dark = spare->view != NULL && spare->backdrop.is_dark; /* black needs no table */
     spare->plane = spare->relief != NULL ? spare->relief->pupil : 0;
     spare->frame = spare->plane + spare->card->distance;
-    if (!lens_is_round(film->systems[0]->lens) ||
+    if (is_dark || !lens_is_round(film->systems[0]->lens) ||
         (film->shutter != NULL && isfinite(film->shutter->run))) {
         return;
     }
@@ -140,6 +142,8 @@ static void trace_rims(const struct spare *spare, const struct film_plan *plan,
                        struct spare_room *room)
 {
     static const double v[] = {0.98, 0.9, 0.8, 0.5};
+    const struct ray_block *rays = room->rays.blocks;
+    room->before = 0;
     for (size_t w = 0; w < spare->passes; w++) {
         for (size_t i = 0; i < RAYS_BLOCK; i++) {
             const size_t corner = i / RIM;
@@ -150,8 +154,11 @@ static void trace_rims(const struct spare *spare, const struct film_plan *plan,
         }
         trace(spare, w, room);
         for (size_t i = 0; i < RAYS_BLOCK; i++) {
-            room->passed[w][i] = room->rays.blocks->lost[i] == 0 && room->rays.blocks->r[i] < 0;
-            room->rim[w][i] = subject_ray(room->rays.blocks, i, spare->plane);
+            room->passed[w][i] = rays->lost[i] == 0 && rays->r[i] < 0;
+            room->rim[w][i] = subject_ray(rays, i, spare->plane);
+            if (room->passed[w][i]) {
+                room->before = fmax(room->before, fabs((spare->plane - rays->z[i]) / rays->r[i]));
+            }
         }
     }
 }
@@ -429,6 +436,85 @@ static bool may_be_even(const struct spare *spare, const struct card_part *part)
             (relief->hidden == HIDDEN_NEARBY && (is_within || !relief->is_endless)));
 }
 
+/* The middle of where rays of rims start, and of where they go, in the lens's coordinates. */
+static struct ray_block middle_of(const struct spare *spare, const struct spare_room *room)
+{
+    struct ray_block middle = {.z = {spare->plane}};
+    double count = 0;
+    for (size_t pass = 0; pass < spare->passes; pass++) {
+        for (size_t i = 0; i < RAYS_BLOCK; i++) {
+            if (room->passed[pass][i]) {
+                const struct relief_ray *ray = &room->rim[pass][i];
+                const double r =
+                    -1 / sqrt(1 + ray->slope[X] * ray->slope[X] + ray->slope[Y] * ray->slope[Y]);
+                middle.x[0] += ray->x[X];
+                middle.y[0] += ray->x[Y];
+                middle.p[0] += r * ray->slope[X];
+                middle.q[0] += r * ray->slope[Y];
+                middle.r[0] += r;
+                count++;
+            }
+        }
+    }
+    middle.x[0] /= count;
+    middle.y[0] /= count;
+    return middle;
+}
+
+/* Rays of a tile in a scene whose camera stands still, with what is around them. */
+static struct backdrop_rays rays_of(const struct spare *spare, const struct spare_room *room)
+{
+    const struct ray_block middle = middle_of(spare, room);
+    const struct vector way = vector_unit((struct vector){middle.p[0], middle.q[0], middle.r[0]});
+    const struct world_ray ray = view_ray(&spare->view->camera, spare->view->pupil, &middle, 0, 0);
+    struct backdrop_rays rays = {.from = ray.from, .way = ray.way};
+    for (size_t pass = 0; pass < spare->passes; pass++) {
+        for (size_t i = 0; i < RAYS_BLOCK; i++) {
+            if (room->passed[pass][i]) {
+                const struct relief_ray *rim = &room->rim[pass][i];
+                const struct vector along = {-rim->slope[X], -rim->slope[Y], -1};
+                rays.radius =
+                    fmax(rays.radius, hypot(rim->x[X] - middle.x[0], rim->x[Y] - middle.y[0]));
+                rays.angle = fmax(rays.angle, atan2(vector_length(vector_cross(way, along)),
+                                                    vector_dot(way, along)));
+            }
+        }
+    }
+    rays.radius = (1 + 2 * around) * (rays.radius + room->before);
+    rays.angle *= 1 + 2 * around;
+    return rays;
+}
+
+/* Does it see nothing but light that is the same all over? */
+static bool sees_backdrop(const struct spare *spare, const struct spare_room *room,
+                          struct card_light *light)
+{
+    const struct bands *bands = spare->view->bands;
+    const struct backdrop_rays rays = rays_of(spare, room);
+    const struct lanes lanes = {CARD_CHANNELS, {0, 1, 2}};
+    struct radiance radiance;
+    if (!backdrop_is_even(&spare->backdrop, &rays, &lanes, &radiance)) {
+        return false;
+    }
+    for (size_t lane = 0; lane < lanes.count; lane++) {
+        for (size_t k = 0; k < CARD_CHANNELS; k++) {
+            light->of[k] += (float)(radiance.of[lane] * bands->rgb[lane][k]);
+        }
+    }
+    return true;
+}
+
+static enum spare_way take_backdrop(const struct spare *spare, const struct spare_tile *tile,
+                                    const struct spare_room *room, double (*sums)[CARD_CHANNELS])
+{
+    struct card_light light = {{0, 0, 0}};
+    if (sees_backdrop(spare, room, &light) && (has_light(spare, tile->plan) || is_black(light))) {
+        fill(spare, tile, light, sums);
+        return SPARE_EVEN;
+    }
+    return SPARE_TRACED;
+}
+
 static bool trace_nets(const struct spare *spare, const struct film_plan *plan,
                        struct spare_room *room)
 {
@@ -448,6 +534,9 @@ enum spare_way spare_take(const struct spare *spare, const struct spare_tile *ti
     trace_rims(spare, tile->plan, room);
     if (!has_rims(spare, room)) {
         return SPARE_TRACED;
+    }
+    if (spare->view != NULL) {
+        return take_backdrop(spare, tile, room, sums);
     }
     find_part(spare, room, w, &part);
     if (may_be_even(spare, &part) && card_is_even(spare->card, &part, &light) &&

@@ -6,6 +6,8 @@
 #include "camera/card.h"
 #include "camera/lens_film.h"
 #include "camera/relief.h"
+#include "camera/view.h"
+#include "scene/backdrop.h"
 
 /* What need not be done where the picture is the same without. */
 enum skip {
@@ -42,6 +44,8 @@ struct spare {
     const struct lens_film *film;
     const struct card *card;
     const struct relief *relief; /* null: the card is flat */
+    const struct view *view;     /* in place of a card; null: of none */
+    struct backdrop backdrop;    /* of a view that has one, and a camera that stands still */
     size_t passes;               /* one a wavelength, or one for all */
     const struct spare_pass *pass;
     unsigned kept; /* 1 << enum skip, of what is done all the same */
@@ -83,8 +87,11 @@ struct spare_tile {
  *           light. Where the rays of no corner are a quarter pixel apart, E/L times the mean light
  *           at half of the samples' points of the film: along rays through the middle of the pupil
  *           between 16 x 8 that are traced, moved as the pupil of the tile's middle moves them
+ *           In a scene the same rays' starts and ways, with as much around them, see a backdrop
+ *           that is even
  * Limits    where lens or shutter are not the same all around only black is spared; at the end of
- *           the light and behind a hole in the pupil nothing is
+ *           the light and behind a hole in the pupil nothing is. In a scene blur is not: what two
+ *           rays meet says nothing of what lies between them
  */
 enum spare_way spare_take(const struct spare *spare, const struct spare_tile *tile,
                           struct spare_room *room, double (*sums)[CARD_CHANNELS]);

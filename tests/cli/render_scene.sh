@@ -25,6 +25,10 @@ lenscalc render moving.scene $small -t 1/4 --threads 2 -o threads.pfm
 for i in 1 2 3; do lenscalc render moving.scene $small -t 1/4 --part $i/3 -o $i.part; done
 lenscalc merge 1.part 2.part 3.part -o merged.pfm
 cmp whole.pfm threads.pfm && cmp whole.pfm merged.pfm && echo same
+# a crop: rows are 48 RGB floats of 4 bytes, from below, 32 of them behind a head of 14 bytes
+lenscalc render moving.scene $small -t 1/4 --crop 13:5:20x9 -o crop.pfm
+for row in 18 19 20 21 22 23 24 25 26; do tail -c +$((15 + row * 576 + 13 * 12)) whole.pfm | head -c 240; done > cut
+tail -c 2160 crop.pfm | cmp - cut && head -n 2 crop.pfm && echo same
 lenscalc render lamps.scene $small -t 1/4 -o still.pfm
 lenscalc render lamps.scene $small -t 1/4 --no-skip time,secondary -o kept.pfm
 cmp still.pfm kept.pfm && echo same

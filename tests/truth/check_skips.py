@@ -27,7 +27,11 @@ CASES = {
                 (r"uniform: [1-9]", "white.pfm --depth-map far.pfm --hidden nearby "
                                     "--lens cs348b-dgauss-50 -s 1m --size 48x32 --acceptance 2"),
                 (r"uniform: [1-9]", "chart:edge --lens double-gauss-50 -s 1m --size 96x64 "
-                                    "--shutter leaf --opening-time 9ms --samples 16")],
+                                    "--shutter leaf --opening-time 9ms --samples 16"),
+                (r"uniform: [1-9]", "sky.scene --lens double-gauss-50 --size 80x56"),
+                (r"uniform: [1-9]", "field.scene --lens double-gauss-50 --size 80x56 --bounces 0"),
+                (r"uniform: [1-9]", "around.scene --lens double-gauss-50 --size 80x56 --bounces 0"),
+                (r"uniform: [1-9]", "specks.scene --lens double-gauss-50 --size 48x32")],
     "blur": [(r"blur: .* in [1-9]", "chart:star --lens double-gauss-50 -s 1m -N 16 --size 64x48"),
              (r"blur: .* in [1-9]", "grey.pfm --depth-map far.pfm --lens double-gauss-50 -s 1m -N 32 "
                                     "--size 64x48"),
@@ -38,7 +42,8 @@ CASES = {
              (r"blur: .* in [1-9]", "chart:wedge --lens wide-35 -s 1m -N 16 --size 64x48 --band 20")],
     "pupil": [(r"pupil: .*: 9", "chart:checker --lens double-gauss-50 -s 1m --size 48x32")],
     "colour": [(r"colour: all", "chart:checker --lens double-gauss-50 -s 1m --size 48x32 "
-                                "--model thick")],
+                                "--model thick"),
+               (r"colour: all", "room.scene --lens double-gauss-50 --size 32x24 --model thick")],
     "time": [(r"time: all rays", "room.scene --lens double-gauss-50 --size 32x24")],
     "secondary": [(r"secondary: light that shines alone", "lamps.scene --lens double-gauss-50 "
                                                           "--size 32x24")],
@@ -61,6 +66,15 @@ SCENES = {
     "lamps.scene": "card size=2,2 at=0,0,0 material=red\nsphere radius=0.5 at=0,0,1 material=lamp\n",
     "room.scene": "card size=4,4 at=0,0,0 material=grey\nsphere radius=0.3 at=0.3,0.5,1 "
                   "material=lamp\n",
+    # above the horizon; below it, a ball before it; all around
+    "sky.scene": "light sky uniform luminance=1000 spectrum=5000K\n",
+    "field.scene": "light sky uniform luminance=1000\nplane at=0,-1,0 normal=0,1,0 material=grey\n"
+                   "sphere radius=0.1 at=0,0.2,0 material=red move=5,0,0\n"
+                   "light sun illuminance=90000 elevation=30 azimuth=90\n",
+    "around.scene": "light environment file=all.pfm luminance=800\n"
+                    "sphere radius=0.2 at=0,0,0 material=grey\n",
+    "specks.scene": "sphere radius=0.1 at=0.3,0.2,0 material=red\n"
+                    "card size=0.2,0.3 at=-0.5,0,0 material=lamp\n",
 }
 
 
@@ -132,6 +146,7 @@ def main():
     checks = Checks()
     with tempfile.TemporaryDirectory(prefix="lenscalc-skips-") as folder:
         write_pfm(os.path.join(folder, "white.pfm"), [[1.0] * 90 for _ in range(60)])
+        write_pfm(os.path.join(folder, "all.pfm"), [[0.5] * 4 for _ in range(2)])
         write_pfm(os.path.join(folder, "grey.pfm"),
                   [[0.5 + 0.4 * math.sin(x / 5) * math.cos(y / 7) for x in range(90)]
                    for y in range(60)])
@@ -139,7 +154,8 @@ def main():
                   [[1.07 + 0.002 * (x // 30) for x in range(90)] for _ in range(60)])
         for name, things in SCENES.items():
             with open(os.path.join(folder, name), "w", encoding="ascii") as file:
-                file.write(CAMERA + things)
+                file.write((CAMERA.replace("look=0,0,0", "look=0,3,0") if name == "sky.scene" else
+                            CAMERA) + things)
         fixture = Fixture(sys.argv[1], checks, folder)
         for skip, cases in CASES.items():
             for said, words in cases:

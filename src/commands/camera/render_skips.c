@@ -54,20 +54,28 @@ static void explain_colour(const struct photograph_question *question, bool as_o
     growing_format(remarks, "%s%s\n",
                    as_one     ? "all colours go the same way: one pass of rays"
                    : in_bands ? ""
-                              : "a pass of rays for each",
+                   : question->view != NULL
+                       ? "a pass of rays for each, of grey scenes too: the lens "
+                         "sends them different ways"
+                       : "a pass of rays for each",
                    or_kept(question, SKIP_COLOUR));
 }
 
-/* Tiles of cards that need few rays, or none. */
+/* Tiles that need few rays, or none. */
 static void explain_tiles(const struct photograph_question *question, const uint64_t *tiles,
                           struct growing *remarks)
 {
     const uint64_t all = tiles[SPARE_TRACED] + tiles[SPARE_SHARP] + tiles[SPARE_EVEN];
-    growing_format(remarks,
-                   "blur: below a quarter of a pixel in %" PRIu64 " of %" PRIu64
-                   " tiles of 16 x 8 pixels, each "
-                   "with one pupil%s\n",
-                   tiles[SPARE_SHARP], all, or_kept(question, SKIP_BLUR));
+    if (question->view == NULL) {
+        growing_format(remarks,
+                       "blur: below a quarter of a pixel in %" PRIu64 " of %" PRIu64
+                       " tiles of 16 x 8 pixels, each "
+                       "with one pupil%s\n",
+                       tiles[SPARE_SHARP], all, or_kept(question, SKIP_BLUR));
+    } else {
+        growing_format(remarks, "blur: no tile of a scene goes without: what a few rays meet says "
+                                "nothing of what lies between them\n");
+    }
     growing_format(remarks,
                    "uniform: %" PRIu64 " of %" PRIu64
                    " tiles see the same light everywhere: no rays%s\n",
@@ -112,9 +120,7 @@ void render_explain(const struct artifact_job *job, const struct photograph_ques
                    traced > 0 ? "those traced" : "none traced", or_kept(question, SKIP_PUPIL));
     render_explain_shutter(question->film.shutter, remarks);
     explain_colour(question, photograph->passes == 1, remarks);
-    if (question->view == NULL) {
-        explain_tiles(question, tiles, remarks);
-    }
+    explain_tiles(question, tiles, remarks);
     growing_format(remarks, "time: %s%s\n",
                    question->duration > 0 ? "each ray has its own"
                                           : "all rays come at once: nothing depends on it",
