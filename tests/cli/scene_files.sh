@@ -1,5 +1,5 @@
 # the scenes of tests/scene are whole
-for name in still-life moving colours night room; do
+for name in still-life moving colours night room toy village; do
     lenscalc render "$TESTS/../scene/$name.scene" --lens double-gauss-50 -N 4 -t 1/60 --size 6x4 \
         --samples 1 -o "$name.pfm" 2> /dev/null && echo "$name: $(head -c 2 "$name.pfm")"
 done
