@@ -28,12 +28,15 @@ bool number_table_parse(const char *path, struct text content, const char *first
         return false;
     }
     *table = (struct number_table){.columns = tsv.columns};
-    size_t room[TSV_MOST_COLUMNS] = {0};
+    size_t room[TSV_MOST_COLUMNS] = {0}, line_room = 0;
     for (size_t k = 0; k < tsv.columns; k++) {
         const struct text name = tsv.names[k];
         table->names[k] = arena_printf(arena, "%.*s", text_shown(name), name.start);
     }
     for (; tsv_next(&tsv, error); table->rows++) {
+        table->line =
+            arena_grow(arena, table->line, table->rows, &line_room, sizeof table->line[0]);
+        table->line[table->rows] = tsv.line;
         for (size_t k = 0; k < tsv.columns; k++) {
             double **column = &table->column[k];
             *column = arena_grow(arena, *column, table->rows, &room[k], sizeof **column);

@@ -11,6 +11,7 @@ struct number_table {
     size_t columns, rows;
     const char *names[TSV_MOST_COLUMNS];
     double *column[TSV_MOST_COLUMNS];
+    long *line; /* of each row in the file, from 1 */
 };
 
 /*
