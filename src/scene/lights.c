@@ -109,7 +109,7 @@ static double share_there(const struct scene_thing *thing, const double place[2]
 {
     double of[TEXTURE_CHANNELS] = {[TEXTURE_ALPHA] = 1};
     if (thing->picture != NULL) {
-        texture_look(thing->picture, place, false, of);
+        texture_look(thing->picture, place, TEXTURE_ENDS, of);
     }
     return of[TEXTURE_ALPHA];
 }

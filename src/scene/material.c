@@ -61,6 +61,11 @@ bool materials_open(const struct scene *scene, const struct bands *bands, struct
     return true;
 }
 
+/* Pictures go around spheres, and on beside themselves where places have no end. */
+static const enum texture_edges edges[] = {
+    [SHAPE_PLANE] = TEXTURE_REPEATS, [SHAPE_DISC] = TEXTURE_ENDS, [SHAPE_CARD] = TEXTURE_ENDS,
+    [SHAPE_SPHERE] = TEXTURE_ROUND,  [SHAPE_BOX] = TEXTURE_ENDS,  [SHAPE_MESH] = TEXTURE_REPEATS};
+
 /* What a picture on a thing has at a place: shares of the lanes, and the mean of its colours. */
 static struct radiance look_at(const struct materials *materials, const struct scene_thing *thing,
                                const struct image *picture, const double place[2],
@@ -68,7 +73,7 @@ static struct radiance look_at(const struct materials *materials, const struct s
 {
     double rgb[TEXTURE_CHANNELS];
     struct radiance of = {{0}};
-    texture_look(picture, place, thing->shape == SHAPE_PLANE, rgb);
+    texture_look(picture, place, edges[thing->shape], rgb);
     for (size_t k = 0; k < lanes->count; k++) {
         const double *basis = materials->bands->basis[lanes->band[k]];
         of.of[k] = rgb[0] * basis[0] + rgb[1] * basis[1] + rgb[2] * basis[2];

@@ -96,7 +96,7 @@ static bool meet_card(const struct scene_thing *thing, const struct shape_ray *r
         return true;
     }
     double of[TEXTURE_CHANNELS];
-    texture_look(thing->picture, spot_card(thing, ray, meeting).place, false, of);
+    texture_look(thing->picture, spot_card(thing, ray, meeting).place, TEXTURE_ENDS, of);
     return is_there(at, of[TEXTURE_ALPHA]);
 }
 

@@ -3,6 +3,7 @@
 #include "scene/texture.h"
 
 #include <math.h>
+#include <stdbool.h>
 
 /* Two pixels side by side, and how far it is from the first to the second. */
 struct between {
@@ -27,11 +28,11 @@ static struct between between_at(double place, size_t count, bool repeats)
                             at - first};
 }
 
-void texture_look(const struct image *image, const double place[2], bool repeats,
+void texture_look(const struct image *image, const double place[2], enum texture_edges edges,
                   double of[TEXTURE_CHANNELS])
 {
-    const struct between x = between_at(place[0], image->width, repeats);
-    const struct between y = between_at(1 - place[1], image->height, repeats);
+    const struct between x = between_at(place[0], image->width, edges != TEXTURE_ENDS);
+    const struct between y = between_at(1 - place[1], image->height, edges == TEXTURE_REPEATS);
     const size_t left = x.at[0] * image->channels, right = x.at[1] * image->channels;
     const float *upper = image_row(image, y.at[0]), *lower = image_row(image, y.at[1]);
     const size_t step = image->channels < TEXTURE_ALPHA ? 0 : 1;

@@ -5,10 +5,15 @@
 
 #include "base/image/image.h"
 
-#include <stdbool.h>
-
 /* Red, green, blue, and the share of it that is there. */
 enum { TEXTURE_ALPHA = 3, TEXTURE_CHANNELS };
+
+/* What lies beside the borders of a picture. */
+enum texture_edges {
+    TEXTURE_ENDS,   /* the pixels at the border go on */
+    TEXTURE_ROUND,  /* left and right it begins anew, as around a globe */
+    TEXTURE_REPEATS /* it begins anew on all sides */
+};
 
 /*
  * Look at a place of a picture.
@@ -16,12 +21,10 @@ enum { TEXTURE_ALPHA = 3, TEXTURE_CHANNELS };
  * Given     image    colour is in the first channel, or of three and more in the first three; of
  *                    four the last is alpha
  *           place    from the left and from below, 0 to 1
- *           repeats  beside its left and right, upper and lower borders it begins anew; else their
- *                    pixels go on
  * Result    of  linear sRGB; pixels have the light of their middles, and what lies between four of
  *               them goes in a straight line. Alpha of a picture that has none is 1
  */
-void texture_look(const struct image *image, const double place[2], bool repeats,
+void texture_look(const struct image *image, const double place[2], enum texture_edges edges,
                   double of[TEXTURE_CHANNELS]);
 
 #endif

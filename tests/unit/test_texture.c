@@ -13,25 +13,33 @@ static void test_places(void)
     static const struct {
         const char *what;
         double place[2];
-        bool repeats;
+        enum texture_edges edges;
         double expected;
     } cases[] = {
-        {"upper left pixel", {0.25, 0.75}, false, 1},
-        {"upper right", {0.75, 0.75}, false, 2},
-        {"lower left", {0.25, 0.25}, false, 4},
-        {"lower right", {0.75, 0.25}, true, 8},
-        {"in the middle", {0.5, 0.5}, false, 3.75},
-        {"nearer to the lower right", {0.625, 0.375}, true, 0.0625 + 3.0 / 16 * 6 + 8 * 9.0 / 16},
-        {"corner", {0, 1}, false, 1},
-        {"other corner", {1, 0}, false, 8},
-        {"corner of all four", {0, 1}, true, 3.75},
-        {"other corner of all four", {1, 0}, true, 3.75},
-        {"left border", {0, 0.75}, true, 1.5},
-        {"beyond", {-3, 9}, false, 1},
+        {"upper left pixel", {0.25, 0.75}, TEXTURE_ENDS, 1},
+        {"upper right", {0.75, 0.75}, TEXTURE_ENDS, 2},
+        {"lower left", {0.25, 0.25}, TEXTURE_ENDS, 4},
+        {"lower right", {0.75, 0.25}, TEXTURE_REPEATS, 8},
+        {"in the middle", {0.5, 0.5}, TEXTURE_ENDS, 3.75},
+        {"nearer to the lower right",
+         {0.625, 0.375},
+         TEXTURE_REPEATS,
+         0.0625 + 3.0 / 16 * 6 + 8 * 9.0 / 16},
+        {"corner", {0, 1}, TEXTURE_ENDS, 1},
+        {"other corner", {1, 0}, TEXTURE_ENDS, 8},
+        {"corner of all four", {0, 1}, TEXTURE_REPEATS, 3.75},
+        {"other corner of all four", {1, 0}, TEXTURE_REPEATS, 3.75},
+        {"left border", {0, 0.75}, TEXTURE_REPEATS, 1.5},
+        /* half of 1 and half of 2 */
+        {"seam of a globe", {0, 0.75}, TEXTURE_ROUND, 1.5},
+        {"seam of a globe, from the other side", {1, 1}, TEXTURE_ROUND, 1.5},
+        {"pole of a globe", {0.25, 1}, TEXTURE_ROUND, 1},
+        {"other pole", {0.75, 0}, TEXTURE_ROUND, 8},
+        {"beyond", {-3, 9}, TEXTURE_ENDS, 1},
     };
     for (size_t i = 0; i < sizeof cases / sizeof cases[0]; i++) {
         double of[TEXTURE_CHANNELS];
-        texture_look(&picture, cases[i].place, cases[i].repeats, of);
+        texture_look(&picture, cases[i].place, cases[i].edges, of);
         for (size_t k = 0; k < TEXTURE_ALPHA; k++) {
             CHECK_NEAR(of[k], cases[i].expected, 1e-15, cases[i].what);
         }
@@ -46,15 +54,15 @@ static void test_channels(void)
     double of[TEXTURE_CHANNELS];
     for (size_t channels = 1; channels <= 4; channels++) {
         const struct image one = {.width = 1, .height = 1, .channels = channels, .pixels = pixels};
-        texture_look(&one, place, false, of);
+        texture_look(&one, place, TEXTURE_ENDS, of);
         CHECK_NEAR(of[1], channels < 3 ? 0.125 : 0.25, 0, "green");
         CHECK_NEAR(of[2], channels < 3 ? 0.125 : 0.5, 0, "blue");
         CHECK_NEAR(of[TEXTURE_ALPHA], channels < 4 ? 1 : 0.75, 0, "alpha");
     }
     /* what is no number does no harm */
     const double nowhere[] = {NAN, INFINITY};
-    texture_look(&picture, nowhere, true, of);
-    texture_look(&picture, nowhere, false, of);
+    texture_look(&picture, nowhere, TEXTURE_REPEATS, of);
+    texture_look(&picture, nowhere, TEXTURE_ENDS, of);
     CHECK(true);
 }
 
