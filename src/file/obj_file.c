@@ -267,13 +267,16 @@ static bool read_line(struct obj *obj, struct error *error)
 /* How many parts of each kind there are. */
 static void count_parts(struct obj *obj)
 {
-    struct file_words words = obj->words;
-    while (file_words_line(&words)) {
-        const struct text head = file_words_next(&words);
+    const struct file_words begin = obj->words;
+    while (file_words_line(&obj->words)) {
+        const struct text head = next_word(obj);
         for (int part = 0; part < PARTS; part++) {
             obj->total[part] += text_equal(head, part_words[part]) ? 1 : 0;
         }
+        while (next_word(obj).length > 0) {
+        }
     }
+    obj->words = begin;
 }
 
 /* -------- the mesh -------- */
@@ -399,13 +402,6 @@ static bool read_lines(struct obj *obj, struct error *error)
     while (file_words_line(&obj->words)) {
         if (!read_line(obj, error)) {
             return false;
-        }
-    }
-    for (int part = 0; part < PARTS; part++) {
-        if (obj->count[part] != obj->total[part]) { /* faces may name one that was never read */
-            fail(error, ERROR_DATA, "a line that goes on from the one above begins with '%s'",
-                 part_words[part]);
-            return error_locate(error, obj->question->source, 0, 0);
         }
     }
     if (obj->triangle_count == 0) {

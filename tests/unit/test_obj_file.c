@@ -52,7 +52,7 @@ static void check_errors(void)
         {"facet 1 2 3\n", 1, 1, "unknown word 'facet'"},
         {"vp 0 0\n", 1, 1, "free-form"},
         {"\xff\xfev", 1, 1, "UTF-16"},
-        {"g a \\\nv 0 0 0\nf 1 1 1\n", 0, 0, "a line that goes on from the one above"},
+        {"g a \\\nv 0 0 0\nf 1 1 1\n", 3, 3, "there is no 'v' 1: the file has 0"},
     };
     for (size_t i = 0; i < sizeof cases / sizeof cases[0]; i++) {
         struct arena arena = {0};
@@ -105,6 +105,20 @@ static void check_square(void)
     arena_free(&arena);
 }
 
+/* What goes on from the line above is part of it, whatever it looks like. */
+static void check_continued(void)
+{
+    struct arena arena = {0};
+    struct scene_mesh mesh;
+    struct obj_passed passed;
+    struct error error = {0};
+    CHECK(read_text("g a \\\nv 5 5 5\n\\\nv 0 0 0\n# \\\nv 1 0 0\nv 0 1 \\\n 0\nf 1 2 3\n", &arena,
+                    &mesh, &passed, &error));
+    CHECK(mesh.corner_count == 3 && mesh.triangle_count == 1);
+    CHECK(is_at(mesh.corners[0], 0, 0, 0) && is_at(mesh.corners[2], 0, 1000, 0));
+    arena_free(&arena);
+}
+
 /* Faces without normals beside one with them; a corner in two faces; faces before their corners. */
 static void check_normals(void)
 {
@@ -134,6 +148,7 @@ int main(void)
 {
     check_errors();
     check_square();
+    check_continued();
     check_normals();
     return check_report();
 }
