@@ -84,7 +84,7 @@ static bool load(struct lensdb *db, const char *name, struct lensdb_file **found
     struct lensdb_file *file = ARENA_NEW(db->arena, struct lensdb_file);
     file->name = arena_string(db->arena, name, strlen(name));
     file->path = arena_printf(db->arena, "%s/%s", db->directory, name);
-    if (!folder_file(file->path, db->arena, &file->content, error) &&
+    if (!regular_file(file->path, WHOLE_FILE_MOST, db->arena, &file->content, error) &&
         (error->code != ERROR_NONE || !check_directory(db->directory, error))) {
         return false;
     }

@@ -93,11 +93,12 @@ bool whole_file(const char *path, struct arena *arena, struct text *content, str
     return large_file(path, WHOLE_FILE_MOST, arena, content, error);
 }
 
-bool folder_file(const char *path, struct arena *arena, struct text *content, struct error *error)
+bool regular_file(const char *path, size_t most, struct arena *arena, struct text *content,
+                  struct error *error)
 {
     struct stat found;
     if (stat(path, &found) == 0 && !S_ISREG(found.st_mode)) {
         return fail(error, ERROR_IO, "cannot read %s: no regular file", path);
     }
-    return whole_file(path, arena, content, error);
+    return large_file(path, most, arena, content, error);
 }

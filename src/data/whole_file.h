@@ -44,11 +44,13 @@ bool file_of_kind(const char *path, size_t most, bool (*begins)(struct text), st
                   struct text *content, struct error *error);
 
 /*
- * The same, of a folder that is looked through: nobody waits at a pipe that lies there.
+ * The same of a name that a folder or another file has: nobody waits at a pipe that lies there, or
+ * reads a device that has no end.
  *
- * Errors    ERROR_IO: it is no file, too
+ * Errors    ERROR_IO: it is no regular file, too
  */
-bool folder_file(const char *path, struct arena *arena, struct text *content, struct error *error);
+bool regular_file(const char *path, size_t most, struct arena *arena, struct text *content,
+                  struct error *error);
 
 /* The same, of at most WHOLE_FILE_MOST. */
 bool whole_file(const char *path, struct arena *arena, struct text *content, struct error *error);

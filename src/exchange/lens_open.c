@@ -98,7 +98,7 @@ static bool find_user(struct lensdb *db, struct text name, struct arena *arena, 
     for (; *names != NULL; names++) {
         if (text_same_name(text_of(*names), name)) {
             *source = arena_printf(arena, "%s/lenses/%s.lens", db->directory, *names);
-            return folder_file(*source, arena, content, error) ||
+            return regular_file(*source, WHOLE_FILE_MOST, arena, content, error) ||
                    (error->code == ERROR_NONE &&
                     fail(error, ERROR_IO, "cannot read %s: %s", *source, strerror(ENOENT)));
         }

@@ -32,12 +32,22 @@ static bool is_blank(char c)
     return c == ' ' || c == '\t' || c == '\r';
 }
 
+/* Where a quoted value ends that begins here, or here if none does: marks alone are only marks. */
+static size_t behind_quotes(struct text line, size_t at)
+{
+    const bool begins = at > 0 && line.start[at - 1] == '=' && line.start[at] == '"';
+    const char *end = begins ? memchr(line.start + at + 1, '"', line.length - at - 1) : NULL;
+    return end != NULL ? (size_t)(end - line.start) : at;
+}
+
 /* A comment begins where a word may begin. */
-static struct text without_comment(struct text line, const char *mark)
+static struct text without_comment(struct text line, const char *mark, bool has_quotes)
 {
     size_t length = mark != NULL ? strlen(mark) : 0;
     for (size_t i = 0; length > 0 && i + length <= line.length; i++) {
-        if (memcmp(line.start + i, mark, length) == 0 && (i == 0 || is_blank(line.start[i - 1]))) {
+        i = has_quotes ? behind_quotes(line, i) : i;
+        if (i + length <= line.length && memcmp(line.start + i, mark, length) == 0 &&
+            (i == 0 || is_blank(line.start[i - 1]))) {
             line.length = i;
         }
     }
@@ -47,7 +57,8 @@ static struct text without_comment(struct text line, const char *mark)
 bool file_words_line(struct file_words *words)
 {
     while (words->rest.start != NULL && words->rest.length > 0) {
-        struct text line = without_comment(text_cut(&words->rest, '\n'), words->comment);
+        struct text line =
+            without_comment(text_cut(&words->rest, '\n'), words->comment, words->has_quotes);
         words->number++;
         while (line.length > 0 && is_blank(line.start[line.length - 1])) {
             line.length--;

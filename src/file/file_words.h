@@ -20,6 +20,7 @@ struct file_words {
     const char *at;            /* where the next word of the line begins */
     struct number_scale scale; /* unit of a length in mm */
     const char *comment;       /* what begins a comment, where a word may begin; null = nothing */
+    bool has_quotes;           /* of values, key="..."; no comment begins between them */
     struct arena *arena;
 };
 
@@ -41,7 +42,7 @@ bool file_words_plain(const char *source, struct text content, struct error *err
 
 /*
  * Go to the next line that has words; false at the end. CRLF and comments are passed over; of
- * another program's file `comment` is set after file_words_open.
+ * another program's file `comment` is set after file_words_open, and `has_quotes` where they count.
  */
 bool file_words_line(struct file_words *words);
 

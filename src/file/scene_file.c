@@ -111,6 +111,7 @@ bool scene_file_read(const char *path, struct text content, const struct scene_f
         !file_words_plain(path, content, error)) {
         return false;
     }
+    reader.words.has_quotes = true;
     while (file_words_line(&reader.words)) {
         if (!read_line(&reader, error)) {
             return false;

@@ -8,6 +8,7 @@
 #include "file/obj_file.h"
 #include "light/spectrum.h"
 
+#include <math.h>
 #include <string.h>
 
 enum { COLOURS = 3 };
@@ -16,7 +17,7 @@ static bool read_there(void *context, const char *path, struct arena *arena, str
                        struct error *error)
 {
     (void)context;
-    return large_file(path, IMAGE_FILE_MOST, arena, content, error) ||
+    return regular_file(path, IMAGE_FILE_MOST, arena, content, error) ||
            (error->code == ERROR_NONE && fail(error, ERROR_IO, "there is no file %.200s", path));
 }
 
@@ -127,19 +128,38 @@ static bool check_picture(const struct image *image, bool with_alpha, enum scene
                 at % image->width + 1, at / image->width + 1);
 }
 
-static bool parse_picture(const char *path, struct text content, enum scene_picture kind,
+/* The picture lies in `arena`, what is given up in that of what is wanted. */
+static bool parse_picture(const struct wanted *wanted, struct text content, enum scene_picture kind,
                           struct arena *arena, struct image *image, struct error *error)
 {
+    struct arena *own = wanted->arena;
     struct image whole;
-    if (!image_file_parse(path, content, IMAGE_LIGHT, arena, &whole, error)) {
+    if (!image_file_parse(wanted->path, content, IMAGE_LIGHT, own, &whole, error)) {
         return false;
     }
-    const bool with_alpha = has_alpha(&whole, arena);
-    if (strcmp(image_channel(&whole, 0, arena), "X") == 0) {
+    const bool with_alpha = has_alpha(&whole, own);
+    if (strcmp(image_channel(&whole, 0, own), "X") == 0) {
         return fail(error, ERROR_DATA, "it has X, Y and Z, not red, green and blue");
     }
     return take_colours(&whole, with_alpha, arena, image, error) &&
            check_picture(image, with_alpha, kind, error);
+}
+
+/* What the file holds is given up, and what it becomes at first: both are as large as pictures. */
+static bool read_picture(struct scene_reader *reader, struct wanted *wanted,
+                         enum scene_picture kind, struct image *image, struct error *error)
+{
+    struct arena own = {0};
+    struct text content;
+    struct error found;
+    wanted->arena = &own;
+    bool is_read = read_file(reader, wanted, &content, error);
+    if (is_read && !parse_picture(wanted, content, kind, reader->words.arena, image, &found)) {
+        is_read = scene_line_fail(wanted->line, wanted->key, error, "%.200s: %s", wanted->path,
+                                  found.message);
+    }
+    arena_free(&own);
+    return is_read;
 }
 
 bool scene_load_picture(struct scene_reader *reader, const struct scene_line *line,
@@ -150,19 +170,13 @@ bool scene_load_picture(struct scene_reader *reader, const struct scene_line *li
     const char *path = path_beside(reader, line->value[key]);
     const char *name = arena_printf(arena, "%d %s", (int)kind, path);
     const size_t known = name_index_find(&reader->images, text_of(name));
-    struct image *read = ARENA_NEW(arena, struct image);
-    struct text content;
-    struct error found;
     if (known != NAME_NONE) {
         *image = reader->loaded[known];
         return true;
     }
-    const struct wanted wanted = {line, key, path, arena};
-    if (!read_file(reader, &wanted, &content, error)) {
+    struct image *read = ARENA_NEW(arena, struct image);
+    if (!read_picture(reader, &(struct wanted){line, key, path, arena}, kind, read, error)) {
         return false;
-    }
-    if (!parse_picture(path, content, kind, arena, read, &found)) {
-        return scene_line_fail(line, key, error, "%.200s: %s", path, found.message);
     }
     reader->loaded = arena_grow(arena, reader->loaded, reader->images.count, &reader->image_room,
                                 sizeof reader->loaded[0]);
@@ -201,6 +215,22 @@ static void note_ends(struct scene_reader *reader, const char *path,
     }
 }
 
+/* Are wavelengths above 0 and rise, and are values light or shares of it? */
+static bool check_row(const struct number_table *table, size_t row, struct error *error)
+{
+    const double nm = table->column[0][row], value = table->column[1][row];
+    if (!(nm > 0 && nm < (double)INFINITY)) {
+        return fail(error, ERROR_DATA, "the wavelength %.6g nm is not a number above 0", nm);
+    }
+    if (row > 0 && !(nm > table->column[0][row - 1])) {
+        return fail(error, ERROR_DATA,
+                    "the wavelength %.6g nm is not above %.6g, the one before it", nm,
+                    table->column[0][row - 1]);
+    }
+    return (value >= 0 && value <= MOST_VALUE) ||
+           fail(error, ERROR_DATA, "the value %.6g is not within 0 to %g", value, MOST_VALUE);
+}
+
 /* Wavelengths become um. */
 static bool take_spectrum(const char *path, const struct number_table *table,
                           struct spectrum *spectrum, struct error *error)
@@ -210,11 +240,12 @@ static bool take_spectrum(const char *path, const struct number_table *table,
         return error_locate(error, path, 0, 0);
     }
     for (size_t i = 0; i < table->rows; i++) {
-        table->column[0][i] *= UM_PER_NM;
-        if (!(table->column[1][i] <= MOST_VALUE)) {
-            fail(error, ERROR_DATA, "the value %.6g is above %g", table->column[1][i], MOST_VALUE);
-            return error_locate(error, path, 0, 0);
+        if (!check_row(table, i, error)) {
+            return error_locate(error, path, table->line[i], 0);
         }
+    }
+    for (size_t i = 0; i < table->rows; i++) {
+        table->column[0][i] *= UM_PER_NM;
     }
     *spectrum = (struct spectrum){.kind = SPECTRUM_TABLE,
                                   .count = table->rows,
