@@ -2,9 +2,10 @@
 """tests/robust/check_hostile.py - files that showed faults, under every command that takes a file.
 
 Each is answered or refused in a second, with a status of its own; no answer and no message holds a
-nan or a control character, and JSON is whole. The files are those of tests/robust/hostile and, where
-there is one, of the shared folder: each by every so many commands, by all of them where LENSCALC_ALL
-asks for it, by fewer if the program is instrumented. LENSCALC_EVERY sets another number.
+nan or, but for CSV and files, a control character, and JSON is whole. The files are those of
+tests/robust/hostile and, where there is one, of the shared folder: each by every so many commands,
+by all of them where LENSCALC_ALL asks for it, by fewer if the program is instrumented.
+LENSCALC_EVERY sets another number.
 """
 # SPDX-License-Identifier: MIT
 
@@ -99,8 +100,10 @@ def judge(question, status, printed, complaint, may_say_nan):
         wrong.append(f"status {status}: {complaint[-700:]!r}")
     if NAN.search(printed + complaint) and not may_say_nan:
         wrong.append(f"nan: {(printed + complaint)[-300:]!r}")
-    # what is printed in place of a file is that file, whatever stands in it
-    if CONTROL.search(complaint) or (not question.startswith("convert") and CONTROL.search(printed)):
+    # what is printed in place of a file is that file, and cells of CSV are those that were given,
+    # whatever stands in them
+    is_data = question.startswith("convert") or "--csv" in question
+    if CONTROL.search(complaint) or (not is_data and CONTROL.search(printed)):
         wrong.append(f"control characters: {(printed + complaint)[-300:]!r}")
     if "--json" in question and printed:
         try:
