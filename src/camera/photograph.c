@@ -328,13 +328,11 @@ static bool open_subject(struct work *work, struct arena *arena, struct error *e
 }
 
 /* Are there tiles of a scene that are worth looking for? */
-static bool may_see_backdrop(const struct work *work, size_t rays)
+static bool may_see_backdrop(const struct work *work, const struct backdrop *backdrop, size_t rays)
 {
     enum { FEW_RAYS = 1 << 18 };
-    const struct view *view = work->question->view;
-    const struct backdrop backdrop = backdrop_open(view->path->world, view->path->lights);
-    return !tile_rays_in_bands(&work->rays) && !scene_place_moves(&view->camera) &&
-           !backdrop.has_views && (backdrop.is_dark || rays >= FEW_RAYS);
+    return !tile_rays_in_bands(&work->rays) && !scene_place_moves(&work->question->view->camera) &&
+           !backdrop->has_views && (backdrop->is_dark || rays >= FEW_RAYS);
 }
 
 /* What need not be traced; a table of light costs less than a hundredth of the picture. */
@@ -346,7 +344,7 @@ static void open_spare(struct work *work, struct arena *arena)
     const unsigned none = 1U << SKIP_UNIFORM | (view == NULL ? 1U << SKIP_BLUR : 0);
     const size_t rays = question->columns * question->rows * question->samples;
     if (question->samples < FEW_SAMPLES || (question->kept & none) == none ||
-        work->stages != NULL || (view != NULL && !may_see_backdrop(work, rays))) {
+        work->stages != NULL) {
         return;
     }
     struct spare *spare = ARENA_NEW(arena, struct spare);
@@ -359,6 +357,9 @@ static void open_spare(struct work *work, struct arena *arena)
                             .kept = question->kept};
     if (view != NULL) {
         spare->backdrop = backdrop_open(view->path->world, view->path->lights);
+        if (!may_see_backdrop(work, &spare->backdrop, rays)) {
+            return;
+        }
     }
     /* an error is one of all tiles' rays */
     spare->kept |= question->error > 0 ? 1U << SKIP_BLUR : 0;

@@ -43,7 +43,9 @@ CASES = {
     "pupil": [(r"pupil: .*: 9", "chart:checker --lens double-gauss-50 -s 1m --size 48x32")],
     "colour": [(r"colour: all", "chart:checker --lens double-gauss-50 -s 1m --size 48x32 "
                                 "--model thick"),
-               (r"colour: all", "room.scene --lens double-gauss-50 --size 32x24 --model thick")],
+               (r"colour: all", "room.scene --lens double-gauss-50 --size 32x24 --model thick"),
+               (r"colour: 32 bands, .*: one pass", "room.scene --lens double-gauss-50 --size 32x24 "
+                                                   "--model thick --spectral")],
     "time": [(r"time: all rays", "room.scene --lens double-gauss-50 --size 32x24")],
     "secondary": [(r"secondary: light that shines alone", "lamps.scene --lens double-gauss-50 "
                                                           "--size 32x24")],
