@@ -34,14 +34,19 @@ struct obj {
     size_t triangle_count, triangle_room;
 };
 
+static uint64_t mixed(uint64_t hash, uint64_t word)
+{
+    hash = (hash ^ word) * 0x9e3779b97f4a7c15;
+    return hash ^ (hash >> 32);
+}
+
 /* -------- corners of which no two are alike -------- */
 
 static size_t slot_of(const struct obj *obj, const struct corner *corner)
 {
     uint64_t hash = 0;
     for (size_t i = 0; i < PARTS; i++) {
-        hash = (hash ^ corner->of[i]) * 0x9e3779b97f4a7c15;
-        hash ^= hash >> 32;
+        hash = mixed(hash, corner->of[i]);
     }
     size_t slot = (size_t)hash & (obj->slot_count - 1);
     while (obj->slots[slot] != 0 &&
@@ -286,6 +291,68 @@ static struct vector position(const struct obj *obj, size_t corner)
     return obj->all[PART_POSITION][obj->corners[corner].of[PART_POSITION]];
 }
 
+/* Where its corners lie, whichever comes first; bytes are equal where numbers are. */
+struct places {
+    struct vector at[3];
+};
+
+static int in_order(struct vector a, struct vector b)
+{
+    return a.x != b.x   ? (a.x > b.x) - (a.x < b.x)
+           : a.y != b.y ? (a.y > b.y) - (a.y < b.y)
+                        : (a.z > b.z) - (a.z < b.z);
+}
+
+static struct places places_of(const struct obj *obj, const size_t triangle[3])
+{
+    struct places places;
+    for (size_t k = 0; k < 3; k++) {
+        const struct vector own = position(obj, triangle[k]);
+        const struct vector at = {own.x + 0, own.y + 0, own.z + 0}; /* of which -0 becomes 0 */
+        size_t to = k;
+        for (; to > 0 && in_order(places.at[to - 1], at) > 0; to--) {
+            places.at[to] = places.at[to - 1];
+        }
+        places.at[to] = at;
+    }
+    return places;
+}
+
+static uint64_t hash_of(const struct places *places)
+{
+    uint64_t words[sizeof *places / sizeof(uint64_t)], hash = 0;
+    memcpy(words, places, sizeof words);
+    for (size_t i = 0; i < sizeof words / sizeof words[0]; i++) {
+        hash = mixed(hash, words[i]);
+    }
+    return hash;
+}
+
+/* Triangles that lie on each other would all be looked at by each ray, and shine each. */
+static void leave_out_twice(struct obj *obj)
+{
+    size_t slots = 2, kept = 0;
+    while (slots < 2 * obj->triangle_count) {
+        slots *= 2;
+    }
+    size_t *first = ARENA_ARRAY(obj->arena, slots, size_t); /* one more than its number */
+    for (size_t i = 0; i < obj->triangle_count; i++) {
+        const struct places here = places_of(obj, obj->triangles[i]);
+        size_t slot = (size_t)hash_of(&here) & (slots - 1);
+        bool is_there = false;
+        for (; first[slot] != 0 && !is_there; slot = (slot + 1) & (slots - 1)) {
+            const struct places other = places_of(obj, obj->triangles[first[slot] - 1]);
+            is_there = memcmp(&other, &here, sizeof here) == 0;
+        }
+        if (!is_there) {
+            memmove(obj->triangles[kept++], obj->triangles[i], sizeof obj->triangles[0]);
+            first[slot] = kept;
+        }
+    }
+    obj->passed->twice = obj->triangle_count - kept;
+    obj->triangle_count = kept;
+}
+
 /* Any direction for a triangle without area, which nothing meets. */
 static struct vector face_normal(const struct obj *obj, const size_t triangle[3])
 {
@@ -421,6 +488,7 @@ bool obj_read(const struct obj_question *question, struct text content, struct a
     obj.words.comment = NULL;
     is_read = is_read && read_lines(&obj, error);
     if (is_read) {
+        leave_out_twice(&obj);
         make_mesh(&obj, arena, mesh);
     }
     arena_free(&own);

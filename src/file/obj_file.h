@@ -21,6 +21,7 @@ struct obj_question {
 struct obj_passed {
     bool materials, lines, colours;
     size_t unplaced; /* triangles with a corner that has no place in a texture, where others have */
+    size_t twice;    /* triangles whose corners lie where those of another one do */
 };
 
 /*
@@ -30,7 +31,8 @@ struct obj_passed {
  *           arena    receives what the mesh points to
  * Result    faces of more than three corners become fans about their first. A corner is one set of
  *           position, place and normal. Where faces lack normals that others have, or have one
- *           without length, their corners have that of the face
+ *           without length, their corners have that of the face. Of triangles whose corners lie
+ *           at the same three places, in any order, the first one is left
  * Source    [Wavefront92] appendix B1
  * Errors    ERROR_DATA with line and column: an unknown word, no number, a corner that is not
  *           there, a face of less than three, free-form surfaces, no face at all, too many

@@ -288,6 +288,12 @@ static void note_passed(struct scene_reader *reader, const char *path,
     if (all[0] != '\0') {
         take_note(reader, arena_printf(arena, "%s: passed over: %s", path, all + 2));
     }
+    if (passed->twice > 0) {
+        take_note(reader,
+                  arena_printf(arena, "%s: %zu triangle%s where another does, and %s left out",
+                               path, passed->twice, passed->twice == 1 ? " lies" : "s lie",
+                               passed->twice == 1 ? "is" : "are"));
+    }
     if (passed->unplaced > 0) {
         take_note(reader, arena_printf(arena,
                                        "%s: %zu triangles have no places in a texture, and take "

@@ -105,6 +105,27 @@ static void check_square(void)
     arena_free(&arena);
 }
 
+/* The same three places in another order, or as other corners, are the same triangle. */
+static void check_twice(void)
+{
+    struct arena arena = {0};
+    struct scene_mesh mesh;
+    struct obj_passed passed;
+    struct error error = {0};
+    CHECK(read_text(CORNERS "v -0 0 0\nv 0 0 1\nvn 0 0 1\n"
+                            "f 1 2 3\nf 1 2 5\nf 3//1 1//1 2//1\nf 2 4 3\nf 5 1 2\nf 2 3 5\n",
+                    &arena, &mesh, &passed, &error));
+    CHECK(mesh.triangle_count == 3 && passed.twice == 3);
+    for (size_t i = 0; i < 3; i++) {
+        const struct vector last = mesh.corners[mesh.triangles[i][2]];
+        CHECK(is_at(last, 0, i == 0 ? 1000 : 0, i == 0 ? 0 : 1000));
+    }
+    /* the triangles of this fan are 1 2 3, 1 3 1, 1 1 2 and 1 2 3 again */
+    CHECK(read_text(CORNERS "f 1 2 3 1 2 3\n", &arena, &mesh, &passed, &error));
+    CHECK(mesh.triangle_count == 3 && passed.twice == 1);
+    arena_free(&arena);
+}
+
 /* What goes on from the line above is part of it, whatever it looks like. */
 static void check_continued(void)
 {
@@ -149,6 +170,7 @@ int main(void)
     check_errors();
     check_square();
     check_continued();
+    check_twice();
     check_normals();
     return check_report();
 }
