@@ -5,6 +5,9 @@
 #include "base/constants.h"
 #include "scene/pick.h"
 
+#include <stdlib.h>
+#include <string.h>
+
 /* -------- cells of the sphere: rows of even height y, columns of longitude -------- */
 
 enum { ROWS_MOST = 512 };
@@ -144,6 +147,79 @@ static bool open_disc(const struct scene_light *light, const struct scene_light 
     return true;
 }
 
+/* -------- discs that lie on each other -------- */
+
+static int compare(double a, double b)
+{
+    return (a > b) - (a < b);
+}
+
+/* Do they differ in more than in how bright they are? */
+static int by_disc(const struct light_disc *a, const struct light_disc *b)
+{
+    const int signs[] = {compare(a->way.x, b->way.x), compare(a->way.y, b->way.y),
+                         compare(a->way.z, b->way.z), compare(a->radius, b->radius)};
+    for (size_t i = 0; i < sizeof signs / sizeof signs[0]; i++) {
+        if (signs[i] != 0) {
+            return signs[i];
+        }
+    }
+    return a->unit == b->unit ? 0 : memcmp(a->unit, b->unit, BANDS_MOST * sizeof a->unit[0]);
+}
+
+/* The first of the scene goes before others like it. */
+static int by_disc_and_number(const void *a, const void *b)
+{
+    const struct light_disc *p = *(struct light_disc *const *)a;
+    const struct light_disc *q = *(struct light_disc *const *)b;
+    const int sign = by_disc(p, q);
+    return sign != 0 ? sign : (p > q) - (p < q);
+}
+
+/*
+ * Discs of one place, size and colour become the first of them: rays would look at each. The others
+ * have no amount any more; `amount`: lx of each.
+ */
+static void join_alike(struct light_discs *discs, double *amount)
+{
+    struct arena work = {0};
+    struct light_disc **order = ARENA_ARRAY(&work, discs->count, struct light_disc *);
+    for (size_t i = 0; i < discs->count; i++) {
+        order[i] = &discs->all[i];
+    }
+    qsort(order, discs->count, sizeof order[0], by_disc_and_number);
+    struct light_disc *first = order[0];
+    for (size_t i = 1; i < discs->count; i++) {
+        if (by_disc(first, order[i]) != 0) {
+            first = order[i];
+            continue;
+        }
+        first->luminance += order[i]->luminance;
+        amount[first - discs->all] += amount[order[i] - discs->all];
+        amount[order[i] - discs->all] = 0;
+    }
+    arena_free(&work);
+}
+
+/* What is left of them, in the order of the scene, and how often each is chosen. */
+static void weigh(struct light_discs *discs, const double *amount)
+{
+    size_t count = 0;
+    for (size_t i = 0; i < discs->count; i++) {
+        if (amount[i] > 0) {
+            discs->all[count] = discs->all[i];
+            discs->below[count + 1] = discs->below[count] + amount[i];
+            count++;
+        }
+    }
+    discs->count = count;
+    discs->total = discs->below[count];
+    for (size_t i = 0; i < count; i++) {
+        const double share = (discs->below[i + 1] - discs->below[i]) / discs->total;
+        discs->all[i].density = share / (2 * PI * height_of(discs->all[i].radius));
+    }
+}
+
 bool light_discs_open(const struct scene *scene, const struct bands *bands, struct arena *arena,
                       struct light_discs *discs, struct error *error)
 {
@@ -156,6 +232,7 @@ bool light_discs_open(const struct scene *scene, const struct bands *bands, stru
     }
     discs->all = ARENA_ARRAY(arena, discs->count, struct light_disc);
     discs->below = ARENA_ARRAY(arena, discs->count + 1, double);
+    double *amount = ARENA_ARRAY(arena, discs->count, double);
     const struct scene_light *before = NULL;
     size_t count = 0;
     for (size_t i = 0; i < scene->light_count; i++) {
@@ -167,14 +244,10 @@ bool light_discs_open(const struct scene *scene, const struct bands *bands, stru
             return false;
         }
         before = light;
-        discs->below[count + 1] = discs->below[count] + light->amount;
-        count++;
+        amount[count++] = light->amount;
     }
-    discs->total = discs->below[count];
-    for (size_t i = 0; i < count; i++) {
-        const double share = (discs->below[i + 1] - discs->below[i]) / discs->total;
-        discs->all[i].density = share / (2 * PI * height_of(discs->all[i].radius));
-    }
+    join_alike(discs, amount);
+    weigh(discs, amount);
     sort_into_cells(discs, arena);
     return true;
 }

@@ -31,7 +31,7 @@ struct light_discs {
 };
 
 /*
- * Make all suns and stars of a scene ready.
+ * Make all suns and stars of a scene ready; those of one place, size and colour become one.
  *
  * Formula   L = E/(pi sin^2 r): the illuminance of a plane that faces a disc of the radius r
  * Errors    of bands_of_light, with the place

@@ -238,6 +238,37 @@ static void test_stars(void)
     arena_free(&stage.arena);
 }
 
+/* Stars of one place, size and colour are one as bright as all; others are not. */
+static void test_joined(void)
+{
+    enum { STARS = 9 };
+    static struct scene_light stars[STARS];
+    const double radius = 0.01;
+    struct stage stage;
+    struct radiance light;
+    for (size_t i = 0; i < STARS; i++) {
+        stars[i] = (struct scene_light){.kind = LIGHT_STAR,
+                                        .spectrum = spectrum_white(),
+                                        .direction = {0, 0, i % 3 == 1 ? 1 : -1},
+                                        .diameter = (i == 8 ? 4 : 2) * radius,
+                                        .amount = (double)(i + 1)};
+    }
+    stars[5].spectrum.kind = SPECTRUM_BLACKBODY;
+    stars[5].spectrum.kelvin = 3000;
+    stage_open(&stage, NULL, 0, stars, STARS);
+    /* behind: 2 + 5 + 8; before: 1 + 3 + 4 + 7, 6 of another colour and 9 of another size */
+    const struct light_discs *discs = &stage.lights.discs;
+    static const double amounts[] = {15, 15, 6, 9};
+    CHECK(discs->count == 4);
+    for (size_t i = 0; i < discs->count; i++) {
+        CHECK_RELATIVE(discs->below[i + 1] - discs->below[i], amounts[i], 1e-14, "lx");
+    }
+    lights_background(&stage.lights, stars[1].direction, &stage.lanes, &light);
+    CHECK_RELATIVE(luminance(&light), 15 / (PI * sin(radius) * sin(radius)), 1e-12, "behind");
+    check_samples(&stage, (struct vector){0, 0, 0}, 0);
+    arena_free(&stage.arena);
+}
+
 /* Horizontal: pi L; on a slope pi L (1 + cos)/2. The others by integrals of their formula. */
 static void test_sky(void)
 {
@@ -548,6 +579,7 @@ int main(void)
     }
     test_sun();
     test_stars();
+    test_joined();
     test_sky();
     test_environment();
     test_lamps();
