@@ -6,7 +6,12 @@
 
 /* After so many surfaces paths may end by chance. */
 enum { SURE_BOUNCES = 3 };
-/* Of the way to what shines, where something else may stand: what is left of it is rounding. */
+/*
+ * Of the way to what shines, where something else may stand. What is left must hold the rounding
+ * of both ends along the ray, which is their slack over the cosine at the lamp: 2^-24 suffices
+ * where |x|+|y|+|z| over the way, over that cosine, is below 2^22. In turn what is nearer to a lamp
+ * than 6e-8 of the way to it throws no shadow: 60 nm at 1 m.
+ */
 #define BEFORE_LIGHT (1 - 0x1p-24)
 
 /* A path so far: the ray that it goes on by. */
