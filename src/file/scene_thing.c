@@ -92,6 +92,25 @@ static bool read_card(struct scene_reader *reader, const struct scene_line *line
     return true;
 }
 
+/* A texture has the proportions of its picture. */
+static bool read_plane(const struct scene_line *line, const struct image *texture,
+                       struct scene_thing *thing, struct error *error)
+{
+    if ((texture != NULL) != scene_line_has(line, KEY_REPEAT)) {
+        return scene_line_fail(line, KEY_REPEAT, error, "%s",
+                               texture != NULL
+                                   ? "a plane with a texture needs repeat=, its width on the plane"
+                                   : "repeat= is the width of a texture, and the material has "
+                                     "none");
+    }
+    if (texture != NULL) {
+        const double width = line->number[KEY_REPEAT][0];
+        thing->repeat[0] = width;
+        thing->repeat[1] = width * (double)texture->height / (double)texture->width;
+    }
+    return true;
+}
+
 static bool check_size(const struct scene_line *line, const struct shape *shape, bool has_picture,
                        struct error *error)
 {
@@ -118,12 +137,7 @@ static bool read_shape(struct scene_reader *reader, const struct scene_line *lin
     case SHAPE_MESH:
         return read_mesh(reader, line, texture != NULL, thing, error);
     case SHAPE_PLANE:
-        return (texture != NULL) == scene_line_has(line, KEY_REPEAT) ||
-               scene_line_fail(line, KEY_REPEAT, error, "%s",
-                               texture != NULL
-                                   ? "a plane with a texture needs repeat=, its width on the plane"
-                                   : "repeat= is the width of a texture, and the material has "
-                                     "none");
+        return read_plane(line, texture, thing, error);
     default:
         return true;
     }
@@ -148,7 +162,6 @@ bool scene_thing_read(struct scene_reader *reader, struct text head, struct erro
         .shape = shapes[i].shape,
         .radius = line.number[KEY_RADIUS][0],
         .size = scene_line_vector(&line, KEY_SIZE),
-        .repeat = line.number[KEY_REPEAT][0],
         .place = file_words_place(words, head),
     };
     if (!scene_place_read(&line, &thing.where, error) ||

@@ -92,7 +92,7 @@ struct scene_thing {
     struct scene_place where;
     double radius;               /* mm, > 0 */
     struct vector size;          /* mm, > 0 */
-    double repeat;               /* of a plane: width of a texture on it, mm */
+    double repeat[2];            /* of a plane: width and height of a texture on it, mm; 0: none */
     const struct image *picture; /* of a card: its light, with white 1, in place of a material;
                                     three channels, or four: the last is alpha, its share of what
                                     is there */

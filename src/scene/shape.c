@@ -53,8 +53,9 @@ static struct shape_spot spot_flat(const struct shape_ray *ray, const struct sha
 static struct shape_spot spot_plane(const struct scene_thing *thing, const struct shape_ray *ray,
                                     const struct shape_meeting *meeting)
 {
-    const double width = thing->repeat > 0 ? thing->repeat : INFINITY;
-    struct shape_spot spot = spot_flat(ray, meeting, width, width);
+    const bool repeats = thing->repeat[0] > 0;
+    struct shape_spot spot = spot_flat(ray, meeting, repeats ? thing->repeat[0] : INFINITY,
+                                       repeats ? thing->repeat[1] : INFINITY);
     spot.place[0] -= floor(spot.place[0]);
     spot.place[1] -= floor(spot.place[1]);
     return spot;

@@ -417,6 +417,9 @@ static void check_loaded(void)
     CHECK(scene.things[1].size.y == 1000 && scene.things[0].material == SCENE_NONE);
     CHECK(scene.things[0].picture == scene.things[1].picture && !scene.things[0].shines);
     CHECK(scene.things[0].picture->channels == 3 && scene.things[0].picture->pixels[4] == 0.25F);
+    text = CAMERA "material a mirror texture=good.pfm\nplane material=a repeat=3\n";
+    CHECK(scene_file_read("test.scene", text_of(text), &files, &arena, &scene, &error));
+    CHECK(scene.things[0].repeat[0] == 3000 && scene.things[0].repeat[1] == 1500);
     const char *mesh = CAMERA TABLE("leaf.tsv") "material grey lambert colour=leaf\n"
                                                 "mesh material=grey file=flat.obj scale=0.5\n"
                                                 "mesh material=grey file=flat.obj scale=0.5 "

@@ -15,7 +15,7 @@ static struct scene_thing thing_of(enum scene_shape shape, struct vector at)
                                 .where = {.at = at, .turned = upright, .axis = {0, 1, 0}},
                                 .radius = 2,
                                 .size = {2, 4, 6},
-                                .repeat = 10,
+                                .repeat = {10, 5},
                                 .material = SCENE_NONE};
 }
 
@@ -39,7 +39,7 @@ static const struct shape_case {
     double place[2];
     bool is_back;
 } shape_cases[] = {
-    {"plane", SHAPE_PLANE, {1, 2, 5}, {1, 2, 0}, true, {1, 2, 0}, {0, 0, 1}, {0.6, 0.7}, false},
+    {"plane", SHAPE_PLANE, {1, 2, 5}, {1, 2, 0}, true, {1, 2, 0}, {0, 0, 1}, {0.6, 0.9}, false},
     {"plane behind",
      SHAPE_PLANE,
      {12, -7, -5},
@@ -47,7 +47,7 @@ static const struct shape_case {
      true,
      {12, -7, 0},
      {0, 0, -1},
-     {0.7, 0.8},
+     {0.7, 0.1},
      true},
     {"along a plane",
      SHAPE_PLANE,
