@@ -130,9 +130,12 @@ static bool read_environment(struct scene_reader *reader, const struct scene_lin
 {
     light->amount = line->number[KEY_LUMINANCE][0];
     light->turn = -line->number[KEY_AZIMUTH][0];
-    if (!scene_load_picture(reader, line, KEY_FILE, PICTURE_OF_LIGHT, &light->picture, error)) {
+    struct scene_loaded picture;
+    if (!scene_load_picture(reader, line, KEY_FILE, PICTURE_OF_LIGHT, &picture, error)) {
         return false;
     }
+    light->picture = picture.image;
+    light->mean = picture.mean;
     return light->picture->width == 2 * light->picture->height ||
            scene_line_fail(line, KEY_FILE, error,
                            "a picture of all directions is twice as wide as high, and this one is "

@@ -7,6 +7,7 @@
 #include "file/image_file.h"
 #include "file/obj_file.h"
 #include "light/spectrum.h"
+#include "scene/texture.h"
 
 #include <math.h>
 #include <string.h>
@@ -163,7 +164,7 @@ static bool read_picture(struct scene_reader *reader, struct wanted *wanted,
 }
 
 bool scene_load_picture(struct scene_reader *reader, const struct scene_line *line,
-                        enum scene_key key, enum scene_picture kind, const struct image **image,
+                        enum scene_key key, enum scene_picture kind, struct scene_loaded *loaded,
                         struct error *error)
 {
     struct arena *arena = reader->words.arena;
@@ -171,7 +172,7 @@ bool scene_load_picture(struct scene_reader *reader, const struct scene_line *li
     const char *name = arena_printf(arena, "%d %s", (int)kind, path);
     const size_t known = name_index_find(&reader->images, text_of(name));
     if (known != NAME_NONE) {
-        *image = reader->loaded[known];
+        *loaded = reader->loaded[known];
         return true;
     }
     struct image *read = ARENA_NEW(arena, struct image);
@@ -180,9 +181,9 @@ bool scene_load_picture(struct scene_reader *reader, const struct scene_line *li
     }
     reader->loaded = arena_grow(arena, reader->loaded, reader->images.count, &reader->image_room,
                                 sizeof reader->loaded[0]);
-    reader->loaded[reader->images.count] = read;
+    *loaded = (struct scene_loaded){read, texture_luminance(read)};
+    reader->loaded[reader->images.count] = *loaded;
     name_index_add(&reader->images, text_of(name), arena);
-    *image = read;
     return true;
 }
 
@@ -264,14 +265,23 @@ bool scene_load_table(struct scene_reader *reader, const struct scene_line *line
     struct arena *arena = reader->words.arena;
     const struct wanted wanted = {line, KEY_TABLE, path_beside(reader, line->value[KEY_TABLE]),
                                   arena};
+    const size_t known = name_index_find(&reader->tables, text_of(wanted.path));
     struct number_table table;
     struct text content;
+    if (known != NAME_NONE) {
+        *spectrum = reader->tabled[known];
+        return true;
+    }
     if (!read_file(reader, &wanted, &content, error) ||
         !number_table_parse(wanted.path, content, "wavelength_nm", arena, &table, error) ||
         !take_spectrum(wanted.path, &table, spectrum, error)) {
         return false;
     }
     note_ends(reader, wanted.path, spectrum);
+    reader->tabled = arena_grow(arena, reader->tabled, reader->tables.count, &reader->table_room,
+                                sizeof reader->tabled[0]);
+    reader->tabled[reader->tables.count] = *spectrum;
+    name_index_add(&reader->tables, text_of(wanted.path), arena);
     return true;
 }
 

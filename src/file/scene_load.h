@@ -14,17 +14,18 @@ enum scene_picture {
 };
 
 /*
- * The picture that is the value of a key; one file is read once.
+ * The picture that is the value of a key, and its mean; one file is read once.
  *
  * Errors    ERROR_DATA at the key: no such file, no picture, a number that is none or out of its
  *           range, an alpha that means nothing here
  */
 bool scene_load_picture(struct scene_reader *reader, const struct scene_line *line,
-                        enum scene_key key, enum scene_picture kind, const struct image **image,
+                        enum scene_key key, enum scene_picture kind, struct scene_loaded *loaded,
                         struct error *error);
 
 /*
- * A spectrum out of a table whose first column is wavelength_nm, and the second its values.
+ * A spectrum out of a table whose first column is wavelength_nm, and the second its values; one
+ * file is read once.
  *
  * Errors    ERROR_DATA: no such file, less than two rows, wavelengths that do not rise, values
  *           below 0

@@ -56,10 +56,14 @@ static bool read_look(struct scene_reader *reader, const struct scene_line *line
     if (material->kind == MATERIAL_BLACK) {
         return true;
     }
-    return scene_colour_of(reader, line, KEY_COLOUR, COLOUR_OF_SURFACE, &material->colour, error) &&
-           (!scene_line_has(line, KEY_TEXTURE) ||
-            scene_load_picture(reader, line, KEY_TEXTURE, PICTURE_OF_SURFACE, &material->texture,
-                               error));
+    struct scene_loaded texture = {.image = NULL};
+    if (!scene_colour_of(reader, line, KEY_COLOUR, COLOUR_OF_SURFACE, &material->colour, error) ||
+        (scene_line_has(line, KEY_TEXTURE) &&
+         !scene_load_picture(reader, line, KEY_TEXTURE, PICTURE_OF_SURFACE, &texture, error))) {
+        return false;
+    }
+    material->texture = texture.image;
+    return true;
 }
 
 bool scene_material_read(struct scene_reader *reader, struct text head, struct error *error)

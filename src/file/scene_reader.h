@@ -13,6 +13,12 @@ struct scene_colour {
     bool is_light; /* that of a light: no surface may have it */
 };
 
+/* A picture that was read. */
+struct scene_loaded {
+    const struct image *image;
+    double mean; /* its luminance in the mean over that of white */
+};
+
 /* Arrays grow by doubling in the arena of the words; names are texts of the content. */
 struct scene_reader {
     struct file_words words;
@@ -20,11 +26,13 @@ struct scene_reader {
     const struct scene_files *files; /* null: none may be named */
     struct scene_units units;
     struct digest digest;
-    struct name_index colours, materials, images, meshes;
+    struct name_index colours, materials, images, meshes, tables;
     struct scene_colour *spectra;        /* of the colours */
-    const struct image **loaded;         /* of the images */
+    struct scene_loaded *loaded;         /* of the images */
+    struct spectrum *tabled;             /* of the tables */
     const struct scene_mesh **triangled; /* of the meshes */
-    size_t spectrum_room, material_room, thing_room, light_room, note_room, image_room, mesh_room;
+    size_t spectrum_room, material_room, thing_room, light_room, note_room, image_room, mesh_room,
+        table_room;
     size_t triangles; /* of all meshes */
     bool has_camera, has_unit;
 };

@@ -80,11 +80,14 @@ static bool read_card(struct scene_reader *reader, const struct scene_line *line
         return scene_line_fail(line, KEY_LUMINANCE, error,
                                "luminance= is that of a picture: a material has its own");
     }
+    struct scene_loaded picture = {.image = NULL};
     if (has_picture && !scene_load_picture(reader, line, KEY_FILE,
                                            thing->shines ? PICTURE_THAT_SHINES : PICTURE_OF_CARD,
-                                           &thing->picture, error)) {
+                                           &picture, error)) {
         return false;
     }
+    thing->picture = picture.image;
+    thing->mean = picture.mean;
     if (has_picture && line->count[KEY_SIZE] == 1) {
         thing->size.y =
             thing->size.x * (double)thing->picture->height / (double)thing->picture->width;

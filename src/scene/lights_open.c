@@ -1,6 +1,5 @@
 /* scene/lights_open.c - the lights of a scene, collected and made ready. */
 /* SPDX-License-Identifier: MIT */
-#include "light/colour.h"
 #include "scene/lights.h"
 
 #define MM2_PER_M2 1e6
@@ -49,22 +48,10 @@ static bool open_points(struct lights *lights, struct arena *arena, struct error
 
 /* -------- things that shine -------- */
 
-static double picture_luminance(const struct image *picture)
-{
-    const double *y = colour_xyz_of_srgb.at[1];
-    const size_t pixels = picture->width * picture->height;
-    double sum = 0;
-    for (size_t i = 0; i < pixels; i++) {
-        const float *of = picture->pixels + i * picture->channels;
-        sum += y[0] * (double)of[0] + y[1] * (double)of[1] + y[2] * (double)of[2];
-    }
-    return sum / (double)pixels;
-}
-
 /* In the mean over it. */
 static double luminance_of(const struct scene *scene, const struct scene_thing *thing)
 {
-    return thing->picture != NULL ? thing->luminance * picture_luminance(thing->picture)
+    return thing->picture != NULL ? thing->luminance * thing->mean
                                   : scene->materials[thing->material].luminance;
 }
 

@@ -99,6 +99,7 @@ struct scene_thing {
     bool shines;                 /* a card whose picture is light, of white `luminance`; else it is
                                     a Lambertian surface of that colour */
     double luminance;            /* cd/m^2 */
+    double mean;                 /* of the picture: luminance over that of white */
     const struct scene_mesh *mesh;
     size_t material; /* in the scene's list; of cards with a picture none: SCENE_NONE */
     struct typed_place place;
@@ -134,6 +135,7 @@ struct scene_light {
     double amount; /* sun and star: illuminance of a plane that faces it, lx; sky: luminance in the
                       zenith, cd/m^2; environment: of its white; point: intensity, cd */
     const struct image *picture; /* of an environment: linear sRGB, three channels */
+    double mean;                 /* its mean luminance over that of white */
     double turn;                 /* of it about y, rad */
     struct typed_place place;
 };

@@ -2,10 +2,12 @@
 /* SPDX-License-Identifier: MIT */
 #include "scene/scene_check.h"
 
+/* With a picture: where that is not black. */
 static bool shines(const struct scene *scene, const struct scene_thing *thing)
 {
-    return thing->shines || (thing->material != SCENE_NONE &&
-                             scene->materials[thing->material].emission.kind != SPECTRUM_NONE);
+    return (thing->shines && thing->mean > 0) ||
+           (thing->material != SCENE_NONE &&
+            scene->materials[thing->material].emission.kind != SPECTRUM_NONE);
 }
 
 bool scene_reflects(const struct scene *scene, const struct scene_thing *thing)
@@ -14,25 +16,43 @@ bool scene_reflects(const struct scene *scene, const struct scene_thing *thing)
                                          : scene->materials[thing->material].kind != MATERIAL_BLACK;
 }
 
-bool scene_check(const struct scene *scene, int bounces, struct error *error)
+/* What a scene has, seen by itself or not. */
+struct having {
+    bool seen, points, black, surface;
+};
+
+static struct having look_over(const struct scene *scene)
 {
-    bool is_seen = false, has_points = false, has_surface = false;
+    struct having has = {false, false, false, false};
     for (size_t i = 0; i < scene->light_count; i++) {
-        const bool is_point = scene->lights[i].kind == LIGHT_POINT;
-        has_points = has_points || is_point;
-        is_seen = is_seen || !is_point;
+        const struct scene_light *light = &scene->lights[i];
+        const bool is_point = light->kind == LIGHT_POINT;
+        const bool is_black = light->kind == LIGHT_ENVIRONMENT && !(light->mean > 0);
+        has.points = has.points || is_point;
+        has.black = has.black || is_black;
+        has.seen = has.seen || !(is_point || is_black);
     }
     for (size_t i = 0; i < scene->thing_count; i++) {
-        is_seen = is_seen || shines(scene, &scene->things[i]);
-        has_surface = has_surface || scene_reflects(scene, &scene->things[i]);
+        const struct scene_thing *thing = &scene->things[i];
+        has.seen = has.seen || shines(scene, thing);
+        has.black = has.black || thing->shines;
+        has.surface = has.surface || scene_reflects(scene, thing);
     }
-    if (is_seen || (has_points && has_surface && bounces > 0)) {
+    return has;
+}
+
+bool scene_check(const struct scene *scene, int bounces, struct error *error)
+{
+    const struct having has = look_over(scene);
+    if (has.seen || (has.points && has.surface && bounces > 0)) {
         return true;
     }
-    if (!has_points) {
+    if (!has.points && has.black) {
+        fail(error, ERROR_DATA, "the scene has no light: the pictures that would shine are black");
+    } else if (!has.points) {
         fail(error, ERROR_DATA,
              "the scene has no light: a line 'light', or a material with luminance=");
-    } else if (!has_surface) {
+    } else if (!has.surface) {
         fail(error, ERROR_DATA, "the light of points falls on nothing that would reflect it");
     } else {
         fail(error, ERROR_DATA,

@@ -15,7 +15,8 @@ bool scene_reflects(const struct scene *scene, const struct scene_thing *thing);
  * Refuse a scene whose every picture would be black.
  *
  * Given     bounces  how often light may be scattered: 0 is what shines, seen by itself
- * Errors    ERROR_DATA with the scene's file: nothing shines, or nothing is there that light which
+ * Errors    ERROR_DATA with the scene's file: nothing shines, pictures that would
+ *           are black, or nothing is there that light which
  *           cannot be seen by itself, a point's, may fall on
  */
 bool scene_check(const struct scene *scene, int bounces, struct error *error);

@@ -2,6 +2,8 @@
 /* SPDX-License-Identifier: MIT */
 #include "scene/texture.h"
 
+#include "light/colour.h"
+
 #include <math.h>
 #include <stdbool.h>
 
@@ -44,4 +46,16 @@ void texture_look(const struct image *image, const double place[2], enum texture
         const double from = a + x.share * (b - a), to = c + x.share * (d - c);
         of[k] = from + y.share * (to - from);
     }
+}
+
+double texture_luminance(const struct image *image)
+{
+    const double *y = colour_xyz_of_srgb.at[1];
+    const size_t pixels = image->width * image->height;
+    double sum = 0;
+    for (size_t i = 0; i < pixels; i++) {
+        const float *of = image->pixels + i * image->channels;
+        sum += y[0] * (double)of[0] + y[1] * (double)of[1] + y[2] * (double)of[2];
+    }
+    return sum / (double)pixels;
 }

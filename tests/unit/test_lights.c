@@ -490,6 +490,7 @@ static void test_card(void)
                                .where = lying(0, 30, 0),
                                .size = {20, 12, 0},
                                .picture = &there,
+                               .mean = 0.75,
                                .shines = true,
                                .luminance = 200,
                                .material = SCENE_NONE};
@@ -500,6 +501,7 @@ static void test_card(void)
     CHECK_RELATIVE(illuminance(&stage, from, up, 0), 24.25017906, 2e-3, "a card that shines");
     arena_free(&stage.arena);
     card.picture = &coloured;
+    card.mean = 1;
     stage_open(&stage, &card, 1, NULL, 0);
     check_samples(&stage, off, 0);
     arena_free(&stage.arena);

@@ -48,7 +48,8 @@ static bool read_picture(void *context, const char *path, struct arena *arena, s
     } pictures[] = {
         {"nan.pfm", {1, 1, 1, 1, NAN, 1}, 0},       {"bright.pfm", {1, 1, 1, 1, 1, 1.5F}, 0},
         {"dark.pfm", {1, 1, 1, 1, 1, -0.5F}, 0},    {"cut.pfm", {1, 1, 1, 1, 1, 1}, 3},
-        {"good.pfm", {1, 1, 1, 0.5F, 0.25F, 0}, 0}, {"tall.pfm", {1, 1, 1, 1, 1, 1}, 0}};
+        {"good.pfm", {1, 1, 1, 0.5F, 0.25F, 0}, 0}, {"tall.pfm", {1, 1, 1, 1, 1, 1}, 0},
+        {"black.pfm", {0, 0, 0, 0, 0, 0}, 0}};
     (void)context;
     for (size_t i = 0; i < sizeof pictures / sizeof pictures[0]; i++) {
         const bool is_tall = strcmp(path, "tall.pfm") == 0;
@@ -288,6 +289,7 @@ static void check_frames(void)
 /* Scenes of which nothing is seen. */
 static void check_light(void)
 {
+    const struct scene_files files = {read_picture, NULL};
     static const struct {
         const char *text;
         int bounces;
@@ -302,12 +304,18 @@ static void check_light(void)
         {CAMERA GREY "sphere material=grey radius=1\nlight point at=0,9,0 intensity=1\n", 0,
          "not seen by themselves"},
         {CAMERA "light star magnitude=0 towards=0,0,-1\n", 0, NULL},
+        {CAMERA "light environment file=black.pfm luminance=1\n", 0, "would shine are black"},
+        {CAMERA "light environment file=good.pfm luminance=1\n", 0, NULL},
+        {CAMERA "card file=black.pfm size=1 luminance=1\n", 0, "would shine are black"},
+        {CAMERA "card file=good.pfm size=1 luminance=1\n", 0, NULL},
+        {CAMERA "card file=good.pfm size=1\n", 0, "a line 'light'"},
     };
     for (size_t i = 0; i < sizeof cases / sizeof cases[0]; i++) {
         struct arena arena = {0};
         struct scene scene;
         struct error error = {0};
-        CHECK(read_text(cases[i].text, &arena, &scene, &error));
+        CHECK(
+            scene_file_read("test.scene", text_of(cases[i].text), &files, &arena, &scene, &error));
         CHECK(scene_check(&scene, cases[i].bounces, &error) == (cases[i].message == NULL));
         CHECK(cases[i].message == NULL || (strstr(error.message, cases[i].message) != NULL &&
                                            strcmp(error.source, "test.scene") == 0));
@@ -430,6 +438,13 @@ static void check_loaded(void)
     CHECK(scene.things[0].mesh->corners[1].x == 500 && scene.things[1].where.at.x == 1000);
     CHECK(scene.note_count == 2 && strstr(scene.notes[1], "flat.obj: passed over: materials"));
     CHECK(strstr(scene.notes[0], "leaf.tsv: from 400 to 700 nm") != NULL);
+    /* a table is read once, and noted once */
+    const char *leaves = CAMERA TABLE("leaf.tsv") "colour twin table=leaf.tsv\n"
+                                                  "material a lambert colour=leaf\n"
+                                                  "material b lambert colour=twin\n";
+    CHECK(scene_file_read("there/test.scene", text_of(leaves), &others, &arena, &again, &error));
+    CHECK(again.materials[0].colour.value == again.materials[1].colour.value);
+    CHECK(again.note_count == 1);
     const struct spectrum *leaf = &scene.materials[0].colour;
     CHECK(leaf->kind == SPECTRUM_TABLE && leaf->count == 3 && leaf->value[1] == 0.25);
     CHECK_RELATIVE(leaf->wavelength[1], 0.55, 1e-15, "um");

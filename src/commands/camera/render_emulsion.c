@@ -81,7 +81,8 @@ static void add_remarks(const struct render_input *input, const struct emulsion 
                    characteristic_density(&film->curve, most), film->curve.gradient);
     const double speed_point = characteristic_speed_point(&film->curve);
     if (!(most > 0)) {
-        growing_format(remarks, "warning: no light: the film stays clear\n");
+        growing_format(remarks,
+                       "warning: no light was found that reaches the film: it stays clear\n");
     } else if (most < speed_point) {
         growing_format(remarks,
                        "warning: the film stays clear: it takes %.3g times the time or the light "

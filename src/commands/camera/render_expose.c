@@ -200,7 +200,8 @@ static void add_warnings(const struct range *shares, double iso, struct growing 
                        shares->most, iso);
     }
     if (shares->most == 0) {
-        growing_format(remarks, "warning: no light: all is black\n");
+        growing_format(remarks,
+                       "warning: no light was found that reaches the film: all is black\n");
     } else if (shares->most < 1.0 / 4096) {
         growing_format(remarks,
                        "warning: all is black: it takes %.3g times the time or the ISO until the "
