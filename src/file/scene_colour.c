@@ -192,6 +192,9 @@ bool scene_colour_read(struct scene_reader *reader, struct text head, struct err
     const struct text name = file_words_next(words);
     struct scene_line line;
     struct scene_colour colour;
+    if (reader->colours.count == SCENE_COLOURS_MOST) {
+        return file_words_fail(words, head, error, "more than %d colours", SCENE_COLOURS_MOST);
+    }
     if (!read_name(reader, name, error) ||
         !scene_line_read(words, &reader->units, head, (struct scene_keys){ways, 0}, &line, error)) {
         return false;

@@ -73,6 +73,9 @@ bool scene_material_read(struct scene_reader *reader, struct text head, struct e
     const struct text name = file_words_next(words);
     struct scene_line line;
     size_t kind;
+    if (scene->material_count == SCENE_MATERIALS_MOST) {
+        return file_words_fail(words, head, error, "more than %d materials", SCENE_MATERIALS_MOST);
+    }
     if (!scene_name_check(words, &reader->materials, name, "a material", error) ||
         !read_kind(reader, &kind, error) ||
         !scene_line_read(words, &reader->units, text_between(head.start, words->at),

@@ -5,22 +5,55 @@
 #include "scene/texture.h"
 
 #include <math.h>
+#include <stdlib.h>
 
-/* Of a glossy material; others with the same coat share it. */
-static const struct coat *coat_of(const struct scene *scene, const struct material *materials,
-                                  size_t i, struct arena *arena)
+/* -------- coats -------- */
+
+static int compare_coats(const void *first, const void *second)
 {
-    const struct scene_material *material = &scene->materials[i];
-    for (size_t k = 0; k < i; k++) {
-        const struct coat *coat = materials[k].coat;
-        if (coat != NULL && coat->alpha == material->roughness && coat->index == material->index) {
-            return coat;
+    const struct scene_material *a = *(const struct scene_material *const *)first;
+    const struct scene_material *b = *(const struct scene_material *const *)second;
+    const int by_roughness = (a->roughness > b->roughness) - (a->roughness < b->roughness);
+    return by_roughness != 0 ? by_roughness : (a->index > b->index) - (a->index < b->index);
+}
+
+/* The glossy materials that things are made of, alike ones side by side. */
+static size_t list_glossy(const struct scene *scene, struct arena *arena,
+                          const struct scene_material **list)
+{
+    bool *is_listed = ARENA_ARRAY(arena, scene->material_count, bool);
+    size_t count = 0;
+    for (size_t i = 0; i < scene->thing_count; i++) {
+        const size_t number = scene->things[i].material;
+        if (number != SCENE_NONE && scene->materials[number].kind == MATERIAL_GLOSSY &&
+            !is_listed[number]) {
+            is_listed[number] = true;
+            list[count++] = &scene->materials[number];
         }
     }
-    struct coat *coat = ARENA_NEW(arena, struct coat);
-    coat_open(material->roughness, material->index, coat);
-    return coat;
+    qsort(list, count, sizeof *list, compare_coats);
+    return count;
 }
+
+/* A coat takes a while: none for what is not used, one for all that are alike. */
+static void open_coats(const struct scene *scene, struct material *of, struct arena *arena)
+{
+    struct arena spare = arena_within(arena);
+    const struct scene_material **list =
+        ARENA_ARRAY(&spare, scene->material_count, const struct scene_material *);
+    const size_t count = list_glossy(scene, &spare, list);
+    struct coat *coat = NULL;
+    for (size_t i = 0; i < count; i++) {
+        if (i == 0 || compare_coats(&list[i - 1], &list[i]) != 0) {
+            coat = ARENA_NEW(arena, struct coat);
+            coat_open(list[i]->roughness, list[i]->index, coat);
+        }
+        of[list[i] - scene->materials].coat = coat;
+    }
+    arena_free(&spare);
+}
+
+/* -------- materials -------- */
 
 static bool open_material(const struct scene_material *written, const struct bands *bands,
                           struct material *material, struct error *error)
@@ -53,10 +86,8 @@ bool materials_open(const struct scene *scene, const struct bands *bands, struct
             return error_locate(error, material->place.source, material->place.line,
                                 material->place.column);
         }
-        if (material->kind == MATERIAL_GLOSSY) {
-            of[i].coat = coat_of(scene, of, i, arena);
-        }
     }
+    open_coats(scene, of, arena);
     *materials = (struct materials){.scene = scene, .bands = bands, .of = of};
     return true;
 }

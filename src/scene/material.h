@@ -20,7 +20,7 @@ struct material {
     double ground;               /* the largest of them */
     double light[BANDS_MOST];    /* with luminance in cd/m^2 */
     bool shines;
-    const struct coat *coat;
+    const struct coat *coat; /* null: not glossy, or of no thing */
 };
 
 /* Read-only afterwards: threads share it. */

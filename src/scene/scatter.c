@@ -7,8 +7,15 @@
 
 #include <math.h>
 
-/* By which a coat's share is found: a lattice of Fibonacci's numbers over the square. */
-enum { LATTICE = 1597, LATTICE_STEP = 987 };
+/*
+ * By which a coat's share is found: a lattice of Fibonacci's numbers over the square, with fewer
+ * normals where no way is along the surface, which is where the smoothest coats need them all.
+ */
+struct lattice {
+    int count, step;
+};
+static const struct lattice fine = {1597, 987}, coarse = {377, 233};
+#define FINE_BELOW 0.02 /* cosine */
 /* The cosine in place of 0, by which nothing leaves: from below alpha all facets look the same. */
 #define GRAZING 1e-9
 
@@ -77,13 +84,15 @@ static double coat_by(const struct coat *coat, struct vector out, struct vector 
 static double share_towards(const struct coat *coat, double cosine)
 {
     const struct vector out = {sqrt(fmax(0, 1 - cosine * cosine)), 0, cosine};
+    const struct lattice *lattice = cosine < FINE_BELOW ? &fine : &coarse;
+    const double count = lattice->count;
     double sum = 0;
-    for (int i = 0; i < LATTICE; i++) {
-        const struct vector normal = facet_of(coat->alpha, out, (i + 0.5) / LATTICE,
-                                              (double)(i * LATTICE_STEP % LATTICE) / LATTICE);
+    for (int i = 0; i < lattice->count; i++) {
+        const struct vector normal = facet_of(coat->alpha, out, (i + 0.5) / count,
+                                              i * lattice->step % lattice->count / count);
         sum += coat_by(coat, out, normal, mirrored(out, normal));
     }
-    return sum / LATTICE;
+    return sum / count;
 }
 
 static double node(int k)

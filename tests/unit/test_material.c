@@ -30,6 +30,16 @@ static struct scene_material written[] = {
      .roughness = 0.1,
      .index = 1.5,
      .emission = {SPECTRUM_RGB, {1, 1, 1}}},
+    {.name = "rough",
+     .kind = MATERIAL_GLOSSY,
+     .colour = {SPECTRUM_RGB, {0.1, 0.1, 0.1}},
+     .roughness = 0.2,
+     .index = 1.5},
+    {.name = "unused",
+     .kind = MATERIAL_GLOSSY,
+     .colour = {SPECTRUM_RGB, {0.1, 0.1, 0.1}},
+     .roughness = 0.1,
+     .index = 1.5},
 };
 static struct scene_thing things[] = {
     {.shape = SHAPE_DISC, .material = 0},
@@ -38,6 +48,7 @@ static struct scene_thing things[] = {
     {.shape = SHAPE_DISC, .material = 3},
     {.shape = SHAPE_CARD, .picture = &red, .material = SCENE_NONE},
     {.shape = SHAPE_CARD, .picture = &red, .shines = true, .luminance = 40, .material = SCENE_NONE},
+    {.shape = SHAPE_DISC, .material = 4},
 };
 static const struct scene scene = {.materials = written,
                                    .material_count = sizeof written / sizeof *written,
@@ -65,6 +76,7 @@ static void test_scatter(const struct materials *materials)
     CHECK(materials_scatter(materials, 1, (const double[]){0, 0}, &all, &scatter));
     check_lanes(&scatter.colour, 0.4, 0.2, 0);
     CHECK(materials->of[1].coat == materials->of[3].coat);
+    CHECK(materials->of[4].coat->alpha == 0.2 && materials->of[5].coat == NULL);
     CHECK(!materials_scatter(materials, 2, middle, &all, &scatter));
     CHECK(materials_scatter(materials, 4, middle, &all, &scatter));
     CHECK(scatter.kind == MATERIAL_LAMBERT);
@@ -74,7 +86,7 @@ static void test_scatter(const struct materials *materials)
 
 static void test_shine(const struct materials *materials)
 {
-    static const bool shines[] = {false, false, true, false, false, true};
+    static const bool shines[] = {false, false, true, false, false, true, false};
     struct radiance light;
     for (size_t i = 0; i < scene.thing_count; i++) {
         CHECK(materials_shines(materials, i) == shines[i]);
