@@ -30,9 +30,11 @@ double convergence_relative(const struct convergence_goal *goal, const double *f
 {
     double sum = 0;
     for (size_t i = 0; i < count; i++) {
-        const double off = (2 * first[i] - both[i]) / (2 * n), mean = fabs(both[i]) / (2 * n);
-        const double level = goal->white * grey_level(mean / goal->white);
-        const double share = off / fmax(goal->error * mean, level);
+        const double off = (2 * first[i] - both[i]) / (2 * n);
+        /* a rare bright ray makes its own half too bright, and must not excuse itself by that */
+        const double darker = fmin(fabs(first[i]), fabs(both[i] - first[i])) / n;
+        const double level = goal->white * grey_level(darker / goal->white);
+        const double share = off / fmax(goal->error * darker, level);
         sum += share * share;
     }
     return sqrt(sum / (double)count);

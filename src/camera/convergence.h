@@ -41,8 +41,8 @@ struct convergence_goal {
 };
 
 /*
- * The same, each as a multiple of what it may be: a share of itself, or a grey level if that is
- * more.
+ * The same, each as a multiple of what it may be: a share of the smaller mean of its halves, or a
+ * grey level there if that is more.
  *
  * Given     as convergence_halves
  * Result    root mean square; 1: as asked for

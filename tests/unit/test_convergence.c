@@ -32,6 +32,10 @@ int main(void)
     const double first[] = {2, 4, 10, 4}, both[] = {8, 8, 20, 16};
     CHECK_NEAR(convergence_halves(first, both, 4, 2), sqrt((1 + 0 + 0 + 4) / 4.0), 1e-15,
                "by hand");
+    /* 1 and 3 of one ray each, by half of the smaller; its grey level is far below that */
+    const double one[] = {1}, two[] = {4};
+    const struct convergence_goal goal = {.error = 0.5, .white = 1e-12};
+    CHECK_NEAR(convergence_relative(&goal, one, two, 1, 1), 2, 1e-12, "by the smaller half");
     uint64_t counts[CONVERGENCE_COUNTS] = {0};
     convergence_add(counts, 0.5, 16);
     convergence_add(counts, 1, 64);
