@@ -4,6 +4,7 @@ Only the standard library; rows go from the top.
 """
 # SPDX-License-Identifier: MIT
 
+import math
 import os
 import struct
 import subprocess
@@ -49,3 +50,57 @@ def take(program, checks, folder, *words, name="out.pfm"):
     if not checks.check(result.returncode == 0, f"{words}: {result.stderr}"):
         return None
     return (read_pfm if name.endswith(".pfm") else read_png)(path)
+
+
+def mean_of(rows, channel=1):
+    return sum(pixel[channel] for row in rows for pixel in row) / (len(rows) * len(rows[0]))
+
+
+def centroid(rows, pitch, channel=1):
+    """Of the light, to the right and up from the middle, in units of the pitch."""
+    total = sum(pixel[channel] for row in rows for pixel in row)
+    x = sum(pixel[channel] * (i + 0.5) for row in rows for i, pixel in enumerate(row)) / total
+    y = sum(pixel[channel] * (j + 0.5) for j, row in enumerate(rows) for pixel in row) / total
+    return (x - len(rows[0]) / 2) * pitch, (len(rows) / 2 - y) * pitch
+
+
+class Studio:
+    """Scenes are written into a folder and photographed there, with some words always."""
+
+    def __init__(self, program, checks, folder, *common):
+        self.program, self.checks, self.folder, self.common = program, checks, folder, common
+        self.count = 0
+
+    def write(self, scene):
+        """Name of a new file."""
+        self.count += 1
+        name = f"{self.count}.scene"
+        with open(os.path.join(self.folder, name), "w", encoding="utf-8") as file:
+            file.write(scene)
+        return name
+
+    def take(self, scene, *words):
+        """Rows of pixels, lx s; None where no picture was taken."""
+        return take(self.program, self.checks, self.folder, self.write(scene), *self.common, *words)
+
+    def seeds(self, count, scene, *words):
+        """Pictures of as many seeds; None where one was not taken."""
+        name = self.write(scene)
+        rows = [take(self.program, self.checks, self.folder, name, *self.common, *words, "--seed",
+                     str(seed)) for seed in range(1, count + 1)]
+        return None if None in rows else rows
+
+    def near(self, found, expected, share, what):
+        self.checks.check(abs(found - expected) <= share * abs(expected),
+                          f"{what} is {found:.6g}, expected {expected:.6g}")
+
+    def unbiased(self, values, expected, what, known=0):
+        """
+        The mean of several seeds is within 4 sigma of what is expected, and sigma below 0.5 %;
+        `known` is the share to which what is expected is known.
+        """
+        mean = sum(values) / len(values)
+        sigma = math.sqrt(sum((v - mean) ** 2 for v in values) / (len(values) - 1) / len(values))
+        self.checks.check(abs(mean - expected) <= 4 * sigma + known * abs(expected),
+                          f"{what} is {mean:.6g} +- {sigma:.2g}, expected {expected:.6g}")
+        self.checks.check(sigma <= 5e-3 * abs(expected), f"{what}: sigma {sigma:.2g} of {mean:.6g}")

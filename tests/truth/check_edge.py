@@ -4,7 +4,8 @@
 The contrast of a slanted edge, analysed as ISO 12233 does (the edge found row by row, pixels in
 quarters of a pixel across it, differences, Fourier transform), is that of the rays: those of a
 tracer of its own through a singlet, times the known transfer functions of the pixel, the quarters
-and the differences.
+and the differences; and what lenscalc mtf says by rays, of an edge in a scene and a double Gauss
+too.
 """
 # SPDX-License-Identifier: MIT
 
@@ -17,7 +18,7 @@ import tempfile
 sys.dont_write_bytecode = True
 sys.path.insert(0, os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
 from harness import Checks, Program
-from photographs import take
+from photographs import Studio, take
 from singlet import LINES, Singlet
 
 SIDE, PITCH, DISTANCE = 96, 0.005, 1000  # pixels, mm, mm
@@ -104,6 +105,41 @@ def check_lens(checks, program, folder, lens, defocus):
     for frequency, a, b in zip(frequencies, found, expected):
         checks.check(abs(a - b) < 0.01,
                      f"{defocus} mm: contrast {a:.4f} at {frequency}/mm, of the rays {b:.4f}")
+    check_said(checks, program, found, frequencies, os.path.join(folder, "singlet.lens"),
+               "--object", str(DISTANCE), "--focus", repr(film))
+
+
+def check_said(checks, program, found, frequencies, *words):
+    """By lenscalc mtf, of the middle of the film."""
+    rows = program.rows("mtf", *words, "--method", "geometric", "-w", "d", "--field", "0",
+                        "--frequency", ",".join(map(str, frequencies)))
+    if not checks.check(isinstance(rows, list) and len(rows) == len(found), f"{words}: {rows}"):
+        return
+    for a, row, frequency in zip(found, rows, frequencies):
+        said = float(row["tangential"])
+        checks.check(abs(a - said) < 0.01, f"{words}: contrast {a:.4f} at {frequency}/mm, "
+                                           f"lenscalc mtf says {said:.4f}")
+
+
+def check_scene(checks, program, folder):
+    """Half a wall that shines, 3 m away; the distance in the middle of the film."""
+    lens = "double-gauss-50"
+    first = program.rows("lens", lens, "-w", "d")[0]
+    pupil = float(first["entrance_pupil_mm"])
+    width = SIDE * PITCH
+    studio = Studio(program, checks, folder)
+    for number, film in (2.8, 36.98), (4, 36.9):
+        rows = studio.take(f"unit mm\ncamera at=0,0,0 look=0,0,-1\nmaterial lamp black "
+                           f"luminance=500\ncard material=lamp size=2000,4000 turn=0,0,5 at="
+                           f"{-1000 * math.cos(SLANT)},{-1000 * math.sin(SLANT)},{-3000 - pupil}\n",
+                           "--lens", lens, "-N", str(number), "--focus", str(film), "-s", "inf",
+                           "-w", "d", "-t", "0.01", "--sensor", f"{width}x{width}mm", "--size",
+                           f"{SIDE}x{SIDE}", "--samples", "256", "--bounces", "0")
+        if rows is not None:
+            frequencies = [5, 10, 15, 20, 30, 40, 60]
+            found, _ = measured([[pixel[1] for pixel in row] for row in rows], frequencies)
+            check_said(checks, program, found, frequencies, lens, "-N", str(number), "--object",
+                       "3000", "--focus", str(film))
 
 
 def main():
@@ -112,6 +148,7 @@ def main():
         lens = Singlet((100, -100), 5, (1.5168, 64.17), 2, 12)
         for defocus in 0.0, -0.15, -0.4:
             check_lens(checks, program, folder, lens, defocus)
+        check_scene(checks, program, folder)
     return checks.finish()
 
 

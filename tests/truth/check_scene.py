@@ -17,7 +17,7 @@ import tempfile
 sys.dont_write_bytecode = True
 sys.path.insert(0, os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
 from harness import Checks, Program
-from photographs import take, write_pfm
+from photographs import Studio, centroid, mean_of, take, write_pfm
 
 DOUBLE_GAUSS = "cs348b-dgauss-50"
 EFL = 50.358167  # mm, of this lens in golden figures
@@ -28,38 +28,6 @@ MEAN = 0.110853
 UP = "camera at=0,1,0 look=0,2,0 up=0,0,-1\n"
 AHEAD = "camera at=0,0,0 look=0,0,-1\n"
 SKY = "light sky uniform luminance=1000\n"
-
-
-class Studio:
-    """Scenes are written into a folder and photographed there."""
-
-    def __init__(self, program, checks, folder):
-        self.program, self.checks, self.folder = program, checks, folder
-        self.count = 0
-
-    def take(self, scene, *words):
-        """Rows of pixels, lx s; None where no picture was taken."""
-        self.count += 1
-        name = f"{self.count}.scene"
-        with open(os.path.join(self.folder, name), "w", encoding="utf-8") as file:
-            file.write(scene)
-        return take(self.program, self.checks, self.folder, name, "--lens", DOUBLE_GAUSS, *words)
-
-    def near(self, found, expected, share, what):
-        self.checks.check(abs(found - expected) <= share * abs(expected),
-                          f"{what} is {found:.6g}, expected {expected:.6g}")
-
-
-def mean_of(rows, channel=1):
-    return sum(pixel[channel] for row in rows for pixel in row) / (len(rows) * len(rows[0]))
-
-
-def centroid(rows, pitch):
-    """To the right and up from the middle, mm."""
-    total = sum(pixel[1] for row in rows for pixel in row)
-    x = sum(pixel[1] * (i + 0.5) for row in rows for i, pixel in enumerate(row)) / total
-    y = sum(pixel[1] * (j + 0.5) for j, row in enumerate(rows) for pixel in row) / total
-    return (x - len(rows[0]) / 2) * pitch, (len(rows) / 2 - y) * pitch
 
 
 def check_uniform(studio):
@@ -260,7 +228,7 @@ def check_threads(studio):
 def main():
     program, checks = Program(sys.argv[1]), Checks()
     with tempfile.TemporaryDirectory(prefix="lenscalc-scene-") as folder:
-        studio = Studio(program, checks, folder)
+        studio = Studio(program, checks, folder, "--lens", DOUBLE_GAUSS)
         for check in (check_uniform, check_furnace, check_disc, check_reciprocity, check_lit,
                       check_room, check_sun, check_places, check_colours,
                       check_errors, check_threads):
