@@ -43,7 +43,7 @@ def check_light(studio, lens, film, expected, *words):
     """Of seven seeds, along a strip of pixels."""
     rows = studio.seeds(7, SKY, "--lens", lens, "--focus", str(film), "-w", "d", "-t", "0.01",
                         "--sensor", f"{COLUMNS * PITCH}x{PITCH}mm", "--size", f"{COLUMNS}x1",
-                        "--samples", "512", "--bounces", "0", *words)
+                        "--samples", "256", "--bounces", "0", "--no-skip", "uniform", *words)
     for radius, value in expected.items() if rows is not None else ():
         at = radius / PITCH + COLUMNS / 2 - 0.5
         left = int(at)

@@ -105,7 +105,7 @@ def main():
     program, checks = Program(sys.argv[1]), Checks()
     with tempfile.TemporaryDirectory(prefix="lenscalc-said-") as folder:
         studio = Studio(program, checks, folder)
-        for name, asked, bounces in ("wall", 0.05, 2), ("room", 0.2, 3), ("balls", 0.05, 3):
+        for name, asked, bounces in ("wall", 0.05, 2), ("room", 0.2, 3), ("balls", 0.1, 3):
             check_said(studio, name, asked, bounces)
         check_slope(studio)
     return checks.finish()
