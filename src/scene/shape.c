@@ -242,12 +242,3 @@ struct shape_box shape_box(const struct scene_thing *thing)
     }
     return (struct shape_box){vector_times(-1, high), high};
 }
-
-bool shape_holds(const struct scene_thing *thing, struct vector at)
-{
-    if (thing->shape == SHAPE_SPHERE) {
-        return vector_length(at) < thing->radius;
-    }
-    return thing->shape == SHAPE_BOX && fabs(at.x) < thing->size.x / 2 &&
-           fabs(at.y) < thing->size.y / 2 && fabs(at.z) < thing->size.z / 2;
-}

@@ -66,7 +66,4 @@ struct shape_spot shape_spot(const struct scene_thing *thing, const struct shape
 /* All of it lies within; a plane has none, and a mesh its own. */
 struct shape_box shape_box(const struct scene_thing *thing);
 
-/* Does a point lie inside a sphere or a box? Other things have no inside. */
-bool shape_holds(const struct scene_thing *thing, struct vector at);
-
 #endif

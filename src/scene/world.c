@@ -282,16 +282,3 @@ bool world_is_clear(const struct world *world, const struct world_ray *ray)
     struct shape_meeting any;
     return search(world, ray, true, &any) == SCENE_NONE;
 }
-
-bool world_holds(const struct world *world, struct vector at, double time, size_t *thing)
-{
-    for (size_t i = 0; i < world->scene->thing_count; i++) {
-        const struct scene_pose pose = pose_of(&world->things[i], time);
-        const struct vector own = frame_in(&pose.turned, vector_minus(at, pose.at));
-        if (shape_holds(world->things[i].thing, own)) {
-            *thing = i;
-            return true;
-        }
-    }
-    return false;
-}

@@ -87,12 +87,4 @@ static inline struct vector world_leave(const struct world_hit *hit)
     return vector_along(hit->at, hit->slack, hit->face);
 }
 
-/*
- * Is a point inside a sphere or a box?
- *
- * Given     time   s
- * Result    thing  the first of the scene
- */
-bool world_holds(const struct world *world, struct vector at, double time, size_t *thing);
-
 #endif

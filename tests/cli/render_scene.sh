@@ -77,6 +77,11 @@ lenscalc render behind.scene $small -s 1m -o lost.pfm
 lenscalc render behind.scene $small -s 1m -t 1 -o behind.png
 printf 'camera at=0,0,3 look=0,0,0\nmaterial a black emission=1 luminance=1\nsphere radius=1mm at=0,0,3 material=a\n' > within.scene
 lenscalc render within.scene $small -s 1m -o lost.pfm
+# beside the axis, and a room all around, which is none
+sed 's/=1mm at=0,0,3/=0.7mm at=4mm,3mm,3.001/' within.scene > beside.scene
+lenscalc render beside.scene $small -s 1m -o lost.pfm
+sed 's/=1mm at=0,0,3/=1m at=0,0,3/' within.scene > room.scene
+lenscalc render room.scene $small -s 1m -t 1 -o room.pfm
 printf 'camera at=0,0,3 look=0,0,0\nmaterial a lambert texture=lost.png\nlight sky uniform luminance=1\nsphere radius=1 material=a\n' > texture.scene
 lenscalc render texture.scene $small -s 1m -o lost.pfm
 lenscalc render lamps.scene $small -t 1us -o faint.png 2>&1 | grep warning

@@ -101,8 +101,6 @@ FOR_TESTS = {
     # every set of instructions gives the same bits
     "instruction_set_name": "", "instruction_set_works": "",
     "first_order_compute_portable": "", "paraxial_trace_portable": "",
-    # what scenes stand on
-    "world_holds": "what stands in a camera's place",
     # what photographs stand on
     "image_file_bytes": "", "image_file_parse": "", "image_file_read": "", "image_file_types": "",
     "srgb_encoded": "",

@@ -3,6 +3,7 @@
 #include "commands/camera/render_world.h"
 
 #include "camera/develop.h"
+#include "camera/lens_room.h"
 #include "commands/camera/render_part.h"
 #include "file/scene_file.h"
 #include "photo/distance_from.h"
@@ -131,27 +132,20 @@ static double pupil_of(const struct setup *setup)
 static bool stand_clear(const struct render_world *world, const struct setup *setup, double time,
                         struct error *error)
 {
-    enum { LINES = 17 };
-    const double radius = fabs(setup->first.entrance_diameter) / 2;
-    const double length = fmax(setup->first.length, setup->image), pupil = pupil_of(setup);
-    for (int i = 0; i < LINES; i++) {
-        const double r = i == 0 ? 0 : i % 2 == 0 ? radius : radius / 2;
-        const double x = r * cos(2 * PI * i / (LINES - 1)), y = r * sin(2 * PI * i / (LINES - 1));
-        /* along the axis, from the film or the last vertex to the first */
-        struct ray_block line = {.x = {x}, .y = {y}, .z = {length}, .r = {-1}};
-        struct world_ray ray = view_ray(&world->scene.camera.where, pupil, &line, 0, time);
-        struct world_hit hit;
-        ray.farthest = length;
-        if (length > 0 && world_look(&world->world, &ray, &hit)) {
-            const struct scene_thing *thing = &world->scene.things[hit.thing];
-            fail(error, ERROR_DOMAIN,
-                 "what line %zu of %.200s places stands within the lens, which reaches from %.6g "
-                 "mm before the camera's place to %.6g mm behind it",
-                 thing->place.line, world->scene.source, pupil, length - pupil);
-            return error_hint(error, "move it, or the camera");
-        }
+    const double pupil = pupil_of(setup);
+    const double length = fmax(setup->first.length, setup->image);
+    const struct lens_room room = {fabs(setup->first.entrance_diameter) / 2, -pupil,
+                                   length - pupil};
+    size_t which;
+    if (!(length > 0) ||
+        !lens_room_holds(&room, &world->world, &world->scene.camera.where, time, &which)) {
+        return true;
     }
-    return true;
+    fail(error, ERROR_DOMAIN,
+         "what line %zu of %.200s places stands within the lens, which reaches from %.6g mm before "
+         "the camera's place to %.6g mm behind it",
+         world->scene.things[which].place.line, world->scene.source, pupil, length - pupil);
+    return error_hint(error, "move it, or the camera");
 }
 
 /* -------- focus -------- */

@@ -1,0 +1,113 @@
+/* camera/lens_room.c - boxes about things against the lens, and lines where they overlap. */
+/* SPDX-License-Identifier: MIT */
+#include "camera/lens_room.h"
+
+#include "scene/mesh.h"
+
+/* A box in the camera's frame, axis by axis. */
+struct part {
+    double low[3], high[3];
+};
+
+/* About a thing; a plane's is endless. */
+static struct part part_of(const struct world_thing *thing, const struct scene_pose *camera,
+                           double time)
+{
+    struct part part = {{-INFINITY, -INFINITY, -INFINITY}, {INFINITY, INFINITY, INFINITY}};
+    if (thing->thing->shape == SHAPE_PLANE) {
+        return part;
+    }
+    const struct shape_box own = thing->mesh != NULL ? thing->mesh->box : shape_box(thing->thing);
+    const struct scene_pose pose = scene_pose_at(&thing->thing->where, time);
+    const struct vector half = vector_times(0.5, vector_minus(own.high, own.low));
+    const struct vector middle = vector_minus(
+        vector_along(frame_out(&pose.turned, vector_along(own.low, 1, half)), 1, pose.at),
+        camera->at);
+    const struct vector axes[3] = {camera->turned.x, camera->turned.y, camera->turned.z};
+    for (int i = 0; i < 3; i++) {
+        const struct vector way = frame_in(&pose.turned, axes[i]);
+        const double at = vector_dot(axes[i], middle);
+        const double reach = fabs(way.x) * half.x + fabs(way.y) * half.y + fabs(way.z) * half.z;
+        part.low[i] = at - reach;
+        part.high[i] = at + reach;
+    }
+    return part;
+}
+
+/* Leave what lies within the box about the cylinder; false: nothing does. */
+static bool clip(const struct lens_room *room, struct part *part)
+{
+    const double low[3] = {-room->radius, -room->radius, room->front};
+    const double high[3] = {room->radius, room->radius, room->back};
+    bool is_left = true;
+    for (int i = 0; i < 3; i++) {
+        part->low[i] = fmax(part->low[i], low[i]);
+        part->high[i] = fmin(part->high[i], high[i]);
+        is_left = is_left && part->low[i] <= part->high[i];
+    }
+    return is_left;
+}
+
+/* Of a line along an axis, its ends on the cylinder; false: it goes past. */
+static bool ends_of(const struct lens_room *room, int axis, const double at[3], double ends[2])
+{
+    const double r = room->radius;
+    const double beside = axis == 2 ? hypot(at[0], at[1]) : fabs(at[1 - axis]);
+    const double half = sqrt(fmax(0, (r - beside) * (r + beside)));
+    ends[0] = axis == 2 ? room->front : -half;
+    ends[1] = axis == 2 ? room->back : half;
+    return beside < r;
+}
+
+static bool look_along(const struct lens_room *room, const struct world *world,
+                       const struct scene_pose *camera, double time, int axis, double at[3],
+                       size_t *thing)
+{
+    double ends[2];
+    struct world_hit hit;
+    if (!ends_of(room, axis, at, ends)) {
+        return false;
+    }
+    at[axis] = ends[0];
+    const struct vector from = {at[0], at[1], at[2]};
+    const struct vector way = {axis == 0, axis == 1, axis == 2};
+    const struct world_ray ray = {.from =
+                                      vector_along(camera->at, 1, frame_out(&camera->turned, from)),
+                                  .way = frame_out(&camera->turned, way),
+                                  .time = time,
+                                  .farthest = ends[1] - ends[0]};
+    const bool meets = world_look(world, &ray, &hit);
+    *thing = meets ? hit.thing : *thing;
+    return meets;
+}
+
+static bool look_through(const struct lens_room *room, const struct world *world,
+                         const struct scene_pose *camera, double time, const struct part *part,
+                         size_t *thing)
+{
+    enum { LINES = 16 };
+    for (int i = 0; i < 3 * LINES * LINES; i++) {
+        const int axis = i % 3, u = (axis + 1) % 3, v = (axis + 2) % 3;
+        const double share[2] = {(i / 3 % LINES + 0.5) / LINES, (i / 3 / LINES + 0.5) / LINES};
+        double at[3] = {0, 0, 0};
+        at[u] = part->low[u] + share[0] * (part->high[u] - part->low[u]);
+        at[v] = part->low[v] + share[1] * (part->high[v] - part->low[v]);
+        if (look_along(room, world, camera, time, axis, at, thing)) {
+            return true;
+        }
+    }
+    return false;
+}
+
+bool lens_room_holds(const struct lens_room *room, const struct world *world,
+                     const struct scene_place *camera, double time, size_t *thing)
+{
+    const struct scene_pose pose = scene_pose_at(camera, time);
+    for (size_t i = 0; i < world->scene->thing_count; i++) {
+        struct part part = part_of(&world->things[i], &pose, time);
+        if (clip(room, &part) && look_through(room, world, &pose, time, &part, thing)) {
+            return true;
+        }
+    }
+    return false;
+}
