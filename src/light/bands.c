@@ -11,15 +11,6 @@
 
 /* -------- three bands -------- */
 
-void bands_three(struct bands *bands)
-{
-    *bands = (struct bands){.count = 3};
-    for (int k = 0; k < 3; k++) {
-        bands->wavelength[k] = (double)NAN;
-        bands->rgb[k][k] = bands->basis[k][k] = 1;
-    }
-}
-
 static double luminance(const double rgb[3])
 {
     const double *y = colour_xyz_of_srgb.at[1];
@@ -35,19 +26,27 @@ static void rgb_of(const struct spectrum *light, const struct spectrum *surface,
     bands_rgb_of_sum(xyz[0], rgb);
 }
 
+void bands_three(struct bands *bands)
+{
+    const struct spectrum white = spectrum_white();
+    *bands = (struct bands){.count = 3};
+    rgb_of(&white, NULL, bands->white);
+    for (int k = 0; k < 3; k++) {
+        bands->wavelength[k] = (double)NAN;
+        bands->rgb[k][k] = bands->basis[k][k] = 1;
+    }
+}
+
 /*
  * The same with D65 as white (1, 1, 1): the white of sRGB is that of its standard, rounded, a few
  * 1e-4 beside the sums.
  */
-static void white_rgb_of(const struct spectrum *light, const struct spectrum *surface,
-                         double rgb[3])
+static void white_rgb_of(const struct bands *bands, const struct spectrum *light,
+                         const struct spectrum *surface, double rgb[3])
 {
-    const struct spectrum white_spectrum = spectrum_white();
-    double white[3];
     rgb_of(light, surface, rgb);
-    rgb_of(&white_spectrum, NULL, white);
     for (int i = 0; i < 3; i++) {
-        rgb[i] /= white[i];
+        rgb[i] /= bands->white[i];
     }
 }
 
@@ -109,10 +108,11 @@ static bool check_shares(const struct spectrum *surface, struct error *error)
 }
 
 /* The sRGB of what it reflects of D65; receives its grey. */
-static void surface_rgb(const struct spectrum *surface, double rgb[3], double *grey)
+static void surface_rgb(const struct bands *bands, const struct spectrum *surface, double rgb[3],
+                        double *grey)
 {
     const struct spectrum white = spectrum_white();
-    white_rgb_of(&white, surface, rgb);
+    white_rgb_of(bands, &white, surface, rgb);
     *grey = fmin(luminance(rgb), 1);
 }
 
@@ -126,7 +126,7 @@ bool bands_of_surface(const struct bands *bands, const struct spectrum *surface,
         spread_rgb(bands, surface->rgb, of);
     } else if (is_three(bands)) {
         double grey;
-        surface_rgb(surface, of, &grey);
+        surface_rgb(bands, surface, of, &grey);
         move_from_grey(of, grey, share_within(of, grey, 1));
     } else {
         const struct spectrum white = spectrum_white();
@@ -142,7 +142,7 @@ double bands_hold_surface(const struct bands *bands, const struct spectrum *surf
     if (!is_three(bands) || surface->kind != SPECTRUM_TABLE || !check_shares(surface, &unused)) {
         return 1;
     }
-    surface_rgb(surface, rgb, &grey);
+    surface_rgb(bands, surface, rgb, &grey);
     return share_within(rgb, grey, 1);
 }
 
@@ -158,7 +158,7 @@ static bool light_parts(const struct bands *bands, const struct spectrum *light,
     if (light->kind == SPECTRUM_RGB) {
         spread_rgb(bands, light->rgb, of);
     } else if (is_three(bands)) {
-        white_rgb_of(light, NULL, of);
+        white_rgb_of(bands, light, NULL, of);
     } else {
         bands_ratios(bands, light, NULL, of);
     }

@@ -28,6 +28,7 @@ struct bands {
     double wavelength[BANDS_MOST]; /* um; NaN: of sRGB */
     double rgb[BANDS_MOST][3];     /* linear sRGB of a unit of each band */
     double basis[BANDS_MOST][3];   /* of surfaces; each 0 to 1, their sum 1 */
+    double white[BANDS_MOST];      /* sums over D65: of three bands sRGB, of others x + y + z */
 };
 
 /* Those that one ray carries. */

@@ -60,12 +60,10 @@ static void sum_bands(size_t count, const struct spectrum *light, const struct s
 void bands_ratios(const struct bands *bands, const struct spectrum *light,
                   const struct spectrum *surface, double of[BANDS_MOST])
 {
-    double xyz[BANDS_MOST][3], white[BANDS_MOST][3];
-    const struct spectrum d65 = spectrum_white();
+    double xyz[BANDS_MOST][3];
     sum_bands(bands->count, light, surface, xyz);
-    sum_bands(bands->count, &d65, NULL, white);
     for (size_t k = 0; k < bands->count; k++) {
-        of[k] = (xyz[k][0] + xyz[k][1] + xyz[k][2]) / (white[k][0] + white[k][1] + white[k][2]);
+        of[k] = (xyz[k][0] + xyz[k][1] + xyz[k][2]) / bands->white[k];
     }
 }
 
@@ -134,6 +132,7 @@ bool bands_many(size_t count, struct bands *bands, struct error *error)
     for (size_t k = 0; k < count; k++) {
         bands->wavelength[k] = (edge(count, k) + edge(count, k + 1)) / 2;
         bands_rgb_of_sum(xyz[k], bands->rgb[k]);
+        bands->white[k] = xyz[k][0] + xyz[k][1] + xyz[k][2];
     }
     set_basis(bands, 0);
     set_basis(bands, 1);
