@@ -96,11 +96,13 @@ static bool has_wanted(const struct idle *idle, const char *wants, char *words, 
         if (holds(idle, &condition)) {
             return true;
         }
+        const struct option *option = condition.argument->option;
+        const bool is_operand = (option->flags & OPTION_OPERAND) != 0;
         int printed =
-            snprintf(words + length, size - length, "%s--%s%s%s%.*s", length > 0 ? " or " : "",
-                     condition.argument->option->name, condition.value.length > 0 ? " " : "",
-                     condition.is_other ? "other than " : "", text_shown(condition.value),
-                     condition.value.start);
+            snprintf(words + length, size - length, "%s%s%s%s%s%.*s", length > 0 ? " or " : "",
+                     is_operand ? "" : "--", is_operand ? option->value : option->name,
+                     condition.value.length > 0 ? " " : "", condition.is_other ? "other than " : "",
+                     text_shown(condition.value), condition.value.start);
         length += printed > 0 && (size_t)printed < size - length ? (size_t)printed : 0;
     }
     return false;

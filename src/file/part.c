@@ -271,28 +271,52 @@ static enum line different(const struct part_head *run, const struct part_head *
                                                             : LINES;
 }
 
-/* The first word that another head does not have there. */
-static struct text first_word(struct text line, struct text other)
+/* An option without its value: "--size" of "--size=60x40". */
+static struct text option_of(struct text word)
 {
-    while (line.length > 0) {
-        const struct text word = text_cut(&line, ' ');
-        if (!text_identical(word, text_cut(&other, ' '))) {
-            return word;
-        }
-    }
-    return text_of("nothing more");
+    return text_cut(&word, '=');
 }
 
-/* What a head says in a line, beside another one. */
-static const char *said(const struct part_head *head, const struct part_head *other, enum line line,
+/* The first word of the same option; empty: there is none. */
+static struct text word_like(struct text line, struct text word)
+{
+    struct text found = {0};
+    while (line.length > 0 && found.length == 0) {
+        const struct text next = text_cut(&line, ' ');
+        found = text_identical(option_of(next), option_of(word)) ? next : found;
+    }
+    return found;
+}
+
+/* The first word that another line has not or says otherwise; empty: there is none. */
+static struct text first_word(struct text line, struct text other)
+{
+    struct text found = {0};
+    while (line.length > 0 && found.length == 0) {
+        const struct text next = text_cut(&line, ' ');
+        found = text_identical(next, word_like(other, next)) ? found : next;
+    }
+    return found;
+}
+
+/* What one line asks of the option in which it differs first from another, which may lack it. */
+static const char *asked(struct text line, struct text word, struct arena *arena)
+{
+    const struct text found = word_like(line, word), option = option_of(word);
+    return found.length > 0  ? arena_string(arena, found.start, found.length)
+           : word.length > 0 ? arena_printf(arena, "no %.*s", (int)option.length, option.start)
+                             : "in another order";
+}
+
+/* What a head says in a line; `word` is one that heads differ in. */
+static const char *said(const struct part_head *head, struct text word, enum line line,
                         struct arena *arena)
 {
-    const struct text word = first_word(head->words, other->words);
     switch (line) {
     case COMMAND:
         return arena_string(arena, head->command.start, head->command.length);
     case WORDS:
-        return arena_string(arena, word.start, word.length);
+        return asked(head->words, word, arena);
     case VERSION:
         return arena_string(arena, head->version.start, head->version.length);
     case INPUT:
@@ -310,10 +334,12 @@ bool part_is_of_run(const struct part_file *file, const struct part_head *run, c
                     struct arena *arena, struct error *error)
 {
     const enum line line = different(run, &file->head);
+    const struct text own = first_word(file->head.words, run->words);
+    const struct text word = own.length > 0 ? own : first_word(run->words, file->head.words);
     return line == LINES ||
            fail(error, ERROR_DATA, "%s is not of %s: %s %.120s, not %.120s", file->path, which,
-                line == WORDS ? "asked" : line_words[line], said(&file->head, run, line, arena),
-                said(run, &file->head, line, arena));
+                line == WORDS ? "asked" : line_words[line], said(&file->head, word, line, arena),
+                said(run, word, line, arena));
 }
 
 static int by_number(const void *a, const void *b)
@@ -359,7 +385,7 @@ bool parts_order(struct part_file *files, size_t count, bool whole, struct arena
         const struct part_head *head = &files[i].head;
         if (i > 0 && head->part.number == files[i - 1].head.part.number) {
             return fail(error, ERROR_DATA, "%s and %s are both part %s", files[i - 1].path,
-                        files[i].path, said(head, head, PART, arena));
+                        files[i].path, said(head, text_of(""), PART, arena));
         }
         if (whole && head->done < items_of(head)) {
             return fail(error, ERROR_DATA,

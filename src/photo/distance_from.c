@@ -44,14 +44,14 @@ static bool from_sensor(double f, double distance, double hiatus, double *s, str
     double D = distance - hiatus;
     if (!(D >= 4 * f) && hiatus == 0) {
         return fail(error, ERROR_DOMAIN,
-                    "{distance} %.15g mm from the sensor is less than 4 times {the focal length} "
-                    "%.15g mm: no real image (%.15g mm or more)",
+                    "{distance} %.6g mm from the sensor is less than 4 times {the focal length} "
+                    "%.6g mm: no real image (%.6g mm or more)",
                     distance, f, 4 * f);
     }
     if (!(D >= 4 * f)) {
         return fail(error, ERROR_DOMAIN,
-                    "{distance} %.15g mm from the sensor is less than 4 times {the focal length} "
-                    "%.15g mm and what lies between the principal planes: no real image (%.15g mm "
+                    "{distance} %.6g mm from the sensor is less than 4 times {the focal length} "
+                    "%.6g mm and what lies between the principal planes: no real image (%.6g mm "
                     "or more)",
                     distance, f, 4 * f + hiatus);
     }

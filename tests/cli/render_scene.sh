@@ -87,4 +87,38 @@ lenscalc render texture.scene $small -s 1m -o lost.pfm
 lenscalc render lamps.scene $small -t 1us -o faint.png 2>&1 | grep warning
 lenscalc render lamps.scene $small -t 1us --noise --pitch 1um -o faint.png 2>&1 | grep electron
 lenscalc render lamps.scene $small -t 100s -o bright.png 2>&1 | grep saturated
+# what focus= says counts for all that is focused; a fixed plane stands for itself
+lenscalc render lamps.scene $small --focus paraxial -t 1/1000 -o focused.png
+grep -ao 'Object.[0-9.]* mm' focused.png | tr '\0' ' '
+lenscalc render lamps.scene $small --gap last --focus-at sharpest -t 1/1000 -o focused.png
+lenscalc render lamps.scene $small --from front -t 1/1000 -o focused.png
+grep -ao 'Object.[0-9.]* mm' focused.png | tr '\0' ' '
+lenscalc render lamps.scene $small --focus 40 -t 1/1000 -o fixed.png
+grep -ac Object fixed.png
+lenscalc render lamps.scene $small -s 3m --focus 40 -o lost.png
+lenscalc render lamps.scene $small --autofocus 0.5:0.5 --from front -o lost.png
+lenscalc render unfocused.scene $small --focus paraxial --from front -o lost.png
+lenscalc render unfocused.scene $small --gap last -o lost.png
+# by a gap of 5.705 mm, the least distance by closing it
+lenscalc render lamps.scene $small -s 20mm --gap 5 -o lost.png
+lenscalc render lamps.scene $small -s 8cm --from sensor -o lost.png
+# names in capitals; scenes come from files
+cp lamps.scene LAMPS.SCENE
+lenscalc render LAMPS.SCENE $small -t 1/1000 -o capitals.png
+lenscalc render - $small -o lost.png < lamps.scene
+# nothing shines that is seen
+printf 'camera at=0,0,3 look=0,0,0 focus=3\nmaterial a lambert colour=0.5\nlight sun illuminance=1 towards=0,0,1\nsphere radius=1 material=a\n' > lit.scene
+lenscalc render lit.scene $small --bounces 0 -o lost.png
+# light that files hold does not saturate them; what a sensor does is said once
+lenscalc render lamps.scene $small -t 100 --radiance -o light.pfm
+sed 's/size=2,2/size=9,9/' lamps.scene > wide.scene
+lenscalc render wide.scene $small -t 100 --pitch 5um -o sensed.png
+lenscalc render lamps.scene $small -t 1/100 --shutter leaf --opening-time 1ms -o leaf.png 2>&1 | grep lx
+# interrupted: what moves is somewhere else in the next picture, which is not made
+timeout -s INT 1 lenscalc render moving.scene --lens double-gauss-50 --samples 1048576 -t 1/100,1/10 -o stopped.png 2>&1 | grep -v lx
+ls stopped*png
+lenscalc render lamps.scene $small --seconds 1 -o lost.part
+lenscalc render lamps.scene $small --seed 1 --part 1/2 -o seed.part
+lenscalc render lamps.scene $small --part 2/2 -o other.part
+lenscalc merge seed.part other.part -o lost.png
 ls lost.*

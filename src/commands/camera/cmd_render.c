@@ -62,13 +62,13 @@ static const struct option options[] = {
     LENS_POSITION_OPTION(struct render_input, question),
     ANALYSIS_PLANE_OPTIONS(struct render_input, question),
     {OPTION(struct render_input, focus_at), .name = "focus-at", .words = render_focus_ats,
-     .fallback = "thick", .value = "IMAGE", .wants = "distance|autofocus", .excludes = "focus",
-     .help = "what of the card's image comes onto the film"},
+     .fallback = "thick", .value = "IMAGE", .wants = "distance|autofocus|subject",
+     .excludes = "focus", .help = "what of the card's image comes onto the film"},
     {OPTION(struct render_input, autofocus), .name = "autofocus", .value = "X:Y",
      .excludes = "focus",
      .help = "focus on what lies there: fractions of width and height from the upper left"},
     {OPTION(struct render_input, gap), .name = "gap", .value = "GAPS",
-     .wants = "distance|autofocus", .excludes = "focus",
+     .wants = "distance|autofocus|subject", .excludes = "focus",
      .help = "focus by these gaps, the film standing still: variables or surface numbers, each "
              "with a weight: d5,10:-1; default the whole lens moves"},
     {OPTION(struct render_input, model), .name = "model", .words = lens_models, .fallback = "exact",
@@ -191,7 +191,8 @@ static bool check_lens(const struct artifact_job *job, struct error *error)
         fail(error, ERROR_USAGE, "no lens is given");
         return error_hint(error, "{--lens} NAME, see 'lenscalc list lenses'");
     }
-    if (asking_given(job->asking, "from") && !asking_given(job->asking, "distance")) {
+    const bool may_say = render_is_world(input) && input->autofocus == NULL; /* by focus= */
+    if (asking_given(job->asking, "from") && !asking_given(job->asking, "distance") && !may_say) {
         return fail(error, ERROR_USAGE, "{--from} needs {--distance}");
     }
     return !lens_positions_several(input->question.lens.lens, input->question.position) ||
@@ -226,6 +227,13 @@ static bool check_rays(const struct artifact_job *job, struct error *error)
                             lists[k][i]);
             }
         }
+    }
+    if (render_is_world(input) && isnan(input->distance) &&
+        input->question.focus.kind == PLANE_OF_LENS) {
+        return fail(
+            error, ERROR_USAGE,
+            "{--rays} beside a picture of a scene need {--distance} or {--focus}: they know "
+            "nothing of the scene");
     }
     return check_lens(job, error) && render_check_shutter(job, error);
 }

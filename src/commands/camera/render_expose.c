@@ -92,7 +92,11 @@ static bool exposure_of(const struct render_input *input, const struct render_sh
     const double white = shot->is_world ? 1 : render_white(input); /* its light is absolute */
     if (shot->is_world && isnan(input->time) && !(mean > 0)) {
         fail(error, ERROR_DOMAIN, "no light was found that reaches the film: nothing to meter");
-        return error_hint(error, "give {--time}, or more light");
+        return error_hint(error,
+                          input->bounces == 0
+                              ? "{--bounces} 0 shows only what shines itself: give 1 or more"
+                              : "what the camera sees neither shines nor sends light on: see "
+                                "its at= and look=, and the colours; or give {--time}");
     }
     *exposure = (struct exposure){.luminance = white,
                                   .time = input->time,
@@ -186,9 +190,30 @@ static void add_notes(const struct render_input *input, const struct render_shot
     }
 }
 
-/* Too much light, or too little, and what would mend it; shares of what saturates. */
-static void add_warnings(const struct range *shares, double iso, struct growing *remarks)
+/*
+ * Too much light, or too little, and what would mend it; shares of what saturates. Files of light
+ * hold any; a sensor says itself that all of it is saturated.
+ */
+static void add_warnings(const struct render_input *input, const struct range *shares,
+                         const struct exposure *exposure, bool is_png, struct growing *remarks)
 {
+    const double iso = exposure->iso;
+    if (!is_png && !input->radiance && shares->most > 1) {
+        growing_format(remarks,
+                       "the brightest pixel has %.3g times what saturates at ISO %.4g: the file "
+                       "holds it\n",
+                       shares->most, iso);
+    }
+    if (shares->most == 0) {
+        growing_format(remarks,
+                       "warning: no light was found that reaches the film: all is black\n");
+    }
+    if (!is_png) {
+        return;
+    }
+    if (shares->least > 1 && render_senses(input)) {
+        return;
+    }
     if (shares->least > 1) {
         growing_format(remarks,
                        "warning: every pixel is saturated: the time or the ISO must be less than "
@@ -199,10 +224,7 @@ static void add_warnings(const struct range *shares, double iso, struct growing 
                        "warning: the brightest pixel has %.3g times what saturates at ISO %.4g\n",
                        shares->most, iso);
     }
-    if (shares->most == 0) {
-        growing_format(remarks,
-                       "warning: no light was found that reaches the film: all is black\n");
-    } else if (shares->most < 1.0 / 4096) {
+    if (shares->most > 0 && shares->most < 1.0 / 4096) {
         growing_format(remarks,
                        "warning: all is black: it takes %.3g times the time or the ISO until the "
                        "brightest pixel saturates\n",
@@ -210,24 +232,26 @@ static void add_warnings(const struct range *shares, double iso, struct growing 
     }
 }
 
-static void add_remarks(const struct render_shot *shot, const struct exposure *exposure,
-                        bool is_film, struct growing *remarks)
+static void add_remarks(const struct render_input *input, const struct render_shot *shot,
+                        const struct exposure *exposure, struct growing *remarks)
 {
+    const bool is_leaf = input->shutter.kind == SHUTTER_LEAF;
     const struct photograph *photograph = &shot->photograph;
     char time[64];
     spoken_time(time, exposure->time, 3);
     if (shot->is_world) {
-        growing_format(remarks, "%.4g lx on the film on average, %s at ISO %.4g%s\n",
-                       photograph_luminance(photograph->mean), time, exposure->iso,
+        growing_format(remarks, "%.4g lx on the film on average, %s%s at ISO %.4g%s\n",
+                       photograph_luminance(photograph->mean),
+                       is_leaf ? "as if fully open for " : "", time, exposure->iso,
                        exposure->is_chosen ? ": metered, 10/ISO lx s on average (ISO 2720)" : "");
         return;
     }
     growing_format(remarks, "%.4g x %.4g mm of the card; white of %.4g cd/m2, %s at ISO %.4g%s\n",
                    photograph->card.width, photograph->card.height, exposure->luminance, time,
                    exposure->iso,
-                   !exposure->is_chosen ? ""
-                   : is_film            ? ": 18 % grey as a meter exposes it"
-                                        : ": white half a stop below saturation");
+                   !exposure->is_chosen    ? ""
+                   : render_is_film(input) ? ": 18 % grey as a meter exposes it"
+                                           : ": white half a stop below saturation");
 }
 
 /* -------- a file -------- */
@@ -270,9 +294,9 @@ static bool expose(const struct render_input *input, const struct render_shot *s
     }
     const struct range shares =
         range_of(&photograph->image, exposure.luminance * exposure.metered / exposure.full);
-    add_remarks(shot, &exposure, is_film, remarks);
+    add_remarks(input, shot, &exposure, remarks);
     if (!is_film) {
-        add_warnings(&shares, exposure.iso, remarks);
+        add_warnings(input, &shares, &exposure, is_png, remarks);
     }
     growing_text(remarks, shot->doubts);
     const double unit = unit_of(input, &exposure, type, photograph->axis);

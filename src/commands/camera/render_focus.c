@@ -147,6 +147,27 @@ static bool sharpen(const struct moving *moving, struct state *state, struct err
                 "no movement of the gaps was found that brings the sharpest image to the film");
 }
 
+/* Of what is too near for the gaps: the hint how near it may be; none helps what is too far. */
+static bool hint_least(const struct moving *moving, struct error *error)
+{
+    enum { DOUBLINGS = 30, HALVINGS = 50 };
+    struct moving tried = *moving;
+    struct state state;
+    struct error ignored;
+    double *distance = &tried.question.distance, near = fmax(*distance, 1e-3), far = near;
+    bool is_found = false;
+    for (int i = 0; i < DOUBLINGS && isfinite(far) && !is_found; i++) {
+        *distance = far *= 2;
+        is_found = move_gaps(&tried, 0, &state, &ignored);
+    }
+    near = is_found ? fmax(near, far / 2) : near;
+    for (int i = 0; i < HALVINGS && is_found; i++) {
+        *distance = (near + far) / 2;
+        *(move_gaps(&tried, 0, &state, &ignored) ? &far : &near) = *distance;
+    }
+    return is_found ? error_hint(error, "the least {--distance} is %.6g mm", far) : false;
+}
+
 /* The lens in the only position that is asked for. */
 static bool find_lens(const struct render_input *input, struct arena *arena,
                       const struct lens **lens, struct error *error)
@@ -192,8 +213,10 @@ static bool focus_by_gaps(const struct render_input *input, struct arena *arena,
         return false;
     }
     moving.focusing.image_plane = setup_paraxial_image(lens, &first);
-    if (!move_gaps(&moving, 0, &state, error) ||
-        (input->focus_at == FOCUS_AT_SHARPEST && !sharpen(&moving, &state, error))) {
+    if (!move_gaps(&moving, 0, &state, error)) {
+        return hint_least(&moving, error);
+    }
+    if (input->focus_at == FOCUS_AT_SHARPEST && !sharpen(&moving, &state, error)) {
         return false;
     }
     question->lens.lens = state.focused.lens;

@@ -39,10 +39,14 @@ bool render_check_part(const struct artifact_job *job, struct error *error)
                fail(error, ERROR_USAGE, "{--%s} needs {--output} with a name that ends in .part",
                     option);
     }
-    const bool rays = asking_given(job->asking, "rays");
-    return (!rays && !asking_given(job->asking, "explain")) ||
-           fail(error, ERROR_USAGE, "{--%s} is not of parts: {--output} FILE.part makes one",
-                rays ? "rays" : "explain");
+    static const char *const of_wholes[] = {"rays", "explain", "seconds"};
+    for (size_t i = 0; i < sizeof of_wholes / sizeof of_wholes[0]; i++) {
+        if (asking_given(job->asking, of_wholes[i])) {
+            return fail(error, ERROR_USAGE,
+                        "{--%s} is not of parts: {--output} FILE.part makes one", of_wholes[i]);
+        }
+    }
+    return true;
 }
 
 /* What a result depends on besides words and files: glasses, formats, films. */
@@ -250,6 +254,13 @@ void render_part_write(struct render_part *part, struct photograph *photograph, 
     const struct part_head *head = &part->head;
     write_file(part, photograph, sink);
     const bool has_none = part->own.end == part->own.begin;
+    if (photograph->is_incomplete) {
+        fail(&run->shortfall, ERROR_DOMAIN,
+             "interrupted: %s is incomplete, %" PRIu64 " of %" PRIu64
+             " tiles; the same with {--resume} goes on",
+             part->job->path, head->done, part->own.end - part->own.begin);
+        return;
+    }
     sink->remarks =
         text_of(has_none ? arena_printf(run->arena, "part %ld/%ld: none of %zu tiles\n",
                                         head->part.number, head->part.count, part->tiles)
@@ -257,10 +268,4 @@ void render_part_write(struct render_part *part, struct photograph *photograph, 
                                         "part %ld/%ld: tiles %" PRIu64 " to %" PRIu64 " of %zu\n",
                                         head->part.number, head->part.count, part->own.begin + 1,
                                         part->own.end, part->tiles));
-    if (photograph->is_incomplete) {
-        fail(&run->shortfall, ERROR_DOMAIN,
-             "interrupted: %s is incomplete, %" PRIu64 " of %" PRIu64
-             " tiles; the same with {--resume} goes on",
-             part->job->path, head->done, part->own.end - part->own.begin);
-    }
 }

@@ -6,12 +6,18 @@
 #include "file/image_file.h"
 #include "report/version.h"
 
+#include <string.h>
+
 /* -------- what is asked -------- */
 
 /* Something, and for a card where. */
 static bool check_subject(const struct artifact_job *job, struct error *error)
 {
     const struct render_input *input = job->inputs[0];
+    if (input->scene != NULL && strcmp(input->scene, "-") == 0) {
+        fail(error, ERROR_USAGE, "what is photographed is read from a file, not standard input");
+        return error_hint(error, "give its name, as room.scene or card.png");
+    }
     if (input->scene == NULL) {
         fail(error, ERROR_USAGE, "what is to be photographed is not said");
         return error_hint(error, "a scene (room.scene), a picture (card.png), or chart:edge, "
@@ -81,10 +87,12 @@ static void add_notes(const struct analysis_case *one, const struct render_input
     render_note(image, arena, "Lens", setup->lens->title != NULL ? setup->lens->title : "");
     render_note(image, arena, "Aperture", arena_printf(arena, "f/%.4g", setup->first.fnumber));
     render_note(image, arena, "Lens model", lens_models[input->model].word);
-    if (isnan(input->distance)) {
+    const double object = render_object(one);
+    if (isnan(input->distance) && !isnan(object)) {
         render_note(image, arena, "Object",
-                    arena_printf(arena, "%.9g mm before the first vertex", render_object(one)));
-    } else {
+                    isinf(object) ? "infinity"
+                                  : arena_printf(arena, "%.9g mm before the first vertex", object));
+    } else if (!isnan(input->distance)) {
         render_note(image, arena, "Distance", arena_printf(arena, "%.9g mm", input->distance));
     }
     render_note(image, arena, "Image plane", arena_printf(arena, "%.9g mm", setup->image));
@@ -163,18 +171,37 @@ static bool is_another(const struct picture_job *picture, size_t i, unsigned kep
            (moves && next->time != one->time);
 }
 
-/* Each exposure of it, taken anew where that is another picture; of one that is complete. */
+/* Who interrupts a picture has none of those that come after it. */
+static void leave_out(const struct picture_job *picture, size_t first)
+{
+    const struct artifact_job *job = picture->job;
+    const size_t left = job->count - first;
+    for (size_t i = first; i < job->count; i++) {
+        picture->sinks[i].is_unused = true;
+    }
+    fail(&job->run->shortfall, ERROR_DOMAIN,
+         "interrupted: the picture is incomplete, and black where it is missing; %zu more %s not "
+         "made",
+         left, left == 1 ? "is" : "are");
+}
+
+/* Each exposure of it, taken anew where that is another picture; merged ones are one picture. */
 static bool expose_all(const struct analysis_case *one, struct picture_job *picture,
                        struct photograph_question question, struct render_shot *shot,
                        struct error *error)
 {
     const struct artifact_job *job = picture->job;
-    const bool is_whole = !shot->photograph.is_incomplete;
+    const struct photograph *photograph = &shot->photograph;
     bool done = true;
     question.done = NULL;
     question.pause = NULL;
     for (size_t i = 0; i < job->count && done; i++) {
-        if (i > 0 && is_whole && is_another(picture, i, question.kept)) {
+        const bool is_new = i > 0 && is_another(picture, i, question.kept);
+        if (is_new && photograph->is_incomplete && job->run->parts == NULL) {
+            leave_out(picture, i);
+            break;
+        }
+        if (is_new && !photograph->is_incomplete) {
             question.duration = duration_of(picture, job->inputs[i], question.kept);
             done = render_shutter(job->inputs[i], one, job->run->arena, &question.film.shutter,
                                   error) &&

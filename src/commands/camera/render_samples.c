@@ -50,9 +50,12 @@ void render_say_samples(const struct render_input *input, const struct photograp
                         struct growing *remarks)
 {
     const uint64_t *counts = photograph->counts + PHOTOGRAPH_CONVERGENCE;
-    if (photograph->reached[1] > 0) {
+    const size_t *reached = photograph->reached;
+    if (reached[1] > reached[0]) {
         growing_format(remarks, "in the time given %zu to %zu rays a pixel and colour\n",
-                       photograph->reached[0], photograph->reached[1]);
+                       reached[0], reached[1]);
+    } else if (reached[1] > 0) {
+        growing_format(remarks, "in the time given %zu rays a pixel and colour\n", reached[1]);
     }
     if (isnan(input->error) || counts[CONVERGENCE_TILES] == 0) {
         return;

@@ -215,11 +215,12 @@ static void add_warnings(const struct sensor_model *model, const struct sensor_r
                          struct growing *remarks)
 {
     const struct sensor_sums *sums = &raw->sums;
-    if (sums->saturated == sums->values && model->dark < model->clip) {
+    const double share = sums->darkest / (model->clip - model->dark);
+    if ((sums->saturated == sums->values || share > 1) && model->dark < model->clip) {
         growing_format(remarks,
-                       "warning: every pixel is saturated: the darkest has %.3g times the "
-                       "electrons\n",
-                       sums->darkest / (model->clip - model->dark));
+                       "warning: every pixel is saturated: the time or the ISO must be less than "
+                       "1/%.3g of it\n",
+                       share);
     } else if (model->dark >= model->clip) {
         growing_format(remarks, "warning: the dark current alone saturates: %.3g electrons\n",
                        model->dark);

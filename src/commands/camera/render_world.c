@@ -19,7 +19,14 @@ bool render_is_world(const struct render_input *input)
     static const char ending[] = ".scene";
     const size_t length = input->scene != NULL ? strlen(input->scene) : 0;
     return length >= sizeof ending - 1 &&
-           strcmp(input->scene + length - (sizeof ending - 1), ending) == 0;
+           text_same(text_of(input->scene + length - (sizeof ending - 1)), ending);
+}
+
+/* Does the film stand where it is, whatever the lens is focused on? */
+static bool is_fixed(const struct render_input *input)
+{
+    const enum plane_kind kind = input->question.focus.kind;
+    return kind == PLANE_AT || kind == PLANE_TABLE;
 }
 
 static bool check_scene(const struct artifact_job *job, struct error *error)
@@ -39,9 +46,14 @@ static bool check_scene(const struct artifact_job *job, struct error *error)
         return fail(error, ERROR_USAGE,
                     "{--autofocus} finds the distance in the scene: not with {--distance}");
     }
+    if (!isnan(input->distance) && is_fixed(input)) {
+        return fail(error, ERROR_USAGE,
+                    "{--distance} and a fixed {--focus} exclude each other in a scene: each says "
+                    "where the film stands");
+    }
     return !input->spectral || (isnan(input->filter.mired) || input->filter.mired == 0) ||
            fail(error, ERROR_USAGE,
-                "{--filter} %s has a colour, which {--spectral} does not take: without it, it does",
+                "{--filter} %s is coloured, and {--spectral} takes grey filters only",
                 input->filter.name);
 }
 
@@ -228,9 +240,12 @@ bool render_world_focus(const struct artifact_job *job, struct render_world *wor
         return render_autofocus_place(input->autofocus, &looking.x, &looking.y, error) &&
                find_distance(&looking, focused, error);
     }
-    if (isnan(input->distance) && input->question.focus.kind == PLANE_OF_LENS) {
+    if (isnan(input->distance) && !is_fixed(input)) {
         focused->distance = world->scene.camera.distance;
-        focused->from = FROM_PRINCIPAL;
+    }
+    if (isnan(focused->distance) && asking_given(job->asking, "from")) {
+        fail(error, ERROR_USAGE, "{--from} needs a distance");
+        return error_hint(error, "give {--distance}, or focus= in the scene");
     }
     if (!isnan(focused->distance) || input->question.focus.kind != PLANE_OF_LENS) {
         return true;
