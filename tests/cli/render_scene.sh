@@ -121,4 +121,8 @@ lenscalc render lamps.scene $small --seconds 1 -o lost.part
 lenscalc render lamps.scene $small --seed 1 --part 1/2 -o seed.part
 lenscalc render lamps.scene $small --part 2/2 -o other.part
 lenscalc merge seed.part other.part -o lost.png
+# no wider than the lens is
+lenscalc render lamps.scene $small -N 0.5 -t 1/1000 -o wide.png
+grep -ao 'Aperture.f/[0-9.]*' wide.png | tr '\0' ' '
+lenscalc render lamps.scene $small -N 2 -t 1/1000 -o wide.png
 ls lost.*

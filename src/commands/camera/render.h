@@ -140,6 +140,18 @@ void render_say_model(const struct render_input *input, const struct analysis_ca
 bool render_open(const struct render_input *input, const struct spectrum_value *channels,
                  struct run *run, analysis_visit *visit, void *context, struct error *error);
 
+/*
+ * The lens by an f-number, at its primary wavelength and with the object of the case.
+ *
+ * Given     fnumber  NaN = its own, wide open
+ * Errors    as lens_positions and setup_open
+ */
+bool render_stopped(const struct analysis_case *one, double fnumber, struct arena *arena,
+                    struct setup *setup, struct error *error);
+
+/* Its f-number wide open, if more than that is asked for; else, or if it has none, NaN. */
+double render_widest(const struct analysis_case *one, struct arena *arena);
+
 /* How far from the axis light arrives and the film reaches, mm; of the rays, how many. */
 struct render_arrival {
     double largest, corner;

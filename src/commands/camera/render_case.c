@@ -30,9 +30,47 @@ double render_object(const struct analysis_case *one)
     return one->question->object;
 }
 
+bool render_stopped(const struct analysis_case *one, double fnumber, struct arena *arena,
+                    struct setup *setup, struct error *error)
+{
+    const struct lens *lens = one->question->lens.lens;
+    const double object = render_object(one);
+    const size_t *positions;
+    size_t count;
+    if (!lens_positions(lens, one->question->position, arena, &positions, &count, error)) {
+        return false;
+    }
+    const struct setup_question question = {.lens = lens,
+                                            .position = positions[0],
+                                            .object = isnan(object) ? NULL : &object,
+                                            .wavelength = NAN,
+                                            .wavelengths = WAVELENGTHS_PRIMARY,
+                                            .fnumber = fnumber};
+    return setup_open(&question, arena, setup, error);
+}
+
+double render_widest(const struct analysis_case *one, struct arena *arena)
+{
+    const double tenth_of_stop = 0.966; /* between labels and what lenses are */
+    const double asked = one->question->fnumber;
+    struct setup own;
+    struct error ignored;
+    return !isnan(asked) && render_stopped(one, NAN, arena, &own, &ignored) &&
+                   asked < tenth_of_stop * own.first.fnumber
+               ? own.first.fnumber
+               : (double)NAN;
+}
+
 void render_doubts(const struct analysis_case *one, const struct render_arrival *arrival,
                    struct growing *remarks)
 {
+    const double widest = render_widest(one, remarks->arena);
+    if (!isnan(widest)) {
+        growing_format(remarks,
+                       "warning: the lens is f/%.4g wide open: light of f/%.4g passes only where "
+                       "its clear apertures let it\n",
+                       widest, one->question->fnumber);
+    }
     if (one->warning != NULL) {
         growing_format(remarks, "warning: %s\n", one->warning);
     }

@@ -85,7 +85,9 @@ static void add_notes(const struct analysis_case *one, const struct render_input
         render_note(image, arena, "Filter", input->filter.name);
     }
     render_note(image, arena, "Lens", setup->lens->title != NULL ? setup->lens->title : "");
-    render_note(image, arena, "Aperture", arena_printf(arena, "f/%.4g", setup->first.fnumber));
+    const double widest = render_widest(one, arena);
+    render_note(image, arena, "Aperture",
+                arena_printf(arena, "f/%.4g", isnan(widest) ? setup->first.fnumber : widest));
     render_note(image, arena, "Lens model", lens_models[input->model].word);
     const double object = render_object(one);
     if (isnan(input->distance) && !isnan(object)) {

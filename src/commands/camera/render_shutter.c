@@ -71,29 +71,13 @@ bool render_shutter_varies(const struct artifact_job *job)
 static bool find_stopped(const struct render_input *input, const struct analysis_case *one,
                          struct arena *arena, double *stopped, struct error *error)
 {
-    const struct lens *lens = input->question.lens.lens;
-    const double object = render_object(one);
-    const size_t *positions;
-    size_t count;
     struct setup own, asked;
     *stopped = 1;
     if (isnan(input->question.fnumber)) {
         return true;
     }
-    if (!lens_positions(lens, input->question.position, arena, &positions, &count, error)) {
-        return false;
-    }
-    struct setup_question question = {.lens = lens,
-                                      .position = positions[0],
-                                      .object = isnan(object) ? NULL : &object,
-                                      .wavelength = NAN,
-                                      .wavelengths = WAVELENGTHS_PRIMARY,
-                                      .fnumber = NAN};
-    if (!setup_open(&question, arena, &own, error)) {
-        return false;
-    }
-    question.fnumber = input->question.fnumber;
-    if (!setup_open(&question, arena, &asked, error)) {
+    if (!render_stopped(one, NAN, arena, &own, error) ||
+        !render_stopped(one, input->question.fnumber, arena, &asked, error)) {
         return false;
     }
     const double share = fabs(asked.first.stop_radius / own.first.stop_radius);
