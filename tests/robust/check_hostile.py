@@ -4,7 +4,7 @@
 Each is answered or refused in a second, with a status of its own; no answer and no message holds a
 nan or, but for CSV and files, a control character, and JSON is whole. The files are those of
 tests/robust/hostile and, where there is one, of the shared folder: each by every so many commands,
-by all of them where LENSCALC_ALL asks for it, by fewer if the program is instrumented.
+by all of them with LENSCALC_EVERY=1 (an hour), by fewer if the program is instrumented.
 LENSCALC_EVERY sets another number.
 """
 # SPDX-License-Identifier: MIT
@@ -124,7 +124,7 @@ def main():
     asked = {command for question in QUESTIONS for command in ASKED if command == question.split()[0]}
     checks.check(asked | WITHOUT == set(ASKED), f"asked of no file: {set(ASKED) - asked - WITHOUT}")
     every = int(os.environ.get("LENSCALC_EVERY", 0)) or (
-        200 if program.is_instrumented else 1 if os.environ.get("LENSCALC_ALL") else 60)
+        200 if program.is_instrumented else 60)
     cases = [(path, question) for number, path in enumerate(own + known)
              for place, question in enumerate(QUESTIONS) if (number + place) % every == 0]
     cases += [(path, question) for name, question in CRASHED for path in own
