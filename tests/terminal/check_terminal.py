@@ -392,7 +392,7 @@ def check_interrupted_search(checks, program):
 
 def check_interrupted_trials(checks, program):
     """What there is by then comes at once, or the reason for nothing; all would take long."""
-    large = ["--rays", "2000"]
+    large = ["--rays", "20000"]
     cases = ((["--trials", "1e8"], True, "of 100000000 trials: what they say so far, incomplete"),
              (["--trials", "1e8", "--show", "trials"], True, "of 100000000 trials: those so far"),
              (["--show", "sensitivity", *large], True, "of 78 errors: those so far"),

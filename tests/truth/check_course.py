@@ -65,7 +65,7 @@ def check_places(studio, lens, film, heights):
         count = 2 * round(height / FINE + 20)
         place = height * math.cos(azimuth), height * math.sin(azimuth)
         corner = [round(count / 2 + s * a / FINE) - SIDE // 2 for s, a in zip((1, -1), place)]
-        rows = studio.take(scene, "--lens", lens, "--focus", str(film), "-s", "inf", "-N", "45",
+        rows = studio.take(scene, "--lens", lens, "--focus", str(film), "-N", "45",
                            "-w", "d", "-t", "1", "--sensor", f"{count * FINE}x{count * FINE}mm",
                            "--size", f"{count}x{count}", "--samples", "32", "--bounces", "0",
                            "--crop", f"{corner[0]}:{corner[1]}:{SIDE}x{SIDE}")

@@ -132,7 +132,7 @@ def check_scene(checks, program, folder):
         rows = studio.take(f"unit mm\ncamera at=0,0,0 look=0,0,-1\nmaterial lamp black "
                            f"luminance=500\ncard material=lamp size=2000,4000 turn=0,0,5 at="
                            f"{-1000 * math.cos(SLANT)},{-1000 * math.sin(SLANT)},{-3000 - pupil}\n",
-                           "--lens", lens, "-N", str(number), "--focus", str(film), "-s", "inf",
+                           "--lens", lens, "-N", str(number), "--focus", str(film),
                            "-w", "d", "-t", "0.01", "--sensor", f"{width}x{width}mm", "--size",
                            f"{SIDE}x{SIDE}", "--samples", "256", "--bounces", "0")
         if rows is not None:

@@ -103,7 +103,7 @@ def check_marginal(studio):
         pitch = 2.6 * edge / SIDE
         rows = studio.take(AHEAD + LAMP + f"disc material=lamp radius={lamp} "
                            f"at=0,0,{-distance}\n", "--lens", "single.lens", "--focus", repr(film),
-                           "-s", "inf", "--samples", "256", *square(pitch))
+                           "--samples", "256", *square(pitch))
         if rows is None:
             continue
         reach = max(math.hypot(i + 0.5 - SIDE / 2, j + 0.5 - SIDE / 2) * pitch
@@ -156,7 +156,7 @@ def check_axial(studio):
         pitch = 4 / SIDE
         rows = studio.take(AHEAD + LAMP + f"disc material=lamp radius={radius} "
                            f"at=0,0,{-distance}\n", "--lens", "thin.lens", "--focus", str(film),
-                           "-s", "inf", "--samples", "256", *square(pitch, line))
+                           "--samples", "256", *square(pitch, line))
         if rows is None:
             return
         image = radius * film / distance

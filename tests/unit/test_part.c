@@ -238,7 +238,7 @@ static void test_strangers(struct arena *arena)
     check_stranger(head, "b.part is not of the run of a.part: asked --seed=8, not --seed=7", arena);
     head = head_of(2, 2);
     head.words = text_of("--seed=7");
-    check_stranger(head, "b.part is not of the run of a.part: asked nothing more, not edge", arena);
+    check_stranger(head, "b.part is not of the run of a.part: asked no edge, not edge", arena);
     head = head_of(2, 2);
     head.input.text[3] = '0';
     check_stranger(head, "b.part is not of the run of a.part: input 24806a61d206, not 248d6a61d206",

@@ -141,16 +141,18 @@ bool render_open(const struct render_input *input, const struct spectrum_value *
                  struct run *run, analysis_visit *visit, void *context, struct error *error);
 
 /*
- * The lens by an f-number, at its primary wavelength and with the object of the case.
+ * The lens that is asked for, not its model, by an f-number, at its primary wavelength and with the
+ * object of the case.
  *
  * Given     fnumber  NaN = its own, wide open
  * Errors    as lens_positions and setup_open
  */
-bool render_stopped(const struct analysis_case *one, double fnumber, struct arena *arena,
-                    struct setup *setup, struct error *error);
+bool render_stopped(const struct render_input *input, const struct analysis_case *one,
+                    double fnumber, struct arena *arena, struct setup *setup, struct error *error);
 
 /* Its f-number wide open, if more than that is asked for; else, or if it has none, NaN. */
-double render_widest(const struct analysis_case *one, struct arena *arena);
+double render_widest(const struct render_input *input, const struct analysis_case *one,
+                     struct arena *arena);
 
 /* How far from the axis light arrives and the film reaches, mm; of the rays, how many. */
 struct render_arrival {
@@ -159,8 +161,8 @@ struct render_arrival {
 };
 
 /* What is doubtful: of the lens; dark corners of the film; rays that get lost elsewhere. */
-void render_doubts(const struct analysis_case *one, const struct render_arrival *arrival,
-                   struct growing *remarks);
+void render_doubts(const struct render_input *input, const struct analysis_case *one,
+                   const struct render_arrival *arrival, struct growing *remarks);
 
 /* The film, and the iris before it. */
 struct film_question render_film(const struct render_input *input, const struct analysis_case *one);

@@ -30,14 +30,14 @@ double render_object(const struct analysis_case *one)
     return one->question->object;
 }
 
-bool render_stopped(const struct analysis_case *one, double fnumber, struct arena *arena,
-                    struct setup *setup, struct error *error)
+bool render_stopped(const struct render_input *input, const struct analysis_case *one,
+                    double fnumber, struct arena *arena, struct setup *setup, struct error *error)
 {
-    const struct lens *lens = one->question->lens.lens;
+    const struct lens *lens = input->question.lens.lens;
     const double object = render_object(one);
     const size_t *positions;
     size_t count;
-    if (!lens_positions(lens, one->question->position, arena, &positions, &count, error)) {
+    if (!lens_positions(lens, input->question.position, arena, &positions, &count, error)) {
         return false;
     }
     const struct setup_question question = {.lens = lens,
@@ -49,27 +49,28 @@ bool render_stopped(const struct analysis_case *one, double fnumber, struct aren
     return setup_open(&question, arena, setup, error);
 }
 
-double render_widest(const struct analysis_case *one, struct arena *arena)
+double render_widest(const struct render_input *input, const struct analysis_case *one,
+                     struct arena *arena)
 {
     const double tenth_of_stop = 0.966; /* between labels and what lenses are */
-    const double asked = one->question->fnumber;
+    const double asked = input->question.fnumber;
     struct setup own;
     struct error ignored;
-    return !isnan(asked) && render_stopped(one, NAN, arena, &own, &ignored) &&
+    return !isnan(asked) && render_stopped(input, one, NAN, arena, &own, &ignored) &&
                    asked < tenth_of_stop * own.first.fnumber
                ? own.first.fnumber
                : (double)NAN;
 }
 
-void render_doubts(const struct analysis_case *one, const struct render_arrival *arrival,
-                   struct growing *remarks)
+void render_doubts(const struct render_input *input, const struct analysis_case *one,
+                   const struct render_arrival *arrival, struct growing *remarks)
 {
-    const double widest = render_widest(one, remarks->arena);
+    const double widest = render_widest(input, one, remarks->arena);
     if (!isnan(widest)) {
         growing_format(remarks,
                        "warning: the lens is f/%.4g wide open: light of f/%.4g passes only where "
                        "its clear apertures let it\n",
-                       widest, one->question->fnumber);
+                       widest, input->question.fnumber);
     }
     if (one->warning != NULL) {
         growing_format(remarks, "warning: %s\n", one->warning);

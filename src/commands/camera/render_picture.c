@@ -85,7 +85,7 @@ static void add_notes(const struct analysis_case *one, const struct render_input
         render_note(image, arena, "Filter", input->filter.name);
     }
     render_note(image, arena, "Lens", setup->lens->title != NULL ? setup->lens->title : "");
-    const double widest = render_widest(one, arena);
+    const double widest = render_widest(input, one, arena);
     render_note(image, arena, "Aperture",
                 arena_printf(arena, "f/%.4g", isnan(widest) ? setup->first.fnumber : widest));
     render_note(image, arena, "Lens model", lens_models[input->model].word);
@@ -129,7 +129,7 @@ static struct text doubts_of(const struct analysis_case *one, const struct pictu
     render_say_depths(input, photograph, &doubts);
     render_say_model(input, one, &doubts);
     render_say_shutter(input, question->film.shutter, one->setup, &doubts);
-    render_doubts(one, &arrival, &doubts);
+    render_doubts(input, one, &arrival, &doubts);
     if (job->run->explain) {
         render_explain(job, question, photograph, &doubts);
     }

@@ -128,7 +128,7 @@ static bool send_rays(const struct analysis_case *one, void *context, struct err
     const double share = (double)result.arrived / (double)question.samples;
     const struct render_arrival arrival = {result.largest, result.corner,
                                            input->acceptance == NULL ? share : NAN};
-    render_doubts(one, &arrival, &remarks);
+    render_doubts(input, one, &arrival, &remarks);
     if (job->run->explain) {
         render_explain_shutter(question.film.shutter, &remarks);
         growing_format(&remarks,

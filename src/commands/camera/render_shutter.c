@@ -76,8 +76,8 @@ static bool find_stopped(const struct render_input *input, const struct analysis
     if (isnan(input->question.fnumber)) {
         return true;
     }
-    if (!render_stopped(one, NAN, arena, &own, error) ||
-        !render_stopped(one, input->question.fnumber, arena, &asked, error)) {
+    if (!render_stopped(input, one, NAN, arena, &own, error) ||
+        !render_stopped(input, one, input->question.fnumber, arena, &asked, error)) {
         return false;
     }
     const double share = fabs(asked.first.stop_radius / own.first.stop_radius);
