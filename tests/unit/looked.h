@@ -23,11 +23,30 @@ struct looked_mean {
     double mean, sigma; /* of the mean, by what sequences differ */
 };
 
-static const struct frame looked_upright = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
+/* Initialisers, for constants too. */
+#define LOOKED_UPRIGHT                                                                             \
+    {                                                                                              \
+        {1, 0, 0}, {0, 1, 0},                                                                      \
+        {                                                                                          \
+            0, 0, 1                                                                                \
+        }                                                                                          \
+    }
 /* its z is up: the scene's y */
-static const struct frame looked_level = {{1, 0, 0}, {0, 0, -1}, {0, 1, 0}};
+#define LOOKED_LEVEL                                                                               \
+    {                                                                                              \
+        {1, 0, 0}, {0, 0, -1},                                                                     \
+        {                                                                                          \
+            0, 1, 0                                                                                \
+        }                                                                                          \
+    }
 /* and down */
-static const struct frame looked_down = {{1, 0, 0}, {0, 0, 1}, {0, -1, 0}};
+#define LOOKED_DOWN                                                                                \
+    {                                                                                              \
+        {1, 0, 0}, {0, 0, 1},                                                                      \
+        {                                                                                          \
+            0, -1, 0                                                                               \
+        }                                                                                          \
+    }
 
 #define LOOKED_GREY(share)                                                                         \
     {                                                                                              \
@@ -35,7 +54,7 @@ static const struct frame looked_down = {{1, 0, 0}, {0, 0, 1}, {0, -1, 0}};
     }
 #define LOOKED_PLACE(frame, ...)                                                                   \
     {                                                                                              \
-        .at = {__VA_ARGS__}, .turned = (frame)                                                     \
+        .at = {__VA_ARGS__}, .turned = frame                                                       \
     }
 
 static inline void looked_open(const struct scene *scene, int bounces, struct looked *looked)

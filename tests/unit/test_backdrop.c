@@ -7,9 +7,9 @@
 static struct scene_material materials[] = {
     {.name = "ground", .kind = MATERIAL_LAMBERT, .colour = LOOKED_GREY(0.5)}};
 static struct scene_thing ball = {
-    .shape = SHAPE_SPHERE, .radius = 10, .where = LOOKED_PLACE(looked_upright, 0, 0, -100)};
+    .shape = SHAPE_SPHERE, .radius = 10, .where = LOOKED_PLACE(LOOKED_UPRIGHT, 0, 0, -100)};
 static struct scene_thing ground = {.shape = SHAPE_PLANE,
-                                    .where = LOOKED_PLACE(looked_level, 0, -50, 0)};
+                                    .where = LOOKED_PLACE(LOOKED_LEVEL, 0, -50, 0)};
 
 /* Do rays from a ball of 1 mm, within 5 degrees of a way so far above -z, see one light? */
 static bool is_even(struct scene_thing *thing, struct scene_light *light, double degrees,

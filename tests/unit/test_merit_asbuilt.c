@@ -184,12 +184,12 @@ static void check_mirror(void)
          .what = {0, PARAMETER_INDEX, 0},
          .amount = 1e-3,
          .name = "n1",
-         .spread = {DISTRIBUTION_UNIFORM, DISTRIBUTION_SIGMAS}},
+         .spread = {.distribution = DISTRIBUTION_UNIFORM, .sigmas = DISTRIBUTION_SIGMAS}},
         {.kind = TOLERANCE_ABBE,
          .what = {0, PARAMETER_ABBE, 0},
          .amount = 0.4,
          .name = "V1",
-         .spread = {DISTRIBUTION_UNIFORM, DISTRIBUTION_SIGMAS}},
+         .spread = {.distribution = DISTRIBUTION_UNIFORM, .sigmas = DISTRIBUTION_SIGMAS}},
         {.kind = TOLERANCE_FOCUS, .what.kind = PARAMETER_KINDS, .amount = 0.1, .name = "focus"},
     };
     enum { MEDIA = 2, PLANE = 2, ALL = 3 };

@@ -24,9 +24,11 @@ static struct scene_material materials[] = {
                 .index = 1.5},
 };
 
+static const struct frame looked_level = LOOKED_LEVEL;
+
 /* A level plane through the origin, and others. */
 static const struct scene_thing ground = {
-    .shape = SHAPE_PLANE, .where = LOOKED_PLACE(looked_level, 0, 0, 0), .material = GROUND};
+    .shape = SHAPE_PLANE, .where = LOOKED_PLACE(LOOKED_LEVEL, 0, 0, 0), .material = GROUND};
 
 static struct scene scene_of(struct scene_thing *things, size_t count)
 {
@@ -66,7 +68,7 @@ static double by_corner(double a, double b, double h)
 static void test_lamps(void)
 {
     const struct scene_thing disc = {.shape = SHAPE_DISC,
-                                     .where = LOOKED_PLACE(looked_down, 0, 100, 0),
+                                     .where = LOOKED_PLACE(LOOKED_DOWN, 0, 100, 0),
                                      .radius = 40,
                                      .material = LAMP};
     check_lamp(disc, 0, by_disc(40, 100, 0), "disc, on its axis");
@@ -75,20 +77,20 @@ static void test_lamps(void)
     large.radius = 2000;
     check_lamp(large, 0, by_disc(2000, 100, 0), "wide disc");
     const struct scene_thing sphere = {.shape = SHAPE_SPHERE,
-                                       .where = LOOKED_PLACE(looked_upright, 0, 100, 0),
+                                       .where = LOOKED_PLACE(LOOKED_UPRIGHT, 0, 100, 0),
                                        .radius = 30,
                                        .material = LAMP};
     /* a sphere that is whole above the horizon: pi L sin^2 cos */
     check_lamp(sphere, 0, PI * L * 0.09, "sphere, above");
     check_lamp(sphere, 100, PI * L * 900 / 2e4 * sqrt(0.5), "sphere, beside");
     const struct scene_thing card = {.shape = SHAPE_CARD,
-                                     .where = LOOKED_PLACE(looked_down, 0, 50, 0),
+                                     .where = LOOKED_PLACE(LOOKED_DOWN, 0, 50, 0),
                                      .size = {60, 80, 0},
                                      .material = LAMP};
     check_lamp(card, 0, 4 * by_corner(30, 40, 50), "card, above");
     check_lamp(card, 30, 2 * by_corner(60, 40, 50), "card, above its edge");
     const struct scene_thing box = {.shape = SHAPE_BOX,
-                                    .where = LOOKED_PLACE(looked_upright, 0, 60, 0),
+                                    .where = LOOKED_PLACE(LOOKED_UPRIGHT, 0, 60, 0),
                                     .size = {60, 20, 80},
                                     .material = LAMP};
     check_lamp(box, 0, 4 * by_corner(30, 40, 50), "box, below");
@@ -105,7 +107,7 @@ static void test_mesh(void)
                                              .corners = corners,
                                              .triangles = triangles};
     const struct scene_thing mesh = {.shape = SHAPE_MESH,
-                                     .where = LOOKED_PLACE(looked_down, 0, 50, 0),
+                                     .where = LOOKED_PLACE(LOOKED_DOWN, 0, 50, 0),
                                      .mesh = &square,
                                      .material = LAMP};
     check_lamp(mesh, 0, 4 * by_corner(30, 40, 50), "mesh, above");
@@ -117,7 +119,7 @@ static void test_emission(void)
 {
     struct scene_thing things[] = {ground,
                                    {.shape = SHAPE_DISC,
-                                    .where = LOOKED_PLACE(looked_down, 0, 100, 0),
+                                    .where = LOOKED_PLACE(LOOKED_DOWN, 0, 100, 0),
                                     .radius = 40,
                                     .material = LAMP}};
     struct scene scene = scene_of(things, 2);
@@ -139,7 +141,7 @@ static void test_emission(void)
 static void test_furnace(void)
 {
     struct scene_thing things[] = {{.shape = SHAPE_SPHERE,
-                                    .where = LOOKED_PLACE(looked_upright, 5, 0, 0),
+                                    .where = LOOKED_PLACE(LOOKED_UPRIGHT, 5, 0, 0),
                                     .radius = 50,
                                     .material = WALL}};
     struct scene scene = scene_of(things, 1);
@@ -165,7 +167,7 @@ static void test_mirror(void)
     struct scene_thing things[] = {
         ground,
         {.shape = SHAPE_DISC,
-         .where = LOOKED_PLACE(looked_down, 50, 100, 0),
+         .where = LOOKED_PLACE(LOOKED_DOWN, 50, 100, 0),
          .radius = 40,
          .material = LAMP},
         {.shape = SHAPE_PLANE, .where = LOOKED_PLACE(sideways, -20, 0, 0), .material = MIRROR}};
@@ -194,11 +196,11 @@ static void test_alpha(void)
     static const struct image image = {.width = 1, .height = 1, .channels = 4, .pixels = pixel};
     struct scene_thing things[] = {ground,
                                    {.shape = SHAPE_DISC,
-                                    .where = LOOKED_PLACE(looked_down, 0, 100, 0),
+                                    .where = LOOKED_PLACE(LOOKED_DOWN, 0, 100, 0),
                                     .radius = 40,
                                     .material = LAMP},
                                    {.shape = SHAPE_CARD,
-                                    .where = LOOKED_PLACE(looked_down, 0, 50, 0),
+                                    .where = LOOKED_PLACE(LOOKED_DOWN, 0, 50, 0),
                                     .size = {500, 500, 0},
                                     .picture = &image,
                                     .material = SCENE_NONE}};
@@ -217,7 +219,7 @@ static void test_glossy(void)
     const double h = 100, R = 30, beside = 60;
     struct scene_thing things[] = {ground,
                                    {.shape = SHAPE_DISC,
-                                    .where = LOOKED_PLACE(looked_down, beside, h, 0),
+                                    .where = LOOKED_PLACE(LOOKED_DOWN, beside, h, 0),
                                     .radius = R,
                                     .material = LAMP}};
     things[0].material = GLOSSY;
@@ -291,7 +293,7 @@ static void test_ways(void)
     for (int i = 0; i < 6; i++) {
         struct scene_thing things[] = {ground,
                                        {.shape = SHAPE_DISC,
-                                        .where = LOOKED_PLACE(looked_down, 70, 90, 0),
+                                        .where = LOOKED_PLACE(LOOKED_DOWN, 70, 90, 0),
                                         .radius = radii[i / 3],
                                         .material = LAMP}};
         struct scene scene = scene_of(things, 2);
@@ -331,11 +333,11 @@ static void test_ways(void)
 static void test_order(void)
 {
     struct scene_thing things[] = {{.shape = SHAPE_SPHERE,
-                                    .where = LOOKED_PLACE(looked_upright, 5, 0, 0),
+                                    .where = LOOKED_PLACE(LOOKED_UPRIGHT, 5, 0, 0),
                                     .radius = 50,
                                     .material = WALL},
                                    {.shape = SHAPE_BOX,
-                                    .where = LOOKED_PLACE(looked_upright, 0, -10, 0),
+                                    .where = LOOKED_PLACE(LOOKED_UPRIGHT, 0, -10, 0),
                                     .size = {10, 10, 10},
                                     .material = GLOSSY}};
     struct scene scene = scene_of(things, 2);

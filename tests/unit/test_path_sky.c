@@ -17,7 +17,7 @@ static struct scene_material materials[] = {
     [LAMP] = {.name = "lamp", .kind = MATERIAL_BLACK, .emission = LOOKED_GREY(1), .luminance = 300},
 };
 static struct scene_thing ground[] = {
-    {.shape = SHAPE_PLANE, .where = LOOKED_PLACE(looked_level, 0, 0, 0), .material = GROUND}};
+    {.shape = SHAPE_PLANE, .where = LOOKED_PLACE(LOOKED_LEVEL, 0, 0, 0), .material = GROUND}};
 
 static struct scene scene_of(struct scene_light *lights, size_t count)
 {
@@ -176,7 +176,7 @@ static void test_motion(void)
     struct scene_thing things[] = {
         ground[0],
         {.shape = SHAPE_DISC,
-         .where = {.at = {0, 100, 0}, .turned = looked_down, .velocity = {0, 50, 0}},
+         .where = {.at = {0, 100, 0}, .turned = LOOKED_DOWN, .velocity = {0, 50, 0}},
          .radius = 40,
          .material = LAMP}};
     struct scene scene = scene_of(NULL, 0);
