@@ -114,9 +114,7 @@ FOR_TESTS = {
     "distribution_words": "", "spread_of": "", "spread_quantile": "", "spread_variance": "",
     "tolerances_of": "",
     "tally_histogram": "",
-    # light, which scenes stand on
-    "bands_many": "", "bands_three": "", "illuminant_words": "",
-    "lights_background": "", "lights_density": "", "lights_open": "", "lights_sample": "",
+    "illuminant_words": "every one of them has a spectrum",
     # what there is to try
     "foreign_formats": "the fuzzer's list of formats",
 }
