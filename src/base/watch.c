@@ -13,17 +13,33 @@ void watch_begin(struct watch *watch, const char *unit, size_t total)
     atomic_store(&watch->next, 1);
 }
 
+/* Unless another thread does. */
+static void look(struct watch *watch)
+{
+    if (!atomic_flag_test_and_set(&watch->is_busy)) {
+        watch->look(watch);
+        atomic_flag_clear(&watch->is_busy);
+    }
+}
+
 bool watch_add(struct watch *watch, size_t more)
 {
     if (watch == NULL) {
         return true;
     }
     size_t done = atomic_fetch_add(&watch->done, more) + more;
-    if (done >= atomic_load(&watch->next) && !atomic_flag_test_and_set(&watch->is_busy)) {
-        watch->look(watch);
-        atomic_flag_clear(&watch->is_busy);
+    if (done >= atomic_load(&watch->next)) {
+        look(watch);
     }
     return !atomic_load(&watch->is_ended);
+}
+
+bool watch_ask(struct watch *watch)
+{
+    if (watch != NULL) {
+        look(watch);
+    }
+    return !watch_is_ended(watch);
 }
 
 bool watch_is_ended(struct watch *watch)

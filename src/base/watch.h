@@ -18,7 +18,8 @@ struct watch {
     atomic_size_t next;   /* look when so many are done */
     atomic_flag is_busy;  /* a thread is looking */
     atomic_bool is_ended; /* the work is to stop */
-    /* Called from one thread at a time; sets `next`, may set is_ended. */
+    /* Called from one thread at a time; sets `next`, may set is_ended. Where it is not yet time
+       to look, neither by `next` nor by the clock, it may leave both. */
     void (*look)(struct watch *watch);
     void *looker; /* its own */
 };
@@ -32,6 +33,14 @@ void watch_begin(struct watch *watch, const char *unit, size_t total);
  * Result    false: stop, and say that the result is incomplete
  */
 bool watch_add(struct watch *watch, size_t more);
+
+/*
+ * Look, however much is done: within an item that takes long. From any thread; worth it every 200
+ * us or so.
+ *
+ * Result    as watch_add
+ */
+bool watch_ask(struct watch *watch);
 
 /* Is the work to stop? */
 bool watch_is_ended(struct watch *watch);

@@ -14,6 +14,8 @@
 enum { ACROSS = TILE_ACROSS, DOWN = TILE_DOWN, PIXELS = TILE_PIXELS };
 /* Of a channel, between two pauses: about a second. */
 enum { SLICE_RAYS = 1 << 22 };
+/* Blocks of rays until somebody may end them: 0.2 to 20 ms. */
+enum { ENDED_EVERY = 8 };
 
 struct work {
     const struct photograph_question *question;
@@ -30,6 +32,7 @@ struct work {
     double scale;                 /* (n'/n)^2, n of the scene */
     struct convergence_goal goal; /* of scenes */
     struct stage *stages;         /* of tiles, where somebody waits; else null */
+    bool is_timed;                /* all tiles have had the first of them */
 };
 
 /* How far a tile has come. */
@@ -52,6 +55,16 @@ static struct room *room_of(size_t passes, struct arena *arena)
     room->tile = tile_room_new(arena);
     room->spare = spare_room_new(passes, arena);
     return room;
+}
+
+static size_t least_of(size_t a, size_t b)
+{
+    return a < b ? a : b;
+}
+
+static size_t most_of(size_t a, size_t b)
+{
+    return a > b ? a : b;
 }
 
 /* -------- which tiles -------- */
@@ -98,6 +111,26 @@ static bool is_lit(const struct film_plan *plan, double largest)
     return x * x + y * y <= largest * largest;
 }
 
+/* Is the picture to end here? */
+static bool is_over(const struct work *work)
+{
+    const struct photograph_question *question = work->question;
+    return !watch_ask(question->watch) || (work->is_timed && question->is_over(question->clock));
+}
+
+/* As tile_rays_sum; false: it is over, and the sums are of some of them. */
+static bool sum(const struct work *work, const struct film_plan *plan, size_t begin, size_t end,
+                struct room *room)
+{
+    for (size_t i = begin; i < end; i += ENDED_EVERY) {
+        if (i > begin && is_over(work)) {
+            return false;
+        }
+        tile_rays_sum(&work->rays, plan, i, least_of(i + ENDED_EVERY, end), room->tile);
+    }
+    return true;
+}
+
 /* How far the halves of a tile are from each other, as a multiple of the error asked for. */
 static double error_of(const struct work *work, const struct room *room, double samples)
 {
@@ -108,29 +141,33 @@ static double error_of(const struct work *work, const struct room *room, double 
                : work->unit * convergence_halves(first, both, count, samples);
 }
 
-/* Twice as many samples again and again, until the error is reached; returns how many. */
+/* Twice as many samples again and again, until the error is reached; returns how many, 0: it is
+   over before. */
 static size_t sum_until(const struct work *work, const struct film_plan *plan, struct room *room)
 {
     size_t samples = CONVERGENCE_LEAST / 2;
     double error = INFINITY;
-    tile_rays_sum(&work->rays, plan, 0, samples, room->tile);
-    for (; error > 1 && samples < work->question->samples; samples *= 2) {
+    bool is_whole = sum(work, plan, 0, samples, room);
+    for (; is_whole && error > 1 && samples < work->question->samples; samples *= 2) {
         memcpy(room->half, room->tile->sums, sizeof room->half);
-        tile_rays_sum(&work->rays, plan, samples, 2 * samples, room->tile);
+        is_whole = sum(work, plan, samples, 2 * samples, room);
         error = error_of(work, room, (double)samples);
     }
     convergence_add(room->tile->counts + PHOTOGRAPH_CONVERGENCE, error, samples);
-    return samples;
+    return is_whole ? samples : 0;
 }
 
-/* One stage more, from what there is; returns how many samples there are then. */
+/* One stage more, from what there is; returns how many samples there are then, 0: it is over
+   before. */
 static size_t sum_stage(const struct work *work, const struct film_plan *plan, struct stage *stage,
                         struct room *room)
 {
     const size_t before = stage->samples, samples = before > 0 ? 2 * before : CONVERGENCE_LEAST;
     memcpy(room->tile->sums, stage->sums, sizeof stage->sums);
     memcpy(room->half, stage->sums, sizeof stage->sums);
-    tile_rays_sum(&work->rays, plan, before, samples, room->tile);
+    if (!sum(work, plan, before, samples, room)) {
+        return 0;
+    }
     memcpy(stage->sums, room->tile->sums, sizeof stage->sums);
     stage->samples = samples;
     stage->error =
@@ -144,7 +181,7 @@ static bool is_last_stage(const struct work *work, const struct stage *stage)
     return stage->samples >= work->question->samples || stage->error <= 1;
 }
 
-/* All samples of a tile, by its place in the frame; returns how many. */
+/* All samples of a tile, by its place in the frame; returns how many, 0: it is over before. */
 static size_t sum_tile(const struct work *work, struct film_plan *plan, size_t tile,
                        struct stage *stage, struct room *room)
 {
@@ -155,22 +192,26 @@ static size_t sum_tile(const struct work *work, struct film_plan *plan, size_t t
         return sum_stage(work, plan, stage, room);
     }
     const struct spare_tile spared = {plan, ACROSS, DOWN, question->samples};
-    const enum spare_way way = work->spare != NULL
-                                   ? spare_take(work->spare, &spared, room->spare, room->tile->sums)
-                                   : SPARE_TRACED;
-    room->tile->counts[PHOTOGRAPH_WAYS + way]++;
+    struct tile_room *sums = room->tile;
+    const enum spare_way way = work->spare != NULL ? spare_take(work->spare, &spared, room->spare,
+                                                                sums->counts, sums->sums)
+                                                   : SPARE_TRACED;
+    if (way == SPARE_ENDED) {
+        return 0;
+    }
+    sums->counts[PHOTOGRAPH_WAYS + way]++;
     if (way != SPARE_TRACED) {
         return question->samples;
     }
     if (question->error > 0) {
         return sum_until(work, plan, room);
     }
-    tile_rays_sum(&work->rays, plan, 0, question->samples, room->tile);
-    return question->samples;
+    return sum(work, plan, 0, question->samples, room) ? question->samples : 0;
 }
 
-/* Tile `tile` of the crop; its points are those of its place in the frame. */
-static void take_tile(const struct work *work, size_t tile, struct room *room)
+/* Tile `tile` of the crop; its points are those of its place in the frame. False: it is over
+   before. */
+static bool take_tile(const struct work *work, size_t tile, struct room *room)
 {
     const struct photograph_question *question = work->question;
     const struct tiling tiling = tiling_for(question);
@@ -179,11 +220,14 @@ static void take_tile(const struct work *work, size_t tile, struct room *room)
     tiling_begin(&tiling, tile, &column, &row);
     struct film_plan plan = plan_of(work, column, row);
     if (!is_lit(&plan, work->film->region.largest)) {
-        return;
+        return true;
     }
     struct stage *stage = work->stages != NULL ? &work->stages[tile] : NULL;
     const size_t samples =
         sum_tile(work, &plan, row / DOWN * tiling.frame + column / ACROSS, stage, room);
+    if (samples == 0) {
+        return false;
+    }
     for (size_t k = 0; k < PIXELS; k++) {
         for (size_t channel = 0; channel < PHOTOGRAPH_CHANNELS; channel++) {
             pixels[k][channel] =
@@ -191,6 +235,19 @@ static void take_tile(const struct work *work, size_t tile, struct room *room)
         }
     }
     photograph_tile(question, work->image, tile, TILE_TO_PICTURE, pixels);
+    return true;
+}
+
+/* The same, of which nothing stays, nor is counted, if it is over before. */
+static bool try_tile(const struct work *work, size_t tile, struct room *room)
+{
+    uint64_t counts[PHOTOGRAPH_COUNTS];
+    memcpy(counts, room->tile->counts, sizeof counts);
+    const bool is_whole = take_tile(work, tile, room);
+    if (!is_whole) {
+        memcpy(room->tile->counts, counts, sizeof counts);
+    }
+    return is_whole;
 }
 
 /* Is there time for another stage of a tile that has had one? */
@@ -210,30 +267,18 @@ static void take_tiles(void *context, const struct parallel_piece *piece)
     for (size_t i = piece->begin; i < piece->end && !watch_is_ended(watch); i++) {
         const size_t tile = work->first + i;
         if (work->done[tile] == 0) {
-            take_tile(work, tile, room);
-            work->done[tile] = 1;
-            watch_add(watch, PIXELS);
+            if (try_tile(work, tile, room)) {
+                work->done[tile] = 1;
+                watch_add(watch, PIXELS);
+            }
         } else if (goes_on(work, tile)) {
-            take_tile(work, tile, room);
+            try_tile(work, tile, room);
         }
-    }
-    for (int i = 0; i < RELIEF_SIGHTS; i++) {
-        room->tile->counts[i] += spare_room_sights(room->spare)[i];
     }
     for (int i = 0; i < PHOTOGRAPH_COUNTS; i++) {
         atomic_fetch_add(&work->counts[i], room->tile->counts[i]);
     }
     arena_reset(piece->arena, mark);
-}
-
-static size_t least_of(size_t a, size_t b)
-{
-    return a < b ? a : b;
-}
-
-static size_t most_of(size_t a, size_t b)
-{
-    return a > b ? a : b;
 }
 
 static size_t count_missing(const struct work *work, size_t tiles)
@@ -354,7 +399,8 @@ static void open_spare(struct work *work, struct arena *arena)
                             .view = view,
                             .passes = work->rays.passes,
                             .pass = work->rays.pass,
-                            .kept = question->kept};
+                            .kept = question->kept,
+                            .watch = question->watch};
     if (view != NULL) {
         spare->backdrop = backdrop_open(view->path->world, view->path->lights);
         if (!may_see_backdrop(work, &spare->backdrop, rays)) {
@@ -390,6 +436,7 @@ static void take_stages(struct work *work, size_t tiles, struct photograph *phot
     parallel->threads = question->threads;
     for (size_t n = 0; n < question->samples && !watch_is_ended(question->watch);
          n = n > 0 ? 2 * n : CONVERGENCE_LEAST) {
+        work->is_timed = n > 0;
         if (n == 0 || !question->is_over(question->clock)) {
             parallel_pieces(parallel, tiles, 4, take_tiles, work);
         }

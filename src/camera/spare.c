@@ -36,13 +36,7 @@ struct spare_room {
     struct relief_ray (*rim)[RAYS_BLOCK]; /* by pass */
     bool (*passed)[RAYS_BLOCK];
     double before; /* how far rays of rims start from where they are told, at most, mm */
-    unsigned long long sights[RELIEF_SIGHTS];
 };
-
-const unsigned long long *spare_room_sights(const struct spare_room *room)
-{
-    return room->sights;
-}
 
 struct spare_room *spare_room_new(size_t passes, struct arena *arena)
 {
@@ -376,11 +370,14 @@ static size_t least_of(size_t a, size_t b)
 
 /* Points of the film alone leave as much noise as twice as many of film and pupil. */
 enum { OF_SAMPLES = 2 };
+/* Blocks until the watch may end them: half a millisecond. */
+enum { ENDED_EVERY = 16 };
 
-/* The light of samples' points of the film, through the net of its wavelength. */
-static void look_through_net(const struct spare *spare, const struct spare_tile *tile,
+/* The light of samples' points of the film, through the net of its wavelength; false: the watch
+   has ended it. */
+static bool look_through_net(const struct spare *spare, const struct spare_tile *tile,
                              size_t wavelength, struct spare_room *room,
-                             double (*sums)[CARD_CHANNELS])
+                             uint64_t sights[RELIEF_SIGHTS], double (*sums)[CARD_CHANNELS])
 {
     const struct film_plan *plan = tile->plan;
     const struct spare_pass *pass = &spare->pass[wavelength];
@@ -390,6 +387,9 @@ static void look_through_net(const struct spare *spare, const struct spare_tile 
         weight[i] = OF_SAMPLES * light_of_pixel(spare, tile, wavelength, i);
     }
     for (uint32_t block = 0; block < tile->samples / OF_SAMPLES; block++) {
+        if (block % ENDED_EVERY == 0 && !watch_ask(spare->watch)) {
+            return false;
+        }
         film_rays_plan(plan, block, SET_BEST, &room->samples);
         for (size_t i = 0; i < RAYS_BLOCK; i++) {
             const double across = (room->samples.x[i] - plan->left) / plan->width;
@@ -406,12 +406,13 @@ static void look_through_net(const struct spare *spare, const struct spare_tile 
             }
             enum relief_sight sight;
             const struct card_light light = look(spare, &ray, &sight);
-            room->sights[sight]++;
+            sights[sight]++;
             for (size_t k = pass->begin; k < pass->end; k++) {
                 sums[pixel][k] += weight[pixel] * (double)light.of[k];
             }
         }
     }
+    return true;
 }
 
 /* Does light come to all of it, from a pupil without a hole, the same all around? */
@@ -526,7 +527,8 @@ static bool trace_nets(const struct spare *spare, const struct film_plan *plan,
 }
 
 enum spare_way spare_take(const struct spare *spare, const struct spare_tile *tile,
-                          struct spare_room *room, double (*sums)[CARD_CHANNELS])
+                          struct spare_room *room, uint64_t sights[RELIEF_SIGHTS],
+                          double (*sums)[CARD_CHANNELS])
 {
     double w[2];
     struct card_part part;
@@ -542,16 +544,17 @@ enum spare_way spare_take(const struct spare *spare, const struct spare_tile *ti
     if (may_be_even(spare, &part) && card_is_even(spare->card, &part, &light) &&
         (has_light(spare, tile->plan) || is_black(light))) {
         fill(spare, tile, light, sums);
-        room->sights[SIGHT_SEEN] += RAYS_BLOCK * tile->samples * spare->passes;
+        sights[SIGHT_SEEN] += RAYS_BLOCK * tile->samples * spare->passes;
         return SPARE_EVEN;
     }
     if ((spare->kept & 1U << SKIP_BLUR) == 0 && has_light(spare, tile->plan) &&
         !spare->film->region.has_hole && is_sharp(spare, tile, room, &part, w) &&
         trace_nets(spare, tile->plan, room)) {
-        for (size_t i = 0; i < spare->passes; i++) {
-            look_through_net(spare, tile, i, room, sums);
+        bool is_whole = true;
+        for (size_t i = 0; i < spare->passes && is_whole; i++) {
+            is_whole = look_through_net(spare, tile, i, room, sights, sums);
         }
-        return SPARE_SHARP;
+        return is_whole ? SPARE_SHARP : SPARE_ENDED;
     }
     return SPARE_TRACED;
 }

@@ -3,11 +3,14 @@
 #ifndef LENSCALC_CAMERA_SPARE_H
 #define LENSCALC_CAMERA_SPARE_H
 
+#include "base/watch.h"
 #include "camera/card.h"
 #include "camera/lens_film.h"
 #include "camera/relief.h"
 #include "camera/view.h"
 #include "scene/backdrop.h"
+
+#include <stdint.h>
 
 /* What need not be done where the picture is the same without. */
 enum skip {
@@ -29,7 +32,8 @@ enum spare_way {
     SPARE_TRACED, /* it needs all its rays */
     SPARE_SHARP,  /* one pupil tells what all of it sees */
     SPARE_EVEN,   /* all of it has the same light */
-    SPARE_WAYS
+    SPARE_WAYS,
+    SPARE_ENDED = SPARE_WAYS /* the watch has ended it before */
 };
 
 enum { SPARE_ROWS = 65 };
@@ -49,6 +53,7 @@ struct spare {
     size_t passes;               /* one a wavelength, or one for all */
     const struct spare_pass *pass;
     unsigned kept; /* 1 << enum skip, of what is done all the same */
+    struct watch *watch;
     /* E/L by pass, sr: SPARE_ROWS distances from the axis, closer to each other at the end;
        null: it is not the same all around */
     double **light;
@@ -67,9 +72,6 @@ void spare_open(struct spare *spare, size_t blocks, struct arena *arena);
 struct spare_room;
 struct spare_room *spare_room_new(size_t passes, struct arena *arena);
 
-/* How many samples found out how much since: RELIEF_SIGHTS numbers. */
-const unsigned long long *spare_room_sights(const struct spare_room *room);
-
 /* A tile of the film: the points of its pixels, which lie in rows from the upper left. */
 struct spare_tile {
     const struct film_plan *plan;
@@ -80,8 +82,9 @@ struct spare_tile {
 /*
  * Take a tile, if it may be spared.
  *
- * Given     sums   0 for each of 128 pixels: receives what the weights times the light of all
- *                  samples come to, unless it is SPARE_TRACED
+ * Result    sights  so many samples more found out so much, of a card or relief
+ *           sums    0 for each of 128 pixels: receives what the weights times the light of all
+ *                   samples come to, unless it is SPARE_TRACED or SPARE_ENDED
  * Formula   rays from the tile's corners, within the rim of the pupil, of each wavelength, give the
  *           part of the card that is seen, with 10 % around it. Where that is even, E/L times its
  *           light. Where the rays of no corner are a quarter pixel apart, E/L times the mean light
@@ -94,6 +97,7 @@ struct spare_tile {
  *           rays meet says nothing of what lies between them
  */
 enum spare_way spare_take(const struct spare *spare, const struct spare_tile *tile,
-                          struct spare_room *room, double (*sums)[CARD_CHANNELS]);
+                          struct spare_room *room, uint64_t sights[RELIEF_SIGHTS],
+                          double (*sums)[CARD_CHANNELS]);
 
 #endif

@@ -58,7 +58,7 @@ static void show(struct progress *progress, double time)
     const struct progress_state state = progress->state(progress->context);
     struct watch *watch = &progress->watch;
     const size_t watched = atomic_load(&watch->done);
-    const bool is_one = isnan(state.share) && state.rows <= 1 && watched > 0;
+    const bool is_one = isnan(state.share) && state.rows <= 1 && watch->unit != NULL;
     const double done = (double)(is_one ? watched : state.rows), elapsed = time - progress->started;
     const char *unit = is_one ? watch->unit : "rows";
     double share = state.share;
@@ -96,7 +96,10 @@ void progress_look(struct progress *progress)
 static void look_inside(struct watch *watch)
 {
     struct progress *progress = watch->looker;
-    double elapsed = progress_clock() - progress->looked;
+    const double elapsed = progress_clock() - progress->looked;
+    if (atomic_load(&watch->done) < atomic_load(&watch->next) && elapsed < looked_every) {
+        return;
+    }
     progress->watched = adapted(progress->watched, elapsed);
     atomic_store(&watch->next, atomic_load(&watch->done) + progress->watched);
     size_t until = progress->until, every = progress->every;

@@ -349,6 +349,7 @@ def check_interrupted(checks, program):
     check_interrupted_lens(checks, program)
     check_interrupted_search(checks, program)
     check_interrupted_trials(checks, program)
+    check_interrupted_picture(checks, program)
 
 
 def check_interrupted_lens(checks, program):
@@ -414,6 +415,37 @@ def check_interrupted_trials(checks, program):
         checks.check(process.returncode == 1 and said.encode() in error and
                      bool(answer) == has_rows, f"{asked}: {answer[-300:]!r}, {error!r}")
     checks.check(time.perf_counter() - began < 10, "trials: they do not end")
+
+
+def check_interrupted_picture(checks, program):
+    """In the middle of a tile whose rays would take minutes, by Ctrl-C or by its own clock."""
+    with tempfile.TemporaryDirectory() as folder:
+        with open(os.path.join(folder, "ball.scene"), "w", encoding="ascii") as file:
+            file.write("camera at=0,0,3 look=0,0,0 focus=3\nmaterial grey lambert colour=0.5\n"
+                       "light sky uniform luminance=1000\nsphere radius=0.5 material=grey\n"
+                       "plane at=0,-1,0 normal=0,1,0 material=grey\n")
+        words = ["render", "ball.scene", "--lens", "double-gauss-50", "--size", "16x16",
+                 "--bounces", "16", "-t", "1/100", "--samples", str(1 << 20), "-o"]
+        cases = ((["whole.pfm"], "incomplete, and black"), (["p.part"], "0 of 2 tiles"),
+                 (["e.pfm", "--error", "1e-4"], "incomplete, and black"),
+                 (["blur.pfm"], "incomplete, and black"))
+        chart = ["render", "chart:star", "-s", "1m", "-N", "16", *words[2:6], *words[8:]]
+        processes = [subprocess.Popen([*program.command, *(chart if "blur" in asked[0] else words),
+                                       *asked], cwd=folder, stderr=subprocess.PIPE,
+                                      env=program.environment()) for asked, _ in cases]
+        time.sleep(0.4)
+        began = time.perf_counter()
+        for process in processes:
+            process.send_signal(signal.SIGINT)
+        for process, (asked, said) in zip(processes, cases):
+            error = process.communicate()[1].decode()
+            checks.check(process.returncode == 1 and said in error and "no light" not in error,
+                         f"a picture {asked}: {error!r}")
+        timed = subprocess.run([*program.command, *words, "timed.pfm", "--seconds", "0.2"],
+                               cwd=folder, stderr=subprocess.PIPE, env=program.environment())
+        checks.check(timed.returncode == 0 and b"in the time given" in timed.stderr,
+                     f"a picture in time: {timed.stderr!r}")
+        checks.check(time.perf_counter() - began < 10, "pictures: they do not end")
 
 
 def check_picture(checks, program):

@@ -194,8 +194,9 @@ static void add_notes(const struct render_input *input, const struct render_shot
  * Too much light, or too little, and what would mend it; shares of what saturates. Files of light
  * hold any; a sensor says itself that all of it is saturated.
  */
-static void add_warnings(const struct render_input *input, const struct range *shares,
-                         const struct exposure *exposure, bool is_png, struct growing *remarks)
+static void add_warnings(const struct render_input *input, const struct render_shot *shot,
+                         const struct range *shares, const struct exposure *exposure, bool is_png,
+                         struct growing *remarks)
 {
     const double iso = exposure->iso;
     if (!is_png && !input->radiance && shares->most > 1) {
@@ -204,7 +205,7 @@ static void add_warnings(const struct render_input *input, const struct range *s
                        "holds it\n",
                        shares->most, iso);
     }
-    if (shares->most == 0) {
+    if (shares->most == 0 && !shot->photograph.is_incomplete) { /* else it is not there yet */
         growing_format(remarks,
                        "warning: no light was found that reaches the film: all is black\n");
     }
@@ -296,7 +297,7 @@ static bool expose(const struct render_input *input, const struct render_shot *s
         range_of(&photograph->image, exposure.luminance * exposure.metered / exposure.full);
     add_remarks(input, shot, &exposure, remarks);
     if (!is_film) {
-        add_warnings(input, &shares, &exposure, is_png, remarks);
+        add_warnings(input, shot, &shares, &exposure, is_png, remarks);
     }
     growing_text(remarks, shot->doubts);
     const double unit = unit_of(input, &exposure, type, photograph->axis);

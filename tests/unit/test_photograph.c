@@ -1,0 +1,156 @@
+/* tests/unit/test_photograph.c - pictures that end in the middle of a tile. */
+/* SPDX-License-Identifier: MIT */
+#include "camera/photograph.h"
+
+#include "check.h"
+#include "file/lens_file.h"
+
+enum { COLUMNS = 2 * TILE_ACROSS, ROWS = 2 * TILE_DOWN, TILES = 4, SAMPLES = 64 };
+
+static struct error error;
+static struct arena arena;
+static struct lens lens;
+static struct setup setup;
+
+/* A card that a hole shows on a film, in four tiles. */
+static const struct photograph_question card = {
+    .film = {.setup = &setup, .width = 36, .height = 18},
+    .columns = COLUMNS,
+    .rows = ROWS,
+    .samples = SAMPLES,
+    .kept = (1U << SKIP_COUNT) - 1,
+    .card = {.distance = 500, .chart = CHART_STAR}};
+
+static bool open_hole(void)
+{
+    static const char text[] = "lens stop\nwavelength d\nobject inf\naperture stop\n"
+                               "stop - 50 air 5\n";
+    const struct setup_question question = {
+        .lens = &lens, .wavelength = NAN, .wavelengths = WAVELENGTHS_ALL, .fnumber = NAN};
+    const struct plane_value plane = {.kind = PLANE_AT, .distance = 50};
+    return lens_read("test", text_of(text), NULL, &arena, &lens, &error) &&
+           setup_open(&question, &arena, &setup, &error) &&
+           setup_place_image(&setup, &plane, &error);
+}
+
+static struct photograph take(const struct photograph_question *question)
+{
+    struct photograph photograph = {0};
+    CHECK(photograph_take(question, &arena, &photograph, &error));
+    return photograph;
+}
+
+/* Ends at that look. */
+static size_t looks_left;
+
+static void look(struct watch *watch)
+{
+    looks_left -= looks_left > 0;
+    atomic_store(&watch->is_ended, looks_left == 0);
+}
+
+/* What `part` has of tiles that are done is that of `whole`; all else is black. */
+static void check_tiles(const struct photograph *part, const struct photograph *whole,
+                        const unsigned char *done)
+{
+    bool same = true;
+    for (size_t i = 0; i < (size_t)COLUMNS * ROWS; i++) {
+        const size_t tile = i / COLUMNS / TILE_DOWN * 2 + i % COLUMNS / TILE_ACROSS;
+        for (size_t k = 0; k < PHOTOGRAPH_CHANNELS; k++) {
+            const size_t at = i * PHOTOGRAPH_CHANNELS + k;
+            const float expected = done[tile] != 0 ? whole->image.pixels[at] : 0;
+            same = same && part->image.pixels[at] == expected;
+        }
+    }
+    CHECK(same);
+}
+
+/* Ended at each of its looks, and gone on with: what there is are whole tiles, counted as such. */
+static void test_ended(double share)
+{
+    struct photograph_question question = card;
+    question.error = share;
+    const struct photograph whole = take(&question);
+    const size_t most = TILES * (SAMPLES / 8 + 1);
+    size_t cut = 0;
+    CHECK(!whole.is_incomplete && whole.counts[PHOTOGRAPH_WAYS + SPARE_TRACED] == TILES);
+    for (size_t looks = 1; looks <= most; looks++) {
+        unsigned char done[TILES] = {0}, others[TILES];
+        struct watch watch = {.look = look, .is_busy = ATOMIC_FLAG_INIT};
+        looks_left = looks;
+        question.watch = &watch;
+        question.done = done;
+        const struct photograph part = take(&question);
+        size_t count = 0;
+        for (size_t i = 0; i < TILES; i++) {
+            count += done[i];
+            others[i] = !done[i];
+        }
+        cut += looks > 1 && count < TILES;
+        CHECK(part.is_incomplete == (count < TILES));
+        CHECK(part.counts[PHOTOGRAPH_WAYS + SPARE_TRACED] == count);
+        check_tiles(&part, &whole, done);
+        question.watch = NULL;
+        const struct photograph rest = take(&question);
+        check_tiles(&rest, &whole, others);
+        for (size_t i = 0; i < PHOTOGRAPH_COUNTS; i++) {
+            CHECK(part.counts[i] + rest.counts[i] == whole.counts[i]);
+        }
+    }
+    CHECK(cut > TILES);
+}
+
+static size_t calls_left;
+
+static bool is_over(const void *clock)
+{
+    (void)clock;
+    calls_left -= calls_left > 0;
+    return calls_left == 0;
+}
+
+/* Ended by the clock wherever it is asked: all tiles have 16 samples, or a power of two more. */
+static void test_timed(void)
+{
+    struct photograph_question question = card;
+    struct photograph by[3];
+    size_t between = 0;
+    for (size_t i = 0; i < 3; i++) {
+        question.samples = (size_t)CONVERGENCE_LEAST << i;
+        by[i] = take(&question);
+    }
+    question.is_over = is_over;
+    for (size_t calls = 1; calls < 40; calls++) {
+        calls_left = calls;
+        const struct photograph timed = take(&question);
+        const size_t *reached = timed.reached;
+        CHECK(!timed.is_incomplete && reached[0] >= CONVERGENCE_LEAST);
+        CHECK(reached[1] == reached[0] || reached[1] == 2 * reached[0]);
+        CHECK(reached[1] <= SAMPLES);
+        between += reached[1] > reached[0];
+        for (size_t tile = 0; tile < TILES; tile++) {
+            float got[PHOTOGRAPH_PIXELS][PHOTOGRAPH_CHANNELS];
+            float expected[PHOTOGRAPH_PIXELS][PHOTOGRAPH_CHANNELS];
+            bool found = false;
+            photograph_tile(&question, &timed.image, tile, TILE_FROM_PICTURE, got);
+            for (size_t i = 0; i < 3; i++) {
+                const size_t samples = (size_t)CONVERGENCE_LEAST << i;
+                photograph_tile(&question, &by[i].image, tile, TILE_FROM_PICTURE, expected);
+                found = found || (memcmp(got, expected, sizeof got) == 0 &&
+                                  (samples == reached[0] || samples == reached[1]));
+            }
+            CHECK(found);
+        }
+    }
+    CHECK(between > 0);
+}
+
+int main(void)
+{
+    CHECK(open_hole());
+    test_ended(0);
+    test_ended(1e-4);
+    test_timed();
+    arena_free(&arena);
+    return check_report();
+}
