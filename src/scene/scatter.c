@@ -7,36 +7,7 @@
 
 #include <math.h>
 
-/*
- * By which a coat's share is found: a lattice of Fibonacci's numbers over the square, with fewer
- * normals where no way is along the surface, which is where the smoothest coats need them all.
- */
-struct lattice {
-    int count, step;
-};
-static const struct lattice fine = {1597, 987}, coarse = {377, 233};
-#define FINE_BELOW 0.02 /* cosine */
-/* The cosine in place of 0, by which nothing leaves: from below alpha all facets look the same. */
-#define GRAZING 1e-9
-
 /* -------- the coat -------- */
-
-/* Of natural light that meets a clear medium; c is the cosine of its angle. */
-static double fresnel(double index, double c)
-{
-    const double g = sqrt(index * index - 1 + c * c);
-    const double across = (g - c) / (g + c);
-    const double along = (c * (g + c) - 1) / (c * (g - c) + 1);
-    /* of no other medium nothing, at a right angle too, where the second is 0/0 */
-    return index > 1 ? across * across * (1 + along * along) / 2 : 0;
-}
-
-/* Smith's Lambda: facets hidden for each one that is seen. */
-static double hidden(double alpha, struct vector way)
-{
-    const double slope = (way.x * way.x + way.y * way.y) / (way.z * way.z);
-    return (sqrt(1 + alpha * alpha * slope) - 1) / 2;
-}
 
 static double facets(double alpha, struct vector normal)
 {
@@ -62,65 +33,6 @@ static struct vector facet_of(double alpha, struct vector out, double u, double 
     const double towards = sqrt(fmax(0, edge * edge - up * up));
     const struct vector normal = frame_out(&frame, (struct vector){across, up, towards});
     return vector_unit((struct vector){alpha * normal.x, alpha * normal.y, fmax(0, normal.z)});
-}
-
-static struct vector mirrored(struct vector out, struct vector normal)
-{
-    return vector_along(vector_times(-1, out), 2 * vector_dot(out, normal), normal);
-}
-
-/* Its share of light by one normal, over how often that is seen; 0: it goes behind the surface. */
-static double coat_by(const struct coat *coat, struct vector out, struct vector normal,
-                      struct vector in)
-{
-    const double own = hidden(coat->alpha, out);
-    if (!(in.z > 0)) {
-        return 0;
-    }
-    return fresnel(coat->index, vector_dot(out, normal)) * (1 + own) /
-           (1 + own + hidden(coat->alpha, in));
-}
-
-static double share_towards(const struct coat *coat, double cosine)
-{
-    const struct vector out = {sqrt(fmax(0, 1 - cosine * cosine)), 0, cosine};
-    const struct lattice *lattice = cosine < FINE_BELOW ? &fine : &coarse;
-    const double count = lattice->count;
-    double sum = 0;
-    for (int i = 0; i < lattice->count; i++) {
-        const struct vector normal = facet_of(coat->alpha, out, (i + 0.5) / count,
-                                              i * lattice->step % lattice->count / count);
-        sum += coat_by(coat, out, normal, mirrored(out, normal));
-    }
-    return sum / count;
-}
-
-static double node(int k)
-{
-    const double root = (double)k / (COAT_NODES - 1);
-    return root * root;
-}
-
-void coat_open(double roughness, double index, struct coat *coat)
-{
-    coat->alpha = roughness;
-    coat->index = index;
-    coat->share[0] = share_towards(coat, GRAZING);
-    coat->mean = 0;
-    for (int k = 1; k < COAT_NODES; k++) {
-        const double from = node(k - 1), to = node(k);
-        coat->share[k] = share_towards(coat, to);
-        /* the integral of 2 c share(c) dc, of straight lines as coat_share has them */
-        coat->mean += (to - from) / 3 *
-                      (coat->share[k - 1] * (2 * from + to) + coat->share[k] * (from + 2 * to));
-    }
-}
-
-static double coat_share(const struct coat *coat, double cosine)
-{
-    const int k = (int)fmin(sqrt(cosine) * (COAT_NODES - 1), COAT_NODES - 2);
-    const double place = (cosine - node(k)) / (node(k + 1) - node(k));
-    return coat->share[k] + place * (coat->share[k + 1] - coat->share[k]);
 }
 
 /* -------- surfaces -------- */
@@ -153,7 +65,7 @@ double scatter_value(const struct scatter *scatter, struct vector out, struct ve
     double coat = 0, ground = in.z / PI, found = 0, chance = 0;
     if (is_glossy) {
         const struct vector normal = vector_unit(vector_along(out, 1, in));
-        const double own = hidden(scatter->coat->alpha, out);
+        const double own = coat_hidden(scatter->coat, out);
         /* G1 D/(4 cos(out)): of the directions that normals as they are seen send light from */
         found = facets(scatter->coat->alpha, normal) / ((1 + own) * 4 * out.z);
         coat = found * coat_by(scatter->coat, out, normal, in);
@@ -177,7 +89,7 @@ bool scatter_sample(const struct scatter *scatter, struct vector out, const doub
         return true;
     }
     if (u[0] < coat_chance(scatter, out)) {
-        sample->way = mirrored(out, facet_of(scatter->coat->alpha, out, u[1], u[2]));
+        sample->way = vector_mirrored(out, facet_of(scatter->coat->alpha, out, u[1], u[2]));
     } else {
         double cosine, sine;
         turns_of(u[2], &cosine, &sine);

@@ -4,33 +4,12 @@
 #define LENSCALC_SCENE_SCATTER_H
 
 #include "light/bands.h"
+#include "scene/coat.h"
 #include "scene/scene.h"
 #include "scene/vector.h"
 
 #include <stdbool.h>
 #include <stddef.h>
-
-/*
- * The coat of a glossy surface: its facets are mirrors of a clear medium, whose slopes are spread
- * as GGX has it. What it lets through meets the ground.
- */
-enum { COAT_NODES = 65 };
-struct coat {
-    double alpha;             /* root mean square slope, about */
-    double index;             /* of its medium */
-    double share[COAT_NODES]; /* that it reflects, in all directions together, of light from an
-                                 angle whose cosine is (k / (COAT_NODES - 1))^2 */
-    double mean;              /* of these, over light from everywhere */
-};
-
-/*
- * Given     roughness  alpha, 0.001 .. 1
- *           index      1 .. 3
- * Formula   share(c) = mean of F(o.h) G(o, i)/G1(o) over normals h that are seen from o
- * Source    [Heitz18] (normals that are seen); [Heitz14] equations 72, 99 (Smith's G1 and G)
- * Limits    off by 3e-4 at most: seen by halving its steps
- */
-void coat_open(double roughness, double index, struct coat *coat);
 
 /* What one point of a surface does to the lanes of a ray. */
 struct scatter {

@@ -47,6 +47,12 @@ static inline struct vector vector_unit(struct vector a)
     return vector_times(1 / vector_length(a), a);
 }
 
+/* Of a direction away from a mirror whose normal has the length 1 the one that it looks in. */
+static inline struct vector vector_mirrored(struct vector out, struct vector normal)
+{
+    return vector_along(vector_times(-1, out), 2 * vector_dot(out, normal), normal);
+}
+
 /* Where three directions of one length lie: columns of a rotation. */
 struct frame {
     struct vector x, y, z;

@@ -95,6 +95,28 @@ static void test_furnace(void)
     }
 }
 
+/*
+ * Integrals of F (o.h)/(o.z h.z) G over the slopes of all facets, by 1200 x 1200 midpoints that are
+ * closer together at both ends: not over those that are seen.
+ */
+static void test_share(void)
+{
+    static const struct {
+        double alpha, index;
+        int node;
+        double share;
+    } cases[] = {{1, 1.5, 64, 0.012702},   {1, 1.5, 48, 0.033041},    {0.3, 1.5, 36, 0.149434},
+                 {0.3, 3, 62, 0.217650},   {0.1, 1.33, 32, 0.311629}, {0.05, 2, 24, 0.546110},
+                 {0.6, 1.1, 54, 0.004223}, {0.01, 1.5, 28, 0.747486}, {0.3, 1, 20, 0}};
+    EACH(i, cases)
+    {
+        struct coat coat;
+        const double root = cases[i].node / (COAT_NODES - 1.0);
+        coat_open(cases[i].alpha, cases[i].index, &coat);
+        CHECK_NEAR(coat_share(&coat, root * root * root * root), cases[i].share, 3e-5, "share");
+    }
+}
+
 /* Of the finest facets the coat reflects what Fresnel says; without a coat the ground is bare. */
 static void test_smooth(void)
 {
@@ -204,6 +226,7 @@ static void test_others(void)
 int main(void)
 {
     test_furnace();
+    test_share();
     test_smooth();
     test_reciprocity();
     test_choice();
