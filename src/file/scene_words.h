@@ -3,9 +3,9 @@
 #ifndef LENSCALC_FILE_SCENE_WORDS_H
 #define LENSCALC_FILE_SCENE_WORDS_H
 
+#include "base/name_index.h"
 #include "base/units.h"
 #include "file/file_words.h"
-#include "file/name_index.h"
 #include "scene/vector.h"
 
 #include <stdint.h>

@@ -107,43 +107,28 @@ static bool check_shares(const struct spectrum *surface, struct error *error)
     return true;
 }
 
-/* The sRGB of what it reflects of D65; receives its grey. */
-static void surface_rgb(const struct bands *bands, const struct spectrum *surface, double rgb[3],
-                        double *grey)
+bool bands_of_surface(const struct bands *bands, const struct spectrum *surface,
+                      double of[BANDS_MOST], double *held, struct error *error)
 {
     const struct spectrum white = spectrum_white();
-    white_rgb_of(bands, &white, surface, rgb);
-    *grey = fmin(luminance(rgb), 1);
-}
-
-bool bands_of_surface(const struct bands *bands, const struct spectrum *surface,
-                      double of[BANDS_MOST], struct error *error)
-{
+    double share = 1;
     if (!check_shares(surface, error)) {
         return false;
     }
     if (surface->kind == SPECTRUM_RGB) {
         spread_rgb(bands, surface->rgb, of);
     } else if (is_three(bands)) {
-        double grey;
-        surface_rgb(bands, surface, of, &grey);
-        move_from_grey(of, grey, share_within(of, grey, 1));
+        white_rgb_of(bands, &white, surface, of);
+        const double grey = fmin(luminance(of), 1);
+        share = share_within(of, grey, 1);
+        move_from_grey(of, grey, share);
     } else {
-        const struct spectrum white = spectrum_white();
         bands_ratios(bands, &white, surface, of);
     }
-    return true;
-}
-
-double bands_hold_surface(const struct bands *bands, const struct spectrum *surface)
-{
-    double rgb[3], grey;
-    struct error unused;
-    if (!is_three(bands) || surface->kind != SPECTRUM_TABLE || !check_shares(surface, &unused)) {
-        return 1;
+    if (held != NULL) {
+        *held = share;
     }
-    surface_rgb(bands, surface, rgb, &grey);
-    return share_within(rgb, grey, 1);
+    return true;
 }
 
 /* -------- lights -------- */
@@ -178,22 +163,18 @@ static bool light_parts(const struct bands *bands, const struct spectrum *light,
 }
 
 bool bands_of_light(const struct bands *bands, const struct spectrum *light, double of[BANDS_MOST],
-                    struct error *error)
+                    double *held, struct error *error)
 {
+    double share = 1;
     if (!light_parts(bands, light, of, error)) {
         return false;
     }
     if (is_three(bands)) {
-        move_from_grey(of, 1, share_within(of, 1, (double)INFINITY));
+        share = share_within(of, 1, (double)INFINITY);
+        move_from_grey(of, 1, share);
+    }
+    if (held != NULL) {
+        *held = share;
     }
     return true;
-}
-
-double bands_hold_light(const struct bands *bands, const struct spectrum *light)
-{
-    double of[BANDS_MOST];
-    struct error unused;
-    return is_three(bands) && light_parts(bands, light, of, &unused)
-               ? share_within(of, 1, (double)INFINITY)
-               : 1;
 }

@@ -67,33 +67,28 @@ bool bands_many(size_t count, struct bands *bands, struct error *error);
  *
  * Given     surface  RGB, each 0 to 1, or a table of shares of 0 to 1
  *           of       receives a number for each band, 0 to 1
+ *           held     receives how much of the colour they hold, unless null: 1, or the share of its
+ *                    distance from grey that is left, since sRGB would have to take some of a
+ *                    primary away
  * Formula   of three bands the sRGB of what it reflects of D65; where that is not within 0 to 1,
  *           the nearest to it on the way to the grey of its luminance
  * Errors    ERROR_DOMAIN: what spectrum_check finds, shares above 1, the spectrum of a light
  */
 bool bands_of_surface(const struct bands *bands, const struct spectrum *surface,
-                      double of[BANDS_MOST], struct error *error);
+                      double of[BANDS_MOST], double *held, struct error *error);
 
 /*
  * Light of luminance 1 cd/m^2.
  *
  * Given     light  its relative spectrum, or the proportions of its RGB
  *           of     receives a number of at least 0 for each band: sum of[k] rgb[k] has luminance 1
+ *           held   receives how much of the colour they hold, unless null: as of surfaces, from
+ *                  white
  * Formula   the sRGB of its sums over the spectrum, with D65 as white; where one is negative, the
  *           nearest to it on the way to the white of its luminance
  * Errors    ERROR_DOMAIN: what spectrum_check finds; light that the eye does not see
  */
 bool bands_of_light(const struct bands *bands, const struct spectrum *light, double of[BANDS_MOST],
-                    struct error *error);
-
-/*
- * How much of a colour do the bands hold?
- *
- * Result    1: all of it; less: that share of its distance from the white or the grey of its
- *           luminance, since sRGB would have to take some of a primary away. 1 of what
- *           bands_of_light or bands_of_surface does not take
- */
-double bands_hold_light(const struct bands *bands, const struct spectrum *light);
-double bands_hold_surface(const struct bands *bands, const struct spectrum *surface);
+                    double *held, struct error *error);
 
 #endif

@@ -159,23 +159,14 @@ static void open_cells(struct light_around *around, struct arena *arena)
     arena_free(&spare);
 }
 
-bool light_around_open(const struct scene_light *light, const struct bands *bands,
-                       struct arena *arena, struct light_around *around, struct error *error)
+struct light_around light_around_open(const struct scene_light *light, const struct banded *unit,
+                                      struct arena *arena)
 {
-    *around =
-        (struct light_around){.light = light, .cosine = cos(light->turn), .sine = sin(light->turn)};
-    if (!bands_of_light(bands, &light->spectrum, around->unit, error)) {
-        return error_locate(error, light->place.source, light->place.line, light->place.column);
-    }
-    if (light->kind == LIGHT_SKY) {
-        around->cosine = 1;
-        around->sine = 0;
-    }
-    for (size_t k = 0; k < bands->count; k++) {
-        around->unit[k] *= light->amount;
-    }
-    open_cells(around, arena);
-    return true;
+    const double turn = light->kind == LIGHT_SKY ? 0 : light->turn;
+    struct light_around around = {
+        .light = light, .unit = unit, .cosine = cos(turn), .sine = sin(turn)};
+    open_cells(&around, arena);
+    return around;
 }
 
 /* As pick_of. */
@@ -235,7 +226,7 @@ void light_around_add(const struct light_around *around, const struct bands *ban
     }
     for (size_t k = 0; k < lanes->count; k++) {
         const double *basis = bands->basis[lanes->band[k]];
-        light->of[k] += share * around->unit[lanes->band[k]] *
+        light->of[k] += share * (around->unit->of[lanes->band[k]] * around->light->amount) *
                         (rgb[0] * basis[0] + rgb[1] * basis[1] + rgb[2] * basis[2]);
     }
 }

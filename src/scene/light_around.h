@@ -6,6 +6,7 @@
 #include "base/arena.h"
 #include "light/bands.h"
 #include "scene/scene.h"
+#include "scene/spectra.h"
 
 #include <stdbool.h>
 #include <stddef.h>
@@ -16,9 +17,9 @@
  */
 struct light_around {
     const struct scene_light *light;
-    double cosine, sine;     /* of its turn about y */
-    double unit[BANDS_MOST]; /* light of luminance `light->amount` in the bands */
-    double total;            /* luminance times solid angle, lx */
+    const struct banded *unit; /* light of luminance 1 */
+    double cosine, sine;       /* of its turn about y */
+    double total;              /* luminance times solid angle, lx */
     size_t rows, columns;
     const float *down;   /* shares of all rows before each, and 1 */
     const float *across; /* in each row the same of its columns */
@@ -26,9 +27,8 @@ struct light_around {
 
 bool light_around_is(const struct scene_light *light);
 
-/* Errors: of bands_of_light, with the place */
-bool light_around_open(const struct scene_light *light, const struct bands *bands,
-                       struct arena *arena, struct light_around *around, struct error *error);
+struct light_around light_around_open(const struct scene_light *light, const struct banded *unit,
+                                      struct arena *arena);
 
 /* A direction, as often as its cell's light has it, evenly within; u: two numbers in 0..1. */
 struct vector light_around_sample(const struct light_around *around, double u, double v);

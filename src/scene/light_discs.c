@@ -118,33 +118,14 @@ static double height_of(double radius)
     return 2 * half * half;
 }
 
-/* Is it the light of the one before? Catalogues of stars are long, and colours are few. */
-static bool is_same(const struct spectrum *a, const struct spectrum *b)
+static struct light_disc disc_of(const struct scene_light *light, const struct banded *unit)
 {
-    return a->kind == b->kind && a->kelvin == b->kelvin && a->value == b->value &&
-           a->rgb[0] == b->rgb[0] && a->rgb[1] == b->rgb[1] && a->rgb[2] == b->rgb[2];
-}
-
-/* `before` is the last that was opened, or null. */
-static bool open_disc(const struct scene_light *light, const struct scene_light *before,
-                      const struct bands *bands, struct arena *arena, struct light_disc *disc,
-                      struct error *error)
-{
-    const double *unit = before != NULL ? disc[-1].unit : NULL;
-    if (unit == NULL || !is_same(&light->spectrum, &before->spectrum)) {
-        double *own = ARENA_ARRAY(arena, BANDS_MOST, double);
-        if (!bands_of_light(bands, &light->spectrum, own, error)) {
-            return error_locate(error, light->place.source, light->place.line, light->place.column);
-        }
-        unit = own;
-    }
     const double radius = light->diameter / 2, sine = sin(radius);
-    *disc = (struct light_disc){.way = light->direction,
-                                .radius = radius,
-                                .chord = 2 * height_of(radius),
-                                .luminance = light->amount / (PI * sine * sine),
-                                .unit = unit};
-    return true;
+    return (struct light_disc){.way = light->direction,
+                               .radius = radius,
+                               .chord = 2 * height_of(radius),
+                               .luminance = light->amount / (PI * sine * sine),
+                               .unit = unit};
 }
 
 /* -------- discs that lie on each other -------- */
@@ -164,7 +145,7 @@ static int by_disc(const struct light_disc *a, const struct light_disc *b)
             return signs[i];
         }
     }
-    return a->unit == b->unit ? 0 : memcmp(a->unit, b->unit, BANDS_MOST * sizeof a->unit[0]);
+    return a->unit == b->unit ? 0 : memcmp(a->unit->of, b->unit->of, sizeof a->unit->of);
 }
 
 /* The first of the scene goes before others like it. */
@@ -220,36 +201,29 @@ static void weigh(struct light_discs *discs, const double *amount)
     }
 }
 
-bool light_discs_open(const struct scene *scene, const struct bands *bands, struct arena *arena,
-                      struct light_discs *discs, struct error *error)
+void light_discs_open(const struct scene *scene, const struct banded *const *units,
+                      struct arena *arena, struct light_discs *discs)
 {
     *discs = (struct light_discs){.count = 0};
     for (size_t i = 0; i < scene->light_count; i++) {
         discs->count += is_disc(&scene->lights[i]) ? 1 : 0;
     }
     if (discs->count == 0) {
-        return true;
+        return;
     }
     discs->all = ARENA_ARRAY(arena, discs->count, struct light_disc);
     discs->below = ARENA_ARRAY(arena, discs->count + 1, double);
     double *amount = ARENA_ARRAY(arena, discs->count, double);
-    const struct scene_light *before = NULL;
     size_t count = 0;
     for (size_t i = 0; i < scene->light_count; i++) {
-        const struct scene_light *light = &scene->lights[i];
-        if (!is_disc(light)) {
-            continue;
+        if (is_disc(&scene->lights[i])) {
+            discs->all[count] = disc_of(&scene->lights[i], units[i]);
+            amount[count++] = scene->lights[i].amount;
         }
-        if (!open_disc(light, before, bands, arena, &discs->all[count], error)) {
-            return false;
-        }
-        before = light;
-        amount[count++] = light->amount;
     }
     join_alike(discs, amount);
     weigh(discs, amount);
     sort_into_cells(discs, arena);
-    return true;
 }
 
 struct vector light_discs_sample(const struct light_discs *discs, const double u[3])
@@ -295,7 +269,7 @@ void light_discs_add(const struct light_discs *discs, struct vector way, const s
     for (size_t i = discs->begins[cell]; i < discs->begins[cell + 1]; i++) {
         const struct light_disc *disc = &discs->all[discs->listed[i]];
         for (size_t k = 0; k < lanes->count && lies_in(disc, way); k++) {
-            light->of[k] += disc->luminance * disc->unit[lanes->band[k]];
+            light->of[k] += disc->luminance * disc->unit->of[lanes->band[k]];
         }
     }
 }

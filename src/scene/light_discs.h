@@ -6,17 +6,18 @@
 #include "base/arena.h"
 #include "light/bands.h"
 #include "scene/scene.h"
+#include "scene/spectra.h"
 
 #include <stdbool.h>
 #include <stddef.h>
 
 struct light_disc {
-    struct vector way;  /* to its middle */
-    double radius;      /* rad */
-    double chord;       /* its square, from the middle to the edge on the unit sphere */
-    double density;     /* with which samples lie in it, per sr */
-    double luminance;   /* cd/m^2 */
-    const double *unit; /* light of luminance 1 in the bands */
+    struct vector way;         /* to its middle */
+    double radius;             /* rad */
+    double chord;              /* its square, from the middle to the edge on the unit sphere */
+    double density;            /* with which samples lie in it, per sr */
+    double luminance;          /* cd/m^2 */
+    const struct banded *unit; /* light of luminance 1 */
 };
 
 /* Read-only afterwards. Which discs a direction may lie in stands in cells of the sphere. */
@@ -33,11 +34,11 @@ struct light_discs {
 /*
  * Make all suns and stars of a scene ready; those of one place, size and colour become one.
  *
+ * Given     units  of each light of the scene that shines the light of luminance 1
  * Formula   L = E/(pi sin^2 r): the illuminance of a plane that faces a disc of the radius r
- * Errors    of bands_of_light, with the place
  */
-bool light_discs_open(const struct scene *scene, const struct bands *bands, struct arena *arena,
-                      struct light_discs *discs, struct error *error);
+void light_discs_open(const struct scene *scene, const struct banded *const *units,
+                      struct arena *arena, struct light_discs *discs);
 
 /*
  * A direction to one of them: each as often as its illuminance has it, evenly over its disc.

@@ -99,7 +99,7 @@ static bool sample_point(const struct lights *lights, size_t which, struct vecto
     sample->way = vector_times(1 / sample->distance, to);
     for (size_t k = 0; k < lanes->count; k++) {
         sample->light.of[k] =
-            light->amount * MM2_PER_M2 / square * lights->points[which][lanes->band[k]];
+            light->amount * MM2_PER_M2 / square * lights->units[which]->of[lanes->band[k]];
     }
     return square > 0;
 }

@@ -10,6 +10,7 @@
 #include "scene/light_around.h"
 #include "scene/light_discs.h"
 #include "scene/material.h"
+#include "scene/spectra.h"
 #include "scene/world.h"
 
 #include <stdbool.h>
@@ -19,15 +20,15 @@
 struct lights {
     const struct scene *scene;
     const struct bands *bands;
+    const struct banded **units; /* of each light of luminance 1; null: it gives none */
     struct materials materials;
     struct light_discs discs;
     struct light_around *arounds;
     double *around_below; /* light of those before each, and of all */
     size_t around_count;
     struct lamp_tree lamps;
-    const double **points; /* of a light that is a point its unit in the bands; else null */
-    size_t *planes;        /* things */
-    double *plane_below;   /* luminance of those before each, and of all */
+    size_t *planes;      /* things */
+    double *plane_below; /* luminance of those before each, and of all */
     size_t plane_count;
     size_t *first; /* of a thing its first lamp, or its number among the planes; SCENE_NONE */
 };
@@ -44,7 +45,7 @@ struct light_sample {
 /*
  * Make the lights of a scene ready, and the things in it that shine.
  *
- * Errors    of bands_of_light, with the place
+ * Errors    of materials_open and spectra_light
  */
 bool lights_open(const struct scene *scene, const struct bands *bands, struct arena *arena,
                  struct lights *lights, struct error *error);

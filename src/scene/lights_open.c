@@ -4,7 +4,23 @@
 
 #define MM2_PER_M2 1e6
 
-static bool open_arounds(struct lights *lights, struct arena *arena, struct error *error)
+static bool open_units(struct lights *lights, struct spectra *spectra, struct error *error)
+{
+    const struct scene *scene = lights->scene;
+    lights->units = ARENA_ARRAY(spectra->arena, scene->light_count, const struct banded *);
+    for (size_t i = 0; i < scene->light_count; i++) {
+        const struct scene_light *light = &scene->lights[i];
+        if (light->amount > 0) {
+            lights->units[i] = spectra_light(spectra, &light->spectrum, &light->place, error);
+            if (lights->units[i] == NULL) {
+                return false;
+            }
+        }
+    }
+    return true;
+}
+
+static void open_arounds(struct lights *lights, struct arena *arena)
 {
     const struct scene *scene = lights->scene;
     size_t count = 0;
@@ -16,34 +32,12 @@ static bool open_arounds(struct lights *lights, struct arena *arena, struct erro
     for (size_t i = 0; i < scene->light_count; i++) {
         struct light_around *around = &lights->arounds[lights->around_count];
         double *below = &lights->around_below[lights->around_count];
-        if (!light_around_is(&scene->lights[i])) {
-            continue;
-        }
-        if (!light_around_open(&scene->lights[i], lights->bands, arena, around, error)) {
-            return false;
-        }
-        below[1] = below[0] + around->total;
-        lights->around_count++;
-    }
-    return true;
-}
-
-static bool open_points(struct lights *lights, struct arena *arena, struct error *error)
-{
-    const struct scene *scene = lights->scene;
-    lights->points = ARENA_ARRAY(arena, scene->light_count, const double *);
-    for (size_t i = 0; i < scene->light_count; i++) {
-        const struct scene_light *light = &scene->lights[i];
-        if (light->kind == LIGHT_POINT) {
-            double *unit = ARENA_ARRAY(arena, BANDS_MOST, double);
-            if (!bands_of_light(lights->bands, &light->spectrum, unit, error)) {
-                return error_locate(error, light->place.source, light->place.line,
-                                    light->place.column);
-            }
-            lights->points[i] = unit;
+        if (light_around_is(&scene->lights[i])) {
+            *around = light_around_open(&scene->lights[i], lights->units[i], arena);
+            below[1] = below[0] + around->total;
+            lights->around_count++;
         }
     }
-    return true;
 }
 
 /* -------- things that shine -------- */
@@ -77,6 +71,12 @@ static bool is_lamp(const struct lights *lights, size_t thing)
            materials_shines(&lights->materials, thing);
 }
 
+/* Points that give no light are none. */
+static bool is_point(const struct lights *lights, size_t light)
+{
+    return lights->scene->lights[light].kind == LIGHT_POINT && lights->units[light] != NULL;
+}
+
 static size_t count_lamps(const struct lights *lights)
 {
     const struct scene *scene = lights->scene;
@@ -85,7 +85,7 @@ static size_t count_lamps(const struct lights *lights)
         count += is_lamp(lights, i) ? lamp_parts(&scene->things[i]) : 0;
     }
     for (size_t i = 0; i < scene->light_count; i++) {
-        count += lights->points[i] != NULL ? 1 : 0;
+        count += is_point(lights, i) ? 1 : 0;
     }
     return count;
 }
@@ -111,7 +111,7 @@ static void open_lamps(struct lights *lights, struct arena *arena)
         }
     }
     for (size_t i = 0; i < scene->light_count; i++) {
-        if (lights->points[i] != NULL) {
+        if (is_point(lights, i)) {
             lamps[count] = (struct lamp){SCENE_NONE, i};
             power[count++] = scene->lights[i].amount * MM2_PER_M2;
         }
@@ -123,12 +123,14 @@ static void open_lamps(struct lights *lights, struct arena *arena)
 bool lights_open(const struct scene *scene, const struct bands *bands, struct arena *arena,
                  struct lights *lights, struct error *error)
 {
+    struct spectra spectra = {.bands = bands, .arena = arena};
     *lights = (struct lights){.scene = scene, .bands = bands};
-    if (!materials_open(scene, bands, arena, &lights->materials, error) ||
-        !light_discs_open(scene, bands, arena, &lights->discs, error) ||
-        !open_arounds(lights, arena, error) || !open_points(lights, arena, error)) {
+    if (!materials_open(scene, &spectra, &lights->materials, error) ||
+        !open_units(lights, &spectra, error)) {
         return false;
     }
+    light_discs_open(scene, lights->units, arena, &lights->discs);
+    open_arounds(lights, arena);
     lights->first = ARENA_ARRAY(arena, scene->thing_count, size_t);
     for (size_t i = 0; i < scene->thing_count; i++) {
         lights->first[i] = SCENE_NONE;

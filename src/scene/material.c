@@ -55,40 +55,40 @@ static void open_coats(const struct scene *scene, struct material *of, struct ar
 
 /* -------- materials -------- */
 
-static bool open_material(const struct scene_material *written, const struct bands *bands,
+static bool open_material(const struct scene_material *written, struct spectra *spectra,
                           struct material *material, struct error *error)
 {
-    material->kind = written->kind;
-    material->texture = written->texture;
-    material->shines = written->emission.kind != SPECTRUM_NONE && written->luminance > 0;
-    if (written->kind != MATERIAL_BLACK &&
-        !bands_of_surface(bands, &written->colour, material->colour, error)) {
-        return false;
+    const bool shines = written->emission.kind != SPECTRUM_NONE && written->luminance > 0;
+    *material = (struct material){
+        .kind = written->kind, .texture = written->texture, .luminance = written->luminance};
+    if (written->kind != MATERIAL_BLACK) {
+        material->colour = spectra_surface(spectra, &written->colour, &written->place, error);
+        if (material->colour == NULL) {
+            return false;
+        }
+        for (size_t k = 0; k < spectra->bands->count; k++) {
+            material->ground = fmax(material->ground, material->colour->of[k]);
+        }
     }
-    if (material->shines && !bands_of_light(bands, &written->emission, material->light, error)) {
-        return false;
-    }
-    for (size_t k = 0; k < bands->count; k++) {
-        material->ground = fmax(material->ground, material->colour[k]);
-        material->light[k] *= written->luminance;
-    }
-    return true;
+    material->light =
+        shines ? spectra_light(spectra, &written->emission, &written->place, error) : NULL;
+    return !shines || material->light != NULL;
 }
 
-bool materials_open(const struct scene *scene, const struct bands *bands, struct arena *arena,
-                    struct materials *materials, struct error *error)
+bool materials_open(const struct scene *scene, struct spectra *spectra, struct materials *materials,
+                    struct error *error)
 {
+    struct arena *arena = spectra->arena;
     struct material *of = ARENA_ARRAY(arena, scene->material_count, struct material);
     for (size_t i = 0; i < scene->material_count; i++) {
         const struct scene_material *material = &scene->materials[i];
-        if (!open_material(material, bands, &of[i], error)) {
+        if (!open_material(material, spectra, &of[i], error)) {
             error_prefix(error, "material '%s': ", material->name);
-            return error_locate(error, material->place.source, material->place.line,
-                                material->place.column);
+            return false;
         }
     }
     open_coats(scene, of, arena);
-    *materials = (struct materials){.scene = scene, .bands = bands, .of = of};
+    *materials = (struct materials){.scene = scene, .bands = spectra->bands, .of = of};
     return true;
 }
 
@@ -124,11 +124,14 @@ bool materials_scatter(const struct materials *materials, size_t thing, const do
         return !of->shines;
     }
     const struct material *material = &materials->of[of->material];
+    if (material->colour == NULL) {
+        return false;
+    }
     scatter->kind = material->kind;
     scatter->coat = material->coat;
     scatter->ground = material->ground;
     for (size_t k = 0; k < lanes->count; k++) {
-        scatter->colour.of[k] = material->colour[lanes->band[k]];
+        scatter->colour.of[k] = material->colour->of[lanes->band[k]];
     }
     if (material->texture != NULL) {
         double mean;
@@ -138,14 +141,14 @@ bool materials_scatter(const struct materials *materials, size_t thing, const do
         }
         scatter->ground *= mean;
     }
-    return material->kind != MATERIAL_BLACK;
+    return true;
 }
 
 bool materials_shines(const struct materials *materials, size_t thing)
 {
     const struct scene_thing *of = &materials->scene->things[thing];
     return of->picture != NULL ? of->shines && of->luminance > 0
-                               : materials->of[of->material].shines;
+                               : materials->of[of->material].light != NULL;
 }
 
 void materials_shine(const struct materials *materials, size_t thing, const double place[2],
@@ -160,7 +163,8 @@ void materials_shine(const struct materials *materials, size_t thing, const doub
         }
         return;
     }
+    const struct material *material = &materials->of[of->material];
     for (size_t k = 0; k < lanes->count; k++) {
-        light->of[k] = materials->of[of->material].light[lanes->band[k]];
+        light->of[k] = material->light->of[lanes->band[k]] * material->luminance;
     }
 }

@@ -8,6 +8,7 @@
 #include "light/bands.h"
 #include "scene/scatter.h"
 #include "scene/scene.h"
+#include "scene/spectra.h"
 
 #include <stdbool.h>
 #include <stddef.h>
@@ -16,11 +17,11 @@
 struct material {
     enum scene_material_kind kind;
     const struct image *texture; /* null: none */
-    double colour[BANDS_MOST];   /* shares */
+    const struct banded *colour; /* shares; null: black */
     double ground;               /* the largest of them */
-    double light[BANDS_MOST];    /* with luminance in cd/m^2 */
-    bool shines;
-    const struct coat *coat; /* null: not glossy, or of no thing */
+    const struct banded *light;  /* of luminance 1; null: it does not shine */
+    double luminance;            /* cd/m^2 */
+    const struct coat *coat;     /* null: not glossy, or of no thing */
 };
 
 /* Read-only afterwards: threads share it. */
@@ -33,17 +34,18 @@ struct materials {
 /*
  * Make the materials of a scene ready.
  *
- * Errors    of bands_of_surface and bands_of_light, with the place of the material
+ * Errors    of spectra_surface and spectra_light
  */
-bool materials_open(const struct scene *scene, const struct bands *bands, struct arena *arena,
-                    struct materials *materials, struct error *error);
+bool materials_open(const struct scene *scene, struct spectra *spectra, struct materials *materials,
+                    struct error *error);
 
 /*
  * What a thing reflects at one place.
  *
  * Given     thing  of the scene
  *           place  in a texture, from the left and from below, 0 to 1
- * Result    false: nothing. Cards with a picture are Lambertian, or, where they shine, black
+ * Result    false: nothing, and the rest is not set. Cards with a picture are Lambertian, or, where
+ *           they shine, black
  */
 bool materials_scatter(const struct materials *materials, size_t thing, const double place[2],
                        const struct lanes *lanes, struct scatter *scatter);

@@ -102,6 +102,34 @@ static void test_shine(const struct materials *materials)
     CHECK(light.of[0] == 10 && light.of[1] == 40);
 }
 
+/* Alike spectra are one, whoever has them; those of lights and of surfaces are not alike. */
+static void test_shared(const struct materials *materials, struct spectra *spectra)
+{
+    static const double wavelength[] = {0.3, 0.9}, value[] = {0.5, 0.5}, other[] = {0.5, 0.5};
+    static const struct typed_place place = {"a.scene", 1, 1};
+    const struct spectrum white = {.kind = SPECTRUM_RGB, .rgb = {1, 1, 1}};
+    const struct spectrum table = {
+        .kind = SPECTRUM_TABLE, .count = 2, .wavelength = wavelength, .value = value};
+    const struct spectrum like = {
+        .kind = SPECTRUM_TABLE, .count = 2, .wavelength = wavelength, .value = other};
+    const struct spectrum warm = {.kind = SPECTRUM_BLACKBODY, .kelvin = 2856};
+    const struct spectrum cool = {.kind = SPECTRUM_DAYLIGHT, .kelvin = 5600};
+    const struct material *of = materials->of;
+    struct error error;
+    CHECK(of[3].colour == of[4].colour && of[3].colour == of[5].colour);
+    CHECK(of[0].colour != of[1].colour && of[0].colour != of[3].colour && of[2].colour == NULL);
+    CHECK(of[2].light == spectra_light(spectra, &white, &place, &error));
+    CHECK(of[2].light != spectra_surface(spectra, &white, &place, &error));
+    const struct banded *surface = spectra_surface(spectra, &table, &place, &error);
+    CHECK(surface != NULL && surface == spectra_surface(spectra, &table, &place, &error));
+    CHECK(surface != spectra_light(spectra, &table, &place, &error));
+    CHECK(surface != spectra_surface(spectra, &like, &place, &error));
+    const struct banded *light = spectra_light(spectra, &warm, &place, &error);
+    CHECK(light != NULL && light == spectra_light(spectra, &warm, &place, &error));
+    CHECK(light != spectra_light(spectra, &cool, &place, &error));
+    CHECK(spectra->index.count == 10);
+}
+
 int main(void)
 {
     struct arena arena = {0};
@@ -109,12 +137,14 @@ int main(void)
     struct bands bands;
     struct materials materials;
     bands_three(&bands);
-    CHECK(materials_open(&scene, &bands, &arena, &materials, &error));
+    struct spectra spectra = {.bands = &bands, .arena = &arena};
+    CHECK(materials_open(&scene, &spectra, &materials, &error));
     test_scatter(&materials);
     test_shine(&materials);
+    test_shared(&materials, &spectra);
     written[3].colour.rgb[1] = NAN;
     written[3].place = (struct typed_place){"a.scene", 12, 3};
-    CHECK(!materials_open(&scene, &bands, &arena, &materials, &error));
+    CHECK(!materials_open(&scene, &spectra, &materials, &error));
     CHECK(error.line == 12 && strstr(error.message, "material 'coated'") != NULL);
     arena_free(&arena);
     return check_report();

@@ -1,6 +1,6 @@
-/* file/name_index.c - numbers of names: which of a list has this one. */
+/* base/name_index.c - numbers of names: which of a list has this one. */
 /* SPDX-License-Identifier: MIT */
-#include "file/name_index.h"
+#include "base/name_index.h"
 
 #include <stdint.h>
 

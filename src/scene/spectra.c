@@ -1,0 +1,70 @@
+/* scene/spectra.c - the spectra of a scene as numbers in bands, each different one summed once. */
+/* SPDX-License-Identifier: MIT */
+#include "scene/spectra.h"
+
+#include <stdbool.h>
+#include <stdint.h>
+#include <string.h>
+
+/* What tells spectra apart, bit by bit; a table is where its rows lie. */
+struct key {
+    uint64_t kind, parts[3];
+};
+
+static struct key key_of(const struct spectrum *spectrum, bool is_surface)
+{
+    struct key key = {2 * (uint64_t)spectrum->kind + (is_surface ? 1 : 0), {0}};
+    switch (spectrum->kind) {
+    case SPECTRUM_RGB:
+        memcpy(key.parts, spectrum->rgb, sizeof key.parts);
+        break;
+    case SPECTRUM_TABLE:
+        key.parts[0] = spectrum->count;
+        key.parts[1] = (uint64_t)(uintptr_t)spectrum->wavelength;
+        key.parts[2] = (uint64_t)(uintptr_t)spectrum->value;
+        break;
+    default:
+        memcpy(key.parts, &spectrum->kelvin, sizeof spectrum->kelvin);
+        break;
+    }
+    return key;
+}
+
+static const struct banded *find(struct spectra *spectra, const struct spectrum *spectrum,
+                                 bool is_surface, const struct typed_place *place,
+                                 struct error *error)
+{
+    const struct key key = key_of(spectrum, is_surface);
+    struct arena *arena = spectra->arena;
+    struct name_index *index = &spectra->index;
+    const size_t known = name_index_find(index, (struct text){(const char *)&key, sizeof key});
+    if (known != NAME_NONE) {
+        return spectra->list[known];
+    }
+    struct banded *banded = ARENA_NEW(arena, struct banded);
+    if (!(is_surface
+              ? bands_of_surface(spectra->bands, spectrum, banded->of, &banded->held, error)
+              : bands_of_light(spectra->bands, spectrum, banded->of, &banded->held, error))) {
+        error_locate(error, place->source, place->line, place->column);
+        return NULL;
+    }
+    struct key *kept = ARENA_NEW(arena, struct key);
+    *kept = key;
+    spectra->list =
+        arena_grow(arena, spectra->list, index->count, &spectra->room, sizeof spectra->list[0]);
+    spectra->list[index->count] = banded;
+    name_index_add(index, (struct text){(const char *)kept, sizeof *kept}, arena);
+    return banded;
+}
+
+const struct banded *spectra_light(struct spectra *spectra, const struct spectrum *light,
+                                   const struct typed_place *place, struct error *error)
+{
+    return find(spectra, light, false, place, error);
+}
+
+const struct banded *spectra_surface(struct spectra *spectra, const struct spectrum *surface,
+                                     const struct typed_place *place, struct error *error)
+{
+    return find(spectra, surface, true, place, error);
+}
