@@ -9,7 +9,7 @@ grep -ao 'White level.4095' xyz.png | tr '\0' ' '
 lenscalc render "$@" --response qe.csv --mosaic rggb --noise --pitch 4um -o table.png 2>&1 | sed 1d
 lenscalc render "$@" --response grey.tsv --gain 0.5 --pitch 4um -o gain.png 2>&1 | sed 's/^.*white of/white of/'
 lenscalc render "$@" --full-well 500 --pitch 4um -t 100 -o full.png 2>&1 | sed 1d
-lenscalc render "$@" --full-well 500 --pitch 4um --dark-current 1e4 -t 0.1 -o dark.png 2>&1 | sed 1,2d
+lenscalc render "$@" --full-well 500 --pitch 4um --dark-current 1e4 -t 0.1 -o dark.png 2>&1 | sed 1d
 lenscalc render "$@" --acceptance lens.csv -o slanting.exr 2> said
 lenscalc render --lens double-gauss-50 --acceptance 2 --rays - --samples 8 -w d | wc -l
 ls

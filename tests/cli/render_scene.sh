@@ -125,4 +125,12 @@ lenscalc merge seed.part other.part -o lost.png
 lenscalc render lamps.scene $small -N 0.5 -t 1/1000 -o wide.png
 grep -ao 'Aperture.f/[0-9.]*' wide.png | tr '\0' ' '
 lenscalc render lamps.scene $small -N 2 -t 1/1000 -o wide.png
+# a lamp of 50.36/50000 x 3.6 x 2.4 m on the film: 1.5 % of its pixels, pi L/(4 N^2) = 12.3 lx
+# where white takes 0.78/sqrt(2) lx s; and one on less than 1 %, of which nothing is said
+for size in 3.6,2.4 1.6,1; do
+    printf 'camera at=0,0,0 look=0,0,-1 focus=inf\nmaterial lamp black emission=1 luminance=1000\ncard size=%s at=0.9,0.6,-50 material=lamp\n' $size > lamp.scene
+    for file in lamp.png lamp.pfm; do
+        lenscalc render lamp.scene --lens double-gauss-50 --size 40x20 --sensor 36x18mm -N 8 --samples 64 -t 1 -o $file
+    done
+done
 ls lost.*

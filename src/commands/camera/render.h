@@ -277,6 +277,29 @@ void render_ask_samples(const struct render_input *input, struct photograph_ques
 void render_say_samples(const struct render_input *input, const struct photograph *photograph,
                         struct growing *remarks);
 
+/* -------- commands/camera/render_clipping.c -------- */
+
+/* White comes with noise and is not too bright by that: over so much of it a pixel is. */
+#define RENDER_OVER_WHITE 1.1
+
+/* Numbers of a picture, over what its file can hold at most or what saturates. */
+struct render_clipping {
+    double share;       /* of the pixels: over the limit in some channel */
+    double least, most; /* of all channels */
+};
+
+/* Given: unit  times a number of the picture is 1 where its file ends */
+struct render_clipping render_clipping_of(const struct image *image, double unit, double limit);
+
+/*
+ * Warn of a picture that is too bright for its file, of which a hundredth and more of the pixels
+ * is lost or all: less is lights themselves and what reflects them.
+ */
+void render_say_clipping(const struct render_clipping *clipping, struct growing *remarks);
+
+/* The same of what saturates at a speed and the file holds. */
+void render_say_held(const struct render_clipping *clipping, double iso, struct growing *remarks);
+
 /* -------- commands/camera/render_sensor.c -------- */
 
 extern const struct word render_mosaics[];

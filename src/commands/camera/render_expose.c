@@ -120,26 +120,11 @@ static double unit_of(const struct render_input *input, const struct exposure *e
                                                 : light;
 }
 
-/* The least and the most of a picture's values. */
-struct range {
-    double least, most;
-};
-
-static struct range range_of(const struct image *image, double unit)
-{
-    struct range range = {(double)INFINITY, 0};
-    for (size_t i = 0; i < image->width * image->height * image->channels; i++) {
-        range.least = fmin(range.least, unit * (double)image->pixels[i]);
-        range.most = fmax(range.most, unit * (double)image->pixels[i]);
-    }
-    return range;
-}
-
 /* Light itself must be a number that a pixel holds. */
 static bool check_light(const struct image *image, double unit, const char *name,
                         struct error *error)
 {
-    const double most = range_of(image, unit).most;
+    const double most = render_clipping_of(image, unit, 1).most;
     return most <= (double)FLT_MAX ||
            fail(error, ERROR_DOMAIN, "the brightest pixel has %.3g %s: pixels hold %.3g", most,
                 name, (double)FLT_MAX);
@@ -191,45 +176,32 @@ static void add_notes(const struct render_input *input, const struct render_shot
 }
 
 /*
- * Too much light, or too little, and what would mend it; shares of what saturates. Files of light
- * hold any; a sensor says itself that all of it is saturated.
+ * Too much light, or too little, and what would mend it. Files of light hold any; a sensor says
+ * itself what it cannot hold.
  */
 static void add_warnings(const struct render_input *input, const struct render_shot *shot,
-                         const struct range *shares, const struct exposure *exposure, bool is_png,
-                         struct growing *remarks)
+                         const struct exposure *exposure, bool is_png, struct growing *remarks)
 {
-    const double iso = exposure->iso;
-    if (!is_png && !input->radiance && shares->most > 1) {
-        growing_format(remarks,
-                       "the brightest pixel has %.3g times what saturates at ISO %.4g: the file "
-                       "holds it\n",
-                       shares->most, iso);
+    const double unit = exposure->luminance * exposure->metered / exposure->full;
+    const struct image *image = &shot->photograph.image;
+    const struct render_clipping clipping =
+        is_png ? render_clipping_of(image, DEVELOP_HEADROOM * unit, RENDER_OVER_WHITE)
+               : render_clipping_of(image, unit, 1);
+    if (!is_png && !input->radiance) {
+        render_say_held(&clipping, exposure->iso, remarks);
     }
-    if (shares->most == 0 && !shot->photograph.is_incomplete) { /* else it is not there yet */
+    if (clipping.most == 0 && !shot->photograph.is_incomplete) { /* else it is not there yet */
         growing_format(remarks,
                        "warning: no light was found that reaches the film: all is black\n");
     }
-    if (!is_png) {
-        return;
+    if (is_png && !render_senses(input)) {
+        render_say_clipping(&clipping, remarks);
     }
-    if (shares->least > 1 && render_senses(input)) {
-        return;
-    }
-    if (shares->least > 1) {
-        growing_format(remarks,
-                       "warning: every pixel is saturated: the time or the ISO must be less than "
-                       "1/%.3g of it\n",
-                       shares->least);
-    } else if (shares->most > 1) {
-        growing_format(remarks,
-                       "warning: the brightest pixel has %.3g times what saturates at ISO %.4g\n",
-                       shares->most, iso);
-    }
-    if (shares->most > 0 && shares->most < 1.0 / 4096) {
+    if (is_png && clipping.most > 0 && clipping.most < 1.0 / 4096) {
         growing_format(remarks,
                        "warning: all is black: it takes %.3g times the time or the ISO until the "
                        "brightest pixel saturates\n",
-                       1 / shares->most);
+                       1 / clipping.most);
     }
 }
 
@@ -293,11 +265,9 @@ static bool expose(const struct render_input *input, const struct render_shot *s
     if (!exposure_of(input, shot, remarks->arena, &exposure, error)) {
         return false;
     }
-    const struct range shares =
-        range_of(&photograph->image, exposure.luminance * exposure.metered / exposure.full);
     add_remarks(input, shot, &exposure, remarks);
     if (!is_film) {
-        add_warnings(input, shot, &shares, &exposure, is_png, remarks);
+        add_warnings(input, shot, &exposure, is_png, remarks);
     }
     growing_text(remarks, shot->doubts);
     const double unit = unit_of(input, &exposure, type, photograph->axis);

@@ -211,17 +211,22 @@ bool render_acceptance(const struct render_input *input, struct arena *arena,
            error_prefix(error, "%.200s: ", input->acceptance);
 }
 
+/*
+ * Too much light, or too little. Of a picture what its file cannot hold counts too: `lost` is the
+ * share of its pixels, and white lies by `headroom` below the largest number.
+ */
 static void add_warnings(const struct sensor_model *model, const struct sensor_raw *raw,
-                         struct growing *remarks)
+                         double headroom, double lost, struct growing *remarks)
 {
     const struct sensor_sums *sums = &raw->sums;
-    const double share = sums->darkest / (model->clip - model->dark);
-    if ((sums->saturated == sums->values || share > 1) && model->dark < model->clip) {
-        growing_format(remarks,
-                       "warning: every pixel is saturated: the time or the ISO must be less than "
-                       "1/%.3g of it\n",
-                       share);
-    } else if (model->dark >= model->clip) {
+    const double white = (model->white - model->sensor.black) / model->gain / headroom;
+    const double end = fmin(model->clip - model->dark, white);
+    if (end > 0) {
+        const double share = (double)sums->saturated / (double)sums->values;
+        const struct render_clipping clipping = {fmax(share, lost), sums->darkest / end,
+                                                 sums->brightest / end};
+        render_say_clipping(&clipping, remarks);
+    } else {
         growing_format(remarks, "warning: the dark current alone saturates: %.3g electrons\n",
                        model->dark);
     }
@@ -263,9 +268,9 @@ bool render_sense(const struct render_input *input, double time, const struct re
         arena_printf(arena, "%.4g electrons saturate a pixel of %.4g um, %.3g numbers an electron",
                      model.clip, 1000 * model.sensor.pitch, model.gain);
     growing_format(remarks, "%s\n", said);
-    add_warnings(&model, &raw, remarks);
     struct image sensed = raw.image;
     if (input->raw) {
+        add_warnings(&model, &raw, 1, 0, remarks);
         sensor_codes(&model, &place, &sensed, arena);
     } else {
         if (model.sensor.mosaic != MOSAIC_NONE) {
@@ -278,6 +283,8 @@ bool render_sense(const struct render_input *input, double time, const struct re
             return false;
         }
         sensed = made.picture;
+        const double lost = render_clipping_of(&sensed, 1, RENDER_OVER_WHITE).share;
+        add_warnings(&model, &raw, way.headroom, lost, remarks);
         if (input->white != NULL) {
             note_white(&made, &sensed, remarks);
         }

@@ -226,9 +226,10 @@ static double percent(size_t part, size_t whole)
 static void say_merged(const struct merged *merged, size_t count, struct growing *remarks)
 {
     const size_t pixels = merged->image.width * merged->image.height;
-    if (merged->saturated > 0) {
-        growing_format(remarks, "warning: %.3g %% of the pixels are saturated in %s\n",
-                       percent(merged->saturated, pixels),
+    const double saturated = percent(merged->saturated, pixels);
+    if (saturated > 0) { /* a few are lights and their reflections; of them it is said too */
+        growing_format(remarks, "%s%.3g %% of the pixels are saturated in %s\n",
+                       saturated >= 1 ? "warning: " : "", saturated,
                        count > 1 ? "all frames" : "some channel");
     }
     if (merged->looked > 0 && percent(merged->apart, merged->looked) >= 1) {

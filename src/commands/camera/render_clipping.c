@@ -1,0 +1,52 @@
+/* commands/camera/render_clipping.c - how much of a picture is brighter than its file can hold. */
+/* SPDX-License-Identifier: MIT */
+#include "commands/camera/render.h"
+
+#include <math.h>
+
+/* Of the pixels: fewer are lights and their reflections in things. */
+#define SAID_FROM 0.01
+
+struct render_clipping render_clipping_of(const struct image *image, double unit, double limit)
+{
+    struct render_clipping clipping = {.least = (double)INFINITY};
+    const size_t pixels = image->width * image->height, channels = image->channels;
+    size_t above = 0; /* of which some channel is */
+    for (size_t i = 0; i < pixels; i++) {
+        double brightest = 0;
+        for (size_t k = 0; k < channels; k++) {
+            const double share = unit * (double)image->pixels[i * channels + k];
+            clipping.least = fmin(clipping.least, share);
+            brightest = fmax(brightest, share);
+        }
+        clipping.most = fmax(clipping.most, brightest);
+        above += brightest > limit ? 1 : 0;
+    }
+    clipping.share = pixels > 0 ? (double)above / (double)pixels : 0;
+    return clipping;
+}
+
+void render_say_clipping(const struct render_clipping *clipping, struct growing *remarks)
+{
+    if (clipping->share == 1 && clipping->least > 1) {
+        growing_format(remarks,
+                       "warning: every pixel is saturated: the time or the ISO must be less than "
+                       "1/%.3g of it\n",
+                       clipping->least);
+    } else if (clipping->share >= SAID_FROM) {
+        growing_format(remarks,
+                       "warning: %.3g %% of the pixels are saturated: none would be with 1/%.3g of "
+                       "the time or the ISO, %.2g stops less\n",
+                       100 * clipping->share, clipping->most, log2(clipping->most));
+    }
+}
+
+void render_say_held(const struct render_clipping *clipping, double iso, struct growing *remarks)
+{
+    if (clipping->share >= SAID_FROM) {
+        growing_format(remarks,
+                       "%.3g %% of the pixels have more than saturates at ISO %.4g, up to %.3g "
+                       "times: the file holds it\n",
+                       100 * clipping->share, iso, clipping->most);
+    }
+}
