@@ -343,6 +343,17 @@ static struct overlap refine(struct summing *summing, double error, bool only_pe
     return here;
 }
 
+bool overlap_is_known(double off)
+{
+    return off < too_rough;
+}
+
+/* What an integral may be off, in shares of the energy. */
+static double left_for_points(double error, double off)
+{
+    return fmax(error - off, fmax(error, off) / 4);
+}
+
 struct overlap overlap_find(const struct exit_front *front, struct overlap_rules *rules,
                             const struct overlap_question *question)
 {
@@ -355,7 +366,7 @@ struct overlap overlap_find(const struct exit_front *front, struct overlap_rules
                               .ranges = ranges};
     const double energy = front->pupil->energy;
     struct overlap sum = {.re = NAN, .im = NAN, .perfect = NAN, .error = INFINITY};
-    if (!(front->off < too_rough)) {
+    if (!overlap_is_known(front->off)) {
         return sum;
     }
     find_ranges(&summing);
@@ -363,7 +374,7 @@ struct overlap overlap_find(const struct exit_front *front, struct overlap_rules
     for (size_t i = 0; i < summing.count && (is_steep || question->only_perfect); i++) {
         ranges[i].across = ranges[i].along = (struct turns){0, 0}; /* which turns nothing */
     }
-    sum = refine(&summing, fmax(question->error - front->off, question->error / 4) * energy,
+    sum = refine(&summing, left_for_points(question->error, front->off) * energy,
                  is_steep || question->only_perfect);
     sum.error += front->off * energy;
     sum.has_converged = !is_steep && sum.error <= question->error * energy;

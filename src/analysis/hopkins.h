@@ -18,6 +18,9 @@ struct overlap_rules {
 
 struct overlap_rules *overlap_rules_new(struct arena *arena);
 
+/* Is there an overlap to be found, where the front's series leave so much of it (`off`)? */
+bool overlap_is_known(double off);
+
 struct overlap_question {
     double shift;      /* in a and b, 0 and more: wavelength times frequency over the index */
     double error;      /* that is wanted, in shares of the pupil's energy */
@@ -41,7 +44,8 @@ struct overlap {
  *           against the lines, 2 along them: so that its angle is that of the Fourier transform of
  *           the light over the image, which counts from the reference. Gauss's points along clear
  *           parts of lines and across them, between places where the parts change, as many as
- *           W1 - W2 turns the phase, ever more until the error is met
+ *           W1 - W2 turns the phase, ever more until the error is met, or a quarter of what the
+ *           front's series leave: points do not make up for these
  * Source    [Hopkins55]; tested against the closed form of a round pupil, and Fourier transforms
  * Limits    16 million points: where W1 - W2 turns the phase some thousands of times each way, or
  *           is so rough that its series fail, the integrals are not known

@@ -43,6 +43,10 @@ static void find_fronts(struct mtf_source *source, struct arena *arena)
         exit_lines_find(pupil, source->along[k], arena, &source->lines[i]);
         exit_front_find(pupil, &source->lines[i], source->question->error, arena,
                         &source->fronts[i]);
+        const double off = source->fronts[i].off;
+        const bool counts = source->pupils.lights.list[i / MTF_DIRECTIONS].weight > 0;
+        source->off[k] =
+            counts ? fmax(source->off[k], isnan(off) ? INFINITY : off) : source->off[k];
         exit_pupil_range(pupil, source->along[k], range);
         source->cutoff[k] =
             fmax(source->cutoff[k], (range[1] - range[0]) * pupil->n * pupil->waves);
@@ -78,12 +82,19 @@ static void add_waves(const struct mtf_source *source, size_t g, double frequenc
                       struct sums *sums, struct mtf *mtf)
 {
     const struct exit_pupil *pupil = &source->pupils.list[g];
-    const struct overlap_question question = {.shift = frequency / (pupil->waves * pupil->n),
-                                              .error = source->question->error,
-                                              .only_perfect = source->question->by_rays};
+    struct overlap_question question = {.shift = frequency / (pupil->waves * pupil->n),
+                                        .error = source->question->error};
     const double weight = exit_pupil_weight(pupil);
     sums->light += weight * pupil->energy;
     for (size_t k = 0; k < MTF_DIRECTIONS; k++) {
+        if (!overlap_is_known(source->off[k])) {
+            sums->re[k] = sums->im[k] = sums->perfect[k] = NAN;
+            mtf->error = INFINITY;
+            mtf->has_converged = false;
+            continue;
+        }
+        /* where a wavelength has none before, there is none of all together */
+        question.only_perfect = source->question->by_rays || isnan(sums->re[k]);
         const struct overlap sum =
             overlap_find(&source->fronts[g * MTF_DIRECTIONS + k], source->rules, &question);
         sums->re[k] += weight * sum.re;

@@ -21,8 +21,9 @@ enum { MTF_TANGENTIAL, MTF_SAGITTAL, MTF_DIRECTIONS };
 struct mtf_source {
     const struct mtf_question *question;
     struct exit_pupils pupils;
-    struct exit_lines *lines;  /* [wavelength][direction] */
-    struct exit_front *fronts; /* the same */
+    struct exit_lines *lines;   /* [wavelength][direction] */
+    struct exit_front *fronts;  /* the same */
+    double off[MTF_DIRECTIONS]; /* what series of wave fronts may make of contrast, at the worst */
     struct overlap_rules *rules;
     struct mtf_rays *rays;           /* null: by waves */
     double along[MTF_DIRECTIONS][2]; /* in the image plane, of unit length */

@@ -35,9 +35,6 @@ static const double steep = 0.15, steepest = 0.4;
    those kinks are the worse the more it turns. */
 static const double a_turn = 2.2;
 
-/* What series of the wave front may leave of contrast. */
-static const double fine = 3e-4;
-
 /* How far series of n terms hold beyond their ends: T_n grows by exp(5) up to there. */
 static double beyond(const struct exit_series *series)
 {
@@ -265,7 +262,7 @@ static bool plan(const struct mtf_source *source, size_t g, size_t direction, do
         one->middle[k] = (range[0] + range[1]) / 2;
         one->wide[k] = range[1] - range[0];
     }
-    return front->off < fine && set_grid(one, step / (pupil->waves * pupil->n), count);
+    return overlap_is_known(front->off) && set_grid(one, step / (pupil->waves * pupil->n), count);
 }
 
 static void add_pupil(struct overlapping *one, size_t count, struct arena *arena, struct sums *sums)

@@ -25,7 +25,7 @@ struct mtf_curve {
  *           line with itself moved is the Fourier transform of its transform's square, so that
  *           these are added over all lines
  * Source    [Goodman05] 6.3; tested against mtf_find in its drawings
- * Limits    off by less than 1e-3
+ * Limits    off by less than 1e-3, and by source->off, which overlaps one by one are as well
  */
 bool mtf_curve_find(const struct mtf_source *source, double step, size_t count, struct arena *arena,
                     struct mtf_curve *curve);

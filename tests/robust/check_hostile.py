@@ -58,8 +58,8 @@ QUESTIONS = (
     "optimize double-gauss --vary R1 --goals efl=100 --rays 4 --global 1 --escapes 0 --iterations 2"
     " --state @copy",
 )
-# What crashed is asked every time.
-CRASHED = (("spans.lens", "mtf @ --plot p.svg"),)
+# What crashed, or took many seconds, is asked every time.
+ALWAYS = (("spans.lens", "mtf @ --plot p.svg"), ("bead.lens", "mtf @ --plot p.svg"))
 # Commands that read no file of the user's but tables of --lensdb, which check_input tries.
 WITHOUT = {"flash", "bracket", "motion", "stars", "tilt", "panorama", "timelapse", "refract", "lensmaker",
            "list", "help", "completion"}
@@ -127,7 +127,7 @@ def main():
         200 if program.is_instrumented else 60)
     cases = [(path, question) for number, path in enumerate(own + known)
              for place, question in enumerate(QUESTIONS) if (number + place) % every == 0]
-    cases += [(path, question) for name, question in CRASHED for path in own
+    cases += [(path, question) for name, question in ALWAYS for path in own
               if os.path.basename(path) == name]
     with tempfile.TemporaryDirectory() as room, \
             ThreadPoolExecutor(int(os.environ.get("LENSCALC_JOBS", "2"))) as pool:

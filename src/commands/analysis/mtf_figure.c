@@ -18,6 +18,9 @@ enum { COLOURS = 7, DOTTED = 3 };
 /* The default of --error; below it a drawing is made of exact points too. */
 static const double usual_error = 1e-4;
 
+/* Of what a drawing shows. */
+static const double fine = 1e-3;
+
 /* What contrast is drawn against. */
 enum axis { BY_FREQUENCY, BY_FOCUS, BY_FIELD };
 
@@ -37,6 +40,7 @@ struct painter {
     struct entry *list;
     size_t count;
     const char *subtitle;
+    double off;  /* what contrasts may be off, where that is known */
     bool is_cut; /* some curve ends where its wave front is too steep for a drawing */
 };
 
@@ -53,6 +57,11 @@ static struct entry *new_entry(struct painter *painter, const struct entry *plac
     return entry;
 }
 
+static void note_off(struct painter *painter, double off)
+{
+    painter->off = isfinite(off) ? fmax(painter->off, off) : painter->off;
+}
+
 static bool add_entry(struct painter *painter, const struct mtf_source *source, double frequency,
                       const struct entry *place, struct error *error)
 {
@@ -63,6 +72,7 @@ static bool add_entry(struct painter *painter, const struct mtf_source *source, 
         return false;
     }
     memcpy(entry->contrast, mtf.contrast, sizeof entry->contrast);
+    note_off(painter, mtf.error);
     entry->limit = fmax(mtf.limit[0], mtf.limit[1]);
     return true;
 }
@@ -113,6 +123,9 @@ static bool add_curve(struct painter *painter, const struct mtf_source *source,
     double highest = highest_of(painter, source);
     const size_t count = find_curve(painter, source, &highest, &curve);
     painter->highest = highest;
+    if (count > 0) {
+        note_off(painter, fmax(source->off[0], source->off[1]));
+    }
     for (size_t i = 0; i < (count > 0 ? count : STEPS); i++) {
         struct entry here = *place;
         here.x = highest * (double)i / (STEPS - 1);
@@ -364,7 +377,7 @@ static bool is_one(const double *tangential, const double *sagittal, size_t poin
     for (size_t i = 0; i < points; i++) {
         off = fmax(off, fabs(tangential[i] - sagittal[i]));
     }
-    return off < 1e-3; /* of what a drawing shows */
+    return off < fine;
 }
 
 /* Series of curves, whose values are y: of a colour for each label, sagittal ones dashed. */
@@ -396,13 +409,16 @@ static size_t put_series(const struct painter *painter, const double *y, size_t 
 static void say(const struct painter *painter, struct plot *plot)
 {
     const bool through = painter->axis == BY_FOCUS;
-    plot->subtitle =
+    const char *words =
         through ? arena_printf(painter->arena, "%s; %.4g/mm", painter->subtitle,
                                painter->input->frequency)
         : painter->is_cut
             ? arena_printf(painter->arena, "%s; curves end where wave fronts are too steep",
                            painter->subtitle)
             : painter->subtitle;
+    plot->subtitle = painter->off > fine
+                         ? arena_printf(painter->arena, "%s; up to %.1g off", words, painter->off)
+                         : words;
     plot->x_label = painter->axis == BY_FREQUENCY ? "spatial frequency (1/mm)"
                     : through                     ? "defocus (mm)"
                     : painter->is_angle           ? "field (deg)"
