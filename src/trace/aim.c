@@ -6,6 +6,7 @@
 #include "trace/aim_map.h"
 #include "trace/chief.h"
 #include "trace/dispatch.h"
+#include "trace/lead.h"
 
 #include <math.h>
 #include <string.h>
@@ -208,7 +209,7 @@ static bool advance_block(const struct aim *aim, const struct pupil_point *point
 /* A search that ended short of its target tries again with the slopes of where it stands. */
 static void retry(const struct aim *aim, const struct pupil_point *point, struct search *search)
 {
-    const double reached = 1e-9 * aim->stop_radius;
+    const double reached = lead_reached * aim->stop_radius;
     for (int turn = 0; turn < 20 && hypot(search->miss[0], search->miss[1]) > reached; turn++) {
         double before = hypot(search->miss[0], search->miss[1]);
         search->done = false;
@@ -230,67 +231,7 @@ static double determinant(const double m[4])
 
 static bool has_reached(const struct aim *aim, const struct search *search)
 {
-    return hypot(search->miss[0], search->miss[1]) <= 1e-9 * aim->stop_radius;
-}
-
-/* Newton's method to a place in the stop near by; false if it leaves the sheet of the chief ray. */
-static bool step_to(const struct aim *aim, const double target[2], double at[2], double miss[2])
-{
-    const struct ray_block *block = aim->work.blocks;
-    double here[2] = {at[0], at[1]}, before = INFINITY;
-    for (int step = 0; step < 12; step++) {
-        double slope[4];
-        if (!chief_slope(aim, here, slope) || !(determinant(slope) * determinant(aim->slope) > 0)) {
-            return false;
-        }
-        chief_trace(aim, (const double(*)[2])here, 1);
-        miss[0] = target[0] - block->x[0];
-        miss[1] = target[1] - block->y[0];
-        double after = hypot(miss[0], miss[1]), det = determinant(slope);
-        if (ray_block_status(block, 0) != RAY_OK || !(after < before)) {
-            return before <= 1e-9 * aim->stop_radius;
-        }
-        before = after;
-        at[0] = here[0];
-        at[1] = here[1];
-        if (after <= 1e-14 * aim->stop_radius) {
-            return true;
-        }
-        here[0] += (slope[3] * miss[0] - slope[1] * miss[1]) / det;
-        here[1] += (slope[0] * miss[1] - slope[2] * miss[0]) / det;
-    }
-    return before <= 1e-9 * aim->stop_radius;
-}
-
-/* From the chief ray to the point along a straight line in the stop, in steps that are sure. */
-static void lead(const struct aim *aim, const struct pupil_point *point, struct search *search)
-{
-    double goal[2];
-    aim_goal(aim, point, goal);
-    double at[2] = {aim->chief[0], aim->chief[1]}, miss[2] = {0, 0}, done = 0, step = 0.25;
-    while (done < 1 && step > 1e-4) {
-        double share = fmin(done + step, 1), next[2] = {at[0], at[1]}, target[2];
-        for (int i = 0; i < 2; i++) {
-            target[i] = aim->centre[i] + share * (goal[i] - aim->centre[i]);
-        }
-        if (step_to(aim, target, next, miss)) {
-            at[0] = next[0];
-            at[1] = next[1];
-            done = share;
-            step *= 1.5;
-        } else {
-            step /= 2;
-        }
-    }
-    if (done < 1 && !has_reached(aim, search)) {
-        return; /* what stopped the search before says more */
-    }
-    for (int i = 0; i < 2; i++) {
-        search->at[i] = at[i];
-        search->miss[i] = done < 1 ? (double)INFINITY : miss[i];
-    }
-    search->status = done < 1 ? RAY_NOT_CONVERGED : RAY_OK;
-    search->surface = aim->system->stop + 1;
+    return hypot(search->miss[0], search->miss[1]) <= lead_reached * aim->stop_radius;
 }
 
 static bool finish(const struct aim *aim, const struct search *search, struct ray *ray)
@@ -419,7 +360,7 @@ static void find_sheets(const struct aim *aim, const struct aim_block *block, si
     }
 }
 
-/* The rays of a block that went astray. */
+/* The rays of a block that went astray, or may have ended on another sheet of a folded pupil. */
 struct strays {
     struct pupil_point points[RAYS_BLOCK];
     struct search searches[RAYS_BLOCK];
@@ -446,14 +387,51 @@ static void find_strays(const struct aim *aim, const struct pupil_point *points,
     }
 }
 
-/* A ray that may have ended on another sheet of a folded pupil, or nowhere, is led to its goal. */
-static bool settle(const struct aim *aim, const struct pupil_point *point, bool is_same,
-                   struct search *search, struct ray *ray)
+/* Searches that ended on another sheet, beside those that went astray. */
+static void add_others(const struct pupil_point *points, size_t count, const bool *same,
+                       const struct aim_block *block, struct strays *strays)
 {
-    if (search->is_rough || !has_reached(aim, search) || !is_same) {
-        lead(aim, point, search);
+    for (size_t i = 0; i < count; i++) {
+        if (block->state[i] == AIM_DONE && !same[i]) {
+            strays->points[strays->count] = points[i];
+            strays->searches[strays->count] = (struct search){
+                .at = {block->a[i], block->b[i]}, .miss = {block->miss_x[i], block->miss_y[i]}};
+            strays->which[strays->count++] = i;
+        }
     }
-    return finish(aim, search, ray);
+}
+
+/* What leading a ray to its goal says of its search. */
+static void take_lead(const struct aim *aim, const struct lead *lead, struct search *search)
+{
+    const bool is_there = !(lead->done < 1);
+    if (!is_there && !has_reached(aim, search)) {
+        return; /* what stopped the search before says more */
+    }
+    for (int i = 0; i < 2; i++) {
+        search->at[i] = lead->at[i];
+        search->miss[i] = is_there ? lead->miss[i] : (double)INFINITY;
+    }
+    search->status = is_there ? RAY_OK : RAY_NOT_CONVERGED;
+    search->surface = aim->system->stop + 1;
+}
+
+/* Those that may have ended on another sheet, or nowhere, are led to their goals. */
+static void lead_strays(const struct aim *aim, const bool *same, struct strays *strays)
+{
+    struct lead leads[RAYS_BLOCK];
+    size_t led[RAYS_BLOCK], count = 0;
+    for (size_t k = 0; k < strays->count; k++) {
+        const struct search *search = &strays->searches[k];
+        if (search->is_rough || !has_reached(aim, search) || !same[strays->which[k]]) {
+            aim_goal(aim, &strays->points[k], leads[count].goal);
+            led[count++] = k;
+        }
+    }
+    lead_rays(aim, leads, count);
+    for (size_t j = 0; j < count; j++) {
+        take_lead(aim, &leads[j], &strays->searches[led[j]]);
+    }
 }
 
 /* A block of rays. Result: how many have been aimed. */
@@ -462,25 +440,19 @@ static size_t aim_block(const struct aim *aim, const struct pupil_point *points,
 {
     struct aim_block block;
     struct strays strays;
-    size_t aimed = 0;
     bool same[RAYS_BLOCK];
     start_block(aim, points, count, &block);
     steer_block(aim, count, &block);
     find_strays(aim, points, count, &block, &strays);
     find_sheets(aim, &block, count, same);
+    add_others(points, count, same, &block, &strays);
+    lead_strays(aim, same, &strays);
     beam_start(&aim->beam, block.a, block.b, count, rays->blocks);
-    for (size_t i = 0, k = 0; i < count; i++) {
-        bool is_stray = k < strays.count && strays.which[k] == i;
-        struct search search = {.at = {block.a[i], block.b[i]},
-                                .miss = {block.miss_x[i], block.miss_y[i]}};
+    size_t aimed = count;
+    for (size_t k = 0; k < strays.count; k++) {
         struct ray ray;
-        if (!is_stray && same[i]) {
-            aimed++;
-            continue;
-        }
-        search = is_stray ? strays.searches[k++] : search;
-        aimed += settle(aim, &points[i], same[i], &search, &ray) ? 1 : 0;
-        rays_set(rays, i, aim->beam.n, &ray);
+        aimed -= finish(aim, &strays.searches[k], &ray) ? 0 : 1;
+        rays_set(rays, strays.which[k], aim->beam.n, &ray);
     }
     return aimed;
 }

@@ -52,23 +52,64 @@ static bool arrived(const struct aim *aim, size_t lane)
     return ray_block_status(aim->work.blocks, lane) == RAY_OK;
 }
 
-bool chief_slope(const struct aim *aim, const double at[2], double slope[4])
+/* Slopes between the four rays about one, from a lane on. */
+static void take_slope(const struct ray_block *block, size_t lane, double h, double slope[4])
 {
-    const struct ray_block *block = aim->work.blocks;
-    double size = fabs(aim->slope[3]) > 0 ? aim->stop_radius / fabs(aim->slope[3]) : 1;
-    for (double h = 1e-3 * size; h > 1e-9 * size; h /= 8) {
-        const double rays[4][2] = {
-            {at[0] + h, at[1]}, {at[0] - h, at[1]}, {at[0], at[1] + h}, {at[0], at[1] - h}};
-        chief_trace(aim, rays, 4);
-        if (arrived(aim, 0) && arrived(aim, 1) && arrived(aim, 2) && arrived(aim, 3)) {
-            slope[0] = (block->x[0] - block->x[1]) / (2 * h);
-            slope[1] = (block->x[2] - block->x[3]) / (2 * h);
-            slope[2] = (block->y[0] - block->y[1]) / (2 * h);
-            slope[3] = (block->y[2] - block->y[3]) / (2 * h);
-            return slope[0] * slope[3] != slope[1] * slope[2];
+    slope[0] = (block->x[lane] - block->x[lane + 1]) / (2 * h);
+    slope[1] = (block->x[lane + 2] - block->x[lane + 3]) / (2 * h);
+    slope[2] = (block->y[lane] - block->y[lane + 1]) / (2 * h);
+    slope[3] = (block->y[lane + 2] - block->y[lane + 3]) / (2 * h);
+}
+
+/* The four rays about some of many, h beside them; those that all arrive are no longer pending. */
+static size_t try_slopes(const struct aim *aim, const double (*at)[2], double h, size_t count,
+                         size_t *pending, double (*slopes)[4], bool *found)
+{
+    enum { TOGETHER = RAYS_BLOCK / 4 };
+    size_t left = 0;
+    for (size_t done = 0; done < count; done += TOGETHER) {
+        const size_t here = count - done < TOGETHER ? count - done : TOGETHER;
+        double rays[RAYS_BLOCK][2];
+        for (size_t k = 0; k < 4 * here; k++) {
+            const double *place = at[pending[done + k / 4]];
+            const double beside = k % 2 == 0 ? h : -h;
+            rays[k][0] = place[0] + (k % 4 < 2 ? beside : 0);
+            rays[k][1] = place[1] + (k % 4 < 2 ? 0 : beside);
+        }
+        chief_trace(aim, (const double(*)[2])rays, 4 * here);
+        for (size_t k = 0; k < here; k++) {
+            const size_t i = pending[done + k];
+            if (arrived(aim, 4 * k) && arrived(aim, 4 * k + 1) && arrived(aim, 4 * k + 2) &&
+                arrived(aim, 4 * k + 3)) {
+                take_slope(aim->work.blocks, 4 * k, h, slopes[i]);
+                found[i] = slopes[i][0] * slopes[i][3] != slopes[i][1] * slopes[i][2];
+            } else {
+                pending[left++] = i;
+            }
         }
     }
-    return false;
+    return left;
+}
+
+void chief_slopes(const struct aim *aim, const double (*at)[2], size_t count, double (*slopes)[4],
+                  bool *found)
+{
+    const double size = fabs(aim->slope[3]) > 0 ? aim->stop_radius / fabs(aim->slope[3]) : 1;
+    size_t pending[RAYS_BLOCK];
+    for (size_t i = 0; i < count; i++) {
+        pending[i] = i;
+        found[i] = false;
+    }
+    for (double h = 1e-3 * size; h > 1e-9 * size && count > 0; h /= 8) {
+        count = try_slopes(aim, at, h, count, pending, slopes, found);
+    }
+}
+
+bool chief_slope(const struct aim *aim, const double at[2], double slope[4])
+{
+    bool found;
+    chief_slopes(aim, (const double(*)[2])at, 1, (double(*)[4])slope, &found);
+    return found;
 }
 
 /* Widen the region by a point of the first surface as the beam sees it. */

@@ -31,6 +31,10 @@ bool chief_find_near(struct aim *aim, const struct aim_near *near);
  */
 bool chief_slope(const struct aim *aim, const double at[2], double slope[4]);
 
+/* The same of up to RAYS_BLOCK rays at once; found: of each what chief_slope says. */
+void chief_slopes(const struct aim *aim, const double (*at)[2], size_t count, double (*slopes)[4],
+                  bool *found);
+
 /* Take the first `count` rays in aim->work to the stop, in its own frame: origin in its centre. */
 void chief_to_stop(const struct aim *aim, size_t count);
 

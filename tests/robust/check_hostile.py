@@ -59,7 +59,8 @@ QUESTIONS = (
     " --state @copy",
 )
 # What crashed, or took many seconds, is asked every time.
-ALWAYS = (("spans.lens", "mtf @ --plot p.svg"), ("bead.lens", "mtf @ --plot p.svg"))
+ALWAYS = (("spans.lens", "mtf @ --plot p.svg"), ("bead.lens", "mtf @ --plot p.svg"),
+          ("bead.lens", "wavefront @ --plot p.svg"))
 # Commands that read no file of the user's but tables of --lensdb, which check_input tries.
 WITHOUT = {"flash", "bracket", "motion", "stars", "tilt", "panorama", "timelapse", "refract", "lensmaker",
            "list", "help", "completion"}
