@@ -16,6 +16,8 @@ enum { ACROSS = TILE_ACROSS, DOWN = TILE_DOWN, PIXELS = TILE_PIXELS };
 enum { SLICE_RAYS = 1 << 22 };
 /* Blocks of rays until somebody may end them: 0.2 to 20 ms. */
 enum { ENDED_EVERY = 8 };
+/* Rays of a pixel that pay for a look at what need not be traced. */
+enum { FEW_SAMPLES = 8 };
 
 struct work {
     const struct photograph_question *question;
@@ -52,7 +54,7 @@ struct room {
 static struct room *room_of(size_t passes, struct arena *arena)
 {
     struct room *room = ARENA_NEW(arena, struct room);
-    room->tile = tile_room_new(arena);
+    room->tile = tile_room_new(passes, arena);
     room->spare = spare_room_new(passes, arena);
     return room;
 }
@@ -181,26 +183,37 @@ static bool is_last_stage(const struct work *work, const struct stage *stage)
     return stage->samples >= work->question->samples || stage->error <= 1;
 }
 
+/* What a tile comes to; it is taken already if that needs none of its rays. */
+static enum spare_way way_of(const struct work *work, const struct film_plan *plan,
+                             struct room *room)
+{
+    struct tile_room *tile = room->tile;
+    const size_t samples = work->question->samples;
+    const struct spare_tile spared = {plan, ACROSS, DOWN, samples};
+    enum spare_way way = SPARE_TRACED;
+    if (work->spare != NULL) {
+        way = spare_take(work->spare, &spared, room->spare, tile->counts, tile->sums);
+    }
+    return way == SPARE_TRACED && samples >= FEW_SAMPLES && tile_rays_share(&work->rays, plan, tile)
+               ? SPARE_SHARED
+               : way;
+}
+
 /* All samples of a tile, by its place in the frame; returns how many, 0: it is over before. */
 static size_t sum_tile(const struct work *work, struct film_plan *plan, size_t tile,
                        struct stage *stage, struct room *room)
 {
     const struct photograph_question *question = work->question;
     tile_rays_begin(&work->rays, tile, plan, room->tile);
-    if (stage != NULL) {
-        room->tile->counts[PHOTOGRAPH_WAYS + SPARE_TRACED] += stage->samples == 0;
-        return sum_stage(work, plan, stage, room);
-    }
-    const struct spare_tile spared = {plan, ACROSS, DOWN, question->samples};
-    struct tile_room *sums = room->tile;
-    const enum spare_way way = work->spare != NULL ? spare_take(work->spare, &spared, room->spare,
-                                                                sums->counts, sums->sums)
-                                                   : SPARE_TRACED;
+    const enum spare_way way = way_of(work, plan, room);
     if (way == SPARE_ENDED) {
         return 0;
     }
-    sums->counts[PHOTOGRAPH_WAYS + way]++;
-    if (way != SPARE_TRACED) {
+    room->tile->counts[PHOTOGRAPH_WAYS + way] += stage == NULL || stage->samples == 0;
+    if (stage != NULL) {
+        return sum_stage(work, plan, stage, room);
+    }
+    if (way == SPARE_SHARP || way == SPARE_EVEN) {
         return question->samples;
     }
     if (question->error > 0) {
@@ -383,7 +396,6 @@ static bool may_see_backdrop(const struct work *work, const struct backdrop *bac
 /* What need not be traced; a table of light costs less than a hundredth of the picture. */
 static void open_spare(struct work *work, struct arena *arena)
 {
-    enum { FEW_SAMPLES = 8 };
     const struct photograph_question *question = work->question;
     const struct view *view = question->view;
     const unsigned none = 1U << SKIP_UNIFORM | (view == NULL ? 1U << SKIP_BLUR : 0);

@@ -121,6 +121,9 @@ double photograph_share(const struct photograph *photograph, enum relief_sight s
  *           traced exactly, to the plane of the card, or to the relief that it is
  *           With an error as many points as if there were no error and so many samples: twice as
  *           many, CONVERGENCE_LEAST at first, until the tile's halves agree (camera/convergence.h)
+ *           In a scene rays of the middle wavelength stand for those of others where
+ *           camera/fringes.h says so: a colour is then what its own rays bring from a white scene,
+ *           times the mean light of these that show the same points. Of 8 samples and more
  *           Tiles are spared as camera/spare.h has it, of 8 samples and more, where nobody waits
  *           No number depends on the threads, the crop, or what is done already; how many samples
  *           a tile has that ends in time does

@@ -15,7 +15,7 @@
 /* What need not be done where the picture is the same without. */
 enum skip {
     SKIP_PUPIL,     /* rays that the lens would stop */
-    SKIP_COLOUR,    /* rays of all colours, where they go the same way */
+    SKIP_COLOUR,    /* rays of all colours, where they go the same way, or nearly */
     SKIP_BLUR,      /* rays through all of the pupil, where they see the same */
     SKIP_UNIFORM,   /* rays at all, where everything has the same light */
     SKIP_EXPOSURES, /* a picture for each exposure */
@@ -32,6 +32,7 @@ enum spare_way {
     SPARE_TRACED, /* it needs all its rays */
     SPARE_SHARP,  /* one pupil tells what all of it sees */
     SPARE_EVEN,   /* all of it has the same light */
+    SPARE_SHARED, /* rays of one colour stand for those of all */
     SPARE_WAYS,
     SPARE_ENDED = SPARE_WAYS /* the watch has ended it before */
 };

@@ -56,16 +56,18 @@ void tile_rays_open(const struct photograph_question *question, const struct len
                         ((question->kept & 1U << SKIP_COLOUR) == 0 && is_alike(film, wavelengths));
     *tile = (struct tile_rays){.film = film,
                                .passes = as_one ? 1 : wavelengths,
+                               .may_share = !as_one && (question->kept & 1U << SKIP_COLOUR) == 0,
                                .duration = question->duration,
                                .seed = question->seed};
     tile->pass = passes_of(question, tile->passes, arena);
     sobol_open(FILM_DIMENSIONS, &tile->when);
 }
 
-struct tile_room *tile_room_new(struct arena *arena)
+struct tile_room *tile_room_new(size_t passes, struct arena *arena)
 {
     struct tile_room *room = ARENA_NEW(arena, struct tile_room);
     room->rays = rays_new(arena, RAYS_BLOCK);
+    room->fringes = fringes_room_new(passes, arena);
     return room;
 }
 
@@ -101,23 +103,58 @@ static void time_rays(const struct tile_rays *tile, uint32_t block, struct tile_
     }
 }
 
+/* Where a point of a tile lies. */
+struct cell {
+    size_t column, row; /* from the left and from below, on the film */
+    size_t pixel;       /* in rows from the upper left of the picture */
+};
+
+static struct cell cell_of(const struct film_plan *plan, double x, double y)
+{
+    const double across = (x - plan->left) / plan->width * TILE_ACROSS;
+    const double up = (y - plan->bottom) / plan->height * TILE_DOWN;
+    const size_t column = (size_t)fmin(across, TILE_ACROSS - 1),
+                 row = (size_t)fmin(up, TILE_DOWN - 1);
+    return (struct cell){column, row, row * TILE_ACROSS + (TILE_ACROSS - 1 - column)};
+}
+
+/* Does a ray arrive, from a lit place, taken by the pixel? */
+static bool arrives(const struct tile_room *room, size_t i)
+{
+    return room->samples.weight[i] > 0 && room->rays.blocks->lost[i] == 0;
+}
+
+static void count_ray(size_t i, struct tile_room *room)
+{
+    room->counts[PHOTOGRAPH_TRACED] += room->samples.weight[i] > 0;
+    room->counts[PHOTOGRAPH_PASSED] += arrives(room, i);
+}
+
 /* What one ray brings to its pixel. */
 static void add_ray(const struct film_plan *plan, const struct spare_pass *pass, size_t i,
                     struct tile_room *room)
 {
     const struct film_samples *samples = &room->samples;
-    const double across = (samples->x[i] - plan->left) / plan->width * TILE_ACROSS;
-    const double down = (samples->y[i] - plan->bottom) / plan->height * TILE_DOWN;
-    const size_t column = (size_t)fmin(across, TILE_ACROSS - 1),
-                 row = (size_t)fmin(down, TILE_DOWN - 1);
-    double *sums = room->sums[row * TILE_ACROSS + (TILE_ACROSS - 1 - column)];
+    double *sums = room->sums[cell_of(plan, samples->x[i], samples->y[i]).pixel];
     const double *light = room->light[i];
-    const bool is_sent = samples->weight[i] > 0; /* from a lit place, and taken by the pixel */
-    room->counts[PHOTOGRAPH_TRACED] += is_sent;
-    room->counts[PHOTOGRAPH_PASSED] += is_sent && room->rays.blocks->lost[i] == 0;
+    count_ray(i, room);
     for (size_t channel = pass->begin; channel < pass->end; channel++) {
         sums[channel] += pass->share * samples->weight[i] * light[channel];
     }
+}
+
+/* The light along a block of traced rays. */
+static void look(const struct tile_rays *tile, uint32_t block, const struct lanes *lanes,
+                 struct tile_room *room)
+{
+    time_rays(tile, block, room);
+    const struct subject_rays rays = {.block = room->rays.blocks,
+                                      .weights = room->samples.weight,
+                                      .times = room->times,
+                                      .lanes = lanes,
+                                      .sequence = &room->sequence,
+                                      .first = block * RAYS_BLOCK};
+    tile->subject.look(&tile->subject, &rays, room->counts, room->light);
 }
 
 /* A block of points, of one wavelength of the lens, in the bands of these lanes. */
@@ -125,14 +162,7 @@ static void sum_block(const struct tile_rays *tile, const struct film_plan *plan
                       const struct way *way, struct tile_room *room)
 {
     tile_rays_trace(tile, plan, block, way->wavelength, room);
-    time_rays(tile, block, room);
-    const struct subject_rays rays = {.block = room->rays.blocks,
-                                      .weights = room->samples.weight,
-                                      .times = room->times,
-                                      .lanes = &way->lanes,
-                                      .sequence = &room->sequence,
-                                      .first = block * RAYS_BLOCK};
-    tile->subject.look(&tile->subject, &rays, room->counts, room->light);
+    look(tile, block, &way->lanes, room);
     for (size_t i = 0; i < RAYS_BLOCK; i++) {
         add_ray(plan, &way->pass, i, room);
     }
@@ -165,9 +195,142 @@ static void sum_bands(const struct tile_rays *tile, const struct film_plan *plan
     }
 }
 
+/* -------- rays that colours share -------- */
+
+/* Of the pixels of a tile, by channel. */
+struct shared {
+    double own[TILE_PIXELS][TILE_CHANNELS];   /* weights of a colour's own rays, which arrive */
+    double seen[TILE_PIXELS][TILE_CHANNELS];  /* of shared ones that show what these do */
+    double light[TILE_PIXELS][TILE_CHANNELS]; /* the latter times light */
+};
+
+static size_t middle_of(const struct tile_rays *tile)
+{
+    return tile->passes / 2;
+}
+
+/* What of the light comes to the pixels, by the own rays of all colours but the middle. */
+static void trace_own(const struct tile_rays *tile, const struct film_plan *plan, uint32_t block,
+                      struct tile_room *room, struct shared *shared)
+{
+    const struct film_samples *samples = &room->samples;
+    for (size_t n = 1; n < tile->passes; n++) {
+        const size_t wavelength = (middle_of(tile) + n) % tile->passes;
+        const struct spare_pass *pass = &tile->pass[wavelength];
+        tile_rays_trace(tile, plan, block, wavelength, room);
+        for (size_t i = 0; i < RAYS_BLOCK; i++) {
+            double *own = shared->own[cell_of(plan, samples->x[i], samples->y[i]).pixel];
+            count_ray(i, room);
+            for (size_t k = pass->begin; k < pass->end && arrives(room, i); k++) {
+                own[k] += pass->share * samples->weight[i];
+            }
+        }
+    }
+}
+
+/* Points of pixels become points of all that any colour shows there. */
+static void move_points(const struct film_plan *plan, struct tile_room *room,
+                        struct cell cells[RAYS_BLOCK])
+{
+    const struct fringes *fringes = room->shared;
+    struct film_samples *samples = &room->samples;
+    const double wide = plan->width / TILE_ACROSS, high = plan->height / TILE_DOWN;
+    const double more_x = (fringes->high[0] - fringes->low[0]) / wide;
+    const double more_y = (fringes->high[1] - fringes->low[1]) / high;
+    for (size_t i = 0; i < RAYS_BLOCK; i++) {
+        cells[i] = cell_of(plan, samples->x[i], samples->y[i]);
+        const double x = samples->x[i] - (plan->left + (double)cells[i].column * wide);
+        const double y = samples->y[i] - (plan->bottom + (double)cells[i].row * high);
+        samples->x[i] += fringes->low[0] + more_x * x;
+        samples->y[i] += fringes->low[1] + more_y * y;
+    }
+}
+
+/* Does a ray of the middle show what one of this wavelength does, of the same pixel? */
+static bool shows_same(const struct film_plan *plan, const struct tile_room *room, size_t i,
+                       const struct cell *cell, size_t wavelength)
+{
+    const double across = (room->samples.x[i] - plan->left) / plan->width;
+    const double up = (room->samples.y[i] - plan->bottom) / plan->height;
+    const double x = across - fringes_moved(room->shared, wavelength, 0, across, up) / plan->width;
+    const double y = up - fringes_moved(room->shared, wavelength, 1, across, up) / plan->height;
+    const double column = TILE_ACROSS * x - (double)cell->column;
+    const double row = TILE_DOWN * y - (double)cell->row;
+    return column >= 0 && column < 1 && row >= 0 && row < 1;
+}
+
+/* A block of points: rays of the middle, for all channels. */
+static void sum_shared_block(const struct tile_rays *tile, const struct film_plan *plan,
+                             uint32_t block, struct tile_room *room, struct shared *shared)
+{
+    static const struct lanes lanes = {TILE_CHANNELS, {0, 1, 2}};
+    struct cell cells[RAYS_BLOCK];
+    trace_own(tile, plan, block, room, shared);
+    move_points(plan, room, cells);
+    lens_film_start(tile->film, &room->samples, room->rays.blocks);
+    lens_film_trace(tile->film, middle_of(tile), &room->samples, &room->rays);
+    look(tile, block, &lanes, room);
+    for (size_t i = 0; i < RAYS_BLOCK; i++) {
+        const double *light = room->light[i], weight = room->samples.weight[i];
+        double *own = shared->own[cells[i].pixel], *seen = shared->seen[cells[i].pixel];
+        double *sums = shared->light[cells[i].pixel];
+        count_ray(i, room);
+        for (size_t w = 0; w < tile->passes && arrives(room, i); w++) {
+            const struct spare_pass *pass = &tile->pass[w];
+            const double share = shows_same(plan, room, i, &cells[i], w) ? pass->share : 0;
+            for (size_t k = pass->begin; k < pass->end; k++) {
+                own[k] += w == middle_of(tile) ? pass->share * weight : 0;
+                seen[k] += share * weight;
+                sums[k] += share * weight * light[k];
+            }
+        }
+    }
+}
+
+/*
+ * Blocks of a tile whose colours share rays: of each pixel and colour the light that its own rays
+ * bring from a white scene, times the mean of what the shared rays show that look where these do.
+ */
+static void sum_shared(const struct tile_rays *tile, const struct film_plan *plan, size_t begin,
+                       size_t end, struct tile_room *room)
+{
+    struct shared shared;
+    memset(&shared, 0, sizeof shared);
+    for (uint32_t block = (uint32_t)begin; block < end; block++) {
+        sum_shared_block(tile, plan, block, room, &shared);
+    }
+    for (size_t i = 0; i < TILE_PIXELS; i++) {
+        for (size_t k = 0; k < TILE_CHANNELS; k++) {
+            if (shared.seen[i][k] > 0) {
+                room->sums[i][k] += shared.own[i][k] * shared.light[i][k] / shared.seen[i][k];
+            }
+        }
+    }
+}
+
+bool tile_rays_share(const struct tile_rays *tile, const struct film_plan *plan,
+                     struct tile_room *room)
+{
+    const struct fringes_question question = {
+        tile->film,
+        tile->passes,
+        middle_of(tile),
+        {plan->width / TILE_ACROSS, plan->height / TILE_DOWN}};
+    if (tile->may_share && tile->subject.view != NULL && !tile_rays_in_bands(tile)) {
+        room->shared = fringes_find(&question, plan, room->fringes);
+    }
+    return room->shared != NULL;
+}
+
+/* -------- tiles -------- */
+
 void tile_rays_sum(const struct tile_rays *tile, const struct film_plan *plan, size_t begin,
                    size_t end, struct tile_room *room)
 {
+    if (room->shared != NULL) {
+        sum_shared(tile, plan, begin, end, room);
+        return;
+    }
     /* the same points for all channels: what is left of noise is grey */
     for (size_t pass = 0; pass < tile->passes && !tile_rays_in_bands(tile); pass++) {
         struct way way = {.wavelength = pass, .pass = tile->pass[pass]};
@@ -188,6 +351,7 @@ void tile_rays_begin(const struct tile_rays *tile, size_t number, struct film_pl
 {
     const struct view *view = tile->subject.view;
     memset(room->sums, 0, sizeof room->sums);
+    room->shared = NULL;
     for (uint32_t k = 0; k < FILM_DIMENSIONS; k++) {
         plan->scrambling[k] = sobol_scrambling(tile->seed, number, k);
     }

@@ -3,6 +3,7 @@
 #ifndef LENSCALC_CAMERA_TILE_RAYS_H
 #define LENSCALC_CAMERA_TILE_RAYS_H
 
+#include "camera/fringes.h"
 #include "camera/photograph.h"
 #include "camera/subject.h"
 
@@ -12,6 +13,7 @@ struct tile_rays {
     struct subject subject;
     size_t passes; /* one a wavelength, or one for all where nothing disperses */
     const struct spare_pass *pass;
+    bool may_share;  /* rays of one wavelength may stand for those of all */
     double duration; /* of photograph_question */
     uint64_t seed;
     struct sobol when; /* the dimension after those of the film */
@@ -22,6 +24,8 @@ struct tile_room {
     struct film_samples samples;
     struct rays rays;
     subject_light light;
+    struct fringes_room *fringes;
+    const struct fringes *shared;    /* of a tile whose colours share their rays; else null */
     double times[RAYS_BLOCK];        /* when each ray comes, s; all 0 where nothing needs it */
     uint32_t when, hero;             /* the tile's scramblings of them, and of bands of blocks */
     struct points_sequence sequence; /* of the tile: what rays decide by in a scene */
@@ -33,12 +37,19 @@ struct tile_room {
 void tile_rays_open(const struct photograph_question *question, const struct lens_film *film,
                     struct arena *arena, struct tile_rays *tile);
 
-struct tile_room *tile_room_new(struct arena *arena);
+struct tile_room *tile_room_new(size_t passes, struct arena *arena);
 
 /* Is light carried in many bands, each a wavelength of the lens? */
 bool tile_rays_in_bands(const struct tile_rays *tile);
 
-/* Begin tile `number` of the frame: its points, of the plan, too; and sums of 0. */
+/*
+ * May rays of one colour stand for those of all in this tile, but for where they come from? Then
+ * tile_rays_sum looks along them alone.
+ */
+bool tile_rays_share(const struct tile_rays *tile, const struct film_plan *plan,
+                     struct tile_room *room);
+
+/* Begin tile `number` of the frame: its points, of the plan, too; and sums of 0; none is shared. */
 void tile_rays_begin(const struct tile_rays *tile, size_t number, struct film_plan *plan,
                      struct tile_room *room);
 

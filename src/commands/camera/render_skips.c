@@ -41,9 +41,20 @@ static const char *or_kept(const struct photograph_question *question, enum skip
     return (question->kept & 1U << skip) != 0 ? ", as --no-skip asks" : "";
 }
 
-static void explain_colour(const struct photograph_question *question, bool as_one,
-                           struct growing *remarks)
+static uint64_t count_tiles(const uint64_t *tiles)
 {
+    uint64_t all = 0;
+    for (int way = 0; way < SPARE_WAYS; way++) {
+        all += tiles[way];
+    }
+    return all;
+}
+
+static void explain_colour(const struct photograph_question *question,
+                           const struct photograph *photograph, struct growing *remarks)
+{
+    const uint64_t *tiles = photograph->counts + PHOTOGRAPH_WAYS;
+    const bool as_one = photograph->passes == 1;
     const bool in_bands =
         question->view != NULL && question->view->bands->count > PHOTOGRAPH_CHANNELS;
     growing_format(remarks, "colour: ");
@@ -51,21 +62,24 @@ static void explain_colour(const struct photograph_question *question, bool as_o
         growing_format(remarks, "%zu bands, four for each point%s", question->view->bands->count,
                        as_one ? ": " : ", a ray each");
     }
-    growing_format(remarks, "%s%s\n",
+    growing_format(remarks, "%s",
                    as_one     ? "all colours go the same way: one pass of rays"
                    : in_bands ? ""
-                   : question->view != NULL
-                       ? "a pass of rays for each, of grey scenes too: the lens "
-                         "sends them different ways"
-                       : "a pass of rays for each",
-                   or_kept(question, SKIP_COLOUR));
+                              : "a pass of rays for each");
+    if (question->view != NULL && !as_one && !in_bands) {
+        growing_format(remarks,
+                       ", but one for all in %" PRIu64 " of %" PRIu64
+                       " tiles, where the lens sends them to within a quarter of a pixel",
+                       tiles[SPARE_SHARED], count_tiles(tiles));
+    }
+    growing_format(remarks, "%s\n", or_kept(question, SKIP_COLOUR));
 }
 
 /* Tiles that need few rays, or none. */
 static void explain_tiles(const struct photograph_question *question, const uint64_t *tiles,
                           struct growing *remarks)
 {
-    const uint64_t all = tiles[SPARE_TRACED] + tiles[SPARE_SHARP] + tiles[SPARE_EVEN];
+    const uint64_t all = count_tiles(tiles);
     if (question->view == NULL) {
         growing_format(remarks,
                        "blur: below a quarter of a pixel in %" PRIu64 " of %" PRIu64
@@ -73,8 +87,8 @@ static void explain_tiles(const struct photograph_question *question, const uint
                        "with one pupil%s\n",
                        tiles[SPARE_SHARP], all, or_kept(question, SKIP_BLUR));
     } else {
-        growing_format(remarks, "blur: no tile of a scene goes without: what a few rays meet says "
-                                "nothing of what lies between them\n");
+        growing_format(remarks, "blur: no tile of a scene goes without: little of its time is that "
+                                "of ways through the lens\n");
     }
     growing_format(remarks,
                    "uniform: %" PRIu64 " of %" PRIu64
@@ -119,7 +133,7 @@ void render_explain(const struct artifact_job *job, const struct photograph_ques
                    traced > 0 ? 100 * passed / traced : 0,
                    traced > 0 ? "those traced" : "none traced", or_kept(question, SKIP_PUPIL));
     render_explain_shutter(question->film.shutter, remarks);
-    explain_colour(question, photograph->passes == 1, remarks);
+    explain_colour(question, photograph, remarks);
     explain_tiles(question, tiles, remarks);
     growing_format(remarks, "time: %s%s\n",
                    question->duration > 0 ? "each ray has its own"
