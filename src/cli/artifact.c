@@ -2,6 +2,7 @@
 /* SPDX-License-Identifier: MIT */
 #include "cli/artifact.h"
 
+#include "base/name_index.h"
 #include "cli/arguments.h"
 #include "cli/sweep.h"
 #include "optics/growing.h"
@@ -333,25 +334,16 @@ bool artifacts_close(struct artifacts *artifacts, bool keep, struct error *error
     return done;
 }
 
-/* Is the line one of those of a text? */
-static bool has_line(struct text lines, struct text line)
-{
-    while (lines.length > 0) {
-        if (text_identical(text_cut(&lines, '\n'), line)) {
-            return true;
-        }
-    }
-    return false;
-}
-
 struct text artifacts_remarks(const struct artifacts *artifacts, struct arena *arena)
 {
     struct growing remarks = {.arena = arena};
+    struct name_index said = {0};
     for (size_t i = 0; i < artifacts->files && artifacts->sinks != NULL; i++) {
         struct text rest = artifacts->sinks[i].remarks;
         while (rest.length > 0) {
             const struct text line = text_cut(&rest, '\n');
-            if (!has_line(growing_done(&remarks), line)) {
+            if (name_index_find(&said, line) == NAME_NONE) {
+                name_index_add(&said, line, arena);
                 growing_format(&remarks, "%.*s\n", (int)line.length, line.start);
             }
         }

@@ -435,6 +435,7 @@ struct render_shot {
     struct text doubts;           /* lines about the lens */
     bool is_world;                /* of a scene, whose light is not that of a white card */
     bool is_last;                 /* this exposure of it may use it up */
+    bool is_one_of_many;          /* what is true of all exposures stands in a line of its own */
 };
 
 /* Errors: ERROR_USAGE: something that this kind of file cannot hold */

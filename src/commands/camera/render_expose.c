@@ -205,26 +205,28 @@ static void add_warnings(const struct render_input *input, const struct render_s
     }
 }
 
+/* What all exposures share, and this one. */
 static void add_remarks(const struct render_input *input, const struct render_shot *shot,
                         const struct exposure *exposure, struct growing *remarks)
 {
     const bool is_leaf = input->shutter.kind == SHUTTER_LEAF;
     const struct photograph *photograph = &shot->photograph;
+    const char *why = !exposure->is_chosen    ? ""
+                      : shot->is_world        ? ": metered, 10/ISO lx s on average (ISO 2720)"
+                      : render_is_film(input) ? ": 18 % grey as a meter exposes it"
+                                              : ": white half a stop below saturation";
     char time[64];
     spoken_time(time, exposure->time, 3);
     if (shot->is_world) {
-        growing_format(remarks, "%.4g lx on the film on average, %s%s at ISO %.4g%s\n",
-                       photograph_luminance(photograph->mean),
-                       is_leaf ? "as if fully open for " : "", time, exposure->iso,
-                       exposure->is_chosen ? ": metered, 10/ISO lx s on average (ISO 2720)" : "");
-        return;
+        growing_format(remarks, "%.4g lx on the film on average",
+                       photograph_luminance(photograph->mean));
+    } else {
+        growing_format(remarks, "%.4g x %.4g mm of the card; white of %.4g cd/m2",
+                       photograph->card.width, photograph->card.height, exposure->luminance);
     }
-    growing_format(remarks, "%.4g x %.4g mm of the card; white of %.4g cd/m2, %s at ISO %.4g%s\n",
-                   photograph->card.width, photograph->card.height, exposure->luminance, time,
-                   exposure->iso,
-                   !exposure->is_chosen    ? ""
-                   : render_is_film(input) ? ": 18 % grey as a meter exposes it"
-                                           : ": white half a stop below saturation");
+    growing_format(remarks, "%s%s%s at ISO %.4g%s\n", shot->is_one_of_many ? "\n" : ", ",
+                   shot->is_world && is_leaf ? "as if fully open for " : "", time, exposure->iso,
+                   why);
 }
 
 /* -------- a file -------- */
