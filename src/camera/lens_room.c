@@ -2,7 +2,91 @@
 /* SPDX-License-Identifier: MIT */
 #include "camera/lens_room.h"
 
+#include "analysis/layout.h"
+#include "optics/aperture.h"
 #include "scene/mesh.h"
+
+/* -------- the lens -------- */
+
+/* Along z, of a rim at a distance from the axis: beyond its edge it goes on as a flat. */
+static double face_at(const struct lens_rim *rim, double r)
+{
+    const double sag = rim->surface == NULL ? 0 : surface_sag(rim->surface, fmin(r, rim->radius));
+    return rim->vertex + (isfinite(sag) ? sag : 0);
+}
+
+/* Does a point lie between a surface and the next? */
+static bool is_between(const struct lens_rim *rims, double r, double z)
+{
+    const double first = face_at(&rims[0], r), second = face_at(&rims[1], r);
+    if (!(z >= fmin(first, second) && z <= fmax(first, second))) {
+        return false;
+    }
+    if (rims[0].is_glass) {
+        return r <= fmax(rims[0].radius, rims[1].radius);
+    }
+    const double begins = face_at(&rims[0], rims[0].radius);
+    const double ends = face_at(&rims[1], rims[1].radius);
+    const double share = fmin(fmax((z - begins) / (ends - begins), 0), 1);
+    return r <= rims[0].radius + share * (rims[1].radius - rims[0].radius);
+}
+
+/* In the camera's frame. */
+static bool holds(const struct lens_room *room, struct vector at)
+{
+    const double r = hypot(at.x, at.y);
+    bool does = false;
+    for (size_t i = 0; i + 1 < room->count && !does; i++) {
+        does = is_between(&room->rims[i], r, at.z);
+    }
+    return does;
+}
+
+/* The surfaces of a straight lens, but for stops in air. */
+static size_t list_rims(const struct setup *setup, double entrance, double pupil,
+                        struct lens_rim *rims)
+{
+    const struct lens *lens = setup->lens;
+    double z = -pupil;
+    bool was_glass = false;
+    size_t count = 0;
+    for (size_t i = 0; i < lens->surface_count; i++) {
+        const struct surface *surface = &lens->surfaces[i];
+        const double reach = aperture_reach(surface);
+        const bool is_glass =
+            surface_reflects(surface) ? was_glass : !medium_is_air(&surface->medium);
+        if (!surface->is_stop || is_glass || was_glass) {
+            rims[count++] =
+                (struct lens_rim){surface, isfinite(reach) ? reach : entrance, z, is_glass};
+        }
+        z += surface_advance(surface).hi;
+        was_glass = is_glass;
+    }
+    return count;
+}
+
+struct lens_room lens_room_of(const struct setup *setup, double pupil, struct arena *arena)
+{
+    const double entrance = fabs(setup->first.entrance_diameter) / 2;
+    const double last = setup->first.length - pupil;
+    struct lens_rim *rims = ARENA_ARRAY(arena, setup->lens->surface_count + 1, struct lens_rim);
+    size_t count = layout_is_centred(setup->lens) ? list_rims(setup, entrance, pupil, rims) : 0;
+    if (count == 0) {
+        rims[count++] = (struct lens_rim){NULL, entrance, -pupil, false};
+    }
+    rims[count] = (struct lens_rim){NULL, rims[count - 1].radius,
+                                    last + (isfinite(setup->image) ? setup->image : 0), false};
+    struct lens_room room = {0, INFINITY, -INFINITY, rims, count + 1};
+    for (size_t i = 0; i < room.count; i++) {
+        const double edge = face_at(&rims[i], rims[i].radius);
+        room.radius = fmax(room.radius, rims[i].radius);
+        room.front = fmin(room.front, fmin(edge, rims[i].vertex));
+        room.back = fmax(room.back, fmax(edge, rims[i].vertex));
+    }
+    return room;
+}
+
+/* -------- things in it -------- */
 
 /* A box in the camera's frame, axis by axis. */
 struct part {
@@ -59,10 +143,12 @@ static bool ends_of(const struct lens_room *room, int axis, const double at[3], 
     return beside < r;
 }
 
+/* Surfaces one behind the other, of which the last ones may lie beside the lens. */
 static bool look_along(const struct lens_room *room, const struct world *world,
                        const struct scene_pose *camera, double time, int axis, double at[3],
                        size_t *thing)
 {
+    enum { SURFACES = 64 };
     double ends[2];
     struct world_hit hit;
     if (!ends_of(room, axis, at, ends)) {
@@ -71,14 +157,21 @@ static bool look_along(const struct lens_room *room, const struct world *world,
     at[axis] = ends[0];
     const struct vector from = {at[0], at[1], at[2]};
     const struct vector way = {axis == 0, axis == 1, axis == 2};
-    const struct world_ray ray = {.from =
-                                      vector_along(camera->at, 1, frame_out(&camera->turned, from)),
-                                  .way = frame_out(&camera->turned, way),
-                                  .time = time,
-                                  .farthest = ends[1] - ends[0]};
-    const bool meets = world_look(world, &ray, &hit);
-    *thing = meets ? hit.thing : *thing;
-    return meets;
+    struct world_ray ray = {.from = vector_along(camera->at, 1, frame_out(&camera->turned, from)),
+                            .way = frame_out(&camera->turned, way),
+                            .time = time,
+                            .farthest = ends[1] - ends[0]};
+    for (int i = 0; i < SURFACES && world_look(world, &ray, &hit); i++) {
+        const struct vector own = frame_in(&camera->turned, vector_minus(hit.at, camera->at));
+        if (holds(room, own)) {
+            *thing = hit.thing;
+            return true;
+        }
+        const double step = hit.distance + 1e-9 * (room->back - room->front);
+        ray.from = vector_along(ray.from, step, ray.way);
+        ray.farthest -= step;
+    }
+    return false;
 }
 
 static bool look_through(const struct lens_room *room, const struct world *world,

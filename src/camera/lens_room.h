@@ -3,14 +3,36 @@
 #ifndef LENSCALC_CAMERA_LENS_ROOM_H
 #define LENSCALC_CAMERA_LENS_ROOM_H
 
+#include "analysis/setup.h"
+#include "base/arena.h"
 #include "scene/world.h"
 
 #include <stdbool.h>
 
-/* A cylinder about the axis of a camera's own frame, whose z is backwards; mm. */
-struct lens_room {
-    double radius, front, back; /* from z = front to back */
+/* Of a surface: how far out it reaches, and its vertex along the camera's z, which is backwards. */
+struct lens_rim {
+    const struct surface *surface; /* null: a plane, the film */
+    double radius, vertex;         /* mm; the vertex from the camera's place */
+    bool is_glass;                 /* behind it, up to the next */
 };
+
+/* A body about the axis of a camera's own frame: what lies between surfaces, and up to the film. */
+struct lens_room {
+    double radius, front, back; /* of a cylinder about all of it, from z = front to back; mm */
+    const struct lens_rim *rims;
+    size_t count; /* of rims; 0: there is no room */
+};
+
+/*
+ * Where the lens is.
+ *
+ * Given     pupil  where the camera's place lies behind the first vertex, mm
+ * Result    surfaces reach as far out as light may pass them, of a surface that does not say how
+ *           far as far as the entrance pupil; the narrower surface of a piece of glass goes on as a
+ *           flat, and rims with air between them are joined by a cone. Stops are left out; a lens
+ *           with decentred or tilted surfaces is a cylinder as wide as the entrance pupil
+ */
+struct lens_room lens_room_of(const struct setup *setup, double pupil, struct arena *arena);
 
 /*
  * Does the surface of a thing pass through it?

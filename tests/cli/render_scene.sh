@@ -82,6 +82,13 @@ sed 's/=1mm at=0,0,3/=0.7mm at=4mm,3mm,3.001/' within.scene > beside.scene
 lenscalc render beside.scene $small -s 1m -o lost.pfm
 sed 's/=1mm at=0,0,3/=1m at=0,0,3/' within.scene > room.scene
 lenscalc render room.scene $small -s 1m -t 1 -o room.pfm
+# 19.95 mm before the camera's place stands the first vertex: 11 mm from the axis, beyond the pupil of
+# f/16, there is glass from 2.13 mm (29.48 - sqrt(29.48^2 - 11^2)) to 4.48 mm behind it, before that
+# air, and from 12.6 mm on nothing
+for at in 11mm,0,2.98325 11mm,0,2.98105 13mm,0,2.98325 0,-11mm,2.98325; do
+    sed "s/=1mm at=0,0,3/=0.3mm at=$at/" within.scene > glass.scene
+    lenscalc render glass.scene --lens double-gauss-50 --size 6x4 -N 16 -s inf -t 1 -o glass.pfm 2>&1 | grep -e stands -e average
+done
 printf 'camera at=0,0,3 look=0,0,0\nmaterial a lambert texture=lost.png\nlight sky uniform luminance=1\nsphere radius=1 material=a\n' > texture.scene
 lenscalc render texture.scene $small -s 1m -o lost.pfm
 lenscalc render lamps.scene $small -t 1us -o faint.png 2>&1 | grep warning

@@ -141,22 +141,17 @@ static double pupil_of(const struct setup *setup)
 }
 
 /* The time at which something stands where no ray can come. */
-static bool stand_clear(const struct render_world *world, const struct setup *setup, double time,
+static bool stand_clear(const struct render_world *world, const struct lens_room *room, double time,
                         struct error *error)
 {
-    const double pupil = pupil_of(setup);
-    const double length = fmax(setup->first.length, setup->image);
-    const struct lens_room room = {fabs(setup->first.entrance_diameter) / 2, -pupil,
-                                   length - pupil};
     size_t which;
-    if (!(length > 0) ||
-        !lens_room_holds(&room, &world->world, &world->scene.camera.where, time, &which)) {
+    if (!lens_room_holds(room, &world->world, &world->scene.camera.where, time, &which)) {
         return true;
     }
     fail(error, ERROR_DOMAIN,
          "what line %zu of %.200s places stands within the lens, which reaches from %.6g mm before "
-         "the camera's place to %.6g mm behind it",
-         world->scene.things[which].place.line, world->scene.source, pupil, length - pupil);
+         "the camera's place to its film %.6g mm behind it",
+         world->scene.things[which].place.line, world->scene.source, -room->front, room->back);
     return error_hint(error, "move it, or the camera");
 }
 
@@ -305,8 +300,9 @@ bool render_world_open(const struct artifact_job *job, const struct analysis_cas
         !lights_open(&world->scene, &world->bands, arena, &world->lights, error)) {
         return false;
     }
+    const struct lens_room room = lens_room_of(one->setup, pupil_of(one->setup), arena);
     for (int i = 0; i < 3; i++) {
-        if (!stand_clear(world, one->setup, (span[0] * (2 - i) + span[1] * i) / 2, error)) {
+        if (!stand_clear(world, &room, (span[0] * (2 - i) + span[1] * i) / 2, error)) {
             return false;
         }
     }
