@@ -17,12 +17,12 @@ import sys
 sys.dont_write_bytecode = True
 sys.path.insert(0, os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
 from harness import Checks, Program
+from photographs import DOUBLE_GAUSS, IRRADIANCE as PHOTOGRAPHED
 
 
 # film radius in mm: irradiance per unit radiance, good to about 1e-4
 IRRADIANCE = {
-    "cs348b-dgauss-50": {0: .192512, 5: .167216, 10: .125716, 15: .082428, 18: .057826,
-                         20: .042577, 21.633: .031036},
+    DOUBLE_GAUSS: {**PHOTOGRAPHED, 21.633: .031036},
     "cs348b-dgauss-50@4.275": {0: .011921, 10: .011215, 20: .009499, 21.633: .009179},
     "cs348b-wide-22": {0: .101025, 5: .086408, 10: .062632, 13.5: .045164, 17: .029989},
     "cs348b-telephoto-250": {0: .025110, 10: .024934, 20: .024410, 21.633: .024148},

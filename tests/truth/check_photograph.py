@@ -16,13 +16,8 @@ import tempfile
 sys.dont_write_bytecode = True
 sys.path.insert(0, os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
 from harness import Checks, Program
-from photographs import take, write_pfm
+from photographs import DOUBLE_GAUSS, IRRADIANCE, MEAN, on_diagonal, take, write_pfm
 
-DOUBLE_GAUSS = "cs348b-dgauss-50"
-# film radius, mm: E/L with the film at 36.105905 mm, to about 1e-4; and the mean over 36 x 24 mm
-# with the film at 36.3612 mm
-IRRADIANCE = {0: .192512, 5: .167216, 10: .125716, 15: .082428, 18: .057826, 20: .042577}
-MEAN = 0.110853
 
 
 def check_white(checks, program, folder):
@@ -30,20 +25,11 @@ def check_white(checks, program, folder):
     write_pfm(os.path.join(folder, "white.pfm"), [[1.0, 1.0], [1.0, 1.0]])
     common = ["white.pfm", "--lens", DOUBLE_GAUSS, "-s", "10m", "-t", "0.01", "-w", "d",
               "--field-width", "60m", "--samples", "1024"]
-    width, height = 90, 60
-    rows = take(program, checks, folder, *common, "--focus", "36.105905", "--size",
-                f"{width}x{height}")
+    rows = take(program, checks, folder, *common, "--focus", "36.105905", "--size", "90x60")
     if rows is None:
         return
     for radius, expected in IRRADIANCE.items():
-        # the four pixels about the middle, or along the diagonal
-        x, y = radius * 18 / math.hypot(18, 12), radius * 12 / math.hypot(18, 12)
-        column, row = x / 0.4 + width / 2, y / 0.4 + height / 2
-        left, above = int(column - 0.5), int(row - 0.5)
-        right, down = column - 0.5 - left, row - 0.5 - above
-        found = sum(rows[above + j][left + i][1] / 10 *
-                    (right if i else 1 - right) * (down if j else 1 - down)
-                    for i in (0, 1) for j in (0, 1))
+        found = on_diagonal(rows, 36, radius) / 10
         # one ray of a hundred is lost, so that 4 x 1024 know it to 1.5e-3 at 1 sigma
         checks.check(abs(found - expected) < 5e-3 * expected,
                      f"E/L at {radius} mm is {found}, expected {expected}")

@@ -17,14 +17,10 @@ import tempfile
 sys.dont_write_bytecode = True
 sys.path.insert(0, os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
 from harness import Checks, Program
-from photographs import Studio, centroid, mean_of, take, write_pfm
+from photographs import (DOUBLE_GAUSS, IRRADIANCE, MEAN, Studio, centroid, mean_of, on_diagonal,
+                         take, write_pfm)
 
-DOUBLE_GAUSS = "cs348b-dgauss-50"
-EFL = 50.358167  # mm, of this lens in golden figures
-# film radius, mm: E/L with the film at 36.105905 mm, to about 1e-4; and the mean over 36 x 24 mm
-# with the film at 36.3612 mm
-IRRADIANCE = {0: .192512, 5: .167216, 10: .125716, 15: .082428, 18: .057826, 20: .042577}
-MEAN = 0.110853
+EFL = 50.358167  # mm, of the double Gauss in golden figures
 UP = "camera at=0,1,0 look=0,2,0 up=0,0,-1\n"
 AHEAD = "camera at=0,0,0 look=0,0,-1\n"
 SKY = "light sky uniform luminance=1000\n"
@@ -32,20 +28,12 @@ SKY = "light sky uniform luminance=1000\n"
 
 def check_uniform(studio):
     """Irradiance of every film radius, with 1000 cd/m2 and 1/100 s: H = 10 E/L."""
-    width, height = 90, 60
-    rows = studio.take(UP + SKY, "-t", "0.01", "--focus", "36.105905", "--size",
-                       f"{width}x{height}", "--samples", "512", "--bounces", "0")
+    rows = studio.take(UP + SKY, "-t", "0.01", "--focus", "36.105905", "--size", "90x60",
+                       "--samples", "512", "--bounces", "0")
     if rows is None:
         return
     for radius, expected in IRRADIANCE.items():
-        x, y = radius * 18 / math.hypot(18, 12), radius * 12 / math.hypot(18, 12)
-        column, row = x / 0.4 + width / 2, y / 0.4 + height / 2
-        left, above = int(column - 0.5), int(row - 0.5)
-        right, down = column - 0.5 - left, row - 0.5 - above
-        found = sum(rows[above + j][left + i][1] / 10 *
-                    (right if i else 1 - right) * (down if j else 1 - down)
-                    for i in (0, 1) for j in (0, 1))
-        studio.near(found, expected, 5e-3, f"E/L at {radius} mm")
+        studio.near(on_diagonal(rows, 36, radius) / 10, expected, 5e-3, f"E/L at {radius} mm")
     rows = studio.take(UP + SKY, "-t", "0.01", "--focus", "36.3612", "--size", "45x30",
                        "--samples", "256")
     if rows is not None:
