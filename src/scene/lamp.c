@@ -74,6 +74,8 @@ static bool sample_flat(const struct scene_thing *thing, size_t triangle, struct
 /* -------- cards, and the sides of a box that are seen -------- */
 
 enum { SIDES = 6 };
+/* Of half a box: places that are less above a side, or below, are on it. */
+#define ON_SIDE 1e-6
 
 static struct rectangle card_of(const struct scene_thing *thing)
 {
@@ -92,7 +94,11 @@ static struct rectangle side_of(const struct scene_thing *thing, size_t side)
                               {half[next], half[last]}};
 }
 
-/* What is seen of the sides before each, and of all: from within of all, else of those in front. */
+/*
+ * What is seen of the sides before each, and of all: from within of all, else of those in front;
+ * from a place on a side nothing of that one, which fills half of all directions there and is in
+ * none of them that light leaves to.
+ */
 static double see_sides(const struct scene_thing *thing, struct vector from,
                         double below[SIDES + 1])
 {
@@ -105,10 +111,10 @@ static double see_sides(const struct scene_thing *thing, struct vector from,
     below[0] = 0;
     for (size_t side = 0; side < SIDES; side++) {
         const double outwards = side % 2 == 1 ? at[side / 2] : -at[side / 2];
+        const double height = outwards - half[side / 2];
+        const bool is_seen = (is_within || height > 0) && fabs(height) > ON_SIDE * half[side / 2];
         const struct rectangle rectangle = side_of(thing, side);
-        below[side + 1] =
-            below[side] +
-            (is_within || outwards > half[side / 2] ? rectangle_seen(&rectangle, from) : 0);
+        below[side + 1] = below[side] + (is_seen ? rectangle_seen(&rectangle, from) : 0);
     }
     return below[SIDES];
 }
