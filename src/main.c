@@ -7,6 +7,7 @@
 #include "report/version.h"
 
 #include <errno.h>
+#include <fcntl.h>
 #include <signal.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -43,10 +44,30 @@ static int unknown_command(const char *name)
     return ERROR_USAGE;
 }
 
+/*
+ * Who starts the program with one of its three streams closed would have the first file that it
+ * opens take that place, and what is said on the stream go into the file. Something is put there
+ * that refuses to be read from (standard input) or written to, as what is closed does.
+ */
+static bool occupy_streams(void)
+{
+    bool done = true;
+    for (int i = STDIN_FILENO; i <= STDERR_FILENO && done; i++) {
+        done = fcntl(i, F_GETFD) >= 0 ||
+               open("/dev/null", i == STDIN_FILENO ? O_WRONLY : O_RDONLY) == i;
+    }
+    return done;
+}
+
 int main(int argc, char **argv)
 {
-    /* a pipe that nobody reads is a failed write: files are settled before the program ends */
+    /* a pipe that nobody reads and a file that may not grow are failed writes: files are settled
+       before the program ends */
     signal(SIGPIPE, SIG_IGN);
+    signal(SIGXFSZ, SIG_IGN);
+    if (!occupy_streams()) {
+        return ERROR_IO; /* and nowhere to say so */
+    }
     if (argc < 2) {
         help_short();
         return ERROR_USAGE;

@@ -57,7 +57,7 @@ static bool choose_type(struct artifact_job *job, struct arena *arena, struct er
     if (types == NULL || job->type != NULL) {
         return true;
     }
-    bool nameless = job->path == NULL || strcmp(job->path, "-") == 0;
+    bool nameless = place_is_standard(job->path, arena);
     struct text path = text_of(nameless ? "" : job->path);
     job->type = file_type_of(types, path);
     bool only = types(1) == NULL && !has_known_ending(path);
@@ -141,15 +141,22 @@ static const char *other_writer(const struct artifacts *artifacts,
     return NULL;
 }
 
+/* Is a file there that would be replaced? */
+static bool is_file(const char *path, struct arena *arena)
+{
+    struct stat found;
+    const char *place = place_of(path, arena);
+    return place != NULL && place_descriptor(place, arena) == PLACE_CLOSED &&
+           stat(place, &found) == 0 && S_ISREG(found.st_mode);
+}
+
 /* A file that is there already, and two artifacts in one file. */
 static bool check_place(const struct artifacts *artifacts, const struct artifact_job *job,
                         const struct artifact_setting *setting, struct error *error)
 {
-    struct stat found;
     for (size_t i = 0; i < job->files && job->path != NULL; i++) {
         const char *path = numbered(job, i, setting->arena);
-        if (job->artifact->is_kept && !setting->common->force && stat(path, &found) == 0 &&
-            S_ISREG(found.st_mode)) {
+        if (job->artifact->is_kept && !setting->common->force && is_file(path, setting->arena)) {
             return fail(error, ERROR_IO, "%s already exists: --force overwrites it", path);
         }
         const char *other = other_writer(artifacts, setting, path);
@@ -176,10 +183,10 @@ static const void *const *inputs_of(const struct artifact_setting *setting, size
 }
 
 /* Bytes go to files and pipes. */
-static bool check_terminal(const struct artifact_job *job, struct error *error)
+static bool check_terminal(const struct artifact_job *job, struct arena *arena, struct error *error)
 {
-    const bool is_standard = job->path == NULL || strcmp(job->path, "-") == 0;
-    if (!job->artifact->is_binary || !is_standard || !isatty(STDOUT_FILENO)) {
+    if (!job->artifact->is_binary || !place_is_standard(job->path, arena) ||
+        !isatty(STDOUT_FILENO)) {
         return true;
     }
     fail(error, ERROR_USAGE, "a terminal shows no such files");
@@ -187,9 +194,9 @@ static bool check_terminal(const struct artifact_job *job, struct error *error)
 }
 
 /* Several files want names. */
-static bool check_names(const struct artifact_job *job, struct error *error)
+static bool check_names(const struct artifact_job *job, struct arena *arena, struct error *error)
 {
-    return job->files == 1 || (job->path != NULL && strcmp(job->path, "-") != 0) ||
+    return job->files == 1 || !place_is_standard(job->path, arena) ||
            fail(error, ERROR_USAGE, "%zu files do not go to standard output: --%s FILE", job->files,
                 job->artifact->option.name);
 }
@@ -199,7 +206,7 @@ static bool order(struct artifacts *artifacts, const struct artifact_setting *se
                   struct artifact_job job, struct error *error)
 {
     const struct artifact *artifact = job.artifact;
-    if (!check_scope(&job, setting, error) || !check_terminal(&job, error)) {
+    if (!check_scope(&job, setting, error) || !check_terminal(&job, setting->arena, error)) {
         return false;
     }
     const bool is_each = artifact->scope == ARTIFACT_OF_EACH;
@@ -216,7 +223,8 @@ static bool order(struct artifacts *artifacts, const struct artifact_setting *se
     job.files = is_each && !gathers       ? job.count
                 : artifact->count != NULL ? artifact->count(job.inputs[0])
                                           : 1;
-    if (!check_names(&job, error) || (artifact->check != NULL && !artifact->check(&job, error)) ||
+    if (!check_names(&job, setting->arena, error) ||
+        (artifact->check != NULL && !artifact->check(&job, error)) ||
         !check_place(artifacts, &job, setting, error)) {
         return false;
     }
@@ -299,11 +307,9 @@ bool artifacts_order(struct artifacts *artifacts, const struct artifact_setting 
 /* Of several files some may not be made: one of that name that is there stays, and is told. */
 static void tell_left(struct output *sinks, size_t count)
 {
-    struct stat found;
     for (size_t i = 0; i < count; i++) {
         struct output *sink = &sinks[i];
-        if (sink->is_unused && sink->path != NULL && stat(sink->path, &found) == 0 &&
-            S_ISREG(found.st_mode)) {
+        if (sink->is_unused && sink->path != NULL && is_file(sink->path, sink->arena)) {
             sink->remarks = text_of(arena_printf(
                 sink->arena, "%s stays as it was: it is of an earlier run\n", sink->path));
         }

@@ -25,13 +25,21 @@ static bool is_plain_or_new(const char *path)
     return stat(path, &status) != 0 || S_ISREG(status.st_mode);
 }
 
-/* The permissions that a file of this name has or would get. */
-static mode_t mode_of(const char *path)
+/*
+ * Give a new file the permissions that the one of this name has or would get, and its owner where
+ * that may be given. What lets a program run as its owner was said of the old content.
+ */
+static void resemble(int descriptor, const char *path)
 {
-    struct stat status;
-    mode_t mask = umask(0);
+    struct stat old = {0};
+    const mode_t mask = umask(0);
     umask(mask);
-    return stat(path, &status) == 0 ? status.st_mode & 07777 : 0666 & ~mask;
+    const bool is_there = stat(path, &old) == 0;
+    /* a file system without owners or permissions is no reason to fail */
+    if (is_there) {
+        (void)!fchown(descriptor, old.st_uid, old.st_gid);
+    }
+    (void)!fchmod(descriptor, is_there ? old.st_mode & 0777 : 0666 & ~mask);
 }
 
 /*
@@ -67,9 +75,12 @@ static bool name_nameless(struct output *output)
     return named;
 }
 
-/* A new file that becomes `path` at the end. */
+/* A new file that becomes `path` at the end. What may not be written is not replaced either. */
 static int open_beside(struct output *output, const char *path)
 {
+    if (access(path, W_OK) != 0 && errno != ENOENT) {
+        return -1;
+    }
     int descriptor = open_nameless(path, output->arena);
     output->is_nameless = descriptor >= 0;
     errno = output->is_nameless ? 0 : EEXIST;
@@ -78,10 +89,17 @@ static int open_beside(struct output *output, const char *path)
         descriptor = open(output->beside, O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0600);
     }
     if (descriptor >= 0) {
-        /* a file system without permissions is no reason to fail */
-        (void)!fchmod(descriptor, mode_of(path));
+        resemble(descriptor, path);
     }
     return descriptor;
+}
+
+/* What is open already is written to where it stands, another process's at its end. */
+static int open_again(const char *path, int descriptor)
+{
+    return descriptor >= 0               ? fcntl(descriptor, F_DUPFD_CLOEXEC, STDERR_FILENO + 1)
+           : descriptor == PLACE_FOREIGN ? open(path, O_WRONLY | O_APPEND | O_CLOEXEC)
+                                         : open(path, O_WRONLY | O_CLOEXEC);
 }
 
 void output_begin(struct output *output, int descriptor, struct arena *arena)
@@ -93,16 +111,17 @@ void output_begin(struct output *output, int descriptor, struct arena *arena)
 bool output_open(struct output *output, const char *path, struct arena *arena, struct error *error)
 {
     output_begin(output, STDOUT_FILENO, arena);
-    if (path == NULL || strcmp(path, "-") == 0) {
+    if (place_is_standard(path, arena)) {
         return true;
     }
     /* what a link points to is written, not the link replaced */
     const char *place = place_of(path, arena);
     output->path = place != NULL ? place : path;
     output->arena = arena;
-    output->is_renamed = place != NULL && is_plain_or_new(place);
+    const int descriptor = place_descriptor(output->path, arena);
+    output->is_renamed = place != NULL && descriptor == PLACE_CLOSED && is_plain_or_new(place);
     output->descriptor =
-        output->is_renamed ? open_beside(output, place) : open(output->path, O_WRONLY | O_CLOEXEC);
+        output->is_renamed ? open_beside(output, place) : open_again(output->path, descriptor);
     if (output->descriptor < 0) {
         return fail(error, ERROR_IO, "cannot write %s: %s", output->path, strerror(errno));
     }

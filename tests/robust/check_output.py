@@ -10,6 +10,7 @@ temporary file left behind, and the file that was there before still whole.
 import json
 import os
 import random
+import shutil
 import signal
 import subprocess
 import sys
@@ -54,6 +55,95 @@ def check_standard_output(checks, program):
         checks.check(result.returncode == expected, f"{quoted} <&-: status {result.returncode}")
     check_failed(checks, "--batch - <&-", program.shell("lenscalc dof --batch - <&-", "/"),
                  "standard input")
+
+
+BATCH = "printf 'f,N,s\\n50,x,3\\n50,4,3\\n' | lenscalc dof --batch - --csv --columns near"
+OPTIMIZE = "lenscalc optimize double-gauss --vary R1 --goals efl=101 --iterations 1"
+
+
+def check_closed_streams(checks, program):
+    """The first file that is opened does not become the stream that is closed."""
+    for script, name, status in (
+            (f"{OPTIMIZE} -o new >&-", "", 5), (f"{OPTIMIZE} -o new <&- >&-", "", 5),
+            ("lenscalc fit double-gauss --distortion 0 -o new.lens >&-", "", 5),
+            ("lenscalc tolerance double-gauss --grade commercial --trials 2 --save worst:1 -o new.lens "
+             ">&-", "", 5),
+            (f"{BATCH} -o rows 2>&-", "rows", 3), (f"{BATCH} -o rows <&- 2>&- >&-", "", 5)):
+        if " fit " in script and not program.has_solver():
+            continue
+        with tempfile.TemporaryDirectory() as folder:
+            result = program.shell(script, folder)
+            checks.check(result.returncode == status, f"{script}: status {result.returncode}, "
+                                                      f"expected {status}: {result.stderr!r}")
+            if status == 5:
+                checks.check(os.listdir(folder) == [], f"{script}: left {os.listdir(folder)}")
+                continue
+            with open(os.path.join(folder, name)) as file:
+                text = file.read()
+            checks.check(text.startswith("near_m\n") and "lenscalc" not in text,
+                         f"{script}: {text!r}")
+
+
+def check_open_streams(checks, program):
+    """A name of what is open is written to where it stands: a pipe, the middle of a file."""
+    fov = "lenscalc fov -f 24 --csv --columns horizontal"  # "horizontal_deg" and a row
+    for script in (f"echo keep > f; {fov} -o /dev/stdout >> f; echo tail >> f",
+                   f"{{ echo keep; {fov} -o /dev/stdout; echo tail; }} > f",
+                   f"{{ echo keep; {fov} -o /dev/fd/1; echo tail; }} > f",
+                   f"{{ echo keep; {fov} -o /proc/self/fd/5 5>&1; echo tail; }} > f",
+                   f"ln -s /dev/stderr here; {{ echo keep; {fov} -o here; echo tail; }} 2>&1 | cat > f",
+                   f"{{ echo keep; cd /dev; {fov} -o stdout; echo tail; }} > f",
+                   f"echo keep > f; {fov} -o /proc/$$/fd/7 7>> f 8>> f; echo tail >> f",
+                   f"echo keep > f; exec 7>> f; {fov} -o /proc/$$/fd/7; echo tail >> f",
+                   f"{{ echo keep; {fov} -o /dev/stdout; echo tail; }} | cat > f"):
+        with tempfile.TemporaryDirectory() as folder:
+            result = program.shell(script, folder)
+            with open(os.path.join(folder, "f")) as file:
+                lines = file.read().split("\n")
+            # 2 atan(36 / 48) = 73.7398 degrees
+            checks.check(lines[:2] == ["keep", "horizontal_deg"] and lines[3:] == ["tail", ""] and
+                         lines[2].startswith("73.7397952916"),
+                         f"{script}: {lines}, {result.stderr!r}")
+    with tempfile.TemporaryDirectory() as folder:
+        for script, found in ((f"{OPTIMIZE} -o /dev/stdout > f", b"write the same file"),
+                              ("lenscalc fan double-gauss --plot /dev/stdout > f",
+                               b"write the same file"),
+                              (f"{fov} -o /dev/fd/99", b"cannot write /dev/fd/99: Bad file"),
+                              ("lenscalc draw double-gauss -o /dev/stdout > f", b"")):
+            result = program.shell(script, folder)
+            checks.check(found in result.stderr and (result.returncode != 0 or found == b""),
+                         f"{script}: {result.returncode}, {result.stderr!r}")
+
+
+def check_protected(checks, program):
+    """What may not be written is not replaced; what runs with an owner's rights loses them."""
+    with tempfile.TemporaryDirectory() as folder:
+        os.chmod(folder, 0o777)
+        target = os.path.join(folder, "rows.csv")
+        with open(target, "w") as file:
+            file.write("keep\n")
+        os.chmod(target, 0o444)
+        nobody = {"user": 65534, "group": 65534, "extra_groups": []} if os.geteuid() == 0 else {}
+        # the program where everybody may run it
+        copy = os.path.join(folder, "copy")
+        shutil.copy(program.binary, copy)
+        os.chmod(copy, 0o755)
+        try:
+            result = subprocess.run([copy] + DOF + ["--csv", "-o", target], cwd=folder,
+                                    stderr=subprocess.PIPE, env=program.environment(), **nobody)
+        except (PermissionError, subprocess.SubprocessError):
+            return  # where nobody becomes anybody else
+        check_failed(checks, "-o over a protected file", result, "rows.csv: Permission denied")
+        with open(target) as file:
+            checks.check(file.read() == "keep\n", "a protected file is replaced")
+        os.chmod(target, 0o6755)
+        program.run(*DOF, "--csv", "-o", target)
+        mode = os.stat(target).st_mode & 0o7777
+        checks.check(mode == 0o755, f"-o over a program of mode 6755: mode {mode:o}")
+        if nobody:
+            os.chown(target, 65534, 65534)
+            program.run(*DOF, "--csv", "-o", target)
+            checks.check(os.stat(target).st_uid == 65534, "-o over a file gives it an owner")
 
 
 def check_pipe(checks, program):
@@ -180,8 +270,7 @@ def check_full_disk(checks, program):
         for words, option in ((SWEEP, "-o"), (["list", "cameras", "--csv"], "-o"),
                               (["dof", "-f", "50", "-N", "4", "-s", "1..10"], "--plot"),
                               (DOF, "--scale")):
-            # SIGXFSZ must not kill: ignored, the write fails with EFBIG
-            script = (f"trap '' XFSZ; ulimit -f 4; lenscalc {' '.join(words)} {option} big.out "
+            script = (f"ulimit -f 4; lenscalc {' '.join(words)} {option} big.out "
                       f"> /dev/null")
             result = program.shell(script, folder)
             check_failed(checks, f"{' '.join(words)} {option} on a full disk", result, "big.out")
@@ -234,7 +323,8 @@ def check_json(checks, program):
 
 def main():
     checks, program = Checks(), Program(sys.argv[1])
-    for check in (check_standard_output, check_pipe, check_places, check_links, check_memory, check_full_disk,
+    for check in (check_standard_output, check_closed_streams, check_open_streams, check_protected,
+                  check_pipe, check_places, check_links, check_memory, check_full_disk,
                   check_interrupted, check_json):
         check(checks, program)
     checks.finish()
