@@ -254,12 +254,29 @@ static bool set_format(struct batch *batch, enum batch_format format, struct tex
     return true;
 }
 
+/* Is there a carriage return that no line feed follows? */
+static bool has_bare_return(struct text line)
+{
+    const char *const end = line.start + line.length;
+    const char *at = line.start;
+    do {
+        at = memchr(at, '\r', (size_t)(end - at));
+    } while (at != NULL && ++at < end && *at == '\n');
+    return at != NULL;
+}
+
 /* Names of the columns from the header line. */
 static bool read_header(struct batch *batch, struct text line, struct error *error)
 {
     struct text rest = line;
     if (memchr(line.start, '\0', line.length) != NULL) {
         fail(error, ERROR_DATA, "NUL bytes in the header: this is not UTF-8 text (UTF-16?)");
+        return error_locate(error, batch->source, batch->line, 0);
+    }
+    if (has_bare_return(line)) {
+        fail(error, ERROR_DATA,
+             "lines end in a carriage return alone: expected a line feed, as tr '\\r' '\\n' makes "
+             "it");
         return error_locate(error, batch->source, batch->line, 0);
     }
     while (rest.start != NULL) {

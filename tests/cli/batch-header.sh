@@ -4,7 +4,8 @@ printf 'f,f\n1,2\n' > twice.csv
 printf 'f,N,s,focal_mm\n1,2,3,4\n' > same.csv
 printf 'f_kg,N,s\n1,2,3\n' > unit.csv
 : > empty.csv
-for file in none twice same unit empty missing; do
+printf 'note,f_mm,N,s_m\ra,50,4,3\rb,50,4,4\r' > returns.csv
+for file in none twice same unit empty missing returns; do
     lenscalc dof --batch $file.csv --csv --columns near_m
     echo "$file status $?"
 done
@@ -13,4 +14,7 @@ echo "status $?"
 lenscalc dof --batch none.csv --batch-format xml
 echo "status $?"
 printf 'f,N,s\n50,2.8,3\n' | lenscalc dof --batch - -P 1,2
+echo "status $?"
+# line breaks of either kind within a quoted name are the name's
+printf '"a\r\nb",f,N,s\r\n1,50,2.8,3\r\n' | lenscalc dof --batch - --csv --columns near_m
 echo "status $?"
