@@ -6,9 +6,14 @@
 #include "report/version.h"
 
 #include <errno.h>
+#include <fcntl.h>
+#include <spawn.h>
 #include <stdlib.h>
 #include <string.h>
+#include <sys/wait.h>
 #include <unistd.h>
+
+extern char **environ; /* POSIX leaves its declaration to the program */
 
 enum { LONGEST_PATH = 4096 };
 
@@ -29,6 +34,34 @@ static char *own_folder(struct arena *arena)
     }
     *slash = '\0';
     return path;
+}
+
+/*
+ * Does the program start? A loader that does not find a library, or no memory for one, ends it
+ * after execv, when nobody is left to give that a status; the loader says itself what it lacks.
+ */
+static bool can_start(const char *path, struct error *error)
+{
+    char *const words[] = {(char *)path, (char *)"--version", NULL};
+    posix_spawn_file_actions_t quietly;
+    pid_t child;
+    int status = -1, failure = posix_spawn_file_actions_init(&quietly);
+    if (failure == 0) {
+        posix_spawn_file_actions_addopen(&quietly, STDIN_FILENO, "/dev/null", O_RDONLY, 0);
+        posix_spawn_file_actions_addopen(&quietly, STDOUT_FILENO, "/dev/null", O_WRONLY, 0);
+        failure = posix_spawn(&child, path, &quietly, NULL, words, environ);
+        posix_spawn_file_actions_destroy(&quietly);
+    }
+    if (failure != 0) {
+        return fail(error, ERROR_IO, "%s does not start: %s", path, strerror(failure));
+    }
+    while (waitpid(child, &status, 0) < 0 && errno == EINTR) {
+    }
+    return (WIFEXITED(status) && WEXITSTATUS(status) == 0) ||
+           fail(error, ERROR_IO,
+                "%s, the program with the solver Ceres, does not start: a library is missing, or "
+                "there is no memory for it",
+                path);
 }
 
 bool relay_to_ceres(char **argv, struct arena *arena, struct error *error)
@@ -57,8 +90,11 @@ bool relay_to_ceres(char **argv, struct arena *arena, struct error *error)
         setenv("OMP_NUM_THREADS", "1", 1);
         setenv("OPENBLAS_NUM_THREADS", "1", 1);
         setenv(marker, LENSCALC_VERSION, 1);
+        if (!can_start(path, error)) {
+            return false;
+        }
         execv(path, argv);
-        return fail(error, ERROR_DOMAIN, "%s does not start: %s", path, strerror(errno));
+        return fail(error, ERROR_IO, "%s does not start: %s", path, strerror(errno));
     }
     return fail(error, ERROR_DOMAIN,
                 "this needs the solver Ceres, which this lenscalc is built without: install "

@@ -10,13 +10,13 @@
 
 /*
  * Become lenscalc-ceres, with the same arguments. It is looked for beside this program, then in
- * ../libexec/lenscalc from there. Nothing may have been read or written before. Where one of its
- * libraries is missing, the dynamic linker says which one and ends it with status 127.
+ * ../libexec/lenscalc from there. Nothing may have been read or written before. Whether it starts
+ * is tried first: where a library is missing, the dynamic linker says which one.
  *
  * Given     argv  of this program, ends with null
  * Result    true: this program has the solver. Else it only comes back with an error
- * Errors    ERROR_DOMAIN: there is none, it does not start, what goes by that name is without
- *           Ceres; of that program: it was started by one of another version
+ * Errors    ERROR_DOMAIN: there is none, what goes by that name is without Ceres; of that program:
+ *           it was started by one of another version. ERROR_IO: it does not start
  */
 bool relay_to_ceres(char **argv, struct arena *arena, struct error *error);
 

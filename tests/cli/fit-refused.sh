@@ -54,7 +54,12 @@ cp lenscalc lenscalc-ceres
 LENSCALC_RELAYED=0.0.9 "$(readlink -f "$(command -v lenscalc)")-ceres" fit double-gauss 2>&1 | sed 's|in /.* is version|in FOLDER is version|'
 printf 'no program\n' > lenscalc-ceres && chmod +x lenscalc-ceres
 ./lenscalc fit double-gauss 2>&1 | sed 's|: /.*/lenscalc-ceres|: lenscalc-ceres|'
-printf '#!/bin/sh\necho "$@"\ncat\nexit 3\n' > lenscalc-ceres
+# as a loader does that lacks a library
+printf '#!/bin/sh\necho libceres.so: not found >&2\nexit 127\n' > lenscalc-ceres
+./lenscalc fit double-gauss 2> said
+echo "status $?"
+sed 's|: /.*/lenscalc-ceres|: lenscalc-ceres|' said
+printf '#!/bin/sh\ntest "$1" = --version && exit\necho "$@"\ncat\nexit 3\n' > lenscalc-ceres
 echo input | ./lenscalc fit double-gauss --csv -o 'a b.lens'
 echo "status $?"
 lenscalc fit --help > help.txt && head -n 1 help.txt
