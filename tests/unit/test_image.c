@@ -76,6 +76,25 @@ static void test_names(struct arena *arena)
     CHECK_TEXT(image.notes[0].value, "a b c ");
     CHECK_TEXT(image.notes[1].key, "Place");
     CHECK_TEXT(image.notes[1].value, "f\xc3\xbcnf ??");
+    /* copies have notes of their own */
+    struct image other = image, third = image;
+    image_note(&other, arena, text_of("Other"), text_of("1"));
+    image_note(&third, arena, text_of("Third"), text_of("2"));
+    image_note(&image, arena, text_of("First"), text_of("3"));
+    image_note(&other, arena, text_of("Last"), text_of("4"));
+    CHECK(image.note_count == 3 && other.note_count == 4 && third.note_count == 3);
+    CHECK_TEXT(image.notes[2].key, "First");
+    CHECK_TEXT(other.notes[2].key, "Other");
+    CHECK_TEXT(other.notes[3].value, "4");
+    CHECK_TEXT(third.notes[2].value, "2");
+    CHECK_TEXT(third.notes[1].key, "Place");
+    /* floods of them take a moment: as copies of all before each it would be 640 GB */
+    for (size_t i = 0; i < 200000; i++) {
+        image_note(&third, arena, text_of("More"), text_of("x"));
+    }
+    CHECK(third.note_count == 200003);
+    CHECK_TEXT(third.notes[2].value, "2");
+    CHECK_TEXT(third.notes[200002].key, "More");
 }
 
 /*

@@ -53,12 +53,28 @@ static bool is_key(struct text key)
     return is_plain;
 }
 
+/* For one more note; a place that a copy of the image has taken is not there any more. */
+static void make_room(struct image *image, struct arena *arena)
+{
+    enum { LEAST = 16 };
+    const size_t count = image->note_count;
+    if (count < image->note_room && image->notes[count].key == NULL) {
+        return;
+    }
+    const size_t room = 2 * count > LEAST ? 2 * count : LEAST;
+    struct image_note *notes = ARENA_ARRAY(arena, room, struct image_note);
+    if (count > 0) {
+        memcpy(notes, image->notes, count * sizeof *notes);
+    }
+    image->notes = notes;
+    image->note_room = room;
+}
+
 void image_note(struct image *image, struct arena *arena, struct text key, struct text value)
 {
     if (!is_key(key)) {
         return;
     }
-    struct image_note *notes = ARENA_ARRAY(arena, image->note_count + 1, struct image_note);
     char *clean = arena_string(arena, value.start, value.length);
     for (size_t i = 0; i < value.length;) {
         const unsigned char c = (unsigned char)clean[i];
@@ -68,12 +84,9 @@ void image_note(struct image *image, struct arena *arena, struct text key, struc
         }
         i += length > 0 ? length : 1;
     }
-    if (image->note_count > 0) {
-        memcpy(notes, image->notes, image->note_count * sizeof *notes);
-    }
-    notes[image->note_count++] =
+    make_room(image, arena);
+    image->notes[image->note_count++] =
         (struct image_note){arena_string(arena, key.start, key.length), clean};
-    image->notes = notes;
 }
 
 static bool is_within(float value, enum image_range range)

@@ -25,7 +25,7 @@ struct image {
     float *pixels;                  /* rows from the top, the channels of a pixel together */
     const char *const *names;       /* of the channels; null: those of image_channel */
     struct image_note *notes;
-    size_t note_count;
+    size_t note_count, note_room; /* copies of an image may share the room: by image_note only */
     int bits; /* of the whole numbers that a file had: 8, 16; 0: it had floats, or there is none */
     double gamma; /* by which that file encodes light; 0: as sRGB does */
 };
@@ -72,6 +72,7 @@ const char *image_channel(const struct image *image, size_t channel, struct aren
  *
  * Given     key    1 to 79 ASCII letters, digits, blanks and "-_."; else nothing is noted
  *           value  any: control characters become blanks, what is no UTF-8 '?'
+ * Result    the image's own: copies of it that were made before do not have it
  */
 void image_note(struct image *image, struct arena *arena, struct text key, struct text value);
 
