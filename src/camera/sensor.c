@@ -80,7 +80,7 @@ static bool check_sensor(const struct image_sensor *sensor, const struct sensor_
         {"quantum efficiency", "", sensor->efficiency[0], 0, 1, true},
         {"quantum efficiency", "", sensor->efficiency[1], 0, 1, true},
         {"quantum efficiency", "", sensor->efficiency[2], 0, 1, true},
-        {"full well", " electrons", sensor->full_well, 0, (double)INFINITY, true},
+        {"full well", " electrons", sensor->full_well, 1, (double)INFINITY, false},
         {"dark current", " electrons/s", sensor->dark_current, 0, 1e9, false},
         {"temperature of the dark current", " C", sensor->dark_temperature, -273.15, 200, false},
         {"doubling of the dark current", " K", sensor->doubling, 1, 100, false},

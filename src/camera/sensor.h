@@ -59,7 +59,7 @@ struct image_sensor {
     double pitch; /* of the pixels, mm, > 0 */
     double fill;  /* share of the pixel that takes light, above 0, to 1 */
     double efficiency[SENSOR_CHANNELS]; /* electrons a photon, filters included, above 0, to 1 */
-    double full_well;                   /* electrons a pixel holds, > 0; infinite: no end */
+    double full_well;                   /* electrons a pixel holds, 1 and more; infinite: no end */
     double dark_current;                /* electrons a second at dark_temperature, >= 0 */
     double dark_temperature;            /* deg C */
     double doubling;                    /* of the dark current with temperature, K, 1 to 100 */

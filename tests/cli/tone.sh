@@ -89,6 +89,7 @@ try w-1.png --response debevec
 try w-1.png=1 w-2.png=1 --response debevec
 try w-1.png w-2.png --calibrate 5 --iso 100
 try w-1.png --full-well 5
+try w-1.png --full-well 0.5
 try w-1.png --align
 try light.pfm=1 light.pfm=2 --read-noise 5
 try scene.exr scene.exr=1/4
