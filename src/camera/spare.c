@@ -3,6 +3,7 @@
 #include "camera/spare.h"
 
 #include "camera/subject.h"
+#include "camera/tile_backdrop.h"
 #include "trace/dispatch.h"
 
 #include <math.h>
@@ -33,17 +34,20 @@ struct spare_room {
     struct pupil_rays *pupil; /* by pass */
     struct film_samples samples;
     struct rays rays;
-    struct relief_ray (*rim)[RAYS_BLOCK]; /* by pass */
-    bool (*passed)[RAYS_BLOCK];
-    double before; /* how far rays of rims start from where they are told, at most, mm */
+    struct tile_rims rims;
 };
+
+/* What is added to what the corners see, of its size, on each side. */
+static const double around = 0.1;
 
 struct spare_room *spare_room_new(size_t passes, struct arena *arena)
 {
     struct spare_room *room = ARENA_NEW(arena, struct spare_room);
     room->pupil = ARENA_ARRAY(arena, passes, struct pupil_rays);
-    room->rim = arena_array(arena, passes, sizeof *room->rim);
-    room->passed = arena_array(arena, passes, sizeof *room->passed);
+    room->rims = (struct tile_rims){.passes = passes,
+                                    .ray = arena_array(arena, passes, sizeof *room->rims.ray),
+                                    .passed = arena_array(arena, passes, sizeof *room->rims.passed),
+                                    .around = around};
     room->rays = rays_new(arena, RAYS_BLOCK);
     return room;
 }
@@ -137,7 +141,7 @@ static void trace_rims(const struct spare *spare, const struct film_plan *plan,
 {
     static const double v[] = {0.98, 0.9, 0.8, 0.5};
     const struct ray_block *rays = room->rays.blocks;
-    room->before = 0;
+    room->rims.before = 0;
     for (size_t w = 0; w < spare->passes; w++) {
         for (size_t i = 0; i < RAYS_BLOCK; i++) {
             const size_t corner = i / RIM;
@@ -148,10 +152,11 @@ static void trace_rims(const struct spare *spare, const struct film_plan *plan,
         }
         trace(spare, w, room);
         for (size_t i = 0; i < RAYS_BLOCK; i++) {
-            room->passed[w][i] = rays->lost[i] == 0 && rays->r[i] < 0;
-            room->rim[w][i] = subject_ray(rays, i, spare->plane);
-            if (room->passed[w][i]) {
-                room->before = fmax(room->before, fabs((spare->plane - rays->z[i]) / rays->r[i]));
+            room->rims.passed[w][i] = rays->lost[i] == 0 && rays->r[i] < 0;
+            room->rims.ray[w][i] = subject_ray(rays, i, spare->plane);
+            if (room->rims.passed[w][i]) {
+                room->rims.before =
+                    fmax(room->rims.before, fabs((spare->plane - rays->z[i]) / rays->r[i]));
             }
         }
     }
@@ -162,9 +167,9 @@ static void widen(const struct spare *spare, const struct spare_room *room, size
                   const size_t range[2], const double w[2], struct card_part *part)
 {
     for (size_t i = range[0]; i < range[1]; i++) {
-        for (int k = X; k < AXES && room->passed[wavelength][i]; k++) {
+        for (int k = X; k < AXES && room->rims.passed[wavelength][i]; k++) {
             for (int end = 0; end < 2; end++) {
-                const double at = seen_at(spare, &room->rim[wavelength][i], k, w[end]);
+                const double at = seen_at(spare, &room->rims.ray[wavelength][i], k, w[end]);
                 part->low[k] = fmin(part->low[k], at);
                 part->high[k] = fmax(part->high[k], at);
             }
@@ -172,8 +177,6 @@ static void widen(const struct spare *spare, const struct spare_room *room, size
     }
 }
 
-/* What is added to what the corners see, of its size, on each side. */
-static const double around = 0.1;
 static const struct card_part nothing = {{INFINITY, INFINITY}, {-INFINITY, -INFINITY}};
 
 /* Do enough rays of every corner pass to tell what it sees? */
@@ -183,7 +186,7 @@ static bool has_rims(const struct spare *spare, const struct spare_room *room)
     for (size_t pass = 0; pass < spare->passes; pass++) {
         size_t passed[CORNERS] = {0};
         for (size_t i = 0; i < RAYS_BLOCK; i++) {
-            passed[i / RIM] += room->passed[pass][i];
+            passed[i / RIM] += room->rims.passed[pass][i];
         }
         for (size_t corner = 0; corner < CORNERS; corner++) {
             all = all && passed[corner] >= RIM / 2;
@@ -325,7 +328,7 @@ static bool trace_nodes(const struct spare *spare, const struct film_plan *plan,
     bool all = true;
     for (size_t i = 0; i < RAYS_BLOCK; i++) {
         all = all && room->rays.blocks->lost[i] == 0 && room->rays.blocks->r[i] < 0;
-        room->rim[wavelength][i] = subject_ray(room->rays.blocks, i, spare->plane);
+        room->rims.ray[wavelength][i] = subject_ray(room->rays.blocks, i, spare->plane);
     }
     return all;
 }
@@ -399,7 +402,7 @@ static bool look_through_net(const struct spare *spare, const struct spare_tile 
             const size_t row = least_of((size_t)(down * (double)tile->down), tile->down - 1);
             const size_t pixel = row * tile->across + (tile->across - 1 - column);
             const size_t of_pupil = (block + 37 * i) % pupil->count;
-            struct relief_ray ray = ray_between(room->rim[wavelength], across, down);
+            struct relief_ray ray = ray_between(room->rims.ray[wavelength], across, down);
             for (int k = X; k < AXES; k++) {
                 ray.x[k] += pupil->from[of_pupil].x[k];
                 ray.slope[k] += pupil->from[of_pupil].slope[k];
@@ -437,79 +440,12 @@ static bool may_be_even(const struct spare *spare, const struct card_part *part)
             (relief->hidden == HIDDEN_NEARBY && (is_within || !relief->is_endless)));
 }
 
-/* The middle of where rays of rims start, and of where they go, in the lens's coordinates. */
-static struct ray_block middle_of(const struct spare *spare, const struct spare_room *room)
-{
-    struct ray_block middle = {.z = {spare->plane}};
-    double count = 0;
-    for (size_t pass = 0; pass < spare->passes; pass++) {
-        for (size_t i = 0; i < RAYS_BLOCK; i++) {
-            if (room->passed[pass][i]) {
-                const struct relief_ray *ray = &room->rim[pass][i];
-                const double r =
-                    -1 / sqrt(1 + ray->slope[X] * ray->slope[X] + ray->slope[Y] * ray->slope[Y]);
-                middle.x[0] += ray->x[X];
-                middle.y[0] += ray->x[Y];
-                middle.p[0] += r * ray->slope[X];
-                middle.q[0] += r * ray->slope[Y];
-                middle.r[0] += r;
-                count++;
-            }
-        }
-    }
-    middle.x[0] /= count;
-    middle.y[0] /= count;
-    return middle;
-}
-
-/* Rays of a tile in a scene whose camera stands still, with what is around them. */
-static struct backdrop_rays rays_of(const struct spare *spare, const struct spare_room *room)
-{
-    const struct ray_block middle = middle_of(spare, room);
-    const struct vector way = vector_unit((struct vector){middle.p[0], middle.q[0], middle.r[0]});
-    const struct world_ray ray = view_ray(&spare->view->camera, spare->view->pupil, &middle, 0, 0);
-    struct backdrop_rays rays = {.from = ray.from, .way = ray.way};
-    for (size_t pass = 0; pass < spare->passes; pass++) {
-        for (size_t i = 0; i < RAYS_BLOCK; i++) {
-            if (room->passed[pass][i]) {
-                const struct relief_ray *rim = &room->rim[pass][i];
-                const struct vector along = {-rim->slope[X], -rim->slope[Y], -1};
-                rays.radius =
-                    fmax(rays.radius, hypot(rim->x[X] - middle.x[0], rim->x[Y] - middle.y[0]));
-                rays.angle = fmax(rays.angle, atan2(vector_length(vector_cross(way, along)),
-                                                    vector_dot(way, along)));
-            }
-        }
-    }
-    rays.radius = (1 + 2 * around) * (rays.radius + room->before);
-    rays.angle *= 1 + 2 * around;
-    return rays;
-}
-
-/* Does it see nothing but light that is the same all over? */
-static bool sees_backdrop(const struct spare *spare, const struct spare_room *room,
-                          struct card_light *light)
-{
-    const struct bands *bands = spare->view->bands;
-    const struct backdrop_rays rays = rays_of(spare, room);
-    const struct lanes lanes = {CARD_CHANNELS, {0, 1, 2}};
-    struct radiance radiance;
-    if (!backdrop_is_even(&spare->backdrop, &rays, &lanes, &radiance)) {
-        return false;
-    }
-    for (size_t lane = 0; lane < lanes.count; lane++) {
-        for (size_t k = 0; k < CARD_CHANNELS; k++) {
-            light->of[k] += (float)(radiance.of[lane] * bands->rgb[lane][k]);
-        }
-    }
-    return true;
-}
-
 static enum spare_way take_backdrop(const struct spare *spare, const struct spare_tile *tile,
                                     const struct spare_room *room, double (*sums)[CARD_CHANNELS])
 {
     struct card_light light = {{0, 0, 0}};
-    if (sees_backdrop(spare, room, &light) && (has_light(spare, tile->plan) || is_black(light))) {
+    if (tile_sees_backdrop(spare->view, &spare->backdrop, &room->rims, &light) &&
+        (has_light(spare, tile->plan) || is_black(light))) {
         fill(spare, tile, light, sums);
         return SPARE_EVEN;
     }
