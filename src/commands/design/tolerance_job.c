@@ -14,11 +14,13 @@
 static struct text facts_of(const struct tolerance_job *job)
 {
     struct arena *arena = job->run->arena;
-    const char *facts = arena_printf(arena, "%zu", job->perturbations.count);
-    for (size_t i = 0; i < job->tolerance.figure_count; i++) {
-        facts = arena_printf(arena, "%s %a", facts, job->tolerance.nominal[i]);
+    const size_t count = job->tolerance.figure_count;
+    const char **facts = ARENA_ARRAY(arena, count + 1, const char *);
+    facts[0] = arena_printf(arena, "%zu", job->perturbations.count);
+    for (size_t i = 0; i < count; i++) {
+        facts[i + 1] = arena_printf(arena, " %a", job->tolerance.nominal[i]);
     }
-    return text_of(facts);
+    return text_of(arena_join(arena, facts, count + 1));
 }
 
 static bool divide(struct tolerance_job *job, struct error *error)

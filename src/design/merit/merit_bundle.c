@@ -104,34 +104,47 @@ static enum merit_symmetry symmetry_of(const struct bundle_wish *wish, size_t fi
                                                                      : SYMMETRY_NONE;
 }
 
+/* A field at all wavelengths. */
+static bool open_field(struct merit_bundle *bundle, size_t field, struct arena *room,
+                       struct error *error)
+{
+    const struct bundle_wish *wish = &bundle->wish;
+    struct letting letting = {.before = NULL};
+    for (size_t light = 0; light < wish->wavelength_count; light++) {
+        struct bundle_group *group = &bundle->groups[light * wish->field_count + field];
+        struct sample sample;
+        *group = (struct bundle_group){.field = field,
+                                       .light = light,
+                                       .symmetry = symmetry_of(wish, field),
+                                       .weight = wish->fields[field].weight *
+                                                 wish->wavelengths[light].weight};
+        if (light > 0 && !wish->clip) { /* the same at all wavelengths */
+            group->points = bundle->groups[field].points;
+            continue;
+        }
+        if (!find_sample(wish, field, light, &letting, room, &sample, error) ||
+            !merit_bundle_goes_on(bundle, sample.count, error)) {
+            return false;
+        }
+        merit_points_of(&sample, wish->whole ? SYMMETRY_NONE : group->symmetry, bundle->arena,
+                        &group->points);
+    }
+    return true;
+}
+
 static bool open_groups(struct merit_bundle *bundle, struct error *error)
 {
     const struct bundle_wish *wish = &bundle->wish;
-    bundle->groups =
-        ARENA_ARRAY(bundle->arena, wish->field_count * wish->wavelength_count, struct bundle_group);
-    struct letting *letting = ARENA_ARRAY(bundle->arena, wish->field_count, struct letting);
-    for (size_t light = 0; light < wish->wavelength_count; light++) {
-        for (size_t field = 0; field < wish->field_count; field++) {
-            struct bundle_group *group = &bundle->groups[bundle->group_count++];
-            struct sample sample;
-            *group = (struct bundle_group){.field = field,
-                                           .light = light,
-                                           .symmetry = symmetry_of(wish, field),
-                                           .weight = wish->fields[field].weight *
-                                                     wish->wavelengths[light].weight};
-            if (light > 0 && !wish->clip) { /* the same at all wavelengths */
-                group->points = bundle->groups[field].points;
-                continue;
-            }
-            if (!find_sample(wish, field, light, &letting[field], bundle->arena, &sample, error) ||
-                !merit_bundle_goes_on(bundle, sample.count, error)) {
-                return false;
-            }
-            merit_points_of(&sample, wish->whole ? SYMMETRY_NONE : group->symmetry, bundle->arena,
-                            &group->points);
-        }
+    bundle->group_count = wish->field_count * wish->wavelength_count;
+    bundle->groups = ARENA_ARRAY(bundle->arena, bundle->group_count, struct bundle_group);
+    struct arena room = {0}; /* what a field lets through is looked for in much more than is kept */
+    bool opened = true;
+    for (size_t field = 0; field < wish->field_count && opened; field++) {
+        opened = open_field(bundle, field, &room, error);
+        arena_reset(&room, (struct arena_mark){NULL, 0});
     }
-    return true;
+    arena_free(&room);
+    return opened;
 }
 
 /* -------- blocks -------- */
@@ -144,7 +157,8 @@ struct filling {
 
 static void open_block(struct merit_bundle *bundle, size_t light, struct filling *filling)
 {
-    const size_t most = bundle->wish.field_count;
+    const size_t fields = bundle->wish.field_count;
+    const size_t most = fields < RAYS_BLOCK ? fields : RAYS_BLOCK;
     filling->block = &bundle->blocks[bundle->block_count++];
     filling->used = 0;
     *filling->block = (struct bundle_block){

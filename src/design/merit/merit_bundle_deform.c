@@ -20,7 +20,7 @@ static void deform(struct merit_bundle *bundle, struct bundle_block *block,
     const struct bundle_light *light = &bundle->lights[block->light];
     const struct irregularity_sweep sweep = {&light->system, &light->layout, &bundle->work.tape,
                                              bundle->gradient};
-    const size_t count = wish->irregularity_count;
+    const size_t count = wish->irregularity_count, lanes = (size_t)block->aimed.lanes;
     struct ray_block adjoint;
     struct aimed_rates rates;
     for (size_t i = 0; i < count; i++) {
@@ -34,7 +34,7 @@ static void deform(struct merit_bundle *bundle, struct bundle_block *block,
         aimed_sweep(&block->aimed, &light->layout, &adjoint, bundle->gradient, &rates);
         for (size_t i = 0; i < count; i++) {
             irregularity_gain(&wish->irregularities[i], &sweep, &weights[i],
-                              block->deformed + ((size_t)which * count + i) * RAYS_BLOCK);
+                              block->deformed + ((size_t)which * count + i) * lanes);
         }
     }
 }
@@ -42,8 +42,8 @@ static void deform(struct merit_bundle *bundle, struct bundle_block *block,
 bool merit_bundle_deform(struct merit_bundle *bundle, struct error *error)
 {
     const size_t count = bundle->wish.irregularity_count;
-    struct irregularity_weights *weights =
-        ARENA_ARRAY(bundle->arena, count, struct irregularity_weights);
+    struct arena room = arena_within(&bundle->within);
+    struct irregularity_weights *weights = ARENA_ARRAY(&room, count, struct irregularity_weights);
     for (size_t k = 0; k < bundle->block_count; k++) {
         struct bundle_block *block = &bundle->blocks[k];
         struct ray_block end;
@@ -53,7 +53,8 @@ bool merit_bundle_deform(struct merit_bundle *bundle, struct error *error)
             return false;
         }
         if (block->deformed == NULL) {
-            block->deformed = ARENA_ARRAY(bundle->arena, BENT_PARTS * count * RAYS_BLOCK, double);
+            block->deformed = ARENA_ARRAY(
+                bundle->arena, BENT_PARTS * count * (size_t)block->aimed.lanes, double);
         }
         deform(bundle, block, weights);
         block->is_deformed = true;

@@ -14,7 +14,7 @@ enum { BENT_PARTS = 5 };
 /*
  * Move rays.
  *
- * Given     rows     of each part `count` rows of RAYS_BLOCK: derivatives by each amount
+ * Given     rows     of each part `count` rows of `lanes`: derivatives by each amount
  *           lanes    a multiple of RAYS_FEW
  *           path     that moves too; else its rows are not read
  *           end      receives the change; (p, q, r) keeps its length, to first order

@@ -6,14 +6,14 @@
 #define NAMED(a, b)  JOINED(a, b)
 
 /* The change of one part of RAYS_FEW rays. */
-static inline void change_of(const double *rows, const double *amounts, size_t count,
+static inline void change_of(const double *rows, size_t stride, const double *amounts, size_t count,
                              double change[RAYS_FEW])
 {
     for (int l = 0; l < RAYS_FEW; l++) {
         change[l] = 0;
     }
     for (size_t i = 0; i < count; i++) {
-        const double *restrict row = rows + i * RAYS_BLOCK;
+        const double *restrict row = rows + i * stride;
         const double amount = amounts[i];
         if (amount == 0) { /* of a single error all others are */
             continue;
@@ -27,10 +27,11 @@ static inline void change_of(const double *rows, const double *amounts, size_t c
 void NAMED(kernel_bend, KERNEL)(const double *rows, const double *amounts, size_t count, int lanes,
                                 bool path, struct ray_block *end)
 {
+    const size_t stride = (size_t)lanes;
     for (int from = 0; from < lanes; from += RAYS_FEW) {
         double change[BENT_PARTS][RAYS_FEW] = {{0}};
         for (size_t k = 0; k < (path ? BENT_PARTS : BENT_PARTS - 1); k++) {
-            change_of(rows + k * count * RAYS_BLOCK + from, amounts, count, change[k]);
+            change_of(rows + k * count * stride + from, stride, amounts, count, change[k]);
         }
         for (int l = 0; l < RAYS_FEW; l++) {
             const int i = from + l;
