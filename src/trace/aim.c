@@ -160,15 +160,45 @@ static void judge(const struct aim *aim, const struct pupil_point *point, size_t
     search->step[1] /= 2;
 }
 
-/* The Jacobian at where a search stands, from two rays close by; for searches that got stuck. */
-static bool refresh(const struct aim *aim, struct search *search)
+/* One step of all rays of a block that are still searching; are there any? */
+static bool advance_block(const struct aim *aim, const struct pupil_point *points, size_t count,
+                          struct search *searches)
 {
-    double slope[4];
-    if (!chief_slope(aim, search->at, slope)) {
+    size_t open[RAYS_BLOCK], lanes = 0;
+    for (size_t i = 0; i < count; i++) {
+        const struct search *search = &searches[i];
+        if (!search->done) {
+            struct ray ray = beam_ray(&aim->beam, search->at[0] + search->step[0],
+                                      search->at[1] + search->step[1]);
+            rays_set(&aim->work, lanes, aim->beam.n, &ray);
+            open[lanes++] = i;
+        }
+    }
+    if (lanes == 0) {
         return false;
     }
-    double det = slope[0] * slope[3] - slope[1] * slope[2];
-    double fresh[4] = {slope[3] / det, -slope[1] / det, -slope[2] / det, slope[0] / det};
+    chief_to_stop(aim, lanes);
+    for (size_t k = 0; k < lanes; k++) {
+        judge(aim, &points[open[k]], k, &searches[open[k]]);
+    }
+    return true;
+}
+
+static double left_of(const struct search *search)
+{
+    return hypot(search->miss[0], search->miss[1]);
+}
+
+static bool has_reached(const struct aim *aim, const struct search *search)
+{
+    return left_of(search) <= lead_reached * aim->stop_radius;
+}
+
+/* The Jacobian at where a search stands, for one that got stuck. */
+static bool refresh(const double slope[4], struct search *search)
+{
+    const double det = slope[0] * slope[3] - slope[1] * slope[2];
+    const double fresh[4] = {slope[3] / det, -slope[1] / det, -slope[2] / det, slope[0] / det};
     for (int i = 0; i < 4; i++) {
         if (!isfinite(fresh[i])) {
             return false;
@@ -178,48 +208,57 @@ static bool refresh(const struct aim *aim, struct search *search)
     multiply(search->inverse, search->miss, search->step);
     search->halvings = 0;
     search->is_fresh = true;
+    search->done = false;
     return true;
 }
 
-/* One step of all rays of a block that are still searching; are there any? */
-static bool advance_block(const struct aim *aim, const struct pupil_point *points, size_t count,
-                          struct search *searches)
+/* Those that begin anew with slopes of where they stand. Result: how many there are in `which`. */
+static size_t refresh_some(const struct aim *aim, struct search *searches, size_t *which,
+                           size_t count)
 {
-    bool busy = false;
-    for (size_t i = 0; i < count; i++) {
-        const struct search *search = &searches[i];
-        bool open = !search->done;
-        struct ray ray = beam_ray(&aim->beam, search->at[0] + (open ? search->step[0] : 0),
-                                  search->at[1] + (open ? search->step[1] : 0));
-        rays_set(&aim->work, i, aim->beam.n, &ray);
-        busy = busy || open;
+    double places[RAYS_BLOCK][2], slopes[RAYS_BLOCK][4];
+    bool found[RAYS_BLOCK];
+    size_t left = 0;
+    for (size_t k = 0; k < count; k++) {
+        places[k][0] = searches[which[k]].at[0];
+        places[k][1] = searches[which[k]].at[1];
     }
-    if (!busy) {
-        return false;
-    }
-    chief_to_stop(aim, count);
-    for (size_t i = 0; i < count; i++) {
-        if (!searches[i].done) {
-            judge(aim, &points[i], i, &searches[i]);
+    chief_slopes(aim, (const double(*)[2])places, count, slopes, found);
+    for (size_t k = 0; k < count; k++) {
+        if (found[k] && refresh(slopes[k], &searches[which[k]])) {
+            which[left++] = which[k];
         }
     }
-    return true;
+    return left;
 }
 
-/* A search that ended short of its target tries again with the slopes of where it stands. */
-static void retry(const struct aim *aim, const struct pupil_point *point, struct search *search)
+/* Searches that ended short of their targets try again with the slopes of where they stand, as
+   long as that brings them nearer. */
+static void retry(const struct aim *aim, const struct pupil_point *points, size_t count,
+                  struct search *searches)
 {
-    const double reached = lead_reached * aim->stop_radius;
-    for (int turn = 0; turn < 20 && hypot(search->miss[0], search->miss[1]) > reached; turn++) {
-        double before = hypot(search->miss[0], search->miss[1]);
-        search->done = false;
-        if (!refresh(aim, search)) {
-            return;
+    enum { TURNS = 20 };
+    size_t which[RAYS_BLOCK], some = 0;
+    double before[RAYS_BLOCK];
+    for (size_t i = 0; i < count; i++) {
+        searches[i].done = true;
+        before[i] = INFINITY;
+        which[some++] = i;
+    }
+    for (int turn = 0; turn < TURNS && some > 0; turn++) {
+        size_t left = 0;
+        for (size_t k = 0; k < some; k++) {
+            const struct search *search = &searches[which[k]];
+            if (left_of(search) < 0.99 * before[which[k]] && !has_reached(aim, search)) {
+                before[which[k]] = left_of(search);
+                which[left++] = which[k];
+            }
         }
-        for (int step = 0; step < STEPS && advance_block(aim, point, 1, search); step++) {
+        some = refresh_some(aim, searches, which, left);
+        for (int step = 0; step < STEPS && advance_block(aim, points, count, searches); step++) {
         }
-        if (!(hypot(search->miss[0], search->miss[1]) < 0.99 * before)) {
-            return;
+        for (size_t k = 0; k < some; k++) {
+            searches[which[k]].done = true;
         }
     }
 }
@@ -227,11 +266,6 @@ static void retry(const struct aim *aim, const struct pupil_point *point, struct
 static double determinant(const double m[4])
 {
     return m[0] * m[3] - m[1] * m[2];
-}
-
-static bool has_reached(const struct aim *aim, const struct search *search)
-{
-    return hypot(search->miss[0], search->miss[1]) <= lead_reached * aim->stop_radius;
 }
 
 static bool finish(const struct aim *aim, const struct search *search, struct ray *ray)
@@ -305,9 +339,7 @@ static void search_points(const struct aim *aim, const struct pupil_point *point
     }
     for (int step = 0; step < STEPS && advance_block(aim, points, count, searches); step++) {
     }
-    for (size_t i = 0; i < count; i++) {
-        retry(aim, &points[i], &searches[i]);
-    }
+    retry(aim, points, count, searches);
 }
 
 /* How far beside their places in the stop rays cross it that start so much beside their own. */

@@ -88,7 +88,7 @@ static bool find(struct solver_sided *sided, const double *residuals, const doub
         const double *row = sided->slopes + k * n;
         for (size_t i = 0; i < n && sided->counts[k]; i++) {
             sided->g[i] += residuals[sided->at[k]] * row[i];
-            for (size_t j = 0; j < n; j++) {
+            for (size_t j = 0; j < n && row[i] != 0; j++) { /* most know few parameters */
                 sided->h[i * n + j] += row[i] * row[j];
             }
         }
