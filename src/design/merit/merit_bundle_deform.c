@@ -53,8 +53,8 @@ bool merit_bundle_deform(struct merit_bundle *bundle, struct error *error)
             return false;
         }
         if (block->deformed == NULL) {
-            block->deformed = ARENA_ARRAY(
-                bundle->arena, BENT_PARTS * count * (size_t)block->aimed.lanes, double);
+            block->deformed =
+                ARENA_ARRAY(bundle->arena, BENT_PARTS * count * (size_t)block->aimed.lanes, double);
         }
         deform(bundle, block, weights);
         block->is_deformed = true;
