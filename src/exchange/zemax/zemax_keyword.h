@@ -34,7 +34,14 @@ bool zemax_read_setting(struct zemax_file *file, struct text keyword, struct err
 struct zemax_line *zemax_line_of(struct zemax_file *file, struct text keyword,
                                  struct number_scale scale);
 
-/* ERROR_DATA where a line has no number. */
+/*
+ * Is every word of the line a number, up to text in quotes?
+ *
+ * Errors    ERROR_DATA at the first that is none, or is beyond 1e100
+ */
+bool zemax_all_numbers(const struct zemax_line *line, struct error *error);
+
+/* The same, and there is one. */
 bool zemax_has_number(const struct zemax_line *line, struct error *error);
 
 #endif

@@ -1,6 +1,7 @@
 /* exchange/zemax/zemax_line.c - a line of a .zmx file: its keyword and its numbers. */
 /* SPDX-License-Identifier: MIT */
 #include "exchange/zemax/zemax_keyword.h"
+#include "file/lens_words.h"
 
 #include <math.h>
 #include <stdarg.h>
@@ -55,6 +56,7 @@ struct zemax_line *zemax_line_of(struct zemax_file *file, struct text keyword,
         bool number = pair_read(word.start, end, scale, &figure.value) == end &&
                       fabs(figure.value.hi) < 1e100;
         if (!number) {
+            line->stray = word.start[0] != '"' ? word : line->stray;
             break;
         }
         line->numbers[line->count++] = figure;
@@ -62,10 +64,20 @@ struct zemax_line *zemax_line_of(struct zemax_file *file, struct text keyword,
     return line;
 }
 
+bool zemax_all_numbers(const struct zemax_line *line, struct error *error)
+{
+    char what[100];
+    struct figure figure;
+    snprintf(what, sizeof what, "value behind %.*s", text_shown(line->keyword),
+             line->keyword.start);
+    return line->stray.start == NULL ||
+           lens_words_figure(&line->words, line->stray, NUMBER_UNSCALED, what, &figure, error);
+}
+
 bool zemax_has_number(const struct zemax_line *line, struct error *error)
 {
     if (line->count > 0) {
-        return true;
+        return zemax_all_numbers(line, error);
     }
     struct text word = line->first.start != NULL ? line->first : line->keyword;
     return file_words_fail(&line->words, word, error, "%.*s needs a number", 4,

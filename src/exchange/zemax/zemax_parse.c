@@ -78,9 +78,11 @@ static bool read_diameter(struct zemax_file *file, struct text keyword, struct e
 static bool read_aperture(struct zemax_file *file, struct text keyword, struct error *error)
 {
     const struct zemax_line *line = zemax_line_of(file, keyword, file->words.scale);
+    if (!zemax_has_number(line, error)) {
+        return false;
+    }
     if (line->count < 2) {
-        return zemax_has_number(line, error) &&
-               zemax_loss(file, line, error,
+        return zemax_loss(file, line, error,
                           "%.4s with one number" LOSS_VIGNETTES LOSS_INSTEAD "left out",
                           keyword.start);
     }
@@ -95,22 +97,20 @@ static bool read_aperture(struct zemax_file *file, struct text keyword, struct e
 static bool read_floating(struct zemax_file *file, struct text keyword, struct error *error)
 {
     const struct zemax_line *line = zemax_line_of(file, keyword, file->words.scale);
-    return line->count < 2
-               ? zemax_has_number(line, error)
-               : line->numbers[0].value.hi == 0 ||
-                     zemax_loss(file, line, error,
-                                "a floating aperture with a hole" LOSS_VIGNETTES LOSS_INSTEAD
-                                "the hole is left out");
+    return zemax_has_number(line, error) &&
+           (line->count < 2 || line->numbers[0].value.hi == 0 ||
+            zemax_loss(file, line, error,
+                       "a floating aperture with a hole" LOSS_VIGNETTES LOSS_INSTEAD
+                       "the hole is left out"));
 }
 
 static bool read_aperture_shift(struct zemax_file *file, struct text keyword, struct error *error)
 {
     const struct zemax_line *line = zemax_line_of(file, keyword, file->words.scale);
-    (void)error;
     if (zemax_number(line, 0) != 0 || zemax_number(line, 1) != 0) {
         surface_of(file)->aperture_shift = line;
     }
-    return true;
+    return zemax_all_numbers(line, error);
 }
 
 /*
@@ -156,7 +156,7 @@ static bool read_glass(struct zemax_file *file, struct text keyword, struct erro
     line->words = words;
     (void)keyword;
     surface_of(file)->glass = line;
-    return true;
+    return zemax_all_numbers(line, error);
 }
 
 static bool read_stop(struct zemax_file *file, struct text keyword, struct error *error)
@@ -194,6 +194,9 @@ static const struct zemax_line **place_of(struct zemax_file *file, const struct 
                                           struct error *error)
 {
     double number = zemax_number(line, 0);
+    if (!zemax_all_numbers(line, error)) {
+        return NULL;
+    }
     if (line->count < 2 || !(number >= 0 && number < 1e6)) {
         file_words_fail(&file->words, line->keyword, error, "%.4s needs a number and a value",
                         line->keyword.start);
@@ -225,9 +228,8 @@ static bool read_numbered(struct zemax_file *file, struct text keyword, struct e
 
 static bool read_solve(struct zemax_file *file, struct text keyword, struct error *error)
 {
-    (void)error;
     surface_of(file)->solve = zemax_line_of(file, keyword, NUMBER_UNSCALED);
-    return true;
+    return zemax_all_numbers(surface_of(file)->solve, error);
 }
 
 /* SCBD which .. : what is shifted and turned before the surface (1) or behind it (2). */
@@ -235,6 +237,9 @@ static bool read_shift(struct zemax_file *file, struct text keyword, struct erro
 {
     const struct zemax_line *line = zemax_line_of(file, keyword, NUMBER_UNSCALED);
     const double which = zemax_number(line, 0);
+    if (!zemax_all_numbers(line, error)) {
+        return false;
+    }
     if (which == 1 || which == 2) {
         *(which == 1 ? &surface_of(file)->shift_before : &surface_of(file)->shift_behind) = line;
         return true;
@@ -288,14 +293,14 @@ static const struct zemax_keyword *find_keyword(const struct zemax_file *file, s
 /* Are there numbers on the line, and all of them 0? `first` receives the first that is not. */
 static bool is_zero(const struct zemax_line *line, struct text *first)
 {
-    *first = line->keyword;
+    *first = line->stray.start != NULL ? line->stray : line->keyword;
     for (size_t i = 0; i < line->count; i++) {
         if (line->numbers[i].value.hi != 0) {
             *first = line->numbers[i].typed;
             return false;
         }
     }
-    return line->count > 0;
+    return line->count > 0 && line->stray.start == NULL;
 }
 
 /* A word of the table that has no reader. */

@@ -23,7 +23,8 @@ struct zemax_line {
     struct text first; /* the first word after the keyword */
     size_t count;      /* numbers before the first word that is none */
     struct figure *numbers;
-    bool infinite; /* the first word is INFINITY */
+    struct text stray; /* that word, where it is not text in quotes, which may follow numbers */
+    bool infinite;     /* the first word is INFINITY */
 };
 
 /* A surface. A line that the file does not have is null. */

@@ -1,6 +1,7 @@
 /* exchange/zemax/zemax_positions.c - the configurations of a .zmx file as positions of a lens. */
 /* SPDX-License-Identifier: MIT */
 #include "exchange/merge_positions.h"
+#include "exchange/zemax/zemax_keyword.h"
 #include "exchange/zemax/zemax_surface.h"
 #include "file/lens_unit.h"
 
@@ -314,12 +315,14 @@ static bool place_setting(const struct placing *placing)
         if (surface >= file->surface_count) {
             return true; /* of a surface that is gone */
         }
-        return (line->count > 2 || places_of[i].place == place_glass) &&
+        return (places_of[i].place == place_glass ||
+                (zemax_all_numbers(line, placing->error) && line->count > 2)) &&
                places_of[i].place(placing, &file->surfaces[surface]);
     }
     for (size_t i = 0; i < sizeof places_in_system / sizeof places_in_system[0]; i++) {
         if (text_same(line->keyword, places_in_system[i].word)) {
-            return line->count > 2 && places_in_system[i].place(placing);
+            return zemax_all_numbers(line, placing->error) && line->count > 2 &&
+                   places_in_system[i].place(placing);
         }
     }
     return true;

@@ -83,7 +83,8 @@ static bool read_aperture(struct zemax_file *file, struct text keyword, struct e
 {
     bool length = text_same(keyword, "ENPD"), none = text_same(keyword, "FLOA");
     file->aperture = zemax_line_of(file, keyword, length ? file->words.scale : NUMBER_UNSCALED);
-    return none || zemax_has_number(file->aperture, error);
+    return none ? zemax_all_numbers(file->aperture, error)
+                : zemax_has_number(file->aperture, error);
 }
 
 static bool read_fields(struct zemax_file *file, struct text keyword, struct error *error)
@@ -94,23 +95,20 @@ static bool read_fields(struct zemax_file *file, struct text keyword, struct err
 
 static bool read_x(struct zemax_file *file, struct text keyword, struct error *error)
 {
-    (void)error;
     file->x = zemax_line_of(file, keyword, NUMBER_UNSCALED);
-    return true;
+    return zemax_all_numbers(file->x, error);
 }
 
 static bool read_y(struct zemax_file *file, struct text keyword, struct error *error)
 {
-    (void)error;
     file->y = zemax_line_of(file, keyword, NUMBER_UNSCALED);
-    return true;
+    return zemax_all_numbers(file->y, error);
 }
 
 static bool read_field_weights(struct zemax_file *file, struct text keyword, struct error *error)
 {
-    (void)error;
     file->field_weights = zemax_line_of(file, keyword, NUMBER_UNSCALED);
-    return true;
+    return zemax_all_numbers(file->field_weights, error);
 }
 
 /* WAVM number wavelength weight */
@@ -118,6 +116,9 @@ static bool read_wave(struct zemax_file *file, struct text keyword, struct error
 {
     const struct zemax_line *line = zemax_line_of(file, keyword, NUMBER_UNSCALED);
     double number = zemax_number(line, 0), wavelength = zemax_number(line, 1);
+    if (!zemax_all_numbers(line, error)) {
+        return false;
+    }
     if (!(number >= 1 && number < ZEMAX_WAVES) || line->count < 2) {
         return file_words_fail(&line->words, line->keyword, error,
                                "WAVM needs the number, the wavelength and its weight");
@@ -139,6 +140,9 @@ static bool read_waves(struct zemax_file *file, struct text keyword, struct erro
 {
     const struct zemax_line *line = zemax_line_of(file, keyword, NUMBER_UNSCALED);
     bool weights = text_same(keyword, "WWGT") || text_same(keyword, "WWGN");
+    if (!zemax_all_numbers(line, error)) {
+        return false;
+    }
     if (line->count > ZEMAX_WAVES) {
         return file_words_fail(&line->words, line->numbers[ZEMAX_WAVES].typed, error,
                                "more than %d wavelengths", ZEMAX_WAVES);
@@ -166,18 +170,17 @@ static bool read_primary(struct zemax_file *file, struct text keyword, struct er
         return file_words_fail(&file->words, keyword, error, "PWAV needs a wavelength's number");
     }
     file->primary = (size_t)number - 1;
-    return true;
+    return zemax_all_numbers(file->primary_line, error);
 }
 
 /* VDYN 0 0.1 0.2: how the pupil of each field is shifted, scaled and turned. */
 static bool read_vignetting(struct zemax_file *file, struct text keyword, struct error *error)
 {
     const struct zemax_line *line = zemax_line_of(file, keyword, NUMBER_UNSCALED);
-    (void)error;
     for (size_t i = 0; i < line->count && file->vignetting == NULL; i++) {
         file->vignetting = line->numbers[i].value.hi != 0 ? line : NULL;
     }
-    return true;
+    return zemax_all_numbers(line, error);
 }
 
 /* GFAC type factor: 0 is an even pupil, as is a Gaussian, 1, of the factor 0. */
@@ -185,6 +188,9 @@ static bool read_apodisation(struct zemax_file *file, struct text keyword, struc
 {
     const struct zemax_line *line = zemax_line_of(file, keyword, NUMBER_UNSCALED);
     double type = zemax_number(line, 0);
+    if (!zemax_all_numbers(line, error)) {
+        return false;
+    }
     return type == 0 || (type == 1 && zemax_number(line, 1) == 0) ||
            zemax_loss(file, line, error, "GFAC: lenscalc has no apodised pupil" LOSS_VIGNETTES);
 }
@@ -194,6 +200,9 @@ static bool read_environment(struct zemax_file *file, struct text keyword, struc
 {
     const struct zemax_line *line = zemax_line_of(file, keyword, NUMBER_UNSCALED);
     file->environment = line;
+    if (!zemax_all_numbers(line, error)) {
+        return false;
+    }
     return zemax_number(line, 2) == 0 ||
            (zemax_number(line, 0) > -273.15 && zemax_number(line, 1) >= 0) ||
            file_words_fail(&line->words, keyword, error,

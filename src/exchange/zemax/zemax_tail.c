@@ -6,6 +6,9 @@ static bool read_configurations(struct zemax_file *file, struct text keyword, st
 {
     const struct zemax_line *line = zemax_line_of(file, keyword, NUMBER_UNSCALED);
     double count = zemax_number(line, 0);
+    if (!zemax_all_numbers(line, error)) {
+        return false;
+    }
     if (!(count >= 1 && count <= ZEMAX_CONFIGURATIONS)) {
         return file_words_fail(&file->words, keyword, error,
                                "MNUM needs the number of configurations, 1 to %d",
