@@ -120,6 +120,15 @@ static bool is_number(struct text text)
                                   text.start + text.length;
 }
 
+/* May it be the name of a glass before its indices, rather than a number gone wrong? */
+static bool is_name(const struct command_word *word)
+{
+    const struct text text = word->text;
+    return word->is_quoted ||
+           (strchr("0123456789+-.", text.start[0]) == NULL && !text_same(text, "nan") &&
+            !text_same(text, "inf") && !text_same(text, "infinity"));
+}
+
 /* {0.58756um 1.6201, 0.48613um 1.6272}, or one number where all are the same. */
 static const char *table_of(const struct oslo *oslo, size_t first, size_t count)
 {
@@ -245,10 +254,11 @@ bool oslo_glass(struct oslo *oslo, int what, struct error *error)
     if (word.text.length == 0) {
         return commands_fail(&oslo->commands, &word, error, "the glass is missing");
     }
-    if (is_number(word.text)) {
+    const bool has_indices = first + 1 < oslo->commands.count;
+    if (is_number(word.text) || (has_indices && !is_name(&word))) {
         return read_indices(oslo, first, is_model, error);
     }
-    if (first + 1 < oslo->commands.count) {
+    if (has_indices) {
         return read_indices(oslo, first + 1, is_model, error);
     }
     return find_glass(oslo, &oslo->commands.words[first], error);
