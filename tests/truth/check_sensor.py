@@ -18,7 +18,7 @@ import tempfile
 sys.dont_write_bytecode = True
 sys.path.insert(0, os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
 from harness import Checks, Program
-from photographs import take, write_pfm
+from photographs import read_pfm, read_png, take, write_pfm
 
 PLANCK, LIGHT, LUMENS = 6.62607015e-34, 299792458, 683.002
 XYZ = ((0.4124, 0.3576, 0.1805), (0.2126, 0.7152, 0.0722), (0.0193, 0.1192, 0.9505))
@@ -143,6 +143,31 @@ def check_noise(checks, program, folder):
     checks.check(full is not None and {n for (n,) in sum(full, [])} == {16383}, "white saturates")
 
 
+def check_series(checks, program, folder):
+    """Exposures of one run are equal and their noise is not: merged it falls; the first is as alone."""
+    write_pfm(os.path.join(folder, "white.pfm"), [[1.0, 1.0], [1.0, 1.0]])
+    words = ["white.pfm"] + PLAIN + ["60x40"]
+    cases = {".png": (["--pitch", "3um", "--response", "mono", "--raw"], ["--noise", "--read-noise", "6"]),
+             ".pfm": (["--film", "HP5 Plus"], ["--grain", "17"])}
+    for ending, (common, noise) in cases.items():
+        own = words + common
+        clean = take(program, checks, folder, *own, "-t", "1/400", name="clean" + ending)
+        alone = take(program, checks, folder, *own, *noise, "-t", "1/400", name="alone" + ending)
+        result = program.run("render", *own, *noise, "-t", "1/400,1/400", "-o", "one" + ending,
+                             cwd=folder)
+        if not checks.check(result.returncode == 0, f"{common}: {result.stderr}"):
+            return
+        read = read_pfm if ending == ".pfm" else read_png
+        both = [read(os.path.join(folder, f"one-{i}{ending}")) for i in (1, 2)]
+        checks.check(both[0] == alone, f"{common}: the first of two exposures is not as it is alone")
+        off = [[(a[0] if isinstance(a, tuple) else a) - (b[0] if isinstance(b, tuple) else b)
+                for p, q in zip(rows, clean) for a, b in zip(p, q)] for rows in both]
+        product = sum(a * b for a, b in zip(*off))
+        correlation = product / math.sqrt(sum(a * a for a in off[0]) * sum(b * b for b in off[1]))
+        checks.check(abs(correlation) < 4 / math.sqrt(len(off[0])),
+                     f"{common}: noise of two exposures has a correlation of {correlation:.3f}")
+
+
 def behind_stop(radius, power, taken):
     """The integral of cos^power taken(theta) over a stop of 2 mm, 30 mm from the film."""
     steps, total = 40, 0
@@ -192,6 +217,7 @@ def main():
         check_table(checks, program, folder)
         check_white(checks, program, folder)
         check_noise(checks, program, folder)
+        check_series(checks, program, folder)
         check_acceptance(checks, program, folder)
     return checks.finish()
 

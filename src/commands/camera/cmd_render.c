@@ -174,7 +174,7 @@ static const struct option options[] = {
     {OPTION(struct render_input, no_skip), .name = "no-skip", .value = "NAMES",
      .help = "do without a skip: pupil, colour, blur, uniform, exposures, time, secondary, or all"},
     {OPTION(struct render_input, seed), .name = "seed", .lowest = 0, .highest = 1e9,
-     .fallback = "0", .value = "NUMBER", .help = "another one gives other rays"},
+     .fallback = "0", .value = "NUMBER", .help = "another one gives other rays, noise and grain"},
     {OPTION(struct render_input, threads), .name = "threads", .lowest = 0, .highest = PARALLEL_MOST,
      .value = "N", .fallback = "1", .flags = OPTION_ASIDE, .help = "threads; 0 = one a core"},
     {OPTION(struct render_input, part), .name = "part", .value = "I/N", .flags = OPTION_ASIDE,

@@ -229,11 +229,15 @@ struct render_frame {
     size_t columns, rows;    /* of all of it */
     struct image_area crop;  /* that are wanted, */
     struct image_area taken; /* and that are needed for them: of a sensor some beside them */
+    size_t number;           /* of the exposure among those of a run, from 0 */
 };
 
 /* Errors: ERROR_USAGE: no size, no crop, one that is not within the picture */
 bool render_frame_read(const struct render_input *input, struct render_frame *frame,
                        struct error *error);
+
+/* What noise and grain are drawn by: each exposure has its own, the first that of the seed alone. */
+uint64_t render_frame_seed(const struct render_input *input, const struct render_frame *frame);
 
 /*
  * Leave of a picture what is wanted.

@@ -109,7 +109,7 @@ bool render_develop(const struct render_input *input, bool is_print,
     const struct sensor_place place = {frame->taken.left, frame->taken.top, frame->columns};
     struct emulsion film = {.granularity = isnan(input->grain) ? 0 : input->grain,
                             .pitch = input->sensor.size.width / (double)frame->columns,
-                            .seed = (uint64_t)input->seed,
+                            .seed = render_frame_seed(input, frame),
                             .threads = parallel_threads(input->threads)};
     struct image density;
     if (!characteristic_open(&negative, &film.curve, error) ||

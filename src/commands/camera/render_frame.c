@@ -80,6 +80,7 @@ bool render_frame_read(const struct render_input *input, struct render_frame *fr
     if (!read_size(input, frame, error) || !read_crop(input, frame, error)) {
         return false;
     }
+    frame->number = 0;
     const struct image_area *crop = &frame->crop;
     const size_t margin = render_senses(input) && !input->raw ? MARGIN : 0;
     struct image_area *taken = &frame->taken;
@@ -89,6 +90,11 @@ bool render_frame_read(const struct render_input *input, struct render_frame *fr
     taken->width = (right < frame->columns ? right : frame->columns) - taken->left;
     taken->height = (bottom < frame->rows ? bottom : frame->rows) - taken->top;
     return true;
+}
+
+uint64_t render_frame_seed(const struct render_input *input, const struct render_frame *frame)
+{
+    return (uint64_t)frame->number << 32 | (uint64_t)input->seed; /* which is below 2^32 */
 }
 
 bool render_frame_cut(const struct render_frame *frame, struct arena *arena, struct image *image,

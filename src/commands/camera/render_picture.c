@@ -214,6 +214,7 @@ static bool expose_all(const struct analysis_case *one, struct picture_job *pict
         }
         shot->is_last = i + 1 == job->count;
         shot->is_one_of_many = job->count > 1;
+        shot->frame.number = i;
         done = done && render_expose(job, i, shot, &picture->sinks[i], error);
     }
     return done;

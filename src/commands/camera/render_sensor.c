@@ -260,8 +260,11 @@ bool render_sense(const struct render_input *input, double time, const struct re
     struct developed made;
     struct image full;
     if (!read_white(input->white, &way, error) ||
-        !open_sensor(input, frame->columns, time, arena, &model, error) ||
-        !sensor_expose(&model, image, &place, arena, &raw, error)) {
+        !open_sensor(input, frame->columns, time, arena, &model, error)) {
+        return false;
+    }
+    model.setting.seed = render_frame_seed(input, frame);
+    if (!sensor_expose(&model, image, &place, arena, &raw, error)) {
         return false;
     }
     const char *said =
