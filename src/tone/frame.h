@@ -23,7 +23,8 @@ struct tone_frame {
     const uint8_t *bytes;  /* three a pixel, of 8 bits; */
     const uint16_t *codes; /* of 16 bits; */
     const float *values;   /* or floats, proportional to light: one of these is not null */
-    double time;           /* of the exposure, s */
+    double time;           /* of the exposure, s, */
+    bool is_by_white;      /* as its white has it, and not as is noted */
     long right, down;      /* how far its picture lies beside that of the others, pixels */
     size_t full;           /* values that are the highest number */
     /* of its whole numbers, at first as the file encodes light; floats have none */

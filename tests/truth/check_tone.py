@@ -144,6 +144,44 @@ def check_rendered(tone, checks):
                  f"render: {len(offs)} pixels are off by {mean:.4f} +- {spread:.4f}")
 
 
+def check_whites(tone, checks):
+    """
+    Frames whose exposures are not as their times: a leaf shutter's, and those behind filters; and
+    pictures of light by themselves. All become the luminance that render writes itself.
+    """
+    card = ("render chart:wedge --lens double-gauss-50 -s 2m -N 4 --size 42x14 --samples 64 --bits 16 "
+            "-o").split()
+    leaf = ["-t", "1/8,1/125,1/500", "--shutter", "leaf", "--opening-time", "1/800"]
+    for words in (["leaf.png"] + leaf, ["plain.png", "-t", "1/30"],
+                  ["nd8.png", "-t", "1/30", "--filter", "ND8"],
+                  ["nd64.png", "-t", "1/30", "--filter", "ND64"],
+                  ["nd8.exr", "-t", "1/30", "--filter", "ND8"],
+                  ["nd64.exr", "-t", "1/60", "--filter", "ND64"],
+                  ["truth.exr", "--radiance", "-t", "1/8"]):
+        result = tone.program.run(*card, *words, cwd=tone.folder)
+        checks.check(result.returncode == 0, f"render: {result.stderr}")
+    truth, _ = tone.run("truth.exr")
+    for names in (["leaf-1.png", "leaf-2.png", "leaf-3.png"], ["plain.png", "nd8.png", "nd64.png"],
+                  ["nd8.exr"], ["nd8.exr", "nd64.exr"]):
+        merged, said = tone.run(*names)
+        checks.check("moved" not in said, f"{names}: {said}")
+        offs = [a[1] / b[1] - 1 for p, q in zip(merged or [], truth or []) for a, b in zip(p, q)
+                if b[1] > 5]
+        worst = max(map(abs, offs), default=1)
+        mean = sum(offs) / max(len(offs), 1)
+        # a .exr of 16 bits rounds to 2^-11; a leaf shutter that opens lets more into the corners
+        limit = 0.02 if names[0] == "leaf-1.png" else 1.5e-3
+        checks.check(len(offs) > 200 and worst < limit and abs(mean) < 1e-3,
+                     f"{names}: {worst:.4f} off the luminance, {mean:.4f} in the mean")
+    _, said = tone.run("nd8.png", "-N", "4")
+    checks.check("warning: the f-number knows nothing of the filter" in said, f"filter: {said}")
+    timed, _ = tone.run("plain.png", "nd8.png", "--times", "1/30,1/240")
+    noted, _ = tone.run("plain.png", "nd8.png")
+    same = timed is not None and all(abs(a[1] - b[1]) <= 1e-4 * a[1] for p, q in zip(timed, noted)
+                                     for a, b in zip(p, q))
+    checks.check(same, "times by the command line are others than the same ones by notes")
+
+
 # -------- a response --------
 
 def shoulder(light):
@@ -553,8 +591,8 @@ def main():
     checks = Checks()
     with tempfile.TemporaryDirectory(prefix="lenscalc-tone-") as folder:
         tone = Tone(Program(sys.argv[1]), checks, folder)
-        for check in (check_merge, check_rendered, check_response, check_shift, check_exif, check_ward, check_glare,
-                      check_colours, check_acuity, check_falsecolour, check_operators):
+        for check in (check_merge, check_rendered, check_whites, check_response, check_shift, check_exif,
+                      check_ward, check_glare, check_colours, check_acuity, check_falsecolour, check_operators):
             check(tone, checks)
     checks.finish()
 

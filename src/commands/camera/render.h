@@ -14,8 +14,9 @@
 #define RENDER_NOTE_FULL "Electrons of white"
 #define RENDER_NOTE_READ "Read noise electrons"
 
-/* And of any PNG of light: what its white is in the scene. */
+/* And of light: what in the scene a value of 1 is, of a PNG and of files that hold lx s. */
 #define RENDER_NOTE_WHITE "Luminance of white"
+#define RENDER_NOTE_LIGHT "Luminance of 1 lx s"
 
 /* The options of a shutter; NaN: not given. */
 struct shutter_input {

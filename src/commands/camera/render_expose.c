@@ -152,13 +152,15 @@ void render_note(struct image *image, struct arena *arena, const char *key, cons
     image_note(image, arena, text_of(key), text_of(value));
 }
 
-/* Of a PNG; others say their unit. */
+/* What a value of 1 is where that is light on the sensor. */
 static void add_note_of_white(const struct render_input *input, const struct exposure *exposure,
-                              double axis, struct image *image, struct arena *arena)
+                              double axis, bool is_png, struct image *image, struct arena *arena)
 {
-    const double white = exposure->full / (DEVELOP_HEADROOM * axis * exposure->metered);
-    if (!input->raw && !render_is_film(input)) {
-        render_note(image, arena, RENDER_NOTE_WHITE, arena_printf(arena, "%.6g cd/m2", white));
+    const double light = 1 / (axis * exposure->metered);
+    const double white = is_png ? exposure->full / DEVELOP_HEADROOM * light : light;
+    if (!input->raw && !input->radiance && !render_is_film(input)) {
+        render_note(image, arena, is_png ? RENDER_NOTE_WHITE : RENDER_NOTE_LIGHT,
+                    arena_printf(arena, "%.6g cd/m2", white));
     }
 }
 
@@ -280,9 +282,8 @@ static bool expose(const struct render_input *input, const struct render_shot *s
         return false;
     }
     add_notes(input, shot, &exposure, &image, remarks->arena);
-    if (is_png) {
-        add_note_of_white(input, &exposure, photograph->axis, &image, remarks->arena);
-    } else {
+    add_note_of_white(input, &exposure, photograph->axis, is_png, &image, remarks->arena);
+    if (!is_png) {
         render_note(&image, remarks->arena, "Unit",
                     is_film           ? "density"
                     : input->radiance ? "cd/m2"

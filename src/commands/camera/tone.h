@@ -38,8 +38,9 @@ struct tone_frames {
     bool is_timed;                /* by the command line: a picture alone has its time, too */
     double iso, fnumber;          /* NaN = nobody says */
     double full_well, read_noise; /* the same */
-    double white;     /* cd/m^2 of the first frame's white, as lenscalc render notes; NaN */
+    double white;     /* cd/m^2 of the first frame's value of 1, as lenscalc render notes; NaN */
     const char *unit; /* that a file of floats says; null = it says none */
+    const char *filtered, *filter; /* a file that notes a filter, and that; null: none does */
 };
 
 /*

@@ -15,8 +15,8 @@ struct reading {
     const struct tone_input *input;
     struct arena *arena;
     struct tone_frames *frames;
-    double *iso, *fnumber; /* of each; NaN = not noted */
-    struct text times;     /* what is left of --times */
+    double *iso, *fnumber, *white; /* of each; NaN = not noted */
+    struct text times;             /* what is left of --times */
 };
 
 static const char *note_of(const struct image *image, const char *key)
@@ -128,13 +128,19 @@ static bool check_unit(const struct reading *reading, const struct image *image,
 static void take_notes(struct reading *reading, const struct image *image, size_t i)
 {
     struct tone_frames *frames = reading->frames;
-    const char *unit = note_of(image, "Unit");
+    const char *unit = note_of(image, "Unit"), *filter = note_of(image, "Filter");
+    if (filter != NULL && frames->filter == NULL) {
+        frames->filtered = frames->frames[i].name;
+        frames->filter = arena_string(reading->arena, filter, strlen(filter));
+    }
     reading->iso[i] = noted(image, "ISO", &dimension_iso);
     reading->fnumber[i] = noted(image, "Aperture", &dimension_fnumber);
+    reading->white[i] = noted(image, image->bits == 0 ? RENDER_NOTE_LIGHT : RENDER_NOTE_WHITE,
+                              &dimension_luminance);
     if (i == 0) {
         frames->full_well = noted(image, RENDER_NOTE_FULL, &dimension_number);
         frames->read_noise = noted(image, RENDER_NOTE_READ, &dimension_number);
-        frames->white = noted(image, RENDER_NOTE_WHITE, &dimension_luminance);
+        frames->white = reading->white[0];
         frames->unit = unit != NULL ? arena_string(reading->arena, unit, strlen(unit)) : NULL;
     }
 }
@@ -197,6 +203,32 @@ static bool settle(const struct tone_frames *frames, const double *values, doubl
     return true;
 }
 
+/*
+ * Light over time is the same in all frames whose own whites say how much each of them got: through
+ * which shutter and filter, too. Who asks for times, or for light by f-number and speed, has these.
+ */
+static bool settle_whites(const struct reading *reading, struct error *error)
+{
+    const double rounding = 1e-4; /* of what is noted, and a little more */
+    const struct tone_input *input = reading->input;
+    const struct tone_frames *frames = reading->frames;
+    const double *white = reading->white;
+    const bool is_asked = frames->is_timed || !isnan(input->iso) || !isnan(input->fnumber);
+    for (size_t i = 1; i < frames->count && !is_asked; i++) {
+        struct tone_frame *frame = &frames->frames[i];
+        if (isnan(white[i]) != isnan(white[0])) {
+            fail(error, ERROR_DATA, "%.100s says what its white is, and %.100s does not",
+                 frames->frames[isnan(white[i]) ? 0 : i].name,
+                 frames->frames[isnan(white[i]) ? i : 0].name);
+            return error_hint(error, "{--times} of all frames make them comparable");
+        }
+        const double time = frames->frames[0].time * white[0] / white[i];
+        frame->is_by_white = fabs(time / frame->time - 1) > rounding; /* not if none has one */
+        frame->time = frame->is_by_white ? time : frame->time;
+    }
+    return true;
+}
+
 /* Weights go with squares of times, in single precision. */
 static bool check_times(const struct tone_frames *frames, struct error *error)
 {
@@ -214,11 +246,12 @@ static bool check_times(const struct tone_frames *frames, struct error *error)
 bool tone_frames_read(const struct tone_input *input, struct arena *arena,
                       struct tone_frames *frames, struct error *error)
 {
-    struct reading reading = {input, arena, frames, NULL, NULL, {NULL, 0}};
+    struct reading reading = {.input = input, .arena = arena, .frames = frames};
     *frames = (struct tone_frames){.iso = input->iso, .fnumber = input->fnumber};
     frames->frames = ARENA_ARRAY(arena, FRAMES_MOST, struct tone_frame);
     reading.iso = ARENA_ARRAY(arena, FRAMES_MOST, double);
     reading.fnumber = ARENA_ARRAY(arena, FRAMES_MOST, double);
+    reading.white = ARENA_ARRAY(arena, FRAMES_MOST, double);
     reading.times = input->times != NULL ? text_of(input->times) : reading.times;
     for (struct text rest = text_of(input->files); rest.start != NULL; frames->count++) {
         const struct text word = text_cut(&rest, OPTION_MANY_SEPARATOR);
@@ -243,5 +276,5 @@ bool tone_frames_read(const struct tone_input *input, struct arena *arena,
     return check_timed(frames, error) && check_times(frames, error) &&
            settle(frames, reading.iso, 1, "ISO speed", &frames->iso, error) &&
            settle(frames, reading.fnumber, -2, "f-number", &frames->fnumber, error) &&
-           check_times(frames, error);
+           settle_whites(&reading, error) && check_times(frames, error);
 }

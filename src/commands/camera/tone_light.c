@@ -37,6 +37,12 @@ static double standard_unit(const struct tone_frames *frames, struct growing *re
     growing_format(remarks, "exposed for 1 s, %s is %.4g cd/m2: f/%.4g%s, L = H N^2/(%g t)\n",
                    is_light ? "1 lx s" : "white", unit, N,
                    is_light ? "" : arena_printf(remarks->arena, ", ISO %.4g", S), LENS_Q_STANDARD);
+    if (frames->filter != NULL) {
+        growing_format(remarks,
+                       "warning: the f-number knows nothing of the filter that %s was taken "
+                       "through, %s\n",
+                       frames->filtered, frames->filter);
+    }
     return unit;
 }
 
@@ -78,8 +84,8 @@ static bool unit_of(const struct tone_input *input, struct tone_frames *frames,
         *unit = plain_unit(frames, 1, true, remarks);
     } else if (!isnan(frames->white) && !isnan(first->time) && !is_asked) {
         *unit = frames->white * first->time;
-        growing_format(remarks, "exposed for 1 s, white is %.4g cd/m2, as %s says\n", *unit,
-                       first->name);
+        growing_format(remarks, "exposed for 1 s, %s is %.4g cd/m2, as %s says\n",
+                       first->bits == 0 ? "1 lx s" : "white", *unit, first->name);
     } else {
         *unit =
             is_standard ? standard_unit(frames, remarks) : plain_unit(frames, 1, false, remarks);
@@ -211,6 +217,13 @@ static void say_frames(const struct tone_frames *frames, struct growing *remarks
     }
     if (frames->count == 1) {
         return;
+    }
+    for (size_t i = 0; i < frames->count; i++) {
+        if (frames->frames[i].is_by_white) {
+            spoken_time(least, frames->frames[i].time, 4);
+            growing_format(remarks, "%s counts as %s, by what it says its white is\n",
+                           frames->frames[i].name, least);
+        }
     }
     spoken_time(least, shortest, 4);
     spoken_time(most, longest, 4);
