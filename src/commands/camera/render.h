@@ -237,8 +237,12 @@ struct render_frame {
 bool render_frame_read(const struct render_input *input, struct render_frame *frame,
                        struct error *error);
 
-/* What noise and grain are drawn by: each exposure has its own, the first that of the seed alone. */
-uint64_t render_frame_seed(const struct render_input *input, const struct render_frame *frame);
+/* What noise and grain are drawn by: each exposure has its own, the first one's is the seed. */
+static inline uint64_t render_frame_seed(const struct render_input *input,
+                                         const struct render_frame *frame)
+{
+    return (uint64_t)frame->number << 32 | (uint64_t)input->seed; /* which is below 2^32 */
+}
 
 /*
  * Leave of a picture what is wanted.

@@ -92,11 +92,6 @@ bool render_frame_read(const struct render_input *input, struct render_frame *fr
     return true;
 }
 
-uint64_t render_frame_seed(const struct render_input *input, const struct render_frame *frame)
-{
-    return (uint64_t)frame->number << 32 | (uint64_t)input->seed; /* which is below 2^32 */
-}
-
 bool render_frame_cut(const struct render_frame *frame, struct arena *arena, struct image *image,
                       struct error *error)
 {
