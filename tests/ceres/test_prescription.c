@@ -33,8 +33,8 @@ static void test_singlet(void)
     struct prescription_fit fit;
     struct error error;
     const struct lens lens = lens_of("surface 55 7 1.62 -\nsurface -100 - air -\n", &arena);
-    CHECK(prescription_fit(&lens, &(struct prescription_task){goals, 4, parts, 4}, &arena, &fit,
-                           &error));
+    CHECK(prescription_fit(&lens, &(struct prescription_task){goals, 4, parts, 4, {0}}, &arena,
+                           &fit, &error));
     CHECK(fit.summary.status == SOLVER_CONVERGED);
     for (int g = 0; g < 4; g++) {
         CHECK_RELATIVE(fit.reached[g], goals[g].value, 1e-11, "goal");
@@ -68,7 +68,7 @@ static void test_loose_and_bounds(void)
     struct prescription_fit fit;
     struct error error;
     const struct lens lens = lens_of("surface 100 5 1.5 -\nsurface -100 - air -\n", &arena);
-    CHECK(prescription_fit(&lens, &(struct prescription_task){goals, 1, free_parts, 2}, &arena,
+    CHECK(prescription_fit(&lens, &(struct prescription_task){goals, 1, free_parts, 2, {0}}, &arena,
                            &fit, &error));
     CHECK(fit.is_loose);
     CHECK_RELATIVE(fit.reached[0], 101.0, 1e-9, "goal");
@@ -77,8 +77,8 @@ static void test_loose_and_bounds(void)
     CHECK(isnan(fit.errors[0]));
     goals[0].value = 103;
     goals[1].value = 103 * 0.2;
-    CHECK(prescription_fit(&lens, &(struct prescription_task){goals, 2, bounded, 2}, &arena, &fit,
-                           &error));
+    CHECK(prescription_fit(&lens, &(struct prescription_task){goals, 2, bounded, 2, {0}}, &arena,
+                           &fit, &error));
     CHECK_RELATIVE(fit.values[0], 100.5, 1e-12, "R1 at its bound");
     CHECK(fit.summary.at_bound[0] && fit.values[1] >= 4.9 && fit.values[1] <= 5.1);
     arena_free(&arena);
@@ -108,8 +108,8 @@ static void test_mangin(void)
     struct first_order first;
     const struct lens lens =
         lens_of("surface -60 6 1.5 -\nsurface -90 -6 mirror -\nsurface -60 - air -\n", &arena);
-    CHECK(prescription_fit(&lens, &(struct prescription_task){&goal, 1, &part, 1}, &arena, &fit,
-                           &error));
+    CHECK(prescription_fit(&lens, &(struct prescription_task){&goal, 1, &part, 1, {0}}, &arena,
+                           &fit, &error));
     CHECK_RELATIVE(fit.reached[0], 1 / P, 1e-11, "efl");
     CHECK_RELATIVE(fit.values[0], 1.6, 1e-9, "n");
     CHECK(fit.summary.iterations <= 8); /* the derivative is that of both ways */
@@ -142,8 +142,8 @@ static void test_through_afocal(void)
     struct error error;
     const struct lens lens = lens_of(double_gauss, &arena);
     for (int g = 0; g < 3; g++) {
-        CHECK(prescription_fit(&lens, &(struct prescription_task){&goals[g], 1, &part, 1}, &arena,
-                               &fit, &error));
+        CHECK(prescription_fit(&lens, &(struct prescription_task){&goals[g], 1, &part, 1, {0}},
+                               &arena, &fit, &error));
         CHECK_RELATIVE(fit.reached[0], goals[g].value, 1e-11, "goal");
         CHECK_RELATIVE(fit.values[0], radii[g], 1e-11, "R1");
     }
@@ -161,12 +161,12 @@ static void test_from_plate(void)
     struct error error;
     const struct lens lens = lens_of("surface - 5 1.5 -\nsurface - - air -\n", &arena);
     double c = (1 - sqrt(1 - 5 * 0.01 / 1.5)) / (5 * 0.5 / 1.5);
-    CHECK(prescription_fit(&lens, &(struct prescription_task){goals, 1, parts, 2}, &arena, &fit,
-                           &error));
+    CHECK(prescription_fit(&lens, &(struct prescription_task){goals, 1, parts, 2, {0}}, &arena,
+                           &fit, &error));
     CHECK_RELATIVE(fit.reached[0], 100.0, 1e-9, "efl");
     double bfl = 100 * (1 - 5 / 1.5 * 0.5 * c);
     const struct prescription_goal both[2] = {goals[0], {GOAL_BFL, bfl, 0.01, 0.55, NAN}};
-    CHECK(prescription_fit(&lens, &(struct prescription_task){both, 2, parts, 2}, &arena, &fit,
+    CHECK(prescription_fit(&lens, &(struct prescription_task){both, 2, parts, 2, {0}}, &arena, &fit,
                            &error));
     CHECK_RELATIVE(fit.values[0], 1 / c, 1e-9, "R1");
     CHECK_RELATIVE(fit.values[1], -1 / c, 1e-9, "R2");
@@ -183,8 +183,8 @@ static void test_contradiction(void)
     struct prescription_fit fit;
     struct error error;
     const struct lens lens = lens_of(double_gauss, &arena);
-    CHECK(prescription_fit(&lens, &(struct prescription_task){goals, 2, &part, 1}, &arena, &fit,
-                           &error));
+    CHECK(prescription_fit(&lens, &(struct prescription_task){goals, 2, &part, 1, {0}}, &arena,
+                           &fit, &error));
     /* weights f^2/deviation: P = (101^4/101 + 99^4/99)/(101^4 + 99^4) */
     double up = pow(101, 4), down = pow(99, 4);
     CHECK_RELATIVE(fit.reached[0], (up + down) / (up / 101 + down / 99), 1e-10, "between");
@@ -198,8 +198,8 @@ static void check_bad_goal(struct prescription_goal goal, const char *word)
     struct prescription_fit fit;
     struct error error;
     const struct lens lens = lens_of(double_gauss, &arena);
-    CHECK(!prescription_fit(&lens, &(struct prescription_task){&goal, 1, &part, 1}, &arena, &fit,
-                            &error));
+    CHECK(!prescription_fit(&lens, &(struct prescription_task){&goal, 1, &part, 1, {0}}, &arena,
+                            &fit, &error));
     CHECK(error.code == ERROR_DOMAIN && strstr(error.message, word) != NULL);
     arena_free(&arena);
 }
@@ -213,8 +213,8 @@ static void check_refused(struct prescription_part part, const char *word)
     const struct lens lens = lens_of(
         "surface 100 5 1.5 -\nstop - 5 air 3\nsurface -100 5 {d 1.5} -\nsurface 50 - air -\n",
         &arena);
-    CHECK(!prescription_fit(&lens, &(struct prescription_task){&goal, 1, &part, 1}, &arena, &fit,
-                            &error));
+    CHECK(!prescription_fit(&lens, &(struct prescription_task){&goal, 1, &part, 1, {0}}, &arena,
+                            &fit, &error));
     CHECK(error.code == ERROR_DOMAIN && strstr(error.message, word) != NULL);
     arena_free(&arena);
 }

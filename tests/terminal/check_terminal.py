@@ -348,6 +348,7 @@ def check_interrupted(checks, program):
                  "interrupted" in found[-1]["error"], f"a sweep: {len(found)} rows, {error!r}")
     check_interrupted_lens(checks, program)
     check_interrupted_search(checks, program)
+    check_interrupted_fit(checks, program)
     check_interrupted_trials(checks, program)
     check_interrupted_picture(checks, program)
 
@@ -389,6 +390,29 @@ def check_interrupted_search(checks, program):
         resumed = program.run(*asked, *state, "--threads", "2")
         checks.check(resumed.returncode == 0 and resumed.stdout == program.run(*asked).stdout,
                      f"a search, gone on from: {resumed.stdout!r}")
+
+
+def check_interrupted_fit(checks, program):
+    """A prescription of very many parts, each iteration of which takes them cubed, is left as it is
+    by then, and says so."""
+    lens = "lens stack\nwavelength d\nobject inf\naperture epd 5\n" + "".join(
+        f"surface {1000 + i} 0.5 1.5/60 20\nsurface {-1000 - i} 0.5 air 20\n" for i in range(400))
+    with tempfile.TemporaryDirectory() as folder:
+        path = os.path.join(folder, "stack.lens")
+        with open(path, "w", encoding="utf-8") as file:
+            file.write(lens)
+        process = subprocess.Popen(program.command + ["fit", path, "--prescription", "efl=50",
+                                                      "--vary", "all-R", "--json"],
+                                   stdout=subprocess.PIPE, stderr=subprocess.PIPE,
+                                   env=program.environment())
+        time.sleep(0.4)
+        process.send_signal(signal.SIGINT)
+        began = time.perf_counter()
+        answer, error = process.communicate()
+    if b"needs the solver Ceres" in error:
+        return
+    checks.check(process.returncode == 1 and b'"status":"stopped"' in answer and
+                 time.perf_counter() - began < 3, f"a fit: {answer!r}, {error!r}")
 
 
 def check_interrupted_trials(checks, program):

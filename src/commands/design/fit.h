@@ -65,6 +65,9 @@ void fit_note(struct lens *lens, const char *note, struct arena *arena);
 /* "converged", or in words why the fit ended otherwise. */
 const char *fit_status(const struct solver_summary *summary);
 
+/* Progress of a solver, whose context is a watch: once an iteration. */
+bool fit_goes_on(void *watch, const struct solver_progress *progress);
+
 /* -------- fit_glass.c, fit_lens.c, fit_prescription.c: run->state is what was found -------- */
 
 extern const struct sheet fit_glass_sheet, fit_index_sheet;

@@ -97,13 +97,6 @@ static bool trace_rays(const struct fit_job *job, size_t rays, struct ray_data *
     return ray_data_trace(&request, job->run->arena, ray_data, error);
 }
 
-/* Once an iteration. */
-static bool count_iteration(void *watch, const struct solver_progress *progress)
-{
-    (void)progress;
-    return watch_add(watch, 1);
-}
-
 static void set_task(struct fit_job *job)
 {
     const struct fit_input *input = job->input;
@@ -120,7 +113,7 @@ static void set_task(struct fit_job *job)
         .plane_weights = {1, image ? THICK_PUPIL_WEIGHT : 1},
         .focus_weight = image ? THICK_FOCUS_WEIGHT : 0,
         .distortions = distortion_terms(job),
-        .options = {.progress = count_iteration, .progress_context = job->run->watch},
+        .options = {.progress = fit_goes_on, .progress_context = job->run->watch},
         .start = thick_of(first, job->setup->lens)};
     job->task.object = job->task.start.object;
 }

@@ -1,5 +1,6 @@
 /* commands/design/fit_prescription.c - what of a lens must change to give what was measured. */
 /* SPDX-License-Identifier: MIT */
+#include "base/watch.h"
 #include "cli/goals.h"
 #include "cli/vary.h"
 #include "commands/design/fit.h"
@@ -273,14 +274,17 @@ static void judge(const char *missed, const struct prescription_fit *fit, struct
     }
 }
 
-static bool fit_wishes(const struct lens *lens, const struct wishes *wishes, struct arena *arena,
+static bool fit_wishes(const struct lens *lens, const struct wishes *wishes, struct run *run,
                        struct prescription_fit *fit, struct error *error)
 {
-    const struct prescription_task task = {.goals = wishes->goals,
-                                           .goal_count = wishes->goal_count,
-                                           .parts = wishes->parts,
-                                           .part_count = wishes->part_count};
-    return prescription_fit(lens, &task, arena, fit, error);
+    const struct prescription_task task = {
+        .goals = wishes->goals,
+        .goal_count = wishes->goal_count,
+        .parts = wishes->parts,
+        .part_count = wishes->part_count,
+        .options = {.progress = fit_goes_on, .progress_context = run->watch}};
+    watch_begin(run->watch, "iterations", 0);
+    return prescription_fit(lens, &task, run->arena, fit, error);
 }
 
 /* What --output saves. */
@@ -305,7 +309,7 @@ static bool visit(const struct lens_case *one, void *context, struct error *erro
     }
     if (!read_goals(input->goals, run, one->light.wavelength, wishes, error) ||
         !read_parts(input, one->setup->lens, run, wishes, error) ||
-        !fit_wishes(one->setup->lens, wishes, run->arena, &fit, error) ||
+        !fit_wishes(one->setup->lens, wishes, run, &fit, error) ||
         !apply(one->setup->lens, wishes, &fit, run->arena, &fitted, &doubt, error)) {
         return false;
     }

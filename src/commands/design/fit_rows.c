@@ -2,6 +2,8 @@
 /* SPDX-License-Identifier: MIT */
 #include "commands/design/fit.h"
 
+#include "base/watch.h"
+
 #define PLAIN(member_name) COLUMN(struct fit_row, member_name), .flags = COLUMN_BRIEF
 
 static const struct column parameter_columns[] = {
@@ -102,4 +104,10 @@ const char *fit_status(const struct solver_summary *summary)
         [SOLVER_STUCK] = "not converged: no step lowers the residual",
     };
     return words[summary->status];
+}
+
+bool fit_goes_on(void *watch, const struct solver_progress *progress)
+{
+    (void)progress;
+    return watch_add(watch, 1);
 }

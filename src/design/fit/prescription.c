@@ -35,6 +35,7 @@ struct fitting {
     double *start;                        /* of the parameters */
     double *c, *t, *n;                    /* of the present trial */
     struct matrix *before;                /* of each surface */
+    struct solver_options options;
     bool is_loose;
 };
 
@@ -403,12 +404,13 @@ static bool solve(struct fitting *fitting, const struct solver_problem *problem,
     for (size_t g = 0; g < fitting->goal_count; g++) {
         fitting->views[g].power = first_power(fitting, g);
     }
-    const struct solver_options options = {.engine = SOLVER_CERES};
+    struct solver_options options = fitting->options;
+    options.engine = SOLVER_CERES;
     for (int round = 0; round < 20; round++) {
         if (!solver_run(problem, &options, parameters, arena, &fit->summary, error)) {
             return false;
         }
-        if (!weigh_again(fitting, parameters)) {
+        if (fit->summary.status == SOLVER_STOPPED || !weigh_again(fitting, parameters)) {
             break;
         }
     }
@@ -447,6 +449,7 @@ bool prescription_fit(const struct lens *lens, const struct prescription_task *t
                               .goal_count = goal_count,
                               .part_count = part_count,
                               .count = count,
+                              .options = task->options,
                               .is_loose = goal_count < part_count};
     if (goal_count == 0 || part_count == 0) {
         return fail(error, ERROR_DOMAIN,

@@ -46,6 +46,7 @@ struct prescription_task {
     size_t goal_count;
     const struct prescription_part *parts;
     size_t part_count;
+    struct solver_options options; /* its engine is not read */
 };
 
 /*
