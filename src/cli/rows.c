@@ -77,8 +77,19 @@ bool rows_emit(struct run *run, const void *row)
     return is_going(driver);
 }
 
+static bool is_same(const struct error *a, const struct error *b)
+{
+    return a->line == b->line && a->column == b->column && strcmp(a->source, b->source) == 0 &&
+           strcmp(a->message, b->message) == 0 && strcmp(a->hint, b->hint) == 0;
+}
+
+/* Of failures in a row that are alike, as in a sweep, the first; all rows have their own. */
 static void say(struct driver *driver, struct error *failure)
 {
+    if (driver->is_inside || is_same(failure, &driver->said)) {
+        return;
+    }
+    driver->said = *failure;
     progress_erase(&driver->progress);
     complain(failure, &driver->arguments, &driver->batch);
 }

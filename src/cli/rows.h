@@ -39,6 +39,7 @@ struct driver {
     bool is_inside; /* another command: its answer stays in memory, nothing is said */
     size_t index;   /* of the present combination of the sweep */
     size_t good, failed;
+    struct error said;     /* the last failure that was printed, as it came */
     bool answered;         /* at least one input, if only in part */
     const void *explained; /* the row whose numbers --explain puts in */
     struct progress progress;

@@ -24,3 +24,5 @@ lenscalc report double-gauss -w d
 lenscalc report many.lens -o many.html
 rm many.lens
 ls
+# what the page says of its parts is not said again
+lenscalc report erfle-eyepiece --images -o lost.html && grep -c 'size of its pupil is not known' lost.html

@@ -129,10 +129,14 @@ static bool keep_place(const struct analysis_case *one, size_t field,
 static bool answer_fields(const struct analysis_case *of, void *context, struct error *error)
 {
     const struct answering *answering = context;
-    const bool keeps = answering->answers->lost != NULL;
+    const struct analysis_answers *answers = answering->answers;
+    const bool keeps = answers->lost != NULL;
     struct analysis_case *one = ARENA_NEW(of->setup->arena, struct analysis_case);
     *one = *of;
     one->threads = answering->run->threads;
+    if (answers->check != NULL && !answers->check(one, answering->context, error)) {
+        return false;
+    }
     struct findings findings = open_findings(one, answering);
     for (size_t i = 0; i < one->setup->field_count; i++) {
         error->code = ERROR_NONE;

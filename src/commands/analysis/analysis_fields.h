@@ -21,10 +21,12 @@ void analysis_divide(const struct analysis_case *one, size_t count, analysis_wor
 /* -------- fields -------- */
 
 /*
- * Who answers field by field: either `answer`, or `find` and then `take`. All but `find` are called
- * in the order of the fields.
+ * Who answers field by field: either `answer`, or `find` and then `take`. All of them but `find`
+ * are called in the order of the fields, `check` before them.
  */
 struct analysis_answers {
+    /* May all of a case be asked that? What is wrong is said once, of no field. Null: it may. */
+    bool (*check)(const struct analysis_case *one, const void *context, struct error *error);
     /* All of one field; false to fail, or without an error when no more are wanted. */
     bool (*answer)(const struct analysis_case *one, size_t field, void *context,
                    struct error *error);

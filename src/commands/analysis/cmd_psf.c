@@ -99,6 +99,12 @@ static const struct column columns[] = {
     ANALYSIS_TAIL_COLUMNS(struct row, point),
 };
 
+static bool check(const struct analysis_case *one, const void *context, struct error *error)
+{
+    const struct analysis_asked *asked = context;
+    return psf_check(one, asked->input, error);
+}
+
 static bool find(const struct analysis_case *one, size_t field, const void *context, void *found,
                  struct error *error)
 {
@@ -168,7 +174,10 @@ static void repeat(const void *data, void *row)
 
 static const struct sheet sheet = SHEET(columns, struct row);
 static const struct analysis_rows rows = {
-    &psf_policy, &sheet, repeat, {.find = find, .found_size = sizeof(struct psf), .take = take}};
+    &psf_policy,
+    &sheet,
+    repeat,
+    {.check = check, .find = find, .found_size = sizeof(struct psf), .take = take}};
 
 static bool run(const void *data, struct run *run, struct error *error)
 {

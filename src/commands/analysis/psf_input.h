@@ -16,6 +16,9 @@ struct psf_input {
 
 extern const struct analysis_policy psf_policy;
 
+/* Errors: ERROR_DOMAIN: a pitch as a length of an image infinitely far away, an angle of another */
+bool psf_check(const struct analysis_case *one, const struct psf_input *input, struct error *error);
+
 /* The image of one of the fields of a case. Errors as psf_find. */
 bool psf_of_case(const struct analysis_case *one, size_t field, const struct psf_input *input,
                  struct arena *arena, struct psf *psf, struct error *error);

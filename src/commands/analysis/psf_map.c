@@ -8,6 +8,12 @@
 
 static const double decades = 5;
 
+static bool check(const struct analysis_case *one, const void *context, struct error *error)
+{
+    const struct map_page *page = context;
+    return psf_check(one, page->input, error);
+}
+
 static bool find(const struct analysis_case *one, size_t field, const void *context, void *found,
                  struct error *error)
 {
@@ -50,8 +56,11 @@ static bool add(const struct analysis_case *one, size_t field, const void *found
 /* The maps of all inputs of a job. */
 static bool collect(const struct artifact_job *job, struct map_page *page, struct error *error)
 {
-    static const struct analysis_answers answers = {
-        .find = find, .found_size = sizeof(struct psf), .take = add, .lost = analysis_skip};
+    static const struct analysis_answers answers = {.check = check,
+                                                    .find = find,
+                                                    .found_size = sizeof(struct psf),
+                                                    .take = add,
+                                                    .lost = analysis_skip};
     const struct psf_input *first = job->inputs[0];
     page->rasters = (struct rasters){
         .scale_label = "share of the peak of the map",
