@@ -56,7 +56,7 @@ lenscalc render lamps.scene $small --depth-map lamps.pfm -o lost.pfm
 lenscalc render lamps.scene $small --spectral -w d -o lost.pfm
 lenscalc render lamps.scene $small --spectral --band 20 -o lost.pfm
 lenscalc render lamps.scene $small --bands 16 -o lost.pfm
-lenscalc render lamps.scene $small --spectral --filter 80A -o lost.pfm
+lenscalc render lamps.scene $small --spectral --filter wratten-25 -o lost.pfm
 lenscalc render lamps.scene $small --bounces -1 -o lost.pfm
 lenscalc render lamps.scene $small -s 40mm -o lost.pfm
 lenscalc render lamps.scene $small -s 30mm --gap last -o lost.pfm

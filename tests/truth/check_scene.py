@@ -170,6 +170,35 @@ def check_colours(studio):
                         f"{' '.join(words)}: {'red green blue'.split()[k]}")
 
 
+def check_filter(studio):
+    """A filter of M mired before wavelengths: the light that it makes of another; 1 at 555 nm."""
+    waves = [390 + 2 * i for i in range(161)]
+    shift, second = 112e-6, 14387.77  # of Wratten 85, 2/3 of a stop; um K
+    tables = {"plain": [1 + 0.5 * math.sin(nm / 40) for nm in waves],
+              "line": [1.0 if 550 <= nm <= 560 else 0 for nm in waves]}
+    tables["behind"] = [value * math.exp(-shift * second * (1000 / nm - 1 / 0.555))
+                        for nm, value in zip(waves, tables["plain"])]
+    for name, values in tables.items():
+        with open(os.path.join(studio.folder, name + ".tsv"), "w", encoding="utf-8") as file:
+            file.write("wavelength_nm\tvalue\n" +
+                       "".join(f"{nm}\t{value:.9g}\n" for nm, value in zip(waves, values)))
+    common = ["-t", "0.01", "--focus", "36.105905", "--sensor", "1.6x0.8mm", "--size", "16x8",
+              "--samples", "64", "--bounces", "0", "--spectral", "--bands", "64"]
+    filtered = ["--filter", "wratten-85"]
+    found = []
+    for name, words in (("plain", filtered), ("behind", []), ("line", filtered), ("line", [])):
+        rows = studio.take(AHEAD + f"colour light table={name}.tsv\nmaterial lamp black "
+                           "luminance=500 emission=light\n"
+                           "plane material=lamp at=0,0,-3 normal=0,0,1\n", *words, *common)
+        if rows is None:
+            return
+        found.append([mean_of(rows, k) for k in range(3)])
+    for k, name in (0, "red"), (2, "blue"):
+        studio.near(found[0][k] / found[0][1], found[1][k] / found[1][1], 2e-3,
+                    f"{name} over green behind a filter")
+    studio.near(found[2][1] / found[3][1], 2 ** -0.667, 5e-3, "a line at 555 nm")
+
+
 def check_errors(studio):
     """How the error of a smooth picture falls, and how often it is what differs says it is."""
     scene = AHEAD + "material wall lambert colour=0.6\nplane material=wall at=0,0,-3 " \
@@ -218,7 +247,7 @@ def main():
     with tempfile.TemporaryDirectory(prefix="lenscalc-scene-") as folder:
         studio = Studio(program, checks, folder, "--lens", DOUBLE_GAUSS)
         for check in (check_uniform, check_furnace, check_disc, check_reciprocity, check_lit,
-                      check_room, check_sun, check_places, check_colours,
+                      check_room, check_sun, check_places, check_colours, check_filter,
                       check_errors, check_threads):
             check(studio)
     return checks.finish()

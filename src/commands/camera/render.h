@@ -265,10 +265,12 @@ double render_white(const struct render_input *input);
  * Put the filter before the lens.
  *
  * Given     setup       of the photograph
+ *           white       linear sRGB of white behind a filter whose colour the rays have had; null:
+ *                       of none
  *           photograph  each channel receives less light, the axis as the brightest of them
  * Formula   2^-stops times mired_transmittance, its mean over the wavelengths of the channel
  */
-void render_filter(const struct render_input *input, const struct setup *setup,
+void render_filter(const struct render_input *input, const struct setup *setup, const double *white,
                    struct photograph *photograph);
 
 /* Which light and which filter, if they have names. */

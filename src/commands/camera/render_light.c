@@ -35,20 +35,22 @@ static double mean_transmittance(const struct render_input *input, const struct 
         sum += one->weight * mired_transmittance(input->filter.mired, one->wavelength);
         all += one->weight;
     }
-    return exp2(-input->filter.stops) * sum / all;
+    return sum / all;
 }
 
-void render_filter(const struct render_input *input, const struct setup *setup,
+void render_filter(const struct render_input *input, const struct setup *setup, const double *white,
                    struct photograph *photograph)
 {
+    const double grey = exp2(-input->filter.stops);
     struct image *image = &photograph->image;
     double through[PHOTOGRAPH_CHANNELS], most = 0;
     if (input->filter.name == NULL) {
         return;
     }
     for (size_t k = 0; k < PHOTOGRAPH_CHANNELS; k++) {
-        through[k] = mean_transmittance(input, setup, k);
-        most = fmax(most, through[k]);
+        const double share = white != NULL ? white[k] : mean_transmittance(input, setup, k);
+        through[k] = white != NULL ? grey : grey * share;
+        most = fmax(most, grey * share);
         photograph->mean[k] *= through[k];
     }
     for (size_t i = 0; i < image->width * image->height; i++) {

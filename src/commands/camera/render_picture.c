@@ -143,7 +143,8 @@ static void finish(const struct analysis_case *one, const struct picture_job *pi
     const struct artifact_job *job = picture->job;
     const struct render_input *input = job->inputs[0];
     struct arena *arena = job->run->arena;
-    render_filter(input, one->setup, &shot->photograph);
+    render_filter(input, one->setup, input->spectral ? picture->world->white : NULL,
+                  &shot->photograph);
     add_notes(one, input, &shot->photograph.image, arena);
     if (shot->photograph.is_incomplete) {
         const char *why = job->run->parts != NULL ? "parts are missing" : "interrupted";

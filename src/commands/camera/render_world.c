@@ -7,6 +7,7 @@
 #include "commands/camera/render_part.h"
 #include "file/scene_file.h"
 #include "photo/distance_from.h"
+#include "photo/mired.h"
 #include "photo/sensitometry.h"
 #include "scene/scene_check.h"
 
@@ -51,10 +52,7 @@ static bool check_scene(const struct artifact_job *job, struct error *error)
                     "{--distance} and a fixed {--focus} exclude each other in a scene: each says "
                     "where the film stands");
     }
-    return !input->spectral || (isnan(input->filter.mired) || input->filter.mired == 0) ||
-           fail(error, ERROR_USAGE,
-                "{--filter} %s is coloured, and {--spectral} takes grey filters only",
-                input->filter.name);
+    return true;
 }
 
 bool render_check_world(const struct artifact_job *job, struct error *error)
@@ -251,6 +249,25 @@ bool render_world_focus(const struct artifact_job *job, struct render_world *wor
 
 /* -------- a picture -------- */
 
+/* Of wavelengths each has its own share of a coloured filter. */
+static void put_filter(const struct render_input *input, struct render_world *world)
+{
+    world->seen = world->bands;
+    for (int i = 0; i < 3; i++) {
+        world->white[i] = input->spectral ? 0 : 1;
+    }
+    for (size_t k = 0; k < world->bands.count && input->spectral; k++) {
+        const double share =
+            input->filter.name == NULL
+                ? 1
+                : mired_transmittance(input->filter.mired, world->bands.wavelength[k]);
+        for (int i = 0; i < 3; i++) {
+            world->seen.rgb[k][i] *= share;
+            world->white[i] += world->seen.rgb[k][i];
+        }
+    }
+}
+
 /* Light that becomes white in a PNG of the longest exposure, lx; NaN: nobody said how long. */
 static bool find_white(const struct artifact_job *job, size_t columns, double *white,
                        struct error *error)
@@ -306,11 +323,12 @@ bool render_world_open(const struct artifact_job *job, const struct analysis_cas
             return false;
         }
     }
+    put_filter(input, world);
     world->path = (struct path){.world = &world->world,
                                 .lights = &world->lights,
                                 .bounces = scattered ? (int)input->bounces : 0};
     world->view = (struct view){.path = &world->path,
-                                .bands = &world->bands,
+                                .bands = &world->seen,
                                 .points = points_table_new(FIRST_DIMENSION, arena),
                                 .camera = world->scene.camera.where,
                                 .pupil = pupil_of(one->setup)};

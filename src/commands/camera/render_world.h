@@ -11,6 +11,8 @@ struct render_world {
     struct scene scene;
     bool moves, scatters; /* anything in it: the camera, too */
     struct bands bands;
+    struct bands seen; /* the same behind the colour of a filter, whose greys are left out */
+    double white[3]; /* linear sRGB of white there; of three bands 1: render_filter sees to them */
     struct world world;
     struct lights lights;
     struct path path;
