@@ -63,11 +63,21 @@ void tile_rays_open(const struct photograph_question *question, const struct len
     sobol_open(FILM_DIMENSIONS, &tile->when);
 }
 
+typedef double channels[TILE_PIXELS][TILE_CHANNELS];
+
+/* Of the pixels of a tile, by channel, since the last round was complete. */
+struct tile_shared {
+    channels own;              /* weights of a colour's own rays, which arrive */
+    channels seen, light;      /* of shared ones that show what these do; and times light */
+    channels nearby, light_of; /* the same of all shared ones: where there are none of these */
+};
+
 struct tile_room *tile_room_new(size_t passes, struct arena *arena)
 {
     struct tile_room *room = ARENA_NEW(arena, struct tile_room);
     room->rays = rays_new(arena, RAYS_BLOCK);
-    room->fringes = fringes_room_new(passes, arena);
+    room->fringes_room = fringes_room_new(passes, arena);
+    room->shared = ARENA_NEW(arena, struct tile_shared);
     return room;
 }
 
@@ -197,25 +207,21 @@ static void sum_bands(const struct tile_rays *tile, const struct film_plan *plan
 
 /* -------- rays that colours share -------- */
 
-/* Of the pixels of a tile, by channel. */
-struct shared {
-    double own[TILE_PIXELS][TILE_CHANNELS];   /* weights of a colour's own rays, which arrive */
-    double seen[TILE_PIXELS][TILE_CHANNELS];  /* of shared ones that show what these do */
-    double light[TILE_PIXELS][TILE_CHANNELS]; /* the latter times light */
-};
+/* Samples of a round, whose weights are compared, and of all rounds before it. */
+enum { FIRST_ROUND = 8 };
 
 static size_t middle_of(const struct tile_rays *tile)
 {
     return tile->passes / 2;
 }
 
-/* What of the light comes to the pixels, by the own rays of all colours but the middle. */
+/* What of the light comes to the pixels, by each colour's own rays. */
 static void trace_own(const struct tile_rays *tile, const struct film_plan *plan, uint32_t block,
-                      struct tile_room *room, struct shared *shared)
+                      struct tile_room *room)
 {
+    struct tile_shared *shared = room->shared;
     const struct film_samples *samples = &room->samples;
-    for (size_t n = 1; n < tile->passes; n++) {
-        const size_t wavelength = (middle_of(tile) + n) % tile->passes;
+    for (size_t wavelength = 0; wavelength < tile->passes; wavelength++) {
         const struct spare_pass *pass = &tile->pass[wavelength];
         tile_rays_trace(tile, plan, block, wavelength, room);
         for (size_t i = 0; i < RAYS_BLOCK; i++) {
@@ -232,7 +238,7 @@ static void trace_own(const struct tile_rays *tile, const struct film_plan *plan
 static void move_points(const struct film_plan *plan, struct tile_room *room,
                         struct cell cells[RAYS_BLOCK])
 {
-    const struct fringes *fringes = room->shared;
+    const struct fringes *fringes = room->fringes;
     struct film_samples *samples = &room->samples;
     const double wide = plan->width / TILE_ACROSS, high = plan->height / TILE_DOWN;
     const double more_x = (fringes->high[0] - fringes->low[0]) / wide;
@@ -252,60 +258,68 @@ static bool shows_same(const struct film_plan *plan, const struct tile_room *roo
 {
     const double across = (room->samples.x[i] - plan->left) / plan->width;
     const double up = (room->samples.y[i] - plan->bottom) / plan->height;
-    const double x = across - fringes_moved(room->shared, wavelength, 0, across, up) / plan->width;
-    const double y = up - fringes_moved(room->shared, wavelength, 1, across, up) / plan->height;
+    const double x = across - fringes_moved(room->fringes, wavelength, 0, across, up) / plan->width;
+    const double y = up - fringes_moved(room->fringes, wavelength, 1, across, up) / plan->height;
     const double column = TILE_ACROSS * x - (double)cell->column;
     const double row = TILE_DOWN * y - (double)cell->row;
     return column >= 0 && column < 1 && row >= 0 && row < 1;
 }
 
+/* What a ray of the middle adds for a wavelength. */
+static void add_shared(const struct spare_pass *pass, size_t pixel, double weight,
+                       const double *light, bool is_same, struct tile_shared *shared)
+{
+    for (size_t k = pass->begin; k < pass->end; k++) {
+        const double w = pass->share * weight;
+        shared->nearby[pixel][k] += w;
+        shared->light_of[pixel][k] += w * light[k];
+        if (is_same) {
+            shared->seen[pixel][k] += w;
+            shared->light[pixel][k] += w * light[k];
+        }
+    }
+}
+
 /* A block of points: rays of the middle, for all channels. */
-static void sum_shared_block(const struct tile_rays *tile, const struct film_plan *plan,
-                             uint32_t block, struct tile_room *room, struct shared *shared)
+static void sum_shared(const struct tile_rays *tile, const struct film_plan *plan, uint32_t block,
+                       struct tile_room *room)
 {
     static const struct lanes lanes = {TILE_CHANNELS, {0, 1, 2}};
     struct cell cells[RAYS_BLOCK];
-    trace_own(tile, plan, block, room, shared);
+    trace_own(tile, plan, block, room);
     move_points(plan, room, cells);
     lens_film_start(tile->film, &room->samples, room->rays.blocks);
     lens_film_trace(tile->film, middle_of(tile), &room->samples, &room->rays);
     look(tile, block, &lanes, room);
     for (size_t i = 0; i < RAYS_BLOCK; i++) {
-        const double *light = room->light[i], weight = room->samples.weight[i];
-        double *own = shared->own[cells[i].pixel], *seen = shared->seen[cells[i].pixel];
-        double *sums = shared->light[cells[i].pixel];
-        count_ray(i, room);
+        const double weight = room->samples.weight[i];
         for (size_t w = 0; w < tile->passes && arrives(room, i); w++) {
-            const struct spare_pass *pass = &tile->pass[w];
-            const double share = shows_same(plan, room, i, &cells[i], w) ? pass->share : 0;
-            for (size_t k = pass->begin; k < pass->end; k++) {
-                own[k] += w == middle_of(tile) ? pass->share * weight : 0;
-                seen[k] += share * weight;
-                sums[k] += share * weight * light[k];
-            }
+            add_shared(&tile->pass[w], cells[i].pixel, weight, room->light[i],
+                       shows_same(plan, room, i, &cells[i], w), room->shared);
         }
     }
 }
 
 /*
- * Blocks of a tile whose colours share rays: of each pixel and colour the light that its own rays
- * bring from a white scene, times the mean of what the shared rays show that look where these do.
+ * A round is complete: of each pixel and colour the light that its own rays bring from a white
+ * scene, times the mean of what the shared rays show that look where these do. Means of few are
+ * off by as much as weights and light have to do with each other over their number: rounds are as
+ * long as all before them.
  */
-static void sum_shared(const struct tile_rays *tile, const struct film_plan *plan, size_t begin,
-                       size_t end, struct tile_room *room)
+static void complete_round(struct tile_room *room)
 {
-    struct shared shared;
-    memset(&shared, 0, sizeof shared);
-    for (uint32_t block = (uint32_t)begin; block < end; block++) {
-        sum_shared_block(tile, plan, block, room, &shared);
-    }
+    struct tile_shared *shared = room->shared;
     for (size_t i = 0; i < TILE_PIXELS; i++) {
         for (size_t k = 0; k < TILE_CHANNELS; k++) {
-            if (shared.seen[i][k] > 0) {
-                room->sums[i][k] += shared.own[i][k] * shared.light[i][k] / shared.seen[i][k];
+            const double own = shared->own[i][k];
+            if (shared->seen[i][k] > 0) {
+                room->sums[i][k] += own * shared->light[i][k] / shared->seen[i][k];
+            } else if (shared->nearby[i][k] > 0) {
+                room->sums[i][k] += own * shared->light_of[i][k] / shared->nearby[i][k];
             }
         }
     }
+    memset(shared, 0, sizeof *shared);
 }
 
 bool tile_rays_share(const struct tile_rays *tile, const struct film_plan *plan,
@@ -317,9 +331,9 @@ bool tile_rays_share(const struct tile_rays *tile, const struct film_plan *plan,
         middle_of(tile),
         {plan->width / TILE_ACROSS, plan->height / TILE_DOWN}};
     if (tile->may_share && tile->subject.view != NULL && !tile_rays_in_bands(tile)) {
-        room->shared = fringes_find(&question, plan, room->fringes);
+        room->fringes = fringes_find(&question, plan, room->fringes_room);
     }
-    return room->shared != NULL;
+    return room->fringes != NULL;
 }
 
 /* -------- tiles -------- */
@@ -327,8 +341,13 @@ bool tile_rays_share(const struct tile_rays *tile, const struct film_plan *plan,
 void tile_rays_sum(const struct tile_rays *tile, const struct film_plan *plan, size_t begin,
                    size_t end, struct tile_room *room)
 {
-    if (room->shared != NULL) {
-        sum_shared(tile, plan, begin, end, room);
+    if (room->fringes != NULL) {
+        for (uint32_t block = (uint32_t)begin; block < end; block++) {
+            sum_shared(tile, plan, block, room);
+        }
+        if (end >= FIRST_ROUND && (end & (end - 1)) == 0) {
+            complete_round(room);
+        }
         return;
     }
     /* the same points for all channels: what is left of noise is grey */
@@ -351,7 +370,8 @@ void tile_rays_begin(const struct tile_rays *tile, size_t number, struct film_pl
 {
     const struct view *view = tile->subject.view;
     memset(room->sums, 0, sizeof room->sums);
-    room->shared = NULL;
+    room->fringes = NULL;
+    memset(room->shared, 0, sizeof *room->shared);
     for (uint32_t k = 0; k < FILM_DIMENSIONS; k++) {
         plan->scrambling[k] = sobol_scrambling(tile->seed, number, k);
     }

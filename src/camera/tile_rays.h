@@ -24,10 +24,11 @@ struct tile_room {
     struct film_samples samples;
     struct rays rays;
     subject_light light;
-    struct fringes_room *fringes;
-    const struct fringes *shared;    /* of a tile whose colours share their rays; else null */
-    double times[RAYS_BLOCK];        /* when each ray comes, s; all 0 where nothing needs it */
-    uint32_t when, hero;             /* the tile's scramblings of them, and of bands of blocks */
+    struct fringes_room *fringes_room;
+    const struct fringes *fringes; /* of a tile whose colours share their rays; else null */
+    struct tile_shared *shared;    /* its own: what these brought since a power of two of blocks */
+    double times[RAYS_BLOCK];      /* when each ray comes, s; all 0 where nothing needs it */
+    uint32_t when, hero;           /* the tile's scramblings of them, and of bands of blocks */
     struct points_sequence sequence; /* of the tile: what rays decide by in a scene */
     double sums[TILE_PIXELS][TILE_CHANNELS];
     uint64_t counts[PHOTOGRAPH_COUNTS];
@@ -57,7 +58,11 @@ void tile_rays_begin(const struct tile_rays *tile, size_t number, struct film_pl
 void tile_rays_trace(const struct tile_rays *tile, const struct film_plan *plan, uint32_t block,
                      size_t wavelength, struct tile_room *room);
 
-/* Add weights times light, a pixel and channel each: blocks begin .. end - 1 of points. */
+/*
+ * Add weights times light, a pixel and channel each: blocks begin .. end - 1 of points. Of a tile
+ * whose colours share rays they are there when `end` is a power of two, 8 at least, and all blocks
+ * since the one before it were summed one after the other.
+ */
 void tile_rays_sum(const struct tile_rays *tile, const struct film_plan *plan, size_t begin,
                    size_t end, struct tile_room *room);
 

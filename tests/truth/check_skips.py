@@ -92,6 +92,7 @@ SCENES = {
                     "sphere radius=0.3 at=1,0.5,0.5 material=lamp\n",
     "cards.scene": "".join(f"card size=0.1,0.1 at={1 + i / 7},{0.6 + k / 7},0 turn=0,0,13 "
                            "material=lamp\n" for i in range(4) for k in range(3)),
+    "dot.scene": "card size=0.06,0.06 at=1.32,0.87,0 turn=0,0,13 material=lamp\n",
     "specks.scene": "sphere radius=0.1 at=0.3,0.2,0 material=red\n"
                     "card size=0.2,0.3 at=-0.5,0,0 material=lamp\n",
 }
@@ -144,8 +145,27 @@ def check(fixture, skip, said, words):
         fixture.checks.check(with_it == without, f"{name}: another picture")
 
 
+def middle_of(picture, channel, width):
+    """Of the light of one colour, in pixels from the left and the top."""
+    light = picture[channel::3]
+    return [sum(value * of(i) for i, value in enumerate(light)) / sum(light)
+            for of in (lambda i: i % width, lambda i: i // width)]
+
+
 def check_colours(fixture):
-    """Where pixels are small, or there is nothing to gain, each colour keeps its rays."""
+    """
+    Lateral colour stays as it is. Where pixels are small, or there is nothing to gain, each colour
+    keeps its rays.
+    """
+    words = ("dot.scene --lens canon-ef35-f2 -N 11 --size 720x480 --crop 656:16:32x32 --bounces 0 "
+             "--samples 256")
+    shared, text = fixture.take(words)
+    own, _ = fixture.take(words + " --no-skip colour")
+    places = [[middle_of(picture, channel, 32) for channel in range(3)] for picture in (shared, own)]
+    spreads = [math.dist(red, blue) for red, _, blue in places]
+    fixture.checks.check("one for all in 8 of 8" in text and spreads[1] > 0.15 and
+                         all(math.dist(a, b) < 0.01 for a, b in zip(*places)),
+                         f"colour: the middles of a dot are {places}, {spreads} apart: {text}")
     scene = "room.scene --lens double-gauss-50 "
     for words in ("--size 3840x2560 --crop 16:16:32x16 --samples 16", "--size 48x32 --samples 4"):
         with_it, text = fixture.take(scene + words)
