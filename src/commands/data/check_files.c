@@ -104,7 +104,8 @@ static void judge(struct foreign_job *job, struct text content, struct row *row)
     }
 }
 
-static void check_file(struct lensdb *db, struct arena *kept, struct row *row)
+static void check_file(struct lensdb *db, const struct check_item *item, struct arena *kept,
+                       struct row *row)
 {
     struct arena scratch = {0};
     struct lens_glasses place = {db, &scratch};
@@ -116,12 +117,18 @@ static void check_file(struct lensdb *db, struct arena *kept, struct row *row)
                               .lossy = true};
     struct text content;
     struct error error = {0};
-    if (whole_file(row->file, &scratch, &content, &error)) {
+    const bool has =
+        item->problem == NULL &&
+        (item->is_named ? whole_file(row->file, &scratch, &content, &error)
+                        : regular_file(row->file, WHOLE_FILE_MOST, &scratch, &content, &error));
+    if (has) {
         row->format = foreign_format_name(row->file, content, &scratch);
         judge(&job, content, row);
     } else {
         row->status = "refused";
-        row->reasons = error.code != ERROR_NONE ? error.message : "there is no such file";
+        row->reasons = item->problem != NULL      ? item->problem
+                       : error.code != ERROR_NONE ? error.message
+                                                  : "there is no such file";
     }
     row->reasons = row->reasons != NULL ? kept_string(kept, row->reasons) : NULL;
     row->format = row->format != NULL ? kept_string(kept, row->format) : NULL;
@@ -148,11 +155,11 @@ static void check_piece(void *context, const struct parallel_piece *piece)
     struct lensdb *db = database_of(checking, piece);
     for (size_t i = piece->begin; i < piece->end && !watch_is_ended(checking->watch); i++) {
         struct row *row = &checking->rows[i];
-        *row = (struct row){.file = checking->files->paths[i],
+        *row = (struct row){.file = checking->files->items[i].path,
                             .efl = NAN,
                             .surfaces = NO_INTEGER,
                             .losses = NO_INTEGER};
-        check_file(db, piece->arena, row);
+        check_file(db, &checking->files->items[i], piece->arena, row);
         watch_add(checking->watch, 1);
     }
 }
@@ -166,9 +173,7 @@ static bool run(const void *data, struct run *run, struct error *error)
         return fail(error, ERROR_USAGE, "which files? Give their names, or folders");
     }
     for (struct text rest = text_of(input->files); rest.start != NULL;) {
-        if (!check_list_add(&files, text_cut(&rest, OPTION_MANY_SEPARATOR), error)) {
-            return false;
-        }
+        check_list_add(&files, text_cut(&rest, OPTION_MANY_SEPARATOR));
     }
     struct parallel *parallel = ARENA_NEW(run->arena, struct parallel);
     struct checking *checking = ARENA_NEW(run->arena, struct checking);

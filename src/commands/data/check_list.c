@@ -2,79 +2,44 @@
 /* SPDX-License-Identifier: MIT */
 #include "commands/data/check_files.h"
 
+#include "data/folder.h"
 #include "exchange/lens_formats.h"
 
-#include <dirent.h>
-#include <errno.h>
-#include <stdlib.h>
-#include <string.h>
-#include <sys/stat.h>
-
-enum { DEEPEST = 32 }; /* folders in folders; a link may lead around */
-
-static bool is_folder(const char *path)
+static void add(struct check_list *list, struct check_item item)
 {
-    struct stat status;
-    return stat(path, &status) == 0 && S_ISDIR(status.st_mode);
+    list->items =
+        arena_grow(list->arena, list->items, list->count, &list->room, sizeof list->items[0]);
+    list->items[list->count++] = item;
 }
 
-static void add_path(struct check_list *list, const char *path)
+/* A folder and those below; as deep as a path can be. */
+static void add_folder(struct check_list *list, const char *path, struct name_index *seen)
 {
-    list->paths =
-        arena_grow(list->arena, list->paths, list->count, &list->room, sizeof list->paths[0]);
-    list->paths[list->count++] = path;
-}
-
-static int by_name(const void *a, const void *b)
-{
-    return strcmp(*(const char *const *)a, *(const char *const *)b);
-}
-
-/* All names in a folder but hidden ones, sorted. */
-static bool read_folder(const char *path, struct check_list *names, struct error *error)
-{
-    DIR *directory = opendir(path);
-    if (directory == NULL) {
-        return fail(error, ERROR_IO, "cannot read the folder %s: %s", path, strerror(errno));
+    struct folder_entry *entries;
+    size_t count;
+    struct error error;
+    if (!folder_read(path, seen, list->arena, &entries, &count, &error)) {
+        const char *problem = arena_printf(list->arena, "%s", error.message);
+        add(list, (struct check_item){.path = path, .problem = problem});
+        return;
     }
-    for (struct dirent *entry = readdir(directory); entry != NULL; entry = readdir(directory)) {
-        if (entry->d_name[0] != '.') {
-            bool slash = path[0] != '\0' && path[strlen(path) - 1] == '/';
-            add_path(names,
-                     arena_printf(names->arena, "%s%s%s", path, slash ? "" : "/", entry->d_name));
+    for (size_t i = 0; i < count; i++) {
+        const struct folder_entry *entry = &entries[i];
+        if (entry->kind == FOLDER_FOLDER) {
+            add_folder(list, entry->path, seen);
+        } else if (foreign_ends_as_lens(text_of(entry->path))) {
+            add(list, (struct check_item){.path = entry->path});
         }
     }
-    closedir(directory);
-    if (names->count > 0) {
-        qsort(names->paths, names->count, sizeof names->paths[0], by_name);
-    }
-    return true;
 }
 
-static bool add_folder(struct check_list *list, const char *path, int depth, struct error *error)
-{
-    struct check_list names = {.arena = list->arena};
-    if (!read_folder(path, &names, error)) {
-        return false;
-    }
-    for (size_t i = 0; i < names.count; i++) {
-        if (is_folder(names.paths[i])) {
-            if (depth < DEEPEST && !add_folder(list, names.paths[i], depth + 1, error)) {
-                return false;
-            }
-        } else if (foreign_ends_as_lens(text_of(names.paths[i]))) {
-            add_path(list, names.paths[i]);
-        }
-    }
-    return true;
-}
-
-bool check_list_add(struct check_list *list, struct text path, struct error *error)
+void check_list_add(struct check_list *list, struct text path)
 {
     const char *name = arena_string(list->arena, path.start, path.length);
-    if (is_folder(name)) {
-        return add_folder(list, name, 0, error);
+    struct name_index seen = {0};
+    if (folder_exists(name)) {
+        add_folder(list, name, &seen);
+    } else {
+        add(list, (struct check_item){.path = name, .is_named = true});
     }
-    add_path(list, name);
-    return true;
 }
