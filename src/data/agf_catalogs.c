@@ -75,7 +75,7 @@ bool agf_catalogs(struct lensdb *db, const struct agf_catalog **first, struct er
             return false;
         }
     }
-    if (!lensdb_list(db, "glass", ".agf", db->arena, &names, error)) {
+    if (!lensdb_list(db, "glass", ".agf", false, &names, error)) {
         return false;
     }
     for (; *names != NULL; names++) {

@@ -52,7 +52,7 @@ static bool enter_place(struct glass_catalogs *catalogs, enum lensdb_place place
         catalogs->names = embedded_names(catalogs->arena);
         return true;
     }
-    return lensdb_list(catalogs->db, "glass", ENDING, catalogs->arena, &catalogs->names, error);
+    return lensdb_list(catalogs->db, "glass", ENDING, false, &catalogs->names, error);
 }
 
 bool glass_catalogs_open(struct glass_catalogs *catalogs, struct lensdb *db, struct arena *arena,

@@ -2,17 +2,19 @@
 /* SPDX-License-Identifier: MIT */
 #include "data/lensdb.h"
 
+#include "base/name_index.h"
 #include "base/number.h"
 #include "data/embedded.h"
+#include "data/folder.h"
 #include "data/whole_file.h"
 
-#include <dirent.h>
 #include <errno.h>
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 #include <sys/stat.h>
+#include <unistd.h>
 
 /* A file of the user's folder, or the knowledge that there is none. */
 struct lensdb_file {
@@ -33,42 +35,132 @@ static bool check_directory(const char *directory, struct error *error)
     return true;
 }
 
+/* What a folder of the user's folder has with an ending. */
+struct lensdb_folder {
+    const char *folder, *ending;
+    const char **all, **files; /* all, and those that can be read; each ends with null */
+    const char **named;        /* the first of each of `names` */
+    size_t count, file_count;
+    struct name_index names; /* without folder and ending */
+    bool is_told;            /* what cannot be read */
+    struct lensdb_folder *next;
+};
+
 static bool ends_with(const char *name, const char *ending)
 {
     size_t length = strlen(name), last = strlen(ending);
-    return name[0] != '.' && length > last && text_same(text_of(name + length - last), ending);
+    return length > last && text_same(text_of(name + length - last), ending);
 }
 
-bool lensdb_list(const struct lensdb *db, const char *folder, const char *ending,
-                 struct arena *arena, const char *const **names, struct error *error)
+static void keep(struct lensdb *db, struct lensdb_folder *known, const struct folder_entry *entry)
 {
-    static const char *const none[] = {NULL};
-    const char **all = NULL;
-    size_t count = 0, room = 0;
-    *names = none;
-    if (db->directory == NULL) {
-        return true;
+    const char *name = ARENA_JOIN(db->arena, known->folder, "/", entry->name);
+    const struct text bare = {entry->name, strlen(entry->name) - strlen(known->ending)};
+    known->all[known->count++] = name;
+    if (name_index_find(&known->names, bare) == NAME_NONE) {
+        known->named[name_index_add(&known->names, bare, db->arena)] = name;
     }
-    const char *path = arena_printf(arena, "%s/%s", db->directory, folder);
-    DIR *directory = opendir(path);
-    if (directory == NULL) {
-        return errno == ENOENT || errno == ENOTDIR
-                   ? check_directory(db->directory, error)
-                   : fail(error, ERROR_IO, "cannot read the folder %s: %s", path, strerror(errno));
+    if (entry->kind == FOLDER_FILE && access(entry->path, R_OK) == 0) {
+        known->files[known->file_count++] = name;
     }
-    for (struct dirent *entry = readdir(directory); entry != NULL; entry = readdir(directory)) {
-        if (ends_with(entry->d_name, ending)) {
-            all = arena_grow(arena, all, count, &room, sizeof all[0]);
-            all[count++] = arena_printf(arena, "%s/%s", folder, entry->d_name);
+}
+
+static void make_room(struct lensdb *db, struct lensdb_folder *known, size_t count)
+{
+    known->all = ARENA_ARRAY(db->arena, count + 1, const char *);
+    known->files = ARENA_ARRAY(db->arena, count + 1, const char *);
+    known->named = ARENA_ARRAY(db->arena, count + 1, const char *);
+}
+
+static bool read_folder(struct lensdb *db, struct lensdb_folder *known, struct error *error)
+{
+    struct folder_entry *entries;
+    size_t count;
+    const char *path = ARENA_JOIN(db->arena, db->directory, "/", known->folder);
+    if (access(path, F_OK) != 0 && (errno == ENOENT || errno == ENOTDIR)) {
+        return check_directory(db->directory, error);
+    }
+    if (!folder_read(path, NULL, db->arena, &entries, &count, error)) {
+        return false;
+    }
+    make_room(db, known, count);
+    for (size_t i = 0; i < count; i++) {
+        if (ends_with(entries[i].name, known->ending)) {
+            keep(db, known, &entries[i]);
         }
     }
-    closedir(directory);
-    if (count > 0) {
-        qsort(all, count, sizeof all[0], text_order);
-        all = arena_grow(arena, all, count, &room, sizeof all[0]);
-        all[count] = NULL;
-        *names = all;
+    return true;
+}
+
+/* It is read when it is first asked for. */
+static struct lensdb_folder *folder_of(struct lensdb *db, const char *folder, const char *ending,
+                                       struct error *error)
+{
+    struct lensdb_folder *known = db->folders;
+    while (known != NULL &&
+           (strcmp(known->folder, folder) != 0 || strcmp(known->ending, ending) != 0)) {
+        known = known->next;
     }
+    if (known != NULL) {
+        return known;
+    }
+    known = ARENA_NEW(db->arena, struct lensdb_folder);
+    *known = (struct lensdb_folder){.folder = folder, .ending = ending, .next = db->folders};
+    make_room(db, known, 0);
+    if (db->directory != NULL && !read_folder(db, known, error)) {
+        return NULL;
+    }
+    db->folders = known;
+    return known;
+}
+
+/* Say once what is left out. */
+static void tell_broken(struct lensdb *db, struct lensdb_folder *known)
+{
+    db->losses.arena = db->arena;
+    for (size_t i = 0, file = 0; i < known->count && !known->is_told; i++) {
+        const char *path = ARENA_JOIN(db->arena, db->directory, "/", known->all[i]);
+        struct text content;
+        struct error line;
+        if (known->files[file] == known->all[i]) {
+            file++;
+        } else if (!regular_file(path, WHOLE_FILE_MOST, db->arena, &content, &line)) {
+            growing_format(&db->losses, "%s; it is left out\n",
+                           line.code != ERROR_NONE ? line.message
+                                                   : arena_printf(db->arena, "cannot read %s: %s",
+                                                                  path, strerror(ENOENT)));
+        }
+    }
+    known->is_told = true;
+}
+
+bool lensdb_list(struct lensdb *db, const char *folder, const char *ending, bool all,
+                 const char *const **names, struct error *error)
+{
+    struct lensdb_folder *known = folder_of(db, folder, ending, error);
+    if (known == NULL) {
+        return false;
+    }
+    if (!all) {
+        tell_broken(db, known);
+    }
+    *names = all ? known->all : known->files;
+    return true;
+}
+
+bool lensdb_find(struct lensdb *db, const char *folder, const char *ending, struct text name,
+                 const char **file, struct error *error)
+{
+    const struct lensdb_folder *known = folder_of(db, folder, ending, error);
+    *file = NULL;
+    if (known == NULL) {
+        return false;
+    }
+    size_t at = name_index_find(&known->names, name);
+    for (size_t i = 0; i < known->names.count && at == NAME_NONE; i++) {
+        at = text_same_name(known->names.names[i], name) ? i : NAME_NONE;
+    }
+    *file = at != NAME_NONE ? known->named[at] : NULL;
     return true;
 }
 

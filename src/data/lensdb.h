@@ -21,7 +21,8 @@ struct lensdb {
     const char *agf;       /* --agf: glass catalogues, separated by commas; null = none */
     const char *directory; /* --lensdb or LENSCALC_DB; null = embedded data only */
     struct lensdb_file *loaded;
-    struct lensdb_series *series; /* stop series read so far */
+    struct lensdb_folder *folders; /* read so far */
+    struct lensdb_series *series;  /* stop series read so far */
     bool agf_is_read;
     bool lossy;            /* --lossy: files of other programs are read without what is lost */
     struct growing losses; /* what that was, and damaged glasses: a line each, each file once */
@@ -30,16 +31,27 @@ struct lensdb {
 };
 
 /*
- * The files in a folder of the user's folder.
+ * The files in a folder of the user's folder, which is read once.
  *
  * Given     folder  "lenses"; ending  of their names, without regard to case
- *           names   receives them as "lenses/x.lens", sorted; an array in the arena that ends with
- *                   null
+ *           all     false: what is no regular file, or may not be read, is left out, and db->losses
+ *                   says so
+ *           names   receives them as "lenses/x.lens", sorted; an array that ends with null and
+ *                   lives as long as the database
  * Result    no names where there is no such folder, or --lensdb is not given
  * Errors    ERROR_IO: the user's folder or this one cannot be read
  */
-bool lensdb_list(const struct lensdb *db, const char *folder, const char *ending,
-                 struct arena *arena, const char *const **names, struct error *error);
+bool lensdb_list(struct lensdb *db, const char *folder, const char *ending, bool all,
+                 const char *const **names, struct error *error);
+
+/*
+ * One of all these by its name without folder and ending: as it is typed, or else by the rules of
+ * text_same_name.
+ *
+ * Given     file  receives it; null: there is none
+ */
+bool lensdb_find(struct lensdb *db, const char *folder, const char *ending, struct text name,
+                 const char **file, struct error *error);
 
 /*
  * Begin to read a table from the user's folder or from the embedded data.

@@ -37,11 +37,11 @@ static const char *copy(struct arena *arena, struct text text)
 }
 
 /* Those of the user, without folder and ending. */
-static bool user_names(const struct lensdb *db, struct arena *arena, const char ***names,
-                       size_t *count, struct error *error)
+static bool user_names(struct lensdb *db, struct arena *arena, const char ***names, size_t *count,
+                       struct error *error)
 {
     const char *const *files;
-    if (!lensdb_list(db, "lenses", ending, arena, &files, error)) {
+    if (!lensdb_list(db, "lenses", ending, true, &files, error)) {
         return false;
     }
     while (files[*count] != NULL) {
@@ -90,20 +90,15 @@ bool lens_open_names(struct lensdb *db, enum lensdb_place place, struct arena *a
 static bool find_user(struct lensdb *db, struct text name, struct arena *arena, const char **source,
                       struct text *content, struct error *error)
 {
-    const char *const *names;
+    const char *file;
     error->code = ERROR_NONE;
-    if (db->directory == NULL || !lens_open_names(db, LENSDB_USER, arena, &names, error)) {
+    if (!lensdb_find(db, "lenses", ending, name, &file, error) || file == NULL) {
         return false;
     }
-    for (; *names != NULL; names++) {
-        if (text_same_name(text_of(*names), name)) {
-            *source = arena_printf(arena, "%s/lenses/%s.lens", db->directory, *names);
-            return regular_file(*source, WHOLE_FILE_MOST, arena, content, error) ||
-                   (error->code == ERROR_NONE &&
-                    fail(error, ERROR_IO, "cannot read %s: %s", *source, strerror(ENOENT)));
-        }
-    }
-    return false;
+    *source = ARENA_JOIN(arena, db->directory, "/", file);
+    return regular_file(*source, WHOLE_FILE_MOST, arena, content, error) ||
+           (error->code == ERROR_NONE &&
+            fail(error, ERROR_IO, "cannot read %s: %s", *source, strerror(ENOENT)));
 }
 
 static bool find_embedded(struct text name, const char **source, struct text *content)
