@@ -37,30 +37,27 @@ static const struct column lens_columns[] = {
      .help = "embedded, or the user's own folder"},
 };
 
-static const char *join_notes(const struct list *list, const struct lens *lens)
+static const char *join_notes(const struct lens *lens, struct arena *arena)
 {
     const char *all = NULL;
     for (size_t i = 0; i < lens->note_count; i++) {
-        all =
-            i == 0 ? lens->notes[0] : arena_printf(list->run->arena, "%s %s", all, lens->notes[i]);
+        all = i == 0 ? lens->notes[0] : arena_printf(arena, "%s %s", all, lens->notes[i]);
     }
     return all;
 }
 
-static const char *join_positions(const struct list *list, const struct lens *lens)
+static const char *join_positions(const struct lens *lens, struct arena *arena)
 {
     const char *all = NULL;
     for (size_t i = 0; i < lens->position_count; i++) {
-        all = i == 0 ? lens->positions[0]
-                     : arena_printf(list->run->arena, "%s %s", all, lens->positions[i]);
+        all = i == 0 ? lens->positions[0] : arena_printf(arena, "%s %s", all, lens->positions[i]);
     }
     return all;
 }
 
 /* A lens that cannot be computed keeps its row. */
-static void compute(const struct list *list, const struct lens *lens, struct lens_row *row)
+static void compute(const struct lens *lens, struct arena *arena, struct lens_row *row)
 {
-    struct arena *arena = list->run->arena;
     const struct lens *first = lens_at_position(lens, 0, arena);
     const struct conjugate_object object = lens_object(first);
     struct first_order all;
@@ -101,37 +98,59 @@ static void list_broken(struct list *list, struct lens_row *row, const struct er
          list->run->db->directory);
 }
 
+/* A row outlives its lens. */
+static void emit(struct list *list, struct lens_row *row)
+{
+    const char **const texts[] = {&row->title,  &row->kind, &row->positions,
+                                  &row->source, &row->note, &row->warning};
+    for (size_t i = 0; i < sizeof texts / sizeof texts[0]; i++) {
+        *texts[i] = *texts[i] != NULL ? list_string(list, text_of(*texts[i])) : NULL;
+    }
+    list_row(list, row);
+}
+
+/* `arena` is given up after each lens. */
+static void list_lens(struct list *list, const char *name, enum lensdb_place place,
+                      struct arena *arena)
+{
+    struct lens lens;
+    struct error error;
+    struct lens_row row = {
+        .name = name, .place = list_place(place), .efl = NAN, .bfl = NAN, .fnumber = NAN};
+    if (!lens_open(list->run->db, text_of(name), arena, &lens, &error)) {
+        list_broken(list, &row, &error);
+        return;
+    }
+    row.title = lens.title;
+    row.kind = lens.kind;
+    row.source = lens.source;
+    row.positions = join_positions(&lens, arena);
+    row.note = join_notes(&lens, arena);
+    row.surfaces = (long)lens.surface_count;
+    /* "zoom" is any zoom: "zoom tele", "cine anamorphic zoom" */
+    const char *kind = list->input->kind != NULL && row.kind != NULL &&
+                               text_contains_name(text_of(row.kind), text_of(list->input->kind))
+                           ? list->input->kind
+                           : row.kind;
+    if (list_matches(list, kind, (const char *[]){row.name, row.title, row.source}, 3)) {
+        compute(&lens, arena, &row);
+        emit(list, &row);
+    }
+}
+
 static bool list_place_of(struct list *list, enum lensdb_place place, struct error *error)
 {
     const char *const *names;
-    struct arena *arena = list->run->arena;
-    if (!lens_open_names(list->run->db, place, arena, &names, error)) {
+    struct arena of_lens = {0};
+    if (!lens_open_names(list->run->db, place, list->run->arena, &names, error)) {
         return false;
     }
     for (; *names != NULL; names++) {
-        struct lens lens;
-        struct lens_row row = {
-            .name = *names, .place = list_place(place), .efl = NAN, .bfl = NAN, .fnumber = NAN};
-        if (!lens_open(list->run->db, text_of(*names), arena, &lens, error)) {
-            list_broken(list, &row, error);
-            continue;
-        }
-        row.title = lens.title;
-        row.kind = lens.kind;
-        row.source = lens.source;
-        row.positions = join_positions(list, &lens);
-        row.note = join_notes(list, &lens);
-        row.surfaces = (long)lens.surface_count;
-        /* "zoom" is any zoom: "zoom tele", "cine anamorphic zoom" */
-        const char *kind = list->input->kind != NULL && row.kind != NULL &&
-                                   text_contains_name(text_of(row.kind), text_of(list->input->kind))
-                               ? list->input->kind
-                               : row.kind;
-        if (list_matches(list, kind, (const char *[]){row.name, row.title, row.source}, 3)) {
-            compute(list, &lens, &row);
-            list_row(list, &row);
-        }
+        const struct arena_mark mark = arena_mark(&of_lens);
+        list_lens(list, *names, place, &of_lens);
+        arena_reset(&of_lens, mark);
     }
+    arena_free(&of_lens);
     return true;
 }
 
