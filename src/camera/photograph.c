@@ -322,7 +322,7 @@ static bool size_card(const struct work *work, struct room *room, struct card *c
     const struct photograph_question *question = work->question;
     const double w = question->film.width / 2, h = question->film.height / 2;
     const struct image *shape = card->picture != NULL ? card->picture : question->depths.map;
-    const double proportion = shape != NULL ? (double)shape->width / (double)shape->height : w / h;
+    const double proportion = shape != NULL ? image_proportion(shape) : w / h;
     if (card->width == 0) {
         const double from[3][2] = {{w, 0}, {0, h}, {w, h}};
         for (int i = 0; i < 3; i++) {

@@ -89,8 +89,7 @@ static bool read_card(struct scene_reader *reader, const struct scene_line *line
     thing->picture = picture.image;
     thing->mean = picture.mean;
     if (has_picture && line->count[KEY_SIZE] == 1) {
-        thing->size.y =
-            thing->size.x * (double)thing->picture->height / (double)thing->picture->width;
+        thing->size.y = thing->size.x / image_proportion(thing->picture);
     }
     return true;
 }
@@ -109,7 +108,7 @@ static bool read_plane(const struct scene_line *line, const struct image *textur
     if (texture != NULL) {
         const double width = line->number[KEY_REPEAT][0];
         thing->repeat[0] = width;
-        thing->repeat[1] = width * (double)texture->height / (double)texture->width;
+        thing->repeat[1] = width / image_proportion(texture);
     }
     return true;
 }

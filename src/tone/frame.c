@@ -104,8 +104,10 @@ bool frame_take(const struct image *image, struct arena *arena, struct tone_fram
     if (!image_check(image, IMAGE_FINITE, error)) {
         return false;
     }
-    *frame =
-        (struct tone_frame){.width = image->width, .height = image->height, .bits = image->bits};
+    *frame = (struct tone_frame){.width = image->width,
+                                 .height = image->height,
+                                 .aspect = image->aspect,
+                                 .bits = image->bits};
     if (image->bits != 0) {
         take_codes(image, arena, frame);
         take_levels(image, arena, frame);

@@ -19,6 +19,7 @@ struct frame_level {
 struct tone_frame {
     const char *name; /* of its file */
     size_t width, height;
+    double aspect;         /* of its pixels, as struct image has it */
     int bits;              /* of its whole numbers, 8 or 16; 0: floats */
     const uint8_t *bytes;  /* three a pixel, of 8 bits; */
     const uint16_t *codes; /* of 16 bits; */

@@ -216,8 +216,10 @@ bool merge_frames(const struct tone_frame *frames, size_t count, const struct me
 {
     size_t order[FRAMES_MOST];
     struct merging merging = {.frames = frames, .count = count, .order = order, .merged = merged};
-    *merged = (struct merged){
-        .image = {.width = frames->width, .height = frames->height, .channels = FRAME_CHANNELS}};
+    *merged = (struct merged){.image = {.width = frames->width,
+                                        .height = frames->height,
+                                        .channels = FRAME_CHANNELS,
+                                        .aspect = frames->aspect}};
     if (!image_new(&merged->image, arena, error)) {
         return false;
     }

@@ -26,6 +26,19 @@ bool image_new(struct image *image, struct arena *arena, struct error *error)
     return true;
 }
 
+double image_proportion(const struct image *image)
+{
+    const double pixels = (double)image->width / (double)image->height;
+    return image->aspect > 0 ? pixels * image->aspect : pixels;
+}
+
+bool image_take_aspect(struct image *image, double aspect)
+{
+    const bool is_legal = aspect >= IMAGE_ASPECT_LEAST && aspect <= IMAGE_ASPECT_MOST;
+    image->aspect = is_legal && aspect != 1 ? aspect : 0;
+    return is_legal;
+}
+
 double image_light(const struct image *image, double code)
 {
     return image->gamma > 0 ? pow(code, 1 / image->gamma) : srgb_light(code);

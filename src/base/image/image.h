@@ -27,8 +27,13 @@ struct image {
     struct image_note *notes;
     size_t note_count, note_room; /* copies of an image may share the room: by image_note only */
     int bits; /* of the whole numbers that a file had: 8, 16; 0: it had floats, or there is none */
-    double gamma; /* by which that file encodes light; 0: as sRGB does */
+    double gamma;  /* by which that file encodes light; 0: as sRGB does */
+    double aspect; /* of a pixel, its width over its height; 0: it is square */
 };
+
+/* What pixels' proportions may be in a file. */
+#define IMAGE_ASPECT_LEAST 1e-3
+#define IMAGE_ASPECT_MOST  1e3
 
 /* Pixels of a picture: so many to the left of them and above, and so many across and down. */
 struct image_area {
@@ -55,6 +60,12 @@ struct image_way {
  * Errors    ERROR_DATA: no pixels, or more than the limits
  */
 bool image_new(struct image *image, struct arena *arena, struct error *error);
+
+/* Width over height of the whole picture. */
+double image_proportion(const struct image *image);
+
+/* Take the proportions of a pixel, its width over its height; false: beyond the limits. */
+bool image_take_aspect(struct image *image, double aspect);
 
 /* Light of a code, as a share of the highest, in the file that the picture was read from. */
 double image_light(const struct image *image, double code);

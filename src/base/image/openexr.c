@@ -87,7 +87,7 @@ static void put_head(struct bytes *to, const struct image *image, const struct c
     put_window(to, "dataWindow", image);
     put_window(to, "displayWindow", image);
     put_byte(to, "lineOrder", "lineOrder", 0);
-    put_float(to, "pixelAspectRatio", 1);
+    put_float(to, "pixelAspectRatio", image->aspect > 0 ? (float)image->aspect : 1);
     put_attribute(to, "screenWindowCenter", "v2f", 8);
     bytes_put_little(to, 0, 8);
     put_float(to, "screenWindowWidth", 1);

@@ -132,10 +132,9 @@ static bool take_window(struct openexr *file, const struct value *value, struct 
 static bool take_aspect(struct openexr *file, const struct value *value, struct error *error)
 {
     const float aspect = bytes_float((uint32_t)bytes_little(file->data + value->at, 4));
-    return aspect == 1 || fail(error, ERROR_DATA,
-                               "OpenEXR: pixels of aspect ratio %g: they must "
-                               "be square",
-                               (double)aspect);
+    return image_take_aspect(file->image, (double)aspect) ||
+           fail(error, ERROR_DATA, "OpenEXR: pixels of aspect ratio %g: it must be %g to %g",
+                (double)aspect, IMAGE_ASPECT_LEAST, IMAGE_ASPECT_MOST);
 }
 
 static bool take_string(struct openexr *file, const struct value *value, struct error *error)

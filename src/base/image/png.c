@@ -14,6 +14,9 @@
 /* what gAMA says beside sRGB */
 enum { SRGB_GAMMA = 45455 };
 
+/* of the longer side of a pixel */
+enum { PNG_ASPECT_UNIT = 1000000000 };
+
 static void put_chunk(struct bytes *to, const char *type, const void *data, size_t count)
 {
     bytes_put_big(to, count, 4);
@@ -45,6 +48,17 @@ static void put_encoding(struct bytes *to, enum image_values values)
         put_chunk(to, "sRGB", "", 1);
     }
     put_chunk(to, "gAMA", big, sizeof big);
+}
+
+/* Pixels of some unknown unit across and down: more digits than anyone needs. */
+static void put_aspect(struct bytes *to, double aspect)
+{
+    const double across = fmin(1 / aspect, 1), down = fmin(aspect, 1);
+    struct bytes sizes = {.arena = to->arena};
+    bytes_put_big(&sizes, (uint64_t)round(PNG_ASPECT_UNIT * across), 4);
+    bytes_put_big(&sizes, (uint64_t)round(PNG_ASPECT_UNIT * down), 4);
+    bytes_put_big(&sizes, 0, 1);
+    put_chunk(to, "pHYs", sizes.data, sizes.used);
 }
 
 /* Latin letters as tEXt, others, in UTF-8, as iTXt. */
@@ -163,6 +177,9 @@ bool png_write(const struct image *image, const struct image_way *way, struct ar
     bytes_put(&to, PNG_SIGNATURE, PNG_START);
     put_header(&to, image, way->bits);
     put_encoding(&to, way->values);
+    if (image->aspect > 0) {
+        put_aspect(&to, image->aspect);
+    }
     for (size_t i = 0; i < image->note_count; i++) {
         put_note(&to, &image->notes[i]);
     }

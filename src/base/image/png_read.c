@@ -156,6 +156,22 @@ static bool take_gamma(struct png *png, const struct chunk *chunk, struct error 
     return png->gamma > 0 || chunk_wrong(chunk, "must be a number above 0", error);
 }
 
+/* Numbers that differ by their rounding only are those of square pixels; 0 says nothing. */
+static bool take_aspect(struct png *png, const struct chunk *chunk, struct error *error)
+{
+    if (chunk->count != 9) {
+        return chunk_wrong(chunk, "must have 9 bytes", error);
+    }
+    const double across = (double)bytes_big(chunk->data, 4);
+    const double down = (double)bytes_big(chunk->data + 4, 4);
+    return !(across > 0 && down > 0) || fabs(across - down) <= 1 ||
+           image_take_aspect(png->image, down / across) ||
+           chunk_wrong(chunk,
+                       "says that pixels are over 1000 times as wide as high, or as high "
+                       "as wide",
+                       error);
+}
+
 static struct text text_of_chunk(const struct chunk *chunk)
 {
     return (struct text){(const char *)chunk->data, chunk->count};
@@ -204,9 +220,9 @@ static bool take_chunk(struct png *png, const struct chunk *chunk, struct error 
         char type[5];
         bool (*take)(struct png *png, const struct chunk *chunk, struct error *error);
     } takers[] = {
-        {"IHDR", take_header}, {"PLTE", take_palette}, {"tRNS", take_alpha},
-        {"IDAT", take_data},   {"IEND", pass},         {"sRGB", take_srgb},
-        {"gAMA", take_gamma},  {"tEXt", take_latin},   {"iTXt", take_unicode},
+        {"IHDR", take_header},  {"PLTE", take_palette}, {"tRNS", take_alpha}, {"IDAT", take_data},
+        {"IEND", pass},         {"sRGB", take_srgb},    {"gAMA", take_gamma}, {"tEXt", take_latin},
+        {"iTXt", take_unicode}, {"pHYs", take_aspect},
     };
     if ((chunk->at == PNG_START) != (strcmp(chunk->type, "IHDR") == 0)) {
         return chunk_wrong(chunk, "is not where it belongs", error);

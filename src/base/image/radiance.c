@@ -43,6 +43,20 @@ static bool next_line(struct radiance *file, struct text *line, struct error *er
     return true;
 }
 
+/* Height of a pixel over its width; several lines are multiplied. */
+static bool take_aspect(struct radiance *file, struct text value, struct error *error)
+{
+    struct image *image = file->image;
+    const double before = image->aspect > 0 ? image->aspect : 1;
+    const struct text number = text_trim(value);
+    const char *end = number.start + number.length;
+    double ratio = 0;
+    return (number_read(number.start, end, NUMBER_UNSCALED, &ratio) == end &&
+            image_take_aspect(image, before / ratio)) ||
+           fail(error, ERROR_DATA, "Radiance: PIXASPECT '%.*s' must be a number of %g to %g",
+                text_shown(number), number.start, IMAGE_ASPECT_LEAST, IMAGE_ASPECT_MOST);
+}
+
 /* Divide by `count` numbers of a line, or by one for all channels. */
 static bool divide(struct radiance *file, struct text values, int count, struct error *error)
 {
@@ -78,6 +92,10 @@ static bool take_line(struct radiance *file, struct text line, struct error *err
     const struct text exposure = text_behind(line, "EXPOSURE=");
     const struct text correction = text_behind(line, "COLORCORR=");
     const struct text format = text_behind(line, "FORMAT=");
+    const struct text aspect = text_behind(line, "PIXASPECT=");
+    if (aspect.start != NULL) {
+        return take_aspect(file, aspect, error);
+    }
     if (exposure.start != NULL) {
         return divide(file, exposure, 1, error);
     }
@@ -337,6 +355,9 @@ bool radiance_write(const struct image *image, struct arena *arena, struct text 
     for (size_t i = 0; i < image->note_count; i++) {
         bytes_put_string(
             &to, ARENA_JOIN(arena, "# ", image->notes[i].key, ": ", image->notes[i].value, "\n"));
+    }
+    if (image->aspect > 0) {
+        bytes_put_string(&to, arena_printf(arena, "PIXASPECT=%.7g\n", 1 / image->aspect));
     }
     bytes_put_string(&to, arena_printf(arena, "FORMAT=32-bit_rle_%s\n\n-Y %zu +X %zu\n", format,
                                        image->height, image->width));

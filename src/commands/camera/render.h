@@ -245,6 +245,17 @@ static inline uint64_t render_frame_seed(const struct render_input *input,
 }
 
 /*
+ * Proportions of a pixel, its width over its height.
+ *
+ * Result    0: it is square, or as near to it as whole numbers of them let it be
+ */
+double render_aspect(const struct render_input *input, const struct render_frame *frame);
+
+/* Warns of what is not. */
+void render_say_size(const struct render_input *input, const struct render_frame *frame,
+                     struct growing *remarks);
+
+/*
  * Leave of a picture what is wanted.
  *
  * Given     image   with the pixels that were taken; receives those of the crop

@@ -26,7 +26,7 @@ bool render_autofocus_place(const char *text, double *x, double *y, struct error
  */
 static double depth_at(const struct image *map, const struct sensor *film, const double place[2])
 {
-    const double proportion = (double)map->width / (double)map->height;
+    const double proportion = image_proportion(map);
     const double width = fmax(film->width, proportion * film->height);
     const double x = 0.5 + (place[0] - 0.5) * film->width / width;
     const double y = 0.5 + (place[1] - 0.5) * film->height / (width / proportion);

@@ -247,6 +247,7 @@ static bool receive_light(const struct render_input *input, const struct render_
                   : render_sense(input, exposure->time, &shot->frame, image, remarks, error))) {
         return false;
     }
+    image->aspect = light.aspect;
     for (size_t i = 0; i < light.note_count; i++) {
         render_note(image, remarks->arena, light.notes[i].key, light.notes[i].value);
     }

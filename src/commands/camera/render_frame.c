@@ -92,6 +92,29 @@ bool render_frame_read(const struct render_input *input, struct render_frame *fr
     return true;
 }
 
+double render_aspect(const struct render_input *input, const struct render_frame *frame)
+{
+    const struct sensor *film = &input->sensor.size;
+    const double columns = (double)frame->columns, rows = (double)frame->rows;
+    const double wide = film->width / columns, high = film->height / rows; /* of a pixel */
+    const bool is_rounded =
+        fabs(film->width / high - columns) <= 0.5 || fabs(film->height / wide - rows) <= 0.5;
+    return is_rounded ? 0 : wide / high;
+}
+
+void render_say_size(const struct render_input *input, const struct render_frame *frame,
+                     struct growing *remarks)
+{
+    const struct sensor *film = &input->sensor.size;
+    const double aspect = render_aspect(input, frame);
+    if (aspect > 0) {
+        growing_format(remarks,
+                       "warning: %zux%zu pixels on %.6g x %.6g mm are each %.4g times as wide as "
+                       "high: shown as squares they distort the picture\n",
+                       frame->columns, frame->rows, film->width, film->height, aspect);
+    }
+}
+
 bool render_frame_cut(const struct render_frame *frame, struct arena *arena, struct image *image,
                       struct error *error)
 {

@@ -107,8 +107,9 @@ static void add_notes(const struct analysis_case *one, const struct render_input
 
 static struct text doubts_of(const struct analysis_case *one, const struct picture_job *picture,
                              const struct photograph_question *question,
-                             const struct photograph *photograph)
+                             const struct render_shot *shot)
 {
+    const struct photograph *photograph = &shot->photograph;
     const struct artifact_job *job = picture->job;
     const struct render_input *input = job->inputs[0];
     struct growing doubts = {.arena = job->run->arena};
@@ -118,6 +119,7 @@ static struct text doubts_of(const struct analysis_case *one, const struct pictu
                                                ? (double)photograph->counts[PHOTOGRAPH_PASSED] /
                                                      (double)photograph->counts[PHOTOGRAPH_TRACED]
                                                : NAN};
+    render_say_size(input, &shot->frame, &doubts);
     render_say_autofocus(input, render_object(one), &doubts);
     render_say_samples(input, photograph, &doubts);
     render_say_light(input, &doubts);
@@ -146,13 +148,14 @@ static void finish(const struct analysis_case *one, const struct picture_job *pi
     render_filter(input, one->setup, input->spectral ? picture->world->white : NULL,
                   &shot->photograph);
     add_notes(one, input, &shot->photograph.image, arena);
+    shot->photograph.image.aspect = render_aspect(input, &shot->frame);
     if (shot->photograph.is_incomplete) {
         const char *why = job->run->parts != NULL ? "parts are missing" : "interrupted";
         render_note(&shot->photograph.image, arena, "Incomplete", why);
         fail(&job->run->shortfall, ERROR_DOMAIN,
              "%s: the picture is incomplete, and black where it is missing", why);
     }
-    shot->doubts = doubts_of(one, picture, question, &shot->photograph);
+    shot->doubts = doubts_of(one, picture, question, shot);
 }
 
 /* What moves is somewhere else in an exposure of another length. */
