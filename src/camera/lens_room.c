@@ -192,13 +192,78 @@ static bool look_through(const struct lens_room *room, const struct world *world
     return false;
 }
 
-bool lens_room_holds(const struct lens_room *room, const struct world *world,
-                     const struct scene_place *camera, double time, size_t *thing)
+/* -------- over a time -------- */
+
+/* Of a ball about the camera's place, which holds all of the lens. */
+static double ball_of(const struct lens_room *room)
 {
-    const struct scene_pose pose = scene_pose_at(camera, time);
+    return hypot(room->radius, fmax(fabs(room->front), fabs(room->back)));
+}
+
+/* How far a thing is from the lens at least. */
+static double gap_of(const struct lens_room *room, const struct world_thing *thing,
+                     const struct scene_pose *camera, double time)
+{
+    if (thing->thing->shape == SHAPE_PLANE) {
+        const struct scene_pose pose = scene_pose_at(&thing->thing->where, time);
+        const double away = vector_dot(pose.turned.z, vector_minus(camera->at, pose.at));
+        return fmax(fabs(away) - ball_of(room), 0);
+    }
+    const double low[3] = {-room->radius, -room->radius, room->front};
+    const double high[3] = {room->radius, room->radius, room->back};
+    const struct part part = part_of(thing, camera, time);
+    double gap = 0;
+    for (int i = 0; i < 3; i++) {
+        gap = fmax(gap, fmax(part.low[i] - high[i], low[i] - part.high[i]));
+    }
+    return gap;
+}
+
+/* No point that comes into the lens within a duration from then is faster, as the camera sees it. */
+static double speed_of(const struct lens_room *room, const struct scene_place *thing,
+                       const struct scene_place *camera, const double span[2])
+{
+    const double ball = ball_of(room), duration = span[1] - span[0];
+    const double apart = vector_length(vector_minus(scene_pose_at(thing, span[0]).at,
+                                                    scene_pose_at(camera, span[0]).at));
+    const double moved = vector_length(vector_minus(thing->velocity, camera->velocity));
+    const double seen = moved + fabs(thing->spin) * (apart + moved * duration + ball);
+    return seen + fabs(camera->spin) * (ball + seen * duration);
+}
+
+/* From time to time, as late as it may be. */
+static bool comes_in(const struct lens_room *room, const struct world *world,
+                     const struct scene_place *camera, const double span[2], size_t *thing,
+                     double *time)
+{
+    enum { STEPS = 4, LOOKS_MOST = 4096 };
+    const struct world_thing *one = &world->things[*thing];
+    const double speed = speed_of(room, &one->thing->where, camera, span);
+    const double wide = fmin(room->radius, room->back - room->front);
+    const double least = fmax(wide / STEPS / speed, (span[1] - span[0]) / LOOKS_MOST);
+    *time = span[0];
+    for (bool is_last = false; !is_last;) {
+        const struct scene_pose pose = scene_pose_at(camera, *time);
+        struct part part = part_of(one, &pose, *time);
+        const double gap = gap_of(room, one, &pose, *time);
+        if (gap == 0 && clip(room, &part) &&
+            look_through(room, world, &pose, *time, &part, thing)) {
+            return true;
+        }
+        const bool stays = !one->moves && !scene_place_moves(camera);
+        is_last = stays || !(*time < span[1]);
+        *time = fmin(*time + fmax(least, gap / speed), span[1]);
+    }
+    return false;
+}
+
+bool lens_room_holds(const struct lens_room *room, const struct world *world,
+                     const struct scene_place *camera, const double span[2], size_t *thing,
+                     double *time)
+{
     for (size_t i = 0; i < world->scene->thing_count; i++) {
-        struct part part = part_of(&world->things[i], &pose, time);
-        if (clip(room, &part) && look_through(room, world, &pose, time, &part, thing)) {
+        *thing = i;
+        if (comes_in(room, world, camera, span, thing, time)) {
             return true;
         }
     }

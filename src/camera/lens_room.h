@@ -35,15 +35,22 @@ struct lens_room {
 struct lens_room lens_room_of(const struct setup *setup, double pupil, struct arena *arena);
 
 /*
- * Does the surface of a thing pass through it?
+ * Is the surface of a thing in it at some time?
  *
  * Given     camera  where it is
- *           time    s
- *           thing   receives the number of one that does
+ *           span    times, from .. to, s
+ *           thing   receives the number of one that is,
+ *           time    and when: about the first time that it is
  * Result    by lines to and fro in what the cylinder has in common with the box about each thing,
- *           a sixteenth of that apart: what is thinner may be missed. A thing all around is none
+ *           a sixteenth of that apart: what is thinner may be missed. A thing all around is none.
+ *           What moves is looked at wherever it may be in the cylinder, again when it has come a
+ *           quarter of its radius or length on, or after a 4096th of the span if that is later
+ * Formula   what is a gap away takes at least gap/speed to come in, where no point that is as near
+ *           as the cylinder is faster in the camera's frame than what both move and spin, these
+ *           times their levers, together
  */
 bool lens_room_holds(const struct lens_room *room, const struct world *world,
-                     const struct scene_place *camera, double time, size_t *thing);
+                     const struct scene_place *camera, const double span[2], size_t *thing,
+                     double *time);
 
 #endif

@@ -89,6 +89,17 @@ for at in 11mm,0,2.98325 11mm,0,2.98105 13mm,0,2.98325 0,-11mm,2.98325; do
     sed "s/=1mm at=0,0,3/=0.3mm at=$at/" within.scene > glass.scene
     lenscalc render glass.scene --lens double-gauss-50 --size 6x4 -N 16 -s inf -t 1 -o glass.pfm 2>&1 | grep -e stands -e average
 done
+# what comes through it between two looks: at 2 m/s from 2 m before the first vertex, 19.95 mm before 3 m,
+# after 1 s; the camera against it; a blade that turns through it 1 s before and after; past it, and not
+through() {
+    { printf 'camera at=0,0,3 look=0,0,0 %s\nmaterial a black emission=1 luminance=1\n' "$2"; echo "$1"; } > through.scene
+    lenscalc render through.scene $small -s 3m -t 3 -o through.pfm 2>&1 | grep -v move
+}
+through 'card size=1,1 at=0,0,0.98 material=a move=0,0,2'
+through 'card size=1,1 at=0,0,0.98 material=a' 'move=0,0,-2'
+through 'box size=4,0.2,0.001 at=1.9,0,3.01 turn=0,90,0 material=a spin=90deg/s'
+through 'sphere radius=0.5 at=0.54,0,0 material=a move=0,0,3'
+through 'sphere radius=0.5 at=0.5,0,0 material=a move=0,0,3'
 printf 'camera at=0,0,3 look=0,0,0\nmaterial a lambert texture=lost.png\nlight sky uniform luminance=1\nsphere radius=1 material=a\n' > texture.scene
 lenscalc render texture.scene $small -s 1m -o lost.pfm
 lenscalc render lamps.scene $small -t 1us -o faint.png 2>&1 | grep warning

@@ -11,6 +11,7 @@
 #include "photo/sensitometry.h"
 #include "scene/scene_check.h"
 
+#include <stdio.h>
 #include <string.h>
 
 /* -------- what is asked -------- */
@@ -138,18 +139,26 @@ static double pupil_of(const struct setup *setup)
     return isfinite(setup->first.entrance_pupil) ? setup->first.entrance_pupil : 0;
 }
 
-/* The time at which something stands where no ray can come. */
-static bool stand_clear(const struct render_world *world, const struct lens_room *room, double time,
-                        struct error *error)
+/* At no time does anything stand where no ray can come. */
+static bool stand_clear(const struct render_world *world, const struct lens_room *room,
+                        const double span[2], struct error *error)
 {
+    const struct scene_place *camera = &world->scene.camera.where;
     size_t which;
-    if (!lens_room_holds(room, &world->world, &world->scene.camera.where, time, &which)) {
+    double time;
+    if (!lens_room_holds(room, &world->world, camera, span, &which, &time)) {
         return true;
     }
+    const struct scene_thing *thing = &world->scene.things[which];
+    char when[80] = "stands within the lens";
+    if (scene_place_moves(&thing->where) || scene_place_moves(camera)) {
+        snprintf(when, sizeof when, "%.3g s %s the middle of the exposure is within the lens",
+                 fabs(time), time < 0 ? "before" : "after");
+    }
     fail(error, ERROR_DOMAIN,
-         "what line %zu of %.200s places stands within the lens, which reaches from %.6g mm before "
-         "the camera's place to its film %.6g mm behind it",
-         world->scene.things[which].place.line, world->scene.source, -room->front, room->back);
+         "what line %zu of %.200s places %s, which reaches from %.6g mm before the camera's place to "
+         "its film %.6g mm behind it",
+         thing->place.line, world->scene.source, when, -room->front, room->back);
     return error_hint(error, "move it, or the camera");
 }
 
@@ -318,10 +327,8 @@ bool render_world_open(const struct artifact_job *job, const struct analysis_cas
         return false;
     }
     const struct lens_room room = lens_room_of(one->setup, pupil_of(one->setup), arena);
-    for (int i = 0; i < 3; i++) {
-        if (!stand_clear(world, &room, (span[0] * (2 - i) + span[1] * i) / 2, error)) {
-            return false;
-        }
+    if (!stand_clear(world, &room, span, error)) {
+        return false;
     }
     put_filter(input, world);
     world->path = (struct path){.world = &world->world,
