@@ -51,6 +51,7 @@ static const struct unit time_units[] = {
     {"ms", "ms", {1, -3}, 1, NULL, "millisecond"},
     {"min", "min", {60, 0}, 1, "minute minutes mins", "minute, 60 s"},
     {"h", "h", {3600, 0}, 1, "hr hour hours", "hour, 3600 s"},
+    {"d", "d", {86400, 0}, 1, "day days", "day, 24 h"},
 };
 
 static const struct unit iso_units[] = {
@@ -78,11 +79,15 @@ static const struct unit stops_units[] = {
 
 static const struct unit luminance_units[] = {
     {"cd_m2", "cd/m2", {1, 0}, 1, "cd/m2 cd/m^2 nt nit nits", "candela per square metre"},
+    {"kcd_m2", "kcd/m2", {1, 3}, 1, "kcd/m2 kcd/m^2", "kilocandela per square metre"},
+    {"mcd_m2", "mcd/m2", {1, -3}, 1, "mcd/m2 mcd/m^2", "millicandela per square metre"},
     {"fL", "fL", {1, 0}, 3.4262590996353905, "ftL", "foot-lambert"},
 };
 
 static const struct unit illuminance_units[] = {
     {"lx", "lx", {1, 0}, 1, "lux", "lux"},
+    {"klx", "klx", {1, 3}, 1, "klux", "kilolux"},
+    {"mlx", "mlx", {1, -3}, 1, NULL, "millilux"},
     {"fc", "fc", {1, 0}, 10.763910416709722, "ftc", "foot-candle, lumen per square foot"},
 };
 
@@ -102,6 +107,19 @@ static const struct unit speed_units[] = {
 static const struct unit rotation_units[] = {
     {"rad_s", "rad/s", {1, 0}, 1, "rad/s", "radian per second"},
     {"deg_s", "deg/s", {1, 0}, RADIANS_PER_DEGREE, "deg/s \xc2\xb0/s", "degree per second"},
+    {"deg_h", "deg/h", {1, 0}, RADIANS_PER_DEGREE / 3600, "deg/h \xc2\xb0/h", "degree per hour"},
+    {"arcmin_s",
+     "arcmin/s",
+     {1, 0},
+     RADIANS_PER_DEGREE / 60,
+     "arcmin/s",
+     "minute of arc per second"},
+    {"arcsec_s",
+     "arcsec/s",
+     {1, 0},
+     RADIANS_PER_DEGREE / 3600,
+     "arcsec/s",
+     "second of arc per second"},
     {"rpm", "rpm", {6, 0}, RADIANS_PER_DEGREE, "1/min", "turn per minute"},
 };
 

@@ -2,6 +2,7 @@
 /* SPDX-License-Identifier: MIT */
 #include "file/scene_words.h"
 
+#include "base/constants.h"
 #include "base/quantity.h"
 
 #include <math.h>
@@ -9,11 +10,21 @@
 #include <stdio.h>
 #include <string.h>
 
-static const struct unit candelas = {"cd", "cd", {1, 0}, 1, "candela", "candela"};
-static const struct dimension intensity = {
-    .name = "luminous intensity", .units = &candelas, .unit_count = 1};
-static const struct unit lumens = {"lm", "lm", {1, 0}, 1, "lumen", "lumen"};
-static const struct dimension flux = {.name = "luminous flux", .units = &lumens, .unit_count = 1};
+static const struct unit candelas[] = {
+    {"cd", "cd", {1, 0}, 1, "candela", "candela"},
+    {"kcd", "kcd", {1, 3}, 1, NULL, "kilocandela"},
+    {"mcd", "mcd", {1, -3}, 1, NULL, "millicandela"},
+};
+static const struct dimension intensity = {.name = "luminous intensity",
+                                           .units = candelas,
+                                           .unit_count = sizeof candelas / sizeof candelas[0]};
+static const struct unit lumens[] = {
+    {"lm", "lm", {1, 0}, 1, "lumen", "lumen"},
+    {"klm", "klm", {1, 3}, 1, NULL, "kilolumen"},
+    {"mlm", "mlm", {1, -3}, 1, NULL, "millilumen"},
+};
+static const struct dimension flux = {
+    .name = "luminous flux", .units = lumens, .unit_count = sizeof lumens / sizeof lumens[0]};
 
 /* A million km, the speed of light, and what no lamp exceeds. */
 #define FARTHEST  1e12
@@ -36,7 +47,8 @@ static const struct form {
     [KEY_TURN] = {"turn", &dimension_angle, 3, 3, -100, 100, "-5729 deg to 5729 deg"},
     [KEY_MOVE] = {"move", &dimension_speed, 3, 3, -FASTEST, FASTEST,
                   "-299792458 m/s to 299792458 m/s"},
-    [KEY_SPIN] = {"spin", &dimension_rotation, 1, 1, -1e6, 1e6, "-1e6 rad/s to 1e6 rad/s"},
+    [KEY_SPIN] = {"spin", &dimension_rotation, 1, 1, -5e7 * RADIANS_PER_DEGREE,
+                  5e7 * RADIANS_PER_DEGREE, "-5e7 deg/s to 5e7 deg/s"},
     [KEY_AXIS] = {"axis", &dimension_number, 3, 3, -1e9, 1e9, "-1e9 to 1e9"},
     [KEY_FOCUS] = {"focus", &dimension_length, 1, 1, SMALLEST, INFINITY, "1 nm to inf"},
     [KEY_RADIUS] = {"radius", &dimension_length, 1, 1, SMALLEST, FARTHEST, "1 nm to 1e9 m"},
@@ -61,7 +73,8 @@ static const struct form {
     [KEY_INTENSITY] = {"intensity", &intensity, 1, 1, DARKEST, BRIGHTEST, "1e-15 cd to 1e15 cd"},
     [KEY_POWER] = {"power", &flux, 1, 1, DARKEST, BRIGHTEST, "1e-15 lm to 1e15 lm"},
     [KEY_MAGNITUDE] = {"magnitude", &dimension_number, 1, 1, -30, 40, "-30 to 40"},
-    [KEY_DIAMETER] = {"diameter", &dimension_angle, 1, 1, 1e-7, 3.1, "1e-7 rad to 3.1 rad"},
+    [KEY_DIAMETER] = {"diameter", &dimension_angle, 1, 1, 1e-5 * RADIANS_PER_DEGREE,
+                      177 * RADIANS_PER_DEGREE, "1e-5 deg to 177 deg"},
     [KEY_TOWARDS] = {"towards", &dimension_number, 3, 3, -1e9, 1e9, "-1e9 to 1e9"},
     [KEY_ELEVATION] = {"elevation", &dimension_angle, 1, 1, -1.5707963267948968, 1.5707963267948968,
                        "-90 deg to 90 deg"},
