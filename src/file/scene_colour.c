@@ -138,6 +138,21 @@ static bool is_number(struct text text)
     return strchr("0123456789.+-", text.start[0]) != NULL && last != 'K';
 }
 
+/* Any grey is white light, and who writes a number above 1 means something else by it. */
+static bool check_grey(const struct file_words *words, struct text text,
+                       const struct spectrum *spectrum, struct error *error)
+{
+    const double least_kelvin = 100;
+    if (spectrum->rgb[0] <= 1 || memchr(text.start, ',', text.length) != NULL) {
+        return true;
+    }
+    file_words_fail(words, text, error,
+                    "'%.*s' is no colour of light: a single number, 0 to 1, means white",
+                    text_shown(text), text.start);
+    return spectrum->rgb[0] >= least_kelvin &&
+           error_hint(error, "did you mean '%.*sK'?", text_shown(text), text.start);
+}
+
 bool scene_colour_of(const struct scene_reader *reader, const struct scene_line *line,
                      enum scene_key key, enum scene_colour_use use, struct spectrum *spectrum,
                      struct error *error)
@@ -149,7 +164,9 @@ bool scene_colour_of(const struct scene_reader *reader, const struct scene_line 
         const bool is_read = text.start[0] == '#' ? read_code(words, text, &colour.spectrum, error)
                              : is_number(text)    ? read_parts(words, text, &colour.spectrum, error)
                                                   : find_named(reader, text, use, &colour, error);
-        if (!is_read || !check_use(words, text, use, &colour, error)) {
+        if (!is_read || !check_use(words, text, use, &colour, error) ||
+            (use == COLOUR_OF_LIGHT && is_number(text) &&
+             !check_grey(words, text, &colour.spectrum, error))) {
             return false;
         }
     }
