@@ -219,13 +219,13 @@ static double gap_of(const struct lens_room *room, const struct world_thing *thi
     return gap;
 }
 
-/* No point that comes into the lens within a duration from then is faster, as the camera sees it. */
+/* No point that comes into the lens within the span is faster, as the camera sees it. */
 static double speed_of(const struct lens_room *room, const struct scene_place *thing,
                        const struct scene_place *camera, const double span[2])
 {
     const double ball = ball_of(room), duration = span[1] - span[0];
-    const double apart = vector_length(vector_minus(scene_pose_at(thing, span[0]).at,
-                                                    scene_pose_at(camera, span[0]).at));
+    const double apart = vector_length(
+        vector_minus(scene_pose_at(thing, span[0]).at, scene_pose_at(camera, span[0]).at));
     const double moved = vector_length(vector_minus(thing->velocity, camera->velocity));
     const double seen = moved + fabs(thing->spin) * (apart + moved * duration + ball);
     return seen + fabs(camera->spin) * (ball + seen * duration);

@@ -27,7 +27,7 @@ struct file_words {
 /*
  * Begin to read.
  *
- * Errors    ERROR_DATA: NUL bytes or a mark of UTF-16
+ * Errors    ERROR_DATA: NUL bytes, a mark of UTF-16, lines that end in CR alone
  */
 bool file_words_open(struct file_words *words, const char *source, struct text content,
                      struct arena *arena, struct error *error);

@@ -64,8 +64,10 @@ static bool take_colours(const struct image *from, bool has_alpha, struct arena 
                          struct image *to, struct error *error)
 {
     const size_t colours = from->channels < COLOURS ? 1 : COLOURS;
-    *to = (struct image){
-        .width = from->width, .height = from->height, .channels = COLOURS + (has_alpha ? 1 : 0)};
+    *to = (struct image){.width = from->width,
+                         .height = from->height,
+                         .channels = COLOURS + (has_alpha ? 1 : 0),
+                         .aspect = from->aspect};
     if (!image_new(to, arena, error)) {
         return false;
     }
@@ -304,18 +306,27 @@ static void note_passed(struct scene_reader *reader, const char *path,
                                path, passed->twice, passed->twice == 1 ? " lies" : "s lie",
                                passed->twice == 1 ? "is" : "are"));
     }
-    if (passed->unplaced > 0) {
-        take_note(reader, arena_printf(arena,
-                                       "%s: %zu triangles have no places in a texture, and take "
+}
+
+/* Once, of what is seen with a texture. */
+static void note_unplaced(struct scene_reader *reader, struct scene_model *model)
+{
+    if (model->unplaced > 0) {
+        take_note(reader, arena_printf(reader->words.arena,
+                                       "%s: %zu triangle%s no places in a texture, and take%s "
                                        "its lower left corner",
-                                       path, passed->unplaced));
+                                       model->mesh->file, model->unplaced,
+                                       model->unplaced == 1 ? " has" : "s have",
+                                       model->unplaced == 1 ? "s" : ""));
     }
+    model->unplaced = 0;
 }
 
 /* What the file holds is given up: it is as large as the mesh. */
 static bool read_mesh(struct scene_reader *reader, struct wanted *wanted, double scale,
-                      struct scene_mesh *mesh, struct error *error)
+                      struct scene_model *model, struct error *error)
 {
+    struct scene_mesh *mesh = ARENA_NEW(reader->words.arena, struct scene_mesh);
     const struct obj_question question = {
         .source = wanted->path,
         .scale = scale,
@@ -332,11 +343,12 @@ static bool read_mesh(struct scene_reader *reader, struct wanted *wanted, double
     if (is_read) {
         reader->triangles += mesh->triangle_count;
         note_passed(reader, wanted->path, &passed);
+        *model = (struct scene_model){mesh, passed.unplaced};
     }
     return is_read;
 }
 
-bool scene_load_mesh(struct scene_reader *reader, const struct scene_line *line,
+bool scene_load_mesh(struct scene_reader *reader, const struct scene_line *line, bool has_texture,
                      const struct scene_mesh **mesh, struct error *error)
 {
     struct arena *arena = reader->words.arena;
@@ -344,19 +356,20 @@ bool scene_load_mesh(struct scene_reader *reader, const struct scene_line *line,
     const double scale = unit_to_own(&reader->units.length, 1) *
                          (scene_line_has(line, KEY_SCALE) ? line->number[KEY_SCALE][0] : 1);
     const char *name = arena_printf(arena, "%.17g %s", scale, wanted.path);
-    const size_t known = name_index_find(&reader->meshes, text_of(name));
-    if (known != NAME_NONE) {
-        *mesh = reader->triangled[known];
-        return true;
+    size_t which = name_index_find(&reader->meshes, text_of(name));
+    if (which == NAME_NONE) {
+        struct scene_model read;
+        if (!read_mesh(reader, &wanted, scale, &read, error)) {
+            return false;
+        }
+        reader->models = arena_grow(arena, reader->models, reader->meshes.count, &reader->mesh_room,
+                                    sizeof read);
+        reader->models[reader->meshes.count] = read;
+        which = name_index_add(&reader->meshes, text_of(name), arena);
     }
-    struct scene_mesh *read = ARENA_NEW(arena, struct scene_mesh);
-    if (!read_mesh(reader, &wanted, scale, read, error)) {
-        return false;
+    if (has_texture) {
+        note_unplaced(reader, &reader->models[which]);
     }
-    reader->triangled = arena_grow(arena, reader->triangled, reader->meshes.count,
-                                   &reader->mesh_room, sizeof reader->triangled[0]);
-    reader->triangled[reader->meshes.count] = read;
-    name_index_add(&reader->meshes, text_of(name), arena);
-    *mesh = read;
+    *mesh = reader->models[which].mesh;
     return true;
 }

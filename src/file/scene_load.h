@@ -33,8 +33,13 @@ bool scene_load_picture(struct scene_reader *reader, const struct scene_line *li
 bool scene_load_table(struct scene_reader *reader, const struct scene_line *line,
                       struct spectrum *spectrum, struct error *error);
 
-/* The mesh of file= in the size of scale=. Errors: as obj_read; more triangles than may be. */
-bool scene_load_mesh(struct scene_reader *reader, const struct scene_line *line,
+/*
+ * The mesh of file= in the size of scale=.
+ *
+ * Given     has_texture  its material has one: what has no place in it is noted
+ * Errors    as obj_read; more triangles than may be
+ */
+bool scene_load_mesh(struct scene_reader *reader, const struct scene_line *line, bool has_texture,
                      const struct scene_mesh **mesh, struct error *error);
 
 #endif

@@ -19,6 +19,12 @@ struct scene_loaded {
     double mean; /* its luminance in the mean over that of white */
 };
 
+/* A mesh that was read. */
+struct scene_model {
+    const struct scene_mesh *mesh;
+    size_t unplaced; /* triangles without places in a texture, of which nothing is said yet */
+};
+
 /* Arrays grow by doubling in the arena of the words; names are texts of the content. */
 struct scene_reader {
     struct file_words words;
@@ -27,10 +33,10 @@ struct scene_reader {
     struct scene_units units;
     struct digest digest;
     struct name_index colours, materials, images, meshes, tables;
-    struct scene_colour *spectra;        /* of the colours */
-    struct scene_loaded *loaded;         /* of the images */
-    struct spectrum *tabled;             /* of the tables */
-    const struct scene_mesh **triangled; /* of the meshes */
+    struct scene_colour *spectra; /* of the colours */
+    struct scene_loaded *loaded;  /* of the images */
+    struct spectrum *tabled;      /* of the tables */
+    struct scene_model *models;   /* of the meshes */
     size_t spectrum_room, material_room, thing_room, light_room, note_room, image_room, mesh_room,
         table_room;
     size_t triangles; /* of all meshes */

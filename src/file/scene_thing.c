@@ -57,7 +57,7 @@ static bool find_material(const struct scene_reader *reader, const struct scene_
 static bool read_mesh(struct scene_reader *reader, const struct scene_line *line, bool has_texture,
                       struct scene_thing *thing, struct error *error)
 {
-    if (!scene_load_mesh(reader, line, &thing->mesh, error)) {
+    if (!scene_load_mesh(reader, line, has_texture, &thing->mesh, error)) {
         return false;
     }
     return !has_texture || thing->mesh->places != NULL ||

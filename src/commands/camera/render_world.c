@@ -2,6 +2,7 @@
 /* SPDX-License-Identifier: MIT */
 #include "commands/camera/render_world.h"
 
+#include "base/name_index.h"
 #include "camera/develop.h"
 #include "camera/lens_room.h"
 #include "commands/camera/render_part.h"
@@ -156,8 +157,8 @@ static bool stand_clear(const struct render_world *world, const struct lens_room
                  fabs(time), time < 0 ? "before" : "after");
     }
     fail(error, ERROR_DOMAIN,
-         "what line %zu of %.200s places %s, which reaches from %.6g mm before the camera's place to "
-         "its film %.6g mm behind it",
+         "what line %zu of %.200s places %s, which reaches from %.6g mm before the camera's place "
+         "to its film %.6g mm behind it",
          thing->place.line, world->scene.source, when, -room->front, room->back);
     return error_hint(error, "move it, or the camera");
 }
@@ -346,15 +347,30 @@ bool render_world_open(const struct artifact_job *job, const struct analysis_cas
 
 /* -------- what is said of it -------- */
 
+/* Of each file once. */
+static void say_degenerate(const struct world *world, struct growing *remarks)
+{
+    struct name_index said = {0};
+    for (size_t i = 0; i < world->scene->thing_count; i++) {
+        const struct mesh *mesh = world->things[i].mesh;
+        const size_t flat = mesh != NULL ? mesh->degenerate : 0;
+        const struct text file = text_of(flat > 0 ? mesh->triangles->file : "");
+        if (flat == 0 || name_index_find(&said, file) != NAME_NONE) {
+            continue;
+        }
+        name_index_add(&said, file, remarks->arena);
+        growing_format(remarks, "%.200s: %zu triangle%s no area, and %s left out\n", file.start,
+                       flat, flat == 1 ? " has" : "s have", flat == 1 ? "is" : "are");
+    }
+}
+
 void render_say_world(const struct render_world *world, struct growing *remarks)
 {
     for (size_t i = 0; i < world->scene.note_count; i++) {
         growing_format(remarks, "%s\n", world->scene.notes[i]);
     }
-    const size_t flat = world->world.degenerate;
-    if (flat > 0) {
-        growing_format(remarks, "%zu triangle%s no area, and %s left out\n", flat,
-                       flat == 1 ? " has" : "s have", flat == 1 ? "is" : "are");
+    if (world->world.degenerate > 0) {
+        say_degenerate(&world->world, remarks);
     }
     render_say_colours(world, remarks);
 }
