@@ -192,9 +192,12 @@ bool lens_film_open(const struct film_question *question, struct arena *arena,
         fail(error, ERROR_DOMAIN, "the image of the lens lies at infinity: there is no film");
         return error_hint(error, "say with {focus} how far behind the last vertex it is");
     }
-    if (setup->lens->stop == LENS_NONE || !(setup->first.stop_radius > 0)) {
-        fail(error, ERROR_DOMAIN, "%s: how much light comes is not known",
-             setup->lens->stop == LENS_NONE ? "the lens has no stop" : "the stop has no diameter");
+    if (setup->lens->stop == LENS_NONE) {
+        fail(error, ERROR_DOMAIN, "the lens has no stop: how much light comes is not known");
+        return lens_hint_stop(error);
+    }
+    if (!(setup->first.stop_radius > 0)) {
+        fail(error, ERROR_DOMAIN, "the stop has no diameter: how much light comes is not known");
         return error_hint(error, "give an f-number, or a diameter in the file");
     }
     if (!open_systems(question, arena, film, error)) {

@@ -236,6 +236,14 @@ static bool read_scene(const struct reader *reader, const struct option *option,
 {
     struct lensdb_scene scene;
     if (!lensdb_find_scene(reader->db, text, &scene, error)) {
+        static const char ending[] = ".scene";
+        const size_t length = strlen(ending);
+        if (text.length > length &&
+            text_equal((struct text){text.start + text.length - length, length}, ending)) {
+            error_hint(error,
+                       "a file with a scene is named without an option: lenscalc render %.*s",
+                       text_shown(text), text.start);
+        }
         return blame(option, error);
     }
     *(struct scene_value *)member =

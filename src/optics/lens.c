@@ -196,6 +196,12 @@ static void warn(const struct check *check, const char *text)
     }
 }
 
+bool lens_hint_stop(struct error *error)
+{
+    return error_hint(error, "in its file a line 'stop' in place of a plane 'surface', or the word "
+                             "'stop' behind another one, says where it is");
+}
+
 static bool is_sound(struct pair value)
 {
     return fabs(value.hi) < 1e100;

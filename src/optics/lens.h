@@ -200,6 +200,9 @@ struct lens_warnings {
 bool lens_check(const struct lens *lens, struct arena *arena, struct lens_warnings *warnings,
                 struct error *error);
 
+/* Hint at how a lens without a stop gets one in its file; false. */
+bool lens_hint_stop(struct error *error);
+
 /* Is the lens the same in all directions about its axis? */
 bool lens_is_round(const struct lens *lens);
 

@@ -41,7 +41,8 @@ static bool check(const struct analysis_question *question, const struct analysi
     }
     if (!isnan(question->fnumber) && question->lens.lens != NULL &&
         question->lens.lens->stop == LENS_NONE) {
-        return fail(error, ERROR_DOMAIN, "{--aperture}: the lens has no stop");
+        fail(error, ERROR_DOMAIN, "{--aperture}: the lens has no stop");
+        return lens_hint_stop(error);
     }
     return true;
 }

@@ -34,9 +34,10 @@ static bool find_object(const struct render_input *input, struct arena *arena, d
     struct photo_lens lens;
     double s;
     if (input->question.lens.lens->stop == LENS_NONE) {
-        return fail(error, ERROR_DOMAIN, "the lens has no stop: how much light comes is not known");
+        fail(error, ERROR_DOMAIN, "the lens has no stop: how much light comes is not known");
+        return lens_hint_stop(error);
     }
-    if (!photo_lens_single(&question, 0, arena, &lens, error) ||
+    if (!photo_lens_single(&question, PHOTO_LENS_OWN_PUPILS, arena, &lens, error) ||
         !distance_to_principal(lens.f, lens.P, input->distance, &lens.measuring, &s, error)) {
         return false;
     }

@@ -25,6 +25,11 @@ static bool check_subject(const struct artifact_job *job, struct error *error)
     }
     if (!render_is_world(input) && isnan(input->distance) &&
         (input->autofocus == NULL || input->depth_map == NULL)) {
+        struct card card;
+        if (!render_scene(input, job->run->arena, &card, error)) {
+            return error->code == ERROR_DATA && error->hint[0] == '\0' &&
+                   error_hint(error, "the name of a scene ends in .scene");
+        }
         fail(error, ERROR_USAGE, "how far away the card is is not said");
         return error_hint(error, "give {--distance}, as -s 2m");
     }

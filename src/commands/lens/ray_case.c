@@ -50,7 +50,8 @@ bool ray_case_open(const struct ray_question *question, const struct ray_choice 
         return fail(error, ERROR_USAGE, "{--clip} and {--no-clip} exclude each other");
     }
     if (!isnan(question->fnumber) && question->lens.lens->stop == LENS_NONE) {
-        return fail(error, ERROR_DOMAIN, "{--aperture}: the lens has no stop");
+        fail(error, ERROR_DOMAIN, "{--aperture}: the lens has no stop");
+        return lens_hint_stop(error);
     }
     *one = (struct ray_case){.clip = !question->no_clip};
     if (!setup_open(&asked, arena, &one->setup, error) ||

@@ -93,15 +93,17 @@ static bool take_pupil(const struct first_order *first, const struct photo_lens_
     if (isnan(lens->P) && (use & PHOTO_LENS_WITHOUT_PUPILS) != 0) {
         return true;
     }
+    const bool may_say = (use & PHOTO_LENS_OWN_PUPILS) == 0;
     if (isnan(lens->P)) {
         fail(error, ERROR_USAGE, "it has no stop, so that its pupils are not known");
-        return error_hint(error,
+        return may_say &&
+               error_hint(error,
                           "{--pupil} says how large the exit pupil is over the entrance pupil");
     }
     if (!(lens->P > 0 && lens->P < INFINITY)) {
         fail(error, ERROR_DOMAIN, "its pupil magnification is %.6g: it must be above 0 and finite",
              lens->P);
-        return error_hint(error, "{--pupil} takes another one in its place");
+        return may_say && error_hint(error, "{--pupil} takes another one in its place");
     }
     return true;
 }

@@ -29,7 +29,8 @@ struct photo_lens_question {
 /* What the answer makes of it; added up. */
 enum photo_lens_use {
     PHOTO_LENS_SOLVES_FNUMBER = 1, /* it is asked for: the lens's own does not count */
-    PHOTO_LENS_WITHOUT_PUPILS = 2  /* the answer needs no pupils */
+    PHOTO_LENS_WITHOUT_PUPILS = 2, /* the answer needs no pupils */
+    PHOTO_LENS_OWN_PUPILS = 4      /* the command has no option that says other ones */
 };
 
 #define PHOTO_LENS_OPTIONS(S, member)                                                              \
