@@ -219,7 +219,11 @@ static bool read_text(const struct reader *reader, const struct option *option, 
     if (text.length == 0) {
         return fail(error, ERROR_USAGE, "%s is empty", CALLED(option));
     }
-    *(const char **)member = arena_string(reader->arena, text.start, text.length);
+    const char *kept = arena_string(reader->arena, text.start, text.length);
+    if (option->accepts != NULL && !option->accepts(kept, error)) {
+        return error_prefix(error, "%s: ", CALLED(option));
+    }
+    *(const char **)member = kept;
     return true;
 }
 

@@ -172,6 +172,8 @@ struct option {
     const struct word *words; /* of a choice: the place in the list is the value */
     const struct word *(*word_at)(size_t i); /* the same from a list that is kept elsewhere */
     file_types *types; /* how the name of a file may end; null = as it likes */
+    /* Is a text what it may be? Its message names no option. Null: any is. */
+    bool (*accepts)(const char *text, struct error *error);
     const char *value; /* how help names the value: "LENGTH"; null = nothing to name */
     const char *help;  /* one line */
 };

@@ -52,3 +52,7 @@ lenscalc dof --lens $lens -N 1 -s 2m -c 0.2 --exact --columns near_m,far_m
 lenscalc exposure --lens $lens -t 1/60 --ev 12 --iso 100 --exact
 lenscalc exposure --lens $lens -t 1/60 -N 8 --equivalent --exact
 lenscalc exposure --lens $lens -t 1/60 -N 8 --exact --fresnel --columns t_stop
+# of a batch a word that is none is refused before its rows, in a column in its row
+printf 's,criterion\n3,rsm\n4,rms\n' > rules.csv
+lenscalc dof --lens double-gauss-50 -c 0.1 --batch rules.csv --exact --csv --columns near
+cut -d , -f 1 rules.csv | lenscalc dof --lens double-gauss-50 -c 0.1 --batch - --exact --criterion rsm --csv --columns near

@@ -13,7 +13,7 @@ const struct by_rays_row by_rays_none = {NAN, NULL, NULL};
 
 static bool bad_rule(const char *text, struct error *error)
 {
-    fail(error, ERROR_USAGE, "{--criterion}: unknown rule '%.40s'", text);
+    fail(error, ERROR_USAGE, "unknown rule '%.40s'", text);
     return error_hint(error, "rms, energy1 to energy99 (the share of the light in %%), or "
                              "mtf@40/mm (a frequency above 0)");
 }
@@ -45,6 +45,12 @@ static bool read_rule(const char *text, struct blur_rule *rule, struct error *er
         return true;
     }
     return bad_rule(text, error);
+}
+
+bool by_rays_accepts(const char *criterion, struct error *error)
+{
+    struct blur_rule rule;
+    return read_rule(criterion, &rule, error);
 }
 
 static const char *words_of(struct blur_rule rule, struct arena *arena)

@@ -12,6 +12,9 @@ struct by_rays {
     const char *criterion; /* "rms", "energy80", "mtf@40/mm" */
 };
 
+/* Is that a criterion? Errors: ERROR_USAGE */
+bool by_rays_accepts(const char *criterion, struct error *error);
+
 /* Initialisers of the options for a member of that type in a command's input. */
 #define BY_RAYS_EXACT_OPTION(S, member, what)                                                      \
     {                                                                                              \
@@ -20,6 +23,7 @@ struct by_rays {
 #define BY_RAYS_CRITERION_OPTION(S, member)                                                        \
     {                                                                                              \
         OPTION(S, member.criterion), .name = "criterion", .wants = "exact", .value = "RULE",       \
+                                     .accepts = by_rays_accepts,                                   \
                                      .help = "what of a blur counts, with --exact: rms (the "      \
                                              "default), energy80, mtf@40/mm"                       \
     }
@@ -68,7 +72,7 @@ struct by_rays_question {
  * Make the lens ready for rays.
  *
  * Given     row  receives rule and spectrum
- * Errors    ERROR_USAGE: no lens, {--pupil} of a lens that has pupils, an unknown criterion; as
+ * Errors    ERROR_USAGE: no lens, {--pupil} of a lens that has pupils; as
  *           real_focus_open
  */
 bool by_rays_open(const struct by_rays_question *all, struct run *run, struct real_focus *focus,
