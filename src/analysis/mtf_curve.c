@@ -271,7 +271,10 @@ static void add_pupil(struct overlapping *one, size_t count, struct arena *arena
     const struct arena_mark mark = arena_mark(arena);
     const double weight = exit_pupil_weight(pupil);
     one->arena = arena;
-    one->fft = fft_open(fft_length_from(2 * one->cells), arena);
+    /* empty cells behind a line, so that it does not meet its other end up to the last shift */
+    const size_t last = (count - 1) * one->lag;
+    one->fft =
+        fft_open(fft_length_from(one->cells + (last < one->cells ? last : one->cells)), arena);
     for (int k = 0; k < 2; k++) {
         one->power[k] = ARENA_ARRAY(arena, one->fft.length, double);
     }

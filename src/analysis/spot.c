@@ -27,7 +27,8 @@ struct seeking {
 struct marks {
     struct quantile_mark *list;
     double (*at)[2];
-    size_t count, rays; /* rays: of one wavelength, lost ones too */
+    size_t count, room;
+    size_t rays; /* of one wavelength, lost ones too */
     double clear;
     bool has_arms;
     const struct quantile_sheet *sheets;
@@ -110,10 +111,15 @@ static bool open_seeking(const struct spot_question *question, struct arena *are
     return set_origin(seeking, arena, error);
 }
 
-static void make_room(struct marks *marks, size_t more, struct arena *arena)
+/* For so many more, and as many of the wavelengths that are left. */
+static void make_room(struct marks *marks, size_t more, size_t left, struct arena *arena)
 {
-    struct quantile_mark *list = ARENA_ARRAY(arena, marks->count + more, struct quantile_mark);
-    double(*at)[2] = arena_array(arena, marks->count + more, sizeof *at);
+    if (marks->count + more <= marks->room) {
+        return;
+    }
+    marks->room = marks->count + more * left;
+    struct quantile_mark *list = ARENA_ARRAY(arena, marks->room, struct quantile_mark);
+    double(*at)[2] = arena_array(arena, marks->room, sizeof *at);
     for (size_t i = 0; i < marks->count; i++) {
         list[i] = marks->list[i];
         at[i][0] = marks->at[i][0];
@@ -133,7 +139,8 @@ static bool add_marks(const struct seeking *seeking, size_t wavelength, size_t r
         return false;
     }
     double n = system_index_after(source->system, seeking->plane.to - 1);
-    make_room(marks, bundle.count, arena);
+    make_room(marks, bundle.count, seeking->question->bundle.setup->wavelength_count - wavelength,
+              arena);
     marks->has_arms = bundle.arms > 0;
     struct quantile_arms arms = quantile_arms_open(&bundle, marks->sheets, arena);
     for (size_t i = 0; i < bundle.count; i++) {

@@ -4,7 +4,7 @@
 Each is answered or refused in a second, with a status of its own; no answer and no message holds a
 nan or, but for CSV and files, a control character, and JSON is whole. The files are those of
 tests/robust/hostile and, where there is one, of the shared folder: each by every so many commands,
-by all of them with LENSCALC_EVERY=1 (an hour), by fewer if the program is instrumented.
+by all of them with LENSCALC_EVERY=1 (ten minutes), by fewer if the program is instrumented.
 LENSCALC_EVERY sets another number.
 """
 # SPDX-License-Identifier: MIT
@@ -66,6 +66,23 @@ WITHOUT = {"flash", "bracket", "motion", "stars", "tilt", "panorama", "timelapse
            "list", "help", "completion"}
 
 
+def questions_in(path, words):
+    """Seconds that an answer may take, where it is no single question. Of what was counted:
+    - a report is 18 questions, contrast at 61 frequencies of three fields among them;
+    - a drawing asks anew what its rows have asked;
+    - each of 5000 fields takes 0.2 ms to spot, each of 5000 positions 1 ms to tolerance, as linear
+      as it can be; of 500 surfaces every ray takes 40 times that of twelve;
+    - 500 radii of 500 surfaces take 0.05 s an iteration to optimize, by surfaces times variables,
+      and 0.15 s where rays go astray, of which 80 come before a lens is given up that cannot be
+      judged; to fit they take 0.03 s, by the cube of the radii, 200 times. Both end when they are
+      interrupted (tests/terminal)."""
+    if "_500_" in path and words[0] in ("optimize", "fit"):
+        return 24
+    if "_500_" in path or "_5000_" in path:
+        return 8
+    return 6 if words[0] == "report" else 2 if "--plot" in words or "--map" in words else 1
+
+
 def ask(program, path, question, room):
     """What is wrong with one answer: texts."""
     with tempfile.TemporaryDirectory(dir=room) as folder:
@@ -75,10 +92,7 @@ def ask(program, path, question, room):
             to.write(content)
         words = [copy if word == "@copy" else word.replace("@", path) for word in question.split()]
         said = [os.path.join(folder, name) for name in ("printed", "said")]
-        # a report is some twenty questions, contrast at 61 frequencies among them
-        most = MOST * (60 if program.is_instrumented else 1) * (10 if words[0] == "report" else 1)
-        # so many surfaces, fields or positions, each of which is answered
-        most *= 20 if re.search("_5000?_", path) else 1
+        most = MOST * (60 if program.is_instrumented else 1) * questions_in(path, words)
         # processor time, the limit of which is that of a program that never ends
         limited = ["sh", "-c", f'ulimit -t {int(20 * most)}; exec "$@"', "sh"]
         with open(said[0], "wb") as out, open(said[1], "wb") as err:

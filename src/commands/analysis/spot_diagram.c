@@ -158,6 +158,7 @@ static bool add(const struct analysis_case *one, size_t field, void *context, st
     }
     drawing->count++;
     question.energy = NAN;
+    question.no_radius = true;
     if (!spot_find(&question, drawing->arena, &spot, error)) {
         drawn->panel.note = "no rays";
         drawing->failure = arena_printf(drawing->arena, "%s", error->message);
