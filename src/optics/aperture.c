@@ -177,6 +177,47 @@ static double twice_area(const struct aperture *aperture)
     return fabs(sum);
 }
 
+static double at(const struct figure *point, int axis)
+{
+    return point[axis].value.hi;
+}
+
+/* Do the ranges of two sides along an axis not even touch? Most pairs are apart. */
+static bool are_apart(const struct figure *const side[4], int axis)
+{
+    const double a = at(side[0], axis), b = at(side[1], axis);
+    const double c = at(side[2], axis), d = at(side[3], axis);
+    return (a < c && a < d && b < c && b < d) || (a > c && a > d && b > c && b > d);
+}
+
+/* Is `c` to the left of the line from `a` to `b` (1), to its right (-1), on it? */
+static int side_of(const struct figure *a, const struct figure *b, const struct figure *c)
+{
+    const double left = (at(b, 0) - at(a, 0)) * (at(c, 1) - at(a, 1));
+    const double right = (at(b, 1) - at(a, 1)) * (at(c, 0) - at(a, 0));
+    return (left > right) - (left < right);
+}
+
+/* How often do sides cross within both, up to one more than `most`? */
+static size_t crossings(const struct aperture *aperture, size_t most)
+{
+    const size_t count = aperture->point_count;
+    size_t found = 0;
+    for (size_t i = 0; i < count; i++) {
+        for (size_t j = i + 2; j < count && found <= most; j++) {
+            const struct figure *const pair[] = {aperture->points[i], aperture->points[i + 1],
+                                                 aperture->points[j],
+                                                 aperture->points[(j + 1) % count]};
+            if (!are_apart(pair, 0) && !are_apart(pair, 1)) {
+                found +=
+                    side_of(pair[0], pair[1], pair[2]) * side_of(pair[0], pair[1], pair[3]) < 0 &&
+                    side_of(pair[2], pair[3], pair[0]) * side_of(pair[2], pair[3], pair[1]) < 0;
+            }
+        }
+    }
+    return found;
+}
+
 static bool check_points(const struct aperture *aperture, struct error *error)
 {
     bool sound = true;
@@ -189,7 +230,16 @@ static bool check_points(const struct aperture *aperture, struct error *error)
     if (aperture->point_count < 3) {
         return fail(error, ERROR_DATA, "a polygon has three corners and more");
     }
-    return twice_area(aperture) > 0 || fail(error, ERROR_DATA, "a polygon without any area");
+    if (aperture->point_count > APERTURE_MOST_CORNERS) {
+        return fail(error, ERROR_DATA, "a polygon of %zu corners: it may have up to %d",
+                    aperture->point_count, APERTURE_MOST_CORNERS);
+    }
+    if (!(twice_area(aperture) > 0)) {
+        return fail(error, ERROR_DATA, "a polygon without any area");
+    }
+    return crossings(aperture, APERTURE_MOST_CROSSINGS) <= APERTURE_MOST_CROSSINGS ||
+           fail(error, ERROR_DATA, "a polygon whose sides cross each other more than %d times",
+                APERTURE_MOST_CROSSINGS);
 }
 
 bool aperture_check(const struct aperture *aperture, struct error *error)

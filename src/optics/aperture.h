@@ -70,11 +70,12 @@ int aperture_sizes(enum aperture_shape shape);
  * Is it sound?
  *
  * Errors    ERROR_DATA, without the number of the surface: a size of 0 and less, a ring whose inner
- *           circle is not the smaller, less than three corners, a polygon without area, no arms or
- *           more than APERTURE_MOST_ARMS, numbers beyond 1e100, a shape that only blocks passing
+ *           circle is not the smaller, less than three corners, a polygon without area, more than
+ *           APERTURE_MOST_CORNERS of them or APERTURE_MOST_CROSSINGS of its sides, no arms or more
+ *           than APERTURE_MOST_ARMS, numbers beyond 1e100, a shape that only blocks passing
  */
 bool aperture_check(const struct aperture *aperture, struct error *error);
-enum { APERTURE_MOST_ARMS = 64 };
+enum { APERTURE_MOST_ARMS = 64, APERTURE_MOST_CORNERS = 4096, APERTURE_MOST_CROSSINGS = 100 };
 
 /* Is it the same in all directions about the axis of the surface? */
 bool aperture_is_round(const struct aperture *aperture);
