@@ -117,13 +117,13 @@ static bool put_radius(struct writer *writer, const struct surface *surface, siz
                       "surface %zu: a .dat file has no stop on a surface", number)) {
         return false;
     }
-    if (surface->has_curvature && fabs(surface->curvature.value.hi) > 0) {
-        struct figure radius = {.value = pair_divide(pair_of(1), surface->curvature.value),
-                                .variable = LENS_NONE};
-        put_length(writer, &radius);
+    const struct figure reciprocal = {.value = pair_divide(pair_of(1), surface->curvature.value),
+                                      .variable = LENS_NONE};
+    if (surface->has_curvature && fabs(reciprocal.value.hi) < 1e100) {
+        put_length(writer, &reciprocal);
         return true;
     }
-    if (!surface->is_plane) {
+    if (!surface->is_plane && !surface->has_curvature) {
         put_length(writer, &surface->radius);
         return true;
     }
