@@ -470,7 +470,7 @@ static bool find_alias(struct search *search, enum glass_naming naming, struct g
 bool glass_find(struct lensdb *db, struct text name, enum glass_naming naming, struct arena *arena,
                 struct glass_record *record, struct error *error)
 {
-    struct search *search = ARENA_NEW(arena, struct search);
+    struct search room, *search = &room; /* large, and of no use when the glass is found */
     search->db = db;
     search->arena = arena;
     if (!search_for(search, name, error)) {

@@ -258,6 +258,11 @@ def check_memory(checks, program):
             result = program.shell(f"ulimit -v 65536; lenscalc {words}", folder)
             check_failed(checks, f"{words} in 64 MB", result, "out of memory")
             checks.check(result.stdout == b"", f"{words} in 64 MB: prints {result.stdout[:80]!r}")
+        # nothing of a search stays behind but the glass that it found
+        result = program.shell("ulimit -v 65536; lenscalc glass -w d --csv "
+                               + ",".join(["N-BK7"] * 5000), folder)
+        checks.check(result.stdout.count(b"\nN-BK7,") == 5000,
+                     f"5000 glasses in 64 MB: {result.stderr[:80]!r}")
         if program.has_solver():  # which takes its memory itself
             result = program.shell("ulimit -v 250000; lenscalc fit double-gauss --rays 20000",
                                    folder)
