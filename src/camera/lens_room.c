@@ -65,9 +65,23 @@ static size_t list_rims(const struct setup *setup, double entrance, double pupil
     return count;
 }
 
-struct lens_room lens_room_of(const struct setup *setup, double pupil, struct arena *arena)
+static bool is_far(const struct setup *setup)
 {
-    const double entrance = fabs(setup->first.entrance_diameter) / 2;
+    const double most = 1e9; /* mm */
+    return !(fabs(setup->first.entrance_pupil) < most);
+}
+
+double lens_room_pupil(const struct setup *setup)
+{
+    return is_far(setup) ? 0 : setup->first.entrance_pupil;
+}
+
+struct lens_room lens_room_of(const struct setup *setup, struct arena *arena)
+{
+    /* what is infinitely far away is as wide, too, and the beam on the glass about as the stop */
+    const double entrance =
+        is_far(setup) ? setup->first.stop_radius : fabs(setup->first.entrance_diameter) / 2;
+    const double pupil = lens_room_pupil(setup);
     const double last = setup->first.length - pupil;
     struct lens_rim *rims = ARENA_ARRAY(arena, setup->lens->surface_count + 1, struct lens_rim);
     size_t count = layout_is_centred(setup->lens) ? list_rims(setup, entrance, pupil, rims) : 0;

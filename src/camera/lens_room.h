@@ -24,15 +24,21 @@ struct lens_room {
 };
 
 /*
+ * Where a camera's place lies behind the first vertex, mm: in the entrance pupil, or, where that is
+ * more than 1000 km away, at 0: numbers of that size would not tell surfaces apart.
+ */
+double lens_room_pupil(const struct setup *setup);
+
+/*
  * Where the lens is.
  *
- * Given     pupil  where the camera's place lies behind the first vertex, mm
  * Result    surfaces reach as far out as light may pass them, of a surface that does not say how
- *           far as far as the entrance pupil; the narrower surface of a piece of glass goes on as a
- *           flat, and rims with air between them are joined by a cone. Stops are left out; a lens
- *           with decentred or tilted surfaces is a cylinder as wide as the entrance pupil
+ *           far as far as the entrance pupil, or as the stop if that pupil is so far away; the
+ *           narrower surface of a piece of glass goes on as a flat, and rims with air between them
+ *           are joined by a cone. Stops are left out; a lens with decentred or tilted surfaces is a
+ *           cylinder as wide as the entrance pupil
  */
-struct lens_room lens_room_of(const struct setup *setup, double pupil, struct arena *arena);
+struct lens_room lens_room_of(const struct setup *setup, struct arena *arena);
 
 /*
  * Is the surface of a thing in it at some time?

@@ -152,3 +152,11 @@ for size in 3.6,2.4 1.6,1; do
     done
 done
 ls lost.*
+# 52 mm behind a lens of 52 mm lies its stop: the entrance pupil is infinitely far away, or by the
+# last digits 10^12 km, and the camera's place the first vertex
+printf 'lens telecentric\nwavelength d\naperture stop\nsurface 26 4 1.5/60 -\nsurface - 49.333333333333333 air -\nstop - 20 air 6\nsurface 20 4 1.5/60 -\nsurface -20 20 air -\n' > tele.lens
+printf 'camera at=0,0,0 look=0,0,-1\nmaterial a black emission=1 luminance=1000\ncard size=20,20 at=0,0,-5 material=a\n' > wall.scene
+printf 'camera at=0,0,0 look=0,0,-1\nmaterial a black emission=1 luminance=1000\nsphere radius=0.3mm at=0,0,2mm material=a\n' > glass.scene
+for scene in wall glass; do
+    lenscalc render $scene.scene --lens ./tele.lens --size 12x8 --sensor 6x4mm --samples 4 -t 1 --focus 20 -o lost.d.pfm 2>&1 | grep -e average -e stands
+done

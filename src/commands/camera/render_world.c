@@ -134,12 +134,6 @@ struct spectrum_value render_world_colours(const struct render_world *world, str
 
 /* -------- where the lens stands in it -------- */
 
-/* The entrance pupil; of a lens that has it infinitely far away, the first vertex. */
-static double pupil_of(const struct setup *setup)
-{
-    return isfinite(setup->first.entrance_pupil) ? setup->first.entrance_pupil : 0;
-}
-
 /* At no time does anything stand where no ray can come. */
 static bool stand_clear(const struct render_world *world, const struct lens_room *room,
                         const double span[2], struct error *error)
@@ -182,7 +176,7 @@ static bool look(const struct analysis_case *one, void *context, struct error *e
     /* the film is upside down */
     const double at[2] = {(0.5 - looking->x) * question.width,
                           (looking->y - 0.5) * question.height};
-    const double pupil = pupil_of(one->setup);
+    const double pupil = lens_room_pupil(one->setup);
     struct film_samples *samples = ARENA_NEW(arena, struct film_samples);
     struct rays rays = rays_new(arena, RAYS_BLOCK);
     struct lens_film *film = ARENA_NEW(arena, struct lens_film);
@@ -327,7 +321,7 @@ bool render_world_open(const struct artifact_job *job, const struct analysis_cas
         !lights_open(&world->scene, &world->bands, arena, &world->lights, error)) {
         return false;
     }
-    const struct lens_room room = lens_room_of(one->setup, pupil_of(one->setup), arena);
+    const struct lens_room room = lens_room_of(one->setup, arena);
     if (!stand_clear(world, &room, span, error)) {
         return false;
     }
@@ -339,7 +333,7 @@ bool render_world_open(const struct artifact_job *job, const struct analysis_cas
                                 .bands = &world->seen,
                                 .points = points_table_new(FIRST_DIMENSION, arena),
                                 .camera = world->scene.camera.where,
-                                .pupil = pupil_of(one->setup)};
+                                .pupil = lens_room_pupil(one->setup)};
     question->view = &world->view;
     question->white_of_mean = saturation_exposure(1) / (DEVELOP_HEADROOM * recommended_exposure(1));
     return find_white(job, question->columns, &question->white, error);
