@@ -10,6 +10,16 @@ lenscalc tone flat.exr -o toned.hdr 2> /dev/null && grep -a PIXASPECT toned.hdr
 lenscalc tone flat.hdr -o toned.exr 2> /dev/null
 grep -abo pixelAspectRatio toned.exr | cut -d: -f1 | { read at; tail -c +$((at + 28)) toned.exr | head -c 4 | od -An -tf4; }
 lenscalc tone flat.png -o toned.hdr 2> /dev/null && grep -a PIXASPECT toned.hdr
+# of a bracket all have the same
+lenscalc render chart:wedge --lens double-gauss-50 -s 2m --size 9x6 --samples 4 -N 8 -t 1/4 -o square.exr 2> /dev/null
+lenscalc tone flat.exr square.exr -o lost.png
+lenscalc $(echo $card | sed s,1/8,1/4,) -o longer.exr 2> /dev/null
+lenscalc tone flat.exr longer.exr -o merged.hdr 2> /dev/null && grep -a PIXASPECT merged.hdr
+# a card in a scene, too: half a metre high where its picture says so, and black beyond
+printf 'camera at=0,0,1 look=0,0,0 focus=1\ncard file=flat.png size=0.5 luminance=100\n' > flat.scene
+sed 's/size=0.5/size=0.5,0.5/' flat.scene > given.scene
+for name in flat given; do lenscalc render $name.scene --lens double-gauss-50 --model thin --size 30x20 --samples 4 -N 8 -t 1 -o $name.pfm 2> /dev/null; done
+cmp flat.pfm given.pfm && echo same
 # as a card it is as high as wide: 9 x 2/3 to 6
 for type in png exr hdr; do
     lenscalc render flat.$type --lens double-gauss-50 -s 2m --size 6x4 --samples 1 --field-width 1m -t 1 -o card.pfm 2>&1 | grep card

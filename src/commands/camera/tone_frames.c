@@ -91,10 +91,18 @@ static bool check_kind(const struct image *image, struct error *error)
 static bool check_size(const struct tone_frames *frames, const struct tone_frame *frame,
                        struct error *error)
 {
+    const double enough = 1e-6; /* between the digits of formats */
     const struct tone_frame *first = &frames->frames[0];
-    return (frame->width == first->width && frame->height == first->height) ||
-           fail(error, ERROR_DATA, "%zu x %zu pixels, and %.200s has %zu x %zu", frame->width,
-                frame->height, first->name, first->width, first->height);
+    const double aspect = frame->aspect > 0 ? frame->aspect : 1;
+    const double of_first = first->aspect > 0 ? first->aspect : 1;
+    if (frame->width != first->width || frame->height != first->height) {
+        return fail(error, ERROR_DATA, "%zu x %zu pixels, and %.200s has %zu x %zu", frame->width,
+                    frame->height, first->name, first->width, first->height);
+    }
+    return fabs(aspect / of_first - 1) <= enough ||
+           fail(error, ERROR_DATA,
+                "its pixels are %.6g times as wide as high, and those of %.200s %.6g times", aspect,
+                first->name, of_first);
 }
 
 /* Whole numbers and floats measure noise by different things. */
