@@ -7,6 +7,7 @@
 #include "cli/sweep.h"
 #include "optics/growing.h"
 #include "report/place.h"
+#include "report/terminal.h"
 
 #include <string.h>
 #include <sys/stat.h>
@@ -240,7 +241,11 @@ static bool open_sink(const struct artifact_setting *setting, const char *path, 
         output_inside(sink, setting->arena);
         return true;
     }
-    return output_open(sink, path, setting->arena, error);
+    if (!output_open(sink, path, setting->arena, error)) {
+        return false;
+    }
+    terminal_guard(sink);
+    return true;
 }
 
 static bool open_sinks(struct artifacts *artifacts, const struct artifact_setting *setting,

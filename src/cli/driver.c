@@ -262,6 +262,8 @@ static bool open_output(struct driver *driver, struct error *error)
     if (driver->report.format == &format_text) {
         terminal_prepare(&driver->output, driver->arguments.color);
         driver->report.remedy = "--columns NAMES chooses, --csv shows all";
+    } else {
+        terminal_guard(&driver->output);
     }
     return true;
 }

@@ -179,10 +179,59 @@ static void write_all(struct output *output, const char *start, size_t length)
     }
 }
 
+/* Length of what begins here and no terminal shall see; lines end as files have them end. */
+static size_t obeyed(const char *start, size_t room)
+{
+    const bool ends_line = *start == '\n' || (*start == '\r' && room > 1 && start[1] == '\n');
+    return ends_line || *start == '\t' ? 0 : text_unprintable(start, room);
+}
+
+static void write_guarded(struct output *output, const char *start, size_t length)
+{
+    size_t good = 0, bad;
+    while (good < length) {
+        bad = obeyed(start + good, length - good);
+        if (bad == 0) {
+            const size_t whole = text_utf8_length(start + good, length - good);
+            good += whole > 0 ? whole : 1;
+            continue;
+        }
+        write_all(output, start, good);
+        write_all(output, "?", 1);
+        start += good + bad;
+        length -= good + bad;
+        good = 0;
+    }
+    write_all(output, start, length);
+}
+
+/* Bytes at the end of the buffer that wait for the rest of their character or line end. */
+static size_t unfinished(const struct output *output)
+{
+    const size_t length = output->used;
+    const unsigned char *bytes = (const unsigned char *)output->buffer;
+    for (size_t back = 1; back <= 3 && back <= length; back++) {
+        const unsigned char byte = bytes[length - back];
+        const size_t whole = byte >= 0xf0                   ? 4
+                             : byte >= 0xe0                 ? 3
+                             : byte >= 0xc0 || byte == '\r' ? 2
+                                                            : 1;
+        if (whole > back) {
+            return back;
+        }
+    }
+    return 0;
+}
+
 void output_flush(struct output *output)
 {
-    write_all(output, output->buffer, output->used);
-    output->used = 0;
+    const size_t waiting = output->is_guarded ? unfinished(output) : 0;
+    const size_t length = output->used - waiting;
+    (output->is_guarded ? write_guarded : write_all)(output, output->buffer, length);
+    if (waiting > 0) {
+        memmove(output->buffer, output->buffer + length, waiting);
+    }
+    output->used = waiting;
 }
 
 char *output_reserve(struct output *output, size_t length)
@@ -200,6 +249,10 @@ void output_advance(struct output *output, const char *end)
 
 void output_text(struct output *output, const char *start, size_t length)
 {
+    for (; output->is_guarded && length > OUTPUT_RESERVE; length -= OUTPUT_RESERVE) {
+        output_text(output, start, OUTPUT_RESERVE);
+        start += OUTPUT_RESERVE;
+    }
     if (length > OUTPUT_RESERVE) {
         output_flush(output);
         write_all(output, start, length);
@@ -332,6 +385,9 @@ bool output_close(struct output *output, bool keep, struct error *error)
 {
     keep = keep && !output->is_unused;
     output_flush(output);
+    if (output->used > 0) {
+        write_guarded(output, output->buffer, output->used); /* half a character */
+    }
     bool whole = output->is_renamed && keep && output->failure == 0;
     if (whole) {
         store(output);

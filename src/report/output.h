@@ -24,6 +24,7 @@ struct output {
     size_t used, size;
     size_t width;                        /* of the terminal that shows it; 0 = it is none */
     bool has_color;                      /* output_style writes something */
+    bool is_guarded;                     /* what a terminal would obey is '?', see terminal_guard */
     void (*before_write)(void *context); /* called before anything is handed over; or null */
     void *context;
     struct text remarks; /* lines for standard error when all went well */

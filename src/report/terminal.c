@@ -52,3 +52,8 @@ void terminal_prepare(struct output *output, enum color_when when)
     output->has_color = !is_file && (output->width > 0 || when == COLOR_ALWAYS) &&
                         terminal_has_color(output->descriptor, when);
 }
+
+void terminal_guard(struct output *output)
+{
+    output->is_guarded = output->path == NULL && isatty(output->descriptor);
+}

@@ -30,4 +30,11 @@ bool terminal_has_color(int descriptor, enum color_when when);
 /* Let an output wrap at the width of its terminal, if it has one, and show colours. */
 void terminal_prepare(struct output *output, enum color_when when);
 
+/*
+ * Guard the terminal, if the output goes to one, from what comes from files and words: control
+ * characters and those that turn the direction of writing are shown as '?'. For what is written as
+ * it is: files, and rows for programs.
+ */
+void terminal_guard(struct output *output);
+
 #endif

@@ -217,6 +217,35 @@ def check_escapes(checks, program):
     checks.check(rb"\<script>x\|y" in result.stdout, f"markdown: {result.stdout!r}")
 
 
+def check_printed_files(checks, program):
+    """Files and rows for programs, shown on a terminal; a pipe has them as they are."""
+    evil = "".join(EVIL)
+    with tempfile.TemporaryDirectory() as folder:
+        lens = os.path.join(folder, "x.zmx")
+        with open(lens, "w", encoding="utf-8") as file:
+            file.write(f"VERS 1\nMODE SEQ\nUNIT MM\nNAME a{evil}b \u00e4\u2014\nENPD 5\nSURF 0\n"
+                       f"  DISZ INFINITY\nSURF 1\n  STOP\n  COMM c{evil}\n  CURV 0.02\n  DISZ 5\n"
+                       "  GLAS N-BK7\nSURF 2\n  CURV -0.02\n  DISZ 50\nSURF 3\n  DISZ 0\n")
+        # so long that it is handed over in the middle of characters
+        rows = os.path.join(folder, "rows.csv")
+        with open(rows, "w", encoding="utf-8") as file:
+            file.write("f,N,s,note\n" + f"50,4,3,\u20ac\u20ac{evil}\n" * 6000)
+        for words in (["convert", lens], ["draw", lens, "--title", f"{evil}\u00e4"],
+                      ["convert", lens, "--to", "zmx"],
+                      ["dof", "--batch", rows, "--csv", "--columns", "near"],
+                      ["dof", "--batch", rows, "--tsv", "--columns", "near"]):
+            shown, _, status = on_terminal(program, words, 80)
+            shown = shown.replace("\r\n", "\n")  # as the file has it, behind the terminal's own
+            piped = program.run(*words).stdout.decode()
+            name = " ".join(words[:2] + words[-2:])
+            checks.check(status == 0 and not OBEYED.findall(shown),
+                         f"{name!a}: status {status}, {OBEYED.findall(shown)[:9]}")
+            # one '?' for each of them and nothing else
+            expected = OBEYED.sub("?", piped.replace("\r\n", "\n"))
+            checks.check(shown == expected, f"{name!a}: {len(shown)} characters, "
+                                            f"expected {len(expected)}")
+
+
 def screen(text):
     """What a terminal shows in the end of what was written to it; the lines that were there."""
     lines, seen = [""], []
@@ -514,7 +543,7 @@ def main():
     signal.signal(signal.SIGINT, signal.default_int_handler)
     program = Program(sys.argv[1])
     checks = Checks()
-    on_terminals = (check_width, check_blocks, check_color, check_progress)
+    on_terminals = (check_width, check_blocks, check_color, check_progress, check_printed_files)
     for check in (check_help, check_escapes, check_interrupted, check_picture, check_broken_off,
                   *(on_terminals if has_terminals() else ())):
         check(checks, program)
