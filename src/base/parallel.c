@@ -4,6 +4,8 @@
 
 #include <pthread.h>
 #include <stdatomic.h>
+#include <stdbool.h>
+#include <stdlib.h>
 #include <unistd.h>
 
 struct loop {
@@ -40,6 +42,21 @@ static void *take_pieces(void *argument)
     }
 }
 
+enum { ROOM = 16 * 1024 * 1024 }; /* bytes that a thread may want for its work */
+
+/*
+ * Start a thread where memory is left for the work of all `count` that then there are: its stack
+ * must not take what the others need, which one thread alone would have had.
+ */
+static bool start(pthread_t *thread, struct worker *worker, size_t count)
+{
+    /* never touched, so that it costs next to nothing; volatile, so that it is asked for */
+    void *volatile room = malloc(count * ROOM);
+    const bool done = room != NULL && pthread_create(thread, NULL, take_pieces, worker) == 0;
+    free(room);
+    return done;
+}
+
 /* `arenas` is null where the work needs none. */
 static void run(int threads, struct loop *loop, struct arena *arenas)
 {
@@ -51,7 +68,7 @@ static void run(int threads, struct loop *loop, struct arena *arenas)
         workers[i] = (struct worker){loop, i, arenas != NULL ? &arenas[i] : NULL};
     }
     for (size_t i = 1; i < most && i < pieces; i++) {
-        if (pthread_create(&others[started], NULL, take_pieces, &workers[i]) == 0) {
+        if (start(&others[started], &workers[i], started + 2)) {
             started++;
         }
     }

@@ -263,6 +263,14 @@ def check_memory(checks, program):
                                + ",".join(["N-BK7"] * 5000), folder)
         checks.check(result.stdout.count(b"\nN-BK7,") == 5000,
                      f"5000 glasses in 64 MB: {result.stderr[:80]!r}")
+        # threads take no memory that one alone would have had
+        for room in range(18000, 44000, 3000):
+            words = "tolerance double-gauss --grade commercial --trials 60 --threads"
+            script = f"ulimit -v {room}; lenscalc {words} 4 --csv"
+            one = program.shell(script.replace("threads 4", "threads 1"), folder)
+            four = program.shell(script, folder)
+            checks.check((one.returncode, one.stdout) == (four.returncode, four.stdout),
+                         f"{script}: {one.returncode}, {four.returncode}: {four.stderr!r}")
         if program.has_solver():  # which takes its memory itself
             result = program.shell("ulimit -v 250000; lenscalc fit double-gauss --rays 20000",
                                    folder)
