@@ -48,6 +48,9 @@ static inline bool run_emit(struct run *run, const void *row)
  */
 bool run_shows(const struct run *run, size_t offset);
 
+/* What an answer weighs for which a thousand rays or fewer are traced, see `weight`. */
+enum { ANSWER_BY_RAYS = 10 };
+
 /* An example for --help and for the tests: what follows "lenscalc". */
 struct example {
     const char *arguments, *help;
@@ -124,6 +127,11 @@ struct command {
     /* Combinations of a sweep that need no --force, where an answer takes so long that a million,
        as 0 means, would be a matter of days. */
     size_t most_answers;
+    /*
+     * How many rows of formulas an answer weighs in a sweep, of which a million need no --force:
+     * the rows that it has, or ANSWER_BY_RAYS where rays are traced for it. Null: one.
+     */
+    double (*weight)(const void *input);
     /*
      * Its answer is that of another command, which finds what was worked out elsewhere in
      * run->parts. Given the input; the question lies in run->kept. Null: it answers itself.

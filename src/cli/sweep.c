@@ -502,6 +502,56 @@ static bool set_option(struct sweep *sweep, const struct argument *argument,
            set_values(sweep, &values, text_of(option->fallback), member, error);
 }
 
+/*
+ * What an answer weighs: as the input stands with the first values of all options, or with the
+ * last ones, if that is more.
+ */
+static double weight_of(const struct sweep *sweep, const struct command *command, const void *input)
+{
+    if (command->weight == NULL) {
+        return 1;
+    }
+    void *last = arena_array(sweep->reader->arena, 1, command->input_size);
+    memcpy(last, input, command->input_size);
+    for (size_t i = 0; i < sweep->axis_count; i++) {
+        const struct axis *axis = &sweep->axes[i];
+        const size_t size = axis->option->kind->size;
+        if (axis->option->kind != &kind_lens) { /* which may be no more than a name */
+            memcpy((char *)last + axis->option->offset, axis->values + (axis->count - 1) * size,
+                   size);
+        }
+    }
+    return fmax(command->weight(input), command->weight(last));
+}
+
+/* Is the sweep no more work than anyone waits for? */
+static bool check_size(struct sweep *sweep, const struct command *command, bool force,
+                       const void *input, struct error *error)
+{
+    const size_t own = command->most_answers;
+    const size_t most = force ? MOST : own > 0 ? own : MOST_WITHOUT_FORCE;
+    for (size_t i = 0; i < sweep->axis_count; i++) {
+        sweep->total *= sweep->axes[i].count;
+        if (sweep->total > most) {
+            fail(error, ERROR_USAGE, "the sweep has more than %zu rows", most);
+            return force ? error_hint(error, "no sweep has more")
+                         : error_hint(error, "use --force to allow it (up to 100 million)");
+        }
+    }
+    if (force || sweep->total == 1) {
+        return true;
+    }
+    const double weight = weight_of(sweep, command, input);
+    if (weight * (double)sweep->total > MOST_WITHOUT_FORCE) {
+        fail(error, ERROR_USAGE,
+             "the sweep has %zu questions, each of them as much work as %.0f rows: more than a "
+             "million",
+             sweep->total, weight);
+        return error_hint(error, "use --force to allow it");
+    }
+    return true;
+}
+
 bool sweep_build(struct sweep *sweep, const struct arguments *arguments,
                  const struct reader *reader, bool force, void *input, struct error *error)
 {
@@ -514,17 +564,7 @@ bool sweep_build(struct sweep *sweep, const struct arguments *arguments,
             return false;
         }
     }
-    const size_t own = arguments->command->most_answers;
-    const size_t most = force ? MOST : own > 0 ? own : MOST_WITHOUT_FORCE;
-    for (size_t i = 0; i < sweep->axis_count; i++) {
-        sweep->total *= sweep->axes[i].count;
-        if (sweep->total > most) {
-            fail(error, ERROR_USAGE, "the sweep has more than %zu rows", most);
-            return force ? error_hint(error, "no sweep has more")
-                         : error_hint(error, "use --force to allow it (up to 100 million)");
-        }
-    }
-    return true;
+    return check_size(sweep, arguments->command, force, input, error);
 }
 
 /* Does one of its artifacts have a file for each value of the option? */

@@ -195,6 +195,13 @@ const char *analysis_weight_words(const struct analysis_question *question)
     return words[question->weight][question->aim];
 }
 
+double analysis_weight(const void *input)
+{
+    enum { RAYS = 1000 }; /* at least, as a question without --rays has them */
+    const long rays = ((const struct analysis_question *)input)->rays;
+    return ANSWER_BY_RAYS * fmax((double)rays / RAYS, 1);
+}
+
 int analysis_threads(const void *input)
 {
     return parallel_threads(((const struct analysis_question *)input)->threads);

@@ -279,4 +279,7 @@ bool analysis_brings(const void *input, const char *option);
 bool analysis_varies(const void *input, const char *option);
 int analysis_threads(const void *input);
 
+/* And for `weight`: by the rays that are asked for. */
+double analysis_weight(const void *input);
+
 #endif

@@ -265,6 +265,13 @@ static const struct example examples[] = {
     {NULL, NULL},
 };
 
+/* A row a surface, and their sum. */
+static double weight(const void *data)
+{
+    const struct lens *lens = ((const struct seidel_input *)data)->question.lens.lens;
+    return lens != NULL ? (double)lens->surface_count + 1 : 1;
+}
+
 const struct command command_seidel = {
     .name = "seidel",
     .group = "analyses",
@@ -274,6 +281,7 @@ const struct command command_seidel = {
     .choose_sheet = choose_sheet,
     .sheets = all_sheets,
     .makes_many = command_always_many,
+    .weight = weight,
     .varies = analysis_varies,
     .brings = analysis_brings,
     COMMAND_MAKES(artifacts),

@@ -235,4 +235,5 @@ const struct command command_spot = {
     .cell = "rms",
     COMMAND_MAKES(artifacts),
     .most_answers = 100000,
+    .weight = analysis_weight,
 };

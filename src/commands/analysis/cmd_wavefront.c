@@ -265,4 +265,5 @@ const struct command command_wavefront = {
     .cell = "rms_waves",
     COMMAND_MAKES(artifacts),
     .most_answers = 100000,
+    .weight = analysis_weight,
 };

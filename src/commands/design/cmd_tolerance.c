@@ -162,6 +162,11 @@ static const struct example examples[] = {
     {NULL, NULL},
 };
 
+static double weight(const void *data)
+{
+    return (double)((const struct tolerance_input *)data)->trials;
+}
+
 const struct command command_tolerance = {
     .name = "tolerance",
     .group = "design",
@@ -175,5 +180,6 @@ const struct command command_tolerance = {
     .explanations = explanations,
     .cell = "mean",
     .keeps_best = true,
+    .weight = weight,
     .is_divided = true,
 };

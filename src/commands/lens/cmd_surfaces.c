@@ -197,6 +197,12 @@ static const struct example examples[] = {
     {NULL, NULL},
 };
 
+static double weight(const void *data)
+{
+    const struct lens *lens = ((const struct input *)data)->question.lens.lens;
+    return lens != NULL ? (double)lens->surface_count : 1;
+}
+
 const struct command command_surfaces = {
     .name = "surfaces",
     .group = "a lens",
@@ -204,4 +210,5 @@ const struct command command_surfaces = {
     COMMAND_ASKS(struct input),
     COMMAND_ANSWERS(struct row),
     .makes_many = command_always_many,
+    .weight = weight,
 };

@@ -189,6 +189,8 @@ static bool run(const void *data, struct run *run, struct error *error)
     return trace_answer(data, run, error);
 }
 
+enum { FEW_RAYS = 4 };
+
 static bool makes_many(const void *data)
 {
     const struct trace_input *input = data;
@@ -197,6 +199,21 @@ static bool makes_many(const void *data)
     bool one = trace_is_explicit(input) || (trace_has_pupil(input) && field);
     return !one || input->all ||
            lens_positions_several(input->question.lens.lens, input->question.position);
+}
+
+/* The rays of all its fields, each with a row a surface where all are shown. */
+static double weight(const void *data)
+{
+    const struct trace_input *input = data;
+    const struct lens *lens = input->question.lens.lens;
+    if (lens == NULL || !makes_many(data)) {
+        return 1;
+    }
+    const double rays = trace_is_explicit(input) || trace_has_pupil(input) ? 1
+                        : input->pattern == TRACE_FEW                      ? FEW_RAYS
+                                                                           : (double)input->rays;
+    const size_t fields = trace_has_field(input) || lens->field_count < 1 ? 1 : lens->field_count;
+    return rays * (double)fields * (input->all ? (double)lens->surface_count : 1);
 }
 
 static bool brings(const void *data, const char *option)
@@ -269,4 +286,5 @@ const struct command command_trace = {
     .varies = varies,
     .brings = brings,
     .plot = "y_out",
+    .weight = weight,
 };

@@ -36,6 +36,13 @@ struct by_rays_row {
 
 extern const struct by_rays_row by_rays_none;
 
+/* `weight` of a command that asks for them. */
+#define BY_RAYS_WEIGHT(S, member)                                                                  \
+    static double weight(const void *input)                                                        \
+    {                                                                                              \
+        return ((const S *)input)->member.exact ? ANSWER_BY_RAYS : 1;                              \
+    }
+
 #define BY_RAYS_COLUMNS(S, member)                                                                 \
     {COLUMN(S, member.blur),                                                                       \
      .name = "least_blur",                                                                         \

@@ -471,6 +471,8 @@ static const struct example examples[] = {
     {NULL, NULL},
 };
 
+BY_RAYS_WEIGHT(struct dof_question, rays)
+
 const struct command command_dof = {
     .name = "dof",
     .group = "photography",
@@ -480,6 +482,7 @@ const struct command command_dof = {
     COMMAND_MAKES(artifacts),
     .makes_many = makes_many,
     .varies = varies,
+    .weight = weight,
     .plot = "near_m,far_m",
     .cell = "near_m+far_m",
 };

@@ -383,6 +383,8 @@ static const struct example examples[] = {
     {NULL, NULL},
 };
 
+BY_RAYS_WEIGHT(struct exposure_input, rays)
+
 const struct command command_exposure = {
     .name = "exposure",
     .group = "photography",
@@ -391,6 +393,7 @@ const struct command command_exposure = {
     COMMAND_ANSWERS(struct exposure_row),
     .makes_many = makes_many,
     .varies = varies,
+    .weight = weight,
     .plot = "time_s|ev100|iso",
     .cell = "ev100",
 };

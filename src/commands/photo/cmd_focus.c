@@ -468,6 +468,8 @@ static const struct example examples[] = {
     {NULL, NULL},
 };
 
+BY_RAYS_WEIGHT(struct input, rays)
+
 const struct command command_focus = {
     .name = "focus",
     .group = "photography",
@@ -481,6 +483,7 @@ const struct command command_focus = {
     .run = run,
     .explanations = explanations,
     .varies = varies,
+    .weight = weight,
     .plot = "magnification|image_mm",
     .cell = "magnification",
 };

@@ -518,6 +518,8 @@ static const struct example examples[] = {
 
 PHOTO_LENS_MAKES_MANY(struct input, lens)
 
+BY_RAYS_WEIGHT(struct input, rays)
+
 const struct command command_fov = {
     .name = "fov",
     .group = "photography",
@@ -526,6 +528,7 @@ const struct command command_fov = {
     COMMAND_ANSWERS(struct row),
     .makes_many = makes_many,
     .varies = varies,
+    .weight = weight,
     .plot = "horizontal_deg,vertical_deg,diagonal_deg",
     .cell = "horizontal_deg",
 };

@@ -239,6 +239,8 @@ static const struct example examples[] = {
 
 PHOTO_LENS_MAKES_MANY(struct input, lens)
 
+BY_RAYS_WEIGHT(struct input, rays)
+
 const struct command command_hyperfocal = {
     .name = "hyperfocal",
     .group = "photography",
@@ -247,6 +249,7 @@ const struct command command_hyperfocal = {
     COMMAND_ANSWERS(struct row),
     .makes_many = makes_many,
     .varies = varies,
+    .weight = weight,
     .plot = "hyperfocal_m,near_m",
     .cell = "hyperfocal_m+near_m",
 };
