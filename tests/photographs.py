@@ -63,16 +63,17 @@ def mean_of(rows, channel=1):
 
 
 def on_diagonal(rows, width, radius, channel=1):
-    """Of a film so wide, at a radius from its middle to its lower right corner: between the middles
-    of four pixels, of one channel."""
+    """Of a film so wide, at a radius from its middle to its corners: between the middles of four
+    pixels, of one channel, the mean of the four corners."""
     columns, lines = len(rows[0]), len(rows)
     share = radius * columns / width / math.hypot(columns, lines)
     column, line = columns * (0.5 + share) - 0.5, lines * (0.5 + share) - 0.5
     left, above = int(column), int(line)
     right, down = column - left, line - above
-    return sum(rows[above + j][left + i][channel] *
-               (right if i else 1 - right) * (down if j else 1 - down)
-               for i in (0, 1) for j in (0, 1))
+    return sum(rows[v][h][channel] / 4 * (right if i else 1 - right) * (down if j else 1 - down)
+               for i in (0, 1) for j in (0, 1)
+               for h in (left + i, columns - 1 - left - i)
+               for v in (above + j, lines - 1 - above - j))
 
 
 def centroid(rows, pitch, channel=1):

@@ -59,6 +59,22 @@ void sobol_open(uint32_t dimension, struct sobol *sobol)
     }
 }
 
+void sobol_open_strands(uint32_t dimension, uint32_t bits, struct sobol *sobol)
+{
+    uint32_t v[32];
+    assert(dimension < SOBOL_DIMENSIONS && bits <= 32 - SOBOL_LOW);
+    find_directions(dimension, v);
+    for (uint32_t i = 0; i < SOBOL_BLOCK; i++) {
+        sobol->low[i] = 0;
+        for (uint32_t k = 0; k < SOBOL_LOW; k++) {
+            sobol->low[i] ^= i >> k & 1 ? reversed(v[bits + k]) : 0;
+        }
+    }
+    for (uint32_t k = 0; k < 32 - SOBOL_LOW; k++) {
+        sobol->high[k] = reversed(v[k]);
+    }
+}
+
 uint32_t sobol_scrambling(uint64_t seed, uint64_t sequence, uint32_t dimension)
 {
     return random_words(RANDOM_SCRAMBLING, seed, sequence, dimension).w[0];

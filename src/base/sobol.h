@@ -27,6 +27,15 @@ struct sobol {
  */
 void sobol_open(uint32_t dimension, struct sobol *sobol);
 
+/*
+ * The same with blocks laid out across: block b, below 2^bits, holds of each strand of 2^bits
+ * points that follow each other the one numbered b: place i of it is point 2^bits i + b. So a
+ * strand is a net by itself, and so are 2, 4, 8 .. strands that follow each other.
+ *
+ * Given     bits   up to 32 - SOBOL_LOW
+ */
+void sobol_open_strands(uint32_t dimension, uint32_t bits, struct sobol *sobol);
+
 /* What the points of one block, those numbered SOBOL_BLOCK block + 0, 1, .., have in common. */
 static inline uint32_t sobol_common(const struct sobol *sobol, uint32_t block)
 {

@@ -17,7 +17,11 @@ struct film_samples {
     double begin[RAYS_BLOCK], end[RAYS_BLOCK];
 };
 
-enum { FILM_DIMENSIONS = 4 };
+enum {
+    FILM_DIMENSIONS = 4,
+    FILM_ACROSS = 16, /* cells that a rectangle is divided into: one for each ray of a block */
+    FILM_DOWN = RAYS_BLOCK / FILM_ACROSS
+};
 
 /* Points spread over a rectangle of film and its pupils. */
 struct film_plan {
@@ -30,6 +34,16 @@ struct film_plan {
 /* The samples of block `block` of a sequence: its points RAYS_BLOCK block + 0, 1, .. */
 void film_rays_plan(const struct film_plan *plan, uint32_t block, enum instruction_set set,
                     struct film_samples *samples);
+
+/*
+ * The same one in each cell of the rectangle: cells are counted from the corner of the largest x
+ * and the least y on, first towards smaller x, as pixels of a picture whose film is upside down.
+ *
+ * Given     plan   sobol: of strands, one a cell
+ *           cells  that the places of a block are in, each once
+ */
+void film_rays_cells(const struct film_plan *plan, const unsigned char cells[RAYS_BLOCK],
+                     uint32_t block, enum instruction_set set, struct film_samples *samples);
 
 /*
  * Start a block of rays on the film.
@@ -56,6 +70,9 @@ void film_rays_start(const struct film_region *region, struct film_samples *samp
 typedef void kernel_film_plan(const struct film_plan *plan, uint32_t block,
                               struct film_samples *samples);
 kernel_film_plan kernel_film_plan_sse2, kernel_film_plan_avx2, kernel_film_plan_avx512;
+typedef void kernel_film_cells(const struct film_plan *plan, const unsigned char cells[RAYS_BLOCK],
+                               uint32_t block, struct film_samples *samples);
+kernel_film_cells kernel_film_cells_sse2, kernel_film_cells_avx2, kernel_film_cells_avx512;
 typedef void kernel_film(const struct film_region *region, struct film_samples *samples,
                          struct ray_block *block);
 kernel_film kernel_film_sse2, kernel_film_avx2, kernel_film_avx512;

@@ -20,6 +20,24 @@ void NAME(kernel_film_plan, KERNEL)(const struct film_plan *plan, uint32_t block
     memcpy(samples->v, points[3], sizeof samples->v);
 }
 
+void NAME(kernel_film_cells, KERNEL)(const struct film_plan *plan,
+                                     const unsigned char cells[RAYS_BLOCK], uint32_t block,
+                                     struct film_samples *samples)
+{
+    const double right = plan->left + plan->width, bottom = plan->bottom;
+    const double across = plan->width / FILM_ACROSS, down = plan->height / FILM_DOWN;
+    double points[FILM_DIMENSIONS][RAYS_BLOCK];
+    for (int k = 0; k < FILM_DIMENSIONS; k++) {
+        sobol_points(&plan->sobol[k], plan->scrambling[k], block, points[k]);
+    }
+    for (int i = 0; i < RAYS_BLOCK; i++) {
+        samples->x[i] = right - across * (cells[i] % FILM_ACROSS + points[0][i]);
+        samples->y[i] = bottom + down * (cells[i] / FILM_ACROSS + points[1][i]);
+    }
+    memcpy(samples->u, points[2], sizeof samples->u);
+    memcpy(samples->v, points[3], sizeof samples->v);
+}
+
 /*
  * Where the region is read, for each ray: as loops of their own, for what stands in tables comes by
  * one ray after another, and only the rest in vectors.

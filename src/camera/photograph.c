@@ -98,8 +98,7 @@ static struct film_plan plan_of(const struct work *work, size_t column, size_t r
     const struct photograph_question *question = work->question;
     const double across = question->film.width / (double)question->columns;
     const double down = question->film.height / (double)question->rows;
-    return (struct film_plan){.sobol = work->film->sobol,
-                              .left = question->film.width / 2 - (double)(column + ACROSS) * across,
+    return (struct film_plan){.left = question->film.width / 2 - (double)(column + ACROSS) * across,
                               .bottom = (double)row * down - question->film.height / 2,
                               .width = ACROSS * across,
                               .height = DOWN * down};
@@ -345,11 +344,15 @@ static double axis_light(const struct work *work, struct room *room)
     const struct lens_film *film = work->film;
     const struct film_plan plan = {.sobol = film->sobol, .scrambling = {1, 2, 3, 4}};
     const size_t wavelength = tile_rays_in_bands(&work->rays) ? work->rays.passes / 2 : 0;
+    struct film_samples *samples = &room->tile->samples;
+    struct rays *rays = &room->tile->rays;
     double sum = 0;
     for (uint32_t block = 0; block < BLOCKS; block++) {
-        tile_rays_trace(&work->rays, &plan, block, wavelength, room->tile);
+        film_rays_plan(&plan, block, SET_BEST, samples);
+        lens_film_start(film, samples, rays->blocks);
+        lens_film_trace(film, wavelength, samples, rays);
         for (size_t i = 0; i < RAYS_BLOCK; i++) {
-            sum += room->tile->rays.blocks->lost[i] == 0 ? room->tile->samples.weight[i] : 0;
+            sum += rays->blocks->lost[i] == 0 ? samples->weight[i] : 0;
         }
     }
     return work->scale * sum / (BLOCKS * RAYS_BLOCK);
@@ -498,8 +501,7 @@ static void meter(const struct work *work, struct room *room, double mean[PHOTOG
 {
     enum { BLOCKS = 128 };
     const struct photograph_question *question = work->question;
-    struct film_plan plan = {.sobol = work->film->sobol,
-                             .left = -question->film.width / 2,
+    struct film_plan plan = {.left = -question->film.width / 2,
                              .bottom = -question->film.height / 2,
                              .width = question->film.width,
                              .height = question->film.height};

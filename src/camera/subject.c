@@ -68,7 +68,7 @@ static void look_into_scene(const struct subject *subject, const struct subject_
             continue;
         }
         const struct world_ray ray = view_ray(&view->camera, view->pupil, block, i, rays->times[i]);
-        struct points points = points_of(rays->sequence, rays->first + (uint32_t)i);
+        struct points points = points_of(rays->sequence, rays->number, (uint32_t)i);
         struct radiance radiance;
         path_look(view->path, &ray, lanes, &points, &radiance);
         for (size_t lane = 0; lane < lanes->count; lane++) {

@@ -19,7 +19,7 @@ struct subject_rays {
     const double *times;                    /* of each, s; 0 is the middle of the exposure */
     const struct lanes *lanes;              /* that a scene is looked at in */
     const struct points_sequence *sequence; /* of their further numbers, and */
-    uint32_t first;                         /* which of it the first of them is */
+    uint32_t number;                        /* which of its blocks they are */
 };
 
 /* The light of a block, of each ray by channel. */

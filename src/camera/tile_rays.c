@@ -2,10 +2,13 @@
 /* SPDX-License-Identifier: MIT */
 #include "camera/tile_rays.h"
 
+#include "base/random.h"
+
 #include <math.h>
 #include <string.h>
 
-_Static_assert(TILE_PIXELS == (int)RAYS_BLOCK, "a block of points for a tile");
+_Static_assert(TILE_ACROSS == (int)FILM_ACROSS && TILE_DOWN == (int)FILM_DOWN,
+               "a cell of the film for each pixel of a tile");
 
 /* -------- made ready -------- */
 
@@ -48,6 +51,15 @@ bool tile_rays_in_bands(const struct tile_rays *tile)
     return view != NULL && !isnan(view->bands->wavelength[0]);
 }
 
+uint32_t tile_rays_bits(size_t samples)
+{
+    uint32_t bits = 0;
+    while (bits < 32 - SOBOL_LOW && (size_t)1 << bits < samples) {
+        bits++;
+    }
+    return bits;
+}
+
 void tile_rays_open(const struct photograph_question *question, const struct lens_film *film,
                     struct arena *arena, struct tile_rays *tile)
 {
@@ -58,9 +70,17 @@ void tile_rays_open(const struct photograph_question *question, const struct len
                                .passes = as_one ? 1 : wavelengths,
                                .may_share = !as_one && (question->kept & 1U << SKIP_COLOUR) == 0,
                                .duration = question->duration,
+                               .in_strands = question->view != NULL,
                                .seed = question->seed};
     tile->pass = passes_of(question, tile->passes, arena);
-    sobol_open(FILM_DIMENSIONS, &tile->when);
+    for (uint32_t k = 0; k <= FILM_DIMENSIONS; k++) {
+        struct sobol *sobol = k < FILM_DIMENSIONS ? &tile->film_points[k] : &tile->when;
+        if (tile->in_strands) {
+            sobol_open_strands(k, tile_rays_bits(question->samples), sobol);
+        } else {
+            sobol_open(k, sobol);
+        }
+    }
 }
 
 typedef double channels[TILE_PIXELS][TILE_CHANNELS];
@@ -90,10 +110,15 @@ struct way {
     struct spare_pass pass;
 };
 
-void tile_rays_trace(const struct tile_rays *tile, const struct film_plan *plan, uint32_t block,
-                     size_t wavelength, struct tile_room *room)
+/* Start and trace a block of points of a plan, at a wavelength of the lens. */
+static void trace(const struct tile_rays *tile, const struct film_plan *plan, uint32_t block,
+                  size_t wavelength, struct tile_room *room)
 {
-    film_rays_plan(plan, block, SET_BEST, &room->samples);
+    if (tile->in_strands) {
+        film_rays_cells(plan, room->cells, block, SET_BEST, &room->samples);
+    } else {
+        film_rays_plan(plan, block, SET_BEST, &room->samples);
+    }
     lens_film_start(tile->film, &room->samples, room->rays.blocks);
     lens_film_trace(tile->film, wavelength, &room->samples, &room->rays);
 }
@@ -163,7 +188,7 @@ static void look(const struct tile_rays *tile, uint32_t block, const struct lane
                                       .times = room->times,
                                       .lanes = lanes,
                                       .sequence = &room->sequence,
-                                      .first = block * RAYS_BLOCK};
+                                      .number = block};
     tile->subject.look(&tile->subject, &rays, room->counts, room->light);
 }
 
@@ -171,7 +196,7 @@ static void look(const struct tile_rays *tile, uint32_t block, const struct lane
 static void sum_block(const struct tile_rays *tile, const struct film_plan *plan, uint32_t block,
                       const struct way *way, struct tile_room *room)
 {
-    tile_rays_trace(tile, plan, block, way->wavelength, room);
+    trace(tile, plan, block, way->wavelength, room);
     look(tile, block, &way->lanes, room);
     for (size_t i = 0; i < RAYS_BLOCK; i++) {
         add_ray(plan, &way->pass, i, room);
@@ -187,8 +212,9 @@ static void sum_bands(const struct tile_rays *tile, const struct film_plan *plan
                       struct tile_room *room)
 {
     const size_t count = tile->subject.view->bands->count;
-    /* blocks are points of a sequence too */
-    const size_t hero = (size_t)((double)count * sobol_point(&tile->when, room->hero, block));
+    /* blocks are points of a sequence too: those of their first places */
+    const uint32_t point = block * SOBOL_BLOCK;
+    const size_t hero = (size_t)((double)count * sobol_point(&tile->when, room->hero, point));
     struct way way = {.pass = {0, TILE_CHANNELS, (double)count / BANDS_LANES}};
     for (size_t lane = 0; lane < BANDS_LANES; lane++) {
         const size_t band = (hero + lane * count / BANDS_LANES) % count;
@@ -223,7 +249,7 @@ static void trace_own(const struct tile_rays *tile, const struct film_plan *plan
     const struct film_samples *samples = &room->samples;
     for (size_t wavelength = 0; wavelength < tile->passes; wavelength++) {
         const struct spare_pass *pass = &tile->pass[wavelength];
-        tile_rays_trace(tile, plan, block, wavelength, room);
+        trace(tile, plan, block, wavelength, room);
         for (size_t i = 0; i < RAYS_BLOCK; i++) {
             double *own = shared->own[cell_of(plan, samples->x[i], samples->y[i]).pixel];
             count_ray(i, room);
@@ -365,6 +391,43 @@ void tile_rays_sum(const struct tile_rays *tile, const struct film_plan *plan, s
     }
 }
 
+/* Digits 0 .. 3 in an order by chance. */
+static void shuffle(uint32_t word, unsigned char digits[4])
+{
+    for (uint32_t left = 4; left > 0; left--) {
+        const uint32_t taken = word % left, digit = digits[taken];
+        word /= left;
+        digits[taken] = digits[left - 1];
+        digits[left - 1] = (unsigned char)digit;
+    }
+}
+
+/*
+ * Pixels along a curve that fills squares: those that follow each other, whose points complement
+ * each other, are neighbours. The quarters of each square come in an order by chance, or it would
+ * show as a pattern of the whole picture.
+ */
+static void order_cells(uint64_t seed, size_t number, unsigned char cells[RAYS_BLOCK])
+{
+    enum { NODES = 44 }; /* both halves; then quarters of squares of 8, 4 and 2 pixels */
+    unsigned char order[NODES][4];
+    for (uint32_t k = 0; k < NODES; k += 4) {
+        const struct random_words words = random_words(RANDOM_CELLS, seed, number, k);
+        for (uint32_t j = 0; j < 4; j++) {
+            memcpy(order[k + j], (const unsigned char[]){0, 1, 2, 3}, 4);
+            shuffle(words.w[j], order[k + j]);
+        }
+    }
+    const size_t half = order[0][0] % 2;
+    for (size_t i = 0; i < RAYS_BLOCK; i++) {
+        const size_t eight = order[1 + i / 64][i / 16 % 4], four = order[3 + i / 16][i / 4 % 4],
+                     two = order[11 + i / 4][i % 4];
+        const size_t column = (i / 64 ^ half) * 8 + eight % 2 * 4 + four % 2 * 2 + two % 2;
+        const size_t row = eight / 2 * 4 + four / 2 * 2 + two / 2;
+        cells[i] = (unsigned char)(row * TILE_ACROSS + column);
+    }
+}
+
 void tile_rays_begin(const struct tile_rays *tile, size_t number, struct film_plan *plan,
                      struct tile_room *room)
 {
@@ -372,11 +435,15 @@ void tile_rays_begin(const struct tile_rays *tile, size_t number, struct film_pl
     memset(room->sums, 0, sizeof room->sums);
     room->fringes = NULL;
     memset(room->shared, 0, sizeof *room->shared);
+    plan->sobol = tile->film_points;
     for (uint32_t k = 0; k < FILM_DIMENSIONS; k++) {
         plan->scrambling[k] = sobol_scrambling(tile->seed, number, k);
     }
     room->when = sobol_scrambling(tile->seed, number, FILM_DIMENSIONS);
     room->hero = sobol_scrambling(tile->seed, number, FILM_DIMENSIONS + POINTS_DIMENSIONS + 1);
+    if (tile->in_strands) {
+        order_cells(tile->seed, number, room->cells);
+    }
     if (view != NULL) {
         points_sequence_open(view->points, tile->seed, (uint32_t)number, &room->sequence);
     }

@@ -16,7 +16,8 @@ struct tile_rays {
     bool may_share;  /* rays of one wavelength may stand for those of all */
     double duration; /* of photograph_question */
     uint64_t seed;
-    struct sobol when; /* the dimension after those of the film */
+    bool in_strands;                                 /* the points, one a pixel */
+    struct sobol film_points[FILM_DIMENSIONS], when; /* the first dimensions, in strands or not */
 };
 
 /* What one thread traces in. */
@@ -27,12 +28,24 @@ struct tile_room {
     struct fringes_room *fringes_room;
     const struct fringes *fringes; /* of a tile whose colours share their rays; else null */
     struct tile_shared *shared;    /* its own: what these brought since a power of two of blocks */
-    double times[RAYS_BLOCK];      /* when each ray comes, s; all 0 where nothing needs it */
-    uint32_t when, hero;           /* the tile's scramblings of them, and of bands of blocks */
+    unsigned char cells[RAYS_BLOCK]; /* of a tile in strands: the pixels that they are of */
+    double times[RAYS_BLOCK];        /* when each ray comes, s; all 0 where nothing needs it */
+    uint32_t when, hero;             /* the tile's scramblings of them, and of bands of blocks */
     struct points_sequence sequence; /* of the tile: what rays decide by in a scene */
     double sums[TILE_PIXELS][TILE_CHANNELS];
     uint64_t counts[PHOTOGRAPH_COUNTS];
 };
+
+/*
+ * Of a scene each pixel has a strand of 2^bits points of the tile's sequence, for so many samples.
+ * So it has a net of its own if it takes all of them, and neighbours complement each other. The
+ * points of a card are one after the other: a pixel has those that fall into it. Where rays have
+ * many more numbers than those of film and pupil, these are uneven within a pixel by up to 128
+ * samples; else they are even enough, and edges that go through many pixels are twice as exact.
+ *
+ * Source    [Ahmed20]
+ */
+uint32_t tile_rays_bits(size_t samples);
 
 /* Given: subject  may be set later */
 void tile_rays_open(const struct photograph_question *question, const struct lens_film *film,
@@ -53,10 +66,6 @@ bool tile_rays_share(const struct tile_rays *tile, const struct film_plan *plan,
 /* Begin tile `number` of the frame: its points, of the plan, too; and sums of 0; none is shared. */
 void tile_rays_begin(const struct tile_rays *tile, size_t number, struct film_plan *plan,
                      struct tile_room *room);
-
-/* Start and trace a block of points of a plan, at a wavelength of the lens. */
-void tile_rays_trace(const struct tile_rays *tile, const struct film_plan *plan, uint32_t block,
-                     size_t wavelength, struct tile_room *room);
 
 /*
  * Add weights times light, a pixel and channel each: blocks begin .. end - 1 of points. Of a tile

@@ -6,13 +6,13 @@
 
 #include <assert.h>
 
-const struct points_table *points_table_new(uint32_t first, struct arena *arena)
+const struct points_table *points_table_new(uint32_t first, uint32_t bits, struct arena *arena)
 {
     struct points_table *table = ARENA_NEW(arena, struct points_table);
     assert(first + POINTS_DIMENSIONS <= SOBOL_DIMENSIONS);
     table->first = first;
     for (uint32_t k = 0; k < POINTS_DIMENSIONS; k++) {
-        sobol_open(first + k, &table->sobol[k]);
+        sobol_open_strands(first + k, bits, &table->sobol[k]);
     }
     return table;
 }

@@ -28,15 +28,16 @@ struct points_sequence {
 /* The numbers of one ray. */
 struct points {
     const struct points_sequence *sequence;
-    uint32_t index; /* of the ray in its sequence */
+    uint32_t index; /* of the ray: in blocks of its sequence, one behind the other */
     uint32_t next;  /* how many have been asked for */
 };
 
 /*
  * Given     first  dimension from which on rays have their numbers: those below it are for where
  *                  and when they begin; first + POINTS_DIMENSIONS at most SOBOL_DIMENSIONS
+ *           bits   as sobol_open_strands has them: rays are places of its blocks
  */
-const struct points_table *points_table_new(uint32_t first, struct arena *arena);
+const struct points_table *points_table_new(uint32_t first, uint32_t bits, struct arena *arena);
 
 /*
  * A sequence of rays.
@@ -47,9 +48,11 @@ const struct points_table *points_table_new(uint32_t first, struct arena *arena)
 void points_sequence_open(const struct points_table *table, uint64_t seed, uint32_t number,
                           struct points_sequence *sequence);
 
-static inline struct points points_of(const struct points_sequence *sequence, uint32_t index)
+/* Those of one of its rays: a place of a block of the sequence. */
+static inline struct points points_of(const struct points_sequence *sequence, uint32_t block,
+                                      uint32_t place)
 {
-    return (struct points){.sequence = sequence, .index = index};
+    return (struct points){.sequence = sequence, .index = block * SOBOL_BLOCK + place};
 }
 
 /*

@@ -30,16 +30,18 @@ F, PUPIL, BEFORE = 50, 12.5, 8
 SIDE = 64  # pixels of a picture
 
 
-def bessel(x):
-    """J1, by its integral."""
+def bessel(n, x):
+    """J_n, by its integral."""
     steps = 200
-    return sum(math.cos(t - x * math.sin(t))
+    return sum(math.cos(n * t - x * math.sin(t))
                for t in (math.pi * (k + 0.5) / steps for k in range(steps))) / steps
 
 
-def disc_transfer(diameter, frequency):
+def disc_transfer(diameter, frequency, fall=0):
+    """Of a disc whose light falls towards its edge, as the square of the radius, by this share."""
     x = math.pi * diameter * frequency
-    return 1 if x == 0 else 2 * bessel(x) / x
+    return 1 if x == 0 else (2 * (1 - fall) * bessel(1, x) / x + 4 * fall * bessel(2, x) / x ** 2) \
+        / (1 - fall / 2)
 
 
 def second(rows, pitch):
@@ -79,14 +81,18 @@ def check_confusion(studio):
         pitch = blur * 1.3 / SIDE
         rows = studio.take(AHEAD + LAMP + f"disc material=lamp radius={radius} "
                            f"at=0,0,{away - s2}\n", "--lens", "hand.lens", "--model", model, "-s",
-                           f"{s1}mm", "-N", "4", "--samples", "128", *square(pitch))
+                           f"{s1}mm", "-N", "4", "--samples", "512", *square(pitch))
         if rows is None:
             continue
-        expected = blur ** 2 / 8 + (blur / 10) ** 2 / 2 + pitch ** 2 / 6
+        # the fourth power of the cosine over the beam from the exit pupil, to its first order
+        wider = F / (F - away)
+        fall = 2 * (pupil / 2 * wider / (F * s2 / (s2 - F) + away * wider)) ** 2
+        expected = blur ** 2 / 8 * (1 - 2 * fall / 3) / (1 - fall / 2) + (blur / 10) ** 2 / 2 \
+            + pitch ** 2 / 6
         studio.near(second(rows, pitch), expected, 5e-3, f"{model} {s1} {s2}: mean square")
         for k in range(1, 8):
             frequency = k * 0.3 / blur
-            known = disc_transfer(blur, frequency) * disc_transfer(blur / 5, frequency)
+            known = disc_transfer(blur, frequency, fall) * disc_transfer(blur / 5, frequency)
             found = transfer(rows, frequency, pitch)
             studio.checks.check(abs(found - abs(known)) < 3e-3, f"{model} {s1} {s2}: contrast "
                                 f"{found:.4f} at {k * 0.3} of the blur's, expected {known:.4f}")

@@ -7,7 +7,7 @@
 #include "check.h"
 #include "scene/path.h"
 
-enum { LOOKED_SEQUENCES = 16 };
+enum { LOOKED_SEQUENCES = 16, LOOKED_BITS = 20 };
 
 /* A scene made ready; it stays where it is. */
 struct looked {
@@ -65,7 +65,7 @@ static inline void looked_open(const struct scene *scene, int bounces, struct lo
     CHECK(world_open(scene, (const double[]){-1, 1}, &looked->arena, &looked->world, &error));
     CHECK(lights_open(scene, &looked->bands, &looked->arena, &looked->lights, &error));
     looked->path = (struct path){&looked->world, &looked->lights, bounces};
-    looked->table = points_table_new(5, &looked->arena);
+    looked->table = points_table_new(5, LOOKED_BITS, &looked->arena);
     if (error.message[0] != 0) {
         printf("%s\n", error.message);
     }
@@ -79,7 +79,7 @@ static inline double looked_once(const struct looked *looked, const struct world
     struct points_sequence of;
     struct radiance light;
     points_sequence_open(looked->table, 1, sequence, &of);
-    struct points points = points_of(&of, which);
+    struct points points = points_of(&of, which, 0);
     path_look(&looked->path, ray, &lanes, &points, &light);
     return light.of[1];
 }
@@ -94,7 +94,7 @@ static inline struct looked_mean looked_mean(const struct looked *looked,
         double sum = 0;
         points_sequence_open(looked->table, 1, sequence, &of);
         for (uint32_t i = 0; i < count; i++) {
-            struct points points = points_of(&of, i);
+            struct points points = points_of(&of, i, 0);
             struct radiance light;
             path_look(&looked->path, ray, &lanes, &points, &light);
             sum += light.of[1] / count;

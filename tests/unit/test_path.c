@@ -311,7 +311,7 @@ static void test_ways(void)
                 double sum = 0;
                 points_sequence_open(looked.table, 1, s, &of);
                 for (uint32_t k = 0; k < COUNT; k++) {
-                    struct points points = points_of(&of, k);
+                    struct points points = points_of(&of, k, 0);
                     sum += by_way(&looked, &ray, way, &points) / COUNT;
                 }
                 mean[way] += sum / LOOKED_SEQUENCES;

@@ -4,7 +4,7 @@
 
 #include "check.h"
 
-enum { FIRST = 5, COUNT = 1024, TOLD = POINTS_DIMENSIONS + 6 };
+enum { FIRST = 5, BITS = 20, COUNT = 1024, TOLD = POINTS_DIMENSIONS + 6 };
 
 /* The dimensions of one sequence that begin where the film's end. */
 static void test_sobol(const struct points_table *table)
@@ -12,7 +12,7 @@ static void test_sobol(const struct points_table *table)
     struct points_sequence sequence;
     points_sequence_open(table, 7, 11, &sequence);
     for (uint32_t i = 0; i < 300; i += 7) {
-        struct points points = points_of(&sequence, i);
+        struct points points = points_of(&sequence, i, 0);
         for (uint32_t k = 0; k < POINTS_DIMENSIONS; k++) {
             struct sobol sobol;
             sobol_open(FIRST + k, &sobol);
@@ -30,7 +30,7 @@ static void test_even(const struct points_table *table)
     int filled[TOLD] = {0};
     points_sequence_open(table, 1, 2, &sequence);
     for (uint32_t i = 0; i < COUNT; i++) {
-        struct points points = points_of(&sequence, i);
+        struct points points = points_of(&sequence, i, 0);
         for (int k = 0; k < TOLD; k++) {
             const double u = points_next(&points);
             CHECK(u > 0 && u < 1);
@@ -54,8 +54,8 @@ static void test_order(const struct points_table *table)
     points_sequence_open(table, 3, 4, &sequence);
     points_sequence_open(table, 5, 4, &seed);
     points_sequence_open(table, 3, 6, &number);
-    struct points a = points_of(&sequence, 9), b = a, other = points_of(&sequence, 10);
-    struct points c = points_of(&seed, 9), d = points_of(&number, 9);
+    struct points a = points_of(&sequence, 9, 0), b = a, other = points_of(&sequence, 10, 0);
+    struct points c = points_of(&seed, 9, 0), d = points_of(&number, 9, 0);
     double first[TOLD], last = -1;
     for (int k = 0; k < TOLD; k++) {
         first[k] = points_next(&a);
@@ -72,7 +72,7 @@ static void test_order(const struct points_table *table)
 int main(void)
 {
     struct arena arena = {0};
-    const struct points_table *table = points_table_new(FIRST, &arena);
+    const struct points_table *table = points_table_new(FIRST, BITS, &arena);
     test_sobol(table);
     test_even(table);
     test_order(table);

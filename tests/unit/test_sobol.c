@@ -194,6 +194,27 @@ static void test_blocks(void)
     }
 }
 
+/* Strands: place i of block b is point 2^bits i + b. */
+static void test_strands(void)
+{
+    static const uint32_t bits[] = {0, 3, 7, 25};
+    for (size_t k = 0; k < sizeof bits / sizeof *bits; k++) {
+        const uint32_t last = (1U << bits[k]) - 1, blocks[] = {0, last / 3, last};
+        for (uint32_t d = 0; d < SOBOL_DIMENSIONS; d += 85) {
+            struct sobol one, across;
+            sobol_open(d, &one);
+            sobol_open_strands(d, bits[k], &across);
+            for (uint32_t b = 0; b < 3; b++) {
+                double points[SOBOL_BLOCK];
+                sobol_points(&across, 12345, blocks[b], points);
+                for (uint32_t i = 0; i < SOBOL_BLOCK; i++) {
+                    CHECK(points[i] == sobol_point(&one, 12345, (i << bits[k]) + blocks[b]));
+                }
+            }
+        }
+    }
+}
+
 /* Over many scramblings every point is spread evenly, and pairs of points and dimensions alike. */
 static void test_scramblings(void)
 {
@@ -267,6 +288,7 @@ int main(void)
     test_strata();
     test_net();
     test_blocks();
+    test_strands();
     test_scramblings();
     test_convergence();
     return check_report();

@@ -5,6 +5,7 @@
 #include "base/name_index.h"
 #include "camera/develop.h"
 #include "camera/lens_room.h"
+#include "camera/tile_rays.h"
 #include "commands/camera/render_part.h"
 #include "file/scene_file.h"
 #include "photo/distance_from.h"
@@ -312,6 +313,7 @@ bool render_world_open(const struct artifact_job *job, const struct analysis_cas
                        struct error *error)
 {
     enum { FIRST_DIMENSION = FILM_DIMENSIONS + 1 }; /* behind those of film and time */
+    const uint32_t bits = tile_rays_bits(question->samples);
     const struct render_input *input = job->inputs[0];
     const bool scattered = world->scatters || (question->kept & 1U << SKIP_SECONDARY) != 0;
     double span[2];
@@ -331,7 +333,7 @@ bool render_world_open(const struct artifact_job *job, const struct analysis_cas
                                 .bounces = scattered ? (int)input->bounces : 0};
     world->view = (struct view){.path = &world->path,
                                 .bands = &world->seen,
-                                .points = points_table_new(FIRST_DIMENSION, arena),
+                                .points = points_table_new(FIRST_DIMENSION, bits, arena),
                                 .camera = world->scene.camera.where,
                                 .pupil = lens_room_pupil(one->setup)};
     question->view = &world->view;
