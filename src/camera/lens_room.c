@@ -132,15 +132,21 @@ static struct part part_of(const struct world_thing *thing, const struct scene_p
     return part;
 }
 
+/* About the cylinder. */
+static struct part part_of_room(const struct lens_room *room)
+{
+    return (struct part){{-room->radius, -room->radius, room->front},
+                         {room->radius, room->radius, room->back}};
+}
+
 /* Leave what lies within the box about the cylinder; false: nothing does. */
 static bool clip(const struct lens_room *room, struct part *part)
 {
-    const double low[3] = {-room->radius, -room->radius, room->front};
-    const double high[3] = {room->radius, room->radius, room->back};
+    const struct part whole = part_of_room(room);
     bool is_left = true;
     for (int i = 0; i < 3; i++) {
-        part->low[i] = fmax(part->low[i], low[i]);
-        part->high[i] = fmin(part->high[i], high[i]);
+        part->low[i] = fmax(part->low[i], whole.low[i]);
+        part->high[i] = fmin(part->high[i], whole.high[i]);
         is_left = is_left && part->low[i] <= part->high[i];
     }
     return is_left;
@@ -223,12 +229,10 @@ static double gap_of(const struct lens_room *room, const struct world_thing *thi
         const double away = vector_dot(pose.turned.z, vector_minus(camera->at, pose.at));
         return fmax(fabs(away) - ball_of(room), 0);
     }
-    const double low[3] = {-room->radius, -room->radius, room->front};
-    const double high[3] = {room->radius, room->radius, room->back};
-    const struct part part = part_of(thing, camera, time);
+    const struct part whole = part_of_room(room), part = part_of(thing, camera, time);
     double gap = 0;
     for (int i = 0; i < 3; i++) {
-        gap = fmax(gap, fmax(part.low[i] - high[i], low[i] - part.high[i]));
+        gap = fmax(gap, fmax(part.low[i] - whole.high[i], whole.low[i] - part.high[i]));
     }
     return gap;
 }

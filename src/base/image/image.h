@@ -31,9 +31,9 @@ struct image {
     double aspect; /* of a pixel, its width over its height; 0: it is square */
 };
 
-/* What pixels' proportions may be in a file. */
-#define IMAGE_ASPECT_LEAST 1e-3
-#define IMAGE_ASPECT_MOST  1e3
+/* What pixels' proportions may be in a file: as of OpenEXR. */
+#define IMAGE_ASPECT_LEAST 1e-6
+#define IMAGE_ASPECT_MOST  1e6
 
 /* Pixels of a picture: so many to the left of them and above, and so many across and down. */
 struct image_area {

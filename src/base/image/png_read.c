@@ -166,9 +166,7 @@ static bool take_aspect(struct png *png, const struct chunk *chunk, struct error
     const double down = (double)bytes_big(chunk->data + 4, 4);
     return !(across > 0 && down > 0) || fabs(across - down) <= 1 ||
            image_take_aspect(png->image, down / across) ||
-           chunk_wrong(chunk,
-                       "says that pixels are over 1000 times as wide as high, or as high "
-                       "as wide",
+           chunk_wrong(chunk, "says that pixels are over 1e6 times as long one way as the other",
                        error);
 }
 
