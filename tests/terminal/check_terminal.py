@@ -501,6 +501,20 @@ def check_interrupted_picture(checks, program):
         checks.check(time.perf_counter() - began < 10, "pictures: they do not end")
 
 
+def check_report(checks, program):
+    """Ctrl-C ends a report, which is nothing without its parts: no file, and status 1."""
+    with tempfile.TemporaryDirectory() as folder:
+        process = subprocess.Popen(program.command + ["report", "nikkor-z-14-24", "-o", "r.html"],
+                                   cwd=folder, stdout=subprocess.PIPE, stderr=subprocess.PIPE,
+                                   env=program.environment())
+        wait_for_rows(process)
+        process.send_signal(signal.SIGINT)
+        _, error = process.communicate()
+        checks.check(process.returncode == 1 and b"interrupted: no report" in error and
+                     os.listdir(folder) == [],
+                     f"report: {process.returncode}, {error!r}, {os.listdir(folder)}")
+
+
 def check_picture(checks, program):
     """The bytes of a picture are for files and pipes."""
     words = ["render", "chart:edge", "--lens", "double-gauss", "-s", "1m", "--size", "8x8"]
@@ -544,8 +558,8 @@ def main():
     program = Program(sys.argv[1])
     checks = Checks()
     on_terminals = (check_width, check_blocks, check_color, check_progress, check_printed_files)
-    for check in (check_help, check_escapes, check_interrupted, check_picture, check_broken_off,
-                  *(on_terminals if has_terminals() else ())):
+    for check in (check_help, check_escapes, check_interrupted, check_report, check_picture,
+                  check_broken_off, *(on_terminals if has_terminals() else ())):
         check(checks, program)
     checks.finish()
 

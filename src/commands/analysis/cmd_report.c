@@ -203,6 +203,9 @@ static bool fill_page(struct writer *writer, struct page *page, struct error *er
                 (writer->input->images || (sections[k].takes & IS_IMAGE) == 0)) {
                 add_part(writer, &sections[k], name);
             }
+            if (!watch_ask(writer->run->watch)) {
+                return fail(error, ERROR_DOMAIN, "interrupted: no report is written");
+            }
         }
     }
     page->parts = writer->parts;
