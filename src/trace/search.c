@@ -196,6 +196,31 @@ static bool touches(const struct line *line, const double d[3], const double h[3
     return true;
 }
 
+/*
+ * A ray along the axis is at one height, where the sign changes once. Places on both sides of that,
+ * by steps that double: halving ends between the same neighbours as from afar.
+ *
+ * Result    false: there are none within the part that is looked at
+ */
+static bool bracket_along_axis(const struct line *line, double *front, double *back)
+{
+    enum { DOUBLINGS = 40 };
+    const double slow = line->search->step->direction * line->direction[2];
+    if (!(slow > 0) || line->fine > 0) { /* it goes aside, or back */
+        return false;
+    }
+    const double guess = -behind(line, 0) / slow;
+    double step = DBL_EPSILON * fabs(guess) + DBL_MIN;
+    *front = *back = guess;
+    for (int i = 0; i < DOUBLINGS && !(behind(line, *front) < 0 && behind(line, *back) >= 0); i++) {
+        *front = guess - step;
+        *back = guess + step;
+        step *= 2;
+    }
+    return *front > line->low && *back < line->high && behind(line, *front) < 0 &&
+           behind(line, *back) >= 0;
+}
+
 double search_meet(const struct search *search, const double point[3], const double direction[3])
 {
     /* from near the surface: far away steps are lost in the distance */
@@ -207,6 +232,10 @@ double search_meet(const struct search *search, const double point[3], const dou
     }
     if (!set_part(&line)) {
         return (double)NAN;
+    }
+    double front, back;
+    if (bracket_along_axis(&line, &front, &back)) {
+        return ahead + halve(&line, front, back);
     }
     /* the last three places */
     double d[3] = {line.low, line.low, line.low}, where;

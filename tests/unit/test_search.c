@@ -52,11 +52,35 @@ static void test_afar(void)
     arena_free(&arena);
 }
 
+/* Rays along the axis at a surface as deep as a kilometre: its sag, by the formula of the file. */
+static void test_along_axis(void)
+{
+    struct arena arena = {0};
+    struct lens lens;
+    struct system system;
+    struct error error;
+    const char *text = "surface 10 5 1.5 10 k=-1e10 A4=-1e3 A20=1e-300\n";
+    struct system_options options = system_options_default();
+    CHECK(lens_read("test", text_of(text), NULL, &arena, &lens, &error));
+    CHECK(system_compile(&lens, 0.55, &options, &arena, &system, &error));
+    for (double y = 0.0625; y < 5; y += 0.0625) {
+        const struct ray start = {.point = {0, y, -7}, .cosine = {0, 0, 1}};
+        const struct ray end = trace_one(&system, &start);
+        const long double u = (long double)y * y, c = 0.1L, k = -1e10L;
+        const long double sag = c * u / (1 + sqrtl(1 - (1 + k) * c * c * u)) - 1e3L * u * u;
+        CHECK(end.status != RAY_MISS && end.status != RAY_NOT_CONVERGED);
+        CHECK_NEAR(end.point[1], y, 0, "height");
+        CHECK_NEAR(end.point[2] / (double)sag, 1, 4e-16, "sag");
+    }
+    arena_free(&arena);
+}
+
 int main(void)
 {
     static const struct strength strengths[] = {{0.8, 0.4, 4, 0.7}, {2, 1.5, 15, 1}};
     test_other_sheet();
     test_afar();
+    test_along_axis();
     for (size_t i = 0; i < sizeof strengths / sizeof strengths[0]; i++) {
         struct asphere_tally tally = {0};
         unsigned long long state = 1 + i;
