@@ -20,7 +20,7 @@ struct lens_rim {
 struct lens_room {
     double radius, front, back; /* of a cylinder about all of it, from z = front to back; mm */
     const struct lens_rim *rims;
-    size_t count; /* of rims; 0: there is no room */
+    size_t count; /* of rims, 2 and more */
 };
 
 /*
