@@ -4,6 +4,7 @@
 
 #include "base/parallel.h"
 #include "camera/lens_film.h"
+#include "camera/metering.h"
 #include "camera/tile_rays.h"
 #include "light/colour.h"
 
@@ -496,33 +497,18 @@ static void take_all(struct work *work, size_t tiles, struct photograph *photogr
     parallel_free(parallel);
 }
 
-/* Mean illuminance of the film by channel, lx: of few rays, all over it. */
-static void meter(const struct work *work, struct room *room, double mean[PHOTOGRAPH_CHANNELS])
-{
-    enum { BLOCKS = 128 };
-    const struct photograph_question *question = work->question;
-    struct film_plan plan = {.left = -question->film.width / 2,
-                             .bottom = -question->film.height / 2,
-                             .width = question->film.width,
-                             .height = question->film.height};
-    tile_rays_begin(&work->rays, 0, &plan, room->tile);
-    tile_rays_sum(&work->rays, &plan, 0, BLOCKS, room->tile);
-    for (size_t k = 0; k < PHOTOGRAPH_CHANNELS; k++) {
-        mean[k] = 0;
-        for (size_t i = 0; i < PIXELS; i++) {
-            mean[k] += work->scale * room->tile->sums[i][k] / (BLOCKS * RAYS_BLOCK);
-        }
-    }
-    memset(room->tile->counts, 0, sizeof room->tile->counts);
-}
-
 /* What there is to see, and what an error is of. */
 static void open_scene(struct work *work, struct room *room, struct photograph *photograph)
 {
     static const double least = 1e-300; /* of what is divided by */
     const struct photograph_question *question = work->question;
     work->rays.subject = subject_scene(question->view);
-    meter(work, room, photograph->mean);
+    const struct metering_question metering = {&work->rays, question->film.width,
+                                               question->film.height, work->scale};
+    struct metered metered;
+    metering_take(&metering, room->tile, &metered);
+    memcpy(photograph->mean, metered.mean, sizeof metered.mean);
+    photograph->mean_error = metered.error;
     const double white = isnan(question->white)
                              ? question->white_of_mean * photograph_luminance(photograph->mean)
                              : question->white;

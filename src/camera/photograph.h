@@ -91,10 +91,10 @@ void photograph_tile(const struct photograph_question *question, const struct im
 struct photograph {
     /* Of the crop, upright: E/L, sr, of the white of the card; of a scene E, lx, by channel */
     struct image image;
-    struct card card; /* with its size */
-    double
-        mean[PHOTOGRAPH_CHANNELS]; /* of a scene: illuminance of all the film, lx, as of pixels */
-    double axis;                   /* E/L of a white scene in the middle of the film, sr */
+    struct card card;                   /* with its size */
+    double mean[PHOTOGRAPH_CHANNELS];   /* of a scene: illuminance of all the film, lx */
+    double mean_error;                  /* of its luminance, as a share: camera/metering.h */
+    double axis;                        /* E/L of a white scene in the middle of the film, sr */
     uint64_t counts[PHOTOGRAPH_COUNTS]; /* they add up over parts of a picture */
     size_t passes;                      /* one for all colours, or one a wavelength */
     size_t reached[2];      /* where it ended in time: samples of tiles, the fewest and the most */
@@ -114,8 +114,8 @@ double photograph_share(const struct photograph *photograph, enum relief_sight s
  *
  * Result    each pixel the mean over its area of the irradiance that the card's light brings,
  *           relative to the luminance of its white; every channel by rays of its
- *           wavelengths. Of a scene the irradiance itself; its mean is of 16384 rays all over the
- *           film, the same for every crop
+ *           wavelengths. Of a scene the irradiance itself; its mean as camera/metering.h has it,
+ *           the same for every crop
  * Formula   for 16 x 8 pixels at once the first 128 n points of a scrambled Sobol' sequence, of
  *           which each pixel has n where that is a power of two; rays as camera/film_rays.h,
  *           traced exactly, to the plane of the card, or to the relief that it is

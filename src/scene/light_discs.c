@@ -226,16 +226,20 @@ void light_discs_open(const struct scene *scene, const struct banded *const *uni
     sort_into_cells(discs, arena);
 }
 
+struct vector light_disc_way(const struct light_disc *disc, const double u[2])
+{
+    const struct frame frame = frame_about(disc->way);
+    const double height = height_of(disc->radius) * u[0]; /* even in the solid angle */
+    const double sine = sqrt(height * (2 - height));
+    const double angle = 2 * PI * u[1];
+    const struct vector own = {sine * cos(angle), sine * sin(angle), 1 - height};
+    return vector_unit(frame_out(&frame, own));
+}
+
 struct vector light_discs_sample(const struct light_discs *discs, const double u[3])
 {
     const struct pick pick = pick_of(discs->below, discs->count, u[0]);
-    const struct light_disc *disc = &discs->all[pick.number];
-    const struct frame frame = frame_about(disc->way);
-    const double height = height_of(disc->radius) * u[1]; /* even in the solid angle */
-    const double sine = sqrt(height * (2 - height));
-    const double angle = 2 * PI * u[2];
-    const struct vector own = {sine * cos(angle), sine * sin(angle), 1 - height};
-    return vector_unit(frame_out(&frame, own));
+    return light_disc_way(&discs->all[pick.number], u + 1);
 }
 
 /* -------- looking -------- */

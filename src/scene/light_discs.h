@@ -40,6 +40,9 @@ struct light_discs {
 void light_discs_open(const struct scene *scene, const struct banded *const *units,
                       struct arena *arena, struct light_discs *discs);
 
+/* A direction to a disc, evenly over it, by two numbers in 0..1. */
+struct vector light_disc_way(const struct light_disc *disc, const double u[2]);
+
 /*
  * A direction to one of them: each as often as its illuminance has it, evenly over its disc.
  *

@@ -17,6 +17,7 @@ enum { SURE_BOUNCES = 3 };
 /* A path so far: the ray that it goes on by. */
 struct walk {
     const struct path *path;
+    const struct lights *lights; /* that its ray may meet */
     const struct lanes *lanes;
     struct points *points;
     struct radiance *light; /* found so far */
@@ -25,8 +26,7 @@ struct walk {
     double density;        /* by which the surface chose it; INFINITY: there was no choice */
 };
 
-/* What counts of light that was found by one density, and is found by another one as well. */
-static double weight_of(double density, double other)
+double path_weight(double density, double other)
 {
     const double ratio = other / density; /* of INFINITY 0 */
     return 1 / (1 + ratio * ratio);
@@ -42,7 +42,7 @@ static void add(struct walk *walk, const struct radiance *light, double by)
 /* The light of what the ray has met, or of what is behind everything. */
 static void add_met(struct walk *walk, const struct world_hit *hit)
 {
-    const struct lights *lights = walk->path->lights;
+    const struct lights *lights = walk->lights;
     const struct materials *materials = &lights->materials;
     struct radiance light = {{0}};
     if (hit == NULL) {
@@ -55,7 +55,7 @@ static void add_met(struct walk *walk, const struct world_hit *hit)
     const double other = isinf(walk->density) ? 0
                                               : lights_density(lights, walk->ray.from,
                                                                walk->ray.way, walk->ray.time, hit);
-    add(walk, &light, weight_of(walk->density, other));
+    add(walk, &light, path_weight(walk->density, other));
 }
 
 /* The surface where a path goes on. */
@@ -65,6 +65,13 @@ struct corner {
     struct frame frame;
     struct vector from, out; /* where rays leave it; where the path comes from, in the frame */
 };
+
+bool path_is_clear(const struct path *path, struct vector from, double time,
+                   const struct light_sample *sample)
+{
+    const struct world_ray ray = {from, sample->way, time, sample->distance * BEFORE_LIGHT};
+    return world_is_clear(path->world, &ray);
+}
 
 /* Its light from one of those things that shine. */
 static void add_lit(struct walk *walk, const struct corner *corner)
@@ -82,15 +89,14 @@ static void add_lit(struct walk *walk, const struct corner *corner)
     }
     const double density =
         scatter_value(&corner->scatter, corner->out, frame_in(&corner->frame, sample.way), &value);
-    const struct world_ray ray = {corner->from, sample.way, walk->ray.time,
-                                  sample.distance * BEFORE_LIGHT};
-    if (!(density > 0) || !world_is_clear(path->world, &ray)) {
+    if (!(density > 0) || !path_is_clear(path, corner->from, walk->ray.time, &sample)) {
         return;
     }
     for (size_t k = 0; k < walk->lanes->count; k++) {
         value.of[k] *= sample.light.of[k];
     }
-    add(walk, &value, (sample.is_point ? 1 : weight_of(sample.density, density)) / sample.density);
+    add(walk, &value,
+        (sample.is_point ? 1 : path_weight(sample.density, density)) / sample.density);
 }
 
 /* Does the path go on after `bounces` surfaces? Then it stands for those that do not, too. */
@@ -127,6 +133,7 @@ static bool turn(struct walk *walk, struct corner *corner)
     walk->ray.from = corner->from;
     walk->ray.way = frame_out(&corner->frame, sample.way);
     walk->density = sample.density;
+    walk->lights = walk->path->lights;
     for (size_t k = 0; k < walk->lanes->count; k++) {
         walk->share.of[k] *= sample.share.of[k];
     }
@@ -155,11 +162,12 @@ void path_look(const struct path *path, const struct world_ray *ray, const struc
                struct points *points, struct radiance *light)
 {
     struct walk walk = {.path = path,
+                        .lights = path->seen != NULL ? path->seen : path->lights,
                         .lanes = lanes,
                         .points = points,
                         .light = light,
                         .ray = *ray,
-                        .density = INFINITY};
+                        .density = path->seen != NULL ? path->density : INFINITY};
     *light = (struct radiance){{0}};
     for (size_t k = 0; k < lanes->count; k++) {
         walk.share.of[k] = 1;

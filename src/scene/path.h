@@ -15,7 +15,18 @@ struct path {
     /* How often light may be reflected on its way: 0: only what shines is seen; 1: what it lights
        as well; more: what that lights */
     int bounces;
+    /* What is seen directly where others look for that as well; null: `lights`, nobody does. Of it
+       counts what path_weight says, by the density of the rays that begin paths, per sr */
+    const struct lights *seen;
+    double density;
 };
+
+/* What counts of light that was found by one density, and is found by another one as well. */
+double path_weight(double density, double other);
+
+/* Does nothing stand between a point and what lights_sample has found from there? */
+bool path_is_clear(const struct path *path, struct vector from, double time,
+                   const struct light_sample *sample);
 
 /*
  * What comes along a ray, against its way.

@@ -83,8 +83,10 @@ void render_doubts(const struct render_input *input, const struct analysis_case 
     } else if (arrival->share < 0.5) {
         growing_format(remarks,
                        "warning: %.2g %% of the rays arrive: the pupil is too small to be "
-                       "followed over the film, and some of the light may be missing\n",
-                       100 * arrival->share);
+                       "followed over the film, and some of the light may be missing%s\n",
+                       100 * arrival->share,
+                       isnan(input->time) ? ": the time, which rests on it, may be far too long"
+                                          : "");
     }
 }
 

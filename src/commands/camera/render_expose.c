@@ -95,8 +95,9 @@ static bool exposure_of(const struct render_input *input, const struct render_sh
         return error_hint(error,
                           input->bounces == 0
                               ? "{--bounces} 0 shows only what shines itself: give 1 or more"
-                              : "what the camera sees neither shines nor sends light on: see "
-                                "its at= and look=, and the colours; or give {--time}");
+                              : "what the camera sees neither shines nor sends light on, or "
+                                "few rays find it: see its at= and look=, and the colours; or "
+                                "give {--time}");
     }
     *exposure = (struct exposure){.luminance = white,
                                   .time = input->time,
@@ -193,8 +194,10 @@ static void add_warnings(const struct render_input *input, const struct render_s
         render_say_held(&clipping, exposure->iso, remarks);
     }
     if (clipping.most == 0 && !shot->photograph.is_incomplete) { /* else it is not there yet */
-        growing_format(remarks,
-                       "warning: no light was found that reaches the film: all is black\n");
+        const bool is_lit = photograph_luminance(shot->photograph.mean) > 0;
+        growing_format(remarks, "warning: no light was found that reaches %s: all is black%s\n",
+                       input->crop != NULL ? "these pixels" : "the film",
+                       is_lit && input->crop == NULL ? ", and more --samples would find some" : "");
     }
     if (is_png && !render_senses(input)) {
         render_say_clipping(&clipping, remarks);

@@ -129,7 +129,7 @@ static struct text doubts_of(const struct analysis_case *one, const struct pictu
     render_say_samples(input, photograph, &doubts);
     render_say_light(input, &doubts);
     if (picture->world != NULL) {
-        render_say_world(picture->world, &doubts);
+        render_say_world(picture->world, photograph, &doubts);
     } else {
         render_say_scene(photograph, one->setup, &doubts);
     }

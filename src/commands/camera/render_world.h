@@ -55,7 +55,8 @@ bool render_world_open(const struct artifact_job *job, const struct analysis_cas
 struct spectrum_value render_world_colours(const struct render_world *world, struct arena *arena);
 
 /* What is to be known of it. */
-void render_say_world(const struct render_world *world, struct growing *remarks);
+void render_say_world(const struct render_world *world, const struct photograph *photograph,
+                      struct growing *remarks);
 
 /* Its colours that red, green and blue of sRGB do not hold, and what becomes of them. */
 void render_say_colours(const struct render_world *world, struct growing *remarks);
