@@ -64,7 +64,8 @@ static inline void looked_open(const struct scene *scene, int bounces, struct lo
     bands_three(&looked->bands);
     CHECK(world_open(scene, (const double[]){-1, 1}, &looked->arena, &looked->world, &error));
     CHECK(lights_open(scene, &looked->bands, &looked->arena, &looked->lights, &error));
-    looked->path = (struct path){&looked->world, &looked->lights, bounces};
+    looked->path =
+        (struct path){.world = &looked->world, .lights = &looked->lights, .bounces = bounces};
     looked->table = points_table_new(5, LOOKED_BITS, &looked->arena);
     if (error.message[0] != 0) {
         printf("%s\n", error.message);
