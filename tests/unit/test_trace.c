@@ -386,7 +386,7 @@ static void check_sets(const struct system *system, struct arena *arena, const c
 static void check_lensdb(void)
 {
     struct arena all = {0};
-    struct lensdb db = {0};
+    struct lensdb db = {.arena = &all};
     const char *const *names;
     struct error error;
     CHECK(lens_open_names(&db, LENSDB_EMBEDDED, &all, &names, &error));
