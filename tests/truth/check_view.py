@@ -69,23 +69,23 @@ def first_order(fixture):
 
 
 def check_card(fixture, pupil):
-    """The same rays meet the same card."""
+    """Rays meet the same card, others of a scene than without; where it stands is all the same."""
     write_picture(os.path.join(fixture.folder, "card.pfm"))
-    more = "-t 0.01 --samples 4 --no-skip blur,uniform"
+    more = "-t 0.01 --samples 1024 --no-skip blur,uniform"
     flat = fixture.take("card.pfm", f"-s 1m --from front --field-width 600mm {more}")
     scene = fixture.scene("card.scene", f"camera at=0,0,{1000 + pupil}mm look=0,0,0\n"
                                         "card file=card.pfm size=0.6,0.4 at=0,0,0 luminance=1000\n")
     seen = fixture.take(scene, f"-s 1m --from front {more}")
-    fixture.checks.check(most_off(flat, seen) < 1e-5,
+    fixture.checks.check(most_off(flat, seen) < 5e-3,
                          f"card in a scene: {most_off(flat, seen):.3g} of white off")
     # from elsewhere, turned upside down: the frame of the camera counts, not that of the scene
     scene = fixture.scene("turned.scene",
                           f"camera at={1002 + pupil}mm,3mm,4mm look=2mm,3mm,4mm up=0,-1,0\n"
                           "card file=card.pfm size=0.6,0.4 at=2mm,3mm,4mm normal=1,0,0 up=0,-1,0 "
                           "luminance=1000\n")
-    seen = fixture.take(scene, f"-s 1m --from front {more}")
-    fixture.checks.check(most_off(flat, seen) < 1e-5,
-                         f"the same turned: {most_off(flat, seen):.3g} of white off")
+    turned = fixture.take(scene, f"-s 1m --from front {more}")
+    fixture.checks.check(most_off(seen, turned) < 1e-5,
+                         f"the same turned: {most_off(seen, turned):.3g} of white off")
 
 
 def ramp(low, high, begin, end, steps=4000):
