@@ -61,7 +61,8 @@ def check_exposures(checks, take, folder):
     for ending in "png", "pfm":
         take(f"many.{ending}", *CHART, "-t", "1/30..1/500#5", "--iso", "100,400", "--noise"
              if ending == "png" else "--radiance", there=False)
-        for number in 1, 2, 6, 10:
+        # noise is each exposure's own: only the first one's is that of a run by itself
+        for number in (1,) if ending == "png" else (1, 2, 6, 10):
             time = 1 / 30 + (number - 1) // 2 * (1 / 500 - 1 / 30) / 4
             alone = take(f"one.{ending}", *CHART, "-t", repr(time), "--iso",
                          "100" if number % 2 else "400", "--noise" if ending == "png" else
