@@ -133,7 +133,7 @@ sed 's/size=2,2/size=9,9/' lamps.scene > wide.scene
 lenscalc render wide.scene $small -t 100 --pitch 5um -o sensed.png
 lenscalc render lamps.scene $small -t 1/100 --shutter leaf --opening-time 1ms -o leaf.png 2>&1 | grep lx
 # interrupted: what moves is somewhere else in the next picture, which is not made
-timeout -s INT 1 lenscalc render moving.scene --lens double-gauss-50 --size 480x320 --samples 4096 -t 1/100,1/10 -o stopped.png 2>&1 | grep interrupted
+timeout -s INT 2 lenscalc render moving.scene --lens double-gauss-50 --size 480x320 --samples 4096 -t 1/100,1/10 -o stopped.png 2>&1 | grep interrupted
 ls stopped*png
 lenscalc render lamps.scene $small --seconds 1 -o lost.part
 lenscalc render lamps.scene $small --seed 1 --part 1/2 -o seed.part

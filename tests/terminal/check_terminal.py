@@ -478,7 +478,7 @@ def check_interrupted_picture(checks, program):
                        "light sky uniform luminance=1000\nsphere radius=0.5 material=grey\n"
                        "plane at=0,-1,0 normal=0,1,0 material=grey\n")
         words = ["render", "ball.scene", "--lens", "double-gauss-50", "--size", "16x16",
-                 "--bounces", "16", "-t", "1/100", "--samples", str(1 << 20), "-o"]
+                 "--bounces", "16", "-t", "10", "--samples", str(1 << 20), "-o"]
         cases = ((["whole.pfm"], "incomplete, and black"), (["p.part"], "0 of 2 tiles"),
                  (["e.pfm", "--error", "1e-4"], "incomplete, and black"),
                  (["blur.pfm"], "incomplete, and black"))
