@@ -11,6 +11,9 @@
 
 /* Blocks of rays from the film, rays to lights, and parts of both whose means differ. */
 enum { BLOCKS = 128, LOOKS = 4096, PARTS = 16 };
+/* Of strands that have points for all of them. */
+enum { BITS = 8 };
+_Static_assert(BLOCKS + LOOKS / RAYS_BLOCK <= 1 << BITS, "a block of its own for each");
 /* So many times as dense count rays from the film as they are: they are spread more evenly. */
 static const double EVENER = 4;
 /* Distances from the axis at which is known what arrives, and blocks of rays that tell it. */
@@ -47,6 +50,13 @@ static double light_at(const struct metering_question *question, double radius,
     return question->scale * sum / (PLACE_BLOCKS * RAYS_BLOCK);
 }
 
+/* Is all the film at work at the same times, or the scene at rest? */
+static bool is_timed_alike(const struct tile_rays *rays)
+{
+    const struct shutter *shutter = rays->film->shutter;
+    return !(rays->duration > 0) || shutter == NULL || shutter->kind == SHUTTER_GLOBAL;
+}
+
 /* False: directions do not grow with the place, as in lenses that are telecentric in the scene. */
 static bool open_sight(const struct metering_question *question, struct tile_room *room,
                        struct sight *sight)
@@ -56,6 +66,9 @@ static bool open_sight(const struct metering_question *question, struct tile_roo
     const double end = fmin(film->corner, within * film->lit);
     const struct ray_block *block = room->rays.blocks;
     *sight = (struct sight){.question = question, .count = PLACES};
+    if (!lens_is_round(film->systems[0]->lens) || !is_timed_alike(question->rays)) {
+        return false;
+    }
     for (size_t i = 0; i < PLACES; i++) {
         const double at[2] = {end * (double)i / (PLACES - 1), 0};
         sight->radius[i] = at[0];
@@ -195,8 +208,19 @@ static void take_part(const struct metering_question *question, const struct til
     }
 }
 
-void metering_take(const struct metering_question *question, struct tile_room *room,
-                   struct metered *metered)
+/* Points of its own, whose blocks do not repeat, however many samples the picture has. */
+static void open_points(struct tile_rays *rays, struct view *view, struct arena *arena)
+{
+    rays->bits = BITS;
+    for (uint32_t k = 0; k < FILM_DIMENSIONS; k++) {
+        sobol_open_strands(k, BITS, &rays->film_points[k]);
+    }
+    sobol_open_strands(FILM_DIMENSIONS, BITS, &rays->when);
+    view->points = points_table_new(view->points->first, BITS, arena);
+}
+
+void metering_take(const struct metering_question *question, struct arena *arena,
+                   struct tile_room *room, struct metered *metered)
 {
     struct tile_rays rays = *question->rays;
     struct view view = *rays.subject.view;
@@ -216,6 +240,7 @@ void metering_take(const struct metering_question *question, struct tile_room *r
     path.seen = has_sight ? &sight.lights : NULL;
     path.density = sight.density;
     view.path = &path;
+    open_points(&rays, &view, arena);
     rays.subject = subject_scene(&view);
     tile_rays_begin(&rays, 0, &plan, room);
     *metered = (struct metered){.error = 0};

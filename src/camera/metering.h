@@ -22,17 +22,19 @@ struct metered {
  * Given     room     of one thread; its sums are used, its counts stay
  * Result    of 16384 rays all over the film, and from the middle of the entrance pupil 4096 to
  *           things that shine and as many to suns and stars, 16 each at least: the same for every
- *           crop. Small lights, which few of the former meet, are found by the latter. The error is
- *           of 16 parts of all
+ *           crop and number of samples. Small lights, which few of the former meet, are found by
+ *           the latter. The error is of 16 parts of all
  * Formula   E = L (E/L)(r) (dA/dw)/A, with r where the chief ray of that direction meets the film,
  *           dA/dw by these rays, and A the film's area; what both find is weighed by the squares of
- *           their densities. Without rays to lights where a lens is telecentric in the scene
+ *           their densities
  * Source    [Veach97] section 9.2.3 (power heuristic); derived here: a light of the solid angle dw
  *           that is seen directly has an image of the area dA
- * Limits    of things that shine near the lens parallax over the pupil is left out, and of lights
- *           at the film's border their blur
+ * Limits    only rays from the film, which meet small lights by chance, where the lens is not round
+ *           or is telecentric in the scene, or where things move before a shutter that is not
+ *           global. Else of things that shine near the lens parallax over the pupil is left out,
+ *           and of lights at the film's border their blur
  */
-void metering_take(const struct metering_question *question, struct tile_room *room,
-                   struct metered *metered);
+void metering_take(const struct metering_question *question, struct arena *arena,
+                   struct tile_room *room, struct metered *metered);
 
 #endif

@@ -506,7 +506,7 @@ static void open_scene(struct work *work, struct room *room, struct photograph *
     const struct metering_question metering = {&work->rays, question->film.width,
                                                question->film.height, work->scale};
     struct metered metered;
-    metering_take(&metering, room->tile, &metered);
+    metering_take(&metering, work->arena, room->tile, &metered);
     memcpy(photograph->mean, metered.mean, sizeof metered.mean);
     photograph->mean_error = metered.error;
     const double white = isnan(question->white)

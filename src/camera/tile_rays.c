@@ -4,6 +4,7 @@
 
 #include "base/random.h"
 
+#include <assert.h>
 #include <math.h>
 #include <string.h>
 
@@ -71,12 +72,13 @@ void tile_rays_open(const struct photograph_question *question, const struct len
                                .may_share = !as_one && (question->kept & 1U << SKIP_COLOUR) == 0,
                                .duration = question->duration,
                                .in_strands = question->view != NULL,
+                               .bits = tile_rays_bits(question->samples),
                                .seed = question->seed};
     tile->pass = passes_of(question, tile->passes, arena);
     for (uint32_t k = 0; k <= FILM_DIMENSIONS; k++) {
         struct sobol *sobol = k < FILM_DIMENSIONS ? &tile->film_points[k] : &tile->when;
         if (tile->in_strands) {
-            sobol_open_strands(k, tile_rays_bits(question->samples), sobol);
+            sobol_open_strands(k, tile->bits, sobol);
         } else {
             sobol_open(k, sobol);
         }
@@ -367,6 +369,7 @@ bool tile_rays_share(const struct tile_rays *tile, const struct film_plan *plan,
 void tile_rays_sum(const struct tile_rays *tile, const struct film_plan *plan, size_t begin,
                    size_t end, struct tile_room *room)
 {
+    assert(!tile->in_strands || end <= (size_t)1 << tile->bits);
     if (room->fringes != NULL) {
         for (uint32_t block = (uint32_t)begin; block < end; block++) {
             sum_shared(tile, plan, block, room);

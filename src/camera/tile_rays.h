@@ -17,6 +17,7 @@ struct tile_rays {
     double duration; /* of photograph_question */
     uint64_t seed;
     bool in_strands;                                 /* the points, one a pixel */
+    uint32_t bits;                                   /* of strands */
     struct sobol film_points[FILM_DIMENSIONS], when; /* the first dimensions, in strands or not */
 };
 
@@ -68,7 +69,8 @@ void tile_rays_begin(const struct tile_rays *tile, size_t number, struct film_pl
                      struct tile_room *room);
 
 /*
- * Add weights times light, a pixel and channel each: blocks begin .. end - 1 of points. Of a tile
+ * Add weights times light, a pixel and channel each: blocks begin .. end - 1 of points, below
+ * 2^bits in strands. Of a tile
  * whose colours share rays they are there when `end` is a power of two, 8 at least, and all blocks
  * since the one before it were summed one after the other.
  */
