@@ -117,10 +117,12 @@ double photograph_share(const struct photograph *photograph, enum relief_sight s
  *           wavelengths. Of a scene the irradiance itself; its mean as camera/metering.h has it,
  *           the same for every crop
  * Formula   for 16 x 8 pixels at once the first 128 n points of a scrambled Sobol' sequence, of
- *           which each pixel has n where that is a power of two; rays as camera/film_rays.h,
- *           traced exactly, to the plane of the card, or to the relief that it is
- *           With an error as many points as if there were no error and so many samples: twice as
- *           many, CONVERGENCE_LEAST at first, until the tile's halves agree (camera/convergence.h)
+ *           which each pixel has n where that is a power of two: of a card those that fall into
+ *           it, of a scene n that follow each other (camera/tile_rays.h); rays as
+ *           camera/film_rays.h, traced exactly, to the plane of the card, or to the relief that
+ *           it is. With an error twice as many, CONVERGENCE_LEAST at first, until the tile's
+ *           halves agree (camera/convergence.h): of a card the points of so many samples, of a
+ *           scene the first ones of each pixel's
  *           In a scene rays of the middle wavelength stand for those of others where
  *           camera/fringes.h says so: a colour is then what its own rays bring from a white scene,
  *           times the mean light of these that show the same points. Of 8 samples and more

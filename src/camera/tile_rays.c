@@ -11,6 +11,9 @@
 _Static_assert(TILE_ACROSS == (int)FILM_ACROSS && TILE_DOWN == (int)FILM_DOWN,
                "a cell of the film for each pixel of a tile");
 
+/* Behind those of film, time and paths. */
+enum { HERO_DIMENSION = FILM_DIMENSIONS + 1 + POINTS_DIMENSIONS };
+
 /* -------- made ready -------- */
 
 /* Do all wavelengths go the same way? */
@@ -75,6 +78,7 @@ void tile_rays_open(const struct photograph_question *question, const struct len
                                .bits = tile_rays_bits(question->samples),
                                .seed = question->seed};
     tile->pass = passes_of(question, tile->passes, arena);
+    sobol_open_strands(HERO_DIMENSION, tile_rays_bits(question->samples), &tile->hero);
     for (uint32_t k = 0; k <= FILM_DIMENSIONS; k++) {
         struct sobol *sobol = k < FILM_DIMENSIONS ? &tile->film_points[k] : &tile->when;
         if (tile->in_strands) {
@@ -216,7 +220,7 @@ static void sum_bands(const struct tile_rays *tile, const struct film_plan *plan
     const size_t count = tile->subject.view->bands->count;
     /* blocks are points of a sequence too: those of their first places */
     const uint32_t point = block * SOBOL_BLOCK;
-    const size_t hero = (size_t)((double)count * sobol_point(&tile->when, room->hero, point));
+    const size_t hero = (size_t)((double)count * sobol_point(&tile->hero, room->hero, point));
     struct way way = {.pass = {0, TILE_CHANNELS, (double)count / BANDS_LANES}};
     for (size_t lane = 0; lane < BANDS_LANES; lane++) {
         const size_t band = (hero + lane * count / BANDS_LANES) % count;
@@ -443,7 +447,7 @@ void tile_rays_begin(const struct tile_rays *tile, size_t number, struct film_pl
         plan->scrambling[k] = sobol_scrambling(tile->seed, number, k);
     }
     room->when = sobol_scrambling(tile->seed, number, FILM_DIMENSIONS);
-    room->hero = sobol_scrambling(tile->seed, number, FILM_DIMENSIONS + POINTS_DIMENSIONS + 1);
+    room->hero = sobol_scrambling(tile->seed, number, HERO_DIMENSION);
     if (tile->in_strands) {
         order_cells(tile->seed, number, room->cells);
     }

@@ -19,6 +19,7 @@ struct tile_rays {
     bool in_strands;                                 /* the points, one a pixel */
     uint32_t bits;                                   /* of strands */
     struct sobol film_points[FILM_DIMENSIONS], when; /* the first dimensions, in strands or not */
+    struct sobol hero;                               /* in strands: of bands of blocks */
 };
 
 /* What one thread traces in. */

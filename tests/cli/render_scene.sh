@@ -36,9 +36,10 @@ sed 's/luminance=500/luminance=501/' lamps.scene > other.scene
 lenscalc render lamps.scene $small --part 1/2 -o other.part
 cp other.scene lamps.scene
 lenscalc render lamps.scene $small --part 1/2 --resume -o other.part
-# in time: at least 16 rays, and the same bits as so many
+# in time: at least 16 rays, and of a card the same bits as so many
 lenscalc render lamps.scene --lens double-gauss-50 --size 48x32 --seconds 0 -o timed.pfm
-lenscalc render lamps.scene --lens double-gauss-50 --size 48x32 --samples 16 -o counted.pfm
+lenscalc render chart:star --lens double-gauss-50 -s 1m --size 48x32 -t 1/100 --no-skip blur,uniform --seconds 0 -o timed.pfm
+lenscalc render chart:star --lens double-gauss-50 -s 1m --size 48x32 -t 1/100 --no-skip blur,uniform --samples 16 -o counted.pfm
 cmp timed.pfm counted.pfm && echo same
 lenscalc render moving.scene --lens double-gauss-50 --size 48x32 --seconds 60 --samples 32 -t 1/10,1/20 -o timed.pfm 2>&1 | grep given
 lenscalc render lamps.scene $small --spectral --explain -t 1/100 -o why.pfm 2>&1 | grep colour
@@ -132,8 +133,8 @@ lenscalc render lamps.scene $small -t 100 --radiance -o light.pfm
 sed 's/size=2,2/size=9,9/' lamps.scene > wide.scene
 lenscalc render wide.scene $small -t 100 --pitch 5um -o sensed.png
 lenscalc render lamps.scene $small -t 1/100 --shutter leaf --opening-time 1ms -o leaf.png 2>&1 | grep lx
-# interrupted: what moves is somewhere else in the next picture, which is not made
-timeout -s INT 2 lenscalc render moving.scene --lens double-gauss-50 --size 480x320 --samples 4096 -t 1/100,1/10 -o stopped.png 2>&1 | grep interrupted
+# interrupted, once: what moves is somewhere else in the next picture, which is not made
+timeout --foreground -s INT 1 lenscalc render moving.scene --lens double-gauss-50 --size 480x320 --samples 4096 -t 1/100,1/10 -o stopped.png 2>&1 | grep interrupted
 ls stopped*png
 lenscalc render lamps.scene $small --seconds 1 -o lost.part
 lenscalc render lamps.scene $small --seed 1 --part 1/2 -o seed.part

@@ -14,6 +14,7 @@ import tempfile
 
 sys.dont_write_bytecode = True
 sys.path.insert(0, os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
+from check_pictures_files import read_pfm
 from check_shutter import HALF, OWN, Fixture
 from harness import Checks
 
@@ -142,6 +143,26 @@ def check_trail(fixture):
         fixture.checks.near("trail", f"trail at {hole}", square / light, expected, 0.1 * expected)
 
 
+def check_bands(fixture):
+    """Bands are chosen whatever the time: a moving edge's colours are as exact as their time is."""
+    more = ["-t", "0.002", "--spectral", "--samples", "1024"]
+    fixture.run("render", "edge.scene", *[word for word in LENS if word not in ("-w", "d")], *more,
+                "-o", "bands.pfm")
+    width = M * SPEED * 0.002
+    for channel in range(3):
+        rows = [row[channel::3] for row in read_pfm(fixture.bytes("bands.pfm"))[3]]
+        full = sum(sum(row[:8]) for row in rows) / 8 / ACROSS
+        square = count = 0
+        for row in rows:
+            for i, light in enumerate(row):
+                x = (i + 0.5) * WIDTH / ACROSS - WIDTH / 2
+                if abs(x) < width / 2 - WIDTH / ACROSS:
+                    square += (light / full - 0.5 + x / width) ** 2
+                    count += 1
+        fixture.checks.near("bands", f"channel {channel} in the ramp", math.sqrt(square / count), 0,
+                            0.012)
+
+
 def main():
     checks = Checks()
     with tempfile.TemporaryDirectory(prefix="lenscalc-moving-") as folder:
@@ -149,7 +170,7 @@ def main():
         for name, words in ("edge.scene", EDGE), ("point.scene", POINT):
             with open(os.path.join(folder, name), "w", encoding="ascii") as file:
                 file.write(words)
-        for check in check_ramp, check_skew, check_slit, check_leaf, check_trail:
+        for check in check_ramp, check_skew, check_slit, check_leaf, check_trail, check_bands:
             check(fixture)
     return checks.finish()
 
