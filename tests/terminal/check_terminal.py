@@ -434,7 +434,9 @@ def check_interrupted_fit(checks, program):
                                                       "--vary", "all-R", "--json"],
                                    stdout=subprocess.PIPE, stderr=subprocess.PIPE,
                                    env=program.environment())
+        wait_for_rows(process)
         time.sleep(0.4)
+        wait_for_rows(process)  # the second program, by now
         process.send_signal(signal.SIGINT)
         began = time.perf_counter()
         answer, error = process.communicate()
@@ -457,6 +459,8 @@ def check_interrupted_trials(checks, program):
                                    "precision", "--csv", *asked], stdout=subprocess.PIPE,
                                   stderr=subprocess.PIPE, env=program.environment())
                  for asked, _, _ in cases]
+    for process in processes:
+        wait_for_rows(process)
     time.sleep(0.4)
     began = time.perf_counter()
     for process in processes:
@@ -486,6 +490,8 @@ def check_interrupted_picture(checks, program):
         processes = [subprocess.Popen([*program.command, *(chart if "blur" in asked[0] else words),
                                        *asked], cwd=folder, stderr=subprocess.PIPE,
                                       env=program.environment()) for asked, _ in cases]
+        for process in processes:
+            wait_for_rows(process)
         time.sleep(0.4)
         began = time.perf_counter()
         for process in processes:
