@@ -4,6 +4,9 @@
 A thin lens of the aperture A sends E A cos(theta) lumens of what has the illuminance E across its
 direction onto the film, if its image is there: stars by their illuminance, spheres of the radius r
 by pi L r^2/d^2. The time that is metered is 10/ISO lx s over that mean.
+
+Of lenses that are not round, of mirrors, and before a shutter that is not open to all the film at
+once it is the mean of the picture, all of whose rays come from the film.
 """
 # SPDX-License-Identifier: MIT
 
@@ -15,23 +18,43 @@ import tempfile
 
 sys.dont_write_bytecode = True
 sys.path.insert(0, os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
+from check_pictures_files import read_pfm
 from harness import Checks, Program
 
 STOP = 50.3582 / 16  # mm
 LENS = ["--lens", "double-gauss-50", "--model", "thin", "-N", "16"]
 CAMERA = "camera at=0,0,0 look=0,0,-1 focus=inf\n"
+# not the same all around one axis
+TILTED = """lens        a singlet behind its stop, tilted
+object      inf
+aperture    stop
+stop        -    1   air  10
+surface     60   6   1.5  30  tilt=12,0
+surface     -60  55  air  30
+"""
+CYLINDRICAL = """lens        a singlet and a cylinder behind their stop
+object      inf
+aperture    stop
+stop        -    1   air  10
+surface     60   6   1.5  30
+surface     -60  1   air  30
+surface     80   2   1.5  30  cyl=x
+surface     -    55  air  30
+"""
+MIRRORS = ["--lens", "hoo-cassegrain-ex03", "--sensor", "3.6x2.4mm"]
+RIM = 20.06177  # mm, the diameter of their stop
 
 
 class Meter:
     def __init__(self, program, checks, folder):
         self.program, self.checks, self.folder = program, checks, folder
 
-    def mean(self, scene, *words):
+    def mean(self, scene, *words, size="12x8", samples=16):
         """Lux on the film on average, as it is said; NaN: nothing is."""
         with open(os.path.join(self.folder, "a.scene"), "w", encoding="utf-8") as file:
             file.write(CAMERA + scene)
-        result = self.program.run("render", "a.scene", "--size", "12x8", "--samples", "16", *words,
-                                  "-o", "a.exr", cwd=self.folder)
+        result = self.program.run("render", "a.scene", "--size", size, "--samples", samples,
+                                  *words, "-o", "a.pfm", cwd=self.folder)
         said = result.stderr.decode()
         found = re.match(r"(\S+) lx on the film on average", said)
         self.checks.check(result.returncode == 0 and found, f"{scene}: {said}")
@@ -42,6 +65,40 @@ class Meter:
             mean = self.mean(scene, "--seed", str(seed), *words)
             self.checks.check(abs(mean - expected) <= share * expected,
                               f"{what}, seed {seed}: {mean} lx, expected {expected:.4g}")
+
+    def compare(self, what, scene, *words, share):
+        """What is metered with the mean of a picture of 1 s, or of 1/100 s if it moves."""
+        time = 0.01 if "move=" in scene else 1
+        metered = self.mean(scene, *words, "-t", str(time), size="24x16", samples=256)
+        with open(os.path.join(self.folder, "a.pfm"), "rb") as file:
+            rows = read_pfm(file.read())[3]
+        shown = sum(sum(row[1::3]) for row in rows) / (24 * 16) / time  # grey but for fringes
+        self.checks.check(abs(metered - shown) <= share * shown,
+                          f"{what}: metered {metered} lx, the picture has {shown:.4g}")
+
+
+def not_alike(meter, folder):
+    """Lenses and shutters to which not all directions from the axis, or times, are alike."""
+    sphere = "material l black luminance=1000\nsphere material=l radius=0.6 at=0.5,0.2,-10"
+    for name, text in ("tilted", TILTED), ("cylindrical", CYLINDRICAL):
+        path = os.path.join(folder, name + ".lens")
+        with open(path, "w", encoding="utf-8") as file:
+            file.write(text)
+        meter.compare(name, sphere + "\n", "--lens", path, share=0.04)
+    # what falls as its image is read grows; what rises shrinks
+    fast = sphere + " move=0,8,0\n"
+    lens = ["--lens", "double-gauss-50"]
+    meter.compare("global shutter", fast, *lens, share=0.04)
+    meter.compare("rolling shutter", fast, *lens, "--shutter", "rolling", "--readout", "400ms",
+                  share=0.04)
+    meter.compare("focal shutter", fast, *lens, "--shutter", "focal", "--travel-time", "400ms",
+                  "--curtain-distance", "2mm", share=0.04)
+    # mirrors: all that comes through the rim, small as the sun may be
+    lit = 1000 * math.pi * RIM ** 2 / 4 / (3.6 * 2.4)
+    for towards in "0.003,0,-1", "0.006,0.004,-1", "-0.002,-0.005,-1":
+        for size in 0.05, 1:
+            sun = f"light sun illuminance=1000 diameter={size} towards={towards}\n"
+            meter.check(f"mirrors, a sun of {size} degrees at {towards}", sun, lit, *MIRRORS)
 
 
 def thin(illuminance, direction):
@@ -75,6 +132,11 @@ def main():
         means = [meter.mean(floor, "--lens", "double-gauss-50", "--seed", str(seed))
                  for seed in range(4)]
         checks.check(max(means) < 1.01 * min(means), f"a lamp above a floor: {means} lx")
+        not_alike(meter, folder)
+        # the same, however many samples the picture has
+        ball = sky + "material w lambert colour=0.5\nsphere material=w radius=2 at=0,0,-10\n"
+        means = {meter.mean(ball, "--lens", "double-gauss-50", samples=n) for n in (1, 2, 64)}
+        checks.check(len(means) == 1, f"by 1, 2 and 64 samples: {means} lx")
     checks.finish()
 
 
