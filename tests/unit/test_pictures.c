@@ -1,5 +1,6 @@
 /* tests/unit/test_pictures.c - formats of pictures: there and back, refused, cut, damaged. */
 /* SPDX-License-Identifier: MIT */
+#include "base/image/crc.h"
 #include "check.h"
 #include "file/image_file.h"
 
@@ -274,6 +275,54 @@ static void test_unwritten(struct arena *arena)
 }
 
 /* Names choose what is written, content what is read. */
+static void put_big(char *to, uint32_t value)
+{
+    for (int i = 0; i < 4; i++) {
+        to[i] = (char)(value >> (24 - 8 * i) & 255);
+    }
+}
+
+/* Pixels a unit, 1 the metre: small numbers are their ratio, 2835 and 2836 a metre both 72 dpi. */
+static void test_aspect(struct arena *arena)
+{
+    static const struct {
+        uint32_t across, down;
+        char unit;
+        double aspect; /* 0: square */
+    } cases[] = {
+        {1, 2, 0, 2},
+        {2, 1, 1, 0.5},
+        {11, 10, 0, 10.0 / 11},
+        {11, 10, 1, 10.0 / 11},
+        {2835, 2836, 1, 0},
+        {2836, 2835, 1, 0},
+        {1001, 1000, 0, 1 / 1.001},
+        {7, 7, 0, 0},
+        {0, 1, 0, 0},
+        {999, 1000, 1, 1000.0 / 999},
+    };
+    struct image image = make(3, 2, 1, arena);
+    image.aspect = 0.5;
+    const struct text bytes =
+        encode(&image, "x.png", (struct image_way){.bits = 8, .values = IMAGE_CODES}, arena);
+    char *file = arena_string(arena, bytes.start, bytes.length);
+    char *type = file;
+    while (memcmp(type, "pHYs", 4) != 0) {
+        type++;
+    }
+    for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
+        struct error error = {0};
+        struct image back = {0};
+        put_big(type + 4, cases[i].across);
+        put_big(type + 8, cases[i].down);
+        type[12] = cases[i].unit;
+        put_big(type + 13, crc_of(type, 13));
+        CHECK(image_file_parse("x", (struct text){file, bytes.length}, IMAGE_CODES, arena, &back,
+                               &error));
+        CHECK_NEAR(back.aspect, cases[i].aspect, 1e-15, "proportions of a pixel");
+    }
+}
+
 static void test_types(void)
 {
     struct arena arena = {0};
@@ -337,6 +386,7 @@ int main(int count, char **words)
         test_damaged(&arena);
         test_refused();
         test_unwritten(&arena);
+        test_aspect(&arena);
         test_types();
         status = check_report();
     }

@@ -9,7 +9,7 @@
 #include <assert.h>
 #include <math.h>
 
-enum { PALETTE_MOST = 256 };
+enum { PALETTE_MOST = 256, ASPECT_METRE = 1, ASPECT_FINE = 1000 };
 /* samples of a pixel, by colour type */
 static const unsigned char samples[] = {1, 0, 3, 1, 2, 0, 4};
 enum { GREY = 0, COLORS = 2, PALETTE = 3, GREY_ALPHA = 4, COLORS_ALPHA = 6 };
@@ -156,7 +156,10 @@ static bool take_gamma(struct png *png, const struct chunk *chunk, struct error 
     return png->gamma > 0 || chunk_wrong(chunk, "must be a number above 0", error);
 }
 
-/* Numbers that differ by their rounding only are those of square pixels; 0 says nothing. */
+/*
+ * Pixels a metre are whole numbers of such that were none: those that are large and differ by their
+ * rounding only are those of square pixels. Without a unit it is the ratio; 0 says nothing.
+ */
 static bool take_aspect(struct png *png, const struct chunk *chunk, struct error *error)
 {
     if (chunk->count != 9) {
@@ -164,7 +167,9 @@ static bool take_aspect(struct png *png, const struct chunk *chunk, struct error
     }
     const double across = (double)bytes_big(chunk->data, 4);
     const double down = (double)bytes_big(chunk->data + 4, 4);
-    return !(across > 0 && down > 0) || fabs(across - down) <= 1 ||
+    const bool is_rounded = chunk->data[8] == ASPECT_METRE && fabs(across - down) <= 1 &&
+                            fmin(across, down) >= ASPECT_FINE;
+    return !(across > 0 && down > 0) || is_rounded ||
            image_take_aspect(png->image, down / across) ||
            chunk_wrong(chunk, "says that pixels are over 1e6 times as long one way as the other",
                        error);
