@@ -7,13 +7,54 @@
 
 #include <math.h>
 
-enum { CHANNELS = 3, LEVELS_MOST = 17 };
+enum { CHANNELS = 3, LEVELS_MOST = 18 };
 
-/* A picture, and smaller ones of means of four pixels of the one before. */
+struct level {
+    struct image image;
+    double scale[2]; /* its pixels across and down over those of the picture */
+    double octaves;  /* log2 of its pixels' side over the shorter one of the picture's */
+};
+
+/*
+ * A picture, if its pixels are not square one whose are, and smaller ones of means of four pixels
+ * of the one before.
+ */
 struct pyramid {
-    struct image levels[LEVELS_MOST];
+    struct level levels[LEVELS_MOST];
     int count;
 };
+
+/* Means of so many pixels across and down, of parts of them, too. */
+static bool shrink(const struct image *from, const double box[2], struct arena *arena,
+                   struct image *to, struct error *error)
+{
+    const double enough = 1e-9; /* of a box: less at the edge is rounding */
+    const double size[] = {(double)from->width, (double)from->height};
+    *to = (struct image){.width = (size_t)ceil(size[0] / box[0] - enough),
+                         .height = (size_t)ceil(size[1] / box[1] - enough),
+                         .channels = CHANNELS};
+    if (!image_new(to, arena, error)) {
+        return false;
+    }
+    for (size_t i = 0; i < to->width * to->height; i++) {
+        const double left = (double)(i % to->width) * box[0], right = fmin(left + box[0], size[0]);
+        const double top = (double)(i / to->width) * box[1], bottom = fmin(top + box[1], size[1]);
+        double sum[CHANNELS] = {0};
+        for (size_t y = (size_t)top; (double)y < bottom; y++) {
+            const double high = fmin(bottom, (double)y + 1) - fmax(top, (double)y);
+            for (size_t x = (size_t)left; (double)x < right; x++) {
+                const double share = high * (fmin(right, (double)x + 1) - fmax(left, (double)x));
+                for (size_t k = 0; k < CHANNELS; k++) {
+                    sum[k] += share * (double)image_row(from, y)[x * CHANNELS + k];
+                }
+            }
+        }
+        for (size_t k = 0; k < CHANNELS; k++) {
+            to->pixels[i * CHANNELS + k] = (float)(sum[k] / ((right - left) * (bottom - top)));
+        }
+    }
+    return true;
+}
 
 static bool halve(const struct image *from, struct arena *arena, struct image *to,
                   struct error *error)
@@ -58,10 +99,10 @@ static float *samples_of(const struct foveal *foveal, double pixels_a_degree, st
 static void add_level(const struct pyramid *pyramid, int level, const double at[2], float share,
                       float light[CHANNELS])
 {
-    const struct image *image = &pyramid->levels[level];
-    const double scale = ldexp(1, -level);
-    const double x = fmin(fmax((at[0] + 0.5) * scale - 0.5, 0), (double)image->width - 1);
-    const double y = fmin(fmax((at[1] + 0.5) * scale - 0.5, 0), (double)image->height - 1);
+    const struct image *image = &pyramid->levels[level].image;
+    const double *scale = pyramid->levels[level].scale;
+    const double x = fmin(fmax((at[0] + 0.5) * scale[0] - 0.5, 0), (double)image->width - 1);
+    const double y = fmin(fmax((at[1] + 0.5) * scale[1] - 0.5, 0), (double)image->height - 1);
     const size_t left = (size_t)x, above = (size_t)y;
     const size_t right = left + (left + 1 < image->width ? 1 : 0);
     const size_t below = above + (above + 1 < image->height ? 1 : 0);
@@ -77,9 +118,15 @@ static void add_level(const struct pyramid *pyramid, int level, const double at[
 static void blur_pixel(const struct pyramid *pyramid, const double at[2], double samples,
                        float light[CHANNELS])
 {
-    const double level = fmin(fmax(log2(samples), 0), pyramid->count - 1);
-    const int below = (int)level;
-    const float rest = (float)(level - below);
+    const struct level *levels = pyramid->levels;
+    const double octaves = fmin(fmax(log2(samples), 0), levels[pyramid->count - 1].octaves);
+    int below = 0;
+    while (below + 1 < pyramid->count && levels[below + 1].octaves <= octaves) {
+        below++;
+    }
+    const double beyond = octaves - levels[below].octaves;
+    const float rest =
+        beyond > 0 ? (float)(beyond / (levels[below + 1].octaves - levels[below].octaves)) : 0;
     light[0] = light[1] = light[2] = 0;
     add_level(pyramid, below, at, 1 - rest, light);
     if (rest > 0) {
@@ -90,7 +137,7 @@ static void blur_pixel(const struct pyramid *pyramid, const double at[2], double
 static void blur_row(const struct foveal *foveal, const float *samples,
                      const struct pyramid *pyramid, size_t y, float *row)
 {
-    const struct image *image = &pyramid->levels[0];
+    const struct image *image = &pyramid->levels[0].image;
     for (size_t x = 0; x < image->width; x++) {
         const struct foveal_between place =
             foveal_between(foveal, ((double)x + 0.5) / (double)image->width,
@@ -103,24 +150,40 @@ static void blur_row(const struct foveal *foveal, const float *samples,
     }
 }
 
+/* The next one. */
+static bool add_smaller(struct pyramid *pyramid, struct arena *arena, struct error *error)
+{
+    const struct level *last = &pyramid->levels[pyramid->count - 1];
+    struct level *next = &pyramid->levels[pyramid->count];
+    const double aspect = last->image.aspect > 0 ? last->image.aspect : 1;
+    const double box[] = {fmax(1 / aspect, 1), fmax(aspect, 1)};
+    const bool is_square = last->image.aspect == 0;
+    *next = (struct level){.octaves = last->octaves + (is_square ? 1 : log2(box[0] * box[1]))};
+    for (int i = 0; i < 2; i++) {
+        next->scale[i] = last->scale[i] / (is_square ? 2 : box[i]);
+    }
+    pyramid->count++;
+    return is_square ? halve(&last->image, arena, &next->image, error)
+                     : shrink(&last->image, box, arena, &next->image, error);
+}
+
 bool acuity_blur(const struct foveal *foveal, const struct image *image, struct arena *arena,
                  struct image *made, struct error *error)
 {
-    struct pyramid pyramid = {.levels = {*image}, .count = 1};
-    const double pixel = foveal->cell[0] * (double)foveal->columns / (double)image->width;
+    struct pyramid pyramid = {.levels = {{.image = *image, .scale = {1, 1}}}, .count = 1};
+    const double wide = foveal->cell[0] * (double)foveal->columns / (double)image->width;
+    const double pixel = image->aspect > 1 ? wide / image->aspect : wide; /* its shorter side */
     double most;
     const float *samples = samples_of(foveal, RADIANS_PER_DEGREE / pixel, arena, &most);
     *made = *image;
     if (!image_new(made, arena, error)) {
         return false;
     }
-    while (pyramid.count < LEVELS_MOST && ldexp(1, pyramid.count - 1) < most &&
-           pyramid.levels[pyramid.count - 1].width > 1) {
-        if (!halve(&pyramid.levels[pyramid.count - 1], arena, &pyramid.levels[pyramid.count],
-                   error)) {
+    while (pyramid.count < LEVELS_MOST && pyramid.levels[pyramid.count - 1].octaves < log2(most) &&
+           pyramid.levels[pyramid.count - 1].image.width > 1) {
+        if (!add_smaller(&pyramid, arena, error)) {
             return false;
         }
-        pyramid.count++;
     }
     for (size_t y = 0; y < image->height; y++) {
         blur_row(foveal, samples, &pyramid, y, image_row(made, y));

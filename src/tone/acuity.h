@@ -13,7 +13,8 @@
  *           made    receives it
  * Formula   pixels are means of 2^n x 2^n, between two n and between four of them in straight
  *           lines, so large that two of them are a cycle of sight_acuity; a pixel is as large as in
- *           the middle of the picture
+ *           the middle of the picture; of pixels that are not square first means that are, along
+ *           their shorter side
  * Source    [WardLarson97]: variable resolution filtering by a pyramid
  * Errors    as image_new
  */

@@ -18,12 +18,11 @@ static size_t between(double x, size_t least, size_t most)
 static struct foveal sample(const struct image *image, double width, size_t columns, size_t rows,
                             struct arena *arena)
 {
-    const double pixel = width / (double)image->width;
-    struct foveal foveal = {
-        .columns = columns,
-        .rows = rows,
-        .light = ARENA_ARRAY(arena, columns * rows * CHANNELS, float),
-        .cell = {width / (double)columns, pixel * (double)image->height / (double)rows}};
+    const double high = width / image_proportion(image);
+    struct foveal foveal = {.columns = columns,
+                            .rows = rows,
+                            .light = ARENA_ARRAY(arena, columns * rows * CHANNELS, float),
+                            .cell = {width / (double)columns, high / (double)rows}};
     for (size_t r = 0; r < rows; r++) {
         const size_t top = r * image->height / rows, bottom = (r + 1) * image->height / rows;
         double *sums = ARENA_ARRAY(arena, columns * CHANNELS, double);
@@ -54,8 +53,7 @@ static struct foveal sample(const struct image *image, double width, size_t colu
 
 struct foveal foveal_look(const struct image *image, double angle, struct arena *arena)
 {
-    const double width = 2 * tan(angle / 2), pixel = width / (double)image->width;
-    const double high = pixel * (double)image->height;
+    const double width = 2 * tan(angle / 2), high = width / image_proportion(image);
     return sample(image, width, between(width / RADIANS_PER_DEGREE + 0.5, 1, image->width),
                   between(high / RADIANS_PER_DEGREE + 0.5, 1, image->height), arena);
 }

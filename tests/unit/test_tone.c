@@ -1,6 +1,7 @@
 /* tests/unit/test_tone.c - merging, histogram adjustment and the eye by numbers made by hand. */
 /* SPDX-License-Identifier: MIT */
 #include "check.h"
+#include "tone/acuity.h"
 #include "tone/align.h"
 #include "tone/merge.h"
 #include "tone/operator.h"
@@ -238,6 +239,49 @@ static void test_veil(void)
     CHECK_RELATIVE((double)foveal.light[FAR], (double)pixels[FAR], 1e-3, "places of one pixel");
 }
 
+/* Waves along x, 0, or y, 1, that become finer and finer. */
+static struct image waves(size_t width, size_t height, double aspect, int axis)
+{
+    struct image image = {.width = width, .height = height, .channels = 3, .aspect = aspect};
+    CHECK(image_new(&image, arena, &error));
+    for (size_t i = 0; i < 3 * width * height; i++) {
+        const size_t pixel = i / 3, at = axis == 0 ? pixel % width : pixel / width;
+        image.pixels[i] = (float)(0.01 * (1.1 + sin(5e-3 * (double)(at * at))));
+    }
+    return image;
+}
+
+/*
+ * The same view in square pixels and in ones twice as long across the waves has the same places,
+ * and is as unsharp.
+ */
+static void test_long_pixels(void)
+{
+    enum { SIDE = 192 };
+    for (int axis = 0; axis < 2; axis++) {
+        const size_t width = axis == 0 ? SIDE : SIDE / 2, height = axis == 0 ? SIDE / 2 : SIDE;
+        const struct image square = waves(SIDE, SIDE, 0, axis);
+        const struct image flat = waves(width, height, axis == 0 ? 0.5 : 2, axis);
+        const struct foveal looks[] = {foveal_look(&square, 0.14, arena),
+                                       foveal_look(&flat, 0.14, arena)};
+        struct image made[2];
+        double off = 0, changed = 0;
+        CHECK(looks[1].columns == 8 && looks[1].rows == 8); /* 2 tan 0.07 is 8.03 degrees */
+        CHECK_NEAR(looks[1].cell[1], looks[0].cell[1], 1e-15, "as high as wide");
+        CHECK(acuity_blur(&looks[0], &square, arena, &made[0], &error));
+        CHECK(acuity_blur(&looks[1], &flat, arena, &made[1], &error));
+        for (size_t i = 0; i < width * height; i++) {
+            const size_t x = i % width * (SIDE / width), y = i / width * (SIDE / height);
+            const double a = (double)image_row(&made[0], y)[3 * x];
+            const double b = (double)made[1].pixels[3 * i];
+            off = fmax(off, fabs(a - b));
+            changed = fmax(changed, fabs(b - (double)flat.pixels[3 * i]));
+        }
+        CHECK_NEAR(off, 0, 1e-7, "as sharp");
+        CHECK(changed > 1e-3);
+    }
+}
+
 /* Colours that the display does not have keep their luminance. */
 static void test_colours(void)
 {
@@ -300,6 +344,7 @@ int main(void)
     test_sight();
     test_histogram();
     test_veil();
+    test_long_pixels();
     test_colours();
     test_align();
     arena_free(arena);
