@@ -9,7 +9,7 @@
 struct emulsion {
     struct characteristic curve;
     double granularity; /* rms, as characteristic_grain takes it; 0: none */
-    double pitch;       /* of the pixels, mm */
+    double pitch;       /* of the pixels, mm: the root of their area */
     uint64_t seed;
     int threads; /* that expose it; no density depends on them */
 };

@@ -56,7 +56,7 @@ struct image_sensor {
     const struct sensor_response_traits *table; /* in place of it; null: none */
     enum sensor_mosaic
         mosaic;   /* other than NONE only with red, green and blue, or a table of three */
-    double pitch; /* of the pixels, mm, > 0 */
+    double pitch; /* of the pixels, mm, > 0: the root of their area */
     double fill;  /* share of the pixel that takes light, above 0, to 1 */
     double efficiency[SENSOR_CHANNELS]; /* electrons a photon, filters included, above 0, to 1 */
     double full_well;                   /* electrons a pixel holds, 1 and more; infinite: no end */

@@ -26,6 +26,8 @@ for type in png exr hdr; do
 done
 lenscalc $card --noise --pitch 5um -o sensed.png 2>&1 | grep square
 grep -ac pHYs sensed.png
+# a square as large as 24/9 x 24/6 mm has sides of 4 sqrt(2/3) mm
+lenscalc $card --noise -o sensed.png 2>&1 | grep -o 'a pixel of .* um'
 # a crop has the pixels of the whole; 480 x 316 are as near to 23.7 x 15.6 as can be, and so are 13 x 9
 lenscalc $card --crop 1:1:3x3 -o crop.hdr && grep -a PIXASPECT crop.hdr
 lenscalc render chart:wedge --lens double-gauss-50 -s 2m --sensor 23.7x15.6mm --samples 1 -N 8 -o near.hdr

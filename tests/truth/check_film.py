@@ -79,8 +79,13 @@ def check_reciprocity(checks, program, folder):
 def check_grain(checks, program, folder):
     """Deviation 17/1000 in a circle of 0.048 mm at density 1, as the roots of area and density."""
     write_pfm(os.path.join(folder, "white.pfm"), [[1.0, 1.0], [1.0, 1.0]])
+    for film, area in ("0.6x0.6mm", 0.01 ** 2), ("0.6x1.8mm", 0.01 * 0.03):
+        check_grain_of(checks, program, folder, film, area)
+
+
+def check_grain_of(checks, program, folder, film, area):
     words = ["white.pfm", "--lens", "double-gauss-50", "-s", "1m", "--size", "60x60", "--samples",
-             "4", "-t", "1/500", "--sensor", "0.6x0.6mm", "--film", "HP5 Plus"]
+             "4", "-t", "1/500", "--sensor", film, "--film", "HP5 Plus"]
     plain = take(program, checks, folder, *words, name="plain.pfm")
     grains = [take(program, checks, folder, *words, "--grain", "17", "--seed", str(seed),
                    "--threads", str(threads), name="grain.pfm")
@@ -89,7 +94,6 @@ def check_grain(checks, program, folder):
         return
     checks.check(grains[0] == grains[1], "two threads make another grain than one")
     checks.check(grains[0] != grains[2], "another seed makes the same grain")
-    area = 0.01 ** 2
     score = [(found - mean) / (0.017 * math.sqrt(math.pi * 0.024 ** 2 / area * (mean - BASE)))
              for row, means in zip(grains[0], plain) for found, mean in zip(row, means)]
     count = len(score)

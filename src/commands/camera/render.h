@@ -10,6 +10,8 @@
 #include "commands/photo/photo_options.h"
 #include "optics/growing.h"
 
+#include <math.h>
+
 /* What is noted of a sensor: electrons of a PNG's white, and those of its read noise. */
 #define RENDER_NOTE_FULL "Electrons of white"
 #define RENDER_NOTE_READ "Read noise electrons"
@@ -251,7 +253,15 @@ static inline uint64_t render_frame_seed(const struct render_input *input,
  */
 double render_aspect(const struct render_input *input, const struct render_frame *frame);
 
-/* Warns of what is not. */
+/* Side of a square as large as a pixel, mm: light and grain go by the area. */
+static inline double render_frame_pitch(const struct render_input *input,
+                                        const struct render_frame *frame)
+{
+    const struct sensor *film = &input->sensor.size;
+    return sqrt(film->width / (double)frame->columns * (film->height / (double)frame->rows));
+}
+
+/* Warns of pixels that are not square. */
 void render_say_size(const struct render_input *input, const struct render_frame *frame,
                      struct growing *remarks);
 
@@ -333,15 +343,16 @@ bool render_senses(const struct render_input *input);
 extern const char *const render_sensor_options[];
 
 /*
- * Given     columns  pixels of the frame
+ * Given     frame  of the picture
  * Errors    ERROR_USAGE: no balance of white, or one of raw numbers or of a crop; options that
  *           exclude each other; as number_table_read, response_open and sensor_open
  */
-bool render_check_sensor(const struct artifact_job *job, size_t columns, struct error *error);
+bool render_check_sensor(const struct artifact_job *job, const struct render_frame *frame,
+                         struct error *error);
 
 /* ISO, as asked for, of the film, or that a gain makes. */
-bool render_speed(const struct render_input *input, size_t columns, struct arena *arena,
-                  double *iso, struct error *error);
+bool render_speed(const struct render_input *input, const struct render_frame *frame,
+                  struct arena *arena, double *iso, struct error *error);
 
 /* What pixels accept by the angle; null: all. Errors: as acceptance_power, acceptance_table */
 bool render_acceptance(const struct render_input *input, struct arena *arena,

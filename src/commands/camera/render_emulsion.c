@@ -108,7 +108,7 @@ bool render_develop(const struct render_input *input, bool is_print,
     const struct negative negative = negative_plain(input->film.speed);
     const struct sensor_place place = {frame->taken.left, frame->taken.top, frame->columns};
     struct emulsion film = {.granularity = isnan(input->grain) ? 0 : input->grain,
-                            .pitch = input->sensor.size.width / (double)frame->columns,
+                            .pitch = render_frame_pitch(input, frame),
                             .seed = render_frame_seed(input, frame),
                             .threads = parallel_threads(input->threads)};
     struct image density;

@@ -84,7 +84,7 @@ static bool exposure_of(const struct render_input *input, const struct render_sh
                         struct arena *arena, struct exposure *exposure, struct error *error)
 {
     double iso;
-    if (!render_speed(input, shot->frame.columns, arena, &iso, error)) {
+    if (!render_speed(input, &shot->frame, arena, &iso, error)) {
         return false;
     }
     const struct photograph *photograph = &shot->photograph;

@@ -45,8 +45,7 @@ bool render_check_picture(const struct artifact_job *job, struct error *error)
            render_check_light(input, error) && render_check_samples(input, error) &&
            render_check_colours(input, error) && render_check_autofocus(input, error) &&
            render_check_film(job, error) && render_check_depths(input, error) &&
-           render_frame_read(input, &frame, error) &&
-           render_check_sensor(job, frame.columns, error);
+           render_frame_read(input, &frame, error) && render_check_sensor(job, &frame, error);
 }
 
 /* -------- the picture -------- */

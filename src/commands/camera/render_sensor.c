@@ -111,11 +111,12 @@ static bool read_response(const struct render_input *input, struct arena *arena,
 }
 
 /* The sensor, ready for an exposure of `time`, s. */
-static bool open_sensor(const struct render_input *input, size_t columns, double time,
-                        struct arena *arena, struct sensor_model *model, struct error *error)
+static bool open_sensor(const struct render_input *input, const struct render_frame *frame,
+                        double time, struct arena *arena, struct sensor_model *model,
+                        struct error *error)
 {
     struct image_sensor sensor =
-        sensor_plain(or_else(input->pitch, input->sensor.size.width / (double)columns));
+        sensor_plain(or_else(input->pitch, render_frame_pitch(input, frame)));
     sensor.mosaic = (enum sensor_mosaic)input->mosaic;
     sensor.read_noise = or_else(input->read_noise, sensor.read_noise);
     sensor.full_well = or_else(input->full_well, sensor.full_well);
@@ -137,7 +138,8 @@ static bool open_sensor(const struct render_input *input, size_t columns, double
            sensor_open(&sensor, &setting, model, error);
 }
 
-bool render_check_sensor(const struct artifact_job *job, size_t columns, struct error *error)
+bool render_check_sensor(const struct artifact_job *job, const struct render_frame *frame,
+                         struct error *error)
 {
     const struct render_input *input = job->inputs[0];
     struct develop_way way;
@@ -161,21 +163,21 @@ bool render_check_sensor(const struct artifact_job *job, size_t columns, struct 
     if (!render_senses(input)) {
         return true;
     }
-    return open_sensor(input, columns, or_else(input->time, 0), job->run->arena, &model, error) &&
+    return open_sensor(input, frame, or_else(input->time, 0), job->run->arena, &model, error) &&
            (input->white == NULL || sensor_traits(&model.sensor)->channels > 1 ||
             fail(error, ERROR_USAGE,
                  "{--white} balances colours, which a sensor of one channel does not have"));
 }
 
-bool render_speed(const struct render_input *input, size_t columns, struct arena *arena,
-                  double *iso, struct error *error)
+bool render_speed(const struct render_input *input, const struct render_frame *frame,
+                  struct arena *arena, double *iso, struct error *error)
 {
     struct sensor_model model;
     *iso = render_is_film(input) ? input->film.speed : input->iso;
     if (isnan(input->gain)) {
         return true;
     }
-    if (!open_sensor(input, columns, 0, arena, &model, error)) {
+    if (!open_sensor(input, frame, 0, arena, &model, error)) {
         return false;
     }
     *iso = saturation_speed((model.white - model.sensor.black) / (model.gain * model.of_white));
@@ -260,7 +262,7 @@ bool render_sense(const struct render_input *input, double time, const struct re
     struct developed made;
     struct image full;
     if (!read_white(input->white, &way, error) ||
-        !open_sensor(input, frame->columns, time, arena, &model, error)) {
+        !open_sensor(input, frame, time, arena, &model, error)) {
         return false;
     }
     model.setting.seed = render_frame_seed(input, frame);

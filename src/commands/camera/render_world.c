@@ -274,14 +274,14 @@ static void put_filter(const struct render_input *input, struct render_world *wo
 }
 
 /* Light that becomes white in a PNG of the longest exposure, lx; NaN: nobody said how long. */
-static bool find_white(const struct artifact_job *job, size_t columns, double *white,
-                       struct error *error)
+static bool find_white(const struct artifact_job *job, const struct render_frame *frame,
+                       double *white, struct error *error)
 {
     *white = INFINITY;
     for (size_t i = 0; i < job->count; i++) {
         const struct render_input *input = job->inputs[i];
         double iso;
-        if (!render_speed(input, columns, job->run->arena, &iso, error)) {
+        if (!render_speed(input, frame, job->run->arena, &iso, error)) {
             return false;
         }
         *white = isnan(input->time) || isnan(*white)
@@ -316,6 +316,7 @@ bool render_world_open(const struct artifact_job *job, const struct analysis_cas
     const uint32_t bits = tile_rays_bits(question->samples);
     const struct render_input *input = job->inputs[0];
     const bool scattered = world->scatters || (question->kept & 1U << SKIP_SECONDARY) != 0;
+    const struct render_frame frame = {.columns = question->columns, .rows = question->rows};
     double span[2];
     struct arena *arena = job->run->arena;
     if (!find_span(job, one, span, error) ||
@@ -338,7 +339,7 @@ bool render_world_open(const struct artifact_job *job, const struct analysis_cas
                                 .pupil = lens_room_pupil(one->setup)};
     question->view = &world->view;
     question->white_of_mean = saturation_exposure(1) / (DEVELOP_HEADROOM * recommended_exposure(1));
-    return find_white(job, question->columns, &question->white, error);
+    return find_white(job, &frame, &question->white, error);
 }
 
 /* -------- what is said of it -------- */
