@@ -8,6 +8,7 @@ map zero.pfm 6 4 '\000\000\000\000'
 map minus.pfm 6 4 '\000\000\200\277'
 map nan.pfm 6 4 '\000\000\300\177'
 map lens.pfm 6 4 '\315\314\114\075'
+map card.pfm 16 8 '\000\000\200\077' # a PFM says nothing of its pixels
 map square.pfm 4 4 '\000\000\200\077'
 head -c 60 flat.pfm > cut.pfm
 small="--lens double-gauss-50 -s 1m --size 16x8 --samples 1 -t 1/400"
@@ -22,6 +23,8 @@ for map in zero minus nan lens cut nowhere; do
     echo $?
 done
 lenscalc render card.png $small --depth-map square.pfm -o lost.png
+lenscalc render card.png $small --depth-map flat.pfm -o lost.png && rm lost.png # 16 x 0.75 to 8
+lenscalc render card.png $small --depth-map card.pfm -o lost.png
 lenscalc render chart:grid $small --depth-map grey.png -o lost.png
 lenscalc render chart:grid $small --depth-map flat.pfm --depth 1..2 -o lost.png
 lenscalc render chart:grid $small --depth-map grey.png --depth 0..2 -o lost.png

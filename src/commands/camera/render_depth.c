@@ -4,6 +4,8 @@
 #include "file/depth_file.h"
 #include "optics/wavelength.h"
 
+#include <math.h>
+
 #define MM_PER_M 1000.0
 
 const struct word render_hidden[] = {
@@ -22,6 +24,22 @@ bool render_check_depths(const struct render_input *input, struct error *error)
     return true;
 }
 
+/* A map of a format that does not say so has square pixels. */
+static bool check_shape(const char *name, const struct image *map, const struct image *picture,
+                        struct error *error)
+{
+    const double enough = 1e-6; /* between the digits of formats */
+    if (picture == NULL) {
+        return true;
+    }
+    const double wide = image_proportion(map), needed = image_proportion(picture);
+    return fabs(wide / needed - 1) <= enough ||
+           fail(error, ERROR_DATA,
+                "%.200s has %zu x %zu pixels, %.6g times as wide as high, the picture %zu x %zu, "
+                "%.6g times: they must have the same shape",
+                name, map->width, map->height, wide, picture->width, picture->height, needed);
+}
+
 bool render_depths(const struct render_input *input, const struct image *picture,
                    struct arena *arena, struct photograph_depths *depths, struct error *error)
 {
@@ -36,10 +54,7 @@ bool render_depths(const struct render_input *input, const struct image *picture
     if (!depth_file_read(input->depth_map, &range, arena, map, error)) {
         return false;
     }
-    return picture == NULL || picture->width * map->height == picture->height * map->width ||
-           fail(error, ERROR_DATA,
-                "%.200s has %zu x %zu pixels, the picture %zu x %zu: they must have the same shape",
-                input->depth_map, map->width, map->height, picture->width, picture->height);
+    return check_shape(input->depth_map, map, picture, error);
 }
 
 void render_say_depths(const struct render_input *input, const struct photograph *photograph,
