@@ -136,9 +136,15 @@ static const char *given_by(void *context, struct text quantity, bool asked)
     return possible != NULL ? option_called(possible, &naming->room) : NULL;
 }
 
-void complain(struct error *error, const struct arguments *arguments, const struct batch *batch)
+void complain_name(struct error *error, const struct arguments *arguments,
+                   const struct batch *batch)
 {
     error_name(error, given_by, &(struct naming){.arguments = arguments, .batch = batch});
+}
+
+void complain(struct error *error, const struct arguments *arguments, const struct batch *batch)
+{
+    complain_name(error, arguments, batch);
     error_print(error, arguments->command->name, arguments->color);
 }
 

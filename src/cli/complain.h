@@ -16,11 +16,15 @@
 void error_print(const struct error *error, const char *command, enum color_when color);
 
 /*
- * Print an error of a command, its quantities named by the options or columns that they were given
- * by. The error is left with these names.
+ * Name the quantities of a command's error by the options or columns that they were given by; an
+ * error that has these names already is left as it is.
  *
  * Given     batch  without columns where there is none
  */
+void complain_name(struct error *error, const struct arguments *arguments,
+                   const struct batch *batch);
+
+/* Print an error of a command, named so. The error is left with these names. */
 void complain(struct error *error, const struct arguments *arguments, const struct batch *batch);
 
 /* Formulas and doubts of a report for which its format, or a cross-table, has no place. */

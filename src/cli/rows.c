@@ -94,9 +94,10 @@ static void say(struct driver *driver, struct error *failure)
     complain(failure, &driver->arguments, &driver->batch);
 }
 
-static void write_failure(struct driver *driver, const struct text *passed,
-                          const struct error *failure)
+/* A row names its quantities as what is said of it does, be it said or not. */
+static void write_failure(struct driver *driver, const struct text *passed, struct error *failure)
 {
+    complain_name(failure, &driver->arguments, &driver->batch);
     driver->report.format->row(&driver->report, NULL, passed, failure);
     driver->report.rows++;
 }
@@ -121,7 +122,7 @@ static bool has_place(const struct report *report)
     return report->format->separator == '\0' || report->has_error_column;
 }
 
-void rows_break_off(struct driver *driver, const struct error *failure)
+void rows_break_off(struct driver *driver, struct error *failure)
 {
     struct report *report = &driver->report;
     if (!driver->begun || driver->has_ended) {

@@ -71,7 +71,7 @@ bool rows_of_sweep(struct driver *driver, struct error *error);
 bool rows_of_batch(struct driver *driver, struct error *error);
 
 /* End an output that has begun, with the failure that ends the work in the place of its row. */
-void rows_break_off(struct driver *driver, const struct error *failure);
+void rows_break_off(struct driver *driver, struct error *failure);
 
 /* How far they are. */
 struct progress_state rows_state(const void *driver);

@@ -15,3 +15,6 @@ lenscalc dof --batch bad.csv --jsonl --columns near_m
 echo "status $?"
 lenscalc dof --batch rows.csv --csv --digits 6 --fail-fast -o whole.csv
 ls
+# every row names its options, though what is alike is said once
+lenscalc dof -f 50mm -N 2,3,4 -s 10mm --csv --columns near_m,error
+lenscalc dof -f 50mm -N 2 -s 1m,10mm,20mm --csv --columns near_m,error --fail-fast
