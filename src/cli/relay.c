@@ -7,6 +7,7 @@
 
 #include <errno.h>
 #include <fcntl.h>
+#include <signal.h>
 #include <spawn.h>
 #include <stdlib.h>
 #include <string.h>
@@ -45,7 +46,9 @@ static bool can_start(const char *path, struct error *error)
     char *const words[] = {(char *)path, (char *)"--version", NULL};
     posix_spawn_file_actions_t quietly;
     pid_t child;
-    int status = -1, failure = posix_spawn_file_actions_init(&quietly);
+    int status = 0, failure = posix_spawn_file_actions_init(&quietly);
+    /* who ignores its children, as what started this program may do, is not told how they end */
+    signal(SIGCHLD, SIG_DFL);
     if (failure == 0) {
         posix_spawn_file_actions_addopen(&quietly, STDIN_FILENO, "/dev/null", O_RDONLY, 0);
         posix_spawn_file_actions_addopen(&quietly, STDOUT_FILENO, "/dev/null", O_WRONLY, 0);
@@ -57,11 +60,12 @@ static bool can_start(const char *path, struct error *error)
     }
     while (waitpid(child, &status, 0) < 0 && errno == EINTR) {
     }
-    return (WIFEXITED(status) && WEXITSTATUS(status) == 0) ||
+    const bool is_killed = WIFSIGNALED(status);
+    return status == 0 ||
            fail(error, ERROR_IO,
-                "%s, the program with the solver Ceres, does not start: a library is missing, or "
-                "there is no memory for it",
-                path);
+                "%s, the program with the solver Ceres, does not start: it ended with %s %d", path,
+                is_killed ? "signal" : "status",
+                is_killed ? WTERMSIG(status) : WEXITSTATUS(status));
 }
 
 bool relay_to_ceres(char **argv, struct arena *arena, struct error *error)

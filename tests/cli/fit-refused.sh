@@ -62,6 +62,11 @@ sed 's|: /.*/lenscalc-ceres|: lenscalc-ceres|' said
 printf '#!/bin/sh\ntest "$1" = --version && exit\necho "$@"\ncat\nexit 3\n' > lenscalc-ceres
 echo input | ./lenscalc fit double-gauss --csv -o 'a b.lens'
 echo "status $?"
+# as well where who started it ignores its children
+echo input | env --ignore-signal=CHLD ./lenscalc fit double-gauss
+echo "status $?"
+printf '#!/bin/sh\nkill -9 $$\n' > lenscalc-ceres
+./lenscalc fit double-gauss 2>&1 | sed 's|: /.*/lenscalc-ceres|: lenscalc-ceres|'
 lenscalc fit --help > help.txt && head -n 1 help.txt
 say fit double-gauss --vary R1
 say fit double-gauss --prescription efl=100
