@@ -254,15 +254,21 @@ static bool set_format(struct batch *batch, enum batch_format format, struct tex
     return true;
 }
 
-/* Is there a carriage return that no line feed follows? */
-static bool has_bare_return(struct text line)
+/* Does a line begin behind a carriage return? Not within quotes, nor where line breaks follow it. */
+static bool has_bare_return(struct text line, char separator)
 {
-    const char *const end = line.start + line.length;
-    const char *at = line.start;
-    do {
-        at = memchr(at, '\r', (size_t)(end - at));
-    } while (at != NULL && ++at < end && *at == '\n');
-    return at != NULL;
+    bool is_quoted = false;
+    for (size_t i = 0; i + 1 < line.length; i++) {
+        const char here = line.start[i], next = line.start[i + 1];
+        if (here == '"') {
+            /* behind another one it stands for itself, within quotes as before */
+            const char before = i > 0 ? line.start[i - 1] : separator;
+            is_quoted = !is_quoted && (before == separator || before == '"');
+        } else if (!is_quoted && here == '\r' && next != '\r' && next != '\n') {
+            return true;
+        }
+    }
+    return false;
 }
 
 /* Names of the columns from the header line. */
@@ -273,7 +279,7 @@ static bool read_header(struct batch *batch, struct text line, struct error *err
         fail(error, ERROR_DATA, "NUL bytes in the header: this is not UTF-8 text (UTF-16?)");
         return error_locate(error, batch->source, batch->line, 0);
     }
-    if (has_bare_return(line)) {
+    if (has_bare_return(line, batch->separator)) {
         fail(error, ERROR_DATA,
              "lines end in a carriage return alone: expected a line feed, as tr '\\r' '\\n' makes "
              "it");

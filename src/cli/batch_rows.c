@@ -139,7 +139,7 @@ bool batch_next_row(struct batch *batch, struct text *line, struct error *error)
     while (next_line(batch, line, error)) {
         batch->line = batch->next_line;
         batch->next_line++;
-        if (line->length > 0 && line->start[line->length - 1] == '\r') {
+        while (line->length > 0 && line->start[line->length - 1] == '\r') {
             line->length--;
         }
         if (line->length > 0 && line->start[0] != '#' && text_trim(*line).length > 0) {

@@ -18,3 +18,8 @@ echo "status $?"
 # line breaks of either kind within a quoted name are the name's
 printf '"a\r\nb",f,N,s\r\n1,50,2.8,3\r\n' | lenscalc dof --batch - --csv --columns near_m
 echo "status $?"
+# nor are carriage returns within one, or before a line break, the ends of lines
+printf '"a""\rb",f,N,s\r\r\n1,50,2.8,3\r\r\n' | lenscalc dof --batch - --csv --columns near_m
+echo "status $?"
+printf '"a","f","N","s"\r1,50,2.8,3\r' | lenscalc dof --batch - --csv
+echo "status $?"
