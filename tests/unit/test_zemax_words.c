@@ -465,7 +465,7 @@ static const struct refusal errors[] = {
     {"DISZ 90", "DISZ 90 1@,5", "the value behind DISZ '1,5' is not a number", NULL},
     {"DISZ 90", "DISZ 90\n  MAZH 0@,5 0", "the value behind MAZH '0,5' is not a number", NULL},
     {"GLAS ___BLANK 1 0 1.5 0", "GLAS ___BLANK 1 0 1.5 47@,1",
-     "the value behind ___BLANK '47,1' is not a number", NULL},
+     "the value behind GLAS '47,1' is not a number", NULL},
     {"  TYPE STANDARD\n  DISZ 0\n", "  DISZ 0\nMNUM 2@,5\n",
      "the value behind MNUM '2,5' is not a number", NULL},
     {"  TYPE STANDARD\n  DISZ 0\n", "  DISZ 0\nMNUM 2\nTHIC 2 1 7 @x\n",

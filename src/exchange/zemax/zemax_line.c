@@ -43,7 +43,7 @@ struct zemax_line *zemax_line_of(struct zemax_file *file, struct text keyword,
         room++;
     }
     line->words = words;
-    line->keyword = keyword;
+    line->keyword = line->begin = keyword;
     line->numbers = ARENA_ARRAY(file->job->arena, room, struct figure);
     for (struct text word = file_words_next(&words); word.length > 0;
          word = file_words_next(&words)) {
@@ -68,8 +68,7 @@ bool zemax_all_numbers(const struct zemax_line *line, struct error *error)
 {
     char what[100];
     struct figure figure;
-    snprintf(what, sizeof what, "value behind %.*s", text_shown(line->keyword),
-             line->keyword.start);
+    snprintf(what, sizeof what, "value behind %.*s", text_shown(line->begin), line->begin.start);
     return line->stray.start == NULL ||
            lens_words_figure(&line->words, line->stray, NUMBER_UNSCALED, what, &figure, error);
 }

@@ -154,7 +154,7 @@ static bool read_glass(struct zemax_file *file, struct text keyword, struct erro
     }
     struct zemax_line *line = zemax_line_of(file, name, NUMBER_UNSCALED);
     line->words = words;
-    (void)keyword;
+    line->begin = keyword;
     surface_of(file)->glass = line;
     return zemax_all_numbers(line, error);
 }

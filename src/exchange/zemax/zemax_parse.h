@@ -19,9 +19,10 @@ enum {
 /* One line: its keyword, where it stands, and the numbers after the keyword. */
 struct zemax_line {
     struct file_words words; /* for messages */
-    struct text keyword;
-    struct text first; /* the first word after the keyword */
-    size_t count;      /* numbers before the first word that is none */
+    struct text keyword;     /* of a glass its name */
+    struct text begin;       /* the word that begins the line, for messages */
+    struct text first;       /* the first word after the keyword */
+    size_t count;            /* numbers before the first word that is none */
     struct figure *numbers;
     struct text stray; /* that word, where it is not text in quotes, which may follow numbers */
     bool infinite;     /* the first word is INFINITY */
