@@ -36,8 +36,9 @@ static void resemble(int descriptor, const char *path)
     umask(mask);
     const bool is_there = stat(path, &old) == 0;
     /* a file system without owners or permissions is no reason to fail */
-    if (is_there) {
-        (void)!fchown(descriptor, old.st_uid, old.st_gid);
+    if (is_there && fchown(descriptor, old.st_uid, old.st_gid) != 0) {
+        /* a member of the group may give that alone */
+        (void)!fchown(descriptor, (uid_t)-1, old.st_gid);
     }
     (void)!fchmod(descriptor, is_there ? old.st_mode & 0777 : 0666 & ~mask);
 }
