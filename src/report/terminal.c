@@ -55,5 +55,5 @@ void terminal_prepare(struct output *output, enum color_when when)
 
 void terminal_guard(struct output *output)
 {
-    output->is_guarded = output->path == NULL && isatty(output->descriptor);
+    output->is_guarded = !output->is_renamed && isatty(output->descriptor);
 }
