@@ -254,7 +254,7 @@ static bool set_format(struct batch *batch, enum batch_format format, struct tex
     return true;
 }
 
-/* Does a line begin behind a carriage return? Not within quotes, nor where line breaks follow it. */
+/* Does a line begin behind a carriage return that is outside quotes and before no line break? */
 static bool has_bare_return(struct text line, char separator)
 {
     bool is_quoted = false;
