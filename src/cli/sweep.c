@@ -503,25 +503,27 @@ static bool set_option(struct sweep *sweep, const struct argument *argument,
 }
 
 /*
- * What an answer weighs: as the input stands with the first values of all options, or with the
- * last ones, if that is more.
+ * What all answers weigh together. Lenses count as the first of them: the others may be no more
+ * than names.
  */
 static double weight_of(const struct sweep *sweep, const struct command *command, const void *input)
 {
-    if (command->weight == NULL) {
-        return 1;
-    }
-    void *last = arena_array(sweep->reader->arena, 1, command->input_size);
-    memcpy(last, input, command->input_size);
+    struct arena *arena = sweep->reader->arena;
+    struct sweep light = {.total = 1, .axes = ARENA_ARRAY(arena, sweep->axis_count, struct axis)};
+    void *each = arena_array(arena, 1, command->input_size);
+    double sum = 0;
+    memcpy(each, input, command->input_size);
     for (size_t i = 0; i < sweep->axis_count; i++) {
-        const struct axis *axis = &sweep->axes[i];
-        const size_t size = axis->option->kind->size;
-        if (axis->option->kind != &kind_lens) { /* which may be no more than a name */
-            memcpy((char *)last + axis->option->offset, axis->values + (axis->count - 1) * size,
-                   size);
+        if (sweep->axes[i].option->kind != &kind_lens) {
+            light.axes[light.axis_count++] = sweep->axes[i];
+            light.total *= sweep->axes[i].count;
         }
     }
-    return fmax(command->weight(input), command->weight(last));
+    for (size_t i = 0; i < light.total; i++) {
+        sweep_set(&light, i, each);
+        sum += command->weight(each);
+    }
+    return sum * (double)(sweep->total / light.total);
 }
 
 /* Is the sweep no more work than anyone waits for? */
@@ -538,14 +540,13 @@ static bool check_size(struct sweep *sweep, const struct command *command, bool 
                          : error_hint(error, "use --force to allow it (up to 100 million)");
         }
     }
-    if (force || sweep->total == 1) {
+    if (force || sweep->total == 1 || command->weight == NULL) {
         return true;
     }
     const double weight = weight_of(sweep, command, input);
-    if (weight * (double)sweep->total > MOST_WITHOUT_FORCE) {
+    if (weight > MOST_WITHOUT_FORCE) {
         fail(error, ERROR_USAGE,
-             "the sweep has %zu questions, each of them as much work as %.0f rows: more than a "
-             "million",
+             "the sweep has %zu questions, together as much work as %.0f rows: more than a million",
              sweep->total, weight);
         return error_hint(error, "use --force to allow it");
     }

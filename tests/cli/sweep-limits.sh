@@ -27,3 +27,7 @@ over trace double-gauss --all -N 2..22:0.0001
 over spot double-gauss --rays 100000 -N 2..22:0.001
 over surfaces double-gauss -N 2..22:0.0001
 over seidel double-gauss -N 2..22:0.0001
+# all values count, wherever they stand: 201 of (10 + 100000 + 10) rows
+over spot double-gauss --rays 10,10000000,10 -N 2..4:0.01
+# and each as itself: three fields of 1 + 2 + 3 + 100000 rays, and the head
+over trace double-gauss --rays 1,2,3,100000 --pattern sobol --csv
