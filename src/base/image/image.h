@@ -31,8 +31,8 @@ struct image {
     double aspect; /* of a pixel, its width over its height; 0: it is square */
 };
 
-/* What pixels' proportions may be in a file: as of OpenEXR. */
-#define IMAGE_ASPECT_LEAST 1e-6
+/* What pixels' proportions may be in a file: as of OpenEXR, whose float for 1e-6 lies below it. */
+#define IMAGE_ASPECT_LEAST ((double)1e-6F)
 #define IMAGE_ASPECT_MOST  1e6
 
 /* Pixels of a picture: so many to the left of them and above, and so many across and down. */
