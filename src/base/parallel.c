@@ -42,11 +42,11 @@ static void *take_pieces(void *argument)
     }
 }
 
-enum { ROOM = 16 * 1024 * 1024 }; /* bytes that a thread may want for its work */
+enum { ROOM = 16 * 1024 * 1024 }; /* bytes of a thread's work that are looked after */
 
 /*
- * Start a thread where memory is left for the work of all `count` that then there are: its stack
- * must not take what the others need, which one thread alone would have had.
+ * Start a thread where memory is left for the work of all `count` that then there are, up to 16 MiB
+ * each: so much its stack does not take from the others. Bigger work may still want for memory.
  */
 static bool start(pthread_t *thread, struct worker *worker, size_t count)
 {

@@ -17,8 +17,8 @@ typedef void parallel_function(void *context, size_t begin, size_t end);
  *
  * Given     threads  this one included; 0 and 1 = only this one; at most PARALLEL_MOST
  *           piece    items a call, at least 1; big enough that taking one costs nothing (50 us)
- * Result    all items done. Where the system gives no thread, or no memory for its work, the others
- *           do that
+ * Result    all items done. Where the system gives no thread, or no memory for its work (up to
+ *           16 MiB a thread), the others do that
  */
 void parallel_for(int threads, size_t count, size_t piece, parallel_function *function,
                   void *context);
