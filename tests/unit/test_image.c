@@ -212,10 +212,20 @@ static void test_exif(struct arena *arena)
     CHECK(image.note_count == 1 && strcmp(image.notes[0].value, "100") == 0);
 }
 
+/* The least proportion of pixels that may be written, in single precision, is read again. */
+static void test_proportions(void)
+{
+    struct image image = {0};
+    CHECK(image_take_aspect(&image, (double)1e-6F) && image_take_aspect(&image, 1e6));
+    CHECK(!image_take_aspect(&image, 9.9e-7) && !image_take_aspect(&image, 1.01e6));
+    CHECK(!image_take_aspect(&image, NAN) && !image_take_aspect(&image, -1));
+}
+
 int main(void)
 {
     struct arena arena = {0};
     test_exif(&arena);
+    test_proportions();
     test_limits();
     test_check(&arena);
     test_names(&arena);
