@@ -42,16 +42,18 @@ static void *take_pieces(void *argument)
     }
 }
 
-enum { ROOM = 16 * 1024 * 1024 }; /* bytes of a thread's work that are looked after */
+/* bytes of a thread's work that are looked after, of so many threads */
+enum { ROOM = 16 * 1024 * 1024, MOST_ROOMS = 4 };
 
 /*
  * Start a thread where memory is left for the work of all `count` that then there are, up to 16 MiB
- * each: so much its stack does not take from the others. Bigger work may still want for memory.
+ * each, 64 MiB in all: so much its stack does not take from the others. Bigger work may still
+ * want for memory.
  */
 static bool start(pthread_t *thread, struct worker *worker, size_t count)
 {
     /* never touched, so that it costs next to nothing; volatile, so that it is asked for */
-    void *volatile room = malloc(count * ROOM);
+    void *volatile room = malloc((count < MOST_ROOMS ? count : MOST_ROOMS) * ROOM);
     const bool done = room != NULL && pthread_create(thread, NULL, take_pieces, worker) == 0;
     free(room);
     return done;
