@@ -288,6 +288,17 @@ def wait_for_rows(process):
         time.sleep(0.002)
 
 
+def interrupt_amid(processes):
+    """Ctrl-C for all, a while after each has got ready for it; returns when."""
+    for process in processes:
+        wait_for_rows(process)
+    time.sleep(0.4)
+    began = time.perf_counter()
+    for process in processes:
+        process.send_signal(signal.SIGINT)
+    return began
+
+
 def slowly(program, words, rows, interrupt=False, stderr=subprocess.PIPE):
     """A call whose rows come one by one, then its end or Ctrl-C; the process and its answer."""
     process = subprocess.Popen(program.command + words, stdin=subprocess.PIPE,
@@ -459,12 +470,7 @@ def check_interrupted_trials(checks, program):
                                    "precision", "--csv", *asked], stdout=subprocess.PIPE,
                                   stderr=subprocess.PIPE, env=program.environment())
                  for asked, _, _ in cases]
-    for process in processes:
-        wait_for_rows(process)
-    time.sleep(0.4)
-    began = time.perf_counter()
-    for process in processes:
-        process.send_signal(signal.SIGINT)
+    began = interrupt_amid(processes)
     for process, (asked, has_rows, said) in zip(processes, cases):
         answer, error = process.communicate()
         if b"interrupted before rays were ready" in error:  # on a machine that is busy
@@ -490,12 +496,7 @@ def check_interrupted_picture(checks, program):
         processes = [subprocess.Popen([*program.command, *(chart if "blur" in asked[0] else words),
                                        *asked], cwd=folder, stderr=subprocess.PIPE,
                                       env=program.environment()) for asked, _ in cases]
-        for process in processes:
-            wait_for_rows(process)
-        time.sleep(0.4)
-        began = time.perf_counter()
-        for process in processes:
-            process.send_signal(signal.SIGINT)
+        began = interrupt_amid(processes)
         for process, (asked, said) in zip(processes, cases):
             error = process.communicate()[1].decode()
             checks.check(process.returncode == 1 and said in error and "no light" not in error,

@@ -122,7 +122,7 @@ def check_trail(fixture):
     begin = -time / 2 - opening * HALF
     blur = 0.5 / OWN / (1 + M) / 2  # its radius, fully open, 0.5 mm behind the focus
     rows = fixture.picture("point.scene", *LENS[:-4], "--sensor", "8x0.4mm", "--size", "160x16",
-                           "--samples", "2048", "--defocus", "0.5mm", "-t", str(time), "--shutter",
+                           "--samples", "8192", "--defocus", "0.5mm", "-t", str(time), "--shutter",
                            "leaf", "--opening-time", f"{opening}s")
     size = 2 * (1 + 0.5 / FOCAL) * M  # radius of the point, mm
     for hole in 1, 0.5:
@@ -140,7 +140,7 @@ def check_trail(fixture):
                  (low + (high - low) * (k + 0.5) / 100 for k in range(100))]
         square_hole = sum(h ** 4 for h in holes) / sum(h ** 2 for h in holes)
         expected = blur ** 2 * square_hole / 4 + size ** 2 / 4 + 0.025 ** 2 / 12
-        fixture.checks.near("trail", f"trail at {hole}", square / light, expected, 0.1 * expected)
+        fixture.checks.near("trail", f"trail at {hole}", square / light, expected, 0.06 * expected)
 
 
 def check_bands(fixture):
