@@ -78,7 +78,7 @@ void tile_rays_open(const struct photograph_question *question, const struct len
                                .bits = tile_rays_bits(question->samples),
                                .seed = question->seed};
     tile->pass = passes_of(question, tile->passes, arena);
-    sobol_open_strands(HERO_DIMENSION, tile_rays_bits(question->samples), &tile->hero);
+    sobol_open_strands(HERO_DIMENSION, tile->bits, &tile->hero);
     for (uint32_t k = 0; k <= FILM_DIMENSIONS; k++) {
         struct sobol *sobol = k < FILM_DIMENSIONS ? &tile->film_points[k] : &tile->when;
         if (tile->in_strands) {
