@@ -59,9 +59,9 @@ objects := $(sources:src/%.c=$(BUILD)/%.o) $(BUILD)/lensdb.o \
            $(BUILD)/trace/kernel_few.o $(BUILD)/trace/kernel_conic_few.o
 alone   := $(BUILD)/design/solver/solver_engines.o
 ceres   := $(BUILD)/design/solver/solver_engines_ceres.o $(BUILD)/design/solver/solver_ceres.o
-units   := $(patsubst tests/unit/%.c,$(BUILD)/unit/%,$(wildcard tests/unit/test_*.c))
-units_1 := $(patsubst tests/ceres/%.c,$(BUILD)/ceres/%,$(wildcard tests/ceres/test_*.c))
-units   += $(units_$(CERES))
+units_0 := $(patsubst tests/%.c,$(BUILD)/%,$(wildcard tests/unit/test_*.c))
+units_1 := $(patsubst tests/%.c,$(BUILD)/%,$(wildcard tests/ceres/test_*.c))
+units   := $(units_0) $(if $(filter 1,$(CERES)),$(units_1))
 lensdb  := $(sort $(wildcard lensdb/*.tsv lensdb/lenses/*.lens lensdb/glass/*.tsv))
 
 programs_1 = $(BUILD)/lenscalc-ceres
@@ -157,16 +157,28 @@ $(BUILD)/lensdb.c: $(BUILD)/embed $(lensdb) $(BUILD)/embedded
 $(BUILD)/lensdb.o: $(BUILD)/lensdb.c $(BUILD)/flags
 	$(Q)$(CC) $(ALL_CFLAGS) -c -o $@ $<
 
-$(BUILD)/unit/%: tests/unit/%.c $(objects) $(alone)
-	@mkdir -p $(@D)
-	@echo test $<
-	$(Q)$(CC) $(ALL_CFLAGS) -Itests/unit -MMD -MP $(LDFLAGS) -o $@ $< $(objects) $(alone) -lm
+# All tests of a folder are one program, which links to it call by the name of the test: a program
+# for each would take 13 GB of disk where there are sanitizers.
+define tests
+$(BUILD)/$(1)/test_%.o: tests/$(1)/test_%.c $(BUILD)/flags
+	@mkdir -p $$(@D)
+	@echo test $$<
+	$$(Q)$$(CC) $$(ALL_CFLAGS) -Itests/unit -Dmain=main_of_test_$$* -MMD -MP -c -o $$@ $$<
 
-$(BUILD)/ceres/%: tests/ceres/%.c $(objects) $(ceres)
-	@mkdir -p $(@D)
-	@echo test $<
-	$(Q)$(CC) $(ALL_CFLAGS) -Itests/unit -MMD -MP -MT $@ -c -o $@.o $<
-	$(Q)$(CXX) $(CXX_FLAGS) $(LDFLAGS) -o $@ $@.o $(objects) $(ceres) -lceres -lglog -lm
+$(BUILD)/$(1)/all.o: tests/unit/all.c $(BUILD)/$(1)/tests.list $(BUILD)/flags
+	$$(Q)$$(CC) $$(ALL_CFLAGS) -I$(BUILD)/$(1) -c -o $$@ $$<
+
+$(BUILD)/$(1)/all: $(BUILD)/$(1)/all.o $(addsuffix .o,$(2)) $(objects) $(3) $(BUILD)/objects
+	@echo link $$@
+	$$(Q)$(4) $$(LDFLAGS) -o $$@ $$(filter %.o,$$^) $(5) -lm
+
+$(2): $(BUILD)/$(1)/all
+	@ln -sf all $$@
+
+$(call stamp,$(1)/tests.list,$(patsubst %,TEST(%),$(notdir $(2))))
+endef
+$(eval $(call tests,unit,$(units_0),$(alone),$(CC) $(ALL_CFLAGS)))
+$(eval $(call tests,ceres,$(units_1),$(ceres),$(CXX) $(CXX_FLAGS),-lceres -lglog))
 
 # the fuzz targets on the inputs that are kept, without a fuzzer
 targets  := $(patsubst tests/fuzz/fuzz_%.c,$(BUILD)/fuzz/replay_%.o,$(wildcard tests/fuzz/fuzz_*.c))

@@ -372,14 +372,19 @@ static int print(const char *path, enum image_values values, struct arena *arena
     return 0;
 }
 
-int main(int count, char **words)
+/* For check_pictures_files.py: WRITE=FOLDER writes the pictures there, READ_LIGHT=FILE and
+   READ_CODES=FILE print the values of one. */
+int main(void)
 {
     struct arena arena = {0};
+    const char *const folder = getenv("WRITE"), *const light = getenv("READ_LIGHT"),
+                      *const codes = getenv("READ_CODES");
     int status;
-    if (count == 3 && strcmp(words[1], "write") == 0) {
-        status = write_all(words[2], &arena);
-    } else if (count == 4 && strcmp(words[1], "read") == 0) {
-        status = print(words[2], words[3][0] == 'l' ? IMAGE_LIGHT : IMAGE_CODES, &arena);
+    if (folder != NULL) {
+        status = write_all(folder, &arena);
+    } else if (light != NULL || codes != NULL) {
+        status =
+            light != NULL ? print(light, IMAGE_LIGHT, &arena) : print(codes, IMAGE_CODES, &arena);
     } else {
         test_round_trips(&arena);
         test_truncated(&arena);
