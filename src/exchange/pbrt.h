@@ -15,7 +15,7 @@
  *           writing: mirrors, cylinders, a surface without diameter, a medium before the lens
  * Lost      writing: what is not of those four numbers. Dispersion: the index at the primary
  *           wavelength is written. A plane that refracts becomes a radius of 100 m: pbrt's floats
- *           have no place for a longer one
+ *           have no place for a longer one; of a stop that refracts the same before it
  * Source    pbrt-v4, lens description files and the comments of RealisticCamera
  */
 extern const struct foreign_format pbrt_format;

@@ -23,14 +23,12 @@ static void put(struct writer *writer, const char *string)
     growing_text(&writer->out.text, text_of(string));
 }
 
-/* As typed, or with the digits that read back to its pair. */
-static void put_figure(struct writer *writer, const struct figure *figure)
+/* As typed, or the digits that read back to its pair. */
+static struct text digits_of(const struct writer *writer, const struct figure *figure)
 {
-    struct text digits = figure->typed;
-    if (digits.start == NULL) {
-        digits = figure_computed(figure->value, NUMBER_UNSCALED, writer->job->arena).typed;
-    }
-    growing_text(&writer->out.text, digits);
+    return figure->typed.start != NULL
+               ? figure->typed
+               : figure_computed(figure->value, NUMBER_UNSCALED, writer->job->arena).typed;
 }
 
 static bool refuse(const struct writer *writer, size_t number, const char *what)
@@ -99,7 +97,7 @@ static void put_length(struct writer *writer, const struct figure *figure)
     if (strcmp(writer->lens->unit, "mm") != 0) {
         in_mm.typed = (struct text){NULL, 0};
     }
-    put_figure(writer, &in_mm);
+    growing_text(&writer->out.text, digits_of(writer, &in_mm));
 }
 
 static bool put_radius(struct writer *writer, const struct surface *surface, size_t number)
@@ -135,12 +133,13 @@ static bool put_radius(struct writer *writer, const struct surface *surface, siz
 }
 
 /* The index behind a surface, at the primary wavelength. */
-static bool put_index(struct writer *writer, const struct surface *surface, size_t number)
+static bool find_index(struct writer *writer, const struct surface *surface, size_t number,
+                       struct text *digits)
 {
     const struct medium *medium = &surface->medium;
     struct figure index = {.variable = LENS_NONE};
     if (medium_is_air(medium)) {
-        put(writer, surface->kind == SURFACE_STOP ? "0" : "1");
+        *digits = text_of("1");
         return true;
     }
     double wavelength = lens_primary_wavelength(writer->lens);
@@ -156,14 +155,37 @@ static bool put_index(struct writer *writer, const struct surface *surface, size
                              medium->written.start, 1000 * wavelength)) {
         return false;
     }
-    put_figure(writer, &index);
+    *digits = digits_of(writer, &index);
     return true;
+}
+
+/* The plane of a stop that refracts, which stands before it then. */
+static bool put_plane(struct writer *writer, const struct surface *surface, size_t number,
+                      struct text index)
+{
+    put(writer, LONG_RADIUS);
+    put(writer, "\t0\t");
+    growing_text(&writer->out.text, index);
+    put(writer, "\t");
+    put_length(writer, &surface->diameter);
+    put(writer, "\n");
+    return foreign_lose(writer->job, writer->error,
+                        "surface %zu: a stop that refracts" LOSS_INSTEAD
+                        "a radius of %s mm stands before the stop",
+                        number, LONG_RADIUS);
 }
 
 static bool put_surface(struct writer *writer, size_t i)
 {
-    const struct surface *surface = &writer->lens->surfaces[i];
-    if (!lose_shape(writer, surface, i + 1) || !put_radius(writer, surface, i + 1)) {
+    const struct lens *lens = writer->lens;
+    const struct surface *surface = &lens->surfaces[i];
+    const struct medium *before = i > 0 ? &surface[-1].medium : &lens->object_medium;
+    const bool is_stop = surface->kind == SURFACE_STOP;
+    struct text index;
+    if (!lose_shape(writer, surface, i + 1) || !find_index(writer, surface, i + 1, &index) ||
+        (is_stop && !medium_is_same(before, &surface->medium) &&
+         !put_plane(writer, surface, i + 1, index)) ||
+        !put_radius(writer, surface, i + 1)) {
         return false;
     }
     put(writer, "\t");
@@ -173,9 +195,8 @@ static bool put_surface(struct writer *writer, size_t i)
         put(writer, "0");
     }
     put(writer, "\t");
-    if (!put_index(writer, surface, i + 1)) {
-        return false;
-    }
+    growing_text(&writer->out.text,
+                 is_stop && medium_is_air(&surface->medium) ? text_of("0") : index);
     put(writer, "\t");
     put_length(writer, &surface->diameter);
     put(writer, "\n");

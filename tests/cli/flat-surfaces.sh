@@ -3,3 +3,7 @@ printf 'lens flat\naperture stop\nsurface - 2 1.5 20 c=1e-320\nsurface - 1 air 2
 lenscalc convert flat.lens --to dat --lossy -o flat.dat
 cat flat.dat
 lenscalc convert flat.dat
+# a stop between two media is a plane and a stop in pbrt's tables
+printf 'aperture stop\nsurface 50 5 1.5 20\nstop - 5 1.6 16\nsurface -50 50 air 20\n' > between.lens
+lenscalc convert between.lens --to dat
+lenscalc convert between.lens --lossy -o between.dat && lenscalc convert between.dat
