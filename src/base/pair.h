@@ -117,7 +117,7 @@ const char *pair_read(const char *at, const char *end, struct number_scale scale
  *           unit    the number is divided by it: the text is in the file's unit
  * Result    the end of what was written, laid out as number_write_shortest does; "0" for 0
  * Limits    the text reads back to within 1e-30 of the value, and to the same hi unless hi + lo
- *           lies that near to the middle between two doubles; |value| in 1e-200 .. 1e200
+ *           lies that near to the middle between two doubles; |value| below 1e290
  */
 char *pair_write_shortest(char *to, struct pair value, struct number_scale unit);
 

@@ -5,6 +5,7 @@
 #include <math.h>
 #include <stdbool.h>
 #include <stdio.h>
+#include <stdlib.h>
 #include <string.h>
 
 enum { MOST_DIGITS = 32 };
@@ -25,6 +26,14 @@ static struct pair power_of_ten(int exponent)
     return power;
 }
 
+/* In two steps where one power would overflow, or lose its low part. */
+static struct pair times_power_of_ten(struct pair x, int exponent)
+{
+    const int first = abs(exponent) > 150 ? exponent / 2 : exponent;
+    x = pair_multiply(x, power_of_ten(first));
+    return first != exponent ? pair_multiply(x, power_of_ten(exponent - first)) : x;
+}
+
 /* The first 32 digits; the last one is wrong by a few units. */
 static struct decimal decimal_of(struct pair value, struct number_scale unit)
 {
@@ -32,7 +41,7 @@ static struct decimal decimal_of(struct pair value, struct number_scale unit)
     struct pair x = decimal.negative ? pair_negate(value) : value;
     x = pair_divide(x, pair_of((double)unit.multiplier));
     decimal.point = (int)floor(log10(x.hi)) + 1;
-    x = pair_multiply(x, power_of_ten(1 - decimal.point));
+    x = times_power_of_ten(x, 1 - decimal.point);
     decimal.point -= unit.power;
     if (x.hi < 1 || (x.hi == 1 && x.lo < 0)) { /* the logarithm was rounded up */
         x = pair_multiply(x, pair_of(10));

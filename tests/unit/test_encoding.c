@@ -111,7 +111,12 @@ static void check_pairs(void)
                                         "99999",
                                         "1000000",
                                         "0",
-                                        "3.14159265358979323846264338"};
+                                        "3.14159265358979323846264338",
+                                        "1e-290",
+                                        "2.2250738585072014e-308",
+                                        "1e-320",
+                                        "-5e-324",
+                                        "1e+290"};
     const struct number_scale plain = {1, 0}, inch = {254, -1};
     for (size_t i = 0; i < sizeof texts / sizeof texts[0]; i++) {
         CHECK(writes(pair_of_text(texts[i]), plain, texts[i]));
