@@ -21,7 +21,7 @@
         .flags = OPTION_ABOVE_LOWEST | OPTION_NO_INFINITY | OPTION_NO_SERIES, .value = "TIME"
 
 static const struct option options[] = {
-    {OPTION(struct render_input, scene), .name = "subject", .value = "SCENE",
+    {OPTION(struct render_input, subject), .name = "subject", .value = "SCENE",
      .flags = OPTION_OPERAND | OPTION_FILE,
      .help = "a scene (.scene), or a flat card: a picture (.png, .jpg, .exr, .pfm, .hdr), or "
              "chart:edge, star, grid, checker, bars, wedge, points, stars"},

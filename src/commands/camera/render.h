@@ -28,7 +28,7 @@ struct shutter_input {
 };
 
 struct render_input {
-    const char *scene;
+    const char *subject; /* a name: scene, picture or chart */
     struct analysis_question question;
     struct sensor_value sensor;
     const char *size;             /* "360x240"; null = 480 pixels wide */
@@ -409,7 +409,7 @@ bool render_develop(const struct render_input *input, bool is_print,
 /* Is it a scene, rather than a card? */
 bool render_is_world(const struct render_input *input);
 
-/* -------- commands/camera/render_scene.c -------- */
+/* -------- commands/camera/render_card.c -------- */
 
 /*
  * "chart:edge" or a file with a picture.
@@ -417,12 +417,12 @@ bool render_is_world(const struct render_input *input);
  * Errors    ERROR_USAGE: no such chart; as image_file_read; ERROR_DATA: light that is no number
  *           from 0
  */
-bool render_scene(const struct render_input *input, struct arena *arena, struct card *card,
-                  struct error *error);
+bool render_card(const struct render_input *input, struct arena *arena, struct card *card,
+                 struct error *error);
 
 /* What a chart measures: angles, frequencies on the film by the paraxial magnification. */
-void render_say_scene(const struct photograph *photograph, const struct setup *setup,
-                      struct growing *remarks);
+void render_say_card(const struct photograph *photograph, const struct setup *setup,
+                     struct growing *remarks);
 
 /* -------- commands/camera/render_skips.c -------- */
 

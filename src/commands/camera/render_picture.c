@@ -14,11 +14,11 @@
 static bool check_subject(const struct artifact_job *job, struct error *error)
 {
     const struct render_input *input = job->inputs[0];
-    if (input->scene != NULL && strcmp(input->scene, "-") == 0) {
+    if (input->subject != NULL && strcmp(input->subject, "-") == 0) {
         fail(error, ERROR_USAGE, "what is photographed is read from a file, not standard input");
         return error_hint(error, "give its name, as room.scene or card.png");
     }
-    if (input->scene == NULL) {
+    if (input->subject == NULL) {
         fail(error, ERROR_USAGE, "what is to be photographed is not said");
         return error_hint(error, "a scene (room.scene), a picture (card.png), or chart:edge, "
                                  "chart:star and the like");
@@ -26,7 +26,7 @@ static bool check_subject(const struct artifact_job *job, struct error *error)
     if (!render_is_world(input) && isnan(input->distance) &&
         (input->autofocus == NULL || input->depth_map == NULL)) {
         struct card card;
-        if (!render_scene(input, job->run->arena, &card, error)) {
+        if (!render_card(input, job->run->arena, &card, error)) {
             return error->code == ERROR_DATA && error->hint[0] == '\0' &&
                    error_hint(error, "the name of a scene ends in .scene");
         }
@@ -81,7 +81,7 @@ static void add_notes(const struct analysis_case *one, const struct render_input
 {
     const struct setup *setup = one->setup;
     render_note(image, arena, "Software", "lenscalc " LENSCALC_VERSION);
-    render_note(image, arena, "Scene", input->scene);
+    render_note(image, arena, "Scene", input->subject);
     if (input->light.name != NULL) {
         render_note(image, arena, "Light", input->light.name);
     }
@@ -130,7 +130,7 @@ static struct text doubts_of(const struct analysis_case *one, const struct pictu
     if (picture->world != NULL) {
         render_say_world(picture->world, photograph, &doubts);
     } else {
-        render_say_scene(photograph, one->setup, &doubts);
+        render_say_card(photograph, one->setup, &doubts);
     }
     render_say_depths(input, photograph, &doubts);
     render_say_model(input, one, &doubts);
@@ -241,7 +241,7 @@ static bool ask_subject(const struct picture_job *picture, const struct analysis
     }
     question->card = (struct card){.distance = render_object(one),
                                    .width = isnan(input->field_width) ? 0 : input->field_width};
-    return render_scene(input, arena, &question->card, error) &&
+    return render_card(input, arena, &question->card, error) &&
            render_depths(input, question->card.picture, arena, &question->depths, error);
 }
 

@@ -21,9 +21,9 @@
 bool render_is_world(const struct render_input *input)
 {
     static const char ending[] = ".scene";
-    const size_t length = input->scene != NULL ? strlen(input->scene) : 0;
+    const size_t length = input->subject != NULL ? strlen(input->subject) : 0;
     return length >= sizeof ending - 1 &&
-           text_same(text_of(input->scene + length - (sizeof ending - 1)), ending);
+           text_same(text_of(input->subject + length - (sizeof ending - 1)), ending);
 }
 
 /* Does the film stand where it is, whatever the lens is focused on? */
@@ -95,7 +95,7 @@ static bool check_times(const struct artifact_job *job, const struct render_worl
     if (world->moves && isnan(input->time)) {
         fail(error, ERROR_USAGE,
              "%.200s moves: how far it comes while it is exposed depends on {--time}",
-             input->scene);
+             input->subject);
         return error_hint(error, "give it, as -t 1/125");
     }
     return !world->moves || !render_is_part(job) || job->count == 1 ||
@@ -110,9 +110,9 @@ bool render_world_read(const struct artifact_job *job, struct render_world *worl
     const struct scene_files *files = &scene_files_there;
     struct arena *arena = job->run->arena;
     struct text content;
-    *world = (struct render_world){.scene = {.source = input->scene}};
-    if (!files->read(files->context, input->scene, arena, &content, error) ||
-        !scene_file_read(input->scene, content, files, arena, &world->scene, error) ||
+    *world = (struct render_world){.scene = {.source = input->subject}};
+    if (!files->read(files->context, input->subject, arena, &content, error) ||
+        !scene_file_read(input->subject, content, files, arena, &world->scene, error) ||
         !scene_check(&world->scene, (int)input->bounces, error)) {
         return false;
     }

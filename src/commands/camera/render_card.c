@@ -1,4 +1,4 @@
-/* commands/camera/render_scene.c - what is photographed: a picture or a chart, and its facts. */
+/* commands/camera/render_card.c - what is photographed: a picture or a chart, and its facts. */
 /* SPDX-License-Identifier: MIT */
 #include "base/constants.h"
 #include "commands/camera/render.h"
@@ -6,12 +6,12 @@
 
 #include <string.h>
 
-bool render_scene(const struct render_input *input, struct arena *arena, struct card *card,
-                  struct error *error)
+bool render_card(const struct render_input *input, struct arena *arena, struct card *card,
+                 struct error *error)
 {
     static const char prefix[] = "chart:";
-    if (strncmp(input->scene, prefix, sizeof prefix - 1) == 0) {
-        const char *name = input->scene + sizeof prefix - 1;
+    if (strncmp(input->subject, prefix, sizeof prefix - 1) == 0) {
+        const char *name = input->subject + sizeof prefix - 1;
         for (size_t i = 0; charts[i].word != NULL; i++) {
             if (strcmp(charts[i].word, name) == 0) {
                 card->chart = (enum chart)(i + 1);
@@ -23,9 +23,9 @@ bool render_scene(const struct render_input *input, struct arena *arena, struct 
     }
     struct image *picture = ARENA_NEW(arena, struct image);
     card->picture = picture;
-    return image_file_read(input->scene, IMAGE_LIGHT, arena, picture, error) &&
+    return image_file_read(input->subject, IMAGE_LIGHT, arena, picture, error) &&
            (image_check(picture, IMAGE_POSITIVE, error) ||
-            error_prefix(error, "%.200s: ", input->scene));
+            error_prefix(error, "%.200s: ", input->subject));
 }
 
 /* Cycles a mm on the film of as many over the width of the card. */
@@ -45,8 +45,8 @@ static void say_bars(const struct photograph *photograph, const struct setup *se
     growing_format(remarks, " cycles/mm on the film\n");
 }
 
-void render_say_scene(const struct photograph *photograph, const struct setup *setup,
-                      struct growing *remarks)
+void render_say_card(const struct photograph *photograph, const struct setup *setup,
+                     struct growing *remarks)
 {
     const struct card *card = &photograph->card;
     const double rim = 2 * PI * CHART_STAR_RADIUS * card->height / card->width;
