@@ -150,6 +150,14 @@ static void blur_row(const struct foveal *foveal, const float *samples,
     }
 }
 
+/* Can its smallest picture be made smaller, and is it to be, for so many pixels a sample? */
+static bool is_too_fine(const struct pyramid *pyramid, double most)
+{
+    const struct level *last = &pyramid->levels[pyramid->count - 1];
+    return pyramid->count < LEVELS_MOST && last->octaves < log2(most) &&
+           (last->image.width > 1 || last->image.height > 1);
+}
+
 /* The next one. */
 static bool add_smaller(struct pyramid *pyramid, struct arena *arena, struct error *error)
 {
@@ -179,8 +187,7 @@ bool acuity_blur(const struct foveal *foveal, const struct image *image, struct 
     if (!image_new(made, arena, error)) {
         return false;
     }
-    while (pyramid.count < LEVELS_MOST && pyramid.levels[pyramid.count - 1].octaves < log2(most) &&
-           pyramid.levels[pyramid.count - 1].image.width > 1) {
+    while (is_too_fine(&pyramid, most)) {
         if (!add_smaller(&pyramid, arena, error)) {
             return false;
         }

@@ -282,6 +282,27 @@ static void test_long_pixels(void)
     }
 }
 
+/* A strip of one column is as unsharp as its transpose, of one row. */
+static void test_strips(void)
+{
+    enum { LENGTH = 512 };
+    const struct image column = waves(1, LENGTH, 0, 1), row = waves(LENGTH, 1, 0, 0);
+    const double pixel = 0.07 / LENGTH; /* on the plane at distance 1 */
+    const struct foveal looks[] = {foveal_look(&column, 2 * atan(pixel / 2), arena),
+                                   foveal_look(&row, 2 * atan(LENGTH * pixel / 2), arena)};
+    struct image made[2];
+    double off = 0, changed = 0;
+    CHECK(looks[0].rows == 4 && looks[1].columns == 4); /* 0.07 is 4.01 degrees */
+    CHECK(acuity_blur(&looks[0], &column, arena, &made[0], &error));
+    CHECK(acuity_blur(&looks[1], &row, arena, &made[1], &error));
+    for (size_t i = 0; i < (size_t)3 * LENGTH; i++) {
+        off = fmax(off, fabs((double)(made[0].pixels[i] - made[1].pixels[i])));
+        changed = fmax(changed, fabs((double)(made[1].pixels[i] - row.pixels[i])));
+    }
+    CHECK_NEAR(off, 0, 1e-7, "as sharp");
+    CHECK(changed > 1e-3);
+}
+
 /* Colours that the display does not have keep their luminance. */
 static void test_colours(void)
 {
@@ -345,6 +366,7 @@ int main(void)
     test_histogram();
     test_veil();
     test_long_pixels();
+    test_strips();
     test_colours();
     test_align();
     arena_free(arena);
