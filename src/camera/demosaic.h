@@ -13,7 +13,7 @@
  * Result    full    three channels: a pixel's own one as it is, each other the mean of its
  *                   neighbours that have it: two beside it, four beside it, or four at the corners;
  *                   at an edge of the picture those that there are
- * Formula   exact within for what changes linearly across the picture
+ * Formula   exact, but at the picture's edges, for light that changes linearly
  * Errors    ERROR_DOMAIN: below 2 x 2 pixels, another number of channels; ERROR_DATA: too many
  */
 bool demosaic_bilinear(const struct image *raw, enum sensor_mosaic mosaic,

@@ -166,8 +166,8 @@ static bool sample_card(const struct scene_thing *thing, struct vector from, con
 /* 1 - cosine of the half angle of the cone that holds a sphere; 2 from within: all around. */
 static double cone_height(double radius, struct vector from)
 {
-    const double square = vector_dot(from, from), sine = radius * radius / square;
-    return sine < 1 ? sine / (1 + sqrt(1 - sine)) : 2;
+    const double square = vector_dot(from, from), sine2 = radius * radius / square;
+    return sine2 < 1 ? sine2 / (1 + sqrt(1 - sine2)) : 2;
 }
 
 static double sphere_density(double radius, struct vector from)

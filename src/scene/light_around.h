@@ -30,7 +30,7 @@ bool light_around_is(const struct scene_light *light);
 struct light_around light_around_open(const struct scene_light *light, const struct banded *unit,
                                       struct arena *arena);
 
-/* A direction, as often as its cell's light has it, evenly within; u: two numbers in 0..1. */
+/* A direction, as often as its cell's light has it, evenly within; u and v are 0..1. */
 struct vector light_around_sample(const struct light_around *around, double u, double v);
 
 /* Of these samples, per sr. */

@@ -27,10 +27,8 @@ enum texture_edges {
 void texture_look(const struct image *image, const double place[2], enum texture_edges edges,
                   double of[TEXTURE_CHANNELS]);
 
-/* The mean luminance of its pixels over that of white; alpha counts nothing. */
-double texture_luminance(const struct image *image);
-
-/* The mean luminance of a picture of three colours over that of white; alpha counts nothing. */
+/* The mean luminance of a picture, of three channels or four, over that of white; alpha counts
+   nothing. */
 double texture_luminance(const struct image *image);
 
 #endif

@@ -5,7 +5,7 @@
 
 #include "base/image/image.h"
 
-/* Cells of one degree in the middle of a plane picture; none is larger than a pixel must be. */
+/* Cells of one degree in the middle of a plane picture; none is smaller than a pixel. */
 struct foveal {
     size_t columns, rows;
     float *light;   /* linear sRGB of each, cd/m^2, rows from the top: the mean of its pixels */
@@ -47,16 +47,17 @@ double foveal_luminance(const struct foveal *foveal, size_t cell);
  */
 struct foveal_grid foveal_veil(struct foveal *foveal, struct image *image, struct arena *arena);
 
-/*
- * Between the middles of cells in straight lines, beyond the outermost as those.
- *
- * Given     values  `step` numbers a cell
- *           at      column and row of a pixel, over the picture's width and height
- */
+/* Four cells, and what each counts at a place between them: 1 together. */
 struct foveal_between {
     size_t cells[4];
     float shares[4];
 };
+
+/*
+ * Between the middles of cells in straight lines, beyond the outermost as those.
+ *
+ * Given     x, y  of the place, from the left and the top, over the picture's width and height
+ */
 struct foveal_between foveal_between(const struct foveal *foveal, double x, double y);
 
 #endif
