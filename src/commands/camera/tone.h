@@ -56,13 +56,13 @@ bool tone_frames_read(const struct tone_input *input, struct arena *arena,
 
 /* The scene's light, made once for all that is written of it. */
 struct tone_light {
-    struct image image;                           /* cd/m^2 */
+    struct image image; /* cd/m^2; the one picture that is made of it alters it in place */
+    bool is_taken;      /* by that */
     struct response_curve curves[FRAME_CHANNELS]; /* of RESPONSE_DEBEVEC */
     struct text remarks;
 };
 
-bool tone_light_of(const struct artifact_job *job, const struct tone_light **light,
-                   struct error *error);
+bool tone_light_of(const struct artifact_job *job, struct tone_light **light, struct error *error);
 
 /* -------- commands/camera/tone_picture.c -------- */
 

@@ -53,7 +53,7 @@ static bool draw_curves(const struct tone_light *light, const struct artifact_jo
 
 bool tone_curves(const struct artifact_job *job, struct output *sink, struct error *error)
 {
-    const struct tone_light *light;
+    struct tone_light *light;
     if (!tone_light_of(job, &light, error)) {
         return false;
     }

@@ -307,8 +307,7 @@ static bool make_light(const struct tone_input *input, struct arena *frames_aren
     return true;
 }
 
-bool tone_light_of(const struct artifact_job *job, const struct tone_light **light,
-                   struct error *error)
+bool tone_light_of(const struct artifact_job *job, struct tone_light **light, struct error *error)
 {
     if (job->run->state == NULL) {
         struct tone_light *made = ARENA_NEW(job->run->kept, struct tone_light);

@@ -7,6 +7,7 @@
 #include "tone/acuity.h"
 #include "tone/sight.h"
 
+#include <assert.h>
 #include <math.h>
 #include <string.h>
 
@@ -321,7 +322,7 @@ static bool make(const struct artifact_job *job, struct image *image, struct gro
 bool tone_picture(const struct artifact_job *job, struct output *sink, struct error *error)
 {
     const struct tone_input *input = job->inputs[0];
-    const struct tone_light *light;
+    struct tone_light *light;
     struct growing remarks = {.arena = job->run->kept};
     struct text bytes;
     if (!tone_light_of(job, &light, error)) {
@@ -331,7 +332,9 @@ bool tone_picture(const struct artifact_job *job, struct output *sink, struct er
                                   .half = input->bits == 16,
                                   .values = IMAGE_LIGHT,
                                   .packed = true};
-    struct image image = light->image; /* which nobody else needs */
+    assert(!light->is_taken);
+    light->is_taken = true;
+    struct image image = light->image;
     growing_text(&remarks, light->remarks);
     if (!make(job, &image, &remarks, error) ||
         !image_file_bytes(&image, job->type, &way, job->run->kept, &bytes, error)) {
