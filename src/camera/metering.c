@@ -233,7 +233,7 @@ void metering_take(const struct metering_question *question, struct arena *arena
     struct sight sight;
     const bool has_sight = open_sight(question, room, &sight);
     uint64_t counts[PHOTOGRAPH_COUNTS];
-    double sum = 0, squares = 0;
+    double luminances[PARTS], sum = 0, squares = 0;
     memcpy(counts, room->counts, sizeof counts);
     sight.lights = *path.lights;
     sight.lights.discs = (struct light_discs){.count = 0};
@@ -251,11 +251,14 @@ void metering_take(const struct metering_question *question, struct arena *arena
             metered->mean[k] += mean[k] / PARTS;
         }
         const double *Y = colour_xyz_of_srgb.at[1];
-        const double luminance = Y[0] * mean[0] + Y[1] * mean[1] + Y[2] * mean[2];
-        sum += luminance;
-        squares += luminance * luminance;
+        luminances[part] = Y[0] * mean[0] + Y[1] * mean[1] + Y[2] * mean[2];
+        sum += luminances[part];
+    }
+    for (int part = 0; part < PARTS; part++) {
+        const double away = luminances[part] - sum / PARTS;
+        squares += away * away;
     }
     memcpy(room->counts, counts, sizeof counts);
-    const double variance = fmax(0, squares - sum * sum / PARTS) / (PARTS - 1);
+    const double variance = squares / (PARTS - 1);
     metered->error = sum > 0 ? sqrt(variance * PARTS) / sum : 0;
 }

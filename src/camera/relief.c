@@ -314,7 +314,8 @@ static void begin_near(struct walk *walk)
 {
     const struct relief *relief = walk->relief;
     double least = relief->is_endless ? relief->farthest[relief->levels - 1][0] : 0, most = walk->w;
-    for (int i = 0; i < 4; i++) {
+    bool narrows = true;
+    for (int i = 0; i < 4 && narrows; i++) {
         const double range = most - least;
         long from[AXES], to[AXES];
         for (int k = X; k < AXES; k++) {
@@ -325,7 +326,7 @@ static void begin_near(struct walk *walk)
         bound(relief, from, to, &far, &near);
         least = relief->is_endless && far > least ? far : least;
         most = near < most ? near : most;
-        i = most - least < 0.5 * range ? i : 4;
+        narrows = most - least < 0.5 * range;
     }
     walk->w = most;
     for (int k = X; k < AXES; k++) {
