@@ -22,7 +22,8 @@ enum texture_edges {
  *                    four the last is alpha
  *           place    from the left and from below, 0 to 1
  * Result    of  linear sRGB; pixels have the light of their middles, and what lies between four of
- *               them goes in a straight line. Alpha of a picture that has none is 1
+ *               them goes in a straight line. Alpha of a picture that has none is 1.
+ *               NaN where the place is no number, or endless
  */
 void texture_look(const struct image *image, const double place[2], enum texture_edges edges,
                   double of[TEXTURE_CHANNELS]);

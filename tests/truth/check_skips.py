@@ -178,17 +178,20 @@ def check_exposures(fixture):
     """A sweep of exposures, shot once or each by itself: the same files."""
     pictures = []
     for more in "", " --no-skip exposures":
-        fixture.take("chart:star --lens double-gauss-50 -s 1m --size 24x16")
         result = subprocess.run(
             fixture.program.command +
             ["render", "chart:star", "--lens", "double-gauss-50", "-s", "1m", "--size", "24x16",
-             "-t", "0.01,0.02", *more.split(), "-o", "sweep.pfm"], cwd=fixture.folder, text=True,
-            capture_output=True, env=fixture.program.environment())
+             "-t", "0.01,0.02", *more.split(), "--explain", "-o", "sweep.pfm"],
+            cwd=fixture.folder, text=True, capture_output=True, env=fixture.program.environment())
         fixture.checks.check(result.returncode == 0, f"exposures{more}: {result.stderr}")
+        fixture.checks.check(("exposures: 2 of one picture, as --no-skip asks" in result.stderr) ==
+                             (more != "") and "exposures: 2 of one picture" in result.stderr,
+                             f"exposures{more}: not said: {result.stderr}")
         for i in 1, 2:
             with open(os.path.join(fixture.folder, f"sweep-{i}.pfm"), "rb") as file:
                 pictures.append(file.read())
     fixture.checks.check(pictures[:2] == pictures[2:], "exposures: other pictures")
+    fixture.checks.check(pictures[0] != pictures[1], "exposures: twice the light is the same")
 
 
 def main():

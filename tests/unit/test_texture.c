@@ -59,16 +59,27 @@ static void test_channels(void)
         CHECK_NEAR(of[2], channels < 3 ? 0.125 : 0.5, 0, "blue");
         CHECK_NEAR(of[TEXTURE_ALPHA], channels < 4 ? 1 : 0.75, 0, "alpha");
     }
-    /* what is no number does no harm */
-    const double nowhere[] = {NAN, INFINITY};
-    texture_look(&picture, nowhere, TEXTURE_REPEATS, of);
-    texture_look(&picture, nowhere, TEXTURE_ENDS, of);
-    CHECK(true);
+}
+
+/* What is no place has no light. */
+static void test_nowhere(void)
+{
+    static const double places[][2] = {
+        {NAN, 0.5}, {0.5, NAN}, {INFINITY, 0.5}, {0.5, -INFINITY}, {NAN, INFINITY}};
+    static const enum texture_edges all[] = {TEXTURE_REPEATS, TEXTURE_ENDS, TEXTURE_ROUND};
+    for (size_t i = 0; i < sizeof places / sizeof *places; i++) {
+        for (size_t k = 0; k < sizeof all / sizeof *all; k++) {
+            double of[TEXTURE_CHANNELS];
+            texture_look(&picture, places[i], all[k], of);
+            CHECK(isnan(of[0]) && isnan(of[1]) && isnan(of[2]));
+        }
+    }
 }
 
 int main(void)
 {
     test_places();
     test_channels();
+    test_nowhere();
     return check_report();
 }
