@@ -43,7 +43,7 @@ enum random_purpose {
     RANDOM_ESCAPES,    /* global_descend */
     RANDOM_TOLERANCES, /* tolerance_errors */
     RANDOM_PATHS,      /* points_next */
-    RANDOM_CELLS,      /* tile_rays_begin */
+    RANDOM_CELLS,      /* tile_order */
 };
 
 /* Numbers `which` of a purpose, for one sample of a run. */

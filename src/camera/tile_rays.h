@@ -7,6 +7,8 @@
 #include "camera/photograph.h"
 #include "camera/subject.h"
 
+#include <math.h>
+
 /* What the rays of all tiles have in common. Read-only: threads share it. */
 struct tile_rays {
     const struct lens_film *film;
@@ -22,14 +24,13 @@ struct tile_rays {
     struct sobol hero;                               /* in strands: of bands of blocks */
 };
 
-/* What one thread traces in. */
+/* What one thread traces in; its colours are those of camera/tile_colours.h. */
 struct tile_room {
     struct film_samples samples;
     struct rays rays;
     subject_light light;
-    struct fringes_room *fringes_room;
-    const struct fringes *fringes; /* of a tile whose colours share their rays; else null */
-    struct tile_shared *shared;    /* its own: what these brought since a power of two of blocks */
+    struct tile_colours *colours;
+    const struct fringes *fringes;   /* of a tile whose colours share their rays; else null */
     unsigned char cells[RAYS_BLOCK]; /* of a tile in strands: the pixels that they are of */
     double times[RAYS_BLOCK];        /* when each ray comes, s; all 0 where nothing needs it */
     uint32_t when, hero;             /* the tile's scramblings of them, and of bands of blocks */
@@ -38,32 +39,32 @@ struct tile_room {
     uint64_t counts[PHOTOGRAPH_COUNTS];
 };
 
+/* What rays of a scene decide by, for `points` of its view: dimensions behind film and time. */
+const struct points_table *tile_rays_points(size_t samples, struct arena *arena);
+
 /*
- * Of a scene each pixel has a strand of 2^bits points of the tile's sequence, for so many samples.
- * So it has a net of its own if it takes all of them, and neighbours complement each other. The
- * points of a card are one after the other: a pixel has those that fall into it. Where rays have
- * many more numbers than those of film and pupil, these are uneven within a pixel by up to 128
- * samples; else they are even enough, and edges that go through many pixels are twice as exact.
+ * Make ready.
  *
+ * Result    all but `subject`, which may be set later
+ * Formula   of a scene each pixel has a strand of 2^bits points of the tile's sequence, for so many
+ *           samples. So it has a net of its own if it takes all of them, and neighbours complement
+ *           each other. The points of a card are one after the other: a pixel has those that fall
+ *           into it. Where rays have many more numbers than those of film and pupil, these are
+ *           uneven within a pixel by up to 128 samples; else they are even enough, and edges that
+ *           go through many pixels are twice as exact
  * Source    [Ahmed20]
  */
-uint32_t tile_rays_bits(size_t samples);
-
-/* Given: subject  may be set later */
 void tile_rays_open(const struct photograph_question *question, const struct lens_film *film,
                     struct arena *arena, struct tile_rays *tile);
 
 struct tile_room *tile_room_new(size_t passes, struct arena *arena);
 
 /* Is light carried in many bands, each a wavelength of the lens? */
-bool tile_rays_in_bands(const struct tile_rays *tile);
-
-/*
- * May rays of one colour stand for those of all in this tile, but for where they come from? Then
- * tile_rays_sum looks along them alone.
- */
-bool tile_rays_share(const struct tile_rays *tile, const struct film_plan *plan,
-                     struct tile_room *room);
+static inline bool tile_rays_in_bands(const struct tile_rays *tile)
+{
+    const struct view *view = tile->subject.view;
+    return view != NULL && !isnan(view->bands->wavelength[0]);
+}
 
 /* Begin tile `number` of the frame: its points, of the plan, too; and sums of 0; none is shared. */
 void tile_rays_begin(const struct tile_rays *tile, size_t number, struct film_plan *plan,
@@ -71,9 +72,8 @@ void tile_rays_begin(const struct tile_rays *tile, size_t number, struct film_pl
 
 /*
  * Add weights times light, a pixel and channel each: blocks begin .. end - 1 of points, below
- * 2^bits in strands. Of a tile
- * whose colours share rays they are there when `end` is a power of two, 8 at least, and all blocks
- * since the one before it were summed one after the other.
+ * 2^bits in strands. Of a tile whose colours share rays they are there when `end` is a power of
+ * two, 8 at least, and all blocks since the one before it were summed one after the other.
  */
 void tile_rays_sum(const struct tile_rays *tile, const struct film_plan *plan, size_t begin,
                    size_t end, struct tile_room *room);

@@ -2,6 +2,8 @@
 /* SPDX-License-Identifier: MIT */
 #include "camera/tile_work.h"
 
+#include "camera/tile_colours.h"
+
 #include <math.h>
 #include <string.h>
 
@@ -130,7 +132,7 @@ static enum spare_way way_of(const struct tile_work *work, const struct film_pla
         way = spare_take(work->spare, &spared, room->spare, tile->counts, tile->sums);
     }
     return way == SPARE_TRACED && samples >= TILE_FEW_SAMPLES &&
-                   tile_rays_share(&work->rays, plan, tile)
+                   tile_colours_share(&work->rays, plan, tile)
                ? SPARE_SHARED
                : way;
 }

@@ -1,60 +1,25 @@
-/* tests/unit/test_tile_rays.c - the order of a tile's pixels, and their points. */
+/* tests/unit/test_tile_rays.c - points of a tile's pixels, and of their rays' paths. */
 /* SPDX-License-Identifier: MIT */
 #include "camera/tile_rays.h"
 #include "check.h"
 
-/* Aligned runs of 2^m places fill a rectangle of so many pixels. */
-static void check_run(const unsigned char cells[RAYS_BLOCK], size_t from, size_t count)
-{
-    size_t left = TILE_ACROSS, right = 0, top = TILE_DOWN, bottom = 0;
-    for (size_t i = from; i < from + count; i++) {
-        const size_t column = cells[i] % TILE_ACROSS, row = cells[i] / TILE_ACROSS;
-        left = column < left ? column : left;
-        right = column > right ? column : right;
-        top = row < top ? row : top;
-        bottom = row > bottom ? row : bottom;
-    }
-    CHECK((right - left + 1) * (bottom - top + 1) == count);
-}
+#include <string.h>
 
-/* Every pixel has one place; squares of 2, 4 and 8 pixels have places that follow each other. */
-static void test_order(void)
+/* Numbers of paths: behind x, y, u, v and time, in the least strands that count the samples. */
+static void test_points(void)
 {
-    enum { TILES = 200 };
-    static unsigned char corner[TILES];
-    const struct tile_rays tile = {.in_strands = true, .seed = 5};
+    static const struct {
+        size_t samples;
+        uint32_t bits;
+    } cases[] = {{1, 0}, {2, 1}, {3, 2}, {64, 6}, {65, 7}, {1 << 25, 25}, {1 << 26, 25}};
     struct arena arena = {0};
-    struct tile_room *room = tile_room_new(1, &arena);
-    struct film_plan plan = {0};
-    size_t often[TILE_PIXELS] = {0}, most = 0;
-    for (size_t number = 0; number < TILES; number++) {
-        unsigned char seen[TILE_PIXELS] = {0};
-        tile_rays_begin(&tile, number, &plan, room);
-        for (size_t i = 0; i < TILE_PIXELS; i++) {
-            CHECK(room->cells[i] < TILE_PIXELS && !seen[room->cells[i]]);
-            seen[room->cells[i]] = 1;
-        }
-        for (size_t count = 4; count <= TILE_PIXELS / 2; count *= 4) {
-            for (size_t from = 0; from < TILE_PIXELS; from += count) {
-                check_run(room->cells, from, count);
-            }
-        }
-        corner[number] = room->cells[0];
-        most = ++often[corner[number]] > most ? often[corner[number]] : most;
+    for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
+        const struct points_table *table = tile_rays_points(cases[i].samples, &arena);
+        struct sobol expected;
+        sobol_open_strands(5, cases[i].bits, &expected);
+        CHECK(table->first == 5 && memcmp(&table->sobol[0], &expected, sizeof expected) == 0);
     }
-    /* tiles are ordered each by itself: which pixel is first is left to chance */
-    CHECK(most < 10);
-    tile_rays_begin(&tile, 7, &plan, room);
-    CHECK(room->cells[0] == corner[7]);
     arena_free(&arena);
-}
-
-/* The least number of bits that counts the samples. */
-static void test_bits(void)
-{
-    CHECK(tile_rays_bits(1) == 0 && tile_rays_bits(2) == 1 && tile_rays_bits(3) == 2);
-    CHECK(tile_rays_bits(64) == 6 && tile_rays_bits(65) == 7);
-    CHECK(tile_rays_bits((size_t)1 << 25) == 25 && tile_rays_bits((size_t)1 << 26) == 25);
 }
 
 /*
@@ -103,7 +68,6 @@ static void test_cells(void)
 int main(void)
 {
     test_cells();
-    test_order();
-    test_bits();
+    test_points();
     return check_report();
 }

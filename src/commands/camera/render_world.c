@@ -312,8 +312,6 @@ bool render_world_open(const struct artifact_job *job, const struct analysis_cas
                        struct render_world *world, struct photograph_question *question,
                        struct error *error)
 {
-    enum { FIRST_DIMENSION = FILM_DIMENSIONS + 1 }; /* behind those of film and time */
-    const uint32_t bits = tile_rays_bits(question->samples);
     const struct render_input *input = job->inputs[0];
     const bool scattered = world->scatters || (question->kept & 1U << SKIP_SECONDARY) != 0;
     const struct render_frame frame = {.columns = question->columns, .rows = question->rows};
@@ -334,7 +332,7 @@ bool render_world_open(const struct artifact_job *job, const struct analysis_cas
                                 .bounces = scattered ? (int)input->bounces : 0};
     world->view = (struct view){.path = &world->path,
                                 .bands = &world->seen,
-                                .points = points_table_new(FIRST_DIMENSION, bits, arena),
+                                .points = tile_rays_points(question->samples, arena),
                                 .camera = world->scene.camera.where,
                                 .pupil = lens_room_pupil(one->setup)};
     question->view = &world->view;
