@@ -278,6 +278,23 @@ void lens_film_trace(const struct lens_film *film, size_t wavelength, struct fil
     }
 }
 
+double lens_film_light(const struct lens_film *film, const double at[2], size_t wavelength,
+                       size_t blocks, struct film_samples *samples, const struct rays *rays)
+{
+    const struct film_plan plan = {
+        .sobol = film->sobol, .scrambling = {1, 2, 3, 4}, .left = at[0], .bottom = at[1]};
+    double sum = 0;
+    for (uint32_t block = 0; block < blocks; block++) {
+        film_rays_plan(&plan, block, SET_BEST, samples);
+        lens_film_start(film, samples, rays->blocks);
+        lens_film_trace(film, wavelength, samples, rays);
+        for (size_t i = 0; i < RAYS_BLOCK; i++) {
+            sum += rays->blocks->lost[i] == 0 ? samples->weight[i] : 0;
+        }
+    }
+    return sum / (double)(blocks * RAYS_BLOCK);
+}
+
 void lens_film_chief(const struct lens_film *film, const double at[2], struct film_samples *samples,
                      struct rays *rays)
 {

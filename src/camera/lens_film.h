@@ -69,6 +69,16 @@ void lens_film_trace(const struct lens_film *film, size_t wavelength, struct fil
                      const struct rays *rays);
 
 /*
+ * E/L of a point of the film, sr, in the lens's last medium.
+ *
+ * Given     at      of the point, mm
+ *           blocks  of rays, started as a picture's are
+ *           samples, rays  room for one of them
+ */
+double lens_film_light(const struct lens_film *film, const double at[2], size_t wavelength,
+                       size_t blocks, struct film_samples *samples, const struct rays *rays);
+
+/*
  * From when to when any ray of a film with a shutter comes.
  *
  * Result    span  s; for curtains by the rims of pupils of 17 x 17 points of the film, and a step

@@ -30,26 +30,6 @@ struct sight {
     struct lights lights;  /* without discs far away, each of which is looked at by itself */
 };
 
-/* E/L at a distance from the axis. */
-static double light_at(const struct metering_question *question, double radius,
-                       struct tile_room *room)
-{
-    const struct tile_rays *rays = question->rays;
-    const struct film_plan plan = {
-        .sobol = rays->film->sobol, .scrambling = {1, 2, 3, 4}, .left = radius};
-    const size_t wavelength = tile_rays_in_bands(rays) ? rays->passes / 2 : 0;
-    double sum = 0;
-    for (uint32_t block = 0; block < PLACE_BLOCKS; block++) {
-        film_rays_plan(&plan, block, SET_BEST, &room->samples);
-        lens_film_start(rays->film, &room->samples, room->rays.blocks);
-        lens_film_trace(rays->film, wavelength, &room->samples, &room->rays);
-        for (size_t i = 0; i < RAYS_BLOCK; i++) {
-            sum += room->rays.blocks->lost[i] == 0 ? room->samples.weight[i] : 0;
-        }
-    }
-    return question->scale * sum / (PLACE_BLOCKS * RAYS_BLOCK);
-}
-
 /* Is all the film at work at the same times, or the scene at rest? */
 static bool is_timed_alike(const struct tile_rays *rays)
 {
@@ -64,6 +44,7 @@ static bool open_sight(const struct metering_question *question, struct tile_roo
     const struct lens_film *film = question->rays->film;
     const double within = 0.99; /* of where light arrives */
     const double end = fmin(film->corner, within * film->lit);
+    const size_t wavelength = tile_rays_in_bands(question->rays) ? question->rays->passes / 2 : 0;
     const struct ray_block *block = room->rays.blocks;
     *sight = (struct sight){.question = question, .count = PLACES};
     if (!lens_is_round(film->systems[0]->lens) || !is_timed_alike(question->rays)) {
@@ -72,7 +53,8 @@ static bool open_sight(const struct metering_question *question, struct tile_roo
     for (size_t i = 0; i < PLACES; i++) {
         const double at[2] = {end * (double)i / (PLACES - 1), 0};
         sight->radius[i] = at[0];
-        sight->light[i] = light_at(question, at[0], room);
+        sight->light[i] = question->scale * lens_film_light(film, at, wavelength, PLACE_BLOCKS,
+                                                            &room->samples, &room->rays);
         lens_film_chief(film, i == 0 ? (const double[2]){1e-9 * end, 0} : at, &room->samples,
                         &room->rays);
         sight->angle[i] = i == 0 ? 0 : atan2(hypot(block->p[0], block->q[0]), -block->r[0]);

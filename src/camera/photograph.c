@@ -82,21 +82,10 @@ static bool size_card(const struct tile_work *work, struct tile_room *room, stru
 static double axis_light(const struct tile_work *work, struct tile_room *room)
 {
     enum { BLOCKS = 256 };
-    const struct lens_film *film = work->rays.film;
-    const struct film_plan plan = {.sobol = film->sobol, .scrambling = {1, 2, 3, 4}};
+    static const double middle[2] = {0, 0};
     const size_t wavelength = tile_rays_in_bands(&work->rays) ? work->rays.passes / 2 : 0;
-    struct film_samples *samples = &room->samples;
-    struct rays *rays = &room->rays;
-    double sum = 0;
-    for (uint32_t block = 0; block < BLOCKS; block++) {
-        film_rays_plan(&plan, block, SET_BEST, samples);
-        lens_film_start(film, samples, rays->blocks);
-        lens_film_trace(film, wavelength, samples, rays);
-        for (size_t i = 0; i < RAYS_BLOCK; i++) {
-            sum += rays->blocks->lost[i] == 0 ? samples->weight[i] : 0;
-        }
-    }
-    return work->scale * sum / (BLOCKS * RAYS_BLOCK);
+    return work->scale * lens_film_light(work->rays.film, middle, wavelength, BLOCKS,
+                                         &room->samples, &room->rays);
 }
 
 static bool check_card(const struct photograph_question *question, struct error *error)

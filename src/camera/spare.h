@@ -7,25 +7,12 @@
 #include "camera/card.h"
 #include "camera/lens_film.h"
 #include "camera/relief.h"
+#include "camera/skip.h"
+#include "camera/spare_light.h"
 #include "camera/view.h"
 #include "scene/backdrop.h"
 
 #include <stdint.h>
-
-/* What need not be done where the picture is the same without. */
-enum skip {
-    SKIP_PUPIL,     /* rays that the lens would stop */
-    SKIP_COLOUR,    /* rays of all colours, where they go the same way, or nearly */
-    SKIP_BLUR,      /* rays through all of the pupil, where they see the same */
-    SKIP_UNIFORM,   /* rays at all, where everything has the same light */
-    SKIP_EXPOSURES, /* a picture for each exposure */
-    SKIP_TIME,      /* times of rays, where nothing moves */
-    SKIP_SECONDARY, /* rays beyond the first, where nothing sends on light that it receives */
-    SKIP_COUNT
-};
-
-/* Their names, in that order; ends with null. */
-extern const struct word skips[];
 
 /* What a tile came to. */
 enum spare_way {
@@ -36,8 +23,6 @@ enum spare_way {
     SPARE_WAYS,
     SPARE_ENDED = SPARE_WAYS /* the watch has ended it before */
 };
-
-enum { SPARE_ROWS = 65 };
 
 /* The rays of a wavelength. */
 struct spare_pass {
@@ -55,9 +40,7 @@ struct spare {
     const struct spare_pass *pass;
     unsigned kept; /* 1 << enum skip, of what is done all the same */
     struct watch *watch;
-    /* E/L by pass, sr: SPARE_ROWS distances from the axis, closer to each other at the end;
-       null: it is not the same all around */
-    double **light;
+    const struct spare_light *light; /* null: it is not the same all around, or nobody asks */
     double plane, frame; /* where rays are told, behind the first vertex; the card before it, mm */
 };
 
@@ -73,12 +56,18 @@ void spare_open(struct spare *spare, size_t blocks, struct arena *arena);
 struct spare_room;
 struct spare_room *spare_room_new(size_t passes, struct arena *arena);
 
-/* A tile of the film: the points of its pixels, which lie in rows from the upper left. */
+/* A tile of the film. */
 struct spare_tile {
-    const struct film_plan *plan;
-    size_t across, down; /* pixels, 128 in all */
-    size_t samples;      /* of each */
+    const struct film_plan *plan; /* the points of its pixels */
+    size_t samples;               /* of each */
 };
+
+/* Where a ray passes the frame's lines of sight, x or y, at w = 1/d, d from the pupil. */
+static inline double spare_seen_at(const struct spare *spare, const struct relief_ray *ray,
+                                   int axis, double w)
+{
+    return spare->frame * (ray->x[axis] * w - ray->slope[axis]);
+}
 
 /*
  * Take a tile, if it may be spared.

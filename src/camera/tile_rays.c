@@ -72,10 +72,10 @@ void tile_rays_open(const struct photograph_question *question, const struct len
 {
     const size_t wavelengths = question->film.setup->wavelength_count;
     const bool as_one = wavelengths == 1 ||
-                        ((question->kept & 1U << SKIP_COLOUR) == 0 && is_alike(film, wavelengths));
+                        (!skip_is_kept(question->kept, SKIP_COLOUR) && is_alike(film, wavelengths));
     *tile = (struct tile_rays){.film = film,
                                .passes = as_one ? 1 : wavelengths,
-                               .may_share = !as_one && (question->kept & 1U << SKIP_COLOUR) == 0,
+                               .may_share = !as_one && !skip_is_kept(question->kept, SKIP_COLOUR),
                                .duration = question->duration,
                                .in_strands = question->view != NULL,
                                .bits = bits_of(question->samples),

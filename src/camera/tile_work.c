@@ -126,7 +126,7 @@ static enum spare_way way_of(const struct tile_work *work, const struct film_pla
 {
     struct tile_room *tile = room->tile;
     const size_t samples = work->question->samples;
-    const struct spare_tile spared = {plan, TILE_ACROSS, TILE_DOWN, samples};
+    const struct spare_tile spared = {plan, samples};
     enum spare_way way = SPARE_TRACED;
     if (work->spare != NULL) {
         way = spare_take(work->spare, &spared, room->spare, tile->counts, tile->sums);

@@ -429,7 +429,7 @@ void render_say_card(const struct photograph *photograph, const struct setup *se
 /*
  * What is done though it need not be: 1 << enum skip.
  *
- * Errors    ERROR_USAGE: a word that is none of skips
+ * Errors    ERROR_USAGE: a word that is none of skip_words
  */
 bool render_kept(const struct render_input *input, unsigned *kept, struct error *error);
 

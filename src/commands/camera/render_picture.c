@@ -117,7 +117,7 @@ static struct text doubts_of(const struct analysis_case *one, const struct pictu
     const struct artifact_job *job = picture->job;
     const struct render_input *input = job->inputs[0];
     struct growing doubts = {.arena = job->run->arena};
-    const bool all_of_pupil = (question->kept & 1U << SKIP_PUPIL) == 0;
+    const bool all_of_pupil = !skip_is_kept(question->kept, SKIP_PUPIL);
     const struct render_arrival arrival = {photograph->largest, photograph->corner,
                                            all_of_pupil
                                                ? (double)photograph->counts[PHOTOGRAPH_PASSED] /
@@ -167,7 +167,7 @@ static double duration_of(const struct picture_job *picture, const struct render
                           unsigned kept)
 {
     const bool moves = picture->world != NULL && picture->world->moves;
-    const bool is_asked = (kept & 1U << SKIP_TIME) != 0;
+    const bool is_asked = skip_is_kept(kept, SKIP_TIME);
     return moves ? input->time : is_asked ? (isnan(input->time) ? 1 : input->time) : 0;
 }
 
@@ -177,7 +177,7 @@ static bool is_another(const struct picture_job *picture, size_t i, unsigned kep
     const struct artifact_job *job = picture->job;
     const struct render_input *one = job->inputs[i - 1], *next = job->inputs[i];
     const bool moves = picture->world != NULL && picture->world->moves;
-    return (kept & 1U << SKIP_EXPOSURES) != 0 || render_shutter_varies(job) ||
+    return skip_is_kept(kept, SKIP_EXPOSURES) || render_shutter_varies(job) ||
            (moves && next->time != one->time);
 }
 
@@ -269,7 +269,7 @@ static bool take_picture(const struct analysis_case *one, void *context, struct 
         !render_kept(input, &question.kept, error)) {
         return false;
     }
-    question.film.is_anywhere = (question.kept & 1U << SKIP_PUPIL) != 0;
+    question.film.is_anywhere = skip_is_kept(question.kept, SKIP_PUPIL);
     question.columns = shot.frame.columns;
     question.rows = shot.frame.rows;
     question.crop = shot.frame.taken;

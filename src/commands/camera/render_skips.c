@@ -5,15 +5,15 @@
 #include <inttypes.h>
 #include <string.h>
 
-/* Which of skips a word is; SKIP_COUNT: all of them; above: none. */
+/* Which of skip_words a word is; SKIP_COUNT: all of them; above: none. */
 static size_t find_skip(const char *word, size_t length)
 {
     size_t i = 0;
-    while (skips[i].word != NULL &&
-           (strlen(skips[i].word) != length || strncmp(skips[i].word, word, length) != 0)) {
+    while (skip_words[i].word != NULL && (strlen(skip_words[i].word) != length ||
+                                          strncmp(skip_words[i].word, word, length) != 0)) {
         i++;
     }
-    return skips[i].word != NULL || (length == 3 && strncmp(word, "all", 3) == 0) ? i : i + 1;
+    return skip_words[i].word != NULL || (length == 3 && strncmp(word, "all", 3) == 0) ? i : i + 1;
 }
 
 bool render_kept(const struct render_input *input, unsigned *kept, struct error *error)
@@ -38,7 +38,7 @@ bool render_kept(const struct render_input *input, unsigned *kept, struct error 
 
 static const char *or_kept(const struct photograph_question *question, enum skip skip)
 {
-    return (question->kept & 1U << skip) != 0 ? ", as --no-skip asks" : "";
+    return skip_is_kept(question->kept, skip) ? ", as --no-skip asks" : "";
 }
 
 static uint64_t count_tiles(const uint64_t *tiles)
@@ -115,7 +115,7 @@ static const char *why_anew(const struct artifact_job *job,
                             const struct photograph_question *question)
 {
     return render_shutter_varies(job) ? "how a leaf shutter weighs the pupil depends on the time"
-           : job->count > 1 && question->duration > 0 && (question->kept & 1U << SKIP_TIME) == 0
+           : job->count > 1 && question->duration > 0 && !skip_is_kept(question->kept, SKIP_TIME)
                ? "how far things move depends on the time"
                : NULL;
 }

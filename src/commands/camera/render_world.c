@@ -313,7 +313,7 @@ bool render_world_open(const struct artifact_job *job, const struct analysis_cas
                        struct error *error)
 {
     const struct render_input *input = job->inputs[0];
-    const bool scattered = world->scatters || (question->kept & 1U << SKIP_SECONDARY) != 0;
+    const bool scattered = world->scatters || skip_is_kept(question->kept, SKIP_SECONDARY);
     const struct render_frame frame = {.columns = question->columns, .rows = question->rows};
     double span[2];
     struct arena *arena = job->run->arena;
