@@ -3,6 +3,7 @@
 #include "camera/film_ends.h"
 
 #include "base/constants.h"
+#include "camera/film_search.h"
 
 #include <math.h>
 

@@ -23,9 +23,6 @@ struct film_lens {
 /* Parts that the whole of a region's ring has, and in how many directions edges are looked for. */
 enum { FILM_SECTORS = 128, OUTLINE_STEPS = 128 };
 
-/* The most rays that one call of outline_scatter finds. */
-enum { OUTLINE_SCATTER = 5 * RAYS_BLOCK };
-
 struct outline_point {
     double x, y;
 };
@@ -72,19 +69,6 @@ void outline_foresee(const struct outline *last, const struct outline *before, d
                      struct outline *here);
 
 /*
- * Does any light come? Looked for about the centre that the outline has, with a grid of rays over
- * its half widths, and finer ones about the ray that fails by least.
- *
- * Result    true: the centre is a ray that passes well, half widths are about what is clear
- */
-bool outline_is_lit(const struct outline_search *search, size_t wavelength,
-                    struct outline *outline);
-
-/* The same without any idea where. */
-bool outline_discover(const struct outline_search *search, size_t wavelength,
-                      struct outline *outline);
-
-/*
  * Find the outline of its place.
  *
  * Given     near     the outline of a neighbour, from which `centre` and `size` are foreseen; null:
@@ -96,16 +80,5 @@ bool outline_discover(const struct outline_search *search, size_t wavelength,
  */
 void outline_find(const struct outline_search *search, size_t wavelength,
                   const struct outline *near, struct outline *outline);
-
-/*
- * Rays that pass, among some spread over 1.6 of the half widths about the centre, farther where
- * they lie beyond these: light that a star from there does not see, as horns of a crescent.
- *
- * Given     turn  other rays for each
- *           lit   receives directions, as edges have them: OUTLINE_SCATTER at most
- * Result    how many
- */
-size_t outline_scatter(const struct outline_search *search, size_t wavelength,
-                       const struct outline *outline, size_t turn, struct outline_point *lit);
 
 #endif

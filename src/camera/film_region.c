@@ -4,6 +4,7 @@
 
 #include "camera/film_ends.h"
 #include "camera/film_fit.h"
+#include "camera/film_search.h"
 #include "optics/aperture.h"
 
 #include <math.h>
