@@ -18,32 +18,6 @@ static const double steep = 0.94;
 /* What is looked at up to which angle from the film's normal, of round lenses and others. */
 static const double farthest_round = 89, farthest_other = 86;
 
-/* Outwards in a column; halves lie between two. */
-static void direct(const struct film_building *building, double column, double way[2])
-{
-    static const double axes[5][2] = {{1, 0}, {0, 1}, {-1, 0}, {0, -1}, {1, 0}};
-    const double turn = building->is_round ? 1 : 4 * column / FILM_COLUMNS;
-    const int quarter = (int)fmin(turn, 3);
-    const double f = turn - quarter;
-    const double x = (1 - f) * axes[quarter][0] + f * axes[quarter + 1][0];
-    const double y = (1 - f) * axes[quarter][1] + f * axes[quarter + 1][1];
-    way[0] = x / hypot(x, y);
-    way[1] = y / hypot(x, y);
-}
-
-struct outline film_outline_at(const struct film_building *building, double column, double height)
-{
-    struct outline outline = {.is_half = building->is_round, .each = 1};
-    struct film_place *place = &outline.place;
-    double way[2];
-    direct(building, column, way);
-    place->x = building->region->pole[0] + height * way[0];
-    place->y = building->region->pole[1] + height * way[1];
-    place->up[0] = building->region->turns ? way[0] : 0;
-    place->up[1] = building->region->turns ? way[1] : 1;
-    return outline;
-}
-
 /* What is known of a lit place. */
 struct seen {
     double height;
@@ -54,7 +28,7 @@ struct seen {
 static bool step_to(const struct film_building *building, size_t wavelength, double column,
                     double height, struct seen seen[2])
 {
-    struct outline here = film_outline_at(building, column, height);
+    struct outline here = film_building_outline(building, column, height);
     const double before = seen[1].height - seen[0].height;
     const double share = before > 0 ? (height - seen[1].height) / before : 0;
     here.centre.x = seen[1].centre.x + share * (seen[1].centre.x - seen[0].centre.x);
@@ -85,7 +59,7 @@ static bool step_at_any(const struct film_building *building, double column, dou
 static struct seen pole_in(const struct film_building *building, double column)
 {
     const struct outline *pole = &building->pole;
-    const struct outline here = film_outline_at(building, column, 0);
+    const struct outline here = film_building_outline(building, column, 0);
     const double *from = pole->place.up, *to = here.place.up;
     const double x = pole->centre.x * from[1] + pole->centre.y * from[0];
     const double y = pole->centre.y * from[1] - pole->centre.x * from[0];
@@ -112,7 +86,7 @@ static double find_end(struct film_building *building, double column, double far
 static void find_ends(struct film_building *building)
 {
     struct film_region *region = building->region;
-    building->pole = film_outline_at(building, 0, 0);
+    building->pole = film_building_outline(building, 0, 0);
     if (!outline_discover(&building->search, 0, &building->pole)) {
         return;
     }

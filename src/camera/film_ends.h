@@ -4,22 +4,7 @@
 #define LENSCALC_CAMERA_FILM_ENDS_H
 
 #include "base/error.h"
-#include "camera/film_region.h"
-
-/* One lens, its region as far as it is known, and the edges at its rows. */
-struct film_building {
-    struct outline_search search;
-    struct film_region *region;
-    double *ends;
-    struct outline *nodes; /* of the wavelength that is followed, at every row of every column */
-    bool is_round;
-    size_t columns;      /* that are looked at: the others repeat them */
-    struct outline pole; /* its centre and size alone */
-    double steepest;     /* of the directions seen where light ends: their sine */
-};
-
-/* An outline of a place that is so far from the pole; nothing of it is known. */
-struct outline film_outline_at(const struct film_building *building, double column, double height);
+#include "camera/film_building.h"
 
 /*
  * Find the ends of columns, and `largest`.

@@ -46,7 +46,7 @@ struct film_region {
     double *inner[2];   /* x, y of FILM_CORNERS corners, the same; only with holes */
     double *outer[2];
     /* the same as what rays are started by, x and y side by side */
-    const double *centres, *inners, *outers;
+    const double *centre_xy, *inner_xy, *outer_xy;
     double per_mm; /* 1/end of a round lens */
     double ratio;  /* about what the hole is of the region, in radii */
 };

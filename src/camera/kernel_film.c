@@ -114,13 +114,13 @@ INLINE void look_up(const struct film_region *region, bool is_grid, bool has_hol
     for (int i = 0; i < RAYS_BLOCK; i++) {
         double share = reading->share[i], turn = is_grid ? reading->turn[i] : 0;
         int corner = 2 * reading->corner[i];
-        interpolate(is_grid, region->outers + corner, stride, rows, 4, share, turn,
+        interpolate(is_grid, region->outer_xy + corner, stride, rows, 4, share, turn,
                     reading->outer[i]);
         if (has_hole) {
-            interpolate(is_grid, region->inners + corner, stride, rows, 4, share, turn,
+            interpolate(is_grid, region->inner_xy + corner, stride, rows, 4, share, turn,
                         reading->inner[i]);
         } else {
-            interpolate(is_grid, region->centres + 2 * reading->node[i], 2, rows, 2, share, turn,
+            interpolate(is_grid, region->centre_xy + 2 * reading->node[i], 2, rows, 2, share, turn,
                         reading->middle[i]);
         }
     }
