@@ -233,7 +233,7 @@ static struct ray *trace_places(const struct pupil_question *question, const dou
 {
     const struct system *system = question->open;
     struct rays rays = rays_new(arena, count);
-    struct ray *out = arena_buffer(arena, count * sizeof *out);
+    struct ray *out = arena_buffer_array(arena, count, sizeof *out);
     double n = to == 0 ? question->beam->n : system_index_after(system, to - 1);
     for (size_t done = 0; done < count; done += RAYS_BLOCK) {
         size_t here = count - done < RAYS_BLOCK ? count - done : RAYS_BLOCK;

@@ -409,7 +409,7 @@ double spot_radius_find(const struct spot_radius_question *question, struct aren
                         double *error)
 {
     const struct arena_mark mark = arena_mark(arena);
-    struct rim *rims = arena_buffer(arena, question->count * sizeof *rims);
+    struct rim *rims = arena_buffer_array(arena, question->count, sizeof *rims);
     struct peak peaks[PEAKS];
     double farthest = 0, last = 0;
     for (size_t g = 0; g < question->count; g++) {

@@ -92,18 +92,29 @@ static void *take(struct arena *arena, size_t bytes)
     return memory;
 }
 
-void *arena_array(struct arena *arena, size_t count, size_t size)
+/* A multiple of ALIGNMENT that has room for them. */
+static size_t bytes_of(size_t count, size_t size)
 {
     if (size > 0 && count > (SIZE_MAX - ALIGNMENT) / size) {
         arena_end();
     }
-    size_t bytes = (count * size + ALIGNMENT - 1) / ALIGNMENT * ALIGNMENT;
+    return (count * size + ALIGNMENT - 1) / ALIGNMENT * ALIGNMENT;
+}
+
+void *arena_array(struct arena *arena, size_t count, size_t size)
+{
+    const size_t bytes = bytes_of(count, size);
     return memset(take(arena, bytes), 0, bytes);
+}
+
+void *arena_buffer_array(struct arena *arena, size_t count, size_t size)
+{
+    return take(arena, bytes_of(count, size));
 }
 
 void *arena_buffer(struct arena *arena, size_t size)
 {
-    return take(arena, (size + ALIGNMENT - 1) / ALIGNMENT * ALIGNMENT);
+    return take(arena, bytes_of(1, size));
 }
 
 void *arena_grow(struct arena *arena, void *array, size_t count, size_t *room, size_t size)

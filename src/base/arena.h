@@ -37,10 +37,13 @@ void arena_end(void);
  */
 void *arena_array(struct arena *arena, size_t count, size_t size);
 
+/* The same, not zeroed: pages that are never written to cost nothing. */
+void *arena_buffer_array(struct arena *arena, size_t count, size_t size);
+
 /*
- * The same, not zeroed: pages that are never written to cost nothing.
+ * One object, not zeroed.
  *
- * Given     size  bytes, a constant of the program
+ * Given     size  bytes, a constant of the program, or about those of something that there is
  */
 void *arena_buffer(struct arena *arena, size_t size);
 

@@ -270,17 +270,17 @@ void bvh_open(const struct bvh_box *boxes, size_t count, size_t most, struct are
     /* each node has at least two children but the root; pages of those that are not made cost
        nothing */
     struct builder builder = {
-        .items = arena_buffer(&work, count * sizeof *builder.items),
+        .items = arena_buffer_array(&work, count, sizeof *builder.items),
         .most = most,
-        .nodes = arena_buffer(&work, count * sizeof *builder.nodes),
+        .nodes = arena_buffer_array(&work, count, sizeof *builder.nodes),
     };
     for (size_t i = 0; i < count; i++) {
         builder.items[i] = (struct item){boxes[i], (uint32_t)i};
     }
     build(&builder, count);
-    struct bvh_node *nodes = arena_buffer(arena, builder.node_count * sizeof *nodes);
+    struct bvh_node *nodes = arena_buffer_array(arena, builder.node_count, sizeof *nodes);
     memcpy(nodes, builder.nodes, builder.node_count * sizeof *nodes);
-    uint32_t *items = arena_buffer(arena, count * sizeof *items);
+    uint32_t *items = arena_buffer_array(arena, count, sizeof *items);
     for (size_t i = 0; i < count; i++) {
         items[i] = builder.items[i].which;
     }

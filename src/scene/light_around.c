@@ -141,7 +141,7 @@ static void open_cells(struct light_around *around, struct arena *arena)
     around->rows = is_sky ? SKY_ROWS : around->light->picture->height;
     around->columns = is_sky ? SKY_COLUMNS : around->light->picture->width;
     const size_t line = around->columns + 1;
-    float *across = arena_buffer(arena, around->rows * line * sizeof(float));
+    float *across = arena_buffer_array(arena, around->rows, line * sizeof(float));
     float *down = ARENA_ARRAY(arena, around->rows + 1, float);
     struct arena spare = arena_within(arena);
     double *weights = ARENA_ARRAY(&spare, around->columns, double);

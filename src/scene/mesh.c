@@ -57,8 +57,9 @@ struct counted {
 static struct counted count_triangles(const struct scene_mesh *of, struct arena *arena,
                                       struct mesh *mesh)
 {
-    struct counted counted = {arena_buffer(arena, of->triangle_count * sizeof(struct bvh_box)),
-                              arena_buffer(arena, of->triangle_count * sizeof(uint32_t)), 0};
+    const size_t most = of->triangle_count;
+    struct counted counted = {arena_buffer_array(arena, most, sizeof(struct bvh_box)),
+                              arena_buffer_array(arena, most, sizeof(uint32_t)), 0};
     mesh->box = nothing;
     for (size_t i = 0; i < of->triangle_count; i++) {
         const struct shape_box box = box_of(of, i);
@@ -84,7 +85,7 @@ void mesh_open(const struct scene_mesh *triangles, struct arena *arena, struct m
     const struct counted counted = count_triangles(triangles, &work, mesh);
     mesh->degenerate = triangles->triangle_count - counted.count;
     bvh_open(counted.boxes, counted.count, MOST_TRIANGLES, arena, &mesh->tree);
-    struct mesh_triangle *leaves = arena_buffer(arena, counted.count * sizeof *leaves);
+    struct mesh_triangle *leaves = arena_buffer_array(arena, counted.count, sizeof *leaves);
     for (size_t i = 0; i < counted.count; i++) {
         const uint32_t which = counted.which[mesh->tree.items[i]];
         const size_t *of = triangles->triangles[which];

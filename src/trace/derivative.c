@@ -25,7 +25,7 @@ enum {
 
 static struct ray_block *aligned_blocks(struct arena *arena, size_t count)
 {
-    char *memory = arena_buffer(arena, (count + 1) * sizeof(struct ray_block));
+    char *memory = arena_buffer_array(arena, count + 1, sizeof(struct ray_block));
     return (struct ray_block *)(void *)(memory + (64 - (uintptr_t)memory % 64) % 64);
 }
 

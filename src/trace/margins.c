@@ -45,7 +45,7 @@ struct margins margins_open(const struct stop_beam *beam, struct arena *arena)
             all[count++] = (struct margin){place + 1, surface, clear * clear, clip};
         }
     }
-    double *rows = arena_buffer(arena, (count + 2) * RAYS_BLOCK * sizeof *rows);
+    double *rows = arena_buffer_array(arena, count + 2, RAYS_BLOCK * sizeof *rows);
     bool *counts = ARENA_ARRAY(arena, count + 1, bool);
     for (size_t k = 0; k < count; k++) {
         counts[k] = true;

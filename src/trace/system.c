@@ -383,7 +383,7 @@ static bool check_way(const struct lens *lens, const struct system_options *opti
 /* Aligned to 64 bytes. */
 static struct step *steps_new(size_t count, struct arena *arena)
 {
-    char *memory = arena_buffer(arena, (count + 1) * sizeof(struct step));
+    char *memory = arena_buffer_array(arena, count + 1, sizeof(struct step));
     return (struct step *)(void *)(memory + (64 - (uintptr_t)memory % 64) % 64);
 }
 

@@ -6,6 +6,8 @@
 #include "check.h"
 
 #include <stdint.h>
+#include <sys/wait.h>
+#include <unistd.h>
 
 /* Distances by hand (optimal string alignment: a transposition is one edit). */
 static const struct {
@@ -114,6 +116,29 @@ static void check_arena(void)
     CHECK(arena.block == NULL);
 }
 
+/* More than there can be ends the program with ERROR_IO, instead of too little being given. */
+static void check_too_large(void)
+{
+    static void *(*const takes[])(struct arena *, size_t, size_t) = {arena_array,
+                                                                     arena_buffer_array};
+    static const struct {
+        size_t count, size;
+    } cases[] = {{SIZE_MAX / 16 + 2, 16}, {SIZE_MAX - 8, 1}, {2, SIZE_MAX / 2 + 1}};
+    fflush(stdout);
+    for (size_t i = 0; i < 2 * sizeof cases / sizeof *cases; i++) {
+        int status = 0;
+        const pid_t child = fork();
+        if (child == 0) {
+            struct arena arena = {0};
+            close(STDERR_FILENO);
+            takes[i % 2](&arena, cases[i / 2].count, cases[i / 2].size);
+            _exit(0);
+        }
+        CHECK(child > 0 && waitpid(child, &status, 0) == child);
+        CHECK(WIFEXITED(status) && WEXITSTATUS(status) == ERROR_IO);
+    }
+}
+
 /* What a terminal obeys is as long as its bytes; what it prints is not (ECMA-48, Unicode 9). */
 static void check_printable(void)
 {
@@ -169,5 +194,6 @@ int main(void)
     check_nearest();
     check_errors();
     check_arena();
+    check_too_large();
     return check_report();
 }
