@@ -227,6 +227,15 @@ struct spectrum_value render_colours(const struct render_input *input, struct ar
 
 /* -------- commands/camera/render_frame.c -------- */
 
+/*
+ * Numbers as they are typed, not below 0: digits and, where they need not be whole, a point and an
+ * exponent; no signs, blanks, infinities.
+ *
+ * Given     marks    what stands between them, as "::x"; an x may be an X
+ * Result    numbers  one more of them than marks; false: the text is another one
+ */
+bool render_numbers(const char *text, const char *marks, bool are_whole, double *numbers);
+
 /* The pixels of a picture. */
 struct render_frame {
     size_t columns, rows;    /* of all of it */

@@ -3,21 +3,18 @@
 #include "commands/camera/render.h"
 #include "photo/distance_from.h"
 
-#include <stdlib.h>
-
 bool render_autofocus_place(const char *text, double *x, double *y, struct error *error)
 {
-    char *end;
-    *x = strtod(text, &end);
-    const bool has_colon = end != text && *end == ':';
-    const char *second = has_colon ? end + 1 : text;
-    *y = strtod(second, &end);
-    return (has_colon && end != second && *end == '\0' && *x >= 0 && *x <= 1 && *y >= 0 &&
-            *y <= 1) ||
-           fail(error, ERROR_USAGE,
-                "{--autofocus} '%.40s': fractions of width and height from the upper left, 0 to 1 "
-                "each, as 0.5:0.5",
-                text);
+    double place[2];
+    if (!render_numbers(text, ":", false, place) || !(place[0] <= 1 && place[1] <= 1)) {
+        return fail(error, ERROR_USAGE,
+                    "{--autofocus} '%.40s': fractions of width and height from the upper left, 0 "
+                    "to 1 each, as 0.5:0.5",
+                    text);
+    }
+    *x = place[0];
+    *y = place[1];
+    return true;
 }
 
 /*

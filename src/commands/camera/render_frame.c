@@ -1,14 +1,39 @@
 /* commands/camera/render_frame.c - the pixels of a picture: how many, and which of them. */
 /* SPDX-License-Identifier: MIT */
+#include "base/number.h"
 #include "commands/camera/render.h"
 
-#include <stdlib.h>
 #include <string.h>
 
-enum { USUAL_COLUMNS = 480, CROP_NUMBERS = 4 };
+enum { USUAL_COLUMNS = 480 };
 
 /* Around a crop: what is interpolated in a mosaic needs the pixels beside it. */
 enum { MARGIN = 2 };
+
+bool render_numbers(const char *text, const char *marks, bool are_whole, double *numbers)
+{
+    for (size_t i = 0; i <= strlen(marks); i++) {
+        const size_t digits = strspn(text, "0123456789");
+        const bool is_bare = digits > 0 || (*text == '.' && !are_whole);
+        const char *end = text + (are_whole ? digits : strlen(text));
+        end = is_bare ? number_read(text, end, NUMBER_UNSCALED, &numbers[i]) : NULL;
+        if (end == NULL || (*end != marks[i] && !(*end == 'X' && marks[i] == 'x'))) {
+            return false;
+        }
+        text = end + 1;
+    }
+    return true;
+}
+
+/* Are they numbers of pixels that a picture can have? */
+static bool are_sides(const double *numbers, size_t count)
+{
+    bool are = true;
+    for (size_t i = 0; i < count; i++) {
+        are = are && numbers[i] >= 1 && numbers[i] <= IMAGE_SIDE_MOST;
+    }
+    return are;
+}
 
 static bool read_size(const struct render_input *input, struct render_frame *frame,
                       struct error *error)
@@ -19,33 +44,14 @@ static bool read_size(const struct render_input *input, struct render_frame *fra
         frame->rows = (size_t)fmax(1, round(USUAL_COLUMNS * film->height / film->width));
         return true;
     }
-    char *end;
-    const unsigned long across = strtoul(input->size, &end, 10);
-    const bool has_cross = end != input->size && (*end == 'x' || *end == 'X');
-    const unsigned long down = has_cross ? strtoul(end + 1, &end, 10) : 0;
-    frame->columns = across;
-    frame->rows = down;
-    return (has_cross && *end == '\0' && across >= 1 && down >= 1 && across <= IMAGE_SIDE_MOST &&
-            down <= IMAGE_SIDE_MOST && strchr(input->size, '-') == NULL) ||
-           fail(error, ERROR_USAGE, "{--size} '%.40s': two whole numbers of 1 to %d, as 360x240",
-                input->size, IMAGE_SIDE_MOST);
-}
-
-/* "100:50:64x32" */
-static bool read_area(const char *text, struct image_area *area)
-{
-    static const char separators[CROP_NUMBERS] = {':', ':', 'x', '\0'};
-    size_t *const numbers[CROP_NUMBERS] = {&area->left, &area->top, &area->width, &area->height};
-    for (int i = 0; i < CROP_NUMBERS; i++) {
-        char *end;
-        const unsigned long number = strtoul(text, &end, 10);
-        if (!char_is_digit(*text) || number > IMAGE_SIDE_MOST ||
-            (separators[i] == 'x' ? *end != 'x' && *end != 'X' : *end != separators[i])) {
-            return false;
-        }
-        *numbers[i] = number;
-        text = end + 1;
+    double size[2];
+    if (!render_numbers(input->size, "x", true, size) || !are_sides(size, 2)) {
+        return fail(error, ERROR_USAGE,
+                    "{--size} '%.40s': two whole numbers of 1 to %d, as 360x240", input->size,
+                    IMAGE_SIDE_MOST);
     }
+    frame->columns = (size_t)size[0];
+    frame->rows = (size_t)size[1];
     return true;
 }
 
@@ -57,12 +63,15 @@ static bool read_crop(const struct render_input *input, struct render_frame *fra
     if (input->crop == NULL) {
         return true;
     }
-    if (!read_area(input->crop, crop) || crop->width < 1 || crop->height < 1) {
+    double area[4]; /* "100:50:64x32" */
+    if (!render_numbers(input->crop, "::x", true, area) || !are_sides(area + 2, 2) ||
+        !(area[0] <= IMAGE_SIDE_MOST && area[1] <= IMAGE_SIDE_MOST)) {
         return fail(error, ERROR_USAGE,
                     "{--crop} '%.40s': pixels to its left and above it, then its size, as "
                     "100:50:64x32",
                     input->crop);
     }
+    *crop = (struct image_area){(size_t)area[0], (size_t)area[1], (size_t)area[2], (size_t)area[3]};
     return (crop->left + crop->width <= frame->columns &&
             crop->top + crop->height <= frame->rows) ||
            fail(error, ERROR_USAGE, "{--crop} %.40s: the picture has %zux%zu pixels", input->crop,
