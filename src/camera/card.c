@@ -68,8 +68,8 @@ static double chart_light(enum chart chart, double x, double y, double half)
                    ? 0
                    : 1;
     case CHART_GRID:
-        return fabs(from_multiple(CHART_MESHES * x)) < 0.025 ||
-                       fabs(from_multiple(CHART_MESHES * y)) < 0.025
+        return fabs(from_multiple(CHART_MESHES * x)) < CHART_GRID_HALF ||
+                       fabs(from_multiple(CHART_MESHES * y)) < CHART_GRID_HALF
                    ? 0
                    : 1;
     case CHART_CHECKER:
@@ -182,7 +182,7 @@ static bool is_chart_even(enum chart chart, const double low[2], const double hi
         return hypot(from_interval(0, low[0], high[0]), from_interval(0, low[1], high[1])) >
                2 * CHART_STAR_RADIUS * half;
     case CHART_GRID:
-        return x > 0.025 + beside && y > 0.025 + beside;
+        return x > CHART_GRID_HALF + beside && y > CHART_GRID_HALF + beside;
     case CHART_CHECKER:
         return x > beside && y > beside;
     case CHART_BARS: /* twice a cycle one ends: within a group at whole numbers */

@@ -38,7 +38,8 @@ enum chart {
 /* Of what they are made, for those who say so. */
 #define CHART_EDGE_DEGREES 5.0
 #define CHART_EDGE_DARK    0.25
-#define CHART_STAR_RADIUS  0.48 /* of the height */
+#define CHART_STAR_RADIUS  0.48  /* of the height */
+#define CHART_GRID_HALF    0.025 /* of a mesh: half of a line */
 enum {
     CHART_STAR_CYCLES = 36,
     CHART_MESHES = 12,    /* of grid, checker and points over the width */

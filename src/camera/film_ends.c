@@ -120,7 +120,7 @@ static void find_ends(struct film_building *building)
 /* Films so close behind a lens, or so wide, that pupils are slivers between the rows. */
 static bool check_steepness(const struct film_building *building, struct error *error)
 {
-    const double angle = asin(fmin(building->steepest, 1)) * 180 / PI;
+    const double angle = degrees_from_radians(asin(fmin(building->steepest, 1)));
     const double most = building->is_round ? farthest_round : farthest_other;
     return angle <= most ? true
                          : fail(error, ERROR_DOMAIN,

@@ -2,12 +2,12 @@
 /* SPDX-License-Identifier: MIT */
 #include "camera/relief.h"
 
+#include "base/constants.h"
+
 #include <math.h>
 #include <stdlib.h>
 
 enum { X, Y, AXES };
-
-#define MM_PER_M 1000.0
 
 /* -------- made of a map -------- */
 

@@ -6,8 +6,6 @@
 #include "scene/pick.h"
 #include "scene/texture.h"
 
-#define MM2_PER_M2 1e6
-
 /* -------- kinds of light -------- */
 
 enum { OF_DISCS, OF_AROUND, OF_LAMPS, OF_PLANES, KINDS };

@@ -2,7 +2,7 @@
 /* SPDX-License-Identifier: MIT */
 #include "scene/lights.h"
 
-#define MM2_PER_M2 1e6
+#include "base/constants.h"
 
 static bool open_units(struct lights *lights, struct spectra *spectra, struct error *error)
 {

@@ -1,5 +1,6 @@
 /* commands/camera/render_autofocus.c - focused on what lies at a point of the picture. */
 /* SPDX-License-Identifier: MIT */
+#include "base/constants.h"
 #include "commands/camera/render.h"
 #include "photo/distance_from.h"
 
@@ -68,7 +69,7 @@ bool render_autofocus(const struct render_input *input, struct arena *arena,
     }
     const double depth = depth_at(depths.map, &input->sensor.size, place);
     focused->from = FROM_SENSOR;
-    focused->distance = depth * 1000;
+    focused->distance = depth * MM_PER_M;
     return (depth > 0 && isfinite(depth)) ||
            fail(error, ERROR_DOMAIN,
                 isinf(depth)

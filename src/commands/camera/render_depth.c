@@ -1,12 +1,11 @@
 /* commands/camera/render_depth.c - a picture's depths: read, and what they do not show. */
 /* SPDX-License-Identifier: MIT */
+#include "base/constants.h"
 #include "commands/camera/render.h"
 #include "file/depth_file.h"
 #include "optics/wavelength.h"
 
 #include <math.h>
-
-#define MM_PER_M 1000.0
 
 const struct word render_hidden[] = {
     {"nearby", "what lies next to the edge, as far away as that: a guess"},

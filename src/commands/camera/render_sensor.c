@@ -207,7 +207,7 @@ bool render_acceptance(const struct render_input *input, struct arena *arena,
                     input->acceptance, file.columns);
     }
     for (size_t i = 0; i < file.rows; i++) {
-        file.column[0][i] *= PI / 180;
+        file.column[0][i] *= RADIANS_PER_DEGREE;
     }
     return acceptance_table(file.column[0], file.column[1], file.rows, made, error) ||
            error_prefix(error, "%.200s: ", input->acceptance);
