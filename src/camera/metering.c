@@ -44,7 +44,6 @@ static bool open_sight(const struct metering_question *question, struct tile_roo
     const struct lens_film *film = question->rays->film;
     const double within = 0.99; /* of where light arrives */
     const double end = fmin(film->corner, within * film->lit);
-    const size_t wavelength = tile_rays_in_bands(question->rays) ? question->rays->passes / 2 : 0;
     const struct ray_block *block = room->rays.blocks;
     *sight = (struct sight){.question = question, .count = PLACES};
     if (!lens_is_round(film->systems[0]->lens) || !is_timed_alike(question->rays)) {
@@ -53,8 +52,7 @@ static bool open_sight(const struct metering_question *question, struct tile_roo
     for (size_t i = 0; i < PLACES; i++) {
         const double at[2] = {end * (double)i / (PLACES - 1), 0};
         sight->radius[i] = at[0];
-        sight->light[i] = question->scale * lens_film_light(film, at, wavelength, PLACE_BLOCKS,
-                                                            &room->samples, &room->rays);
+        sight->light[i] = question->scale * tile_rays_light(question->rays, at, PLACE_BLOCKS, room);
         lens_film_chief(film, i == 0 ? (const double[2]){1e-9 * end, 0} : at, &room->samples,
                         &room->rays);
         sight->angle[i] = i == 0 ? 0 : atan2(hypot(block->p[0], block->q[0]), -block->r[0]);
@@ -232,8 +230,7 @@ void metering_take(const struct metering_question *question, struct arena *arena
         for (size_t k = 0; k < TILE_CHANNELS; k++) {
             metered->mean[k] += mean[k] / PARTS;
         }
-        const double *Y = colour_xyz_of_srgb.at[1];
-        luminances[part] = Y[0] * mean[0] + Y[1] * mean[1] + Y[2] * mean[2];
+        luminances[part] = colour_luminance(mean);
         sum += luminances[part];
     }
     for (int part = 0; part < PARTS; part++) {

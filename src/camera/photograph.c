@@ -78,16 +78,6 @@ static bool size_card(const struct tile_work *work, struct tile_room *room, stru
                 card->distance);
 }
 
-/* E/L in the middle of the film, of the first wavelength or, of many bands, a middle one. */
-static double axis_light(const struct tile_work *work, struct tile_room *room)
-{
-    enum { BLOCKS = 256 };
-    static const double middle[2] = {0, 0};
-    const size_t wavelength = tile_rays_in_bands(&work->rays) ? work->rays.passes / 2 : 0;
-    return work->scale * lens_film_light(work->rays.film, middle, wavelength, BLOCKS,
-                                         &room->samples, &room->rays);
-}
-
 static bool check_card(const struct photograph_question *question, struct error *error)
 {
     const double distance = question->card.distance;
@@ -158,12 +148,6 @@ static void open_spare(struct tile_work *work, const struct card *card, struct a
     spare->kept |= question->error > 0 ? 1U << SKIP_BLUR : 0;
     work->spare = spare;
     spare_open(spare, rays > 1U << 22 ? 32 : 8, arena);
-}
-
-double photograph_luminance(const double light[PHOTOGRAPH_CHANNELS])
-{
-    const struct colour rgb = {{light[0], light[1], light[2]}};
-    return colour_turned(&colour_xyz_of_srgb, rgb).part[1];
 }
 
 double photograph_share(const struct photograph *photograph, enum relief_sight sight)
@@ -258,7 +242,7 @@ static void open_scene(struct tile_work *work, struct tile_room *room, struct ar
     memcpy(photograph->mean, metered.mean, sizeof metered.mean);
     photograph->mean_error = metered.error;
     const double white = isnan(question->white)
-                             ? question->white_of_mean * photograph_luminance(photograph->mean)
+                             ? question->white_of_mean * colour_luminance(photograph->mean)
                              : question->white;
     work->goal = (struct convergence_goal){question->error, fmax(white / work->scale, least)};
     open_spare(work, &photograph->card, arena);
@@ -278,6 +262,8 @@ static bool open_card(struct tile_work *work, struct tile_room *room, struct are
 bool photograph_take(const struct photograph_question *question, struct arena *arena,
                      struct photograph *photograph, struct error *error)
 {
+    enum { AXIS_BLOCKS = 256 };
+    static const double middle[2] = {0, 0};
     struct lens_film film;
     if ((question->view == NULL && !check_card(question, error)) ||
         !lens_film_open(&question->film, arena, &film, error)) {
@@ -312,7 +298,7 @@ bool photograph_take(const struct photograph_question *question, struct arena *a
         return false;
     }
     work.done = question->done != NULL ? question->done : ARENA_ARRAY(arena, tiles, unsigned char);
-    photograph->axis = axis_light(&work, room);
+    photograph->axis = work.scale * tile_rays_light(&work.rays, middle, AXIS_BLOCKS, room);
     work.unit = work.scale / (photograph->axis * question->error);
     watch_begin(question->watch, "pixels", TILE_PIXELS * count_missing(&work));
     (work.stages != NULL ? take_stages : take_all)(&work, arena, photograph);

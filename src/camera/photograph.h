@@ -103,9 +103,6 @@ struct photograph {
     bool is_incomplete;     /* the watch has ended it: tiles are missing, and black */
 };
 
-/* Illuminance, lx, of light by channel as pixels have it. */
-double photograph_luminance(const double light[PHOTOGRAPH_CHANNELS]);
-
 /* The share of the rays that arrive which found out so much, of a picture with depths. */
 double photograph_share(const struct photograph *photograph, enum relief_sight sight);
 

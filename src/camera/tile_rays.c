@@ -161,6 +161,13 @@ static void sum_bands(const struct tile_rays *tile, const struct film_plan *plan
     }
 }
 
+double tile_rays_light(const struct tile_rays *tile, const double at[2], size_t blocks,
+                       struct tile_room *room)
+{
+    const size_t wavelength = tile_rays_in_bands(tile) ? tile->passes / 2 : 0;
+    return lens_film_light(tile->film, at, wavelength, blocks, &room->samples, &room->rays);
+}
+
 /* -------- tiles -------- */
 
 void tile_rays_sum(const struct tile_rays *tile, const struct film_plan *plan, size_t begin,

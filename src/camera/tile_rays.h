@@ -66,6 +66,13 @@ static inline bool tile_rays_in_bands(const struct tile_rays *tile)
     return view != NULL && !isnan(view->bands->wavelength[0]);
 }
 
+/*
+ * E/L of a point of the film, sr, as lens_film_light: of the first wavelength or, of many bands, a
+ * middle one.
+ */
+double tile_rays_light(const struct tile_rays *tile, const double at[2], size_t blocks,
+                       struct tile_room *room);
+
 /* Begin tile `number` of the frame: its points, of the plan, too; and sums of 0; none is shared. */
 void tile_rays_begin(const struct tile_rays *tile, size_t number, struct film_plan *plan,
                      struct tile_room *room);

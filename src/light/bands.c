@@ -11,12 +11,6 @@
 
 /* -------- three bands -------- */
 
-static double luminance(const double rgb[3])
-{
-    const double *y = colour_xyz_of_srgb.at[1];
-    return y[0] * rgb[0] + y[1] * rgb[1] + y[2] * rgb[2];
-}
-
 /* Linear sRGB of a light, or of what a surface reflects of it. */
 static void rgb_of(const struct spectrum *light, const struct spectrum *surface, double rgb[3])
 {
@@ -119,7 +113,7 @@ bool bands_of_surface(const struct bands *bands, const struct spectrum *surface,
         spread_rgb(bands, surface->rgb, of);
     } else if (is_three(bands)) {
         white_rgb_of(bands, &white, surface, of);
-        const double grey = fmin(luminance(of), 1);
+        const double grey = fmin(colour_luminance(of), 1);
         share = share_within(of, grey, 1);
         move_from_grey(of, grey, share);
     } else {
@@ -149,7 +143,7 @@ static bool light_parts(const struct bands *bands, const struct spectrum *light,
     }
     double amount = 0;
     for (size_t k = 0; k < bands->count; k++) {
-        amount += of[k] * luminance(bands->rgb[k]);
+        amount += of[k] * colour_luminance(bands->rgb[k]);
     }
     if (!(amount > 0 && 1 / amount < (double)INFINITY)) {
         return fail(error, ERROR_DOMAIN,

@@ -23,6 +23,13 @@ struct colour_matrix {
  */
 extern const struct colour_matrix colour_xyz_of_srgb;
 
+/* Y of a linear sRGB. */
+static inline double colour_luminance(const double rgb[3])
+{
+    const double *y = colour_xyz_of_srgb.at[1];
+    return y[0] * rgb[0] + y[1] * rgb[1] + y[2] * rgb[2];
+}
+
 struct colour colour_turned(const struct colour_matrix *matrix, struct colour colour);
 
 /* Of the second after the first. */

@@ -81,8 +81,7 @@ static void look(const struct image *picture, const double place[2], double rgb[
 
 static double luminance_of(const float *rgb)
 {
-    const double *y = colour_xyz_of_srgb.at[1];
-    return y[0] * rgb[0] + y[1] * rgb[1] + y[2] * rgb[2];
+    return colour_luminance((const double[3]){rgb[0], rgb[1], rgb[2]});
 }
 
 /* Mean over a pixel of what lies between it and its neighbours: nowhere 0 where there is light. */

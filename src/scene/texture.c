@@ -50,12 +50,11 @@ void texture_look(const struct image *image, const double place[2], enum texture
 
 double texture_luminance(const struct image *image)
 {
-    const double *y = colour_xyz_of_srgb.at[1];
     const size_t pixels = image->width * image->height;
     double sum = 0;
     for (size_t i = 0; i < pixels; i++) {
         const float *of = image->pixels + i * image->channels;
-        sum += y[0] * (double)of[0] + y[1] * (double)of[1] + y[2] * (double)of[2];
+        sum += colour_luminance((const double[3]){of[0], of[1], of[2]});
     }
     return sum / (double)pixels;
 }

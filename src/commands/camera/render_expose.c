@@ -3,6 +3,7 @@
 #include "camera/develop.h"
 #include "commands/camera/render.h"
 #include "file/image_file.h"
+#include "light/colour.h"
 #include "photo/sensitometry.h"
 #include "report/spoken.h"
 
@@ -88,7 +89,7 @@ static bool exposure_of(const struct render_input *input, const struct render_sh
         return false;
     }
     const struct photograph *photograph = &shot->photograph;
-    const double full = saturation_exposure(iso), mean = photograph_luminance(photograph->mean);
+    const double full = saturation_exposure(iso), mean = colour_luminance(photograph->mean);
     const double white = shot->is_world ? 1 : render_white(input); /* its light is absolute */
     if (shot->is_world && isnan(input->time) && !(mean > 0)) {
         fail(error, ERROR_DOMAIN, "no light was found that reaches the film: nothing to meter");
@@ -194,7 +195,7 @@ static void add_warnings(const struct render_input *input, const struct render_s
         render_say_held(&clipping, exposure->iso, remarks);
     }
     if (clipping.most == 0 && !shot->photograph.is_incomplete) { /* else it is not there yet */
-        const bool is_lit = photograph_luminance(shot->photograph.mean) > 0;
+        const bool is_lit = colour_luminance(shot->photograph.mean) > 0;
         growing_format(remarks, "warning: no light was found that reaches %s: all is black%s\n",
                        input->crop != NULL ? "these pixels" : "the film",
                        is_lit && input->crop == NULL ? ", and more --samples would find some" : "");
@@ -224,7 +225,7 @@ static void add_remarks(const struct render_input *input, const struct render_sh
     spoken_time(time, exposure->time, 3);
     if (shot->is_world) {
         growing_format(remarks, "%.4g lx on the film on average",
-                       photograph_luminance(photograph->mean));
+                       colour_luminance(photograph->mean));
     } else {
         growing_format(remarks, "%.4g x %.4g mm of the card; white of %.4g cd/m2",
                        photograph->card.width, photograph->card.height, exposure->luminance);
