@@ -39,10 +39,11 @@ static void test_squares(void)
     }
 }
 
-/* Which quarter of a square of 8 pixels a place is in. */
-static int quarter_of(unsigned char cell)
+/* Which quarter of its aligned square of so many pixels a pixel is in. */
+static int quarter_of(unsigned char cell, int side)
 {
-    return cell / TILE_ACROSS / 4 * 2 + cell % 8 / 4;
+    const int column = cell % TILE_ACROSS % side, row = cell / TILE_ACROSS % side;
+    return row / (side / 2) * 2 + column / (side / 2);
 }
 
 /*
@@ -59,7 +60,8 @@ static void test_chance(void)
         tile_order(7, number, cells);
         left += cells[0] % TILE_ACROSS < 8;
         first[cells[0]]++;
-        orders[quarter_of(cells[0]) * 16 + quarter_of(cells[16]) * 4 + quarter_of(cells[32])]++;
+        orders[quarter_of(cells[0], 8) * 16 + quarter_of(cells[16], 8) * 4 +
+               quarter_of(cells[32], 8)]++;
     }
     CHECK_NEAR(left, TILES / 2, 5 * sqrt(TILES / 4.0), "tiles whose left half is first");
     for (size_t i = 0; i < TILE_PIXELS; i++) {
@@ -70,6 +72,26 @@ static void test_chance(void)
         CHECK_NEAR(orders[i], orders[i] > 0 ? TILES / ORDERS : 0, 5 * sqrt(TILES / 24.0), "orders");
     }
     CHECK(met == ORDERS);
+}
+
+/* Squares are ordered each by itself: two of a tile begin with the same quarter in one of four. */
+static void test_apart(void)
+{
+    enum { TILES = 9600 };
+    static const struct {
+        int side;
+        size_t next; /* place where the next square of that side begins */
+    } squares[] = {{8, 64}, {4, 16}, {2, 4}};
+    for (size_t k = 0; k < sizeof squares / sizeof *squares; k++) {
+        int alike = 0;
+        for (size_t number = 0; number < TILES; number++) {
+            unsigned char cells[TILE_PIXELS];
+            tile_order(9, number, cells);
+            alike += quarter_of(cells[0], squares[k].side) ==
+                     quarter_of(cells[squares[k].next], squares[k].side);
+        }
+        CHECK_NEAR(alike, TILES / 4, 5 * sqrt(TILES * 3 / 16.0), "squares that begin alike");
+    }
 }
 
 /* The same for the same seed and number; another for another of either. */
@@ -89,6 +111,7 @@ int main(void)
 {
     test_squares();
     test_chance();
+    test_apart();
     test_again();
     return check_report();
 }
