@@ -110,7 +110,10 @@ bool lens_rays_make(const struct lens_rays_question *question, struct arena *are
     if (!open_stream(question, arena, stream, error)) {
         return false;
     }
-    *result = (struct lens_rays){.largest = stream->film.lit, .corner = stream->film.corner};
+    const struct lens_film *film = &stream->film;
+    *result = (struct lens_rays){.largest = film->lit,
+                                 .corner = film->corner,
+                                 .lit_at = {film->region.pole[0], film->region.pole[1]}};
     double all = 0, before = 0;
     for (size_t w = 0; w < setup->wavelength_count; w++) {
         all += setup->wavelengths[w].weight;

@@ -37,6 +37,7 @@ struct lens_rays {
     uint64_t arrived; /* of the samples */
     double largest;   /* how far from the axis light arrives, towards any corner, mm */
     double corner;    /* mm */
+    double lit_at[2]; /* a place that light reaches, mm: the middle, unless that is dark */
 };
 
 /*

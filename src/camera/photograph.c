@@ -259,11 +259,23 @@ static bool open_card(struct tile_work *work, struct tile_room *room, struct are
     return true;
 }
 
+/* Where the film has a pupil, which its pole has. */
+static bool measure_white(const struct tile_work *work, struct tile_room *room,
+                          struct photograph *photograph, struct error *error)
+{
+    enum { BLOCKS = 256 };
+    const double *at = work->rays.film->region.pole;
+    photograph->reference = work->scale * tile_rays_light(&work->rays, at, BLOCKS, room);
+    memcpy(photograph->reference_at, at, sizeof photograph->reference_at);
+    return photograph->reference > 0 ||
+           fail(error, ERROR_DOMAIN,
+                "the film takes no light at %.4g mm from its middle, where white is measured",
+                hypot(at[0], at[1]));
+}
+
 bool photograph_take(const struct photograph_question *question, struct arena *arena,
                      struct photograph *photograph, struct error *error)
 {
-    enum { AXIS_BLOCKS = 256 };
-    static const double middle[2] = {0, 0};
     struct lens_film film;
     if ((question->view == NULL && !check_card(question, error)) ||
         !lens_film_open(&question->film, arena, &film, error)) {
@@ -298,8 +310,10 @@ bool photograph_take(const struct photograph_question *question, struct arena *a
         return false;
     }
     work.done = question->done != NULL ? question->done : ARENA_ARRAY(arena, tiles, unsigned char);
-    photograph->axis = work.scale * tile_rays_light(&work.rays, middle, AXIS_BLOCKS, room);
-    work.unit = work.scale / (photograph->axis * question->error);
+    if (!measure_white(&work, room, photograph, error)) {
+        return false;
+    }
+    work.unit = work.scale / (photograph->reference * question->error);
     watch_begin(question->watch, "pixels", TILE_PIXELS * count_missing(&work));
     (work.stages != NULL ? take_stages : take_all)(&work, arena, photograph);
     photograph->is_incomplete = count_missing(&work) > 0;

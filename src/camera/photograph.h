@@ -48,8 +48,8 @@ struct photograph_question {
     size_t columns, rows;   /* pixels of it */
     struct image_area crop; /* pixels of them that are taken; no width: all */
     size_t samples;         /* rays a pixel and wavelength: a power of two */
-    /* Each tile has as many as it needs for this error, a share of the white in the middle of the
-       film, and `samples` at most; 0: all have `samples` */
+    /* Each tile has as many as it needs for this error, a share of the white at the photograph's
+       `reference`, and `samples` at most; 0: all have `samples` */
     double error;
     /* Of scenes it is a share of each pixel's light, or a grey level of a PNG of 8 bits whose white
        is `white`, lx, if that is more; NaN: white is so many times the mean */
@@ -91,10 +91,12 @@ void photograph_tile(const struct photograph_question *question, const struct im
 struct photograph {
     /* Of the crop, upright: E/L, sr, of the white of the card; of a scene E, lx, by channel */
     struct image image;
-    struct card card;                   /* with its size */
-    double mean[PHOTOGRAPH_CHANNELS];   /* of a scene: illuminance of all the film, lx */
-    double mean_error;                  /* of its luminance, as a share: camera/metering.h */
-    double axis;                        /* E/L of a white scene in the middle of the film, sr */
+    struct card card;                 /* with its size */
+    double mean[PHOTOGRAPH_CHANNELS]; /* of a scene: illuminance of all the film, lx */
+    double mean_error;                /* of its luminance, as a share: camera/metering.h */
+    double reference; /* E/L of a white scene, sr: in the middle of the film or, where no light
+                         reaches that, at some place that it does reach, */
+    double reference_at[2];             /* mm */
     uint64_t counts[PHOTOGRAPH_COUNTS]; /* they add up over parts of a picture */
     size_t passes;                      /* one for all colours, or one a wavelength */
     size_t reached[2];      /* where it ended in time: samples of tiles, the fewest and the most */
@@ -126,7 +128,8 @@ double photograph_share(const struct photograph *photograph, enum relief_sight s
  *           Tiles are spared as camera/spare.h has it, of 8 samples and more, where nobody waits
  *           No number depends on the threads, the crop, or what is done already; how many samples
  *           a tile has that ends in time does
- * Errors    ERROR_DOMAIN: as lens_film_open; the card within the lens; as relief_open
+ * Errors    ERROR_DOMAIN: as lens_film_open; the card within the lens; no light that pixels
+ *           accept where the reference is; as relief_open
  */
 bool photograph_take(const struct photograph_question *question, struct arena *arena,
                      struct photograph *photograph, struct error *error);

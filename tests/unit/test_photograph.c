@@ -1,7 +1,8 @@
-/* tests/unit/test_photograph.c - pictures that end in the middle of a tile. */
+/* tests/unit/test_photograph.c - pictures that end in a tile; white where the middle is dark. */
 /* SPDX-License-Identifier: MIT */
 #include "camera/photograph.h"
 
+#include "base/constants.h"
 #include "check.h"
 #include "file/lens_file.h"
 
@@ -21,13 +22,12 @@ static const struct photograph_question card = {
     .kept = (1U << SKIP_COUNT) - 1,
     .card = {.distance = 500, .chart = CHART_STAR}};
 
-static bool open_hole(void)
+/* With a film so far behind. */
+static bool open_lens(const char *text, double film)
 {
-    static const char text[] = "lens stop\nwavelength d\nobject inf\naperture stop\n"
-                               "stop - 50 air 5\n";
     const struct setup_question question = {
         .lens = &lens, .wavelength = NAN, .wavelengths = WAVELENGTHS_ALL, .fnumber = NAN};
-    const struct plane_value plane = {.kind = PLANE_AT, .distance = 50};
+    const struct plane_value plane = {.kind = PLANE_AT, .distance = film};
     return lens_read("test", text_of(text), NULL, &arena, &lens, &error) &&
            setup_open(&question, &arena, &setup, &error) &&
            setup_place_image(&setup, &plane, &error);
@@ -37,6 +37,7 @@ static struct photograph take(const struct photograph_question *question)
 {
     struct photograph photograph = {0};
     CHECK(photograph_take(question, &arena, &photograph, &error));
+    CHECK_TEXT(error.message, "");
     return photograph;
 }
 
@@ -145,12 +146,57 @@ static void test_timed(void)
     CHECK(between > 0);
 }
 
+/*
+ * E/L of a disc of light parallel to a plane, seen from there, by Lambert's integral about its rim:
+ * radius, its middle beside the point, the plane behind it.
+ */
+static double light_of_disc(double r, double l, double h)
+{
+    const double all = l * l + h * h + r * r;
+    return PI / 2 * (1 - (all - 2 * r * r) / sqrt(all * all - 4 * l * l * r * r));
+}
+
+/*
+ * A hole of 1 mm, 3 mm to the right of a larger one's middle and 3 mm below, half way to the film:
+ * all of it is lit where the film is within 1 mm of (6, -6) mm; the middle of the film is dark.
+ */
+static void test_dark_middle(void)
+{
+    static const char text[] = "lens mask\nwavelength d\nobject inf\naperture stop\n"
+                               "stop - 20 air 6\nsurface - 20 air 2 decenter=3,-3\n";
+    static float white = 1;
+    const struct image even = {.width = 1, .height = 1, .channels = 1, .pixels = &white};
+    struct photograph_question question = card;
+    question.film.width = question.film.height = 30;
+    question.columns = question.rows = 64; /* in whose parts of 0.47 mm light changes by 1 % */
+    question.card = (struct card){.distance = 500, .picture = &even, .width = 1000, .height = 1000};
+    CHECK(open_lens(text, 20));
+    const struct photograph photograph = take(&question);
+    const double *at = photograph.reference_at;
+    CHECK(hypot(at[0] - 6, at[1] + 6) < 1);
+    const double expected = light_of_disc(1, hypot(at[0] - 3, at[1] + 3), 20);
+    CHECK_RELATIVE(photograph.reference, expected, 1e-3, "white");
+    /* the picture is upright, the film is not */
+    const size_t column = (size_t)((0.5 - at[0] / 30) * 64),
+                 row = (size_t)((0.5 + at[1] / 30) * 64);
+    const float *image = photograph.image.pixels;
+    CHECK_RELATIVE((double)image[(row * 64 + column) * PHOTOGRAPH_CHANNELS], expected, 0.01,
+                   "pixel");
+    CHECK(image[(32 * 64 + 32) * PHOTOGRAPH_CHANNELS] == 0);
+    /* an error is a share of it */
+    question.error = 0.02;
+    question.samples = 4 * SAMPLES;
+    const struct photograph sure = take(&question);
+    CHECK(sure.counts[PHOTOGRAPH_CONVERGENCE + CONVERGENCE_MISSED] == 0);
+}
+
 int main(void)
 {
-    CHECK(open_hole());
+    CHECK(open_lens("lens stop\nwavelength d\nobject inf\naperture stop\nstop - 50 air 5\n", 50));
     test_ended(0);
     test_ended(1e-4);
     test_timed();
+    test_dark_middle();
     arena_free(&arena);
     return check_report();
 }

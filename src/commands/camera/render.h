@@ -160,7 +160,8 @@ double render_widest(const struct render_input *input, const struct analysis_cas
 /* How far from the axis light arrives and the film reaches, mm; of the rays, how many. */
 struct render_arrival {
     double largest, corner;
-    double share; /* NAN: more are sent than may arrive */
+    const double *lit_at; /* a place that light reaches, mm: the middle, unless that is dark */
+    double share;         /* NAN: more are sent than may arrive */
 };
 
 /* What is doubtful: of the lens; dark corners of the film; rays that get lost elsewhere. */
@@ -297,7 +298,7 @@ double render_white(const struct render_input *input);
  * Given     setup       of the photograph
  *           white       linear sRGB of white behind a filter whose colour the rays have had; null:
  *                       of none
- *           photograph  each channel receives less light, the axis as the brightest of them
+ *           photograph  each channel receives less light, the reference as the brightest of them
  * Formula   2^-stops times mired_transmittance, its mean over the wavelengths of the channel
  */
 void render_filter(const struct render_input *input, const struct setup *setup, const double *white,

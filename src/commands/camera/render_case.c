@@ -75,7 +75,13 @@ void render_doubts(const struct render_input *input, const struct analysis_case 
     if (one->warning != NULL) {
         growing_format(remarks, "warning: %s\n", one->warning);
     }
-    if (arrival->largest < arrival->corner) {
+    const double beside = hypot(arrival->lit_at[0], arrival->lit_at[1]);
+    if (beside > 0) {
+        growing_format(remarks,
+                       "warning: the middle of the film stays dark: a place %.4g mm from it, where "
+                       "light arrives, stands for it\n",
+                       beside);
+    } else if (arrival->largest < arrival->corner) {
         growing_format(remarks,
                        "warning: light arrives up to %.4g mm from the axis; the corners of the "
                        "film, at %.4g mm, stay dark\n",

@@ -102,9 +102,9 @@ static bool exposure_of(const struct render_input *input, const struct render_sh
     }
     *exposure = (struct exposure){.luminance = white,
                                   .time = input->time,
-                                  .metered = shot->is_world
-                                                 ? recommended_exposure(iso) / mean
-                                                 : WHITE_SHARE * full / (white * photograph->axis),
+                                  .metered = shot->is_world ? recommended_exposure(iso) / mean
+                                                            : WHITE_SHARE * full /
+                                                                  (white * photograph->reference),
                                   .iso = iso,
                                   .full = full,
                                   .is_chosen = isnan(input->time)};
@@ -113,11 +113,11 @@ static bool exposure_of(const struct render_input *input, const struct render_sh
 
 /* What the pixels are of E/L: those of a file, or what sensor and film take. */
 static double unit_of(const struct render_input *input, const struct exposure *exposure,
-                      const struct file_type *type, double axis)
+                      const struct file_type *type, double reference)
 {
     const double light = exposure->luminance * exposure->metered;
     const bool is_received = render_senses(input) || render_is_film(input);
-    return input->radiance                      ? exposure->luminance / axis
+    return input->radiance                      ? exposure->luminance / reference
            : is_a(type, ".png") && !is_received ? DEVELOP_HEADROOM * light / exposure->full
                                                 : light;
 }
@@ -156,9 +156,10 @@ void render_note(struct image *image, struct arena *arena, const char *key, cons
 
 /* What a value of 1 is where that is light on the sensor. */
 static void add_note_of_white(const struct render_input *input, const struct exposure *exposure,
-                              double axis, bool is_png, struct image *image, struct arena *arena)
+                              double reference, bool is_png, struct image *image,
+                              struct arena *arena)
 {
-    const double light = 1 / (axis * exposure->metered);
+    const double light = 1 / (reference * exposure->metered);
     const double white = is_png ? exposure->full / DEVELOP_HEADROOM * light : light;
     if (!input->raw && !input->radiance && !render_is_film(input)) {
         render_note(image, arena, is_png ? RENDER_NOTE_WHITE : RENDER_NOTE_LIGHT,
@@ -279,7 +280,7 @@ static bool expose(const struct render_input *input, const struct render_shot *s
         add_warnings(input, shot, &exposure, is_png, remarks);
     }
     growing_text(remarks, shot->doubts);
-    const double unit = unit_of(input, &exposure, type, photograph->axis);
+    const double unit = unit_of(input, &exposure, type, photograph->reference);
     const bool is_share = is_png && !is_film && !render_senses(input);
     if (!(is_share ||
           check_light(&photograph->image, unit, input->radiance ? "cd/m2" : "lx s", error)) ||
@@ -287,7 +288,7 @@ static bool expose(const struct render_input *input, const struct render_shot *s
         return false;
     }
     add_notes(input, shot, &exposure, &image, remarks->arena);
-    add_note_of_white(input, &exposure, photograph->axis, is_png, &image, remarks->arena);
+    add_note_of_white(input, &exposure, photograph->reference, is_png, &image, remarks->arena);
     if (!is_png) {
         render_note(&image, remarks->arena, "Unit",
                     is_film           ? "density"

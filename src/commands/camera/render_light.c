@@ -59,7 +59,7 @@ void render_filter(const struct render_input *input, const struct setup *setup, 
             *value = (float)(through[k] * (double)*value);
         }
     }
-    photograph->axis *= most; /* white is exposed by its brightest colour */
+    photograph->reference *= most; /* white is exposed by its brightest colour */
 }
 
 void render_say_light(const struct render_input *input, struct growing *remarks)

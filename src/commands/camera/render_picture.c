@@ -118,11 +118,11 @@ static struct text doubts_of(const struct analysis_case *one, const struct pictu
     const struct render_input *input = job->inputs[0];
     struct growing doubts = {.arena = job->run->arena};
     const bool all_of_pupil = !skip_is_kept(question->kept, SKIP_PUPIL);
-    const struct render_arrival arrival = {photograph->largest, photograph->corner,
-                                           all_of_pupil
-                                               ? (double)photograph->counts[PHOTOGRAPH_PASSED] /
-                                                     (double)photograph->counts[PHOTOGRAPH_TRACED]
-                                               : NAN};
+    const struct render_arrival arrival = {
+        photograph->largest, photograph->corner, photograph->reference_at,
+        all_of_pupil ? (double)photograph->counts[PHOTOGRAPH_PASSED] /
+                           (double)photograph->counts[PHOTOGRAPH_TRACED]
+                     : NAN};
     render_say_size(input, &shot->frame, &doubts);
     render_say_autofocus(input, render_object(one), &doubts);
     render_say_samples(input, photograph, &doubts);

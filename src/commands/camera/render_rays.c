@@ -126,7 +126,7 @@ static bool send_rays(const struct analysis_case *one, void *context, struct err
     render_say_model(input, one, &remarks);
     render_say_shutter(input, question.film.shutter, one->setup, &remarks);
     const double share = (double)result.arrived / (double)question.samples;
-    const struct render_arrival arrival = {result.largest, result.corner,
+    const struct render_arrival arrival = {result.largest, result.corner, result.lit_at,
                                            input->acceptance == NULL ? share : NAN};
     render_doubts(input, one, &arrival, &remarks);
     if (job->run->explain) {
