@@ -307,6 +307,27 @@ void lens_film_chief(const struct lens_film *film, const double at[2], struct fi
     rays_trace(film->systems[0], rays, NULL);
 }
 
+double lens_film_angle(const struct lens_film *film, const double step[2],
+                       struct film_samples *samples, struct rays *rays)
+{
+    /* both on one side of the middle, where what is clear may be a ring */
+    static const double shares[2] = {1e-6, 1};
+    const struct ray_block *block = rays->blocks;
+    double way[2][3];
+    bool arrive = true;
+    for (int i = 0; i < 2; i++) {
+        const double at[2] = {shares[i] * step[0], shares[i] * step[1]};
+        lens_film_chief(film, at, samples, rays);
+        way[i][0] = block->p[0];
+        way[i][1] = block->q[0];
+        way[i][2] = block->r[0];
+        arrive = arrive && block->lost[0] == 0;
+    }
+    const double chord =
+        hypot(hypot(way[1][0] - way[0][0], way[1][1] - way[0][1]), way[1][2] - way[0][2]);
+    return arrive ? 2 * asin(fmin(1, chord / 2)) : NAN;
+}
+
 void lens_film_span(const struct lens_film *film, double span[2])
 {
     enum { STEPS = 16 };

@@ -93,4 +93,13 @@ void lens_film_span(const struct lens_film *film, double span[2]);
 void lens_film_chief(const struct lens_film *film, const double at[2], struct film_samples *samples,
                      struct rays *rays);
 
+/*
+ * The angle between such rays from the middle of the film and from a step aside, before the lens.
+ *
+ * Given     step  mm
+ * Result    rad; 0 where the lens is telecentric in the scene; NaN: one of them is lost
+ */
+double lens_film_angle(const struct lens_film *film, const double step[2],
+                       struct film_samples *samples, struct rays *rays);
+
 #endif

@@ -7,9 +7,8 @@
 
 #include <math.h>
 
-/* As the sun is seen from the mean distance of the earth; a star as large as rays can find it. */
-#define SUN_DIAMETER  (0.533 * RADIANS_PER_DEGREE)
-#define STAR_DIAMETER (RADIANS_PER_DEGREE / 60)
+/* As the sun is seen from the mean distance of the earth. */
+#define SUN_DIAMETER (0.533 * RADIANS_PER_DEGREE)
 
 #define WAYS (SCENE_BIT(KEY_TOWARDS) | SCENE_BIT(KEY_ELEVATION) | SCENE_BIT(KEY_AZIMUTH))
 #define HUE  SCENE_BIT(KEY_SPECTRUM)
@@ -92,8 +91,7 @@ static bool read_star(struct scene_reader *reader, const struct scene_line *line
     light->amount = scene_line_has(line, KEY_MAGNITUDE)
                         ? illuminant_star(line->number[KEY_MAGNITUDE][0])
                         : line->number[KEY_ILLUMINANCE][0];
-    light->diameter =
-        scene_line_has(line, KEY_DIAMETER) ? line->number[KEY_DIAMETER][0] : STAR_DIAMETER;
+    light->diameter = scene_line_has(line, KEY_DIAMETER) ? line->number[KEY_DIAMETER][0] : NAN;
     return choose(line, KEY_MAGNITUDE, KEY_ILLUMINANCE, "magnitude= or illuminance=", error) &&
            read_direction(line, &light->direction, error);
 }

@@ -115,7 +115,7 @@ enum scene_light_kind {
     LIGHT_POINT,       /* alike in all directions */
     LIGHT_ENVIRONMENT, /* a picture all around: longitude from left to right, z = -1 in its middle,
                           latitude from top (y = 1) to bottom */
-    LIGHT_STAR         /* a point infinitely far away */
+    LIGHT_STAR         /* a disc infinitely far away, as wide as rays can find it */
 };
 
 enum scene_sky {
@@ -131,7 +131,8 @@ struct scene_light {
     struct vector direction; /* towards it, of length 1 */
     struct vector at;        /* of a point, mm */
     struct vector velocity;  /* mm/s */
-    double diameter;         /* of a sun, rad, > 0 */
+    double diameter;         /* of a sun or star, rad, > 0; NaN: a star does not say, and has none
+                                until somebody looks */
     double amount; /* sun and star: illuminance of a plane that faces it, lx; sky: luminance in the
                       zenith, cd/m^2; environment: of its white; point: intensity, cd */
     const struct image *picture; /* of an environment: linear sRGB, three channels */

@@ -76,9 +76,11 @@ static bool take(struct picture_job *picture, struct photograph_question *questi
 }
 
 /* What is the same in all exposures. */
-static void add_notes(const struct analysis_case *one, const struct render_input *input,
-                      struct image *image, struct arena *arena)
+static void add_notes(const struct analysis_case *one, const struct picture_job *picture,
+                      struct image *image)
 {
+    const struct render_input *input = picture->job->inputs[0];
+    struct arena *arena = picture->job->run->arena;
     const struct setup *setup = one->setup;
     render_note(image, arena, "Software", "lenscalc " LENSCALC_VERSION);
     render_note(image, arena, "Scene", input->subject);
@@ -100,6 +102,10 @@ static void add_notes(const struct analysis_case *one, const struct render_input
                                   : arena_printf(arena, "%.9g mm before the first vertex", object));
     } else if (!isnan(input->distance)) {
         render_note(image, arena, "Distance", arena_printf(arena, "%.9g mm", input->distance));
+    }
+    const char *stars = picture->world != NULL ? render_stars_text(picture->world, arena) : NULL;
+    if (stars != NULL) {
+        render_note(image, arena, "Stars", stars);
     }
     render_note(image, arena, "Image plane", arena_printf(arena, "%.9g mm", setup->image));
     render_note_shutter(input, image, arena);
@@ -151,7 +157,7 @@ static void finish(const struct analysis_case *one, const struct picture_job *pi
     struct arena *arena = job->run->arena;
     render_filter(input, one->setup, input->spectral ? picture->world->white : NULL,
                   &shot->photograph);
-    add_notes(one, input, &shot->photograph.image, arena);
+    add_notes(one, picture, &shot->photograph.image);
     shot->photograph.image.aspect = render_aspect(input, &shot->frame);
     if (shot->photograph.is_incomplete) {
         const char *why = job->run->parts != NULL ? "parts are missing" : "interrupted";

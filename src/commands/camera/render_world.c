@@ -317,7 +317,7 @@ bool render_world_open(const struct artifact_job *job, const struct analysis_cas
     const struct render_frame frame = {.columns = question->columns, .rows = question->rows};
     double span[2];
     struct arena *arena = job->run->arena;
-    if (!find_span(job, one, span, error) ||
+    if (!find_span(job, one, span, error) || !render_open_stars(question, arena, world, error) ||
         !world_open(&world->scene, span, arena, &world->world, error) ||
         !lights_open(&world->scene, &world->bands, arena, &world->lights, error)) {
         return false;
@@ -371,6 +371,10 @@ void render_say_world(const struct render_world *world, const struct photograph 
     }
     for (size_t i = 0; i < world->scene.note_count; i++) {
         growing_format(remarks, "%s\n", world->scene.notes[i]);
+    }
+    const char *stars = render_stars_text(world, remarks->arena);
+    if (stars != NULL) {
+        growing_format(remarks, "stars are %s, where they have no diameter=\n", stars);
     }
     if (world->world.degenerate > 0) {
         say_degenerate(&world->world, remarks);

@@ -6,6 +6,12 @@
 #include "commands/camera/render.h"
 #include "scene/lights.h"
 
+/* Stars of a scene that do not say how wide they are. */
+struct render_stars {
+    double diameter;  /* that they have, rad; NaN: there are none */
+    bool are_a_pixel; /* as wide as one */
+};
+
 /* A scene that is photographed. */
 struct render_world {
     struct scene scene;
@@ -17,6 +23,7 @@ struct render_world {
     struct lights lights;
     struct path path;
     struct view view;
+    struct render_stars stars;
 };
 
 /* Errors: ERROR_USAGE: options that are of cards only; of a card those that are of scenes only */
@@ -57,6 +64,20 @@ struct spectrum_value render_world_colours(const struct render_world *world, str
 /* What is to be known of it. */
 void render_say_world(const struct render_world *world, const struct photograph *photograph,
                       struct growing *remarks);
+
+/*
+ * How wide stars are that do not say so: as a pixel in the middle of the film is by its larger
+ * side, so that its rays find them; the same in all parts of a picture.
+ *
+ * Given     world  receives it, in the lights of its scene too
+ * Result    where a pixel has no such angle 1 arcmin
+ * Errors    as lens_film_open
+ */
+bool render_open_stars(const struct photograph_question *question, struct arena *arena,
+                       struct render_world *world, struct error *error);
+
+/* In words; null: there are none. */
+const char *render_stars_text(const struct render_world *world, struct arena *arena);
 
 /* Its colours that red, green and blue of sRGB do not hold, and what becomes of them. */
 void render_say_colours(const struct render_world *world, struct growing *remarks);
