@@ -48,7 +48,12 @@ static bool take_channel(const char *path, const struct image *image, struct are
     if (!is_named && image->channels >= COLOURS && !check_grey(path, image, error)) {
         return false;
     }
-    *map = (struct image){.width = image->width, .height = image->height, .channels = 1};
+    *map = (struct image){
+        .width = image->width, .height = image->height, .channels = 1, .aspect = image->aspect};
+    if (image->channels == 1) {
+        map->pixels = image->pixels;
+        return true;
+    }
     if (!image_new(map, arena, error)) {
         return false;
     }
@@ -79,6 +84,7 @@ static bool check_format(const char *path, struct text bytes, const struct depth
 bool depth_file_read(const char *path, const struct depth_range *range, struct arena *arena,
                      struct image *map, struct error *error)
 {
+    const struct image_wish wish = {IMAGE_CODES, IMAGE_SEEN_MOST};
     struct text bytes;
     struct image image;
     if (!file_of_kind(path, IMAGE_FILE_MOST, image_file_is, arena, &bytes, error)) {
@@ -86,7 +92,7 @@ bool depth_file_read(const char *path, const struct depth_range *range, struct a
                                          : false;
     }
     if (!check_format(path, bytes, range, error) ||
-        !image_file_parse(path, bytes, IMAGE_CODES, arena, &image, error) ||
+        !image_file_parse(path, bytes, &wish, arena, &image, error) ||
         !take_channel(path, &image, arena, map, error)) {
         return false;
     }

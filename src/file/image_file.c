@@ -11,32 +11,10 @@
 
 #include <assert.h>
 
-typedef bool reader(struct text bytes, enum image_values values, struct arena *arena,
+typedef bool reader(struct text bytes, const struct image_wish *wish, struct arena *arena,
                     struct image *image, struct error *error);
 typedef bool writer(const struct image *image, const struct image_way *way, struct arena *arena,
                     struct text *bytes, struct error *error);
-
-/* Formats of floats have light, whatever is asked for, and some have one way to be written. */
-static bool read_pfm(struct text bytes, enum image_values values, struct arena *arena,
-                     struct image *image, struct error *error)
-{
-    (void)values;
-    return pfm_read(bytes, arena, image, error);
-}
-
-static bool read_radiance(struct text bytes, enum image_values values, struct arena *arena,
-                          struct image *image, struct error *error)
-{
-    (void)values;
-    return radiance_read(bytes, arena, image, error);
-}
-
-static bool read_openexr(struct text bytes, enum image_values values, struct arena *arena,
-                         struct image *image, struct error *error)
-{
-    (void)values;
-    return openexr_read(bytes, arena, image, error);
-}
 
 static bool write_pfm(const struct image *image, const struct image_way *way, struct arena *arena,
                       struct text *bytes, struct error *error)
@@ -61,12 +39,12 @@ static const struct format {
     {{{"png", "PNG, 8 or 16 bits"}, ".png"}, png_is, png_read, png_write},
     {{{"exr", "OpenEXR, floats of 16 or 32 bits"}, ".exr"},
      openexr_is,
-     read_openexr,
+     openexr_read,
      openexr_write},
-    {{{"pfm", "PFM, floats of 32 bits"}, ".pfm"}, pfm_is, read_pfm, write_pfm},
+    {{{"pfm", "PFM, floats of 32 bits"}, ".pfm"}, pfm_is, pfm_read, write_pfm},
     {{{"hdr", "Radiance, three floats in 32 bits"}, ".hdr"},
      radiance_is,
-     read_radiance,
+     radiance_read,
      write_radiance},
     {{{"jpg", "JPEG"}, ".jpg"}, jpeg_is, jpeg_read, NULL},
 };
@@ -86,7 +64,7 @@ bool image_file_is(struct text first)
     return i < FORMATS;
 }
 
-bool image_file_parse(const char *path, struct text bytes, enum image_values values,
+bool image_file_parse(const char *path, struct text bytes, const struct image_wish *wish,
                       struct arena *arena, struct image *image, struct error *error)
 {
     size_t i = 0;
@@ -97,10 +75,10 @@ bool image_file_parse(const char *path, struct text bytes, enum image_values val
         fail(error, ERROR_DATA, "neither PNG, JPEG, OpenEXR, PFM nor a Radiance picture");
         return error_locate(error, path, 0, 0);
     }
-    return formats[i].read(bytes, values, arena, image, error) || error_locate(error, path, 0, 0);
+    return formats[i].read(bytes, wish, arena, image, error) || error_locate(error, path, 0, 0);
 }
 
-bool image_file_read(const char *path, enum image_values values, struct arena *arena,
+bool image_file_read(const char *path, const struct image_wish *wish, struct arena *arena,
                      struct image *image, struct error *error)
 {
     struct text bytes;
@@ -108,7 +86,7 @@ bool image_file_read(const char *path, enum image_values values, struct arena *a
         return error->code == ERROR_NONE ? fail(error, ERROR_IO, "there is no file %s", path)
                                          : false;
     }
-    return image_file_parse(path, bytes, values, arena, image, error);
+    return image_file_parse(path, bytes, wish, arena, image, error);
 }
 
 bool image_file_bytes(const struct image *image, const struct file_type *type,

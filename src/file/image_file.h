@@ -9,6 +9,9 @@
 /* MiB, of a file that is read */
 enum { IMAGE_FILE_MOST = 4096 };
 
+/* Pixels of a picture that is looked at: a texture, a sky, a depth map; 16384 x 8192. */
+enum { IMAGE_SEEN_MOST = 1 << 27 };
+
 /* The formats that are written: .png, .exr, .pfm, .hdr. */
 file_types image_file_types;
 
@@ -19,15 +22,15 @@ bool image_file_is(struct text first);
  * Read a picture; its first bytes say of which format, whatever its name.
  *
  * Given     path    for messages, too
- *           values  of formats with whole numbers
- * Errors    ERROR_IO: there is none, it cannot be read; ERROR_DATA: of no format that is read, or
- *           what the format's own header says; named with the file
+ *           wish    what the numbers are, and how many pixels it may have
+ * Errors    ERROR_IO: there is none, it cannot be read; ERROR_DATA: of no format that is read, more
+ *           pixels than wished, or what the format's own header says; named with the file
  */
-bool image_file_read(const char *path, enum image_values values, struct arena *arena,
+bool image_file_read(const char *path, const struct image_wish *wish, struct arena *arena,
                      struct image *image, struct error *error);
 
 /* The same of bytes that are there already. */
-bool image_file_parse(const char *path, struct text bytes, enum image_values values,
+bool image_file_parse(const char *path, struct text bytes, const struct image_wish *wish,
                       struct arena *arena, struct image *image, struct error *error);
 
 /*

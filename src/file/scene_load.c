@@ -136,8 +136,9 @@ static bool parse_picture(const struct wanted *wanted, struct text content, enum
                           struct arena *arena, struct image *image, struct error *error)
 {
     struct arena *own = wanted->arena;
+    const struct image_wish wish = {IMAGE_LIGHT, IMAGE_SEEN_MOST};
     struct image whole;
-    if (!image_file_parse(wanted->path, content, IMAGE_LIGHT, own, &whole, error)) {
+    if (!image_file_parse(wanted->path, content, &wish, own, &whole, error)) {
         return false;
     }
     const bool with_alpha = has_alpha(&whole, own);

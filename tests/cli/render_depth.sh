@@ -25,6 +25,7 @@ done
 lenscalc render card.png $small --depth-map square.pfm -o lost.png
 lenscalc render card.png $small --depth-map flat.pfm -o lost.png && rm lost.png # 16 x 0.75 to 8
 lenscalc render card.png $small --depth-map card.pfm -o lost.png
+lenscalc render card.png $small --depth-map grey.png --depth 0.8m..inf -o shaped.png && rm shaped.png # so does grey.png
 lenscalc render chart:grid $small --depth-map grey.png -o lost.png
 lenscalc render chart:grid $small --depth-map flat.pfm --depth 1..2 -o lost.png
 lenscalc render chart:grid $small --depth-map grey.png --depth 0..2 -o lost.png

@@ -49,14 +49,16 @@ printf 'PF\n1 1\n-1.0\n\0\0\200\177\0\0\0\0\0\0\0\0' > inf.pfm
 printf 'PF\n1 1\n-1.0\n\0\0\0\0\0\0\0\0\0\0\0\0' > black.pfm
 try() { lenscalc tone "$@" -o lost.png; echo "status $?"; }
 try w-1.png light.pfm --times 1,2
-try light.pfm light.pfm
+cp light.pfm light-2.pfm
+try light.pfm light-2.pfm
 try w-1.png=1/0x w-2.png
 try w-1.png=0 w-2.png
 try w-1.png=1e-300 w-2.png
 try w-1.png w-2.png --times 1,1e300
 lenscalc tone w-1.png -o light.hdr 2> /dev/null
 try light.hdr=1/4
-try light.hdr light.hdr
+cp light.hdr light-2.hdr
+try light.hdr light-2.hdr
 rm light.hdr
 try w-1.png w-2.png --times 1
 try w-1.png w-2.png --times 1,2,3
@@ -66,7 +68,8 @@ try w-1.png other.png
 try raw.png
 try film.exr
 try white.png
-try white.png=1 white.png=2
+cp white.png white-2.png
+try white.png=1 white-2.png=2
 try cut.png
 try nan.pfm
 try inf.pfm
@@ -91,8 +94,9 @@ try w-1.png w-2.png --calibrate 5 --iso 100
 try w-1.png --full-well 5
 try w-1.png --full-well 0.5
 try w-1.png --align
-try light.pfm=1 light.pfm=2 --read-noise 5
-try scene.exr scene.exr=1/4
+try light.pfm=1 light-2.pfm=2 --read-noise 5
+cp scene.exr scene-2.exr
+try scene.exr scene-2.exr=1/4
 try scene.exr -N 4
 try light.pfm -N 4
 try w-1.png --iso 100 --operator linear --white 5 --fov 30

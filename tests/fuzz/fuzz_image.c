@@ -5,6 +5,8 @@
 
 #include <math.h>
 
+static const struct image_wish light = {.values = IMAGE_LIGHT};
+
 static void require_image(const struct image *image, struct arena *arena)
 {
     struct error error;
@@ -34,7 +36,7 @@ static void require_return(const struct image *image, struct arena *arena)
     struct image plain = *image;
     plain.names = NULL;
     REQUIRE(image_file_bytes(&plain, exr, &way, arena, &bytes, &error));
-    REQUIRE(image_file_parse("x", bytes, IMAGE_LIGHT, arena, &back, &error));
+    REQUIRE(image_file_parse("x", bytes, &light, arena, &back, &error));
     const size_t count = image->width * image->height * image->channels;
     REQUIRE(memcmp(back.pixels, image->pixels, count * sizeof(float)) == 0);
 }
@@ -45,8 +47,7 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
     struct arena arena = {0};
     struct error error = {0};
     struct image image;
-    if (image_file_parse("fuzz", (struct text){content, size}, IMAGE_LIGHT, &arena, &image,
-                         &error)) {
+    if (image_file_parse("fuzz", (struct text){content, size}, &light, &arena, &image, &error)) {
         require_image(&image, &arena);
         if (image.width * image.height < 4096) {
             require_return(&image, &arena);

@@ -67,6 +67,9 @@ static const struct kind {
     {"plain.exr", {.half = false, .packed = false}, 1, 0, 0, true},
     {"many.exr", {.half = true, .packed = false}, 7, 0, 0.5 / 1024, true},
 };
+static const struct image_wish as_light = {.values = IMAGE_LIGHT},
+                               as_codes = {.values = IMAGE_CODES};
+
 enum { KINDS = sizeof kinds / sizeof *kinds, WIDTH = 37, HEIGHT = 21 };
 
 static void check_same(const struct image *image, const struct image *back, const struct kind *kind)
@@ -95,7 +98,8 @@ static void test_round_trips(struct arena *arena)
         struct error error = {0};
         struct image back, image = make(WIDTH, HEIGHT, kind->channels, arena);
         struct text bytes = encode(&image, kind->name, kind->way, arena);
-        const bool done = image_file_parse("x", bytes, kind->way.values, arena, &back, &error);
+        const bool done = image_file_parse(
+            "x", bytes, &(struct image_wish){.values = kind->way.values}, arena, &back, &error);
         CHECK_TEXT(done ? "" : error.message, "");
         if (done) {
             check_same(&image, &back, kind);
@@ -103,8 +107,26 @@ static void test_round_trips(struct arena *arena)
         /* the smallest there is */
         image = make(1, 1, kind->channels, arena);
         bytes = encode(&image, kind->name, kind->way, arena);
-        CHECK(image_file_parse("x", bytes, kind->way.values, arena, &back, &error));
+        CHECK(image_file_parse("x", bytes, &(struct image_wish){.values = kind->way.values}, arena,
+                               &back, &error));
         CHECK(back.width == 1 && back.height == 1);
+    }
+}
+
+/* What has more pixels than wished is refused in every format, and nothing of it is unpacked. */
+static void test_wished(struct arena *arena)
+{
+    const struct image_wish enough = {IMAGE_CODES, (size_t)WIDTH * HEIGHT};
+    const struct image_wish fewer = {IMAGE_CODES, (size_t)WIDTH * HEIGHT - 1};
+    for (size_t i = 0; i < KINDS; i++) {
+        struct error error = {0};
+        struct image back, image = make(WIDTH, HEIGHT, kinds[i].channels, arena);
+        const struct text bytes = encode(&image, kinds[i].name, kinds[i].way, arena);
+        CHECK(image_file_parse("x", bytes, &enough, arena, &back, &error));
+        back.pixels = NULL;
+        CHECK(!image_file_parse("x", bytes, &fewer, arena, &back, &error));
+        CHECK(error.code == ERROR_DATA && back.pixels == NULL);
+        CHECK_TEXT(error.message, "37 x 21 pixels: at most 776");
     }
 }
 
@@ -116,7 +138,7 @@ static bool parses(struct text bytes, size_t length, struct error *error)
     char *copy = malloc(length + 1);
     memcpy(copy, bytes.start, length);
     const bool done =
-        image_file_parse("x", (struct text){copy, length}, IMAGE_LIGHT, &arena, &image, error);
+        image_file_parse("x", (struct text){copy, length}, &as_light, &arena, &image, error);
     arena_free(&arena);
     free(copy);
     return done;
@@ -175,7 +197,7 @@ static void test_refused(void)
         {BYTES("PF\n70000 5\n-1\n"), "PFM: width 70000"},
         {BYTES("PF\n5 x\n-1\n"), "PFM: no height at byte 5"},
         {BYTES("PF\n5 5\n0\n"), "PFM: scale 0"},
-        {BYTES("PF\n5 5\ninf\n"), "PFM: scale inf"},
+        {BYTES("PF\n5 5\ninf\n"), "PFM: scale inf: it must be a finite number other than 0"},
         {BYTES("PF\n65535 65535\n-1.0\nabcd"),
          "PFM: 4 bytes of pixels, and 65535 x 65535 pixels of 3 channels have 51538034700"},
         {BYTES("Pf\n1 1\n-1\n\0\0\0\0\0"), "PFM: 5 bytes of pixels, and 1 x 1 pixels of 1 "
@@ -184,9 +206,9 @@ static void test_refused(void)
         {BYTES("#?RADIANCE\nFORMAT=32-bit_rle_luv\n\n-Y 1 +X 1\nabcd"),
          "Radiance: format '32-bit_rle_luv' is neither"},
         {BYTES("#?RADIANCE\nEXPOSURE=0\n\n-Y 1 +X 1\nabcd"),
-         "Radiance: '0' must be a number above 0"},
+         "Radiance: line 2: EXPOSURE '0' must be a number of 1e-38 to 1e+38"},
         {BYTES("#?RADIANCE\nCOLORCORR=1 2\n\n-Y 1 +X 1\nabcd"),
-         "Radiance: '1 2' must be three numbers above 0"},
+         "Radiance: line 2: COLORCORR '1 2' must be three numbers of 1e-38 to 1e+38"},
         {BYTES("#?RADIANCE\n\n+X 1 -Y 1\nabcd"), "Radiance: '+X 1 -Y 1' is no size like"},
         {BYTES("#?RADIANCE\n\n-Y 999999999999 +X 1\nabcd"), "is no size like"},
         {BYTES("#?RADIANCE\n\n-Y 60000 +X 60000\nabcd"),
@@ -317,7 +339,7 @@ static void test_aspect(struct arena *arena)
         put_big(type + 8, cases[i].down);
         type[12] = cases[i].unit;
         put_big(type + 13, crc_of(type, 13));
-        CHECK(image_file_parse("x", (struct text){file, bytes.length}, IMAGE_CODES, arena, &back,
+        CHECK(image_file_parse("x", (struct text){file, bytes.length}, &as_codes, arena, &back,
                                &error));
         CHECK_NEAR(back.aspect, cases[i].aspect, 1e-15, "proportions of a pixel");
     }
@@ -330,7 +352,7 @@ static void test_types(void)
     struct image image;
     CHECK(image_file_types(4) == NULL && type_of("a.jpg") == NULL);
     CHECK_TEXT(file_type_endings(image_file_types, &arena), ".png, .exr, .pfm or .hdr");
-    CHECK(!image_file_read("/nowhere/x.png", IMAGE_LIGHT, &arena, &image, &error));
+    CHECK(!image_file_read("/nowhere/x.png", &as_light, &arena, &image, &error));
     CHECK(error.code == ERROR_IO);
     CHECK_TEXT(error.message, "there is no file /nowhere/x.png");
     arena_free(&arena);
@@ -350,11 +372,11 @@ static int write_all(const char *folder, struct arena *arena)
     return 0;
 }
 
-static int print(const char *path, enum image_values values, struct arena *arena)
+static int print(const char *path, const struct image_wish *wish, struct arena *arena)
 {
     struct image image;
     struct error error;
-    if (!image_file_read(path, values, arena, &image, &error)) {
+    if (!image_file_read(path, wish, arena, &image, &error)) {
         printf("%s\n", error.message);
         return (int)error.code;
     }
@@ -383,9 +405,9 @@ int main(void)
     if (folder != NULL) {
         status = write_all(folder, &arena);
     } else if (light != NULL || codes != NULL) {
-        status =
-            light != NULL ? print(light, IMAGE_LIGHT, &arena) : print(codes, IMAGE_CODES, &arena);
+        status = light != NULL ? print(light, &as_light, &arena) : print(codes, &as_codes, &arena);
     } else {
+        test_wished(&arena);
         test_round_trips(&arena);
         test_truncated(&arena);
         test_damaged(&arena);

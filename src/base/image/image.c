@@ -26,6 +26,17 @@ bool image_new(struct image *image, struct arena *arena, struct error *error)
     return true;
 }
 
+bool image_new_wished(struct image *image, const struct image_wish *wish, struct arena *arena,
+                      struct error *error)
+{
+    const size_t most = wish->pixels_most;
+    if (most > 0 && image->width > most / (image->height > 0 ? image->height : 1)) {
+        return fail(error, ERROR_DATA, "%zu x %zu pixels: at most %zu", image->width, image->height,
+                    most);
+    }
+    return image_new(image, arena, error);
+}
+
 double image_proportion(const struct image *image)
 {
     const double pixels = (double)image->width / (double)image->height;

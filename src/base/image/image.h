@@ -46,6 +46,12 @@ enum image_values {
     IMAGE_CODES  /* the numbers themselves, the highest 1: raw data, distances */
 };
 
+/* How a picture is to be read. */
+struct image_wish {
+    enum image_values values; /* of formats with whole numbers */
+    size_t pixels_most;       /* 0: as many as the limits above let be */
+};
+
 /* How a picture is to be written; each format looks at what it can choose. */
 struct image_way {
     int bits;                 /* PNG: 8 or 16 */
@@ -60,6 +66,14 @@ struct image_way {
  * Errors    ERROR_DATA: no pixels, or more than the limits
  */
 bool image_new(struct image *image, struct arena *arena, struct error *error);
+
+/*
+ * The same of a picture that a file's header describes, before anything of it is unpacked.
+ *
+ * Errors    ERROR_DATA: more pixels than wished, too
+ */
+bool image_new_wished(struct image *image, const struct image_wish *wish, struct arena *arena,
+                      struct error *error);
 
 /* Width over height of the whole picture. */
 double image_proportion(const struct image *image);

@@ -101,8 +101,8 @@ static bool walk(struct text file, struct jpeg *jpeg, struct error *error)
     return jpeg->image->width > 0 || fail(error, ERROR_DATA, "JPEG: there is no picture in it");
 }
 
-bool jpeg_read(struct text file, enum image_values values, struct arena *arena, struct image *image,
-               struct error *error)
+bool jpeg_read(struct text file, const struct image_wish *wish, struct arena *arena,
+               struct image *image, struct error *error)
 {
     struct stb_picture picture;
     *image = (struct image){.channels = 1, .bits = 8};
@@ -116,7 +116,7 @@ bool jpeg_read(struct text file, enum image_values values, struct arena *arena, 
                     image->width, image->height, file.length);
     }
     exif_notes(jpeg.exif, image, arena);
-    if (!image_new(image, arena, error)) {
+    if (!image_new_wished(image, wish, arena, error)) {
         return false;
     }
     if (!stb_decode(file, 8, arena, &picture) || picture.width != image->width ||
@@ -125,7 +125,7 @@ bool jpeg_read(struct text file, enum image_values values, struct arena *arena, 
     }
     for (size_t i = 0; i < picture.width * picture.height * picture.channels; i++) {
         const double code = picture.values[i] / 255.0;
-        image->pixels[i] = (float)(values == IMAGE_LIGHT ? image_light(image, code) : code);
+        image->pixels[i] = (float)(wish->values == IMAGE_LIGHT ? image_light(image, code) : code);
     }
     return true;
 }

@@ -10,12 +10,12 @@ bool jpeg_is(struct text file);
 /*
  * Read one, baseline or progressive, of 8 bits, grey or colours.
  *
- * Given     values  IMAGE_LIGHT: sRGB is undone, whatever profile it has
+ * Given     wish    its values, IMAGE_LIGHT: sRGB is undone, whatever profile it has
  * Result    channels Y or RGB; notes: as exif_notes. Its own way round: what Exif says of turning
  *           is not heard
  * Errors    ERROR_DATA: truncated, damaged, too large, of another kind
  */
-bool jpeg_read(struct text file, enum image_values values, struct arena *arena, struct image *image,
-               struct error *error);
+bool jpeg_read(struct text file, const struct image_wish *wish, struct arena *arena,
+               struct image *image, struct error *error);
 
 #endif

@@ -17,7 +17,8 @@ bool openexr_is(struct text file);
  *           pixel, another packing, channels of lower resolution, pixels that are not square, a
  *           picture that is part of a larger one, NaN
  */
-bool openexr_read(struct text file, struct arena *arena, struct image *image, struct error *error);
+bool openexr_read(struct text file, const struct image_wish *wish, struct arena *arena,
+                  struct image *image, struct error *error);
 
 /*
  * Write one of scanlines, from the top.

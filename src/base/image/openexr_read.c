@@ -360,7 +360,8 @@ static bool read_block(struct openexr *file, size_t rows, bool *seen, unsigned c
     return true;
 }
 
-bool openexr_read(struct text bytes, struct arena *arena, struct image *image, struct error *error)
+bool openexr_read(struct text bytes, const struct image_wish *wish, struct arena *arena,
+                  struct image *image, struct error *error)
 {
     struct openexr *file = ARENA_NEW(arena, struct openexr);
     *file = (struct openexr){.data = (const unsigned char *)bytes.start,
@@ -379,7 +380,7 @@ bool openexr_read(struct text bytes, struct arena *arena, struct image *image, s
         return fail(error, ERROR_DATA, "OpenEXR: %zu x %zu pixels do not come from %zu bytes",
                     image->width, image->height, file->size);
     }
-    if (!image_new(image, arena, error)) {
+    if (!image_new_wished(image, wish, arena, error)) {
         return false;
     }
     const size_t most = rows * image->width * file->pixel;

@@ -50,7 +50,8 @@ static bool take_side(struct text file, size_t *at, const char *what, size_t *si
     return true;
 }
 
-bool pfm_read(struct text file, struct arena *arena, struct image *image, struct error *error)
+bool pfm_read(struct text file, const struct image_wish *wish, struct arena *arena,
+              struct image *image, struct error *error)
 {
     size_t at = 2;
     double scale;
@@ -61,7 +62,8 @@ bool pfm_read(struct text file, struct arena *arena, struct image *image, struct
         return false;
     }
     if (!isfinite(scale) || scale == 0) {
-        return fail(error, ERROR_DATA, "PFM: scale %g: it must be a number other than 0", scale);
+        return fail(error, ERROR_DATA, "PFM: scale %g: it must be a finite number other than 0",
+                    scale);
     }
     const size_t values = image->width * image->channels, row = 4 * values;
     if (file.length - at != row * image->height) {
@@ -70,7 +72,7 @@ bool pfm_read(struct text file, struct arena *arena, struct image *image, struct
                     file.length - at, image->width, image->height, image->channels,
                     row * image->height);
     }
-    if (!image_new(image, arena, error)) {
+    if (!image_new_wished(image, wish, arena, error)) {
         return false;
     }
     const float factor = (float)fabs(scale);

@@ -15,7 +15,8 @@ bool pfm_is(struct text file);
  * Source    the format as its author describes it, pauldebevec.com/Research/HDR/PFM
  * Errors    ERROR_DATA: not of that form, more or fewer bytes than it has pixels, NaN
  */
-bool pfm_read(struct text file, struct arena *arena, struct image *image, struct error *error);
+bool pfm_read(struct text file, const struct image_wish *wish, struct arena *arena,
+              struct image *image, struct error *error);
 
 /*
  * Write one, little-endian, of scale 1. What is noted is not written: readers know no comments.

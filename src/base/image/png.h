@@ -11,15 +11,16 @@ bool png_is(struct text file);
  * Read one of any kind: 1 to 16 bits, grey or colours or a palette, with or without transparency,
  * interlaced or not.
  *
- * Given     values  IMAGE_LIGHT: the samples are undone from the file's gAMA if it has that alone,
- *                   else from sRGB; transparency is no light. Profiles (iCCP) are passed over
+ * Given     wish    its values, IMAGE_LIGHT: the samples are undone from the file's gAMA if it has
+ *                   that alone, else from sRGB; transparency is no light. Profiles (iCCP) are
+ *                   passed over
  * Result    1 to 4 channels: Y, YA, RGB, RGBA; notes: its texts that are not compressed
  * Source    [PNG03]
  * Errors    ERROR_DATA naming the byte: truncated, a checksum is wrong, not of PNG's form, more
  *           pixels than so many bytes can hold, colours that the palette lacks
  */
-bool png_read(struct text file, enum image_values values, struct arena *arena, struct image *image,
-              struct error *error);
+bool png_read(struct text file, const struct image_wish *wish, struct arena *arena,
+              struct image *image, struct error *error);
 
 /*
  * Write one of 1 to 4 channels, Y, YA, RGB, RGBA.

@@ -307,12 +307,29 @@ static bool look_up(const struct png *png, struct stb_picture *picture, struct a
     return true;
 }
 
-bool png_read(struct text file, enum image_values values, struct arena *arena, struct image *image,
-              struct error *error)
+/* Pixels from the file's bytes, by way of codes in an arena that is given up. */
+static bool decode(const struct png *png, enum image_values values, struct arena *arena,
+                   struct error *error)
+{
+    const struct image *image = png->image;
+    struct stb_picture picture;
+    if (!stb_decode(bytes_text(&png->plain), png->bits == 16 ? 16 : 8, arena, &picture)) {
+        return fail(error, ERROR_DATA, "PNG: its pixels are damaged or incomplete");
+    }
+    if (png->color == PALETTE && !look_up(png, &picture, arena, error)) {
+        return false;
+    }
+    assert(picture.width == image->width && picture.height == image->height &&
+           picture.channels == image->channels);
+    fill(png, picture.values, values, arena);
+    return true;
+}
+
+bool png_read(struct text file, const struct image_wish *wish, struct arena *arena,
+              struct image *image, struct error *error)
 {
     struct png png = {.plain = {.arena = arena}, .image = image};
     struct chunk chunk = {.at = PNG_START};
-    struct stb_picture picture;
     *image = (struct image){0};
     bytes_put(&png.plain, PNG_SIGNATURE, PNG_START);
     for (size_t at = PNG_START; strcmp(chunk.type, "IEND") != 0; at += PNG_FRAME + chunk.count) {
@@ -321,17 +338,11 @@ bool png_read(struct text file, enum image_values values, struct arena *arena, s
         }
     }
     open_image(&png);
-    if (!check_size(&png, error) || !image_new(image, arena, error)) {
+    if (!check_size(&png, error) || !image_new_wished(image, wish, arena, error)) {
         return false;
     }
-    if (!stb_decode(bytes_text(&png.plain), png.bits == 16 ? 16 : 8, arena, &picture)) {
-        return fail(error, ERROR_DATA, "PNG: its pixels are damaged or incomplete");
-    }
-    if (png.color == PALETTE && !look_up(&png, &picture, arena, error)) {
-        return false;
-    }
-    assert(picture.width == image->width && picture.height == image->height &&
-           picture.channels == image->channels);
-    fill(&png, picture.values, values, arena);
-    return true;
+    struct arena codes = {0};
+    const bool done = decode(&png, wish->values, &codes, error);
+    arena_free(&codes);
+    return done;
 }

@@ -10,6 +10,9 @@
 /* Of the exponent byte: 128 more than the exponent, of mantissas of 8 bits behind the point. */
 enum { EXCESS = 136, PACKED_LEAST = 8, PACKED_MOST = 32767, RUN_MOST = 127, RUN_LEAST = 4 };
 
+/* What light may have been multiplied by: about as far as the exponents of pixels reach. */
+static const double FACTOR_LEAST = 1e-38, FACTOR_MOST = 1e38;
+
 bool radiance_is(struct text file)
 {
     return file.length >= 2 && file.start[0] == '#' && file.start[1] == '?';
@@ -19,6 +22,7 @@ bool radiance_is(struct text file)
 
 struct radiance {
     struct text rest; /* what is not yet read */
+    size_t line;      /* of the head, the last that was read */
     const char *start;
     double factor[3];
     bool is_xyz;
@@ -39,6 +43,7 @@ static bool next_line(struct radiance *file, struct text *line, struct error *er
         return fail(error, ERROR_DATA, "Radiance: ends within its head");
     }
     *line = text_between(file->rest.start, end);
+    file->line++;
     file->rest = text_between(end + 1, file->rest.start + file->rest.length);
     return true;
 }
@@ -53,12 +58,14 @@ static bool take_aspect(struct radiance *file, struct text value, struct error *
     double ratio = 0;
     return (number_read(number.start, end, NUMBER_UNSCALED, &ratio) == end &&
             image_take_aspect(image, before / ratio)) ||
-           fail(error, ERROR_DATA, "Radiance: PIXASPECT '%.*s' must be a number of %g to %g",
+           fail(error, ERROR_DATA,
+                "Radiance: line %zu: PIXASPECT '%.*s' must be a number of %g to %g", file->line,
                 text_shown(number), number.start, IMAGE_ASPECT_LEAST, IMAGE_ASPECT_MOST);
 }
 
 /* Divide by `count` numbers of a line, or by one for all channels. */
-static bool divide(struct radiance *file, struct text values, int count, struct error *error)
+static bool divide(struct radiance *file, const char *name, struct text values, int count,
+                   struct error *error)
 {
     const char *end = values.start + values.length, *at = values.start;
     double value = 0;
@@ -69,10 +76,10 @@ static bool divide(struct radiance *file, struct text values, int count, struct 
             }
             at = number_read(at, end, NUMBER_UNSCALED, &value);
         }
-        if (at == NULL || !(value > 0) || isinf(value)) {
-            return fail(error, ERROR_DATA, "Radiance: '%.*s' must be %s above 0",
-                        text_shown(values), values.start,
-                        count == 1 ? "a number" : "three numbers");
+        if (at == NULL || !(value >= FACTOR_LEAST && value <= FACTOR_MOST)) {
+            return fail(error, ERROR_DATA, "Radiance: line %zu: %s '%.*s' must be %s of %g to %g",
+                        file->line, name, text_shown(values), values.start,
+                        count == 1 ? "a number" : "three numbers", FACTOR_LEAST, FACTOR_MOST);
         }
         file->factor[i] /= value;
     }
@@ -97,10 +104,10 @@ static bool take_line(struct radiance *file, struct text line, struct error *err
         return take_aspect(file, aspect, error);
     }
     if (exposure.start != NULL) {
-        return divide(file, exposure, 1, error);
+        return divide(file, "EXPOSURE", exposure, 1, error);
     }
     if (correction.start != NULL) {
-        return divide(file, correction, 3, error);
+        return divide(file, "COLORCORR", correction, 3, error);
     }
     if (format.start != NULL) {
         file->is_xyz = text_equal(text_trim(format), "32-bit_rle_xyze");
@@ -244,10 +251,12 @@ static void fill_row(const struct radiance *file, size_t row, const unsigned cha
     }
 }
 
-bool radiance_read(struct text bytes, struct arena *arena, struct image *image, struct error *error)
+bool radiance_read(struct text bytes, const struct image_wish *wish, struct arena *arena,
+                   struct image *image, struct error *error)
 {
     static const char *const xyz[] = {"X", "Y", "Z"};
-    struct radiance file = {bytes, bytes.start, {1, 1, 1}, false, false, false, arena, image};
+    struct radiance file = {
+        .rest = bytes, .start = bytes.start, .factor = {1, 1, 1}, .arena = arena, .image = image};
     *image = (struct image){.channels = 3};
     if (!read_head(&file, error)) {
         return false;
@@ -259,7 +268,7 @@ bool radiance_read(struct text bytes, struct arena *arena, struct image *image, 
         return fail(error, ERROR_DATA, "Radiance: %zu x %zu pixels do not come from %zu bytes",
                     width, image->height, file.rest.length);
     }
-    if (!image_new(image, arena, error)) {
+    if (!image_new_wished(image, wish, arena, error)) {
         return false;
     }
     image->names = file.is_xyz ? xyz : NULL;

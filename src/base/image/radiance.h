@@ -15,10 +15,11 @@ bool radiance_is(struct text file);
  *           lines "# key: value"
  * Source    [Ward91]; mantissas as Walter (1997) and most readers take them, without the half step
  *           that Ward's own adds
- * Errors    ERROR_DATA: truncated, a row of another length, columns before rows, rows packed as
- *           they were before 1991
+ * Errors    ERROR_DATA: truncated, EXPOSURE or COLORCORR beyond 1e-38 to 1e38, a row of another
+ *           length, columns before rows, rows packed as they were before 1991
  */
-bool radiance_read(struct text file, struct arena *arena, struct image *image, struct error *error);
+bool radiance_read(struct text file, const struct image_wish *wish, struct arena *arena,
+                   struct image *image, struct error *error);
 
 /*
  * Write one of 1 or 3 channels; grey becomes three equal ones. Mantissas are rounded to the

@@ -21,9 +21,10 @@ bool render_card(const struct render_input *input, struct arena *arena, struct c
         fail(error, ERROR_USAGE, "there is no chart '%.40s'", name);
         return error_hint(error, "edge, star, grid, checker, bars, wedge, points or stars");
     }
+    const struct image_wish wish = {IMAGE_LIGHT, IMAGE_SEEN_MOST};
     struct image *picture = ARENA_NEW(arena, struct image);
     card->picture = picture;
-    return image_file_read(input->subject, IMAGE_LIGHT, arena, picture, error) &&
+    return image_file_read(input->subject, &wish, arena, picture, error) &&
            (image_check(picture, IMAGE_POSITIVE, error) ||
             error_prefix(error, "%.200s: ", input->subject));
 }

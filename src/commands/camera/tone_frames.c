@@ -3,6 +3,7 @@
 #include "commands/camera/render.h"
 #include "commands/camera/tone.h"
 #include "file/image_file.h"
+#include "report/place.h"
 
 #include <math.h>
 #include <string.h>
@@ -153,13 +154,29 @@ static void take_notes(struct reading *reading, const struct image *image, size_
     }
 }
 
+/* Its noise would count as if it were another's. */
+static bool check_once(const struct reading *reading, const char *path, struct error *error)
+{
+    for (size_t i = 0; i < reading->frames->count; i++) {
+        const char *other = reading->frames->frames[i].name;
+        if (place_is_same(other, path, reading->arena)) {
+            return strcmp(other, path) == 0
+                       ? fail(error, ERROR_USAGE, "%.200s is given twice", path)
+                       : fail(error, ERROR_USAGE, "%.200s and %.200s are the same file", other,
+                              path);
+        }
+    }
+    return true;
+}
+
 static bool read_one(struct reading *reading, const char *path, double time, size_t i,
                      struct error *error)
 {
     struct arena scratch = {0};
+    const struct image_wish wish = {IMAGE_CODES, IMAGE_VALUES_MOST / FRAME_CHANNELS};
     struct image image;
     struct tone_frame *frame = &reading->frames->frames[i];
-    bool done = image_file_read(path, IMAGE_CODES, &scratch, &image, error);
+    bool done = image_file_read(path, &wish, &scratch, &image, error);
     if (done) {
         done = check_kind(&image, error) && frame_take(&image, reading->arena, frame, error);
         frame->name = path;
@@ -273,13 +290,14 @@ bool tone_frames_read(const struct tone_input *input, struct arena *arena,
             return false;
         }
         frames->is_timed = frames->is_timed || !isnan(time);
-        if (!read_one(&reading, path, time, frames->count, error)) {
+        if (!check_once(&reading, path, error) ||
+            !read_one(&reading, path, time, frames->count, error)) {
             return false;
         }
     }
     if (reading.times.start != NULL) {
-        return fail(error, ERROR_USAGE, "{--times} '%.100s' has more times than the %zu frames",
-                    input->times, frames->count);
+        return fail(error, ERROR_USAGE, "{--times} '%.100s' has more times than the %zu frame%s",
+                    input->times, frames->count, frames->count == 1 ? "" : "s");
     }
     return check_timed(frames, error) && check_times(frames, error) &&
            settle(frames, reading.iso, 1, "ISO speed", &frames->iso, error) &&
