@@ -4,13 +4,13 @@
 
 #include "base/name_index.h"
 #include "cli/arguments.h"
+#include "cli/inputs.h"
 #include "cli/sweep.h"
 #include "optics/growing.h"
 #include "report/place.h"
 #include "report/terminal.h"
 
 #include <string.h>
-#include <sys/stat.h>
 #include <unistd.h>
 
 enum { MOST_INPUTS = 100 };
@@ -142,23 +142,19 @@ static const char *other_writer(const struct artifacts *artifacts,
     return NULL;
 }
 
-/* Is a file there that would be replaced? */
-static bool is_file(const char *path, struct arena *arena)
-{
-    struct stat found;
-    const char *place = place_of(path, arena);
-    return place != NULL && place_descriptor(place, arena) == PLACE_CLOSED &&
-           stat(place, &found) == 0 && S_ISREG(found.st_mode);
-}
-
-/* A file that is there already, and two artifacts in one file. */
+/* A file that is there already, or is read, and two artifacts in one file. */
 static bool check_place(const struct artifacts *artifacts, const struct artifact_job *job,
                         const struct artifact_setting *setting, struct error *error)
 {
     for (size_t i = 0; i < job->files && job->path != NULL; i++) {
         const char *path = numbered(job, i, setting->arena);
-        if (job->artifact->is_kept && !setting->common->force && is_file(path, setting->arena)) {
+        if (job->artifact->is_kept && !setting->common->force &&
+            place_is_file(path, setting->arena)) {
             return fail(error, ERROR_IO, "%s already exists: --force overwrites it", path);
+        }
+        if (!inputs_spare(setting->arguments, setting->common->force, path, setting->arena,
+                          error)) {
+            return false;
         }
         const char *other = other_writer(artifacts, setting, path);
         if (other != NULL) {
@@ -314,7 +310,7 @@ static void tell_left(struct output *sinks, size_t count)
 {
     for (size_t i = 0; i < count; i++) {
         struct output *sink = &sinks[i];
-        if (sink->is_unused && sink->path != NULL && is_file(sink->path, sink->arena)) {
+        if (sink->is_unused && sink->path != NULL && place_is_file(sink->path, sink->arena)) {
             sink->remarks = text_of(arena_printf(
                 sink->arena, "%s stays as it was: it is of an earlier run\n", sink->path));
         }

@@ -435,6 +435,13 @@ bool batch_open(struct batch *batch, const struct batch_source *source, struct e
     return begin(batch, source->format, error);
 }
 
+bool batch_is_file(const struct batch *batch, int descriptor)
+{
+    struct stat read, written;
+    return fstat(batch->descriptor, &read) == 0 && fstat(descriptor, &written) == 0 &&
+           S_ISREG(read.st_mode) && read.st_dev == written.st_dev && read.st_ino == written.st_ino;
+}
+
 double batch_share(const struct batch *batch)
 {
     struct stat file;

@@ -112,6 +112,9 @@ bool batch_open(struct batch *batch, const struct batch_source *source, struct e
  */
 enum batch_result batch_next(struct batch *batch, void *input, struct error *error);
 
+/* Are the rows those of the regular file that this descriptor has open? */
+bool batch_is_file(const struct batch *batch, int descriptor);
+
 /* How much of its file has been read, 0 to 1; NaN of a pipe. */
 double batch_share(const struct batch *batch);
 

@@ -52,7 +52,7 @@ const struct option common_options[] = {
      .fallback = "auto", .help = "what the rows of --batch are"},
     {COMMON(fail_fast), .name = "fail-fast", .help = "stop at the first row that fails"},
     {COMMON(force), .name = "force", .flags = OPTION_ASIDE,
-     .help = "allow sweeps of very many rows; overwrite files that exist"},
+     .help = "allow sweeps of very many rows; overwrite inputs, and results of fits and searches"},
     {COMMON(output), .name = "output", .letter = 'o', .value = "FILE",
      .flags = OPTION_FILE | OPTION_ASIDE,
      .help = "write to FILE, which appears only when it is complete"},
@@ -175,11 +175,7 @@ static bool has_series(const struct command *command)
 
 static bool is_forced(const struct command *command)
 {
-    bool found = takes_many(command) || command->again != NULL;
-    for (size_t i = 0; i < command->artifact_count && !found; i++) {
-        found = command->artifacts[i].is_kept;
-    }
-    return found;
+    return has_rows(command) || command->again != NULL || command->artifact_count > 0;
 }
 
 /* Does an answer depend on such data? */

@@ -8,6 +8,7 @@
 #include "cli/complain.h"
 #include "cli/help.h"
 #include "cli/idle.h"
+#include "cli/inputs.h"
 #include "cli/interrupt.h"
 #include "cli/relay.h"
 #include "cli/rows.h"
@@ -188,7 +189,9 @@ static bool prepare(struct driver *driver, int count, char **words, struct error
     driver->reader =
         (struct reader){.db = &driver->db, .arena = &driver->arena, .lenses = &driver->lenses};
     if (!arguments_parse(&driver->arguments, command, count, words, &driver->arena, error) ||
-        !arguments_common(&driver->arguments, &driver->reader, &driver->common, error)) {
+        !arguments_common(&driver->arguments, &driver->reader, &driver->common, error) ||
+        !inputs_spare(&driver->arguments, driver->common.force, driver->common.output,
+                      &driver->arena, error)) {
         return false;
     }
     driver->db.directory = driver->common.lensdb != NULL ? driver->common.lensdb : driver->database;
@@ -259,6 +262,10 @@ static bool open_output(struct driver *driver, struct error *error)
         return false;
     }
     driver->is_open = true;
+    if (driver->is_batch && batch_is_file(&driver->batch, driver->output.descriptor)) {
+        return fail(error, ERROR_USAGE,
+                    "--batch reads the file that rows are written to: it would have no end");
+    }
     if (driver->report.format == &format_text) {
         terminal_prepare(&driver->output, driver->arguments.color);
         driver->report.remedy = "--columns NAMES chooses, --csv shows all";

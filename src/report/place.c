@@ -96,6 +96,14 @@ static int open_as(const char *path, struct arena *arena)
                                           : PLACE_CLOSED;
 }
 
+bool place_is_file(const char *path, struct arena *arena)
+{
+    struct stat found;
+    const char *place = place_of(path, arena);
+    return place != NULL && place_descriptor(place, arena) == PLACE_CLOSED &&
+           stat(place, &found) == 0 && S_ISREG(found.st_mode);
+}
+
 bool place_is_same(const char *a, const char *b, struct arena *arena)
 {
     struct stat first, second;

@@ -33,6 +33,9 @@ int place_descriptor(const char *path, struct arena *arena);
 /* Does the name mean standard output: none, "-", or that of descriptor 1? */
 bool place_is_standard(const char *path, struct arena *arena);
 
+/* Is a regular file there that would be replaced? What is open is none. */
+bool place_is_file(const char *path, struct arena *arena);
+
 /* The folder of a path: "." for a bare name. */
 const char *place_folder(const char *path, struct arena *arena);
 

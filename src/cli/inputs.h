@@ -1,0 +1,19 @@
+/* cli/inputs.h - files that the words of a command name to be read. */
+/* SPDX-License-Identifier: MIT */
+#ifndef LENSCALC_CLI_INPUTS_H
+#define LENSCALC_CLI_INPUTS_H
+
+#include "cli/arguments.h"
+
+/*
+ * Refuse to write over what is read. Files that other files name, as the pictures of a scene, are
+ * not looked for.
+ *
+ * Given     force  it is meant so: nothing is refused
+ *           path   of what will be written; null, "-" and what is open: nothing is replaced
+ * Errors    ERROR_IO: an option or operand names the same file, or standard input is it
+ */
+bool inputs_spare(const struct arguments *arguments, bool force, const char *path,
+                  struct arena *arena, struct error *error);
+
+#endif
