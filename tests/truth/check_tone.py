@@ -15,6 +15,7 @@ import subprocess
 import sys
 import tempfile
 import zlib
+from operator import mul
 
 sys.dont_write_bytecode = True
 sys.path.insert(0, os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
@@ -443,28 +444,37 @@ def check_ward(tone, checks):
 
 # -------- the eye --------
 
-def scattered(cells, across, down, cell):
-    """Veil of each cell: by the paper's equation, weights divided by their sum at the receiver."""
+def weights_of(across, down, cell):
+    """cos t/t^2 for t between the middles of each two cells."""
     directions = []
     for i in range(across * down):
         x = cell[0] * (i % across + 0.5 - across / 2)
         y = cell[1] * (i // across + 0.5 - down / 2)
         n = math.sqrt(x * x + y * y + 1)
         directions.append((x / n, y / n, 1 / n))
-    veil = []
-    for i, a in enumerate(directions):
-        above = below = 0
-        for j, b in enumerate(directions):
-            cosine = sum(p * q for p, q in zip(a, b))
-            if i != j and cosine > 0:
-                weight = cosine / math.acos(min(1, cosine)) ** 2
-                above += weight * cells[j]
-                below += weight
-        veil.append(0.087 * above / below)
-    return veil
+    rows = []
+    for i, (x, y, z) in enumerate(directions):
+        cosines = [x * u + y * v + z * w for u, v, w in directions]
+        cosines[i] = 0
+        rows.append([cosine / math.acos(min(1, cosine)) ** 2 if cosine > 0 else 0
+                     for cosine in cosines])
+    return rows
+
+
+def times(row, numbers):
+    return sum(map(mul, row, numbers))
+
+
+def balance_of(weights):
+    """d of each cell, so that d_i d_j w_ij sum up to 1."""
+    d = [1.0] * len(weights)
+    for _ in range(12):
+        d = [math.sqrt(here / times(row, d)) for here, row in zip(d, weights)]
+    return d
 
 
 def check_glare(tone, checks):
+    """Light is kept; the veil is the balanced one, and about what the paper's equation gives."""
     scene = uneven_scene(10)
     tone.scene(scene)
     veiled, _ = tone.run("scene.pfm", "--glare", "--fov", "30")
@@ -475,17 +485,35 @@ def check_glare(tone, checks):
         after = sum(p[k] for row in veiled for p in row)
         checks.check(abs(after / before - 1) < 1e-5, f"glare: {after / before - 1:.1e} of channel {k}")
     cells, across, down, cell = foveal(scene, 30)
-    published = scattered([c[1] for c in cells], across, down, cell)
+    weights, light = weights_of(across, down, cell), [c[1] for c in cells]
+    d = balance_of(weights)
+    balanced = [0.087 * here * times(row, map(mul, d, light))
+                for here, row in zip(d, weights)]
+    # divided by the sum at the receiver, where light gets lost at the edges
+    published = [0.087 * times(row, light) / sum(row) for row in weights]
     width, height = len(scene[0]), len(scene)
-    ratios = []
+    near, far = [], []
     for r in range(3, down - 3):
         for c in range(3, across - 3):
             x, y = int((c + 0.5) * width / across), int((r + 0.5) * height / down)
             mine = veiled[y][x][1] - 0.913 * scene[y][x][1]
-            ratios.append(mine / published[r * across + c])
-    ratios.sort()
-    # the lamp's neighbours: between cells in straight lines; sums balanced as the edges need it
-    checks.check(0.93 < ratios[len(ratios) // 2] < 1.07, f"glare: median {ratios[len(ratios) // 2]:.3f}")
+            # between the middles of cells in straight lines
+            u, v = (x + 0.5) * across / width - 0.5, (y + 0.5) * down / height - 0.5
+            i, u, v = int(v) * across + int(u), u - int(u), v - int(v)
+            near.append(mine / sum(share * balanced[i + at] for share, at in (
+                ((1 - u) * (1 - v), 0), (u * (1 - v), 1), ((1 - u) * v, across),
+                (u * v, across + 1))))
+            far.append(mine / published[r * across + c])
+    # as a whole it has the light of the pixels, not of the cells
+    near.sort()
+    middle = near[len(near) // 2]
+    checks.check(abs(middle - 1) < 0.02, f"glare: {middle:.4f} of the balanced veil")
+    checks.check(near[0] > 0.998 * middle and near[-1] < 1.002 * middle,
+                 f"glare: {near[0]:.4f} to {near[-1]:.4f} of the balanced veil")
+    far.sort()
+    for share, low, high in ((0.05, 0.9, 1), (0.5, 0.93, 1.07), (0.95, 0.96, 1.03)):
+        found = far[int(share * len(far))]
+        checks.check(low < found < high, f"glare: {found:.3f} of the published veil at {share}")
     tone.scene([[(5.0, 4.0, 3.0)] * 90] * 60)
     even, _ = tone.run("scene.pfm", "--glare")
     worst = max(abs(c / d - 1) for row in even for p in row for c, d in zip(p, (5, 4, 3)))
@@ -534,6 +562,34 @@ def check_acuity(tone, checks):
             contrast = (max(values) - min(values)) / light
             checks.check(contrast > 0.8 if relative < 1 else contrast < 0.2,
                          f"acuity: {light} cd/m2, {relative} of the finest grating: {contrast:.3f}")
+
+
+def check_blur(tone, checks):
+    """
+    A cycle of the finest grating becomes two samples: of waves four times as long, of 32 pixels,
+    means of 4 pixels, whose middles lie 22.5 degrees beside the crests; straight lines between.
+    """
+    light, period, width = 1000, 32, 256
+    finest = 17.25 * math.atan(1.4 * math.log10(light) + 0.35) + 25.72
+    degree = period * finest / 4  # pixels
+    angle = 2 * math.degrees(math.atan(width / degree * math.radians(1) / 2))
+    row = [(light * (1 + 0.5 * math.sin(2 * math.pi * (x + 0.5) / period)),) * 3 for x in range(width)]
+    tone.scene([row] * 64)
+    made, _ = tone.run("scene.pfm", "--acuity", "--fov", f"{angle:.9f}")
+    if made is None:
+        return
+    turn = math.pi / period  # half a pixel
+    mean = math.sin(4 * turn) / (4 * math.sin(turn))
+    worst = 0
+    for x in range(width // 4 + 2, 3 * width // 4, 4):
+        waves = [math.sin(2 * math.pi * at / period) * mean for at in (x, x + 4)]
+        for i in range(4):
+            expected = light * (1 + 0.5 * (waves[0] + (i + 0.5) / 4 * (waves[1] - waves[0])))
+            worst = max(worst, abs(made[32][x + i][1] / expected - 1))
+    values = [p[1] for p in made[32][64:192]]
+    contrast = (max(values) - min(values)) / light
+    checks.check(abs(contrast - mean * math.cos(math.radians(22.5))) < 0.01, f"blur: {contrast:.4f}")
+    checks.check(worst < 1e-4, f"blur: off by {worst:.2e}")
 
 
 RAMP = ((10, 8, 36), (62, 18, 106), (142, 36, 106), (214, 78, 62), (248, 154, 34), (253, 247, 190))
@@ -592,7 +648,8 @@ def main():
     with tempfile.TemporaryDirectory(prefix="lenscalc-tone-") as folder:
         tone = Tone(Program(sys.argv[1]), checks, folder)
         for check in (check_merge, check_rendered, check_whites, check_response, check_shift, check_exif,
-                      check_ward, check_glare, check_colours, check_acuity, check_falsecolour, check_operators):
+                      check_ward, check_glare, check_colours, check_acuity, check_blur,
+                      check_falsecolour, check_operators):
             check(tone, checks)
     checks.finish()
 
