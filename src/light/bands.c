@@ -3,6 +3,7 @@
 #include "light/bands.h"
 
 #include "light/bands_many.h"
+#include "light/bands_match.h"
 #include "light/colour.h"
 #include "light/illuminant.h"
 #include "light/observer.h"
@@ -127,24 +128,30 @@ bool bands_of_surface(const struct bands *bands, const struct spectrum *surface,
 
 /* -------- lights -------- */
 
-/* In bands, of any luminance; three may be negative. */
-static bool light_parts(const struct bands *bands, const struct spectrum *light,
-                        double of[BANDS_MOST], struct error *error)
+/* In bands, of any luminance; three may be negative. Result: the luminance. */
+static double light_parts(const struct bands *bands, const struct spectrum *light,
+                          double of[BANDS_MOST])
 {
+    if (light->kind == SPECTRUM_RGB) {
+        spread_rgb(bands, light->rgb, of);
+        return colour_luminance(light->rgb);
+    }
+    if (is_three(bands)) {
+        white_rgb_of(bands, light, NULL, of);
+        return colour_luminance(of);
+    }
+    bands_ratios(bands, light, NULL, of);
+    return bands_whole(light).part[1];
+}
+
+bool bands_of_light(const struct bands *bands, const struct spectrum *light, double of[BANDS_MOST],
+                    double *held, struct error *error)
+{
+    double share = 1;
     if (!spectrum_check(light, error)) {
         return false;
     }
-    if (light->kind == SPECTRUM_RGB) {
-        spread_rgb(bands, light->rgb, of);
-    } else if (is_three(bands)) {
-        white_rgb_of(bands, light, NULL, of);
-    } else {
-        bands_ratios(bands, light, NULL, of);
-    }
-    double amount = 0;
-    for (size_t k = 0; k < bands->count; k++) {
-        amount += of[k] * colour_luminance(bands->rgb[k]);
-    }
+    const double amount = light_parts(bands, light, of);
     if (!(amount > 0 && 1 / amount < (double)INFINITY)) {
         return fail(error, ERROR_DOMAIN,
                     "the spectrum of the light has nothing between %g and %g um: no eye sees it",
@@ -153,19 +160,11 @@ static bool light_parts(const struct bands *bands, const struct spectrum *light,
     for (size_t k = 0; k < bands->count; k++) {
         of[k] /= amount;
     }
-    return true;
-}
-
-bool bands_of_light(const struct bands *bands, const struct spectrum *light, double of[BANDS_MOST],
-                    double *held, struct error *error)
-{
-    double share = 1;
-    if (!light_parts(bands, light, of, error)) {
-        return false;
-    }
     if (is_three(bands)) {
         share = share_within(of, 1, (double)INFINITY);
         move_from_grey(of, 1, share);
+    } else if (light->kind != SPECTRUM_RGB) {
+        bands_match(bands, light, of);
     }
     if (held != NULL) {
         *held = share;

@@ -53,7 +53,8 @@ void bands_three(struct bands *bands);
  *           rgb, so that white of D65 is 1 in each. basis: means over the band, weighted by D65
  *           times x + y + z, of three smooth spectra between 0 and 1 that make 1 together and look
  *           under D65 as red, green and blue of sRGB: the programme of the source, solved anew.
- *           Means take saturation away, which rgb gives back: colours of sRGB return exactly
+ *           Means take saturation away, which rgb gives back: colours of sRGB return exactly.
+ *           X and Y of each band are above 0; Z of yellow and red, nearly 0, may be below
  * Source    [Mallett19]; [CIE04]
  * Limits    sRGB of the 15 test colours of CIE 13.3, the light of luminance 1, is with 32 bands
  *           within 0.0011 in smooth lights and 0.007 in F11; with 16 0.004 and 0.05, with 8 0.023
@@ -86,6 +87,8 @@ bool bands_of_surface(const struct bands *bands, const struct spectrum *surface,
  *                  white
  * Formula   the sRGB of its sums over the spectrum, with D65 as white; where one is negative, the
  *           nearest to it on the way to the white of its luminance
+ *           In many bands the shares of it that they have, changed by bands_match, so that light
+ *           that is seen directly has the colour of its whole spectrum
  * Errors    ERROR_DOMAIN: what spectrum_check finds; light that the eye does not see
  */
 bool bands_of_light(const struct bands *bands, const struct spectrum *light, double of[BANDS_MOST],

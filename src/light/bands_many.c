@@ -87,35 +87,41 @@ static void set_basis(struct bands *bands, size_t primary)
 }
 
 /*
- * Let the bands' white be (1, 1, 1), and the three primaries look as they should: means over a band
- * take some of their saturation, 0.5 % with 32 bands, which all colours get back here.
+ * The mixture of the primaries' shares by which X, Y or Z of each band must be multiplied so that
+ * the primaries have it as they should.
  */
-static void set_colours(struct bands *bands)
+static struct colour mixture_of(const struct bands *bands, double (*xyz)[3], int i)
 {
-    double white[3] = {0};
-    struct colour_matrix looks = {
-        {{0}}}; /* column by column the sRGB of a surface of each primary */
+    const double *looks = colour_xyz_of_srgb.at[i];
+    struct colour_matrix shared = {{{0}}};
     for (size_t k = 0; k < bands->count; k++) {
-        for (int i = 0; i < 3; i++) {
-            white[i] += bands->rgb[k][i];
+        const double *basis = bands->basis[k];
+        for (int j = 0; j < 9; j++) {
+            shared.at[j / 3][j % 3] += xyz[k][i] * basis[j / 3] * basis[j % 3];
+        }
+    }
+    const struct colour_matrix back = colour_inverse(&shared);
+    return colour_turned(&back, (struct colour){{looks[0], looks[1], looks[2]}});
+}
+
+/*
+ * Let the three primaries look as they should: means over a band take some of their saturation,
+ * 0.5 % with 32 bands, which all colours get back here. X, Y and Z of each band get factors of
+ * their own, near 1: a matrix that is the same for all would take more Y from violet, which has
+ * hardly any, than there is.
+ */
+static void set_colours(struct bands *bands, double (*xyz)[3])
+{
+    for (int i = 0; i < 3; i++) {
+        const struct colour mixture = mixture_of(bands, xyz, i);
+        for (size_t k = 0; k < bands->count; k++) {
+            const double *basis = bands->basis[k];
+            xyz[k][i] *= mixture.part[0] * basis[0] + mixture.part[1] * basis[1] +
+                         mixture.part[2] * basis[2];
         }
     }
     for (size_t k = 0; k < bands->count; k++) {
-        for (int i = 0; i < 3; i++) {
-            bands->rgb[k][i] /= white[i];
-            for (int j = 0; j < 3; j++) {
-                looks.at[i][j] += bands->basis[k][j] * bands->rgb[k][i];
-            }
-        }
-    }
-    const struct colour_matrix back = colour_inverse(&looks);
-    for (size_t k = 0; k < bands->count; k++) {
-        double *rgb = bands->rgb[k];
-        const struct colour turned =
-            colour_turned(&back, (struct colour){{rgb[0], rgb[1], rgb[2]}});
-        for (int i = 0; i < 3; i++) {
-            rgb[i] = turned.part[i];
-        }
+        bands_rgb_of_sum(xyz[k], bands->rgb[k]);
     }
 }
 
@@ -131,7 +137,6 @@ bool bands_many(size_t count, struct bands *bands, struct error *error)
     sum_bands(count, &d65, NULL, xyz);
     for (size_t k = 0; k < count; k++) {
         bands->wavelength[k] = (edge(count, k) + edge(count, k + 1)) / 2;
-        bands_rgb_of_sum(xyz[k], bands->rgb[k]);
         bands->white[k] = xyz[k][0] + xyz[k][1] + xyz[k][2];
     }
     set_basis(bands, 0);
@@ -140,6 +145,6 @@ bool bands_many(size_t count, struct bands *bands, struct error *error)
         const double blue = 1 - bands->basis[k][0] - bands->basis[k][1];
         bands->basis[k][2] = blue > 0 ? blue : 0;
     }
-    set_colours(bands);
+    set_colours(bands, xyz);
     return true;
 }

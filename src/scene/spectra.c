@@ -2,6 +2,8 @@
 /* SPDX-License-Identifier: MIT */
 #include "scene/spectra.h"
 
+#include "light/bands_match.h"
+
 #include <stdbool.h>
 #include <stdint.h>
 #include <string.h>
@@ -30,6 +32,20 @@ static struct key key_of(const struct spectrum *spectrum, bool is_surface)
     return key;
 }
 
+/* A spectrum that is new. */
+static bool put(const struct bands *bands, const struct spectrum *spectrum, bool is_surface,
+                struct banded *banded, struct error *error)
+{
+    if (is_surface) {
+        return bands_of_surface(bands, spectrum, banded->of, &banded->held, error);
+    }
+    if (!bands_of_light(bands, spectrum, banded->of, &banded->held, error)) {
+        return false;
+    }
+    banded->off = bands->count > 3 ? bands_off(bands, spectrum, banded->of) : 0;
+    return true;
+}
+
 static const struct banded *find(struct spectra *spectra, const struct spectrum *spectrum,
                                  bool is_surface, const struct typed_place *place,
                                  struct error *error)
@@ -42,9 +58,7 @@ static const struct banded *find(struct spectra *spectra, const struct spectrum 
         return spectra->list[known];
     }
     struct banded *banded = ARENA_NEW(arena, struct banded);
-    if (!(is_surface
-              ? bands_of_surface(spectra->bands, spectrum, banded->of, &banded->held, error)
-              : bands_of_light(spectra->bands, spectrum, banded->of, &banded->held, error))) {
+    if (!put(spectra->bands, spectrum, is_surface, banded, error)) {
         error_locate(error, place->source, place->line, place->column);
         return NULL;
     }

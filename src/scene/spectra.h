@@ -15,6 +15,7 @@
 struct banded {
     double of[BANDS_MOST]; /* of light of luminance 1 cd/m^2; of a surface its shares */
     double held;           /* how much of its colour that is, 0 to 1 */
+    double off;            /* of light in many bands: bands_off; else 0 */
 };
 
 /* Whatever of a scene has one of these spectra shares its numbers. Start with bands and arena. */

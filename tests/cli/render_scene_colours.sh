@@ -19,3 +19,15 @@ lenscalc render colours.scene $small --spectral -o b.pfm 2>&1 | grep saturated
 sed 's/600K/800K/' colours.scene > more.scene
 echo 'light sun illuminance=1 towards=0,1,1 spectrum=700K' >> more.scene
 lenscalc render more.scene $small -o c.pfm 2>&1 | grep -e saturated -e likewise
+
+# light narrower than bands: with how many its colour comes
+printf 'wavelength_nm,power\n385,0\n395,0.14\n405,1\n415,0.14\n425,0\n' > violet.csv
+cat > violet.scene <<'EOF2'
+camera at=0,0,3 look=0,0,0 focus=3
+colour c table=violet.csv
+material l black luminance=1000 emission=c
+card material=l size=4,4
+EOF2
+for bands in 8 16 32; do
+    lenscalc render violet.scene $small --spectral --bands $bands -o v.pfm 2>&1 | grep narrow
+done

@@ -2,6 +2,8 @@
 /* SPDX-License-Identifier: MIT */
 #include "check.h"
 #include "light/bands.h"
+#include "light/bands_match.h"
+#include "light/bands_needed.h"
 #include "light/colour.h"
 #include "light/illuminant.h"
 #include "light/observer.h"
@@ -271,6 +273,99 @@ static void test_many_lights(void)
     }
 }
 
+/* Linear sRGB to X/Y and Z/Y. */
+static void ratios_of(const struct bands *bands, const double of[BANDS_MOST], double ratios[2])
+{
+    double rgb[3], xyz[3] = {0};
+    rgb_of(bands, of, NULL, rgb);
+    for (int i = 0; i < 3; i++) {
+        for (int j = 0; j < 3; j++) {
+            xyz[i] += colour_xyz_of_srgb.at[i][j] * rgb[j];
+        }
+    }
+    ratios[0] = xyz[0] / xyz[1];
+    ratios[1] = xyz[2] / xyz[1];
+}
+
+/*
+ * Light that is narrow has the colour that the observer's table gives by sums over its steps of
+ * 5 nm, by a program of its own, within what the white of sRGB, rounded, differs from sums over
+ * D65.
+ */
+static void test_narrow(void)
+{
+    static const struct {
+        double wavelength[5], value[5], x, z; /* X/Y, Z/Y */
+        size_t least;                         /* bands that hold it */
+    } lights[] = {
+        {{0.385, 0.395, 0.405, 0.415, 0.425}, {0, 0.14, 1, 0.14, 0}, 35.69341, 170.11076, 24},
+        {{0.420, 0.435, 0.450, 0.465, 0.480}, {0, 0.3, 1, 0.3, 0}, 7.407431, 39.604874, 16},
+        {{0.600, 0.610, 0.620, 0.630, 0.640}, {0, 0.3, 1, 0.3, 0}, 2.192458, 0.000508, 32},
+    };
+    struct bands bands;
+    struct error error;
+    for (size_t i = 0; i < sizeof lights / sizeof lights[0]; i++) {
+        const struct spectrum light = {.kind = SPECTRUM_TABLE,
+                                       .count = 5,
+                                       .wavelength = lights[i].wavelength,
+                                       .value = lights[i].value};
+        for (size_t count = lights[i].least; count <= BANDS_MOST; count++) {
+            double of[BANDS_MOST], ratios[2];
+            CHECK(bands_many(count, &bands, &error));
+            CHECK(bands_of_light(&bands, &light, of, NULL, &error));
+            ratios_of(&bands, of, ratios);
+            CHECK_NEAR(ratios[0], lights[i].x, 5e-4 * lights[i].x, "X/Y");
+            CHECK_NEAR(ratios[1], lights[i].z, 5e-4 * (lights[i].z + 1), "Z/Y");
+            CHECK(bands_off(&bands, &light, of) < 5e-5);
+        }
+    }
+}
+
+/* Lines anywhere, in any count: luminance 1, by parts and of bands that are not below 0. */
+static void test_lines(void)
+{
+    static const double value[] = {0, 1, 0};
+    struct bands bands;
+    struct error error;
+    for (size_t count = BANDS_LEAST; count <= BANDS_MOST; count += count < 16 ? 1 : 16) {
+        CHECK(bands_many(count, &bands, &error));
+        for (size_t k = 0; k < count; k++) {
+            CHECK(colour_luminance(bands.rgb[k]) > 0);
+        }
+        for (int l = 365; l < 825; l += 5) {
+            const double wavelength[] = {l / 1000.0 - 0.001, l / 1000.0, l / 1000.0 + 0.001};
+            const struct spectrum light = {
+                .kind = SPECTRUM_TABLE, .count = 3, .wavelength = wavelength, .value = value};
+            double of[BANDS_MOST], least = 0;
+            CHECK(bands_of_light(&bands, &light, of, NULL, &error));
+            for (size_t k = 0; k < count; k++) {
+                least = fmin(least, of[k]);
+            }
+            CHECK(least == 0);
+            CHECK_NEAR(luminance(&bands, of), 1, 1e-12, "a line");
+            CHECK(bands_off(&bands, &light, of) < (count < 16 ? 0.07 : 0.03));
+        }
+    }
+}
+
+/* How many bands a line of 500 nm needs; RGB is the same in all. */
+static void test_needed(void)
+{
+    static const double wavelength[] = {0.499, 0.500, 0.501}, value[] = {0, 1, 0};
+    const struct spectrum line = {
+        .kind = SPECTRUM_TABLE, .count = 3, .wavelength = wavelength, .value = value};
+    const struct spectrum red = {.kind = SPECTRUM_RGB, .rgb = {1, 0, 0}};
+    struct bands bands;
+    struct error error;
+    double of[BANDS_MOST], off;
+    const size_t count = bands_needed(&line, 0.002, &off);
+    CHECK(bands_many(count, &bands, &error));
+    CHECK(bands_of_light(&bands, &line, of, NULL, &error));
+    CHECK(off <= 0.002 && bands_off(&bands, &line, of) == off);
+    CHECK(bands_needed(&line, 0, &off) > count && off > 0 && off < 0.002);
+    CHECK(bands_needed(&red, 0, &off) == BANDS_LEAST && off == 0);
+}
+
 static void test_refused(void)
 {
     static const double rising[] = {0.4, 0.5}, level[] = {0.4, 0.4}, far[] = {1.0, 1.1};
@@ -350,6 +445,9 @@ int main(void)
     test_surfaces();
     test_colours_return();
     test_many_lights();
+    test_narrow();
+    test_lines();
+    test_needed();
     test_refused();
     test_stars();
     return check_report();
