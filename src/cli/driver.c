@@ -76,7 +76,11 @@ static bool set_up_report(struct driver *driver, struct error *error)
                                            .given = asked_brings,
                                            .varied = asked_varied,
                                            .asked = driver};
-    return report_select(report, &driver->selection, error);
+    if (!report_select(report, &driver->selection, error)) {
+        return false;
+    }
+    echo_settle(&driver->echo, report);
+    return true;
 }
 
 static const char *plot_columns(const struct driver *driver)
@@ -178,7 +182,7 @@ static bool finish(struct driver *driver, struct error *error)
             driver->has_ended = true;
         }
     }
-    return !driver->answered || artifacts_make(&driver->artifacts, error);
+    return !driver->has_answer || artifacts_make(&driver->artifacts, error);
 }
 
 static bool prepare(struct driver *driver, int count, char **words, struct error *error)
@@ -242,13 +246,20 @@ static bool open_batch(struct driver *driver, struct error *error)
 static void choose_sheet(struct driver *driver)
 {
     const struct command *command = driver->command;
-    driver->report.sheet = command->choose_sheet != NULL
-                               ? command->choose_sheet(driver->input, &driver->asking)
-                               : &command->sheet;
+    const struct sheet *sheet = command->choose_sheet != NULL
+                                    ? command->choose_sheet(driver->input, &driver->asking)
+                                    : &command->sheet;
+    const struct echo_question question = {.command = command,
+                                           .sheet = sheet,
+                                           .all = driver->common.columns != NULL,
+                                           .given = asked_given,
+                                           .varied = asked_varied,
+                                           .asked = driver};
+    echo_open(&driver->echo, &question, &driver->arena);
+    driver->report.sheet = &driver->echo.sheet;
     if (driver->is_batch && command->takes_blocks != NULL &&
         command->takes_blocks(driver->input, &driver->asking)) {
-        queue_open(&driver->queue, command, driver->report.sheet, driver->batch.passed_count,
-                   &driver->arena);
+        queue_open(&driver->queue, command, sheet, driver->batch.passed_count, &driver->arena);
     }
 }
 
@@ -334,7 +345,7 @@ static bool answer(struct driver *driver, struct error *error)
 /* The files of the artifacts appear, or none. */
 static bool close_artifacts(struct driver *driver, bool done, struct error *error)
 {
-    done = artifacts_close(&driver->artifacts, done && driver->answered, error) && done;
+    done = artifacts_close(&driver->artifacts, done && driver->has_answer, error) && done;
     struct text remarks = artifacts_remarks(&driver->artifacts, &driver->arena);
     if (done) {
         print_remark(remarks.start, remarks.length);
@@ -362,7 +373,7 @@ static int answer_without_rows(struct driver *driver)
         sweep_check_single(&driver->sweep, driver->command, &error) &&
         idle_check(&driver->sweep, &driver->arguments, &driver->asking, driver->input, &error) &&
         order_artifacts(driver, &error) && make_artifacts(driver, &error);
-    driver->answered = done;
+    driver->has_answer = done;
     done = close_artifacts(driver, done, &error);
     if (done && driver->run.shortfall.code != ERROR_NONE) {
         error = driver->run.shortfall;

@@ -306,6 +306,15 @@ static const char *coc_name(const struct option *option, const void *member)
     return coc->coc.kind == COC_LENGTH ? NULL : coc->criterion;
 }
 
+static const char *coc_words(const struct option *option, const void *member, struct arena *arena)
+{
+    (void)option;
+    char number[NUMBER_LENGTH + 1];
+    const double value = ((const struct coc_value *)member)->coc.value;
+    *number_write_shortest(number, value) = '\0';
+    return isnan(value) ? NULL : arena_printf(arena, "%smm", number);
+}
+
 static const char *choice_name(const struct option *option, const void *member)
 {
     return option_word(option, (size_t)(*(const int *)member))->word;
@@ -375,5 +384,6 @@ const struct option_kind kind_coc = {
     .is_list = true,
     .read = read_coc,
     .name_of = coc_name,
+    .words_of = coc_words,
     .clear = clear_coc,
 };

@@ -53,6 +53,9 @@ struct option_kind {
     bool (*recall)(const struct reader *reader, void *member, struct error *error);
     /* The value's name, where it has one ("exact", "35mm (36 x 24 mm)"); null: it has none. */
     const char *(*name_of)(const struct option *option, const void *member);
+    /* A value without a name in words that read back; null for one that is absent, and where names
+       or numbers say all. */
+    const char *(*words_of)(const struct option *option, const void *member, struct arena *arena);
     /* Its number in its own unit, where ranges of them may be swept; null: it has none. */
     double (*number_of)(const void *member);
     unsigned reads; /* enum reads: where its values come from */

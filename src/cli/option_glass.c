@@ -101,6 +101,23 @@ static void clear_interval(void *member)
     *(struct interval_value *)member = (struct interval_value){NAN, NAN, NAN};
 }
 
+/* "1.5..1.6", as it is typed; an end that is open is empty. */
+static const char *interval_words(const struct option *option, const void *member,
+                                  struct arena *arena)
+{
+    const struct interval_value *interval = member;
+    char low[NUMBER_LENGTH + 1], high[NUMBER_LENGTH + 1];
+    const struct unit *unit = option_unit(option);
+    if (!isnan(interval->near)) {
+        *quantity_write(low, interval->near, unit) = '\0';
+        return arena_printf(arena, "%s", low);
+    }
+    *(isnan(interval->low) ? low : quantity_write(low, interval->low, unit)) = '\0';
+    *(isnan(interval->high) ? high : quantity_write(high, interval->high, unit)) = '\0';
+    const bool is_given = low[0] != '\0' || high[0] != '\0';
+    return is_given ? arena_printf(arena, "%s..%s", low, high) : NULL;
+}
+
 const struct option_kind kind_glass = {
     .name = "glass",
     .size = sizeof(struct glass_value),
@@ -115,5 +132,6 @@ const struct option_kind kind_interval = {
     .size = sizeof(struct interval_value),
     .is_list = true,
     .read = read_interval,
+    .words_of = interval_words,
     .clear = clear_interval,
 };

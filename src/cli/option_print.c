@@ -167,7 +167,7 @@ static const char *print_name(const struct option *option, const void *member)
 {
     (void)option;
     const struct print_value *print = member;
-    return print->criterion + sizeof "print " - 1;
+    return print->criterion == NULL ? NULL : print->criterion + sizeof "print " - 1;
 }
 
 static void clear_print(void *member)

@@ -60,6 +60,33 @@ static bool read_pupil(const struct reader *reader, const struct option *option,
     return read_numbers(option, text, pupil->at, 2, error);
 }
 
+/* The numbers as read_numbers takes them. */
+static const char *write_numbers(const struct option *option, const double *at, int count,
+                                 struct arena *arena)
+{
+    const struct unit *unit = option_unit(option);
+    const char *words = "";
+    for (int i = 0; i < count; i++) {
+        char number[NUMBER_LENGTH + 1];
+        *quantity_write(number, at[i], unit) = '\0';
+        words = arena_printf(arena, "%s%s%s", words, i > 0 ? ":" : "", number);
+    }
+    return arena_printf(arena, "%s%s", words, unit != NULL ? unit->name : "");
+}
+
+static const char *vector_words(const struct option *option, const void *member,
+                                struct arena *arena)
+{
+    const struct vector_value *vector = member;
+    return vector->is_given ? write_numbers(option, vector->at, 3, arena) : NULL;
+}
+
+static const char *pupil_words(const struct option *option, const void *member, struct arena *arena)
+{
+    const struct pupil_value *pupil = member;
+    return pupil->is_given ? write_numbers(option, pupil->at, 2, arena) : NULL;
+}
+
 static bool read_plane(const struct reader *reader, const struct option *option, struct text text,
                        void *member, struct error *error)
 {
@@ -112,6 +139,7 @@ const struct option_kind kind_vector = {
     .size = sizeof(struct vector_value),
     .is_list = true,
     .read = read_vector,
+    .words_of = vector_words,
 };
 
 const struct option_kind kind_pupil = {
@@ -119,6 +147,7 @@ const struct option_kind kind_pupil = {
     .size = sizeof(struct pupil_value),
     .is_list = true,
     .read = read_pupil,
+    .words_of = pupil_words,
 };
 
 const struct option_kind kind_plane = {

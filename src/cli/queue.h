@@ -28,6 +28,11 @@ static inline const void *queue_row(const struct queue *queue, size_t i)
     return queue->rows + i * queue->row_size;
 }
 
+static inline const void *queue_input(const struct queue *queue, size_t i)
+{
+    return queue->inputs + i * queue->input_size;
+}
+
 static inline const struct text *queue_passed(const struct queue *queue, size_t i)
 {
     return queue->passed + i * queue->passed_count;

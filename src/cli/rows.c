@@ -14,7 +14,7 @@ bool rows_check_sheet(const struct driver *driver, struct error *error)
 {
     const struct command *command = driver->command;
     return command->choose_sheet == NULL ||
-           command->choose_sheet(driver->input, &driver->asking) == driver->report.sheet ||
+           command->choose_sheet(driver->input, &driver->asking) == driver->echo.own ||
            fail(error, ERROR_USAGE,
                 "these options give rows with different columns: use one at a time");
 }
@@ -66,6 +66,9 @@ bool rows_emit(struct run *run, const void *row)
 {
     struct driver *driver = run->driver;
     struct report *report = &driver->report;
+    if (driver->echo.count > 0) {
+        row = echo_row(&driver->echo, row, driver->answered, driver->run.arena);
+    }
     if (!driver->only_prints) {
         emit_first(driver, row);
     }
@@ -158,7 +161,7 @@ static void count_answer(struct driver *driver, bool done, struct error *shortfa
     }
     driver->failed += is_short;
     driver->good += done && !is_short;
-    driver->answered = driver->answered || done;
+    driver->has_answer = driver->has_answer || done;
 }
 
 static bool run_one(struct driver *driver, struct error *error)
@@ -168,6 +171,7 @@ static bool run_one(struct driver *driver, struct error *error)
         return false;
     }
     driver->run.shortfall.code = ERROR_NONE;
+    driver->answered = driver->input;
     bool done = driver->command->run(driver->input, &driver->run, error);
     count_answer(driver, done, &driver->run.shortfall);
     return done;
@@ -197,7 +201,8 @@ static bool take_failure(struct driver *driver, struct error *error)
 /* What a thread has answered. False if that ends the sweep. */
 static bool take_answer(struct driver *driver, struct team_answer *answer, struct error *error)
 {
-    const size_t size = driver->report.sheet->row_size;
+    const size_t size = driver->echo.own->row_size;
+    driver->answered = answer->input;
     for (size_t i = 0; i < answer->count && is_going(driver); i++) {
         rows_emit(&driver->run, answer->rows + i * size);
     }
@@ -214,7 +219,7 @@ static bool rows_by_team(struct driver *driver, struct error *error)
 {
     const size_t size = driver->command->input_size, total = driver->sweep.total;
     const bool keeps = driver->collects || driver->artifacts.count > 0;
-    driver->team = team_open(driver->command, &driver->run, driver->report.sheet->row_size, total,
+    driver->team = team_open(driver->command, &driver->run, driver->echo.own->row_size, total,
                              keeps, &driver->arena);
     const size_t most = team_size(driver->team);
     option_lens_at_once(&driver->lenses, most);
@@ -271,6 +276,7 @@ static bool flush_queue(struct driver *driver, struct error *error)
     queue_run(queue, driver->command, &driver->run);
     for (size_t i = 0; i < queue->count && going && driver->output.failure == 0; i++) {
         driver->passed = queue_passed(queue, i);
+        driver->answered = queue_input(queue, i);
         if (queue->errors[i].code == ERROR_NONE) {
             driver->good++;
             rows_emit(&driver->run, queue_row(queue, i));

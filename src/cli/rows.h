@@ -5,6 +5,7 @@
 
 #include "cli/batch.h"
 #include "cli/collect.h"
+#include "cli/echo.h"
 #include "cli/progress.h"
 #include "cli/queue.h"
 #include "cli/rows_team.h"
@@ -32,6 +33,8 @@ struct driver {
     struct doubts doubts;
     struct team *team;         /* who answers the sweep; null: the driver itself */
     struct queue queue;        /* rows of the batch that wait to be computed together */
+    struct echo echo;          /* what rows repeat beside the command's own columns */
+    const void *answered;      /* the input whose rows come */
     const struct text *passed; /* columns handed through, of the row being printed */
     void *input;
     const char *database;
@@ -40,7 +43,7 @@ struct driver {
     size_t index;   /* of the present combination of the sweep */
     size_t good, failed;
     struct error said;     /* the last failure that was printed, as it came */
-    bool answered;         /* at least one input, if only in part */
+    bool has_answer;       /* to at least one input, if only in part */
     const void *explained; /* the row whose numbers --explain puts in */
     struct progress progress;
     bool only_prints;   /* nothing is left to do with further rows but that */

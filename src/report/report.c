@@ -200,9 +200,11 @@ static bool is_shown(const struct report *report, const char *name)
     return false;
 }
 
-/* The option that a column repeats, if it repeats one; empty else. */
-static struct text repeated_option(const struct column *column)
+struct text report_repeated(const struct column *column)
 {
+    if (column->repeats != NULL) {
+        return text_of(column->repeats);
+    }
     const struct text none = {"", 0};
     bool echo = (column->flags & COLUMN_ECHO) != 0;
     struct text depends = text_of(column->depends != NULL ? column->depends : "");
@@ -222,7 +224,7 @@ static void add_varied(struct report *report, const struct selection *selection)
     struct text before = {"", 0};
     for (size_t i = 0; i < report->sheet->column_count; i++) {
         const struct column *column = &report->sheet->columns[i];
-        struct text option = repeated_option(column);
+        struct text option = report_repeated(column);
         const char *name = arena_string(report->arena, option.start, option.length);
         if (option.length > 0 && !text_equal(before, name) && !report_shows(report, column) &&
             selection->varied(selection->asked, name)) {

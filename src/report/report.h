@@ -103,6 +103,9 @@ bool report_select(struct report *report, const struct selection *selection, str
 bool report_find_column(const struct sheet *sheet, struct text name, struct arena *arena,
                         struct shown *shown, struct error *error);
 
+/* The option whose value a column has; empty: it repeats none. */
+struct text report_repeated(const struct column *column);
+
 /* A value in words: "circle of confusion 0.02884 mm". */
 const char *report_words(const struct report *report, const struct shown *shown, const void *row);
 

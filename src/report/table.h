@@ -53,6 +53,7 @@ struct column {
     const char *head;    /* in tables for people, unless --columns names them; null = name */
     const char *help;    /* one sentence */
     const char *with;    /* of an echo: the option it repeats; else the options that bring it */
+    const char *repeats; /* the option that it repeats where it is given, if no echo; null = none */
     const char *depends; /* COLUMN_ASSUMED: the options it follows from, separated by blanks; one
                             with '+' before it makes it follow from all others when given */
     size_t condition;    /* offset of the number's condition (a double), 0 = none */

@@ -147,6 +147,7 @@ extern const struct word analysis_aims[], analysis_weights[];
          .fallback = "gauss",       .value = "PATTERN", .help = "points of the pupil"},            \
         {OPTION(S, member.rays),                                                                   \
          .name = "rays",                                                                           \
+         .column = "rays_wanted",                                                                  \
          .lowest = 1,                                                                              \
          .highest = 1e7,                                                                           \
          .value = "COUNT",                                                                         \
@@ -161,6 +162,7 @@ extern const struct word analysis_aims[], analysis_weights[];
          .help = "of the pattern sobol"},                                                          \
         {OPTION(S, member.error),                                                                  \
          .name = "error",                                                                          \
+         .column = "error_wanted",                                                                 \
          .dimension = &dimension_number,                                                           \
          .lowest = 1e-13,                                                                          \
          .highest = 1,                                                                             \
@@ -244,7 +246,7 @@ extern const struct word analysis_aims[], analysis_weights[];
          .dimension = &dimension_length,                                                           \
          .unit = "mm",                                                                             \
          .flags = COLUMN_EXTRA | COLUMN_ASSUMED,                                                   \
-         .depends = "focus lens position defocus",                                                 \
+         .depends = "focus lens position defocus object aperture",                                 \
          .label = "image plane at",                                                                \
          .help = "from the last vertex"},                                                          \
         LENS_TITLE_COLUMN(S, member.lens), LENS_WARNING_COLUMN(S, member.warning)

@@ -25,9 +25,9 @@ static const struct option options[] = {
      .help = "pitch of square pixels, whose own blur is counted in"},
     {OPTION(struct mtf_input, question.aim), .name = "aim", .words = analysis_aims,
      .fallback = "stop", .value = "WHERE", .help = "pupil that limits the beam"},
-    {OPTION(struct mtf_input, question.error), .name = "error", .dimension = &dimension_number,
-     .lowest = 1e-8, .highest = 0.1, .fallback = "1e-4", .value = "NUMBER",
-     .help = "points are added until contrasts are right to this"},
+    {OPTION(struct mtf_input, question.error), .name = "error", .column = "error_wanted",
+     .dimension = &dimension_number, .lowest = 1e-8, .highest = 0.1, .fallback = "1e-4",
+     .value = "NUMBER", .help = "points are added until contrasts are right to this"},
     ANALYSIS_CLIP_OPTIONS(struct mtf_input, question),
 };
 

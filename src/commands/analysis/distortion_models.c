@@ -29,7 +29,7 @@ static const struct column columns[] = {
     ANALYSIS_DEFOCUS_COLUMN(struct row, point),
     ANALYSIS_WAVELENGTH_COLUMN(struct row, point),
     {COLUMN(struct row, model), .name = "model", .flags = COLUMN_BRIEF, .label = "model",
-     .help = "whose coefficients they are"},
+     .repeats = "fit", .help = "whose coefficients they are"},
     {COLUMN(struct row, direction), .name = "direction", .flags = COLUMN_BRIEF,
      .label = "direction",
      .help = "distort: from the ideal image to the real one; undistort: back"},

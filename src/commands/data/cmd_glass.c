@@ -44,7 +44,7 @@ static const struct option options[] = {
      .help = "search by index at the d line: the nearest, or LOW..HIGH"},
     {OPTION(struct input, Vd), .name = "vd", .lowest = 1, .highest = 1000, .value = "NUMBER",
      .help = "search by Abbe number: the nearest, or LOW..HIGH"},
-    {OPTION(struct input, PgF), .name = "pgf", .value = "LOW..HIGH",
+    {OPTION(struct input, PgF), .name = "pgf", .column = "pgf_wanted", .value = "LOW..HIGH",
      .help = "search by partial dispersion (ng - nF)/(nF - nC)"},
     {OPTION(struct input, catalog), .name = "catalog", .value = "NAME",
      .help = "search in one catalogue"},

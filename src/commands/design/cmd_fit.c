@@ -49,7 +49,7 @@ static const struct option options[] = {
     {OPTION(struct fit_input, pattern), .name = "pattern", .words = patterns, .fallback = "gauss",
      .value = "PATTERN", .help = "rays of each field"},
     {OPTION(struct fit_input, rays), .name = "rays", .lowest = 1, .highest = 1e5, .fallback = "72",
-     .value = "COUNT",
+     .column = "rays_wanted", .value = "COUNT",
      .help = "approximate number of rays per field: the pattern takes the next possible number"},
     {OPTION(struct fit_input, seed), .name = "seed", .lowest = 0, .highest = 1e9, .fallback = "0",
      .value = "NUMBER", .wants = "pattern=sobol", .help = "of the pattern sobol"},

@@ -69,7 +69,7 @@ static const struct option options[] = {
     {OPTION(struct optimize_input, solver), .name = "solver", .words = solvers, .fallback = "dls",
      .value = "SOLVER", .help = "what makes the steps"},
     {OPTION(struct optimize_input, iterations), .name = "iterations", .lowest = 1, .highest = 1e6,
-     .value = "COUNT", .help = "at most so many; default 200"},
+     .column = "iterations_wanted", .value = "COUNT", .help = "at most so many; default 200"},
     {OPTION(struct optimize_input, seconds), .name = "seconds", .dimension = &dimension_time,
      .unit = "s", .lowest = 0, .highest = INFINITY, .flags = OPTION_ABOVE_LOWEST, .value = "TIME",
      .help = "the best of so long, which depends on the machine"},

@@ -121,7 +121,7 @@ static const struct column columns[] = {
     {ANGLE(frame.vertical), .name = "vertical", .symbol = "v", .label = "vertical angle",
      .help = "of one frame as held"},
     {COLUMN(struct row, columns), .name = "columns", .flags = COLUMN_BRIEF, .symbol = "n",
-     .label = "columns, frames a row", .help = "frames a row at the horizon"},
+     .repeats = "per-row", .label = "columns, frames a row", .help = "frames a row at the horizon"},
     {COLUMN(struct row, rows), .name = "rows", .flags = COLUMN_BRIEF, .label = "rows",
      .help = "rows"},
     {COLUMN(struct row, shots), .name = "shots", .flags = COLUMN_BRIEF, .label = "shots in total",
