@@ -9,10 +9,12 @@
 #include <math.h>
 #include <string.h>
 
-/* Blocks of rays from the film, rays to lights, and parts of both whose means differ. */
-enum { BLOCKS = 128, LOOKS = 4096, PARTS = 16 };
+/* Blocks of rays from the film, rays to lights, and parts of both whose means differ: each with as
+   many blocks as the most bands have sets, or sets would count as an error. */
+enum { BLOCKS = 128, LOOKS = 4096, PARTS = 8 };
 /* Of strands that have points for all of them. */
 enum { BITS = 8 };
+_Static_assert(BLOCKS / PARTS >= BANDS_MOST / BANDS_LANES, "each part meets all bands");
 _Static_assert(BLOCKS + LOOKS / RAYS_BLOCK <= 1 << BITS, "a block of its own for each");
 /* So many times as dense count rays from the film as they are: they are spread more evenly. */
 static const double EVENER = 4;
@@ -191,11 +193,7 @@ static void take_part(const struct metering_question *question, const struct til
 /* Points of its own, whose blocks do not repeat, however many samples the picture has. */
 static void open_points(struct tile_rays *rays, struct view *view, struct arena *arena)
 {
-    rays->bits = BITS;
-    for (uint32_t k = 0; k < FILM_DIMENSIONS; k++) {
-        sobol_open_strands(k, BITS, &rays->film_points[k]);
-    }
-    sobol_open_strands(FILM_DIMENSIONS, BITS, &rays->when);
+    tile_rays_open_points(rays, BITS);
     view->points = points_table_new(view->points->first, BITS, arena);
 }
 

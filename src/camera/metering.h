@@ -21,9 +21,9 @@ struct metered {
  *
  * Given     room     of one thread; its sums are used, its counts stay
  * Result    of 16384 rays all over the film, and from the middle of the entrance pupil 4096 to
- *           things that shine and as many to suns and stars, 16 each at least: the same for every
+ *           things that shine and as many to suns and stars, 8 each at least: the same for every
  *           crop and number of samples. Small lights, which few of the former meet, are found by
- *           the latter. The error is of 16 parts of all
+ *           the latter. The error is of 8 parts of all, each with rays enough for all of 64 bands
  * Formula   E = L (E/L)(r) (dA/dw)/A, with r where the chief ray of that direction meets the film,
  *           dA/dw by these rays, and A the film's area; what both find is weighed by the squares of
  *           their densities

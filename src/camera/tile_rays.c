@@ -67,6 +67,20 @@ const struct points_table *tile_rays_points(size_t samples, struct arena *arena)
     return points_table_new(PATH_DIMENSION, bits_of(samples), arena);
 }
 
+void tile_rays_open_points(struct tile_rays *tile, uint32_t bits)
+{
+    tile->bits = bits;
+    sobol_open_strands(HERO_DIMENSION, bits, &tile->hero);
+    for (uint32_t k = 0; k <= FILM_DIMENSIONS; k++) {
+        struct sobol *sobol = k < FILM_DIMENSIONS ? &tile->film_points[k] : &tile->when;
+        if (tile->in_strands) {
+            sobol_open_strands(k, bits, sobol);
+        } else {
+            sobol_open(k, sobol);
+        }
+    }
+}
+
 void tile_rays_open(const struct photograph_question *question, const struct lens_film *film,
                     struct arena *arena, struct tile_rays *tile)
 {
@@ -78,18 +92,9 @@ void tile_rays_open(const struct photograph_question *question, const struct len
                                .may_share = !as_one && !skip_is_kept(question->kept, SKIP_COLOUR),
                                .duration = question->duration,
                                .in_strands = question->view != NULL,
-                               .bits = bits_of(question->samples),
                                .seed = question->seed};
     tile->pass = passes_of(question, tile->passes, arena);
-    sobol_open_strands(HERO_DIMENSION, tile->bits, &tile->hero);
-    for (uint32_t k = 0; k <= FILM_DIMENSIONS; k++) {
-        struct sobol *sobol = k < FILM_DIMENSIONS ? &tile->film_points[k] : &tile->when;
-        if (tile->in_strands) {
-            sobol_open_strands(k, tile->bits, sobol);
-        } else {
-            sobol_open(k, sobol);
-        }
-    }
+    tile_rays_open_points(tile, bits_of(question->samples));
 }
 
 struct tile_room *tile_room_new(size_t passes, struct arena *arena)
@@ -134,9 +139,10 @@ static void sum_block(const struct tile_rays *tile, const struct film_plan *plan
 }
 
 /*
- * The same of many bands: a hero of each block and others as far apart as can be, in one pass
- * where all go the same way through the lens. No density of our rays depends on the band, so that
- * the balance heuristic is the plain mean [Wilkie14].
+ * The same of many bands: one of each quarter of them for each block, as far apart as can be, in
+ * one pass where all go the same way through the lens. Blocks that follow each other have places of
+ * a sequence in these, so that a power of two of them meets all bands evenly. No density of our
+ * rays depends on the band, so that the balance heuristic is the plain mean [Wilkie14].
  */
 static void sum_bands(const struct tile_rays *tile, const struct film_plan *plan, uint32_t block,
                       struct tile_room *room)
@@ -144,10 +150,10 @@ static void sum_bands(const struct tile_rays *tile, const struct film_plan *plan
     const size_t count = tile->subject.view->bands->count;
     /* blocks are points of a sequence too: those of their first places */
     const uint32_t point = block * SOBOL_BLOCK;
-    const size_t hero = (size_t)((double)count * sobol_point(&tile->hero, room->hero, point));
+    const double hero = sobol_point(&tile->hero, room->hero, point);
     struct way way = {.pass = {0, TILE_CHANNELS, (double)count / BANDS_LANES}};
     for (size_t lane = 0; lane < BANDS_LANES; lane++) {
-        const size_t band = (hero + lane * count / BANDS_LANES) % count;
+        const size_t band = (size_t)((double)count * (((double)lane + hero) / BANDS_LANES));
         if (tile->passes > 1) {
             way.wavelength = band;
             way.lanes = (struct lanes){1, {band}};

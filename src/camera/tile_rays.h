@@ -57,6 +57,9 @@ const struct points_table *tile_rays_points(size_t samples, struct arena *arena)
 void tile_rays_open(const struct photograph_question *question, const struct lens_film *film,
                     struct arena *arena, struct tile_rays *tile);
 
+/* The points again, of a scene: for so many samples that they are below 2^bits. */
+void tile_rays_open_points(struct tile_rays *tile, uint32_t bits);
+
 struct tile_room *tile_room_new(size_t passes, struct arena *arena);
 
 /* Is light carried in many bands, each a wavelength of the lens? */

@@ -21,7 +21,8 @@ sys.path.insert(0, os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
 from check_pictures_files import read_pfm
 from harness import Checks, Program
 
-STOP = 50.3582 / 16  # mm
+FOCAL = 50.3582
+STOP = FOCAL / 16  # mm
 LENS = ["--lens", "double-gauss-50", "--model", "thin", "-N", "16"]
 CAMERA = "camera at=0,0,0 look=0,0,-1 focus=inf\n"
 # not the same all around one axis
@@ -48,6 +49,7 @@ RIM = 20.06177  # mm, the diameter of their stop
 class Meter:
     def __init__(self, program, checks, folder):
         self.program, self.checks, self.folder = program, checks, folder
+        self.said = ""
 
     def mean(self, scene, *words, size="12x8", samples=16):
         """Lux on the film on average, as it is said; NaN: nothing is."""
@@ -55,7 +57,7 @@ class Meter:
             file.write(CAMERA + scene)
         result = self.program.run("render", "a.scene", "--size", size, "--samples", samples,
                                   *words, "-o", "a.pfm", cwd=self.folder)
-        said = result.stderr.decode()
+        self.said = said = result.stderr.decode()
         found = re.match(r"(\S+) lx on the film on average", said)
         self.checks.check(result.returncode == 0 and found, f"{scene}: {said}")
         return float(found.group(1)) if found else math.nan
@@ -101,6 +103,22 @@ def not_alike(meter, folder):
             meter.check(f"mirrors, a sun of {size} degrees at {towards}", sun, lit, *MIRRORS)
 
 
+def in_a_line(meter, folder):
+    """A wall that shines at one wavelength, in many bands: it is as well known as one in white."""
+    with open(os.path.join(folder, "line.csv"), "w", encoding="utf-8") as file:
+        file.write("wavelength_nm,power\n444,0\n445,1\n446,0\n")
+    wall = "colour c table=line.csv\nmaterial l black luminance=1000 emission=c\n" \
+        "plane material=l at=0,0,-3 normal=0,0,1\n"
+    steps = [(i + 0.5) / 64 - 0.5 for i in range(64)]
+    fourths = [(1 + ((36 * x) ** 2 + (24 * y) ** 2) / FOCAL ** 2) ** -2
+               for x in steps for y in steps]
+    expected = 1000 * math.pi / (4 * 16 ** 2 + 1) * sum(fourths) / len(fourths)
+    for bands in 32, 64:
+        meter.check(f"a line in {bands} bands", wall, expected, *LENS, "--spectral", "--bands",
+                    str(bands), share=2e-3)
+        meter.checks.check("known to" not in meter.said, f"a line in {bands} bands: {meter.said}")
+
+
 def thin(illuminance, direction):
     """Mean of the film."""
     cosine = abs(direction[2]) / math.hypot(*direction)
@@ -117,6 +135,7 @@ def main():
         expected = sum(thin(1e-6, star) for star in stars)
         meter.check("stars", lines + away, expected, *LENS)
         meter.check("stars in bands", lines, expected, *LENS, "--spectral")
+        in_a_line(meter, folder)
         lamp = "material l black luminance=5e6\nsphere material=l radius=0.01 at=0.5,-0.3,-5\n"
         square = 0.5 ** 2 + 0.3 ** 2 + 5 ** 2
         lit = thin(math.pi * 5e6 * 0.01 ** 2 / square, (0.5, -0.3, -5))

@@ -174,6 +174,32 @@ def check_colours(studio):
                         f"{' '.join(words)}: {'red green blue'.split()[k]}")
 
 
+def luminance(pixel):
+    return 0.2126 * pixel[0] + 0.7152 * pixel[1] + 0.0722 * pixel[2]
+
+
+def check_line(studio):
+    """Light of one wavelength: as many rays as there are sets of bands meet it as often as others,
+    of whose bands the most have none. A thin lens at f/16 is of L pi/(4 N^2 + 1)."""
+    with open(os.path.join(studio.folder, "line.csv"), "w", encoding="utf-8") as file:
+        file.write("wavelength_nm,power\n544,0\n545,1\n546,0\n")
+    scene = AHEAD + "colour green table=line.csv\n" \
+        "material lamp black luminance=1000 emission=green\n" \
+        "plane material=lamp at=0,0,-3 normal=0,0,1\n"
+    common = ["-t", "1", "-s", "inf", "--model", "thin", "-N", "16", "--sensor", "1.6x0.8mm",
+              "--size", "64x32", "--bounces", "0", "--spectral"]
+    light = 1000 * math.pi / (4 * 16 ** 2 + 1)
+    # 32 bands are 8 sets of four; of 57, which are none, each is met by chance
+    for bands, samples, error in (32, 8, 4e-3), (64, 16, 4e-3), (57, 512, 0.1):
+        rows = studio.take(scene, *common, "--bands", str(bands), "--samples", str(samples))
+        if rows is not None:
+            most = max(abs(luminance(pixel) / light - 1) for row in rows for pixel in row)
+            studio.checks.check(most < error, f"a line in {bands} bands, {samples} rays: a pixel "
+                                              f"is off by {100 * most:.3g} %")
+            mean = sum(luminance(pixel) for row in rows for pixel in row) / (64 * 32)
+            studio.near(mean, light, 4e-3, f"a line in {bands} bands")
+
+
 def check_filter(studio):
     """A filter of M mired before wavelengths: the light that it makes of another; 1 at 555 nm."""
     waves = [390 + 2 * i for i in range(161)]
@@ -251,8 +277,8 @@ def main():
     with tempfile.TemporaryDirectory(prefix="lenscalc-scene-") as folder:
         studio = Studio(program, checks, folder, "--lens", DOUBLE_GAUSS)
         for check in (check_uniform, check_furnace, check_disc, check_reciprocity, check_lit,
-                      check_room, check_sun, check_places, check_colours, check_filter,
-                      check_errors, check_threads):
+                      check_room, check_sun, check_places, check_colours, check_line,
+                      check_filter, check_errors, check_threads):
             check(studio)
     return checks.finish()
 
