@@ -1,17 +1,8 @@
 /* tests/unit/test_lens_room.c - things before a lens, in it, and on their way there. */
 /* SPDX-License-Identifier: MIT */
-#include "base/constants.h"
 #include "camera/lens_room.h"
-#include "check.h"
 #include "file/lens_file.h"
-
-#define UPRIGHT                                                                                    \
-    {                                                                                              \
-        {1, 0, 0}, {0, 1, 0},                                                                      \
-        {                                                                                          \
-            0, 0, 1                                                                                \
-        }                                                                                          \
-    }
+#include "looked.h"
 
 static struct arena arena;
 static struct error error;
@@ -40,9 +31,10 @@ static bool holds(const struct lens_room *room, const struct scene_thing *thing,
                   const struct scene_place *camera, double *time)
 {
     static const double span[2] = {0, 1};
-    struct scene_thing things[] = {
-        {.shape = SHAPE_SPHERE, .radius = 1, .where = {.at = {0, 0, 500}, .turned = UPRIGHT}},
-        *thing};
+    struct scene_thing things[] = {{.shape = SHAPE_SPHERE,
+                                    .radius = 1,
+                                    .where = {.at = {0, 0, 500}, .turned = LOOKED_UPRIGHT}},
+                                   *thing};
     const struct scene scene = {.things = things, .thing_count = 2};
     struct world world;
     size_t which = 0;
@@ -52,14 +44,14 @@ static bool holds(const struct lens_room *room, const struct scene_thing *thing,
     return does;
 }
 
-static const struct scene_place camera = {.turned = UPRIGHT, .axis = {0, 1, 0}};
+static const struct scene_place camera = {.turned = LOOKED_UPRIGHT, .axis = {0, 1, 0}};
 
-/* A sphere of 10 mm before the front, or so far within. */
+/* A sphere of radius 10 mm, whose rearmost point lies so far behind the front. */
 static struct scene_thing sphere(double within)
 {
     return (struct scene_thing){.shape = SHAPE_SPHERE,
                                 .radius = 10,
-                                .where = {.at = {0, 0, within - 10}, .turned = UPRIGHT}};
+                                .where = {.at = {0, 0, within - 10}, .turned = LOOKED_UPRIGHT}};
 }
 
 static void test_vertex(void)
@@ -70,8 +62,9 @@ static void test_vertex(void)
     thing = sphere(0.1);
     CHECK(holds(&plate, &thing, &camera, &time) && time == 0);
     /* a small one in the hollow, whose rim lies 20 - sqrt(400 - 100) = 2.68 mm before the vertex */
-    thing = (struct scene_thing){
-        .shape = SHAPE_SPHERE, .radius = 0.5, .where = {.at = {0, 0, -0.6}, .turned = UPRIGHT}};
+    thing = (struct scene_thing){.shape = SHAPE_SPHERE,
+                                 .radius = 0.5,
+                                 .where = {.at = {0, 0, -0.6}, .turned = LOOKED_UPRIGHT}};
     CHECK(!holds(&dent, &thing, &camera, &time));
     thing.where.at.z = -0.4;
     CHECK(holds(&dent, &thing, &camera, &time));
@@ -139,7 +132,7 @@ static void test_lever(void)
     struct scene_thing rod = {
         .shape = SHAPE_BOX,
         .size = {2, 2, 190},
-        .where = {.at = {100, 0, 15}, .turned = UPRIGHT, .axis = {0, 1, 0}, .spin = spin}};
+        .where = {.at = {100, 0, 15}, .turned = LOOKED_UPRIGHT, .axis = {0, 1, 0}, .spin = spin}};
     double time;
     CHECK(holds(&plate, &rod, &camera, &time));
     CHECK(time >= meets / spin);
