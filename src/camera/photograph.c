@@ -73,9 +73,14 @@ static bool size_card(const struct tile_work *work, struct tile_room *room, stru
         }
     }
     card->height = card->height == 0 ? card->width / proportion : card->height;
-    return (card->width > 0 && isfinite(card->width)) ||
-           fail(error, ERROR_DOMAIN, "no light from the card at %.6g mm reaches the film",
-                card->distance);
+    if (!(card->width > 0 && isfinite(card->width))) {
+        fail(error, ERROR_DOMAIN,
+             "how much of the card at %.6g mm the film sees is not known: no ray from its borders "
+             "passes the middle of the pupil to it",
+             card->distance);
+        return error_hint(error, "give {field width}");
+    }
+    return true;
 }
 
 static bool check_card(const struct photograph_question *question, struct error *error)

@@ -15,3 +15,5 @@ lenscalc $beside --samples 4096 --crop 19:19:1x1 --radiance -o seen.pfm && there
 lenscalc $beside --samples 4096 --crop 19:19:1x1 -o metered.pfm && there metered.pfm
 lenscalc $beside --samples 256 --error 2% -t 1 -o sure.pfm
 lenscalc render --lens beside.lens --focus 20 --rays - --samples 64 --sensor 30x30mm > rays.csv
+# what the corners of the film see is not known: they are dark, and so is all on the way there
+lenscalc render white.pfm --lens beside.lens --focus 20 -s 1m --sensor 30x30mm -o lost.pfm
