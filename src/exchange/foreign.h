@@ -16,6 +16,9 @@
 #include <stdbool.h>
 #include <stddef.h>
 
+/* Of other programs' lists, where the object and the image count. */
+enum { FOREIGN_MOST_SURFACES = LENS_MOST_SURFACES + 2 };
+
 /* What is not as the file means it where a loss is left out, the worst first. */
 enum loss_effect {
     LOSS_OF_LENS,       /* all: there is no lens without it, whatever is allowed */

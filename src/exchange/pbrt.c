@@ -121,6 +121,10 @@ static bool add_surface(struct lens_build *build, const struct file_words *words
     if (!check_row(words, row, error)) {
         return false;
     }
+    if (build->lens->surface_count == LENS_MOST_SURFACES) {
+        return file_words_fail(words, row->words[RADIUS], error, "more than %d surfaces",
+                               LENS_MOST_SURFACES);
+    }
     struct surface *surface = lens_build_surface(build);
     surface->thickness = row->figures[THICKNESS];
     surface->has_thickness = true;

@@ -58,7 +58,7 @@ static bool check_place(struct codev *codev, struct error *error)
     if (codev->has_image) {
         return commands_fail(commands, word, error, "a surface behind the image SI");
     }
-    if (next == LENS_MOST_SURFACES) {
+    if (next == FOREIGN_MOST_SURFACES) {
         return commands_fail(commands, word, error, "more than %d surfaces", LENS_MOST_SURFACES);
     }
     if (is_object != (next == 0)) {

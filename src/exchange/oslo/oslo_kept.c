@@ -4,18 +4,18 @@
 #include "exchange/oslo/oslo.h"
 #include "exchange/oslo/oslo_reading.h"
 
-/* Cut off the number of a surface; LENS_MOST_SURFACES where there is none. */
+/* Cut off the number of a surface; FOREIGN_MOST_SURFACES where there is none. */
 static size_t cut_number(struct text *rest)
 {
     size_t number = 0;
     for (struct text digits = text_cut(rest, ' '); digits.length > 0; digits.length--) {
         bool is_digit = digits.start[0] >= '0' && digits.start[0] <= '9';
-        number = is_digit && number < LENS_MOST_SURFACES
+        number = is_digit && number < FOREIGN_MOST_SURFACES
                      ? 10 * number + (size_t)(digits.start[0] - '0')
-                     : LENS_MOST_SURFACES;
+                     : FOREIGN_MOST_SURFACES;
         digits.start++;
     }
-    return number < LENS_MOST_SURFACES ? number : LENS_MOST_SURFACES;
+    return number < FOREIGN_MOST_SURFACES ? number : FOREIGN_MOST_SURFACES;
 }
 
 /* 3 CDGM:H-K9L */
@@ -24,8 +24,8 @@ void oslo_kept_glasses(struct oslo *oslo, struct text content)
     for (struct text rest = content; rest.start != NULL;) {
         const struct text line = text_trim(text_cut(&rest, '\n'));
         struct text glass = text_behind(line, OSLO_KEEP_NOTE OSLO_GLASS);
-        size_t number = glass.start != NULL ? cut_number(&glass) : LENS_MOST_SURFACES;
-        if (number < LENS_MOST_SURFACES && glass.start != NULL) {
+        size_t number = glass.start != NULL ? cut_number(&glass) : FOREIGN_MOST_SURFACES;
+        if (number < FOREIGN_MOST_SURFACES && glass.start != NULL) {
             oslo->glasses[number] = glass;
         }
     }

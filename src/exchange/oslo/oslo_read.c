@@ -91,7 +91,7 @@ static bool next_surface(struct oslo *oslo, int what, struct error *error)
 {
     (void)what;
     const struct command_word at = oslo->commands.words[0];
-    if (oslo->sequence.count == LENS_MOST_SURFACES) {
+    if (oslo->sequence.count == FOREIGN_MOST_SURFACES) {
         return commands_fail(&oslo->commands, &at, error, "more than %d surfaces",
                              LENS_MOST_SURFACES);
     }

@@ -59,7 +59,7 @@ struct oslo {
     size_t wave_count, weight_count;
     struct oslo_special *specials;
     size_t special_count, special_room;
-    struct text glasses[LENS_MOST_SURFACES]; /* CATALOG:NAME that lenscalc has kept, or empty */
+    struct text glasses[FOREIGN_MOST_SURFACES]; /* CATALOG:NAME that lenscalc has kept, or empty */
 };
 
 /* Every command and what becomes of it. */

@@ -21,7 +21,7 @@ static bool read_surf(struct zemax_file *file, struct text keyword, struct error
     if (!(is_next || is_later) || line->count == 0) {
         return file_words_fail(&line->words, keyword, error, "SURF %zu is expected here", expected);
     }
-    if (file->surface_count == LENS_MOST_SURFACES) {
+    if (file->surface_count == FOREIGN_MOST_SURFACES) {
         return file_words_fail(&line->words, keyword, error, "more than %d surfaces",
                                LENS_MOST_SURFACES);
     }
@@ -325,7 +325,7 @@ static bool is_like_setting(const struct zemax_file *file, const struct zemax_li
 {
     double surface = zemax_number(line, 0), configuration = zemax_number(line, 1);
     return file->has_configurations && line->count >= 2 && surface >= 0 &&
-           surface <= LENS_MOST_SURFACES && configuration >= 1 &&
+           surface < FOREIGN_MOST_SURFACES && configuration >= 1 &&
            configuration <= (double)file->configurations;
 }
 

@@ -39,7 +39,7 @@ bool zemax_read_setting(struct zemax_file *file, struct text keyword, struct err
         return true; /* the only configuration has these values already */
     }
     double surface = zemax_number(line, 0), configuration = zemax_number(line, 1);
-    if (line->count < 2 || !(surface >= 0 && surface <= LENS_MOST_SURFACES) ||
+    if (line->count < 2 || !(surface >= 0 && surface < FOREIGN_MOST_SURFACES) ||
         !(configuration >= 1 && configuration <= (double)file->configurations)) {
         return file_words_fail(&file->words, keyword, error,
                                "%.4s needs a surface, a configuration and its value",
