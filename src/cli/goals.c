@@ -284,6 +284,9 @@ static bool read_left(struct goal_reading *reading, struct text left, struct err
 
 /* -------- how much -------- */
 
+/* What is missed by so much, in so small deviations, still has a square. */
+static const double GOAL_MOST = 1e50;
+
 static bool read_figure(struct goal_reading *reading, struct text text, double *value,
                         struct error *error)
 {
@@ -298,7 +301,9 @@ static bool read_figure(struct goal_reading *reading, struct text text, double *
         WRONG_AT(reading, wrong, error, "%s", what.message);
         return what.hint[0] != '\0' && error_hint(error, "%s", what.hint);
     }
-    return isfinite(*value) || WRONG_AT(reading, text, error, "the number must be finite");
+    return fabs(*value) <= GOAL_MOST ||
+           WRONG_AT(reading, text, error, "the number must be from %g to %g", -GOAL_MOST,
+                    GOAL_MOST);
 }
 
 static bool read_deviation(struct goal_reading *reading, struct text text, struct error *error)
@@ -310,7 +315,9 @@ static bool read_deviation(struct goal_reading *reading, struct text text, struc
         return true;
     }
     return read_figure(reading, text_trim(text), deviation, error) &&
-           (*deviation > 0 || WRONG_AT(reading, text_trim(text), error, "a deviation is above 0"));
+           (*deviation >= 1 / GOAL_MOST ||
+            WRONG_AT(reading, text_trim(text), error, "a deviation is above 0, from %g on",
+                     1 / GOAL_MOST));
 }
 
 /* Cut at the first of = < > ==. */

@@ -164,7 +164,7 @@ static bool read_subject(struct reading *reading, struct error *error)
     struct lens_tolerance *one = reading->one;
     const struct text line = reading->words->line;
     one->column = (size_t)(word.start - line.start) + 1;
-    one->text = text_trim(text_between(word.start, line.start + line.length));
+    one->text = line;
     if (word.length == 0) {
         return file_words_fail(reading->words, word, error,
                                "the tolerance is missing: R1 0.1%% uniform");
@@ -271,7 +271,8 @@ static bool read_number(const struct reading *reading, struct text digits, const
                                       : is_length   ? words->scale
                                                     : NUMBER_UNSCALED;
     if (!lens_words_figure(words, digits, scale, "tolerance", amount, error)) {
-        return false;
+        return one->kind <= TOLERANCE_ABBE &&
+               error_hint(error, "it is less than the number that it is of");
     }
     const double factor = named != NULL                  ? named->factor
                           : one->unit == TOLERANCE_ANGLE ? RADIANS_PER_DEGREE

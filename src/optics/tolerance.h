@@ -69,10 +69,10 @@ struct lens_tolerance {
     size_t pivot;       /* surface about whose vertex an element tilts (LENS_NONE: about the middle
                            between its outer vertices), on which it rolls (its first), whose wedge
                            it is (its last) */
-    struct text text;   /* what stands behind the word `tolerance`, for messages */
+    struct text text;   /* the line, for messages */
     const char *source; /* the file; null = none */
     long line;
-    size_t column; /* where the text begins, from 1 */
+    size_t column; /* where what it is of begins in that, from 1 */
 };
 
 /* Several of them. */
