@@ -67,6 +67,5 @@ say 'focus'
 say 'R1 inf'
 say 'element 1..2 tilt 95deg'
 sed 's/"R1 0.1% uniform"/"R1 0.1% unifrm"/' own.json > bad.json; lenscalc convert bad.json
-
 printf '# how well\n   tolerance   n1    500\n' > wide.tol
 lenscalc tolerance double-gauss --tolerances wide.tol
