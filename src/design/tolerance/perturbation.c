@@ -47,7 +47,8 @@ static bool refuse(const struct work *work, const struct entry *entry, const cha
                    : error_hint(error, "a line 'tolerance %s ...' of its own goes before the grade",
                                 name);
     }
-    fail_at(error, ERROR_DATA, from->text, from->column, "the tolerance of %s cannot be: %s", name, why);
+    fail_at(error, ERROR_DATA, from->text, from->column, "the tolerance of %s cannot be: %s", name,
+            why);
     return from->source != NULL && error_locate(error, from->source, from->line, from->column);
 }
 
