@@ -2,6 +2,7 @@
 /* SPDX-License-Identifier: MIT */
 #include "cli/option.h"
 
+#include "base/choice.h"
 #include "cli/nominal.h"
 #include "data/lines.h"
 
@@ -165,26 +166,6 @@ static bool read_quantity(const struct reader *reader, const struct option *opti
     return true;
 }
 
-/* None of the words of a choice: all of them, and the one that may have been meant. */
-static bool refuse_choice(const struct option *option, struct text text, struct error *error)
-{
-    struct nearest nearest = {.typed = text_trim(text)};
-    char all[256] = "";
-    size_t used = 0;
-    for (size_t i = 0; option_word(option, i) != NULL; i++) {
-        const char *word = option_word(option, i)->word;
-        nearest_offer(&nearest, text_of(word));
-        int length = snprintf(all + used, sizeof all - used, "%s%s", i > 0 ? ", " : "", word);
-        used += length > 0 && (size_t)length < sizeof all - used ? (size_t)length : 0;
-    }
-    fail(error, ERROR_USAGE, "%s '%.*s' is none of %s", CALLED(option), text_shown(text),
-         text.start, all);
-    if (nearest.best.start != NULL) {
-        error_hint(error, "did you mean '%.*s'?", (int)nearest.best.length, nearest.best.start);
-    }
-    return false;
-}
-
 static bool read_choice(const struct reader *reader, const struct option *option, struct text text,
                         void *member, struct error *error)
 {
@@ -196,7 +177,11 @@ static bool read_choice(const struct reader *reader, const struct option *option
             return true;
         }
     }
-    return refuse_choice(option, text, error);
+    struct choice choice = {.typed = text};
+    for (size_t i = 0; option_word(option, i) != NULL; i++) {
+        choice_offer(&choice, option_word(option, i)->word);
+    }
+    return choice_refuse(&choice, error) || error_prefix(error, "%s ", CALLED(option));
 }
 
 static bool read_flag(const struct reader *reader, const struct option *option, struct text text,

@@ -100,9 +100,12 @@ static bool read_star(struct scene_reader *reader, const struct scene_line *line
 static bool read_sky(struct scene_reader *reader, const struct scene_line *line,
                      struct scene_light *light, struct error *error)
 {
-    (void)reader;
     light->amount = line->number[KEY_LUMINANCE][0];
     if ((line->given & WAYS) == 0) {
+        if (light->sky == SKY_CLEAR && reader->sunless.start == NULL) {
+            reader->sunless = line->head;
+            reader->sunless_words = reader->words;
+        }
         return true;
     }
     if (light->sky != SKY_CLEAR) {
@@ -199,34 +202,30 @@ bool scene_light_read(struct scene_reader *reader, struct text head, struct erro
     return true;
 }
 
-/* Where the only sun of the scene stands; null: there is none, or several. */
-static const struct scene_light *only_sun(const struct scene *scene)
+bool scene_lights_finish(struct scene_reader *reader, struct error *error)
 {
+    const struct scene *scene = reader->scene;
     const struct scene_light *sun = NULL;
-    size_t count = 0;
+    size_t suns = 0;
+    if (reader->sunless.start == NULL) {
+        return true;
+    }
     for (size_t i = 0; i < scene->light_count; i++) {
         if (scene->lights[i].kind == LIGHT_SUN) {
             sun = &scene->lights[i];
-            count++;
+            suns++;
         }
     }
-    return count == 1 ? sun : NULL;
-}
-
-bool scene_lights_finish(struct scene_reader *reader, struct error *error)
-{
-    const struct scene_light *sun = only_sun(reader->scene);
-    for (size_t i = 0; i < reader->scene->light_count; i++) {
-        struct scene_light *light = &reader->scene->lights[i];
-        const bool lacks_sun = light->kind == LIGHT_SKY && light->sky == SKY_CLEAR &&
-                               !(vector_length(light->direction) > 0);
-        if (lacks_sun && sun == NULL) {
-            fail(error, ERROR_DATA,
-                 "a clear sky needs the direction of the sun: towards=, or elevation= and "
-                 "azimuth=, or one line 'light sun'");
-            return error_locate(error, light->place.source, light->place.line, light->place.column);
-        }
-        if (lacks_sun) {
+    if (suns != 1) {
+        return file_words_fail(&reader->sunless_words, reader->sunless, error,
+                               "a clear sky needs the direction of the sun: towards=, or "
+                               "elevation= and azimuth=, or one line 'light sun', not %zu",
+                               suns);
+    }
+    for (size_t i = 0; i < scene->light_count; i++) {
+        struct scene_light *light = &scene->lights[i];
+        if (light->kind == LIGHT_SKY && light->sky == SKY_CLEAR &&
+            !(vector_length(light->direction) > 0)) {
             light->direction = sun->direction;
         }
     }

@@ -41,6 +41,9 @@ struct scene_reader {
         table_room;
     size_t triangles; /* of all meshes */
     bool has_camera, has_unit;
+    /* the first clear sky that does not say where the sun stands, and its line; null: none */
+    struct text sunless;
+    struct file_words sunless_words;
 };
 
 /*

@@ -43,6 +43,7 @@ lenscalc render chart:edge --lens double-gauss-50 -s 1m --size 8x8 --samples 1 -
 lenscalc render chart:edge --lens double-gauss-50 -s 1m --size 8x8 --samples 1 --luminance 1e300 --radiance -o lost.pfm
 lenscalc render chart:edge --lens double-gauss-50 -s 1m --size 6000x1 --samples 1 -o thin.png 2>&1 | grep -c arrive; rm thin.png
 lenscalc render chart:foo --lens double-gauss-50 -s 1m -o lost.png
+lenscalc render chart:cheker --lens double-gauss-50 -s 1m -o lost.png
 lenscalc render nowhere.png --lens double-gauss-50 -s 1m -o lost.png
 lenscalc render chart:edge --lens double-gauss-50 -o lost.png
 lenscalc render chart:edge --lens double-gauss-50 -s 6cm --size 8x8 --samples 1 -o near.png

@@ -5,6 +5,9 @@ lenscalc render chart:edge $small -t 1/400 -w d --explain --no-skip blur,uniform
 lenscalc render chart:edge $small -t 1/400,1/800 --no-skip all --explain -o two.png 2>&1 | grep exposures
 ls *.png
 lenscalc render chart:edge $small -t 1/400 --no-skip blur,glass -o lost.png
+lenscalc render chart:edge $small -t 1/400 --no-skip time,color -o lost.png
+lenscalc render chart:edge $small -t 1/400 --no-skip none -o lost.png
+lenscalc render chart:edge $small -t 1/400 --no-skip Blur,ALL -o kept.png
 lenscalc render chart:edge $small -t 1/400 --no-skip '' -o lost.png
 lenscalc render --lens double-gauss-50 --no-skip all --rays lost.csv
 lenscalc render chart:edge --lens double-gauss-50 -s 1m --size 16x8 --blades 5 --no-skip pupil -o lost.png

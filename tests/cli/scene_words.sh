@@ -49,3 +49,6 @@ lenscalc render words.scene --lens asahi-takumar-100 -N 4 -o lost.pfm
 lenscalc render words.scene --lens asahi-takumar-100 --focus table -o lost.pfm
 lenscalc render words.scene --lens asahi-takumar-100 --focus table -N 4 -o lost.pfm
 ls lost.pfm
+# a clear sky whose sun nobody places: no sun, and two
+photograph 'light sky clear luminance=1000'
+photograph 'light sun illuminance=1 towards=0,0,1\nlight sun illuminance=1 towards=0,1,1\n  light sky clear luminance=1000  # about which?'

@@ -1,25 +1,32 @@
 /* commands/camera/render_card.c - what is photographed: a picture or a chart, and its facts. */
 /* SPDX-License-Identifier: MIT */
+#include "base/choice.h"
 #include "base/constants.h"
 #include "commands/camera/render.h"
 #include "file/image_file.h"
 
 #include <string.h>
 
+/* A word of charts. */
+static bool find_chart(struct text name, enum chart *chart, struct error *error)
+{
+    struct choice choice = {.typed = name};
+    for (size_t i = 0; charts[i].word != NULL; i++) {
+        if (text_same(name, charts[i].word)) {
+            *chart = (enum chart)(i + 1);
+            return true;
+        }
+        choice_offer(&choice, charts[i].word);
+    }
+    return choice_refuse(&choice, error) || error_prefix(error, "chart ");
+}
+
 bool render_card(const struct render_input *input, struct arena *arena, struct card *card,
                  struct error *error)
 {
     static const char prefix[] = "chart:";
     if (strncmp(input->subject, prefix, sizeof prefix - 1) == 0) {
-        const char *name = input->subject + sizeof prefix - 1;
-        for (size_t i = 0; charts[i].word != NULL; i++) {
-            if (strcmp(charts[i].word, name) == 0) {
-                card->chart = (enum chart)(i + 1);
-                return true;
-            }
-        }
-        fail(error, ERROR_USAGE, "there is no chart '%.40s'", name);
-        return error_hint(error, "edge, star, grid, checker, bars, wedge, points or stars");
+        return find_chart(text_of(input->subject + sizeof prefix - 1), &card->chart, error);
     }
     const struct image_wish wish = {IMAGE_LIGHT, IMAGE_SEEN_MOST};
     struct image *picture = ARENA_NEW(arena, struct image);

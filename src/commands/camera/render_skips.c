@@ -1,37 +1,36 @@
 /* commands/camera/render_skips.c - what a picture does without, and how it says so. */
 /* SPDX-License-Identifier: MIT */
+#include "base/choice.h"
 #include "commands/camera/render.h"
 
 #include <inttypes.h>
-#include <string.h>
 
-/* Which of skip_words a word is; SKIP_COUNT: all of them; above: none. */
-static size_t find_skip(const char *word, size_t length)
+static const char everything[] = "all";
+
+static bool refuse_skip(struct text word, struct error *error)
 {
-    size_t i = 0;
-    while (skip_words[i].word != NULL && (strlen(skip_words[i].word) != length ||
-                                          strncmp(skip_words[i].word, word, length) != 0)) {
-        i++;
+    struct choice choice = {.typed = word};
+    for (size_t i = 0; i < SKIP_COUNT; i++) {
+        choice_offer(&choice, skip_words[i].word);
     }
-    return skip_words[i].word != NULL || (length == 3 && strncmp(word, "all", 3) == 0) ? i : i + 1;
+    choice_offer(&choice, everything);
+    return choice_refuse(&choice, error) || error_prefix(error, "{--no-skip} ");
 }
 
 bool render_kept(const struct render_input *input, unsigned *kept, struct error *error)
 {
+    struct text rest = text_of(input->no_skip != NULL ? input->no_skip : "");
     *kept = 0;
-    for (const char *word = input->no_skip; word != NULL;) {
-        const char *comma = strchr(word, ',');
-        const size_t length = comma != NULL ? (size_t)(comma - word) : strlen(word);
-        const size_t which = find_skip(word, length);
-        if (which > SKIP_COUNT) {
-            return fail(
-                error, ERROR_USAGE,
-                "{--no-skip} '%.*s': pupil, colour, blur, uniform, exposures, time, secondary or "
-                "all",
-                (int)(length < 40 ? length : 40), word);
+    while (rest.start != NULL && input->no_skip != NULL) {
+        const struct text typed = text_cut(&rest, ','), word = text_trim(typed);
+        size_t i = 0;
+        while (i < SKIP_COUNT && !text_same(word, skip_words[i].word)) {
+            i++;
         }
-        *kept |= which == SKIP_COUNT ? (1U << SKIP_COUNT) - 1 : 1U << which;
-        word = comma != NULL ? comma + 1 : NULL;
+        if (i == SKIP_COUNT && !text_same(word, everything)) {
+            return refuse_skip(typed, error);
+        }
+        *kept |= i == SKIP_COUNT ? (1U << SKIP_COUNT) - 1 : 1U << i;
     }
     return true;
 }
