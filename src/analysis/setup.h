@@ -128,6 +128,18 @@ bool setup_compile(const struct setup *setup, const struct lens *lens, size_t wa
  */
 struct pair setup_paraxial_image(const struct lens *lens, const struct first_order *first);
 
+/* -------- analysis/setup_width.c -------- */
+
+/*
+ * Is the beam that is asked for wider than the lens lets through?
+ *
+ * Given     fnumber  asked for in place of the lens's, as the setup has it; NaN: none
+ * Result    a warning in the arena; null where less than a tenth of a stop is asked for beyond what
+ *           the lens states, and where the marginal ray passes all clear apertures, the stop's not
+ *           counted: a lens without diameters is as wide as anybody wants
+ */
+const char *setup_width_warning(const struct setup *setup, double fnumber, struct arena *arena);
+
 /* -------- analysis/setup_beam.c -------- */
 
 /*

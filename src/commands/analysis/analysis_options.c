@@ -81,7 +81,10 @@ static const char *warning_of(const struct analysis_question *question, const st
 {
     const char *both = lens_warnings_join(
         question->lens.warning, first_order_warning(setup->lens, setup->arena), setup->arena);
-    return lens_warnings_join(both, setup->warning, setup->arena);
+    const char *width =
+        question->no_clip ? NULL : setup_width_warning(setup, question->fnumber, setup->arena);
+    both = lens_warnings_join(both, setup->warning, setup->arena);
+    return lens_warnings_join(both, width, setup->arena);
 }
 
 static bool visit_position(const struct analysis_question *question,

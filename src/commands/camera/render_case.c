@@ -66,7 +66,8 @@ void render_doubts(const struct render_input *input, const struct analysis_case 
                    const struct render_arrival *arrival, struct growing *remarks)
 {
     const double widest = render_widest(input, one, remarks->arena);
-    if (!isnan(widest)) {
+    const char *said = setup_width_warning(one->setup, input->question.fnumber, remarks->arena);
+    if (!isnan(widest) && said == NULL) { /* a model has no clear apertures to say it by */
         growing_format(remarks,
                        "warning: the lens is f/%.4g wide open: light of f/%.4g passes only where "
                        "its clear apertures let it\n",

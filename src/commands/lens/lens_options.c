@@ -70,7 +70,8 @@ static const char *warning_of(const struct lens_question *question, size_t posit
                               : NULL;
     const char *both = lens_warnings_join(question->lens.warning, differs, arena);
     both = lens_warnings_join(both, first_order_warning(setup->lens, arena), arena);
-    return lens_warnings_join(both, setup->warning, arena);
+    both = lens_warnings_join(both, setup->warning, arena);
+    return lens_warnings_join(both, setup_width_warning(setup, question->fnumber, arena), arena);
 }
 
 bool lens_place_image(struct setup *setup, const struct plane_value *focus, struct error *error)

@@ -59,5 +59,9 @@ bool ray_case_open(const struct ray_question *question, const struct ray_choice 
         return false;
     }
     one->warning = lens_warnings_join(question->lens.warning, one->setup.warning, arena);
+    if (one->clip) {
+        one->warning = lens_warnings_join(
+            one->warning, setup_width_warning(&one->setup, question->fnumber, arena), arena);
+    }
     return set_target(&question->to, one, arena, error);
 }

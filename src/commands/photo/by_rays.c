@@ -79,20 +79,6 @@ static bool check(const struct photo_lens_question *question, const struct photo
                 "{--exact} goes by the lens's own pupils: it excludes {--pupil}");
 }
 
-/* Rays go no wider than the lens is, whatever f-number is asked for. */
-static void doubt_width(const struct photo_lens_question *question, const struct photo_lens *lens,
-                        struct run *run)
-{
-    const double tenth_of_stop = 0.966; /* between labels and what lenses are */
-    const double own = lens->first->fnumber;
-    if (question->fnumber > 0 && question->fnumber < tenth_of_stop * own) {
-        doubts_add(run->doubts,
-                   "the lens is f/%.4g wide open: rays of f/%.4g pass only where its clear "
-                   "apertures let them",
-                   own, question->fnumber);
-    }
-}
-
 bool by_rays_open(const struct by_rays_question *all, struct run *run, struct real_focus *focus,
                   struct by_rays_row *row, struct error *error)
 {
@@ -121,7 +107,10 @@ bool by_rays_open(const struct by_rays_question *all, struct run *run, struct re
     if (!real_focus_open(&seen, run->arena, focus, error)) {
         return false;
     }
-    doubt_width(question, lens, run);
+    const char *width = setup_width_warning(&setup, seen.lens.fnumber, run->arena);
+    if (width != NULL) {
+        doubts_add(run->doubts, "%s", width);
+    }
     if (focus->error > 2e-3) {
         doubts_add(run->doubts, "blurs have not converged: twice the rays change them by more "
                                 "than 0.2 %%");

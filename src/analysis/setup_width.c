@@ -1,0 +1,56 @@
+/* analysis/setup_width.c - a beam that is asked for wider than the lens is. */
+/* SPDX-License-Identifier: MIT */
+#include "analysis/setup.h"
+#include "optics/aperture.h"
+
+#include <math.h>
+
+/* The f-number of the beam that the lens states; NaN where it states none. */
+static double stated_fnumber(const struct setup *setup)
+{
+    const struct aperture_setting own = lens_aperture(setup->lens);
+    struct first_order first = setup->first;
+    struct error ignored;
+    return first_order_aperture(&first, &setup->object, &own, FIELD_NONE, NAN, &ignored)
+               ? first.fnumber
+               : (double)NAN;
+}
+
+/* How far the marginal ray goes beyond the clear apertures: the largest of height over reach. */
+static double excess(const struct setup *setup, struct arena *arena)
+{
+    const struct lens *lens = setup->lens;
+    const struct first_order *first = &setup->first;
+    struct paraxial_system system;
+    struct error ignored;
+    double most = 0;
+    if (isnan(first->marginal_y) || !paraxial_compile(lens, lens_primary_wavelength(lens),
+                                                      setup->section, arena, &system, &ignored)) {
+        return 0;
+    }
+    struct paraxial_ray *rays = ARENA_ARRAY(arena, system.count + 1, struct paraxial_ray);
+    paraxial_follow(&system, pair_of(first->marginal_y), pair_of(first->marginal_v), rays);
+    for (size_t i = 0; i < system.count; i++) {
+        /* the stop is as wide as the beam has it */
+        if (i != system.stop) {
+            most = fmax(most, fabs(rays[i].y) / aperture_reach(&lens->surfaces[i]));
+        }
+    }
+    return most;
+}
+
+const char *setup_width_warning(const struct setup *setup, double fnumber, struct arena *arena)
+{
+    const double tenth_of_stop = 0.966; /* between labels and what lenses are */
+    if (!(fnumber > 0)) {
+        return NULL;
+    }
+    const double passing = fnumber * excess(setup, arena), stated = stated_fnumber(setup);
+    const double own = isfinite(stated) ? stated : passing;
+    const bool is_wider = fnumber < tenth_of_stop * own && fnumber < tenth_of_stop * passing;
+    return is_wider ? arena_printf(arena,
+                                   "the lens is f/%.4g wide open: rays of f/%.4g pass only where "
+                                   "its clear apertures let them",
+                                   own, fnumber)
+                    : NULL;
+}

@@ -1,0 +1,20 @@
+# an f-number wider than the lens is said, where its clear apertures are in the way
+for command in spot wavefront psf mtf fan illumination distortion color field pupil seidel lens check surfaces conjugate; do
+    lenscalc $command double-gauss -N 1,2.0304 -w d --jsonl 2>&1 |
+        sed -n "s/.*\"warning\":\([^}]*\)}.*/$command \1/p" | sort | uniq -c | tr -s ' '
+done
+lenscalc trace double-gauss -N 1,2 -w d --pupil-point 0:1 --field 0 --columns N,status,surface,warning --csv
+lenscalc mtf double-gauss -N 1,1.95,1.98 -w d --field 0 --frequency 20 --columns fnumber,tangential,warning \
+    --csv --digits 4
+# nothing is in the way of what is not clipped, or has no diameters; the stop opens
+lenscalc spot double-gauss -N 1,8 -w d --field 0 --no-clip --columns fnumber,rms,warning --csv --digits 4
+# a plano-convex lens of f = 50/(1.5 - 1) = 100 mm: a front of 20 mm passes f/5
+for diameter in - 20; do
+    cat >bare.lens <<END
+lens plano-convex
+aperture f/8
+surface 50 5 1.5 $diameter
+stop - 95 air -
+END
+    lenscalc spot ./bare.lens -N 4,5.1,8 -w d --field 0 --columns fnumber,rms,warning --csv --digits 3
+done
