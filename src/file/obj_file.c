@@ -3,6 +3,7 @@
 #include "file/obj_file.h"
 
 #include "file/file_words.h"
+#include "file/polygon.h"
 
 #include <math.h>
 #include <stdint.h>
@@ -19,6 +20,11 @@ struct corner {
     size_t of[PARTS];
 };
 
+/* A face of more than three corners: a fan, until all corners are known. */
+struct fan {
+    size_t first, corner_count; /* of its triangles */
+};
+
 struct obj {
     struct file_words words;
     const struct obj_question *question;
@@ -32,6 +38,8 @@ struct obj {
     size_t *slots, slot_count; /* of the corners, by what they are; one more than the number */
     size_t (*triangles)[3];
     size_t triangle_count, triangle_room;
+    struct fan *fans;
+    size_t fan_count, fan_room;
 };
 
 static uint64_t mixed(uint64_t hash, uint64_t word)
@@ -203,6 +211,11 @@ static bool read_face(struct obj *obj, struct error *error)
         memcpy(obj->triangles[obj->triangle_count++], corner, sizeof corner);
         corner[1] = corner[2];
     }
+    if (count > 3) {
+        obj->fans =
+            arena_grow(obj->arena, obj->fans, obj->fan_count, &obj->fan_room, sizeof obj->fans[0]);
+        obj->fans[obj->fan_count++] = (struct fan){obj->triangle_count - (count - 2), count};
+    }
     const struct text end = {obj->words.line.start + obj->words.line.length, 0};
     return count >= 3 || file_words_fail(&obj->words, end, error,
                                          "a face needs three corners, and has %zu", count);
@@ -289,6 +302,35 @@ static void count_parts(struct obj *obj)
 static struct vector position(const struct obj *obj, size_t corner)
 {
     return obj->all[PART_POSITION][obj->corners[corner].of[PART_POSITION]];
+}
+
+/* Those that are concave have other triangles, as many. */
+static void cut_face(struct obj *obj, const struct fan *fan)
+{
+    size_t(*triangles)[3] = &obj->triangles[fan->first];
+    size_t(*cut)[3] = arena_array(obj->arena, fan->corner_count - 2, sizeof cut[0]);
+    size_t *corners = ARENA_ARRAY(obj->arena, fan->corner_count, size_t);
+    struct vector *at = ARENA_ARRAY(obj->arena, fan->corner_count, struct vector);
+    for (size_t i = 0; i < fan->corner_count; i++) {
+        corners[i] = i < 2 ? triangles[0][i] : triangles[i - 2][2];
+        at[i] = position(obj, corners[i]);
+    }
+    const enum polygon_cut way = polygon_triangles(at, fan->corner_count, cut, obj->arena);
+    obj->passed->crossed += way == POLYGON_CROSSED ? 1 : 0;
+    for (size_t i = 0; i < fan->corner_count - 2 && way == POLYGON_EARS; i++) {
+        for (int k = 0; k < 3; k++) {
+            triangles[i][k] = corners[cut[i][k]];
+        }
+    }
+}
+
+static void cut_faces(struct obj *obj)
+{
+    for (size_t i = 0; i < obj->fan_count; i++) {
+        const struct arena_mark mark = arena_mark(obj->arena);
+        cut_face(obj, &obj->fans[i]);
+        arena_reset(obj->arena, mark);
+    }
 }
 
 /* Where its corners lie, whichever comes first; bytes are equal where numbers are. */
@@ -488,6 +530,7 @@ bool obj_read(const struct obj_question *question, struct text content, struct a
     obj.words.comment = NULL;
     is_read = is_read && read_lines(&obj, error);
     if (is_read) {
+        cut_faces(&obj);
         leave_out_twice(&obj);
         make_mesh(&obj, arena, mesh);
     }

@@ -21,6 +21,7 @@ struct obj_question {
 struct obj_passed {
     bool materials, lines, colours;
     size_t unplaced; /* triangles with a corner that has no place in a texture, where others have */
+    size_t crossed;  /* faces that cross themselves, or have no area: fans about their first */
     size_t twice;    /* triangles whose corners lie where those of another one do */
 };
 
@@ -29,7 +30,7 @@ struct obj_passed {
  *
  * Given     content  the file; nothing points into it afterwards
  *           arena    receives what the mesh points to
- * Result    faces of more than three corners become fans about their first. A corner is one set of
+ * Result    faces of more than three corners are cut by polygon_triangles. A corner is one set of
  *           position, place and normal. Where faces lack normals that others have, or have one
  *           without length, their corners have that of the face. Of triangles whose corners lie
  *           at the same three places, in any order, the first one is left

@@ -301,6 +301,13 @@ static void note_passed(struct scene_reader *reader, const char *path,
     if (all[0] != '\0') {
         take_note(reader, arena_printf(arena, "%s: passed over: %s", path, all + 2));
     }
+    if (passed->crossed > 0) {
+        take_note(reader, arena_printf(arena, "%s: %zu face%s no area: %s about the first corner",
+                                       path, passed->crossed,
+                                       passed->crossed == 1 ? " crosses itself or has"
+                                                            : "s cross themselves or have",
+                                       passed->crossed == 1 ? "a fan" : "fans"));
+    }
     if (passed->twice > 0) {
         take_note(reader,
                   arena_printf(arena, "%s: %zu triangle%s where another does, and %s left out",

@@ -165,12 +165,48 @@ static void check_normals(void)
     arena_free(&arena);
 }
 
+/* Twice the area of all triangles, in mm^2. */
+static double twice_area(const struct scene_mesh *mesh)
+{
+    double sum = 0;
+    for (size_t i = 0; i < mesh->triangle_count; i++) {
+        const size_t *t = mesh->triangles[i];
+        const struct vector a = mesh->corners[t[0]];
+        sum += vector_length(vector_cross(vector_minus(mesh->corners[t[1]], a),
+                                          vector_minus(mesh->corners[t[2]], a)));
+    }
+    return sum;
+}
+
+/* An L about each of its corners, before them in the file; a bow is a fan about its first. */
+static void check_concave(void)
+{
+    for (int start = 0; start < 6; start++) {
+        struct arena arena = {0};
+        struct scene_mesh mesh;
+        struct obj_passed passed;
+        struct error error = {0};
+        const char *face = arena_printf(
+            &arena,
+            "f %d %d %d %d %d %d\nv 0 1 5\nv 0 0 5\nv 1 0 5\nv 1 .25 5\nv .25 .25 5\nv .25 1 5\n",
+            start + 1, (start + 1) % 6 + 1, (start + 2) % 6 + 1, (start + 3) % 6 + 1,
+            (start + 4) % 6 + 1, (start + 5) % 6 + 1);
+        CHECK(read_text(face, &arena, &mesh, &passed, &error));
+        CHECK(mesh.triangle_count == 4 && passed.crossed == 0);
+        CHECK_NEAR(twice_area(&mesh), 2e6 * (0.25 + 0.75 * 0.25), 1e-3, "an L");
+        CHECK(read_text(CORNERS "v 2 2 0\nf 1 4 2 3\n", &arena, &mesh, &passed, &error));
+        CHECK(mesh.triangle_count == 2 && passed.crossed == 1);
+        arena_free(&arena);
+    }
+}
+
 int main(void)
 {
     check_errors();
     check_square();
     check_continued();
     check_twice();
+    check_concave();
     check_normals();
     return check_report();
 }
