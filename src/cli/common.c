@@ -173,11 +173,6 @@ static bool has_series(const struct command *command)
     return found;
 }
 
-static bool is_forced(const struct command *command)
-{
-    return has_rows(command) || command->again != NULL || command->artifact_count > 0;
-}
-
 /* Does an answer depend on such data? */
 static bool reads(const struct command *command, unsigned data)
 {
@@ -198,6 +193,16 @@ static bool reads_lensdb(const struct command *command)
 static bool reads_glasses(const struct command *command)
 {
     return reads(command, READS_GLASSES);
+}
+
+/* More rows than usual, or a file that is also read. */
+static bool is_forced(const struct command *command)
+{
+    bool found = takes_many(command) || command->again != NULL || reads_glasses(command);
+    for (size_t i = 0; i < command->option_count && !found; i++) {
+        found = (command->options[i].flags & OPTION_FILE) != 0;
+    }
+    return found;
 }
 
 static bool reads_lenses(const struct command *command)
