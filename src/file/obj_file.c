@@ -304,7 +304,7 @@ static struct vector position(const struct obj *obj, size_t corner)
     return obj->all[PART_POSITION][obj->corners[corner].of[PART_POSITION]];
 }
 
-/* Those that are concave have other triangles, as many. */
+/* Into other triangles, as many. */
 static void cut_face(struct obj *obj, const struct fan *fan)
 {
     size_t(*triangles)[3] = &obj->triangles[fan->first];
@@ -317,7 +317,7 @@ static void cut_face(struct obj *obj, const struct fan *fan)
     }
     const enum polygon_cut way = polygon_triangles(at, fan->corner_count, cut, obj->arena);
     obj->passed->crossed += way == POLYGON_CROSSED ? 1 : 0;
-    for (size_t i = 0; i < fan->corner_count - 2 && way == POLYGON_EARS; i++) {
+    for (size_t i = 0; i < fan->corner_count - 2; i++) {
         for (int k = 0; k < 3; k++) {
             triangles[i][k] = corners[cut[i][k]];
         }

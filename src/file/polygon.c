@@ -305,6 +305,20 @@ static void cut_fan(size_t count, size_t (*triangles)[3])
     }
 }
 
+/* What lies between two corners and the line from one to the other. Result: how many triangles. */
+static size_t cut_halves(size_t first, size_t last, size_t (*triangles)[3])
+{
+    if (last - first < 2) {
+        return 0;
+    }
+    const size_t middle = first + (last - first) / 2;
+    triangles[0][0] = first;
+    triangles[0][1] = middle;
+    triangles[0][2] = last;
+    const size_t made = 1 + cut_halves(first, middle, triangles + 1);
+    return made + cut_halves(middle, last, triangles + made);
+}
+
 static bool cut_concave(const struct point *at, size_t count, size_t (*triangles)[3],
                         struct arena *arena)
 {
@@ -351,13 +365,16 @@ enum polygon_cut polygon_triangles(const struct vector *corners, size_t count,
     drop(corners, count, normal, at);
     const bool convex = is_convex(at, count);
     if (convex && count <= 4) { /* so few turns to the left are once around */
-        return POLYGON_FAN;
+        return POLYGON_CONVEX;
     }
     if (!(fabs(turn_of(at, count) - 2 * PI) < 1)) {
         return POLYGON_CROSSED;
     }
+    if (convex && count > POLYGON_FAN_MOST) {
+        cut_halves(0, count - 1, triangles);
+    }
     if (convex) {
-        return POLYGON_FAN;
+        return POLYGON_CONVEX;
     }
     if (!cut_concave(at, count, triangles, arena)) {
         cut_fan(count, triangles);

@@ -8,14 +8,18 @@
 
 #include <stddef.h>
 
+enum { POLYGON_FAN_MOST = 8 };
+
 enum polygon_cut {
-    POLYGON_FAN,    /* convex: a fan about its first corner */
+    POLYGON_CONVEX, /* a fan about its first corner, or by halves */
     POLYGON_EARS,   /* concave */
     POLYGON_CROSSED /* it crosses itself, or has no area: there is no such cut */
 };
 
 /*
- * Cut a polygon along its diagonals.
+ * Cut a polygon along its diagonals. Slivers of a fan lie in each other's boxes, and rays ask them
+ * all: a convex one of more than POLYGON_FAN_MOST corners is cut in the middle of its way round,
+ * and so is each half.
  *
  * Given     corners    `count` >= 3 of them, either way round; a polygon with holes goes to each
  *                      hole and back along one line

@@ -58,9 +58,9 @@ static void check_shape(const double (*xy)[2], size_t count, enum polygon_cut wa
 static void test_shapes(void)
 {
     static const double square[][2] = {{0, 0}, {1, 0}, {1, 1}, {0, 1}};
-    check_shape(square, 4, POLYGON_FAN, 1, "a square");
+    check_shape(square, 4, POLYGON_CONVEX, 1, "a square");
     static const double house[][2] = {{0, 0}, {2, 0}, {2, 1}, {2, 2}, {1, 3}, {0, 2}};
-    check_shape(house, 6, POLYGON_FAN, 5, "a house");
+    check_shape(house, 6, POLYGON_CONVEX, 5, "a house");
     static const double dart[][2] = {{0, 0}, {2, -1}, {1, 0}, {2, 1}};
     check_shape(dart, 4, POLYGON_EARS, 1, "a dart");
     static const double ell[][2] = {{0, 1}, {0, 0}, {1, 0}, {1, 0.25}, {0.25, 0.25}, {0.25, 1}};
@@ -139,8 +139,29 @@ static void test_many(void)
     check_cut(n, POLYGON_EARS, area, "a spiral");
 }
 
+/* Of a polygon of n corners a corner has at most two triangles each time n is halved. */
+static void test_round(void)
+{
+    enum { COUNT = 1000, HALVINGS = 10 };
+    static size_t uses[COUNT];
+    for (size_t i = 0; i < COUNT; i++) {
+        const double angle = 2 * PI * (double)i / COUNT;
+        corners[i] = (struct vector){cos(angle), sin(angle), 0};
+    }
+    check_cut(COUNT, POLYGON_CONVEX, COUNT / 2 * sin(2 * PI / COUNT), "a disc");
+    for (size_t i = 0; i < COUNT - 2; i++) {
+        for (int k = 0; k < 3; k++) {
+            uses[triangles[i][k]]++;
+        }
+    }
+    for (size_t i = 0; i < COUNT; i++) {
+        CHECK(uses[i] <= 2 * HALVINGS);
+    }
+}
+
 int main(void)
 {
+    test_round();
     test_shapes();
     test_crossed();
     test_many();
