@@ -3,6 +3,7 @@
 #include "cli/columns.h"
 
 #include "cli/complain.h"
+#include "cli/echo.h"
 #include "report/report.h"
 
 #include <string.h>
@@ -59,6 +60,17 @@ static const char *shown_where(const struct column *column, struct arena *arena)
                                                   : "not in tables for people";
 }
 
+static bool stands_in_any(const struct sheet *const *sheets, const char *name)
+{
+    bool found = false;
+    for (size_t i = 0; sheets[i] != NULL && !found; i++) {
+        for (size_t k = 0; k < sheets[i]->column_count && !found; k++) {
+            found = strcmp(sheets[i]->columns[k].name, name) == 0;
+        }
+    }
+    return found;
+}
+
 static bool stands_before(const struct sheet *const *sheets, size_t kind, size_t at)
 {
     const char *name = sheets[kind]->columns[at].name;
@@ -70,6 +82,58 @@ static bool stands_before(const struct sheet *const *sheets, size_t kind, size_t
         }
     }
     return found;
+}
+
+static bool never(const void *asked, const char *option)
+{
+    (void)asked;
+    (void)option;
+    return false;
+}
+
+static struct column_row describe(const struct command *command, const struct column *column,
+                                  struct arena *arena)
+{
+    const char *unit = column->unit;
+    return (struct column_row){
+        .command = command->name,
+        .column = unit != NULL ? ARENA_JOIN(arena, column->name, "_", unit) : column->name,
+        .letter = letter_of(command, column->name, arena),
+        .unit = unit != NULL ? unit_find(column->dimension, text_of(unit))->label : NULL,
+        .label = column->label,
+        .help = column->help,
+        .shown = shown_where(column, arena),
+    };
+}
+
+/* Of options with lists that some kind of row has no column for: each comes where one varies. */
+static void describe_echoes(const struct command *command, const struct sheet *const *sheets,
+                            bool (*take)(void *, const struct column_row *), void *context,
+                            struct arena *arena)
+{
+    size_t count = 0;
+    const char **names = ARENA_ARRAY(arena, command->option_count + 1, const char *);
+    bool going = true;
+    for (size_t i = 0; sheets[i] != NULL; i++) {
+        const struct echo_question question = {
+            .command = command, .sheet = sheets[i], .all = true, .given = never, .varied = never};
+        struct echo echo;
+        echo_open(&echo, &question, arena);
+        for (size_t k = 0; k < echo.count && going; k++) {
+            const struct column *column = &echo.sheet.columns[k];
+            bool known =
+                !echo.items[k].option->kind->is_list || stands_in_any(sheets, column->name);
+            for (size_t n = 0; n < count && !known; n++) {
+                known = strcmp(names[n], column->name) == 0;
+            }
+            if (!known) {
+                struct column_row row = describe(command, column, arena);
+                row.shown = arena_printf(arena, "where --%s varies", column->with);
+                names[count++] = column->name;
+                going = take(context, &row);
+            }
+        }
+    }
 }
 
 void columns_describe(const struct command *command,
@@ -85,31 +149,18 @@ void columns_describe(const struct command *command,
             if (stands_before(sheets, i, k)) {
                 continue;
             }
-            const char *unit = column->unit;
-            struct column_row row = {
-                .command = command->name,
-                .column = unit != NULL ? ARENA_JOIN(arena, column->name, "_", unit) : column->name,
-                .letter = letter_of(command, column->name, arena),
-                .unit = unit != NULL ? unit_find(column->dimension, text_of(unit))->label : NULL,
-                .label = column->label,
-                .help = column->help,
-                .shown = shown_where(column, arena),
-            };
+            const struct column_row row = describe(command, column, arena);
             going = take(context, &row);
         }
+    }
+    if (going && command->run != NULL) {
+        describe_echoes(command, sheets, take, context, arena);
     }
 }
 
 bool columns_are_asked(const struct common *common)
 {
     return common->columns != NULL && strcmp(common->columns, "?") == 0;
-}
-
-static bool never(const void *asked, const char *option)
-{
-    (void)asked;
-    (void)option;
-    return false;
 }
 
 static bool print_row(void *context, const struct column_row *row)

@@ -7,19 +7,19 @@
 
 enum { VALUE = 8 }; /* bytes that any value of a row fits in */
 
-/* The name of an option with another sign between its words: "ceiling_subject". */
-static const char *spelt(const char *name, char between, struct arena *arena)
+/* A name with another sign between its words: "ceiling_subject". */
+static const char *spelt(const char *name, char sign, char other, struct arena *arena)
 {
     char *copy = arena_array(arena, strlen(name) + 1, 1);
     for (size_t i = 0; name[i] != '\0'; i++) {
-        copy[i] = name[i] == '-' ? between : name[i];
+        copy[i] = name[i] == sign ? other : name[i];
     }
     return copy;
 }
 
 static const char *column_name(const struct option *option, struct arena *arena)
 {
-    return option->column != NULL ? option->column : spelt(option->name, '_', arena);
+    return option->column != NULL ? option->column : spelt(option->name, '-', '_', arena);
 }
 
 static bool lists(const char *words, const char *name)
@@ -109,7 +109,7 @@ static struct column new_column(const struct option *option, const char *name, s
         .offset = offset,
         .flags = COLUMN_ECHO | COLUMN_BRIEF | (may_be_infinite(option) ? COLUMN_INFINITE : 0),
         .with = option->name,
-        .label = option->quantity != NULL ? option->quantity : spelt(option->name, ' ', arena),
+        .label = option->quantity != NULL ? option->quantity : spelt(name, '_', ' ', arena),
         .help = option->help,
     };
 }

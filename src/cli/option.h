@@ -158,7 +158,7 @@ struct option {
     size_t offset;
     const char *quantity; /* what formulas call it; null = its name with blanks, "focal length" */
     const char *called;   /* how it was given, where not by its name: "column 's_m'"; else null */
-    const char *column;   /* the output column that repeats it: "focal"; or null */
+    const char *column;   /* the output column that repeats it: "focal"; null = as its own name */
     const struct dimension *dimension; /* of a quantity */
     const char *unit;                  /* of a bare number; null = the dimension's own */
     double lowest, highest;            /* in the program's own unit; both 0 = any value */

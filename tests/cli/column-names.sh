@@ -18,7 +18,7 @@ lenscalc refract --columns '?'
 lenscalc matrix --columns '?' --csv | tail -3
 lenscalc draw --columns '?'
 lenscalc list columns conjugate image --columns column,unit,label
-lenscalc list columns dof nothing
+lenscalc list columns dof nowhere
 # every column of every command has a meaning
 lenscalc list columns --jsonl | grep -c '"meaning":null'
 # words of the trade for options

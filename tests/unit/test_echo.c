@@ -59,8 +59,32 @@ static bool is_told(const struct command *command, const struct sheet *sheet,
     return told;
 }
 
+/* What --columns may call a column of the command by still means that one. */
+static void check_names(const struct command *command, const struct sheet *sheet)
+{
+    const struct echo_question question = {.command = command,
+                                           .sheet = sheet,
+                                           .all = true,
+                                           .given = is_asked,
+                                           .varied = is_asked,
+                                           .asked = ""};
+    struct echo echo;
+    echo_open(&echo, &question, &arena);
+    for (size_t i = 0; i < echo.count; i++) {
+        struct shown shown;
+        struct error error;
+        const char *name = echo.sheet.columns[i].name;
+        const bool is_new = !report_find_column(sheet, text_of(name), &arena, &shown, &error);
+        CHECK(is_new);
+        if (!is_new) {
+            printf("    %s: '%s' is '%s' too\n", command->name, name, shown.name);
+        }
+    }
+}
+
 static void check_sheet(const struct command *command, const struct sheet *sheet)
 {
+    check_names(command, sheet);
     for (size_t i = 0; i < command->option_count; i++) {
         const struct option *option = &command->options[i];
         if (option->kind->is_list || (option->flags & OPTION_MANY) != 0) {

@@ -30,8 +30,9 @@ static const struct option options[] = {
      .highest = INFINITY, .flags = OPTION_ABOVE_LOWEST | OPTION_NO_INFINITY,
      .column = "stop_diameter", .excludes = "aperture",
      .help = "diameter of the stop, in place of the lens's own aperture"},
-    {OPTION(struct input, question.error), .name = "error", .dimension = &dimension_number,
-     .lowest = 1e-13, .highest = 1, .fallback = "1e-4", .value = "NUMBER",
+    {OPTION(struct input, question.error), .name = "error", .column = "error_wanted",
+     .dimension = &dimension_number, .lowest = 1e-13, .highest = 1, .fallback = "1e-4",
+     .value = "NUMBER",
      .help = "rays are doubled until the relative error of the irradiance is below this"},
     ANALYSIS_CLIP_OPTIONS(struct input, question),
 };

@@ -35,8 +35,8 @@ static const struct option options[] = {
      .unit = "mm", .value = "PLANE",
      .help = "position of the film: paraxial, table, best, or a distance behind the last vertex"},
     LENS_POSITION_OPTION(struct pupil_input, question),
-    {OPTION(struct pupil_input, side), .name = "side", .words = sides, .fallback = "both",
-     .value = "SIDE", .help = "which pupil"},
+    {OPTION(struct pupil_input, side), .name = "side", .column = "side_wanted", .words = sides,
+     .fallback = "both", .value = "SIDE", .help = "which pupil"},
     {OPTION(struct pupil_input, outline), .name = "outline", .lowest = 3, .highest = PUPIL_EDGES,
      .value = "COUNT", .help = "print this many points of the edge instead"},
 };
