@@ -221,7 +221,7 @@ void metering_take(const struct metering_question *question, struct arena *arena
     open_points(&rays, &view, arena);
     rays.subject = subject_scene(&view);
     tile_rays_begin(&rays, 0, &plan, room);
-    *metered = (struct metered){.error = 0};
+    *metered = (struct metered){.is_direct = has_sight};
     for (uint32_t part = 0; part < PARTS; part++) {
         double mean[TILE_CHANNELS];
         take_part(question, &rays, &plan, has_sight ? &sight : NULL, part, room, mean);

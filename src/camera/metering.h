@@ -14,6 +14,7 @@ struct metering_question {
 struct metered {
     double mean[TILE_CHANNELS]; /* illuminance of the film by channel, lx */
     double error;               /* standard error of its luminance, as a share of it */
+    bool is_direct;             /* by rays to lights, too */
 };
 
 /*

@@ -246,6 +246,7 @@ static void open_scene(struct tile_work *work, struct tile_room *room, struct ar
     metering_take(&metering, arena, room, &metered);
     memcpy(photograph->mean, metered.mean, sizeof metered.mean);
     photograph->mean_error = metered.error;
+    photograph->is_metered_directly = metered.is_direct;
     const double white = isnan(question->white)
                              ? question->white_of_mean * colour_luminance(photograph->mean)
                              : question->white;

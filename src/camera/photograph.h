@@ -94,6 +94,7 @@ struct photograph {
     struct card card;                 /* with its size */
     double mean[PHOTOGRAPH_CHANNELS]; /* of a scene: illuminance of all the film, lx */
     double mean_error;                /* of its luminance, as a share: camera/metering.h */
+    bool is_metered_directly;         /* also by rays to what shines, which miss nothing small */
     double reference; /* E/L of a white scene, sr: in the middle of the film or, where no light
                          reaches that, at some place that it does reach, */
     double reference_at[2];             /* mm */

@@ -119,6 +119,32 @@ def in_a_line(meter, folder):
         meter.checks.check("known to" not in meter.said, f"a line in {bands} bands: {meter.said}")
 
 
+def missed(meter):
+    """Lamps far smaller than a pixel: what an error cannot know of is said, but not of enough rays,
+    nor of a part."""
+    places = [(x, y, -10) for x in (-2, -1, 0, 1, 2) for y in (-1, -0.5, 0, 0.5, 1)]
+    lamps = "material l black luminance=1000\n" + "".join(
+        f"sphere material=l radius=0.005 at={x},{y},{z}\n" for x, y, z in places)
+    expected = sum(thin(math.pi * 1000 * 0.005 ** 2 / sum(v * v for v in place), place)
+                   for place in places)
+    words, said = [*LENS, "-t", "1"], r"pixels have (\S+) lx .* shines find (\S+) lx: small lights"
+    for seed in range(2):
+        error = [*words, "--error", "2%", "--seed", str(seed)]
+        meter.mean(lamps, *error, size="96x64", samples=4096)
+        found = re.search(said, meter.said)
+        if meter.checks.check(found, f"lamps that are missed: {meter.said}"):
+            with open(os.path.join(meter.folder, "a.pfm"), "rb") as file:
+                rows = read_pfm(file.read())[3]
+            shown = sum(sum(row[1::3]) for row in rows) / (96 * 64)
+            meter.checks.check(abs(float(found.group(1)) / shown - 1) < 1e-3, f"{shown} lx are shown")
+            meter.checks.check(abs(float(found.group(2)) / expected - 1) < 0.01,
+                               f"{found.group(2)} lx of lamps, expected {expected}")
+            meter.checks.check(shown < 0.95 * expected, f"lamps of {shown} lx are not missed")
+        for more in [], ["--error", "2%", "--crop", "0:0:48x64"]:
+            meter.mean(lamps, *words, "--seed", str(seed), *more, size="96x64", samples=1024)
+            meter.checks.check("small lights" not in meter.said, f"{more}: {meter.said}")
+
+
 def thin(illuminance, direction):
     """Mean of the film."""
     cosine = abs(direction[2]) / math.hypot(*direction)
@@ -151,6 +177,7 @@ def main():
         means = [meter.mean(floor, "--lens", "double-gauss-50", "--seed", str(seed))
                  for seed in range(4)]
         checks.check(max(means) < 1.01 * min(means), f"a lamp above a floor: {means} lx")
+        missed(meter)
         not_alike(meter, folder)
         # the same, however many samples the picture has
         ball = sky + "material w lambert colour=0.5\nsphere material=w radius=2 at=0,0,-10\n"

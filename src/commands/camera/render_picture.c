@@ -134,7 +134,8 @@ static struct text doubts_of(const struct analysis_case *one, const struct pictu
     render_say_samples(input, photograph, &doubts);
     render_say_light(input, &doubts);
     if (picture->world != NULL) {
-        render_say_world(picture->world, photograph, &doubts);
+        render_say_mean(question, photograph, &doubts);
+        render_say_world(picture->world, &doubts);
     } else {
         render_say_card(photograph, one->setup, &doubts);
     }

@@ -359,16 +359,8 @@ static void say_degenerate(const struct world *world, struct growing *remarks)
     }
 }
 
-void render_say_world(const struct render_world *world, const struct photograph *photograph,
-                      struct growing *remarks)
+void render_say_world(const struct render_world *world, struct growing *remarks)
 {
-    const double doubtful = 0.1; /* a sixth of a stop */
-    if (photograph->mean_error > doubtful) {
-        growing_format(remarks,
-                       "warning: the light on the film on average is known to %.2g %% only: few "
-                       "rays find what makes it\n",
-                       100 * photograph->mean_error);
-    }
     for (size_t i = 0; i < world->scene.note_count; i++) {
         growing_format(remarks, "%s\n", world->scene.notes[i]);
     }

@@ -62,8 +62,17 @@ bool render_world_open(const struct artifact_job *job, const struct analysis_cas
 struct spectrum_value render_world_colours(const struct render_world *world, struct arena *arena);
 
 /* What is to be known of it. */
-void render_say_world(const struct render_world *world, const struct photograph *photograph,
-                      struct growing *remarks);
+void render_say_world(const struct render_world *world, struct growing *remarks);
+
+/*
+ * Whether the light on the film is known, and that of a picture's pixels is as much.
+ *
+ * Given     photograph  behind its filter
+ * Formula   camera/metering.h looks straight at what shines: pixels whose mean is less by more than
+ *           four of their standard errors, and more than that leaves out, have missed some of it
+ */
+void render_say_mean(const struct photograph_question *question,
+                     const struct photograph *photograph, struct growing *remarks);
 
 /*
  * How wide stars are that do not say so: as a pixel in the middle of the film is by its larger
