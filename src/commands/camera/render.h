@@ -342,6 +342,22 @@ void render_say_clipping(const struct render_clipping *clipping, struct growing 
 /* The same of what saturates at a speed and the file holds. */
 void render_say_held(const struct render_clipping *clipping, double iso, struct growing *remarks);
 
+/* Where numbers of a kind of file begin. */
+struct render_floor {
+    double black;       /* less light than this becomes 0 */
+    double least, full; /* the first that there is, and the first with all digits */
+    const char *name;
+};
+
+/*
+ * Say how much of a picture is too dark for its file.
+ *
+ * Given     unit  times a number of the picture is light of `name`, as "lx s"
+ * Errors    ERROR_DOMAIN: all light that there is
+ */
+bool render_check_dark(const struct image *image, double unit, const struct render_floor *floor,
+                       const char *name, struct growing *remarks, struct error *error);
+
 /* -------- commands/camera/render_sensor.c -------- */
 
 extern const struct word render_mosaics[];

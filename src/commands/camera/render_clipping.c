@@ -1,4 +1,4 @@
-/* commands/camera/render_clipping.c - how much of a picture is brighter than its file can hold. */
+/* commands/camera/render_clipping.c - what of a picture is too bright or dark for its file. */
 /* SPDX-License-Identifier: MIT */
 #include "commands/camera/render.h"
 
@@ -49,4 +49,39 @@ void render_say_held(const struct render_clipping *clipping, double iso, struct 
                        "times: the file holds it\n",
                        100 * clipping->share, iso, clipping->most);
     }
+}
+
+bool render_check_dark(const struct image *image, double unit, const struct render_floor *floor,
+                       const char *name, struct growing *remarks, struct error *error)
+{
+    const size_t pixels = image->width * image->height, channels = image->channels;
+    size_t lost = 0, coarse = 0;
+    double most = 0;
+    for (size_t i = 0; i < pixels; i++) {
+        double brightest = 0;
+        for (size_t k = 0; k < channels; k++) {
+            brightest = fmax(brightest, unit * (double)image->pixels[i * channels + k]);
+        }
+        most = fmax(most, brightest);
+        lost += brightest > 0 && brightest < floor->black ? 1 : 0;
+        coarse += brightest >= floor->black && brightest < floor->full ? 1 : 0;
+    }
+    if (most > 0 && most < floor->black) {
+        fail(error, ERROR_DOMAIN, "the brightest pixel has %.3g %s: %s begin at %.3g", most, name,
+             floor->name, floor->least);
+        return error_hint(error, "all would be black: give more light, or time, or an OpenEXR of "
+                                 "half floats {--bits} 32");
+    }
+    if ((double)lost >= SAID_FROM * (double)pixels) {
+        growing_format(remarks,
+                       "warning: %.3g %% of the pixels have light that is too little for %s and "
+                       "becomes black: they begin at %.3g %s\n",
+                       100 * (double)lost / (double)pixels, floor->name, floor->least, name);
+    }
+    if ((double)coarse >= SAID_FROM * (double)pixels) {
+        growing_format(remarks,
+                       "warning: %.3g %% of the pixels lose digits: below %.3g %s %s have fewer\n",
+                       100 * (double)coarse / (double)pixels, floor->full, name, floor->name);
+    }
+    return true;
 }

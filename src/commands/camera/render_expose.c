@@ -122,14 +122,29 @@ static double unit_of(const struct render_input *input, const struct exposure *e
                                                 : light;
 }
 
-/* Light itself must be a number that a pixel holds. */
-static bool check_light(const struct image *image, double unit, const char *name,
+/* Floats are rounded, so that half of the least one is black; a .hdr has no exponent below. */
+static struct render_floor floor_of(const struct file_type *type, bool half)
+{
+    return half ? (struct render_floor){0x1p-25, 0x1p-24, 0x1p-14, "half floats"}
+           : is_a(type, ".hdr")
+               ? (struct render_floor){0x1p-128, 0x1p-128, 0x1p-128, "pixels of a .hdr"}
+               : (struct render_floor){0x1p-150, FLT_TRUE_MIN, FLT_MIN, "floats"};
+}
+
+/* Light itself must be numbers that pixels hold; a PNG and film say themselves what is too dark. */
+static bool check_light(const struct render_input *input, const struct file_type *type,
+                        const struct image *image, double unit, struct growing *remarks,
                         struct error *error)
 {
     const double most = render_clipping_of(image, unit, 1).most;
-    return most <= (double)FLT_MAX ||
-           fail(error, ERROR_DOMAIN, "the brightest pixel has %.3g %s: pixels hold %.3g", most,
-                name, (double)FLT_MAX);
+    const char *name = input->radiance ? "cd/m2" : "lx s";
+    const struct render_floor floor = floor_of(type, bits_of(input, type) == 16);
+    if (!(most <= (double)FLT_MAX)) {
+        return fail(error, ERROR_DOMAIN, "the brightest pixel has %.3g %s: pixels hold %.3g", most,
+                    name, (double)FLT_MAX);
+    }
+    return is_a(type, ".png") || render_is_film(input) ||
+           render_check_dark(image, unit, &floor, name, remarks, error);
 }
 
 /* A picture in other units, in its own place if nobody needs it any more. */
@@ -282,8 +297,7 @@ static bool expose(const struct render_input *input, const struct render_shot *s
     growing_text(remarks, shot->doubts);
     const double unit = unit_of(input, &exposure, type, photograph->reference);
     const bool is_share = is_png && !is_film && !render_senses(input);
-    if (!(is_share ||
-          check_light(&photograph->image, unit, input->radiance ? "cd/m2" : "lx s", error)) ||
+    if (!(is_share || check_light(input, type, &photograph->image, unit, remarks, error)) ||
         !scale(shot, unit, remarks->arena, &image, error)) {
         return false;
     }
