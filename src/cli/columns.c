@@ -60,13 +60,22 @@ static const char *shown_where(const struct column *column, struct arena *arena)
                                                   : "not in tables for people";
 }
 
+static bool has_column(const struct sheet *sheet, const char *name, size_t length)
+{
+    for (size_t i = 0; name != NULL && i < sheet->column_count; i++) {
+        if (strlen(sheet->columns[i].name) == length &&
+            memcmp(sheet->columns[i].name, name, length) == 0) {
+            return true;
+        }
+    }
+    return false;
+}
+
 static bool stands_in_any(const struct sheet *const *sheets, const char *name)
 {
     bool found = false;
     for (size_t i = 0; sheets[i] != NULL && !found; i++) {
-        for (size_t k = 0; k < sheets[i]->column_count && !found; k++) {
-            found = strcmp(sheets[i]->columns[k].name, name) == 0;
-        }
+        found = has_column(sheets[i], name, strlen(name));
     }
     return found;
 }
@@ -74,12 +83,10 @@ static bool stands_in_any(const struct sheet *const *sheets, const char *name)
 static bool stands_before(const struct sheet *const *sheets, size_t kind, size_t at)
 {
     const char *name = sheets[kind]->columns[at].name;
-    bool found = false;
-    for (size_t i = 0; i <= kind && !found; i++) {
-        size_t end = i < kind ? sheets[i]->column_count : at;
-        for (size_t k = 0; k < end && !found; k++) {
-            found = strcmp(sheets[i]->columns[k].name, name) == 0;
-        }
+    const struct sheet here = {.columns = sheets[kind]->columns, .column_count = at};
+    bool found = has_column(&here, name, strlen(name));
+    for (size_t i = 0; i < kind && !found; i++) {
+        found = has_column(sheets[i], name, strlen(name));
     }
     return found;
 }
@@ -221,17 +228,6 @@ static const char *repeating(const struct command *command, struct text name)
         }
     }
     return NULL;
-}
-
-static bool has_column(const struct sheet *sheet, const char *name, size_t length)
-{
-    for (size_t i = 0; name != NULL && i < sheet->column_count; i++) {
-        if (strlen(sheet->columns[i].name) == length &&
-            memcmp(sheet->columns[i].name, name, length) == 0) {
-            return true;
-        }
-    }
-    return false;
 }
 
 const char *columns_from_options(const struct command *command, const struct sheet *sheet,
