@@ -328,6 +328,19 @@ bool artifacts_make(const struct artifacts *artifacts, struct error *error)
     return done;
 }
 
+bool artifact_spares(const struct artifact_job *job, const char *path, struct error *error)
+{
+    struct arena *arena = job->run->arena;
+    const bool is_asked = job->path == NULL || arguments_given(job->run->arguments, "force");
+    for (size_t i = 0; i < job->files && !is_asked; i++) {
+        const char *written = numbered(job, i, arena);
+        if (place_is_file(written, arena) && place_is_same(written, path, arena)) {
+            return fail(error, ERROR_IO, "%s is also written: --force overwrites it", written);
+        }
+    }
+    return true;
+}
+
 bool artifacts_close(struct artifacts *artifacts, bool keep, struct error *error)
 {
     bool done = true;

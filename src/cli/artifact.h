@@ -147,6 +147,13 @@ bool artifacts_make(const struct artifacts *artifacts, struct error *error);
  */
 bool artifacts_close(struct artifacts *artifacts, bool keep, struct error *error);
 
+/*
+ * Refuse to write over a file that only the making finds out is read, as a scene names pictures.
+ *
+ * Errors    ERROR_IO: a file of the job is this one, and no --force says that it is meant so
+ */
+bool artifact_spares(const struct artifact_job *job, const char *path, struct error *error);
+
 /* What they have to say on standard error: of lines that are alike the first. */
 struct text artifacts_remarks(const struct artifacts *artifacts, struct arena *arena);
 

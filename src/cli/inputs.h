@@ -6,8 +6,8 @@
 #include "cli/arguments.h"
 
 /*
- * Refuse to write over what is read. Files that other files name, as the pictures of a scene, are
- * not looked for.
+ * Refuse to write over what is read. Files that other files name are not known here:
+ * artifact_spares.
  *
  * Given     force  it is meant so: nothing is refused
  *           path   of what will be written; null, "-" and what is open: nothing is replaced

@@ -24,6 +24,17 @@ lenscalc lens mine.lens --columns efl
 lenscalc render chart:wedge --lens mine.lens -s 2m --size 12x8 --samples 4 -o w-1.png 2> /dev/null
 kept w-1.png lenscalc tone w-1.png=1/8 -o w-1.png
 kept w-1.png lenscalc render w-1.png --lens mine.lens -s 2m --size 12x8 --samples 4 -o w-1.png
+cat > own.scene << END
+camera at=0,0,5 look=0,0,0 focus=5
+light sky uniform luminance=100
+material cloth lambert texture=w-1.png
+card at=0,0,0 size=1,1 material=cloth
+END
+film='--lens double-gauss-50 --size 6x4 --samples 1 --bounces 0'
+kept w-1.png lenscalc render own.scene $film -t 1/9 -o w-1.png
+kept w-1.png lenscalc render own.scene $film -t 1/9,1/30 -o w.png
+kept own.scene lenscalc render own.scene $film -t 1/9 -o own.scene
+lenscalc render own.scene $film -t 1/9 -o w-1.png --force 2> /dev/null; echo $?
 # a frame is given once
 ln w-1.png same.png
 lenscalc tone w-1.png w-1.png -o y.hdr

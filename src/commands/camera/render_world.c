@@ -103,16 +103,25 @@ static bool check_times(const struct artifact_job *job, const struct render_worl
                 "a part is of one picture: each {--time} makes another one of what moves");
 }
 
+/* A picture that it names is not written over. */
+static bool read_spared(void *context, const char *path, struct arena *arena, struct text *content,
+                        struct error *error)
+{
+    return artifact_spares(context, path, error) &&
+           scene_files_there.read(scene_files_there.context, path, arena, content, error);
+}
+
 bool render_world_read(const struct artifact_job *job, struct render_world *world,
                        struct error *error)
 {
     const struct render_input *input = job->inputs[0];
-    const struct scene_files *files = &scene_files_there;
+    struct artifact_job own = *job;
+    const struct scene_files files = {read_spared, &own};
     struct arena *arena = job->run->arena;
     struct text content;
     *world = (struct render_world){.scene = {.source = input->subject}};
-    if (!files->read(files->context, input->subject, arena, &content, error) ||
-        !scene_file_read(input->subject, content, files, arena, &world->scene, error) ||
+    if (!files.read(files.context, input->subject, arena, &content, error) ||
+        !scene_file_read(input->subject, content, &files, arena, &world->scene, error) ||
         !scene_check(&world->scene, (int)input->bounces, error)) {
         return false;
     }
