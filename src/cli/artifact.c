@@ -210,6 +210,7 @@ static bool order(struct artifacts *artifacts, const struct artifact_setting *se
     job.count = is_each || artifact->scope == ARTIFACT_OF_SWEEP ? setting->sweep->total : 1;
     job.inputs = inputs_of(setting, job.count);
     job.asking = setting->asking;
+    job.is_forced = setting->common->force;
     job.run = setting->run;
     if (!choose_type(&job, setting->arena, error)) {
         return false;
@@ -331,8 +332,8 @@ bool artifacts_make(const struct artifacts *artifacts, struct error *error)
 bool artifact_spares(const struct artifact_job *job, const char *path, struct error *error)
 {
     struct arena *arena = job->run->arena;
-    const bool is_asked = job->path == NULL || arguments_given(job->run->arguments, "force");
-    for (size_t i = 0; i < job->files && !is_asked; i++) {
+    const bool is_free = job->path == NULL || job->is_forced;
+    for (size_t i = 0; i < job->files && !is_free; i++) {
         const char *written = numbered(job, i, arena);
         if (place_is_file(written, arena) && place_is_same(written, path, arena)) {
             return fail(error, ERROR_IO, "%s is also written: --force overwrites it", written);

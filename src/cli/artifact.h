@@ -46,6 +46,7 @@ struct artifact_job {
     const void *const *inputs;    /* as the options set them; of one answer inputs[0] alone */
     size_t count;
     size_t first, files; /* of its sinks, and how many it has: one, or one each */
+    bool is_forced;      /* what is kept is written over */
     const struct asking *asking;
     struct run *run;     /* arena, database, and `state` as the command's `run` left it */
     const void *context; /* the driver's own */
