@@ -136,7 +136,8 @@ def missed(meter):
             with open(os.path.join(meter.folder, "a.pfm"), "rb") as file:
                 rows = read_pfm(file.read())[3]
             shown = sum(sum(row[1::3]) for row in rows) / (96 * 64)
-            meter.checks.check(abs(float(found.group(1)) / shown - 1) < 1e-3, f"{shown} lx are shown")
+            meter.checks.check(abs(float(found.group(1)) / shown - 1) < 1e-3,
+                               f"{shown} lx are shown: {meter.said}")
             meter.checks.check(abs(float(found.group(2)) / expected - 1) < 0.01,
                                f"{found.group(2)} lx of lamps, expected {expected}")
             meter.checks.check(shown < 0.95 * expected, f"lamps of {shown} lx are not missed")

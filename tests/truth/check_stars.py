@@ -106,6 +106,12 @@ def main():
         night.width("a part", arcmin(PITCH), *few, "--crop", "0:0:32x16")
         night.width("pixels that are high", arcmin(0.24), *few, "--size", "480x100")
         night.width("pixels that are wide", arcmin(0.36), *few, "--size", "100x100")
+        # which the file notes, too
+        program.run("render", "night.scene", "--lens", DOUBLE_GAUSS, *few, "--size", "48x32", "-t",
+                    "1", "-o", "night.png", cwd=folder)
+        with open(os.path.join(folder, "night.png"), "rb") as file:
+            noted = re.search(rb"tEXtStars\0discs of one pixel, (51\.\d+) arcmin", file.read())
+        checks.check(noted and abs(float(noted.group(1)) / arcmin(0.75) - 1) < 6e-3, "a PNG's note")
         # mirrors with a hole in their pupil, the pixels a little higher than wide
         night.width("mirrors", arcmin(0.036364, 80.09), *few, "--sensor", "3.6x2.4mm", "--size",
                     "100x66", lens="hoo-cassegrain-ex03")

@@ -21,7 +21,7 @@ static size_t count_stars(const struct scene *scene)
     return count;
 }
 
-/* How wide a pixel of the whole picture is as the lens sees it; NaN: that has no angle. */
+/* How wide a pixel of the whole picture is as the lens sees it; 0: that has no angle. */
 static double pixel_angle(const struct photograph_question *question, const struct lens_film *film,
                           struct arena *arena)
 {
@@ -29,7 +29,7 @@ static double pixel_angle(const struct photograph_question *question, const stru
     struct rays rays = rays_new(arena, RAYS_BLOCK);
     const double sides[2][2] = {{question->film.width / (double)question->columns, 0},
                                 {0, question->film.height / (double)question->rows}};
-    double angle = 0;
+    double angle = 0; /* fmax leaves out what is NaN */
     for (int i = 0; i < 2; i++) {
         angle = fmax(angle, lens_film_angle(film, sides[i], samples, &rays));
     }
