@@ -119,13 +119,13 @@ bool jpeg_read(struct text file, const struct image_wish *wish, struct arena *ar
     if (!image_new_wished(image, wish, arena, error)) {
         return false;
     }
-    if (!stb_decode(file, 8, arena, &picture) || picture.width != image->width ||
-        picture.height != image->height || picture.channels != image->channels) {
-        return fail(error, ERROR_DATA, "JPEG: damaged, or neither baseline nor progressive");
-    }
-    for (size_t i = 0; i < picture.width * picture.height * picture.channels; i++) {
+    struct arena codes = {0};
+    const bool done = stb_decode(file, 8, &codes, &picture) && picture.width == image->width &&
+                      picture.height == image->height && picture.channels == image->channels;
+    for (size_t i = 0; done && i < picture.width * picture.height * picture.channels; i++) {
         const double code = picture.values[i] / 255.0;
         image->pixels[i] = (float)(wish->values == IMAGE_LIGHT ? image_light(image, code) : code);
     }
-    return true;
+    arena_free(&codes);
+    return done || fail(error, ERROR_DATA, "JPEG: damaged, or neither baseline nor progressive");
 }
