@@ -8,8 +8,10 @@
 #include "base/image/png.h"
 #include "base/image/radiance.h"
 #include "data/whole_file.h"
+#include "light/colour.h"
 
 #include <assert.h>
+#include <math.h>
 
 typedef bool reader(struct text bytes, const struct image_wish *wish, struct arena *arena,
                     struct image *image, struct error *error);
@@ -64,6 +66,37 @@ bool image_file_is(struct text first)
     return i < FORMATS;
 }
 
+/* What is less below 0, of the largest part, is rounding. */
+static const double least_negative = 1e-6;
+
+/* Light of other primaries becomes that of sRGB, as long as sRGB has it. */
+static bool take_primaries(struct image *image, struct error *error)
+{
+    struct colour_matrix matrix;
+    struct error found;
+    if (!colour_of_primaries((const double(*)[2])image->primaries, &matrix, &found)) {
+        return fail(error, ERROR_DATA, "%s", found.message);
+    }
+    for (size_t i = 0; i < image->width * image->height; i++) {
+        float *pixel = image->pixels + i * image->channels;
+        const struct colour from = {{(double)pixel[0], (double)pixel[1], (double)pixel[2]}};
+        const struct colour to = colour_turned(&matrix, from);
+        const double most = fmax(fmax(to.part[0], to.part[1]), to.part[2]);
+        for (int k = 0; k < 3; k++) {
+            if (!(to.part[k] >= -least_negative * most)) {
+                return fail(error, ERROR_DATA,
+                            "the colour in column %zu, row %zu is none of sRGB: from the file's "
+                            "PRIMARIES its %s would be %.3g",
+                            i % image->width + 1, i / image->width + 1,
+                            (const char *[]){"red", "green", "blue"}[k], to.part[k]);
+            }
+            pixel[k] = (float)fmax(to.part[k], 0);
+        }
+    }
+    image->has_primaries = false;
+    return true;
+}
+
 bool image_file_parse(const char *path, struct text bytes, const struct image_wish *wish,
                       struct arena *arena, struct image *image, struct error *error)
 {
@@ -75,7 +108,9 @@ bool image_file_parse(const char *path, struct text bytes, const struct image_wi
         fail(error, ERROR_DATA, "neither PNG, JPEG, OpenEXR, PFM nor a Radiance picture");
         return error_locate(error, path, 0, 0);
     }
-    return formats[i].read(bytes, wish, arena, image, error) || error_locate(error, path, 0, 0);
+    return (formats[i].read(bytes, wish, arena, image, error) &&
+            (!image->has_primaries || take_primaries(image, error))) ||
+           error_locate(error, path, 0, 0);
 }
 
 bool image_file_read(const char *path, const struct image_wish *wish, struct arena *arena,

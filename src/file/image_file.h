@@ -19,7 +19,9 @@ file_types image_file_types;
 bool image_file_is(struct text first);
 
 /*
- * Read a picture; its first bytes say of which format, whatever its name.
+ * Read a picture; its first bytes say of which format, whatever its name. Where it names other
+ * primaries than those of sRGB its light becomes that of sRGB, see colour_of_primaries; colours
+ * that sRGB does not have are an error.
  *
  * Given     path    for messages, too
  *           wish    what the numbers are, and how many pixels it may have

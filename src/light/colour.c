@@ -130,3 +130,52 @@ bool colour_balance(struct colour white, struct colour_matrix *matrix, struct er
     *matrix = colour_product(&to_srgb, &of_srgb);
     return true;
 }
+
+/* -------- other primaries -------- */
+
+static bool is_srgb(const double (*primaries)[2])
+{
+    static const double srgb[4][2] = {{0.64, 0.33}, {0.3, 0.6}, {0.15, 0.06}, {0.3127, 0.329}};
+    bool is_same = true;
+    for (int i = 0; i < 8; i++) {
+        is_same = is_same && fabs(primaries[i / 2][i % 2] - srgb[i / 2][i % 2]) <= 5e-4;
+    }
+    return is_same;
+}
+
+bool colour_of_primaries(const double (*primaries)[2], struct colour_matrix *matrix,
+                         struct error *error)
+{
+    *matrix = (struct colour_matrix){{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}};
+    if (is_srgb(primaries)) {
+        return true;
+    }
+    struct colour_matrix xyz, balance;
+    for (int j = 0; j < 3; j++) {
+        const double x = primaries[j][0], y = primaries[j][1];
+        const double column[3] = {x, y, 1 - x - y};
+        for (int i = 0; i < 3; i++) {
+            xyz.at[i][j] = column[i];
+        }
+    }
+    const struct colour white = white_at(primaries[3][0], primaries[3][1]);
+    const struct colour_matrix inverse = colour_inverse(&xyz);
+    const struct colour amounts = colour_turned(&inverse, white);
+    for (int j = 0; j < 3; j++) {
+        if (!(amounts.part[j] > 0 && amounts.part[j] < 1e6)) {
+            return fail(error, ERROR_DOMAIN,
+                        "the primaries cannot make the white x, y = %.6g, %.6g", primaries[3][0],
+                        primaries[3][1]);
+        }
+        for (int i = 0; i < 3; i++) {
+            xyz.at[i][j] *= amounts.part[j];
+        }
+    }
+    if (!colour_balance(white, &balance, error)) {
+        return false;
+    }
+    const struct colour_matrix to_srgb = colour_inverse(&colour_xyz_of_srgb);
+    const struct colour_matrix as_srgb = colour_product(&to_srgb, &xyz);
+    *matrix = colour_product(&balance, &as_srgb);
+    return true;
+}

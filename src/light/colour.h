@@ -70,4 +70,16 @@ struct colour colour_daylight(void);
  */
 bool colour_balance(struct colour white, struct colour_matrix *matrix, struct error *error);
 
+/*
+ * Colours of other primaries as linear sRGB; white stays white.
+ *
+ * Given     primaries  x, y of red, green, blue and white
+ * Formula   columns are X, Y, Z of red, green and blue, of amounts that make the white of Y = 1;
+ *           then colour_balance of this white, in sRGB. Those of sRGB, within 5e-4, change nothing
+ * Source    [SMPTE93] 3.3
+ * Errors    ERROR_DOMAIN: primaries on one line or a y of 0, that make no white; colour_balance
+ */
+bool colour_of_primaries(const double (*primaries)[2], struct colour_matrix *matrix,
+                         struct error *error);
+
 #endif

@@ -385,6 +385,11 @@ def float_cases():
     yield ("Radiance, upside down and exposed twice",
            b"#?RGBE\nEXPOSURE=2\nEXPOSURE=4\nCOLORCORR= 1 2 4\n\n+Y 2 -X 2\n" + pixels, "light",
            "R G B", [v / d / 8 for i in (3, 2, 1, 0) for v, d in zip(values[i], (1, 2, 4))])
+    for size, order in ((b"+X 2 -Y 2", (0, 2, 1, 3)), (b"-X 2 -Y 2", (2, 0, 3, 1)),
+                        (b"+X 2 +Y 2", (1, 3, 0, 2)), (b"-X 2 +Y 2", (3, 1, 2, 0))):
+        yield ("Radiance, columns " + size.decode(),
+               b"#?RADIANCE\nFORMAT=32-bit_rle_rgbe\n\n" + size + b"\n" + pixels, "light",
+               "R G B", sum((values[i] for i in order), []))
     yield ("Radiance, XYZ", b"#?RADIANCE\nFORMAT=32-bit_rle_xyze\n\n-Y 1 +X 4\n" + pixels, "light",
            "X Y Z", sum(values, []))
 

@@ -173,6 +173,33 @@ static void test_balanced(void)
     CHECK(!developed(&sensor, lamp.part, &way, made));
 }
 
+/* ITU-R BT.2087 prints the matrix of BT.2020 to BT.709, both with D65, in four decimals. */
+static void test_primaries(void)
+{
+    static const double wide[4][2] = {
+        {0.708, 0.292}, {0.170, 0.797}, {0.131, 0.046}, {0.3127, 0.3290}};
+    static const double printed[3][3] = {
+        {1.6605, -0.5876, -0.0728}, {-0.1246, 1.1329, -0.0083}, {-0.0182, -0.1006, 1.1187}};
+    static const double own[4][2] = {{0.64, 0.33}, {0.29, 0.60}, {0.15, 0.06}, {0.3333, 0.3333}};
+    static const double srgb[4][2] = {{0.64, 0.33}, {0.30, 0.60}, {0.15, 0.06}, {0.3127, 0.3290}};
+    static const double flat[4][2] = {{0.1, 0.1}, {0.2, 0.2}, {0.3, 0.3}, {0.3, 0.3}};
+    static const double outside[4][2] = {{0.64, 0.33}, {0.30, 0.60}, {0.15, 0.06}, {0.7, 0.2}};
+    struct colour_matrix matrix;
+    CHECK(colour_of_primaries(wide, &matrix, &error));
+    for (int i = 0; i < 9; i++) {
+        CHECK_NEAR(matrix.at[i / 3][i % 3], printed[i / 3][i % 3], 3e-4, "BT.2020");
+    }
+    CHECK(colour_of_primaries(own, &matrix, &error));
+    const struct colour white = colour_turned(&matrix, (struct colour){{1, 1, 1}});
+    CHECK(colour_of_primaries(srgb, &matrix, &error));
+    for (int i = 0; i < 9; i++) {
+        CHECK_NEAR(white.part[i % 3], 1, 1e-12, "white of Radiance");
+        CHECK(matrix.at[i / 3][i % 3] == (i % 4 == 0 ? 1 : 0));
+    }
+    CHECK(!colour_of_primaries(flat, &matrix, &error));
+    CHECK(!colour_of_primaries(outside, &matrix, &error));
+}
+
 int main(void)
 {
     test_whites();
@@ -180,5 +207,6 @@ int main(void)
     test_developed();
     test_balanced();
     arena_free(arena);
+    test_primaries();
     return check_report();
 }

@@ -27,8 +27,10 @@ struct image {
     struct image_note *notes;
     size_t note_count, note_room; /* copies of an image may share the room: by image_note only */
     int bits; /* of the whole numbers that a file had: 8, 16; 0: it had floats, or there is none */
-    double gamma;  /* by which that file encodes light; 0: as sRGB does */
-    double aspect; /* of a pixel, its width over its height; 0: it is square */
+    double gamma;           /* by which that file encodes light; 0: as sRGB does */
+    double aspect;          /* of a pixel, its width over its height; 0: it is square */
+    bool has_primaries;     /* other ones than those of sRGB: the reader of a format says so */
+    double primaries[4][2]; /* x, y of red, green, blue and white */
 };
 
 /* What pixels' proportions may be in a file: as of OpenEXR, whose float for 1e-6 lies below it. */

@@ -26,7 +26,8 @@ struct radiance {
     const char *start;
     double factor[3];
     bool is_xyz;
-    bool from_bottom, from_right;
+    bool from_bottom, from_right, is_upright; /* columns before rows */
+    size_t count, length;                     /* of rows, or columns, and of pixels in each */
     struct arena *arena;
     struct image *image;
 };
@@ -86,6 +87,24 @@ static bool divide(struct radiance *file, const char *name, struct text values, 
     return true;
 }
 
+/* x and y of red, green, blue and white. */
+static bool take_primaries(struct radiance *file, struct text values, struct error *error)
+{
+    const char *end = values.start + values.length, *at = values.start;
+    for (int i = 0; i < 8 && at != NULL; i++) {
+        while (at < end && *at == ' ') {
+            at++;
+        }
+        at = number_read(at, end, NUMBER_UNSCALED, &file->image->primaries[i / 2][i % 2]);
+    }
+    file->image->has_primaries = true;
+    return (at != NULL && text_trim(text_between(at, end)).length == 0) ||
+           fail(error, ERROR_DATA,
+                "Radiance: line %zu: PRIMARIES '%.*s' must be eight numbers, x and y of red, "
+                "green, blue and white",
+                file->line, text_shown(values), values.start);
+}
+
 static void take_note(struct radiance *file, struct text line)
 {
     struct text value = {line.start + 1, line.length - 1}, key = text_cut(&value, ':');
@@ -100,6 +119,10 @@ static bool take_line(struct radiance *file, struct text line, struct error *err
     const struct text correction = text_behind(line, "COLORCORR=");
     const struct text format = text_behind(line, "FORMAT=");
     const struct text aspect = text_behind(line, "PIXASPECT=");
+    const struct text primaries = text_behind(line, "PRIMARIES=");
+    if (primaries.start != NULL) {
+        return take_primaries(file, primaries, error);
+    }
     if (aspect.start != NULL) {
         return take_aspect(file, aspect, error);
     }
@@ -139,6 +162,26 @@ static bool take_side(struct text *line, char axis, bool *is_positive, size_t *c
     return sign.length == 2 && sign.start[1] == axis && (*is_positive || sign.start[0] == '-');
 }
 
+/* "-Y 480 +X 640": rows from the top of pixels from the left; "+X 640 -Y 480": columns. */
+static bool take_size(struct radiance *file, struct text line, struct error *error)
+{
+    struct image *image = file->image;
+    struct text rest = line;
+    bool first = true, second = true;
+    file->is_upright = line.length > 1 && line.start[1] == 'X';
+    if (!take_side(&rest, file->is_upright ? 'X' : 'Y', &first, &file->count) ||
+        rest.start == NULL ||
+        !take_side(&rest, file->is_upright ? 'Y' : 'X', &second, &file->length)) {
+        return fail(error, ERROR_DATA, "Radiance: '%.*s' is no size like '-Y 480 +X 640'",
+                    text_shown(line), line.start);
+    }
+    file->from_bottom = file->is_upright ? second : first;
+    file->from_right = file->is_upright ? !first : !second;
+    image->width = file->is_upright ? file->count : file->length;
+    image->height = file->is_upright ? file->length : file->count;
+    return true;
+}
+
 static bool read_head(struct radiance *file, struct error *error)
 {
     struct text line;
@@ -147,24 +190,20 @@ static bool read_head(struct radiance *file, struct error *error)
             return false;
         }
     } while (line.length > 0);
-    if (!next_line(file, &line, error)) {
-        return false;
-    }
-    struct text rest = line;
-    bool left = true;
-    if (!take_side(&rest, 'Y', &file->from_bottom, &file->image->height) || rest.start == NULL ||
-        !take_side(&rest, 'X', &left, &file->image->width)) {
-        return fail(error, ERROR_DATA, "Radiance: '%.*s' is no size like '-Y 480 +X 640'",
-                    text_shown(line), line.start);
-    }
-    file->from_right = !left;
-    return true;
+    file->image->has_primaries = file->image->has_primaries && !file->is_xyz;
+    return next_line(file, &line, error) && take_size(file, line, error);
+}
+
+/* What pixels lie in, one after the other. */
+static const char *word(const struct radiance *file)
+{
+    return file->is_upright ? "column" : "row";
 }
 
 static bool short_of(const struct radiance *file, size_t row, struct error *error)
 {
-    return fail(error, ERROR_DATA, "Radiance: ends at byte %zu, within row %zu of %zu",
-                place(file) + file->rest.length, row + 1, file->image->height);
+    return fail(error, ERROR_DATA, "Radiance: ends at byte %zu, within %s %zu of %zu",
+                place(file) + file->rest.length, word(file), row + 1, file->count);
 }
 
 static void skip(struct radiance *file, size_t count)
@@ -176,7 +215,7 @@ static void skip(struct radiance *file, size_t count)
 static bool read_packed(struct radiance *file, size_t row, unsigned char *pixels,
                         struct error *error)
 {
-    const size_t width = file->image->width;
+    const size_t width = file->length;
     skip(file, 4);
     for (size_t plane = 0; plane < 4; plane++) {
         for (size_t x = 0; x < width;) {
@@ -188,8 +227,8 @@ static bool read_packed(struct radiance *file, size_t row, unsigned char *pixels
             const size_t count = is_run ? at[0] - 128U : at[0];
             if (count == 0 || count > width - x) {
                 return fail(error, ERROR_DATA,
-                            "Radiance: byte %zu, in row %zu, makes the row longer than %zu pixels",
-                            place(file), row + 1, width);
+                            "Radiance: byte %zu, in %s %zu, makes it longer than %zu pixels",
+                            place(file), word(file), row + 1, width);
             }
             if (!is_run && file->rest.length < 1 + count) {
                 return short_of(file, row, error);
@@ -207,7 +246,7 @@ static bool read_packed(struct radiance *file, size_t row, unsigned char *pixels
 static bool read_plain(struct radiance *file, size_t row, unsigned char *pixels,
                        struct error *error)
 {
-    const size_t width = file->image->width;
+    const size_t width = file->length;
     if (file->rest.length < 4 * width) {
         return short_of(file, row, error);
     }
@@ -216,7 +255,8 @@ static bool read_plain(struct radiance *file, size_t row, unsigned char *pixels,
     for (size_t x = 0; x < width; x++) {
         if (memcmp(pixels + 4 * x, "\1\1\1", 3) == 0) {
             return fail(error, ERROR_DATA,
-                        "Radiance: row %zu is packed in the old way, which is not read", row + 1);
+                        "Radiance: %s %zu is packed in the old way, which is not read", word(file),
+                        row + 1);
         }
     }
     return true;
@@ -226,14 +266,14 @@ static bool read_plain(struct radiance *file, size_t row, unsigned char *pixels,
 static bool read_row(struct radiance *file, size_t row, unsigned char *pixels, struct error *error)
 {
     const unsigned char *at = (const unsigned char *)file->rest.start;
-    const size_t width = file->image->width;
+    const size_t width = file->length;
     if (width < PACKED_LEAST || width > PACKED_MOST || file->rest.length < 4 || at[0] != 2 ||
         at[1] != 2 || at[2] >= 128) {
         return read_plain(file, row, pixels, error);
     }
     if (bytes_big(at + 2, 2) != width) {
-        return fail(error, ERROR_DATA, "Radiance: row %zu says it has %zu pixels, not %zu", row + 1,
-                    (size_t)bytes_big(at + 2, 2), width);
+        return fail(error, ERROR_DATA, "Radiance: %s %zu says it has %zu pixels, not %zu",
+                    word(file), row + 1, (size_t)bytes_big(at + 2, 2), width);
     }
     return read_packed(file, row, pixels, error);
 }
@@ -241,10 +281,11 @@ static bool read_row(struct radiance *file, size_t row, unsigned char *pixels, s
 static void fill_row(const struct radiance *file, size_t row, const unsigned char *pixels)
 {
     const struct image *image = file->image;
-    float *to = image_row(image, file->from_bottom ? image->height - 1 - row : row);
-    for (size_t x = 0; x < image->width; x++) {
-        const unsigned char *from = pixels + 4 * x;
-        float *pixel = to + 3 * (file->from_right ? image->width - 1 - x : x);
+    for (size_t i = 0; i < file->length; i++) {
+        const unsigned char *from = pixels + 4 * i;
+        const size_t x = file->is_upright ? row : i, y = file->is_upright ? i : row;
+        float *pixel = image_row(image, file->from_bottom ? image->height - 1 - y : y) +
+                       3 * (file->from_right ? image->width - 1 - x : x);
         for (int k = 0; k < 3 && from[3] != 0; k++) {
             pixel[k] = (float)(ldexp(from[k], from[3] - EXCESS) * file->factor[k]);
         }
@@ -262,18 +303,18 @@ bool radiance_read(struct text bytes, const struct image_wish *wish, struct aren
         return false;
     }
     /* the shortest row is one of runs */
-    const size_t width = image->width,
-                 least = width < PACKED_LEAST ? 4 * width : 8 * (width / RUN_MOST);
-    if (image->height > 0 && least > file.rest.length / image->height) {
+    const size_t length = file.length,
+                 least = length < PACKED_LEAST ? 4 * length : 8 * (length / RUN_MOST);
+    if (file.count > 0 && least > file.rest.length / file.count) {
         return fail(error, ERROR_DATA, "Radiance: %zu x %zu pixels do not come from %zu bytes",
-                    width, image->height, file.rest.length);
+                    image->width, image->height, file.rest.length);
     }
     if (!image_new_wished(image, wish, arena, error)) {
         return false;
     }
     image->names = file.is_xyz ? xyz : NULL;
-    unsigned char *pixels = ARENA_ARRAY(arena, 4 * width, unsigned char);
-    for (size_t y = 0; y < image->height; y++) {
+    unsigned char *pixels = ARENA_ARRAY(arena, 4 * length, unsigned char);
+    for (size_t y = 0; y < file.count; y++) {
         if (!read_row(&file, y, pixels, error)) {
             return false;
         }

@@ -10,13 +10,13 @@ bool radiance_is(struct text file);
 /*
  * Read one: 32-bit_rle_rgbe or 32-bit_rle_xyze, rows packed or plain.
  *
- * Result    3 channels, RGB or XYZ; a mantissa m with the exponent byte e is m 2^(e - 136), and all
- *           is divided by what EXPOSURE and COLORCORR say it was multiplied by. Notes: the head's
- *           lines "# key: value"
+ * Result    3 channels: XYZ, or RGB, with the line PRIMARIES as the image's own; a mantissa m with
+ *           the exponent byte e is m 2^(e - 136), and all is divided by what EXPOSURE and COLORCORR
+ *           say it was multiplied by. Notes: the head's lines "# key: value"
  * Source    [Ward91]; mantissas as Walter (1997) and most readers take them, without the half step
  *           that Ward's own adds
- * Errors    ERROR_DATA: truncated, EXPOSURE or COLORCORR beyond 1e-38 to 1e38, a row of another
- *           length, columns before rows, rows packed as they were before 1991
+ * Errors    ERROR_DATA: truncated, EXPOSURE or COLORCORR beyond 1e-38 to 1e38, PRIMARIES that are
+ *           not eight numbers, a row of another length, rows packed as they were before 1991
  */
 bool radiance_read(struct text file, const struct image_wish *wish, struct arena *arena,
                    struct image *image, struct error *error);
