@@ -251,6 +251,9 @@ static void open_scene(struct tile_work *work, struct tile_room *room, struct ar
                              ? question->white_of_mean * colour_luminance(photograph->mean)
                              : question->white;
     work->goal = (struct convergence_goal){question->error, fmax(white / work->scale, least)};
+    if (question->error > 0) {
+        work->small = small_lights_open(question->view, arena);
+    }
     open_spare(work, &photograph->card, arena);
 }
 

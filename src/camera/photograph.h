@@ -121,7 +121,8 @@ double photograph_share(const struct photograph *photograph, enum relief_sight s
  *           it, of a scene n that follow each other (camera/tile_rays.h); rays as
  *           camera/film_rays.h, traced exactly, to the plane of the card, or to the relief that
  *           it is. With an error twice as many, CONVERGENCE_LEAST at first, until the tile's
- *           halves agree (camera/convergence.h): of a card the points of so many samples, of a
+ *           halves agree (camera/convergence.h), not before the small lights in its sight have
+ *           been met (camera/small_lights.h): of a card the points of so many samples, of a
  *           scene the first ones of each pixel's
  *           In a scene rays of the middle wavelength stand for those of others where
  *           camera/fringes.h says so: a colour is then what its own rays bring from a white scene,

@@ -84,10 +84,13 @@ static double error_of(const struct tile_work *work, const struct room *room, do
 static size_t sum_until(const struct tile_work *work, const struct film_plan *plan,
                         struct room *room)
 {
+    const double least = small_lights_samples(&work->small, &work->rays, plan, room->tile);
     size_t samples = CONVERGENCE_LEAST / 2;
     double error = INFINITY;
     bool is_whole = sum(work, plan, 0, samples, room);
-    for (; is_whole && !(error <= 1) && samples < work->question->samples; samples *= 2) {
+    for (; is_whole && (!(error <= 1) || (double)samples < least) &&
+           samples < work->question->samples;
+         samples *= 2) {
         memcpy(room->half, room->tile->sums, sizeof room->half);
         is_whole = sum(work, plan, samples, 2 * samples, room);
         error = error_of(work, room, (double)samples);

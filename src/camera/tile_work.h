@@ -6,6 +6,7 @@
 #include "base/parallel.h"
 #include "camera/convergence.h"
 #include "camera/photograph.h"
+#include "camera/small_lights.h"
 #include "camera/tile_rays.h"
 #include "camera/tiling.h"
 
@@ -30,6 +31,7 @@ struct tile_work {
     double scale;                 /* (n'/n)^2, n of the scene */
     double unit;                  /* of means, in errors that are asked for */
     struct convergence_goal goal; /* of scenes */
+    struct small_lights small;    /* of scenes: tiles that may see one are not ended before */
     bool is_timed;                /* all tiles have had the first of their stages */
     size_t first;                 /* tile of the slice that is taken */
     /* by tile, each its own thread's */
