@@ -79,6 +79,16 @@ double lens_film_light(const struct lens_film *film, const double at[2], size_t 
                        size_t blocks, struct film_samples *samples, const struct rays *rays);
 
 /*
+ * How much of its light comes to the middle of a film that has a shutter.
+ *
+ * Given     wavelengths  of the setup
+ * Result    over that of a shutter that is fully open for the exposure time, by the same 16384 rays
+ *           of each wavelength through the lens as it is modelled; the mean of the wavelengths.
+ *           NaN: the middle is dark
+ */
+double lens_film_open_share(const struct lens_film *film, size_t wavelengths, struct arena *arena);
+
+/*
  * From when to when any ray of a film with a shutter comes.
  *
  * Result    span  s; for curtains by the rims of pupils of 17 x 17 points of the film, and a step

@@ -12,6 +12,7 @@ import csv
 import itertools
 import math
 import os
+import re
 import struct
 import subprocess
 import sys
@@ -105,6 +106,9 @@ def check_leaf(fixture):
         found = (mean(fixture.picture(*THIN, *film, *own, *LEAF, "--no-skip", "all")) /
                  mean(fixture.picture(*THIN, *film, *own, *GLOBAL, "--no-skip", "all")))
         fixture.checks.near("leaf", f"leaf at f/{fnumber}", found, expected, 5e-4)
+        said = fixture.run("render", *THIN, *film, *own, *LEAF, "-o", "said.pfm").stderr
+        effective = 1 / float(re.search(r"full light in 1/([0-9.]+) s", said).group(1))
+        fixture.checks.near("said", f"said of it at f/{fnumber}", effective / T, expected, 5e-4)
         # without the falloff of a beam so wide, as the page has it
         closed = 1 + (OPENING + CLOSING) / T * (HALF - 2 * share / 3)
         fixture.checks.near("closed", f"closed form at f/{fnumber}", expected, closed, 0.03 * share)

@@ -205,9 +205,9 @@ bool render_shutter_span(const struct render_input *input, const struct analysis
 void render_note_shutter(const struct render_input *input, struct image *image,
                          struct arena *arena);
 
-/* Its slit, and how long light comes. */
-void render_say_shutter(const struct render_input *input, const struct shutter *shutter,
-                        const struct setup *setup, struct growing *remarks);
+/* Its slit, and how long light comes; of a film that was opened before. */
+void render_say_shutter(const struct render_input *input, const struct film_question *film,
+                        struct growing *remarks);
 
 /* Its formula; null: nothing is said. */
 void render_explain_shutter(const struct shutter *shutter, struct growing *remarks);

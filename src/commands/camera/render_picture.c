@@ -141,7 +141,7 @@ static struct text doubts_of(const struct analysis_case *one, const struct pictu
     }
     render_say_depths(input, photograph, &doubts);
     render_say_model(input, one, &doubts);
-    render_say_shutter(input, question->film.shutter, one->setup, &doubts);
+    render_say_shutter(input, &question->film, &doubts);
     render_doubts(input, one, &arrival, &doubts);
     if (job->run->explain) {
         render_explain(job, question, photograph, &doubts);

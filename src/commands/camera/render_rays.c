@@ -124,7 +124,7 @@ static bool send_rays(const struct analysis_case *one, void *context, struct err
     }
     struct growing remarks = {.arena = job->run->arena};
     render_say_model(input, one, &remarks);
-    render_say_shutter(input, question.film.shutter, one->setup, &remarks);
+    render_say_shutter(input, &question.film, &remarks);
     const double share = (double)result.arrived / (double)question.samples;
     const struct render_arrival arrival = {result.largest, result.corner, result.lit_at,
                                            input->acceptance == NULL ? share : NAN};
