@@ -56,9 +56,9 @@ void bands_three(struct bands *bands);
  *           Means take saturation away, which rgb gives back: colours of sRGB return exactly.
  *           X and Y of each band are above 0; Z of yellow and red, nearly 0, may be below
  * Source    [Mallett19]; [CIE04]
- * Limits    sRGB of the 15 test colours of CIE 13.3, the light of luminance 1, is with 32 bands
- *           within 0.0011 in smooth lights and 0.007 in F11; with 16 0.004 and 0.05, with 8 0.023
- *           and 0.22
+ * Limits    sRGB of surfaces with peaks 0.05 um or steps 0.02 um wide, the light of luminance 1, is
+ *           with 32 bands within 0.005 in smooth lights and in F11; with 16 0.017 and 0.034, with 8
+ *           0.07 and 0.10
  * Errors    ERROR_DOMAIN: another count
  */
 bool bands_many(size_t count, struct bands *bands, struct error *error);
