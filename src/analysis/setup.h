@@ -130,6 +130,9 @@ struct pair setup_paraxial_image(const struct lens *lens, const struct first_ord
 
 /* -------- analysis/setup_width.c -------- */
 
+/* A tenth of a stop, as f-numbers: so much lies between labels and what lenses are. */
+#define SETUP_WIDTH_SLACK 0.966
+
 /*
  * Is the beam that is asked for wider than the lens lets through?
  *

@@ -41,13 +41,12 @@ static double excess(const struct setup *setup, struct arena *arena)
 
 const char *setup_width_warning(const struct setup *setup, double fnumber, struct arena *arena)
 {
-    const double tenth_of_stop = 0.966; /* between labels and what lenses are */
     if (!(fnumber > 0)) {
         return NULL;
     }
     const double passing = fnumber * excess(setup, arena), stated = stated_fnumber(setup);
     const double own = isfinite(stated) ? stated : passing;
-    const bool is_wider = fnumber < tenth_of_stop * own && fnumber < tenth_of_stop * passing;
+    const bool is_wider = fnumber < SETUP_WIDTH_SLACK * fmin(own, passing);
     return is_wider ? arena_printf(arena,
                                    "the lens is f/%.4g wide open: rays of f/%.4g pass only where "
                                    "its clear apertures let them",

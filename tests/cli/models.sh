@@ -42,3 +42,9 @@ lenscalc $card --error 1% --samples 8 -o lost.png
 lenscalc $card --error 2 -o lost.png
 lenscalc render --lens double-gauss-50 --error 1% --rays lost.csv
 ls lost.*
+# a model has no clear apertures: all of f/1 passes it, of the lens what f/2.03 lets through
+for model in exact thick; do
+    lenscalc render chart:wedge --lens double-gauss-50 --model $model -N 1 -s 2m --size 6x4 --samples 4 -t 1/9 \
+        -o wide.hdr --force 2>&1 | grep wide
+    grep -a '^# Aperture' wide.hdr
+done

@@ -153,9 +153,12 @@ bool render_open(const struct render_input *input, const struct spectrum_value *
 bool render_stopped(const struct render_input *input, const struct analysis_case *one,
                     double fnumber, struct arena *arena, struct setup *setup, struct error *error);
 
-/* Its f-number wide open, if more than that is asked for; else, or if it has none, NaN. */
-double render_widest(const struct render_input *input, const struct analysis_case *one,
-                     struct arena *arena);
+/*
+ * The f-number of the picture: what is asked for, or that of the lens wide open where its clear
+ * apertures let no more through.
+ */
+double render_fnumber(const struct render_input *input, const struct analysis_case *one,
+                      struct arena *arena);
 
 /* How far from the axis light arrives and the film reaches, mm; of the rays, how many. */
 struct render_arrival {

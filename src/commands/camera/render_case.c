@@ -49,28 +49,35 @@ bool render_stopped(const struct render_input *input, const struct analysis_case
     return setup_open(&question, arena, setup, error);
 }
 
-double render_widest(const struct render_input *input, const struct analysis_case *one,
-                     struct arena *arena)
+/* Its f-number wide open, if more than that is asked for; else, or if it has none, NaN. */
+static double widest_of(const struct render_input *input, const struct analysis_case *one,
+                        struct arena *arena)
 {
-    const double tenth_of_stop = 0.966; /* between labels and what lenses are */
     const double asked = input->question.fnumber;
     struct setup own;
     struct error ignored;
     return !isnan(asked) && render_stopped(input, one, NAN, arena, &own, &ignored) &&
-                   asked < tenth_of_stop * own.first.fnumber
+                   asked < SETUP_WIDTH_SLACK * own.first.fnumber
                ? own.first.fnumber
                : (double)NAN;
+}
+
+double render_fnumber(const struct render_input *input, const struct analysis_case *one,
+                      struct arena *arena)
+{
+    const double widest = widest_of(input, one, arena);
+    const bool is_limited = setup_width_warning(one->setup, input->question.fnumber, arena) != NULL;
+    return is_limited && !isnan(widest) ? widest : one->setup->first.fnumber;
 }
 
 void render_doubts(const struct render_input *input, const struct analysis_case *one,
                    const struct render_arrival *arrival, struct growing *remarks)
 {
-    const double widest = render_widest(input, one, remarks->arena);
-    const char *said = setup_width_warning(one->setup, input->question.fnumber, remarks->arena);
-    if (!isnan(widest) && said == NULL) { /* a model has no clear apertures to say it by */
+    const double widest = widest_of(input, one, remarks->arena);
+    if (!isnan(widest) && lens_model_replaces((enum lens_model)input->model)) {
         growing_format(remarks,
-                       "warning: the lens is f/%.4g wide open: light of f/%.4g passes only where "
-                       "its clear apertures let it\n",
+                       "warning: the lens is f/%.4g wide open: all of f/%.4g passes its model, "
+                       "which has no clear apertures\n",
                        widest, input->question.fnumber);
     }
     if (one->warning != NULL) {

@@ -91,9 +91,8 @@ static void add_notes(const struct analysis_case *one, const struct picture_job 
         render_note(image, arena, "Filter", input->filter.name);
     }
     render_note(image, arena, "Lens", setup->lens->title != NULL ? setup->lens->title : "");
-    const double widest = render_widest(input, one, arena);
     render_note(image, arena, "Aperture",
-                arena_printf(arena, "f/%.4g", isnan(widest) ? setup->first.fnumber : widest));
+                arena_printf(arena, "f/%.4g", render_fnumber(input, one, arena)));
     render_note(image, arena, "Lens model", lens_models[input->model].word);
     const double object = render_object(one);
     if (isnan(input->distance) && !isnan(object)) {
