@@ -298,15 +298,15 @@ double lens_film_light(const struct lens_film *film, const double at[2], size_t 
 double lens_film_open_share(const struct lens_film *film, size_t wavelengths, struct arena *arena)
 {
     enum { BLOCKS = 16384 / RAYS_BLOCK };
-    static const double middle[2] = {0, 0};
+    const double *at = film->region.pole;
     struct film_samples samples;
     const struct rays rays = rays_new(arena, RAYS_BLOCK);
     struct lens_film open = *film;
     double share = 0;
     open.shutter = NULL;
     for (size_t w = 0; w < wavelengths; w++) {
-        share += lens_film_light(film, middle, w, BLOCKS, &samples, &rays) /
-                 lens_film_light(&open, middle, w, BLOCKS, &samples, &rays);
+        share += lens_film_light(film, at, w, BLOCKS, &samples, &rays) /
+                 lens_film_light(&open, at, w, BLOCKS, &samples, &rays);
     }
     return share / (double)wavelengths;
 }

@@ -79,12 +79,13 @@ double lens_film_light(const struct lens_film *film, const double at[2], size_t 
                        size_t blocks, struct film_samples *samples, const struct rays *rays);
 
 /*
- * How much of its light comes to the middle of a film that has a shutter.
+ * How much of its light comes to the middle of a film that has a shutter, or, where that is dark,
+ * to the pole of its region.
  *
  * Given     wavelengths  of the setup
  * Result    over that of a shutter that is fully open for the exposure time, by the same 16384 rays
  *           of each wavelength through the lens as it is modelled; the mean of the wavelengths.
- *           NaN: the middle is dark
+ *           NaN: no light comes there either
  */
 double lens_film_open_share(const struct lens_film *film, size_t wavelengths, struct arena *arena);
 

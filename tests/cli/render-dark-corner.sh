@@ -17,3 +17,7 @@ lenscalc $beside --samples 256 --error 2% -t 1 -o sure.pfm
 lenscalc render --lens beside.lens --focus 20 --rays - --samples 64 --sensor 30x30mm > rays.csv
 # what the corners of the film see is not known: they are dark, and so is all on the way there
 lenscalc render white.pfm --lens beside.lens --focus 20 -s 1m --sensor 30x30mm -o lost.pfm
+# a leaf shutter's light is followed to there as well: of the stop, 3 mm wide from its middle, the
+# mask's hole leaves 1.95 mm, so that r is 2/3 0.65 on average: 10 + 2 (sqrt(1/2) - 0.433) ms = 1/94.8 s
+lenscalc render white.pfm --lens beside.lens --focus 20 -s 1m --field-width 9m --sensor 30x30mm --shutter leaf --opening-time 1ms -t 1/100 \
+    --size 12x8 --samples 4 -o leaf.pfm

@@ -160,18 +160,27 @@ static double beam_of(const struct shutter *shutter, const struct setup *setup)
            (isfinite(way) ? fabs(first->exit_diameter) / way : 1 / first->working_fnumber);
 }
 
-/* A leaf shutter's effective time is that of the light that fills its stop, seldom evenly. */
-static struct shutter_times times_of(const struct film_question *question)
+/*
+ * A leaf shutter's effective time is that of the light that fills its stop, seldom evenly; `where`
+ * this is, as words before a verb, empty where nothing was followed.
+ */
+static struct shutter_times times_of(const struct film_question *question, const char **where)
 {
     const struct shutter *shutter = question->shutter;
     struct shutter_times times = shutter_times(shutter, beam_of(shutter, question->setup));
     struct arena scratch = {0};
     struct lens_film *film = ARENA_NEW(&scratch, struct lens_film);
     struct error error;
+    *where = "";
     if (shutter->kind == SHUTTER_LEAF && lens_film_open(question, &scratch, film, &error)) {
         const double share =
             lens_film_open_share(film, question->setup->wavelength_count, &scratch);
-        times.effective = share > 0 ? shutter->time * share : times.effective;
+        if (share > 0) {
+            const double *at = film->region.pole;
+            times.effective = shutter->time * share;
+            *where =
+                hypot(at[0], at[1]) > 0 ? "where white is measured " : "in the middle of the film ";
+        }
     }
     arena_free(&scratch);
     return times;
@@ -184,7 +193,8 @@ void render_say_shutter(const struct render_input *input, const struct film_ques
     if (shutter == NULL) {
         return;
     }
-    const struct shutter_times times = times_of(film);
+    const char *where;
+    const struct shutter_times times = times_of(film, &where);
     char effective[SPOKEN_LENGTH], total[SPOKEN_LENGTH];
     spoken_time(effective, times.effective, 4);
     spoken_time(total, times.total, 4);
@@ -202,8 +212,7 @@ void render_say_shutter(const struct render_input *input, const struct film_ques
         return;
     }
     growing_format(remarks, "light for %s, %sas much as full light in %s: efficiency %.4g %%\n",
-                   total, shutter->kind == SHUTTER_LEAF ? "in the middle of the film " : "",
-                   effective, 100 * times.effective / times.total);
+                   total, where, effective, 100 * times.effective / times.total);
 }
 
 void render_explain_shutter(const struct shutter *shutter, struct growing *remarks)
@@ -215,9 +224,10 @@ void render_explain_shutter(const struct shutter *shutter, struct growing *remar
             "[Ives20]",
         [SHUTTER_LEAF] =
             "shutter: a ray at r of the shutter's radius has t + (a + b)(sqrt(1/2) - r), a and b "
-            "opening and closing time; full light: the mean of rays to the middle of the film; of "
-            "a "
-            "stop that is filled evenly to s t + (a + b)(sqrt(1/2) - 2 s/3); [IsoShutter19]",
+            "opening and closing time; full light: the mean of rays to the middle of the film, or "
+            "to "
+            "where white is measured; of a stop that is filled evenly to s t + (a + b)(sqrt(1/2) - "
+            "2 s/3); [IsoShutter19]",
         [SHUTTER_ROLLING] = "shutter: each line has t, later by q R/h, q where it lies, R the "
                             "readout of the film's h"};
     if (shutter != NULL) {
