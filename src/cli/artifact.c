@@ -152,8 +152,8 @@ static bool check_place(const struct artifacts *artifacts, const struct artifact
             place_is_file(path, setting->arena)) {
             return fail(error, ERROR_IO, "%s already exists: --force overwrites it", path);
         }
-        if (!inputs_spare(setting->arguments, setting->common->force, path, setting->arena,
-                          error)) {
+        if (!inputs_spare(setting->arguments, setting->run->db, setting->common->force, path,
+                          setting->arena, error)) {
             return false;
         }
         const char *other = other_writer(artifacts, setting, path);

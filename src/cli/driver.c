@@ -193,14 +193,16 @@ static bool prepare(struct driver *driver, int count, char **words, struct error
     driver->reader =
         (struct reader){.db = &driver->db, .arena = &driver->arena, .lenses = &driver->lenses};
     if (!arguments_parse(&driver->arguments, command, count, words, &driver->arena, error) ||
-        !arguments_common(&driver->arguments, &driver->reader, &driver->common, error) ||
-        !inputs_spare(&driver->arguments, driver->common.force, driver->common.output,
-                      &driver->arena, error)) {
+        !arguments_common(&driver->arguments, &driver->reader, &driver->common, error)) {
         return false;
     }
     driver->db.directory = driver->common.lensdb != NULL ? driver->common.lensdb : driver->database;
     driver->db.agf = driver->common.agf;
     driver->db.lossy = driver->common.lossy;
+    if (!inputs_spare(&driver->arguments, &driver->db, driver->common.force, driver->common.output,
+                      &driver->arena, error)) {
+        return false;
+    }
     driver->reader.doubts = &driver->doubts;
     driver->report.doubts = &driver->doubts;
     driver->run = (struct run){.arena = &driver->row_arena,

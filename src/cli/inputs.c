@@ -2,6 +2,7 @@
 /* SPDX-License-Identifier: MIT */
 #include "cli/inputs.h"
 
+#include "exchange/lens_open.h"
 #include "report/place.h"
 
 #include <string.h>
@@ -33,9 +34,19 @@ static bool word_names(struct text word, const struct stat *file, struct arena *
     return found;
 }
 
-static bool reads(const struct argument *argument, const struct stat *file, struct arena *arena)
+/* A lens is one of lensdb before it is a file. */
+static bool lens_names(struct text word, struct lensdb *db, const struct stat *file,
+                       struct arena *arena)
+{
+    const char *path = lens_open_path(db, text_trim(word), arena);
+    return path != NULL && is_name_of(text_of(path), file, arena);
+}
+
+static bool reads(const struct argument *argument, struct lensdb *db, const struct stat *file,
+                  struct arena *arena)
 {
     const struct option *option = argument->option;
+    const bool is_lens = option->kind == &kind_lens || option->kind == &kind_lens_text;
     if (!argument->is_given || (option->flags & OPTION_FILE) == 0 ||
         !(argument->is_input || argument->is_common) || strcmp(option->name, "output") == 0 ||
         strcmp(option->name, "plot") == 0) {
@@ -43,20 +54,21 @@ static bool reads(const struct argument *argument, const struct stat *file, stru
     }
     bool found = false;
     for (struct text rest = argument->text; rest.start != NULL && !found;) {
-        found = word_names(text_cut(&rest, OPTION_MANY_SEPARATOR), file, arena);
+        const struct text word = text_cut(&rest, OPTION_MANY_SEPARATOR);
+        found = is_lens ? lens_names(word, db, file, arena) : word_names(word, file, arena);
     }
     return found;
 }
 
-bool inputs_spare(const struct arguments *arguments, bool force, const char *path,
-                  struct arena *arena, struct error *error)
+bool inputs_spare(const struct arguments *arguments, struct lensdb *db, bool force,
+                  const char *path, struct arena *arena, struct error *error)
 {
     struct stat file;
     if (force || path == NULL || !place_is_file(path, arena) || stat(path, &file) != 0) {
         return true;
     }
     for (size_t i = 0; i < arguments->count; i++) {
-        if (reads(&arguments->all[i], &file, arena)) {
+        if (reads(&arguments->all[i], db, &file, arena)) {
             return fail(error, ERROR_IO, "%s is also read: --force overwrites it", path);
         }
     }

@@ -31,6 +31,12 @@ static struct text embedded_lens(const struct embedded_file *file)
     return (struct text){file->name + FOLDER_LENGTH, name.length - FOLDER_LENGTH - ENDING_LENGTH};
 }
 
+/* Is it a file's, whatever lensdb has? */
+static bool is_path(struct text name)
+{
+    return memchr(name.start, '/', name.length) != NULL || ends_as_lens(name);
+}
+
 static const char *copy(struct arena *arena, struct text text)
 {
     return arena_string(arena, text.start, text.length);
@@ -144,7 +150,7 @@ bool lens_open_text(struct lensdb *db, struct text name, struct arena *arena, co
         *source = "standard input";
         return whole_stream(STDIN_FILENO, *source, arena, content, error);
     }
-    bool is_file = memchr(name.start, '/', name.length) != NULL || ends_as_lens(name);
+    bool is_file = is_path(name);
     if (!is_file) {
         if (find_user(db, name, arena, source, content, error)) {
             return true;
@@ -165,6 +171,20 @@ bool lens_open_text(struct lensdb *db, struct text name, struct arena *arena, co
     }
     return is_file ? fail(error, ERROR_IO, "cannot read %s: %s", path, strerror(ENOENT))
                    : fail_unknown(db, name, arena, error);
+}
+
+const char *lens_open_path(struct lensdb *db, struct text name, struct arena *arena)
+{
+    const char *file, *embedded;
+    struct text content;
+    struct error ignored;
+    if (is_path(name) || text_equal(name, "-")) {
+        return copy(arena, name);
+    }
+    if (lensdb_find(db, "lenses", ending, name, &file, &ignored) && file != NULL) {
+        return ARENA_JOIN(arena, db->directory, "/", file);
+    }
+    return find_embedded(name, &embedded, &content) ? NULL : copy(arena, name);
 }
 
 struct lensdb_told {

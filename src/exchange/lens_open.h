@@ -19,6 +19,9 @@
 bool lens_open_text(struct lensdb *db, struct text name, struct arena *arena, const char **source,
                     struct text *content, struct error *error);
 
+/* The file that a name stands for, whether there is one or not; null: what is embedded. */
+const char *lens_open_path(struct lensdb *db, struct text name, struct arena *arena);
+
 /*
  * Find and read a lens, also one of another program; where db->lossy, what is lost goes to
  * db->losses. Errors as lens_open_text and foreign_read.

@@ -44,3 +44,10 @@ lenscalc dof --batch c.csv --csv --columns f,dof -o new.csv
 lenscalc dof --batch c.csv --csv --columns f,dof -o c.csv --force
 cat c.csv
 ls
+# a lens of lensdb, or of the user's, is read before a file of its name is
+lenscalc lens double-gauss --columns efl -o double-gauss; echo $?
+lenscalc lens double-gauss --columns efl -o double-gauss; echo $?
+mkdir -p own/lenses
+lenscalc convert double-gauss-50 -o own/lenses/mine.lens 2> /dev/null
+lenscalc lens mine --lensdb own -o own/lenses/mine.lens; echo $?
+lenscalc lens mine --lensdb own --columns efl -o mine; lenscalc lens mine --lensdb own --columns efl -o mine; echo $?
