@@ -271,8 +271,10 @@ static bool read_number(const struct reading *reading, struct text digits, const
                                       : is_length   ? words->scale
                                                     : NUMBER_UNSCALED;
     if (!lens_words_figure(words, digits, scale, "tolerance", amount, error)) {
-        return one->kind <= TOLERANCE_ABBE &&
-               error_hint(error, "it is less than the number that it is of");
+        const bool is_huge = !(fabs(amount->value.hi) < 1e100);
+        return is_huge && one->kind <= TOLERANCE_ABBE &&
+               error_hint(error, "a tolerance is less than the radius, thickness or index that "
+                                 "it is of");
     }
     const double factor = named != NULL                  ? named->factor
                           : one->unit == TOLERANCE_ANGLE ? RADIANS_PER_DEGREE

@@ -65,6 +65,7 @@ say 'surface 1 irregularity 1'
 say ''
 say 'focus'
 say 'R1 inf'
+say 'R1 1e400'
 say 'element 1..2 tilt 95deg'
 sed 's/"R1 0.1% uniform"/"R1 0.1% unifrm"/' own.json > bad.json; lenscalc convert bad.json
 printf '# how well\n   tolerance   n1    500\n' > wide.tol
