@@ -273,11 +273,33 @@ static bool find_column(const struct batch *batch, struct text name, struct batc
     return true;
 }
 
-static bool check_new(const struct batch *batch, const struct batch_column *column,
-                      struct error *error)
+/* Is it named as the option's column, and not only as the option? "rays_wanted" */
+static bool is_own_name(const struct batch_column *column)
+{
+    const char *own = column->option->column;
+    const size_t length = own != NULL ? strlen(own) : 0;
+    return own != NULL && column->name.length >= length &&
+           memcmp(column->name.start, own, length) == 0;
+}
+
+/* Beside the column of an option, a result that bears the option's name does not mean it. */
+static void prefer_own_name(const struct batch *batch, struct batch_column *one,
+                            struct batch_column *other)
+{
+    struct batch_column *const result = is_own_name(one) ? other : one;
+    if (one->option == other->option && is_own_name(one) != is_own_name(other) &&
+        is_computed(batch, result->name)) {
+        result->option = NULL;
+    }
+}
+
+static bool check_new(struct batch *batch, struct batch_column *column, struct error *error)
 {
     for (size_t i = 0; i < batch->column_count; i++) {
-        const struct batch_column *other = &batch->columns[i];
+        struct batch_column *other = &batch->columns[i];
+        if (column->option != NULL && other->option != NULL) {
+            prefer_own_name(batch, column, other);
+        }
         bool same_name = text_identical(other->name, column->name);
         bool same_option = column->option != NULL && column->option == other->option &&
                            !column->is_infinite && !other->is_infinite;

@@ -128,8 +128,9 @@ static void describe_echoes(const struct command *command, const struct sheet *c
         echo_open(&echo, &question, arena);
         for (size_t k = 0; k < echo.count && going; k++) {
             const struct column *column = &echo.sheet.columns[k];
-            bool known =
-                !echo.items[k].option->kind->is_list || stands_in_any(sheets, column->name);
+            const struct option *option = echo.items[k].option;
+            bool known = !option->kind->is_list || (option->flags & OPTION_ASIDE) != 0 ||
+                         stands_in_any(sheets, column->name);
             for (size_t n = 0; n < count && !known; n++) {
                 known = strcmp(names[n], column->name) == 0;
             }
@@ -230,6 +231,17 @@ static const char *repeating(const struct command *command, struct text name)
     return NULL;
 }
 
+/* Does a column that was added stand for a name that one of the command's own answers to? */
+static bool is_disputed(const struct sheet *sheet, struct text name, const char *column,
+                        struct arena *arena)
+{
+    const struct sheet own = report_own_columns(sheet);
+    struct shown shown;
+    struct error ignored;
+    return !has_column(&own, column, strlen(column)) &&
+           report_find_column(&own, name, arena, &shown, &ignored);
+}
+
 const char *columns_from_options(const struct command *command, const struct sheet *sheet,
                                  const char *names, const char *separators, struct arena *arena)
 {
@@ -239,7 +251,8 @@ const char *columns_from_options(const struct command *command, const struct she
         struct text name = text_trim((struct text){names, length});
         bool known = name.length == 0 || has_column(sheet, name.start, name.length);
         const char *column = known ? NULL : repeating(command, name);
-        bool taken = column != NULL && has_column(sheet, column, strlen(column));
+        bool taken = column != NULL && has_column(sheet, column, strlen(column)) &&
+                     !is_disputed(sheet, name, column, arena);
         all = taken ? arena_printf(arena, "%s%s", all, column)
                     : arena_printf(arena, "%s%.*s", all, (int)length, names);
         names += length;

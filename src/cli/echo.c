@@ -59,6 +59,17 @@ static size_t find_column(const struct sheet *sheet, const struct option *option
     return i;
 }
 
+/* Does a column say it in another form? Both would be one too many where a batch reads them. */
+static bool is_told(const struct sheet *sheet, const struct option *option)
+{
+    bool told = false;
+    for (size_t i = 0; i < sheet->column_count && !told; i++) {
+        const char *tells = sheet->columns[i].tells;
+        told = tells != NULL && strcmp(tells, option->name) == 0;
+    }
+    return told;
+}
+
 /* It tells rows apart here, whatever else brings it or keeps it back. */
 static void bring(struct column *column, const struct option *option)
 {
@@ -107,7 +118,8 @@ static struct column new_column(const struct option *option, const char *name, s
         .dimension = is_number(option) ? option->dimension : NULL,
         .type = type_of(option),
         .offset = offset,
-        .flags = COLUMN_ECHO | COLUMN_BRIEF | (may_be_infinite(option) ? COLUMN_INFINITE : 0),
+        .flags = COLUMN_ADDED | COLUMN_ECHO | COLUMN_BRIEF |
+                 (may_be_infinite(option) ? COLUMN_INFINITE : 0),
         .with = option->name,
         .label = option->quantity != NULL ? option->quantity : spelt(name, '_', ' ', arena),
         .help = option->help,
@@ -138,7 +150,7 @@ void echo_open(struct echo *echo, const struct echo_question *question, struct a
     for (size_t i = 0; i < most; i++) {
         const struct option *option = &question->command->options[i];
         const bool varies = question->varied(question->asked, option->name);
-        if (!varies && !question->all) {
+        if (!question->all && (!varies || is_told(own, option))) {
             continue;
         }
         const size_t found = find_column(own, option, column_name(option, arena));

@@ -159,31 +159,54 @@ static void suggest_columns(const struct sheet *sheet, struct text name, struct 
     error_hint(error, count > 0 ? "%s? '?' lists all columns" : "%s'?' lists all columns", words);
 }
 
-bool report_find_column(const struct sheet *sheet, struct text name, struct arena *arena,
-                        struct shown *shown, struct error *error)
+/* By its name, or what else people may call it; `other_unit` but for the unit behind its name. */
+static bool find_column(const struct sheet *sheet, struct text name, struct arena *arena,
+                        struct shown *shown, const struct column **other_unit)
 {
-    struct nearest nearest = {.typed = name};
-    const struct column *other_unit = NULL;
     for (size_t i = 0; i < sheet->column_count; i++) {
         const struct column *column = &sheet->columns[i];
         if (names_column(name, column, arena, shown)) {
             return true;
         }
         size_t length = strlen(column->name);
-        if (column->dimension != NULL && name.length > length && name.start[length] == '_' &&
-            memcmp(name.start, column->name, length) == 0) {
-            other_unit = other_unit != NULL ? other_unit : column;
+        if (*other_unit == NULL && column->dimension != NULL && name.length > length &&
+            name.start[length] == '_' && memcmp(name.start, column->name, length) == 0) {
+            *other_unit = column;
         }
-        nearest_offer(&nearest, text_of(show_usual(column, arena).name));
-        nearest_offer(&nearest, text_of(column->name));
     }
-    for (enum calling by = BY_NAME; by < CALLINGS; by++) {
-        if (find_called(sheet, name, by, arena, shown)) {
-            return true;
-        }
+    bool found = false;
+    for (enum calling by = BY_NAME; by < CALLINGS && !found; by++) {
+        found = find_called(sheet, name, by, arena, shown);
+    }
+    return found;
+}
+
+struct sheet report_own_columns(const struct sheet *sheet)
+{
+    struct sheet own = *sheet;
+    while (own.column_count > 0 && (own.columns->flags & COLUMN_ADDED) != 0) {
+        own.columns++;
+        own.column_count--;
+    }
+    return own;
+}
+
+bool report_find_column(const struct sheet *sheet, struct text name, struct arena *arena,
+                        struct shown *shown, struct error *error)
+{
+    const struct sheet own = report_own_columns(sheet);
+    const struct column *other_unit = NULL;
+    if (find_column(&own, name, arena, shown, &other_unit) ||
+        find_column(sheet, name, arena, shown, &other_unit)) {
+        return true;
     }
     if (other_unit != NULL) {
         return no_such_unit(other_unit, name, error);
+    }
+    struct nearest nearest = {.typed = name};
+    for (size_t i = 0; i < sheet->column_count; i++) {
+        nearest_offer(&nearest, text_of(show_usual(&sheet->columns[i], arena).name));
+        nearest_offer(&nearest, text_of(sheet->columns[i].name));
     }
     fail(error, ERROR_USAGE, "there is no column '%.*s'", text_shown(name), name.start);
     suggest_columns(sheet, name, nearest.best, arena, error);

@@ -96,12 +96,16 @@ bool report_select(struct report *report, const struct selection *selection, str
 
 /*
  * Find a column by output name ("near_m"), in another unit ("near_ft") or without one ("near");
- * else by the same in other spelling, by its label ("near limit") or by its symbol.
+ * else by the same in other spelling, by its label ("near limit") or by its symbol. Columns that
+ * were added answer only to what none of the command's own is called.
  *
  * Errors    ERROR_USAGE: no such column, with what is near; a unit it cannot be printed in
  */
 bool report_find_column(const struct sheet *sheet, struct text name, struct arena *arena,
                         struct shown *shown, struct error *error);
+
+/* A sheet without the columns that were added, COLUMN_ADDED, which lie before its own. */
+struct sheet report_own_columns(const struct sheet *sheet);
 
 /* The option whose value a column has; empty: it repeats none. */
 struct text report_repeated(const struct column *column);

@@ -37,6 +37,7 @@ enum column_flag {
     COLUMN_TIED = 256,   /* no assumption without the option in `with` */
     COLUMN_PART = 1024,  /* people write it as 1/16 */
     COLUMN_SPAN = 2048,  /* of a time: one that passes, never 1/125 s */
+    COLUMN_ADDED = 4096, /* repeats an option that the command has no column for: before its own */
     COLUMN_WITH = 512    /* as other columns, and among the brief ones with the option in `with` */
 };
 
@@ -54,6 +55,7 @@ struct column {
     const char *help;    /* one sentence */
     const char *with;    /* of an echo: the option it repeats; else the options that bring it */
     const char *repeats; /* the option that it repeats where it is given, if no echo; null = none */
+    const char *tells;   /* an option whose rows it tells apart, in another form; null = none */
     const char *depends; /* COLUMN_ASSUMED: the options it follows from, separated by blanks; one
                             with '+' before it makes it follow from all others when given */
     size_t condition;    /* offset of the number's condition (a double), 0 = none */

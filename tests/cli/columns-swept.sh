@@ -23,3 +23,25 @@ printf 'N,id\n4,a\n8,b\n' | spot --batch - --csv --columns fnumber,rms
 printf 'N,id\n4,a\n8,b\n' | lenscalc trace double-gauss --point 0:1:-20 --direction 0:0:1 -w d \
     --batch - --csv --digits 3 | cut -d, -f1-3,12-15
 printf 'to,id\n1,a\n2,b\n' | spot --batch - --csv | cut -d, -f1-3
+# what comes out goes in again: the same numbers, whatever columns were added
+again() {
+    column=$1
+    shift
+    lenscalc "$@" --csv > swept.csv && lenscalc "$1" $lens --batch swept.csv --csv > again.csv
+    python3 - "$column" << 'END'
+import csv, sys
+first, second = ([row[sys.argv[1]] for row in csv.DictReader(open(name))]
+                 for name in ("swept.csv", "again.csv"))
+print(sys.argv[1], "the same" if first == second and "" not in first else (first, second))
+END
+}
+lens=
+again equal_fnumber equivalent -f 50 -N 2 -s 2,3 --to mft
+lens=double-gauss
+again y_out_mm trace double-gauss --point 0:1:-10,0:2:-10
+again y_out_mm trace double-gauss --point 0:1:-10 --direction 0:0:1,0:0.1:1
+again y_out_mm trace double-gauss --field 0 --pupil-point 0:0.1,0:0.5
+again rms_um spot double-gauss -w d --field 0 --rays 40,60
+# names that columns of the command answer to stay theirs
+lenscalc illumination double-gauss --columns error --csv | head -n 1
+lenscalc glass N-BK7 --columns PgF --csv

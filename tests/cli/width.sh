@@ -3,7 +3,7 @@ for command in spot wavefront psf mtf fan illumination distortion color field pu
     lenscalc $command double-gauss -N 1,2.0304 -w d --jsonl 2>&1 |
         sed -n "s/.*\"warning\":\([^}]*\)}.*/$command \1/p" | sort | uniq -c | tr -s ' '
 done
-lenscalc trace double-gauss -N 1,2 -w d --pupil-point 0:1 --field 0 --columns N,status,surface,warning --csv
+lenscalc trace double-gauss -N 1,2 -w d --pupil-point 0:1 --field 0 --columns fnumber,status,surface,warning --csv
 lenscalc mtf double-gauss -N 1,1.95,1.98 -w d --field 0 --frequency 20 --columns fnumber,tangential,warning \
     --csv --digits 4
 # nothing is in the way of what is not clipped, or has no diameters; the stop opens

@@ -82,13 +82,24 @@ static void check_names(const struct command *command, const struct sheet *sheet
     }
 }
 
+/* Does a column say that it tells it in another form? A point by its x. */
+static bool is_otherwise_told(const struct sheet *sheet, const struct option *option)
+{
+    bool found = false;
+    for (size_t i = 0; i < sheet->column_count && !found; i++) {
+        const char *tells = sheet->columns[i].tells;
+        found = tells != NULL && strcmp(tells, option->name) == 0;
+    }
+    return found;
+}
+
 static void check_sheet(const struct command *command, const struct sheet *sheet)
 {
     check_names(command, sheet);
     for (size_t i = 0; i < command->option_count; i++) {
         const struct option *option = &command->options[i];
         if (option->kind->is_list || (option->flags & OPTION_MANY) != 0) {
-            const bool told = is_told(command, sheet, option);
+            const bool told = is_told(command, sheet, option) || is_otherwise_told(sheet, option);
             CHECK(told);
             if (!told) {
                 printf("    %s --%s, rows with the column %s\n", command->name, option->name,

@@ -79,7 +79,7 @@ extern const struct word analysis_aims[], analysis_weights[];
     {                                                                                              \
         OPTION(S, member.threads),                                                                 \
             .name = "threads", .lowest = 0, .highest = PARALLEL_MOST, .value = "N",                \
-            .fallback = "1",                                                                       \
+            .fallback = "1", .flags = OPTION_ASIDE,                                                \
             .help = "threads that share the combinations of a sweep" parts "; 0 = one a core"      \
     }
 
