@@ -69,7 +69,7 @@ bool image_file_is(struct text first)
 /* What is less below 0, of the largest part, is rounding. */
 static const double least_negative = 1e-6;
 
-/* Light of other primaries becomes that of sRGB, as long as sRGB has it. */
+/* Light of other primaries becomes that of sRGB, as near to grey as that has it. */
 static bool take_primaries(struct image *image, struct error *error)
 {
     struct colour_matrix matrix;
@@ -80,21 +80,30 @@ static bool take_primaries(struct image *image, struct error *error)
     for (size_t i = 0; i < image->width * image->height; i++) {
         float *pixel = image->pixels + i * image->channels;
         const struct colour from = {{(double)pixel[0], (double)pixel[1], (double)pixel[2]}};
-        const struct colour to = colour_turned(&matrix, from);
+        struct colour to = colour_turned(&matrix, from);
         const double most = fmax(fmax(to.part[0], to.part[1]), to.part[2]);
+        const double least = fmin(fmin(to.part[0], to.part[1]), to.part[2]);
+        if (!(least >= -least_negative * most)) {
+            /* of primaries that no light has luminance may be below 0: black */
+            const double grey = fmax(colour_luminance(to.part), 0);
+            const double share = colour_share_within(to.part, grey, (double)INFINITY);
+            colour_move_from_grey(to.part, grey, share);
+            image->beyond_srgb++;
+        }
         for (int k = 0; k < 3; k++) {
-            if (!(to.part[k] >= -least_negative * most)) {
-                return fail(error, ERROR_DATA,
-                            "the colour in column %zu, row %zu is none of sRGB: from the file's "
-                            "PRIMARIES its %s would be %.3g",
-                            i % image->width + 1, i / image->width + 1,
-                            (const char *[]){"red", "green", "blue"}[k], to.part[k]);
-            }
             pixel[k] = (float)fmax(to.part[k], 0);
         }
     }
     image->has_primaries = false;
     return true;
+}
+
+const char *image_file_remark(const char *path, const struct image *image, struct arena *arena)
+{
+    return image->beyond_srgb == 0
+               ? NULL
+               : arena_printf(arena, "%s: %zu of %zu pixels are beyond sRGB and lose saturation",
+                              path, image->beyond_srgb, image->width * image->height);
 }
 
 bool image_file_parse(const char *path, struct text bytes, const struct image_wish *wish,

@@ -20,8 +20,9 @@ bool image_file_is(struct text first);
 
 /*
  * Read a picture; its first bytes say of which format, whatever its name. Where it names other
- * primaries than those of sRGB its light becomes that of sRGB, see colour_of_primaries; colours
- * that sRGB does not have are an error.
+ * primaries than those of sRGB its light becomes that of sRGB, see colour_of_primaries; a colour
+ * that sRGB does not have is moved towards the grey of its luminance until no part is below 0, and
+ * counted: image_file_remark.
  *
  * Given     path    for messages, too
  *           wish    what the numbers are, and how many pixels it may have
@@ -34,6 +35,9 @@ bool image_file_read(const char *path, const struct image_wish *wish, struct are
 /* The same of bytes that are there already. */
 bool image_file_parse(const char *path, struct text bytes, const struct image_wish *wish,
                       struct arena *arena, struct image *image, struct error *error);
+
+/* What is to be said of a picture that was read, in the arena; null: nothing. */
+const char *image_file_remark(const char *path, const struct image *image, struct arena *arena);
 
 /*
  * The bytes of a file.

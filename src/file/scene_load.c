@@ -57,6 +57,16 @@ static bool read_file(struct scene_reader *reader, const struct wanted *wanted,
     return true;
 }
 
+/* -------- notes -------- */
+
+static void take_note(struct scene_reader *reader, const char *note)
+{
+    struct scene *scene = reader->scene;
+    scene->notes = arena_grow(reader->words.arena, scene->notes, scene->note_count,
+                              &reader->note_room, sizeof scene->notes[0]);
+    scene->notes[scene->note_count++] = note;
+}
+
 /* -------- pictures -------- */
 
 /* Grey becomes three equal colours; what lies behind colours and alpha is left. */
@@ -145,8 +155,11 @@ static bool parse_picture(const struct wanted *wanted, struct text content, enum
     if (strcmp(image_channel(&whole, 0, own), "X") == 0) {
         return fail(error, ERROR_DATA, "it has X, Y and Z, not red, green and blue");
     }
-    return take_colours(&whole, with_alpha, arena, image, error) &&
-           check_picture(image, with_alpha, kind, error);
+    if (!take_colours(&whole, with_alpha, arena, image, error)) {
+        return false;
+    }
+    image->beyond_srgb = whole.beyond_srgb;
+    return check_picture(image, with_alpha, kind, error);
 }
 
 /* What the file holds is given up, and what it becomes at first: both are as large as pictures. */
@@ -182,22 +195,16 @@ bool scene_load_picture(struct scene_reader *reader, const struct scene_line *li
     if (!read_picture(reader, &(struct wanted){line, key, path, arena}, kind, read, error)) {
         return false;
     }
+    const char *remark = image_file_remark(path, read, arena);
+    if (remark != NULL) {
+        take_note(reader, remark);
+    }
     reader->loaded = arena_grow(arena, reader->loaded, reader->images.count, &reader->image_room,
                                 sizeof reader->loaded[0]);
     *loaded = (struct scene_loaded){read, texture_luminance(read)};
     reader->loaded[reader->images.count] = *loaded;
     name_index_add(&reader->images, text_of(name), arena);
     return true;
-}
-
-/* -------- notes -------- */
-
-static void take_note(struct scene_reader *reader, const char *note)
-{
-    struct scene *scene = reader->scene;
-    scene->notes = arena_grow(reader->words.arena, scene->notes, scene->note_count,
-                              &reader->note_room, sizeof scene->notes[0]);
-    scene->notes[scene->note_count++] = note;
 }
 
 /* -------- tables -------- */

@@ -45,27 +45,6 @@ static void white_rgb_of(const struct bands *bands, const struct spectrum *light
     }
 }
 
-/* The largest share of the way from grey to a colour that stays within 0 and `most`. */
-static double share_within(const double rgb[3], double grey, double most)
-{
-    double share = 1;
-    for (int i = 0; i < 3; i++) {
-        const double room = rgb[i] < grey ? grey : most - grey;
-        const double way = fabs(rgb[i] - grey);
-        share = way * share > room ? room / way : share;
-    }
-    return share;
-}
-
-/* Go that share of the way. */
-static void move_from_grey(double rgb[3], double grey, double share)
-{
-    for (int i = 0; i < 3; i++) {
-        const double moved = grey + share * (rgb[i] - grey);
-        rgb[i] = moved > 0 ? moved : 0;
-    }
-}
-
 /* Are the bands red, green and blue? */
 static bool is_three(const struct bands *bands)
 {
@@ -115,8 +94,8 @@ bool bands_of_surface(const struct bands *bands, const struct spectrum *surface,
     } else if (is_three(bands)) {
         white_rgb_of(bands, &white, surface, of);
         const double grey = fmin(colour_luminance(of), 1);
-        share = share_within(of, grey, 1);
-        move_from_grey(of, grey, share);
+        share = colour_share_within(of, grey, 1);
+        colour_move_from_grey(of, grey, share);
     } else {
         bands_ratios(bands, &white, surface, of);
     }
@@ -161,8 +140,8 @@ bool bands_of_light(const struct bands *bands, const struct spectrum *light, dou
         of[k] /= amount;
     }
     if (is_three(bands)) {
-        share = share_within(of, 1, (double)INFINITY);
-        move_from_grey(of, 1, share);
+        share = colour_share_within(of, 1, (double)INFINITY);
+        colour_move_from_grey(of, 1, share);
     } else if (light->kind != SPECTRUM_RGB) {
         bands_match(bands, light, of);
     }

@@ -11,6 +11,25 @@ const struct colour_matrix colour_xyz_of_srgb = {
 static const struct colour_matrix bradford = {
     {{0.8951, 0.2664, -0.1614}, {-0.7502, 1.7135, 0.0367}, {0.0389, -0.0685, 1.0296}}};
 
+double colour_share_within(const double rgb[3], double grey, double most)
+{
+    double share = 1;
+    for (int i = 0; i < 3; i++) {
+        const double room = rgb[i] < grey ? grey : most - grey;
+        const double way = fabs(rgb[i] - grey);
+        share = way * share > room ? room / way : share;
+    }
+    return share;
+}
+
+void colour_move_from_grey(double rgb[3], double grey, double share)
+{
+    for (int i = 0; i < 3; i++) {
+        const double moved = grey + share * (rgb[i] - grey);
+        rgb[i] = moved > 0 ? moved : 0;
+    }
+}
+
 struct colour colour_turned(const struct colour_matrix *matrix, struct colour colour)
 {
     struct colour turned = {{0}};

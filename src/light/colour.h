@@ -30,6 +30,12 @@ static inline double colour_luminance(const double rgb[3])
     return y[0] * rgb[0] + y[1] * rgb[1] + y[2] * rgb[2];
 }
 
+/* The largest share of the way from a grey, 0 to `most`, to a colour that stays within these. */
+double colour_share_within(const double rgb[3], double grey, double most);
+
+/* Go that share of the way. */
+void colour_move_from_grey(double rgb[3], double grey, double share);
+
 struct colour colour_turned(const struct colour_matrix *matrix, struct colour colour);
 
 /* Of the second after the first. */

@@ -17,7 +17,8 @@ struct frame_level {
 };
 
 struct tone_frame {
-    const char *name; /* of its file */
+    const char *name;   /* of its file */
+    const char *remark; /* of that, as image_file_remark has it; null: none */
     size_t width, height;
     double aspect;         /* of its pixels, as struct image has it */
     int bits;              /* of its whole numbers, 8 or 16; 0: floats */
@@ -43,7 +44,7 @@ static inline size_t frame_levels(int bits)
  * sRGB.
  *
  * Given     image  as image_file_read with IMAGE_CODES makes it
- *           frame  receives all but its name and time; in the arena
+ *           frame  receives all but its name, remark and time; in the arena
  * Errors    ERROR_DATA: neither grey, RGB nor XYZ; a value that is not finite
  */
 bool frame_take(const struct image *image, struct arena *arena, struct tone_frame *frame,

@@ -352,6 +352,43 @@ static void test_aspect(struct arena *arena)
     }
 }
 
+/*
+ * Colours that sRGB does not have keep their luminance, as far as it is above 0. By fractions: XYZ
+ * of the primaries for the white, Bradford's adaptation, the inverse of [IEC99]'s matrix, then the
+ * share Y/(Y - the least part) of the way from grey.
+ */
+static void test_beyond_srgb(struct arena *arena)
+{
+#define RADIANCE_OWN "PRIMARIES=.64 .33 .29 .6 .15 .06 .333 .333\n"
+#define ACES_AP0     "PRIMARIES=.7347 .2653 0 1 .0001 -.077 .32168 .33767\n"
+    static const struct {
+        struct text file;
+        double red, green, blue;
+        size_t beyond;
+    } cases[] = {
+        {{BYTES("#?RADIANCE\n" RADIANCE_OWN "\n-Y 1 +X 1\n\100\200\100\201")},
+         0.42210624290586285,
+         0.996455643886085,
+         0.5089453828754099,
+         0},
+        {{BYTES("#?RADIANCE\n" RADIANCE_OWN "\n-Y 1 +X 1\n\10\200\10\200")},
+         0,
+         0.4809199123558685,
+         0.0727130062500956,
+         1},
+        {{BYTES("#?RADIANCE\n" ACES_AP0 "\n-Y 1 +X 1\n\0\0\200\201")}, 0, 0, 0, 1},
+    };
+    for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
+        struct error error = {0};
+        struct image back;
+        CHECK(image_file_parse("x", cases[i].file, &as_light, arena, &back, &error));
+        CHECK_NEAR((double)back.pixels[0], cases[i].red, 1e-7, "red");
+        CHECK_NEAR((double)back.pixels[1], cases[i].green, 1e-7, "green");
+        CHECK_NEAR((double)back.pixels[2], cases[i].blue, 1e-7, "blue");
+        CHECK(back.beyond_srgb == cases[i].beyond);
+    }
+}
+
 static void test_types(void)
 {
     struct arena arena = {0};
@@ -421,6 +458,7 @@ int main(void)
         test_refused();
         test_unwritten(&arena);
         test_aspect(&arena);
+        test_beyond_srgb(&arena);
         test_types();
         status = check_report();
     }

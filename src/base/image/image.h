@@ -31,6 +31,7 @@ struct image {
     double aspect;          /* of a pixel, its width over its height; 0: it is square */
     bool has_primaries;     /* other ones than those of sRGB: the reader of a format says so */
     double primaries[4][2]; /* x, y of red, green, blue and white */
+    size_t beyond_srgb;     /* pixels whose colours were, before they lost saturation */
 };
 
 /* What pixels' proportions may be in a file: as of OpenEXR, whose float for 1e-6 lies below it. */

@@ -449,9 +449,12 @@ bool render_is_world(const struct render_input *input);
 bool render_card(const struct render_input *input, struct arena *arena, struct card *card,
                  struct error *error);
 
-/* What a chart measures: angles, frequencies on the film by the paraxial magnification. */
-void render_say_card(const struct photograph *photograph, const struct setup *setup,
-                     struct growing *remarks);
+/*
+ * What a chart measures: angles, frequencies on the film by the paraxial magnification; of a
+ * picture, what became of it when it was read.
+ */
+void render_say_card(const struct render_input *input, const struct photograph *photograph,
+                     const struct setup *setup, struct growing *remarks);
 
 /* -------- commands/camera/render_skips.c -------- */
 

@@ -53,8 +53,16 @@ static void say_bars(const struct photograph *photograph, const struct setup *se
     growing_format(remarks, " cycles/mm on the film\n");
 }
 
-void render_say_card(const struct photograph *photograph, const struct setup *setup,
-                     struct growing *remarks)
+static void say_picture(const char *path, const struct image *picture, struct growing *remarks)
+{
+    const char *remark = image_file_remark(path, picture, remarks->arena);
+    if (remark != NULL) {
+        growing_format(remarks, "%s\n", remark);
+    }
+}
+
+void render_say_card(const struct render_input *input, const struct photograph *photograph,
+                     const struct setup *setup, struct growing *remarks)
 {
     const struct card *card = &photograph->card;
     const double rim = 2 * PI * CHART_STAR_RADIUS * card->height / card->width;
@@ -90,6 +98,7 @@ void render_say_card(const struct photograph *photograph, const struct setup *se
                        CHART_MAGNITUDES);
         break;
     case CHART_NONE:
+        say_picture(input->subject, card->picture, remarks);
         break;
     }
 }

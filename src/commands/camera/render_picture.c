@@ -136,7 +136,7 @@ static struct text doubts_of(const struct analysis_case *one, const struct pictu
         render_say_mean(question, photograph, &doubts);
         render_say_world(picture->world, &doubts);
     } else {
-        render_say_card(photograph, one->setup, &doubts);
+        render_say_card(input, photograph, one->setup, &doubts);
     }
     render_say_depths(input, photograph, &doubts);
     render_say_model(input, one, &doubts);

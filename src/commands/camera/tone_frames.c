@@ -180,6 +180,7 @@ static bool read_one(struct reading *reading, const char *path, double time, siz
     if (done) {
         done = check_kind(&image, error) && frame_take(&image, reading->arena, frame, error);
         frame->name = path;
+        frame->remark = image_file_remark(path, &image, reading->arena);
         frame->time = isnan(time) ? noted(&image, "Exposure time", &dimension_time) : time;
         done = done && check_unit(reading, &image, !isnan(time), i, error) &&
                check_size(reading->frames, frame, error) &&

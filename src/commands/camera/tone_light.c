@@ -210,6 +210,9 @@ static void say_frames(const struct tone_frames *frames, struct growing *remarks
         const struct tone_frame *frame = &frames->frames[i];
         shortest = fmin(shortest, frame->time);
         longest = fmax(longest, frame->time);
+        if (frame->remark != NULL) {
+            growing_format(remarks, "%s\n", frame->remark);
+        }
         if (frame->bits != 0 && frame->full == FRAME_CHANNELS * frame->width * frame->height) {
             growing_format(remarks, "warning: every pixel of %s is saturated: it tells nothing\n",
                            frame->name);
