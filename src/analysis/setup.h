@@ -133,6 +133,22 @@ struct pair setup_paraxial_image(const struct lens *lens, const struct first_ord
 /* A tenth of a stop, as f-numbers: so much lies between labels and what lenses are. */
 #define SETUP_WIDTH_SLACK 0.966
 
+/* How wide a lens is, as f-numbers. */
+struct setup_width {
+    double own; /* as it states, else as `passing` */
+    double
+        passing; /* whose marginal ray just passes all clear apertures but the stop's; 0: all do */
+};
+
+/*
+ * Given     fnumber  of the setup's beam
+ * Result    NaN where it has no beam
+ */
+struct setup_width setup_width(const struct setup *setup, double fnumber, struct arena *arena);
+
+/* The warning of setup_width_warning; null: none. */
+const char *setup_width_text(const struct setup_width *width, double fnumber, struct arena *arena);
+
 /*
  * Is the beam that is asked for wider than the lens lets through?
  *

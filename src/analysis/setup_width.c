@@ -39,17 +39,28 @@ static double excess(const struct setup *setup, struct arena *arena)
     return most;
 }
 
+struct setup_width setup_width(const struct setup *setup, double fnumber, struct arena *arena)
+{
+    const double passing = fnumber * excess(setup, arena), stated = stated_fnumber(setup);
+    return (struct setup_width){isfinite(stated) ? stated : passing, passing};
+}
+
+const char *setup_width_text(const struct setup_width *width, double fnumber, struct arena *arena)
+{
+    const bool is_wider =
+        fnumber < SETUP_WIDTH_SLACK * width->own && fnumber < SETUP_WIDTH_SLACK * width->passing;
+    return is_wider ? arena_printf(arena,
+                                   "the lens is f/%.4g wide open: rays of f/%.4g pass only where "
+                                   "its clear apertures let them",
+                                   width->own, fnumber)
+                    : NULL;
+}
+
 const char *setup_width_warning(const struct setup *setup, double fnumber, struct arena *arena)
 {
     if (!(fnumber > 0)) {
         return NULL;
     }
-    const double passing = fnumber * excess(setup, arena), stated = stated_fnumber(setup);
-    const double own = isfinite(stated) ? stated : passing;
-    const bool is_wider = fnumber < SETUP_WIDTH_SLACK * fmin(own, passing);
-    return is_wider ? arena_printf(arena,
-                                   "the lens is f/%.4g wide open: rays of f/%.4g pass only where "
-                                   "its clear apertures let them",
-                                   own, fnumber)
-                    : NULL;
+    const struct setup_width width = setup_width(setup, fnumber, arena);
+    return setup_width_text(&width, fnumber, arena);
 }

@@ -3,6 +3,7 @@
 #ifndef LENSCALC_CLI_OPTION_LENS_H
 #define LENSCALC_CLI_OPTION_LENS_H
 
+#include "analysis/setup.h"
 #include "base/text.h"
 #include "data/lensdb.h"
 #include "optics/first_order.h"
@@ -14,6 +15,7 @@ struct lens_memo {
     double wavelength; /* um, that it was found for */
     int section;
     struct first_order first;
+    struct setup_width width;
     const char *warning; /* null = all is well */
 };
 

@@ -18,3 +18,11 @@ stop - 95 air -
 END
     lenscalc spot ./bare.lens -N 4,5.1,8 -w d --field 0 --columns fnumber,rms,warning --csv --digits 3
 done
+# commands that know a lens by its first-order figures say the same, of rows too
+for command in 'dof -s 3' hyperfocal diffraction 'exposure -t 1/60' 'focus -s 3'; do
+    echo "$command" | sed 's/ .*//'
+    lenscalc $command --lens double-gauss-50 -N 1,1.98 --columns N,warning --csv
+done
+printf 'lens,N\ndouble-gauss-50,1\ndouble-gauss-50,2\n' > rows.csv
+lenscalc dof -s 3 --batch rows.csv --csv --columns N,warning
+lenscalc dof -s 3 --lens double-gauss-50 -N 1 --coc 0.2 --model exact 2>&1 | tail -2

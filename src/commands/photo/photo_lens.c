@@ -21,6 +21,7 @@ static bool keep(const struct lens_case *one, void *context, struct error *error
     struct lens_memo *memo = context;
     (void)error;
     memo->first = one->light.first;
+    memo->width = setup_width(one->setup, one->setup->first.fnumber, one->setup->arena);
     memo->warning = one->warning;
     return true;
 }
@@ -146,12 +147,14 @@ static bool work_out(const struct photo_lens_question *question, size_t position
         .position = position,
         .first = first,
     };
+    const bool is_asked = (use & PHOTO_LENS_SOLVES_FNUMBER) == 0 && question->fnumber > 0;
+    const char *width = is_asked ? setup_width_text(&found->width, question->fnumber, arena) : NULL;
     struct photo_real *said = ARENA_NEW(arena, struct photo_real);
     *said = (struct photo_real){
         .title = real->title != NULL ? real->title : question->lens.name,
         .kind = real->kind,
         .position = real->position_count > 0 ? real->positions[position] : NULL,
-        .warning = found->warning,
+        .warning = lens_warnings_join(found->warning, width, arena),
         .focal = lens->f,
         .hiatus = lens->measuring.hiatus,
         .wavelength = lens->wavelength,
