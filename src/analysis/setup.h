@@ -135,9 +135,8 @@ struct pair setup_paraxial_image(const struct lens *lens, const struct first_ord
 
 /* How wide a lens is, as f-numbers. */
 struct setup_width {
-    double own; /* as it states, else as `passing` */
-    double
-        passing; /* whose marginal ray just passes all clear apertures but the stop's; 0: all do */
+    double own;     /* as it states, else as `passing` */
+    double passing; /* of the widest beam through all clear apertures but the stop's; 0: no limit */
 };
 
 /*
