@@ -13,7 +13,7 @@ material cloth lambert texture=wide.hdr
 rectangle at=0,0,0 size=1,1 material=cloth
 END
 # sanitizers reserve more than this before anything is read
-(ulimit -v 1000000; lenscalc --version > /dev/null 2>&1) && ulimit -v 1000000
+(ulimit -v 1000000; lenscalc --version || exit 1) > /dev/null 2>&1 && ulimit -v 1000000
 small='--lens double-gauss-50 -s 1m --size 6x4 --samples 4 -o lost.png'
 for file in wide.hdr wide.png; do
     lenscalc tone $file -o lost.png
