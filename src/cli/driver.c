@@ -254,6 +254,7 @@ static void choose_sheet(struct driver *driver)
     const struct echo_question question = {.command = command,
                                            .sheet = sheet,
                                            .all = driver->common.columns != NULL,
+                                           .is_for_people = driver->report.format->is_for_people,
                                            .given = asked_given,
                                            .varied = asked_varied,
                                            .asked = driver};

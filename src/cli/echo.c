@@ -59,7 +59,7 @@ static size_t find_column(const struct sheet *sheet, const struct option *option
     return i;
 }
 
-/* Does a column say it in another form? Both would be one too many where a batch reads them. */
+/* Does a column say it in another form? */
 static bool is_told(const struct sheet *sheet, const struct option *option)
 {
     bool told = false;
@@ -150,7 +150,8 @@ void echo_open(struct echo *echo, const struct echo_question *question, struct a
     for (size_t i = 0; i < most; i++) {
         const struct option *option = &question->command->options[i];
         const bool varies = question->varied(question->asked, option->name);
-        if (!question->all && (!varies || is_told(own, option))) {
+        const bool is_wanted = varies && (question->is_for_people || !is_told(own, option));
+        if (!question->all && !is_wanted) {
             continue;
         }
         const size_t found = find_column(own, option, column_name(option, arena));

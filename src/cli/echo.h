@@ -28,6 +28,8 @@ struct echo_question {
     const struct sheet *sheet; /* of the rows that it makes */
     bool all; /* --columns may name any: all options that have no column get one, not only those
                  that vary */
+    bool is_for_people; /* else a column that tells an option in another form will do: a batch
+                           could not read both */
     bool (*given)(const void *asked, const char *option);
     bool (*varied)(const void *asked, const char *option);
     const void *asked;

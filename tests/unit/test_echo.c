@@ -25,6 +25,17 @@ static bool shows_once(const struct report *report, const struct option *option)
     return says > 0 && same_name == 0;
 }
 
+/* Does a column say that it tells it in another form? A point by its x. */
+static bool is_otherwise_told(const struct sheet *sheet, const struct option *option)
+{
+    bool found = false;
+    for (size_t i = 0; i < sheet->column_count && !found; i++) {
+        const char *tells = sheet->columns[i].tells;
+        found = tells != NULL && strcmp(tells, option->name) == 0;
+    }
+    return found;
+}
+
 /* Of all columns, of a table for people, and of one with a column that somebody names. */
 static bool is_told(const struct command *command, const struct sheet *sheet,
                     const struct option *option)
@@ -42,6 +53,7 @@ static bool is_told(const struct command *command, const struct sheet *sheet,
         const struct echo_question question = {.command = command,
                                                .sheet = sheet,
                                                .all = selections[i].columns != NULL,
+                                               .is_for_people = selections[i].layout != SELECT_ALL,
                                                .given = is_asked,
                                                .varied = is_asked,
                                                .asked = option->name};
@@ -52,7 +64,9 @@ static bool is_told(const struct command *command, const struct sheet *sheet,
         selection.given = selection.varied = is_asked;
         selection.asked = option->name;
         struct error error;
-        told = report_select(&report, &selection, &error) && shows_once(&report, option) && told;
+        told = report_select(&report, &selection, &error) && told &&
+               (shows_once(&report, option) ||
+                (!question.is_for_people && is_otherwise_told(sheet, option)));
         echo_settle(&echo, &report);
         told = told && echo.sheet.row_size >= sheet->row_size;
     }
@@ -82,24 +96,13 @@ static void check_names(const struct command *command, const struct sheet *sheet
     }
 }
 
-/* Does a column say that it tells it in another form? A point by its x. */
-static bool is_otherwise_told(const struct sheet *sheet, const struct option *option)
-{
-    bool found = false;
-    for (size_t i = 0; i < sheet->column_count && !found; i++) {
-        const char *tells = sheet->columns[i].tells;
-        found = tells != NULL && strcmp(tells, option->name) == 0;
-    }
-    return found;
-}
-
 static void check_sheet(const struct command *command, const struct sheet *sheet)
 {
     check_names(command, sheet);
     for (size_t i = 0; i < command->option_count; i++) {
         const struct option *option = &command->options[i];
         if (option->kind->is_list || (option->flags & OPTION_MANY) != 0) {
-            const bool told = is_told(command, sheet, option) || is_otherwise_told(sheet, option);
+            const bool told = is_told(command, sheet, option);
             CHECK(told);
             if (!told) {
                 printf("    %s --%s, rows with the column %s\n", command->name, option->name,
