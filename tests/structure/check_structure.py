@@ -79,9 +79,9 @@ WRITABLE = {
 }
 # The one source in C++; what it may call of stdio only formats into buffers.
 CXX_SOURCES = ["src/design/solver/solver_ceres.cc"]
-LONGEST_FUNCTION, LONGEST_FILE, LONGEST_LINE = 60, 600, 100
-MOST_COMPLEX = 15  # McCabe's number as pmccabe counts it, a switch as one decision
-MOST_PARAMETERS = 6  # of a public function
+LONGEST_FUNCTION, LONGEST_FILE, LONGEST_LINE = 80, 600, 100
+MOST_COMPLEX = 20  # McCabe's number as pmccabe counts it, a switch as one decision
+MOST_PARAMETERS = 8  # of a public function
 # The table of commands, which the commands that print it are in.
 OPEN_TABLES = {"commands"}
 # Public names that only tests use, with the reason; those of PUBLIC_FOLDERS need none.
