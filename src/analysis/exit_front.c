@@ -3,7 +3,7 @@
 #include "analysis/exit_front.h"
 
 #include "base/constants.h"
-#include "base/processor.h"
+#include "base/instruction_set.h"
 #include "base/turns.h"
 
 #include <math.h>
@@ -205,17 +205,10 @@ void exit_front_find(const struct exit_pupil *pupil, const struct exit_lines *li
 
 /* -------- asking -------- */
 
-static kernel_exit_line *line_kernel(void)
-{
-    return processor_has_avx512() ? kernel_exit_line_avx512
-           : processor_has_avx2() ? kernel_exit_line_avx2
-                                  : kernel_exit_line_sse2;
-}
-
 void exit_front_line(const struct exit_front *front, size_t piece, double angle,
                      struct exit_line *line)
 {
-    kernel_exit_line *find = line_kernel();
+    kernel_exit_line *find = KERNEL_FOR(SET_BEST, kernel_exit_line);
     double shares[EXIT_FRONT_MOST];
     const double x = angle / (PI / 2);
     shares[0] = 1, shares[1] = x;

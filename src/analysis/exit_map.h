@@ -24,6 +24,7 @@ typedef void kernel_exit_map(const struct exit_map *map, struct exit_map_lanes *
 kernel_exit_map kernel_exit_map_sse2, kernel_exit_map_avx2, kernel_exit_map_avx512;
 
 /* The same without the area. */
-kernel_exit_map kernel_exit_form_sse2, kernel_exit_form_avx2, kernel_exit_form_avx512;
+typedef kernel_exit_map kernel_exit_form;
+kernel_exit_form kernel_exit_form_sse2, kernel_exit_form_avx2, kernel_exit_form_avx512;
 
 #endif

@@ -4,8 +4,8 @@
 
 #include "analysis/exit_map.h"
 #include "base/constants.h"
+#include "base/instruction_set.h"
 #include "base/linear.h"
-#include "base/processor.h"
 #include "trace/dispatch.h"
 
 #include <math.h>
@@ -95,20 +95,6 @@ static void chebyshev(double x, size_t order, double *values)
     }
 }
 
-static kernel_exit_map *map_kernel(void)
-{
-    return processor_has_avx512() ? kernel_exit_map_avx512
-           : processor_has_avx2() ? kernel_exit_map_avx2
-                                  : kernel_exit_map_sse2;
-}
-
-static kernel_exit_map *form_kernel(void)
-{
-    return processor_has_avx512() ? kernel_exit_form_avx512
-           : processor_has_avx2() ? kernel_exit_form_avx2
-                                  : kernel_exit_form_sse2;
-}
-
 /* Some points to the box of the polynomials, the first again where lanes are left. */
 static void put_lanes(const struct exit_pupil *pupil, const double (*at)[2], size_t count,
                       struct exit_map_lanes *lanes)
@@ -125,7 +111,8 @@ static void put_lanes(const struct exit_pupil *pupil, const double (*at)[2], siz
 static void way_back(const struct exit_pupil *pupil, const double (*at)[2], size_t count,
                      double (*places)[2], double *areas)
 {
-    kernel_exit_map *find = areas != NULL ? map_kernel() : form_kernel();
+    kernel_exit_map *find = areas != NULL ? KERNEL_FOR(SET_BEST, kernel_exit_map)
+                                          : KERNEL_FOR(SET_BEST, kernel_exit_form);
     const struct exit_map map = {pupil->order, pupil->map[0], pupil->map[1]};
     const double *half = pupil->half;
     struct exit_map_lanes lanes;
@@ -146,7 +133,7 @@ static void way_back(const struct exit_pupil *pupil, const double (*at)[2], size
 void exit_pupil_form(const struct exit_pupil *pupil, const double (*at)[2], size_t count,
                      double *waves, double *amplitudes)
 {
-    kernel_exit_map *find = form_kernel();
+    kernel_exit_map *find = KERNEL_FOR(SET_BEST, kernel_exit_form);
     const struct exit_map map = {pupil->order, pupil->form[0], pupil->form[1]};
     struct exit_map_lanes lanes;
     for (size_t done = 0; done < count; done += EXIT_MAP_LANES) {

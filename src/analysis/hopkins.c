@@ -3,7 +3,7 @@
 #include "analysis/hopkins.h"
 
 #include "base/constants.h"
-#include "base/processor.h"
+#include "base/instruction_set.h"
 #include "trace/sample.h"
 
 #include <math.h>
@@ -148,19 +148,12 @@ static double rule_weight(const struct rule *rule, size_t i)
     return rule->w[i % rule->each] / (double)rule->panels;
 }
 
-static kernel_exit_overlap *overlap_kernel(void)
-{
-    return processor_has_avx512() ? kernel_exit_overlap_avx512
-           : processor_has_avx2() ? kernel_exit_overlap_avx2
-                                  : kernel_exit_overlap_sse2;
-}
-
 /* Add up a part of a line; phases: receives those of its points, or null. */
 static void add_part(const struct summing *summing, const struct exit_line *line,
                      const struct parts *parts, size_t p, const struct rule *along, double weight,
                      struct exit_series_lanes *lanes, double *phases)
 {
-    kernel_exit_overlap *add = overlap_kernel();
+    kernel_exit_overlap *add = KERNEL_FOR(SET_BEST, kernel_exit_overlap);
     const size_t count = along->each * along->panels;
     const double low = parts->low[p], length = parts->high[p] - low;
     struct exit_series series[2];

@@ -4,7 +4,7 @@
 
 #include "base/constants.h"
 #include "base/fft.h"
-#include "base/processor.h"
+#include "base/instruction_set.h"
 #include "trace/sample.h"
 
 #include <math.h>
@@ -53,13 +53,6 @@ struct overlapping {
     struct arena *arena;
 };
 
-static kernel_exit_wave *wave_kernel(void)
-{
-    return processor_has_avx512() ? kernel_exit_wave_avx512
-           : processor_has_avx2() ? kernel_exit_wave_avx2
-                                  : kernel_exit_wave_sse2;
-}
-
 /* Turns of W1 - W2 in a coarse grid, for shifts up to so many of its places: the most from place to
    place along lines, and of all of them across if they were as steep as the steepest to Gauss's
    points of the angle. NaN stands where nothing is clear. */
@@ -98,7 +91,7 @@ static void look_along(const struct overlapping *one, const struct exit_line *li
             const double s = one->middle[0] + one->wide[0] * (((double)j + 0.5) / LOOKS - 0.5);
             lanes.x[j] = (2 * s - edges[0] - edges[1]) / (edges[1] - edges[0]);
         }
-        wave_kernel()(&line->series[k], &lanes);
+        KERNEL_FOR(SET_BEST, kernel_exit_wave)(&line->series[k], &lanes);
         for (size_t j = 0; j < LOOKS; j++) {
             waves[j] = fabs(lanes.x[j]) < 1 ? lanes.waves[j] : waves[j];
         }
@@ -151,7 +144,7 @@ static bool set_grid(struct overlapping *one, double shift, size_t count)
 static void put_line(const struct overlapping *one, const struct exit_line *line, double weight,
                      double *re, double *im, double *perfect)
 {
-    kernel_exit_wave *find = wave_kernel();
+    kernel_exit_wave *find = KERNEL_FOR(SET_BEST, kernel_exit_wave);
     const double first = line->spans.edges[0], cells = (double)one->cells;
     struct exit_wave_lanes lanes = {.x = {0}};
     for (size_t k = 0; k < line->spans.count; k++) {
@@ -218,7 +211,7 @@ static void add_piece(const struct overlapping *one, size_t p)
                      im + i * length, perfect);
         }
         const struct fft_lines lines = {re, im, FFT_LANES, length, 1};
-        fft_transform(&one->fft, false, &lines, FFT_BEST, one->arena);
+        fft_transform(&one->fft, false, &lines, SET_BEST, one->arena);
         add_power(one, re, im);
     }
     arena_reset(one->arena, mark);
@@ -236,7 +229,7 @@ static void add_overlaps(const struct overlapping *one, size_t count, double wei
     double *zero = ARENA_ARRAY(one->arena, 2 * length, double);
     for (size_t k = 0; k < 2; k++) {
         const struct fft_lines line = {one->power[k], zero + k * length, 1, length, 1};
-        fft_transform(&one->fft, true, &line, FFT_BEST, one->arena);
+        fft_transform(&one->fft, true, &line, SET_BEST, one->arena);
     }
     const double unit = weight * one->step / (double)length;
     /* cells that are clear in part say too little of themselves, but not of others */

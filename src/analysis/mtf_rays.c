@@ -2,7 +2,7 @@
 /* SPDX-License-Identifier: MIT */
 #include "analysis/mtf_rays.h"
 
-#include "base/processor.h"
+#include "base/instruction_set.h"
 
 #include <math.h>
 
@@ -62,13 +62,6 @@ static bool add_level(struct mtf_rays *rays, struct arena *arena, struct error *
     return true;
 }
 
-static kernel_mtf_rays *rays_kernel(void)
-{
-    return processor_has_avx512() ? kernel_mtf_rays_avx512
-           : processor_has_avx2() ? kernel_mtf_rays_avx2
-                                  : kernel_mtf_rays_sse2;
-}
-
 bool mtf_rays_find(struct mtf_rays *rays, double frequency, double wanted, struct arena *arena,
                    struct mtf_rays_sums *sums, struct error *error)
 {
@@ -81,7 +74,8 @@ bool mtf_rays_find(struct mtf_rays *rays, double frequency, double wanted, struc
         double worst = 1e-12;
         for (int k = 0; k < 2; k++) {
             double sum[2] = {0};
-            rays_kernel()(level->places[k], level->weights, level->count, -frequency, sum);
+            KERNEL_FOR(SET_BEST, kernel_mtf_rays)
+            (level->places[k], level->weights, level->count, -frequency, sum);
             const double re = sum[0] / level->light, im = sum[1] / level->light;
             worst = fmax(worst, 2 * hypot(re - sums->re[k], im - sums->im[k]));
             sums->re[k] = re;

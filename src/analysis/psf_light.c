@@ -5,8 +5,8 @@
 #include "analysis/psf_kernels.h"
 #include "analysis/psf_points.h"
 #include "base/constants.h"
+#include "base/instruction_set.h"
 #include "base/parallel.h"
-#include "base/processor.h"
 
 #include <math.h>
 #include <string.h>
@@ -16,9 +16,9 @@ static const double fine = 1e-8;
 
 static const struct psf_kernels *kernels(void)
 {
-    return processor_has_avx512() ? &psf_kernels_avx512
-           : processor_has_avx2() ? &psf_kernels_avx2
-                                  : &psf_kernels_sse2;
+    static const struct psf_kernels *const sets[] = {NULL, &psf_kernels_sse2, &psf_kernels_avx2,
+                                                     &psf_kernels_avx512};
+    return sets[instruction_set_best(SET_BEST)];
 }
 
 /* Room for a row of pixels, and as many more as a kernel wants. */

@@ -82,7 +82,7 @@ static bool aim_points(const struct placing *placing, size_t done, struct pupil_
         rays_trace_part(system, 0, system_place(system, system->stop) + 1, &rays, NULL);
         keep_clipped(rays.blocks, count);
         to_own(margins, count);
-        dispatch_aim(SET_BEST)(rays.blocks, enough * enough, enough * enough, &block);
+        KERNEL_FOR(SET_BEST, kernel_aim)(rays.blocks, enough * enough, enough * enough, &block);
         open = aim_block_open(&block);
     }
     bool found = open == 0;

@@ -2,7 +2,6 @@
 /* SPDX-License-Identifier: MIT */
 #include "base/fft.h"
 
-#include "base/processor.h"
 #include "base/turns.h"
 
 static const size_t radices[] = {4, 2, 3, 5};
@@ -52,16 +51,6 @@ struct fft fft_open(size_t length, struct arena *arena)
     return fft;
 }
 
-static kernel_fft *kernel_of(enum fft_set set)
-{
-    if (set == FFT_BEST) {
-        set = processor_has_avx512() ? FFT_AVX512 : processor_has_avx2() ? FFT_AVX2 : FFT_SSE2;
-    }
-    return set == FFT_AVX512 ? kernel_fft_avx512
-           : set == FFT_AVX2 ? kernel_fft_avx2
-                             : kernel_fft_sse2;
-}
-
 /* Number k of every line side by side; where there are fewer lines zeros stand in for them. */
 static void gather(const struct fft_lines *lines, const double *from, size_t length, double *to)
 {
@@ -89,12 +78,12 @@ static void scatter(const struct fft_lines *lines, const double *from, size_t le
 }
 
 void fft_transform(const struct fft *fft, bool inverse, const struct fft_lines *lines,
-                   enum fft_set set, struct arena *arena)
+                   enum instruction_set set, struct arena *arena)
 {
     const struct arena_mark mark = arena_mark(arena);
     const size_t room = fft->length * FFT_LANES;
     double *work = ARENA_ARRAY(arena, 4 * room, double);
-    kernel_fft *kernel = kernel_of(set);
+    kernel_fft *kernel = KERNEL_FOR(set, kernel_fft);
     /* the other sign is that of the numbers with their parts exchanged */
     double *re = inverse ? lines->im : lines->re, *im = inverse ? lines->re : lines->im;
     for (size_t first = 0; first < lines->count; first += FFT_LANES) {
@@ -114,6 +103,6 @@ void fft_plane(const struct fft *fft, bool inverse, double *re, double *im, stru
 {
     const size_t n = fft->length;
     const struct fft_lines across = {re, im, n, n, 1}, down = {re, im, n, 1, n};
-    fft_transform(fft, inverse, &across, FFT_BEST, arena);
-    fft_transform(fft, inverse, &down, FFT_BEST, arena);
+    fft_transform(fft, inverse, &across, SET_BEST, arena);
+    fft_transform(fft, inverse, &down, SET_BEST, arena);
 }

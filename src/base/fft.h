@@ -4,6 +4,7 @@
 #define LENSCALC_BASE_FFT_H
 
 #include "base/arena.h"
+#include "base/instruction_set.h"
 
 #include <stdbool.h>
 #include <stddef.h>
@@ -25,9 +26,6 @@ struct fft {
     size_t length, count;
     struct fft_pass passes[FFT_PASSES];
 };
-
-/* Which kernel; for tests and benchmarks, as all give the same bits. */
-enum fft_set { FFT_BEST, FFT_SSE2, FFT_AVX2, FFT_AVX512 };
 
 /* Is it 2^a 3^b 5^c, and at most FFT_MOST? */
 bool fft_has(size_t length);
@@ -53,7 +51,7 @@ struct fft_lines {
  * Source    [VanLoan92] 1.7; tested against the sum in long double
  */
 void fft_transform(const struct fft *fft, bool inverse, const struct fft_lines *lines,
-                   enum fft_set set, struct arena *arena);
+                   enum instruction_set set, struct arena *arena);
 
 /* The same of both directions of a square, row by row. */
 void fft_plane(const struct fft *fft, bool inverse, double *re, double *im, struct arena *arena);

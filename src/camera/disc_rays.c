@@ -36,7 +36,5 @@ void disc_open_pinhole(double radius, struct disc *disc)
 void disc_start(const struct disc *disc, struct film_samples *samples, enum instruction_set set,
                 struct ray_block *block)
 {
-    static kernel_disc *const kernels[] = {NULL, kernel_disc_sse2, kernel_disc_avx2,
-                                           kernel_disc_avx512};
-    kernels[instruction_set_best(set)](disc, samples, block);
+    KERNEL_FOR(set, kernel_disc)(disc, samples, block);
 }

@@ -44,8 +44,5 @@ typedef void kernel_displace(const struct displace *displace);
 kernel_displace kernel_displace_sse2, kernel_displace_avx2, kernel_displace_avx512;
 
 /* The kernels for a set of instructions, in trace/dispatch.c. */
-kernel_tape *dispatch_tape(enum instruction_set set);
-kernel_adjoint *dispatch_adjoint(enum instruction_set set);
-kernel_displace *dispatch_displace(enum instruction_set set);
 
 #endif

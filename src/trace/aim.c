@@ -320,7 +320,7 @@ static void steer_block(const struct aim *aim, size_t count, struct aim_block *b
 {
     enum { ALL = 16 };
     const double reached = 1e-15 * aim->stop_radius, near = 1e-12 * aim->stop_radius;
-    kernel_aim *kernel = dispatch_aim(SET_BEST);
+    kernel_aim *kernel = KERNEL_FOR(SET_BEST, kernel_aim);
     bool busy = true;
     for (int step = 0; step < ALL && busy; step++) {
         beam_start(&aim->beam, block->next_a, block->next_b, count, aim->work.blocks);

@@ -37,7 +37,6 @@ struct aim_block {
 typedef void kernel_aim(const struct ray_block *at_stop, double enough2, double near2,
                         struct aim_block *block);
 kernel_aim kernel_aim_sse2, kernel_aim_avx2, kernel_aim_avx512;
-kernel_aim *dispatch_aim(enum instruction_set set);
 
 /*
  * Where a point lies in the stop, mm. One on the very edge is taken a little within, so that the

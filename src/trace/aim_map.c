@@ -125,7 +125,7 @@ bool aim_map_follow(const struct aim_map *map, const struct aim *aim,
     const double enough = 1e-15, over = 1 / aim->stop_radius;
     const size_t count = rays->count;
     struct map_block block;
-    kernel_map *kernel = dispatch_map(SET_BEST);
+    kernel_map *kernel = KERNEL_FOR(SET_BEST, kernel_map);
     double before = 1e-2;
     if (!start(aim, points, count, &block)) {
         return false;

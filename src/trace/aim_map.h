@@ -60,6 +60,5 @@ struct map_block {
 typedef void kernel_map(const struct aim_map *map, const struct ray_block *at_stop, double over,
                         struct map_block *block);
 kernel_map kernel_map_sse2, kernel_map_avx2, kernel_map_avx512;
-kernel_map *dispatch_map(enum instruction_set set);
 
 #endif

@@ -380,7 +380,7 @@ static bool steer(struct aimed *aimed)
     if (!begin_steps(aimed, at, &block)) {
         return false;
     }
-    kernel_aim *kernel = dispatch_aim(aimed->set);
+    kernel_aim *kernel = KERNEL_FOR(aimed->set, kernel_aim);
     for (int step = 0; step < STEPS && aim_block_open(&block) > 0; step++) {
         look(aimed, block.next_a, block.next_b, at);
         kernel(at, enough * enough, near * near, &block);

@@ -193,7 +193,7 @@ void beam_slope(const struct beam *beam, const double at[2], int k, double point
 void beam_start(const struct beam *beam, const double *a, const double *b, size_t count,
                 struct ray_block *block)
 {
-    dispatch_beam(SET_BEST)(beam, a, b, count, block);
+    KERNEL_FOR(SET_BEST, kernel_beam)(beam, a, b, count, block);
 }
 
 void beam_fill(const struct beam *beam, const double (*at)[2], size_t count,

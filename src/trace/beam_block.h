@@ -10,6 +10,5 @@
 typedef void kernel_beam(const struct beam *beam, const double *a, const double *b, size_t count,
                          struct ray_block *block);
 kernel_beam kernel_beam_sse2, kernel_beam_avx2, kernel_beam_avx512;
-kernel_beam *dispatch_beam(enum instruction_set set);
 
 #endif

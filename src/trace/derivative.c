@@ -234,7 +234,8 @@ const struct ray_block *derivative_trace(const struct system *system, const stru
 {
     size_t steps = system->begin[system->places];
     tape->blocks[0] = *start;
-    dispatch_tape(set)(system->steps, steps, system->options.path, tape->lanes, tape->blocks);
+    KERNEL_FOR(set, kernel_tape)
+    (system->steps, steps, system->options.path, tape->lanes, tape->blocks);
     return &tape->blocks[steps];
 }
 
@@ -484,8 +485,8 @@ void derivative_pass_part(const struct derivative_pass *pass, size_t from, size_
                                 pass->adjoint,
                                 pass->gradient,
                                 pass,
-                                dispatch_adjoint(pass->set),
-                                dispatch_displace(pass->set)};
+                                KERNEL_FOR(pass->set, kernel_adjoint),
+                                KERNEL_FOR(pass->set, kernel_displace)};
     for (size_t place = from; place-- > to;) {
         sweep_place(&sweep, place);
     }

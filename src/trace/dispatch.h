@@ -3,28 +3,17 @@
 #ifndef LENSCALC_TRACE_DISPATCH_H
 #define LENSCALC_TRACE_DISPATCH_H
 
+#include "base/instruction_set.h"
 #include "trace/rays.h"
 #include "trace/step.h"
 #include "trace/system.h"
 
 #include <stdbool.h>
 
-/* Every set gives the same bits; a choice is for tests and benchmarks. */
-enum instruction_set { SET_BEST, SET_SSE2, SET_AVX2, SET_AVX512 };
-
 struct trace_way {
     enum instruction_set set;
     int threads; /* 0 and 1: this one only */
 };
-
-/* Does the processor have it? */
-bool instruction_set_works(enum instruction_set set);
-
-/* SET_BEST as one of the others; those stay what they are. */
-enum instruction_set instruction_set_best(enum instruction_set set);
-
-/* "best", "sse2", "avx2", "avx512" */
-const char *instruction_set_name(enum instruction_set set);
 
 /*
  * Take rays through the whole system.

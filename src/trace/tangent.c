@@ -108,8 +108,8 @@ void tangent_trace_start(const struct system *system, size_t places, size_t coun
     static const struct tangent_seed nothing[TANGENTS_MOST];
     const struct tangent_seeds all = {nothing, count, tape->lanes};
     for (size_t i = 0; i < system->begin[places]; i++) {
-        dispatch_tangent(set)(&system->steps[i], &tape->blocks[i], &tape->blocks[i + 1], &all,
-                              tangents);
+        KERNEL_FOR(set, kernel_tangent)
+        (&system->steps[i], &tape->blocks[i], &tape->blocks[i + 1], &all, tangents);
     }
 }
 
@@ -136,7 +136,7 @@ void tangent_trace(const struct system *system, const struct parameter *paramete
                    enum instruction_set set, const struct derivative_tape *tape,
                    struct ray_block *tangents)
 {
-    kernel_tangent *kernel = dispatch_tangent(set);
+    kernel_tangent *kernel = KERNEL_FOR(set, kernel_tangent);
     struct tangent_seed seeds[TANGENTS_MOST] = {{0}};
     const struct tangent_seeds all = {seeds, count, tape->lanes};
     for (size_t j = 0; j < count && parameters != NULL; j++) {
@@ -166,8 +166,8 @@ void tangent_trace(const struct system *system, const struct parameter *paramete
 void tangent_follow(const struct system *system, int lanes, size_t count, struct ray_block rays[2],
                     struct ray_block *tangents)
 {
-    kernel_tape *trace = dispatch_tape(SET_BEST);
-    kernel_tangent *kernel = dispatch_tangent(SET_BEST);
+    kernel_tape *trace = KERNEL_FOR(SET_BEST, kernel_tape);
+    kernel_tangent *kernel = KERNEL_FOR(SET_BEST, kernel_tangent);
     const struct tangent_seed seeds[TANGENTS_MOST] = {{0}};
     const struct tangent_seeds all = {seeds, count, lanes};
     for (size_t i = 0; i < system->begin[system->places]; i++) {

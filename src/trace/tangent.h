@@ -70,6 +70,5 @@ typedef void kernel_tangent(const struct step *step, const struct ray_block *bef
                             const struct ray_block *after, const struct tangent_seeds *seeds,
                             struct ray_block *tangents);
 kernel_tangent kernel_tangent_sse2, kernel_tangent_avx2, kernel_tangent_avx512;
-kernel_tangent *dispatch_tangent(enum instruction_set set);
 
 #endif

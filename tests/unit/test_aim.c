@@ -170,14 +170,14 @@ static void test_instruction_sets(void)
                 continue;
             }
             memset(&rays[k], 0, sizeof rays[k]);
-            dispatch_beam(sets[k])(&beams[trial % 2], blocks[0].goal_x, blocks[0].goal_y, 117,
-                                   &rays[k]);
+            KERNEL_FOR(sets[k], kernel_beam)
+            (&beams[trial % 2], blocks[0].goal_x, blocks[0].goal_y, 117, &rays[k]);
             CHECK(memcmp(&rays[k], &rays[0], sizeof rays[0]) == 0);
         }
         for (size_t k = 3; k-- > 0;) {
             if (instruction_set_works(sets[k])) {
                 blocks[k] = blocks[0];
-                dispatch_aim(sets[k])(&rays[0], 1e-3, 1e-6, &blocks[k]);
+                KERNEL_FOR(sets[k], kernel_aim)(&rays[0], 1e-3, 1e-6, &blocks[k]);
             }
         }
         for (size_t k = 1; k < 3; k++) {
@@ -222,13 +222,13 @@ static void test_maps(void)
         if (!instruction_set_works(sets[k])) {
             continue;
         }
-        dispatch_map(sets[k])(&map, NULL, 0.5, &blocks[k]);
+        KERNEL_FOR(sets[k], kernel_map)(&map, NULL, 0.5, &blocks[k]);
         for (size_t i = 0; i < 117; i++) {
             const double x = blocks[k].x[i], y = blocks[k].y[i];
             CHECK_NEAR(blocks[k].a[i], 3 * x + 0.2 * x * y - 0.1 * x * (x * x + y * y), 1e-14, "a");
             CHECK_NEAR(blocks[k].b[i], 1 + 2 * y + 0.3 * x * x - 0.1 * y * y * y, 1e-14, "b");
         }
-        dispatch_map(sets[k])(&map, &at, 0.5, &blocks[k]);
+        KERNEL_FOR(sets[k], kernel_map)(&map, &at, 0.5, &blocks[k]);
         CHECK(memcmp(&blocks[k], &blocks[0], sizeof blocks[0]) == 0);
     }
 }

@@ -40,7 +40,7 @@ static void test_length(size_t n, bool inverse, struct arena *arena)
         before += (long double)re[i] * re[i] + (long double)im[i] * im[i];
     }
     const struct fft_lines line = {re, im, 1, 0, 1};
-    fft_transform(&fft, inverse, &line, FFT_BEST, arena);
+    fft_transform(&fft, inverse, &line, SET_BEST, arena);
     for (size_t k = 0; k < n; k++) {
         long double exact[2];
         dft(x, y, n, k, inverse ? 1 : -1, exact);
@@ -100,7 +100,7 @@ static void test_sets(struct arena *arena)
         }
         const struct fft_lines lines = {re[set], im[set], LINES, LENGTH, 1};
         if (has[set]) {
-            fft_transform(&fft, false, &lines, (enum fft_set)(FFT_SSE2 + set), arena);
+            fft_transform(&fft, false, &lines, SET_SSE2 + set, arena);
             CHECK(memcmp(re[set], re[0], sizeof re[0]) == 0);
             CHECK(memcmp(im[set], im[0], sizeof im[0]) == 0);
         }

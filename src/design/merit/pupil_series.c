@@ -3,10 +3,7 @@
 #include "design/merit/pupil_series.h"
 
 #include "base/cholesky.h"
-#include "base/processor.h"
-
-#define KERNEL_OF(name)                                                                            \
-    (processor_has_avx512() ? name##_avx512 : processor_has_avx2() ? name##_avx2 : name##_sse2)
+#include "base/instruction_set.h"
 
 struct pupil_form pupil_form_of(size_t points)
 {
@@ -26,18 +23,18 @@ struct pupil_form pupil_form_of(size_t points)
 void pupil_look(const struct pupil_form *form, const double *const c[2],
                 const struct pupil_look *look)
 {
-    KERNEL_OF(kernel_pupil_look)(form, c, look);
+    KERNEL_FOR(SET_BEST, kernel_pupil_look)(form, c, look);
 }
 
 void pupil_gather(const struct pupil_form *form, const struct pupil_look *look,
                   double *const sums[2])
 {
-    KERNEL_OF(kernel_pupil_gather)(form, look, sums);
+    KERNEL_FOR(SET_BEST, kernel_pupil_gather)(form, look, sums);
 }
 
 bool pupil_fit_open(const struct pupil_fit *fit)
 {
-    KERNEL_OF(kernel_pupil_gram)(fit);
+    KERNEL_FOR(SET_BEST, kernel_pupil_gram)(fit);
     return cholesky_factor(fit->factor, fit->form->terms);
 }
 
@@ -49,5 +46,5 @@ void pupil_fit_solve(const struct pupil_fit *fit, double *sums)
 
 void pupil_cross(const struct pupil_cross *cross)
 {
-    KERNEL_OF(kernel_pupil_cross)(cross);
+    KERNEL_FOR(SET_BEST, kernel_pupil_cross)(cross);
 }

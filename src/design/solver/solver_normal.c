@@ -2,7 +2,7 @@
 /* SPDX-License-Identifier: MIT */
 #include "design/solver/solver_normal.h"
 
-#include "base/processor.h"
+#include "base/instruction_set.h"
 
 double *solver_normal_room(size_t columns, struct arena *arena)
 {
@@ -11,8 +11,6 @@ double *solver_normal_room(size_t columns, struct arena *arena)
 
 void solver_normal(const struct solver_rows *rows, double *normal, double *gradient)
 {
-    kernel_normal *kernel = processor_has_avx512() ? kernel_normal_avx512
-                            : processor_has_avx2() ? kernel_normal_avx2
-                                                   : kernel_normal_sse2;
+    kernel_normal *kernel = KERNEL_FOR(SET_BEST, kernel_normal);
     kernel(rows, normal, gradient);
 }

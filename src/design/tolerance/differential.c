@@ -2,7 +2,7 @@
 /* SPDX-License-Identifier: MIT */
 #include "design/tolerance/differential.h"
 
-#include "base/processor.h"
+#include "base/instruction_set.h"
 
 #include <math.h>
 #include <string.h>
@@ -163,9 +163,7 @@ bool differential_open(const struct differential_problem *problem, struct arena 
 void differential_trials(const struct differential *differential, const double *errors,
                          double *figures)
 {
-    kernel_differential *kernel = processor_has_avx512() ? kernel_differential_avx512
-                                  : processor_has_avx2() ? kernel_differential_avx2
-                                                         : kernel_differential_sse2;
+    kernel_differential *kernel = KERNEL_FOR(SET_BEST, kernel_differential);
     const size_t n = differential->error_count;
     for (size_t f = 0; f < differential->figure_count; f++) {
         double *to = figures + f * DIFFERENTIAL_LANES;
