@@ -177,18 +177,18 @@ static bool look_along(const struct lens_room *room, const struct world *world,
     at[axis] = ends[0];
     const struct vector from = {at[0], at[1], at[2]};
     const struct vector way = {axis == 0, axis == 1, axis == 2};
-    struct world_ray ray = {.from = vector_along(camera->at, 1, frame_out(&camera->turned, from)),
-                            .way = frame_out(&camera->turned, way),
+    struct world_ray ray = {.origin = vector_along(camera->at, 1, frame_out(&camera->turned, from)),
+                            .direction = frame_out(&camera->turned, way),
                             .time = time,
                             .farthest = ends[1] - ends[0]};
-    for (int i = 0; i < SURFACES && world_look(world, &ray, &hit); i++) {
+    for (int i = 0; i < SURFACES && world_intersect(world, &ray, &hit); i++) {
         const struct vector own = frame_in(&camera->turned, vector_minus(hit.at, camera->at));
         if (holds(room, own)) {
             *thing = hit.thing;
             return true;
         }
         const double step = hit.distance + 1e-9 * (room->back - room->front);
-        ray.from = vector_along(ray.from, step, ray.way);
+        ray.origin = vector_along(ray.origin, step, ray.direction);
         ray.farthest -= step;
     }
     return false;

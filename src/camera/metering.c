@@ -110,27 +110,27 @@ static void add_look(const struct sight *sight, uint32_t index, struct tile_room
 {
     const struct tile_rays *rays = sight->question->rays;
     const struct view *view = rays->subject.view;
-    struct points points =
-        points_of(&room->sequence, BLOCKS + index / RAYS_BLOCK, index % RAYS_BLOCK);
+    struct sampler points =
+        sampler_of(&room->sequence, BLOCKS + index / RAYS_BLOCK, index % RAYS_BLOCK);
     double u[3];
     struct lanes lanes;
     struct light_sample sample;
     for (int i = 0; i < 3; i++) {
-        u[i] = points_next(&points);
+        u[i] = sampler_next(&points);
     }
-    const double time = rays->duration * (points_next(&points) - 0.5);
+    const double time = rays->duration * (sampler_next(&points) - 0.5);
     const struct scene_pose pose = scene_pose_at(&view->camera, time);
     const double times = take_lanes(view->bands, index, &lanes);
     if (!lights_sample(&sight->lights, pose.at, time, u, &lanes, &sample) || sample.is_point) {
         return;
     }
-    const double share = share_of(sight, frame_in(&pose.turned, sample.way));
-    if (!(share > 0) || !path_is_clear(view->path, pose.at, time, &sample)) {
+    const double share = share_of(sight, frame_in(&pose.turned, sample.direction));
+    if (!(share > 0) || !path_is_unoccluded(view->path, pose.at, time, &sample)) {
         return;
     }
-    const double weight = path_weight(sample.density, sight->density);
+    const double weight = path_power_heuristic(sample.pdf, sight->density);
     for (size_t lane = 0; lane < lanes.count; lane++) {
-        const double light = weight * times * share * sample.light.of[lane] / sample.density;
+        const double light = weight * times * share * sample.light.of[lane] / sample.pdf;
         for (size_t k = 0; k < TILE_CHANNELS; k++) {
             sums[k] += light * view->bands->rgb[lanes.band[lane]][k];
         }
@@ -142,18 +142,19 @@ static void add_discs(const struct sight *sight, uint32_t part, double mean[TILE
 {
     const struct tile_rays *rays = sight->question->rays;
     const struct view *view = rays->subject.view;
-    const struct light_discs *discs = &view->path->lights->discs;
+    const struct distant_lights *discs = &view->path->lights->distant;
     const size_t each = discs->count > 0 ? 1 + LOOKS / PARTS / discs->count : 0;
     for (size_t i = 0; i < each * discs->count; i++) {
-        const struct light_disc *disc = &discs->all[i / each];
+        const struct distant_light *disc = &discs->all[i / each];
         const struct random_pair pair = random_pair(rays->seed, i, part);
         const double u[2] = {pair.u, pair.v};
         const double step = (double)(i % each) + random_pair(rays->seed, i, PARTS + part).u;
         const double time = rays->duration * (step / (double)each - 0.5);
         const struct scene_pose pose = scene_pose_at(&view->camera, time);
-        const struct light_sample sample = {.way = light_disc_way(disc, u), .distance = INFINITY};
-        const double share = share_of(sight, frame_in(&pose.turned, sample.way));
-        if (!(share > 0) || !path_is_clear(view->path, pose.at, time, &sample)) {
+        const struct light_sample sample = {.direction = distant_light_direction(disc, u),
+                                            .distance = INFINITY};
+        const double share = share_of(sight, frame_in(&pose.turned, sample.direction));
+        if (!(share > 0) || !path_is_unoccluded(view->path, pose.at, time, &sample)) {
             continue;
         }
         const double sine = sin(disc->radius);
@@ -194,7 +195,7 @@ static void take_part(const struct metering_question *question, const struct til
 static void open_points(struct tile_rays *rays, struct view *view, struct arena *arena)
 {
     tile_rays_open_points(rays, BITS);
-    view->points = points_table_new(view->points->first, BITS, arena);
+    view->points = sampler_table_new(view->points->first, BITS, arena);
 }
 
 void metering_take(const struct metering_question *question, struct arena *arena,
@@ -214,9 +215,9 @@ void metering_take(const struct metering_question *question, struct arena *arena
     double luminances[PARTS], sum = 0, squares = 0;
     memcpy(counts, room->counts, sizeof counts);
     sight.lights = *path.lights;
-    sight.lights.discs = (struct light_discs){.count = 0};
+    sight.lights.distant = (struct distant_lights){.count = 0};
     path.seen = has_sight ? &sight.lights : NULL;
-    path.density = sight.density;
+    path.pdf = sight.density;
     view.path = &path;
     open_points(&rays, &view, arena);
     rays.subject = subject_scene(&view);

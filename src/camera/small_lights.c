@@ -12,14 +12,14 @@ static bool may_be_small(const struct lights *lights, size_t i)
 {
     const struct scene_thing *thing = &lights->scene->things[i];
     return thing->shape != SHAPE_PLANE && lights->first[i] != SCENE_NONE &&
-           !scene_place_moves(&thing->where) && lamp_parts(thing) == 1;
+           !scene_place_moves(&thing->where) && emitter_parts(thing) == 1;
 }
 
 struct small_lights small_lights_open(const struct view *view, struct arena *arena)
 {
     const struct lights *lights = view->path->lights;
     const struct scene *scene = lights->scene;
-    const size_t discs = lights->discs.count;
+    const size_t discs = lights->distant.count;
     size_t count = discs;
     for (size_t i = 0; i < scene->thing_count; i++) {
         count += may_be_small(lights, i) ? 1 : 0;
@@ -29,15 +29,16 @@ struct small_lights small_lights_open(const struct view *view, struct arena *are
     }
     struct small_light *all = ARENA_ARRAY(arena, count, struct small_light);
     for (size_t i = 0; i < discs; i++) {
-        const struct light_disc *disc = &lights->discs.all[i];
-        all[i] = (struct small_light){disc->way, disc->radius, PI * disc->radius * disc->radius};
+        const struct distant_light *disc = &lights->distant.all[i];
+        all[i] =
+            (struct small_light){disc->direction, disc->radius, PI * disc->radius * disc->radius};
     }
     const struct vector at = scene_pose_at(&view->camera, 0).at;
     size_t next = discs;
     for (size_t i = 0; i < scene->thing_count; i++) {
         if (may_be_small(lights, i)) {
-            const struct lamp lamp = {i, 0};
-            const struct lamp_bounds bounds = lamp_bounds(scene, &lamp);
+            const struct emitter lamp = {i, 0};
+            const struct emitter_bounds bounds = emitter_bounds(scene, &lamp);
             const struct vector to = vector_minus(bounds.middle, at);
             const double away = vector_length(to);
             if (away > bounds.radius) {
@@ -74,7 +75,7 @@ double small_lights_samples(const struct small_lights *lights, const struct tile
         if (room->rays.blocks->lost[0] != 0) {
             return 0;
         }
-        way[i] = view_ray(&view->camera, view->pupil, room->rays.blocks, 0, 0).way;
+        way[i] = view_ray(&view->camera, view->pupil, room->rays.blocks, 0, 0).direction;
         cone = fmax(cone, angle_between(way[0], way[i]));
     }
     const double pixel = vector_length(vector_minus(way[1], way[2])) *

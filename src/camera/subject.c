@@ -68,9 +68,9 @@ static void look_into_scene(const struct subject *subject, const struct subject_
             continue;
         }
         const struct world_ray ray = view_ray(&view->camera, view->pupil, block, i, rays->times[i]);
-        struct points points = points_of(rays->sequence, rays->number, (uint32_t)i);
+        struct sampler points = sampler_of(rays->sequence, rays->number, (uint32_t)i);
         struct radiance radiance;
-        path_look(view->path, &ray, lanes, &points, &radiance);
+        path_radiance(view->path, &ray, lanes, &points, &radiance);
         for (size_t lane = 0; lane < lanes->count; lane++) {
             const double *rgb = view->bands->rgb[lanes->band[lane]];
             for (size_t k = 0; k < SUBJECT_CHANNELS; k++) {

@@ -15,11 +15,11 @@ enum { SUBJECT_CHANNELS = CARD_CHANNELS };
 /* A block of rays that a film has sent through a lens, and that were traced. */
 struct subject_rays {
     const struct ray_block *block;
-    const double *weights;                  /* of each; what has none need not be looked at */
-    const double *times;                    /* of each, s; 0 is the middle of the exposure */
-    const struct lanes *lanes;              /* that a scene is looked at in */
-    const struct points_sequence *sequence; /* of their further numbers, and */
-    uint32_t number;                        /* which of its blocks they are */
+    const double *weights;                   /* of each; what has none need not be looked at */
+    const double *times;                     /* of each, s; 0 is the middle of the exposure */
+    const struct lanes *lanes;               /* that a scene is looked at in */
+    const struct sampler_sequence *sequence; /* of their further numbers, and */
+    uint32_t number;                         /* which of its blocks they are */
 };
 
 /* The light of a block, of each ray by channel. */

@@ -37,7 +37,7 @@ static struct backdrop_rays rays_of(const struct view *view, const struct tile_r
     const struct ray_block middle = middle_of(rims);
     const struct vector way = vector_unit((struct vector){middle.p[0], middle.q[0], middle.r[0]});
     const struct world_ray ray = view_ray(&view->camera, view->pupil, &middle, 0, 0);
-    struct backdrop_rays rays = {.from = ray.from, .way = ray.way};
+    struct backdrop_rays rays = {.center = ray.origin, .direction = ray.direction};
     for (size_t pass = 0; pass < rims->passes; pass++) {
         for (size_t i = 0; i < RAYS_BLOCK; i++) {
             if (rims->passed[pass][i]) {
@@ -61,7 +61,7 @@ bool tile_sees_backdrop(const struct view *view, const struct backdrop *backdrop
     const struct backdrop_rays rays = rays_of(view, rims);
     const struct lanes lanes = {CARD_CHANNELS, {0, 1, 2}};
     struct radiance radiance;
-    if (!backdrop_is_even(backdrop, &rays, &lanes, &radiance)) {
+    if (!backdrop_is_uniform(backdrop, &rays, &lanes, &radiance)) {
         return false;
     }
     for (size_t lane = 0; lane < lanes.count; lane++) {

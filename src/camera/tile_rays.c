@@ -14,7 +14,7 @@
 enum {
     TIME_DIMENSION = FILM_DIMENSIONS,
     PATH_DIMENSION = TIME_DIMENSION + 1,
-    HERO_DIMENSION = PATH_DIMENSION + POINTS_DIMENSIONS
+    HERO_DIMENSION = PATH_DIMENSION + SAMPLER_DIMENSIONS
 };
 
 /* -------- made ready -------- */
@@ -62,9 +62,9 @@ static uint32_t bits_of(size_t samples)
     return bits;
 }
 
-const struct points_table *tile_rays_points(size_t samples, struct arena *arena)
+const struct sampler_table *tile_rays_points(size_t samples, struct arena *arena)
 {
-    return points_table_new(PATH_DIMENSION, bits_of(samples), arena);
+    return sampler_table_new(PATH_DIMENSION, bits_of(samples), arena);
 }
 
 void tile_rays_open_points(struct tile_rays *tile, uint32_t bits)
@@ -215,6 +215,6 @@ void tile_rays_begin(const struct tile_rays *tile, size_t number, struct film_pl
         tile_order(tile->seed, number, room->cells);
     }
     if (view != NULL) {
-        points_sequence_open(view->points, tile->seed, (uint32_t)number, &room->sequence);
+        sampler_sequence_open(view->points, tile->seed, (uint32_t)number, &room->sequence);
     }
 }

@@ -30,17 +30,17 @@ struct tile_room {
     struct rays rays;
     subject_light light;
     struct tile_colours *colours;
-    const struct fringes *fringes;   /* of a tile whose colours share their rays; else null */
-    unsigned char cells[RAYS_BLOCK]; /* of a tile in strands: the pixels that they are of */
-    double times[RAYS_BLOCK];        /* when each ray comes, s; all 0 where nothing needs it */
-    uint32_t when, hero;             /* the tile's scramblings of them, and of bands of blocks */
-    struct points_sequence sequence; /* of the tile: what rays decide by in a scene */
+    const struct fringes *fringes;    /* of a tile whose colours share their rays; else null */
+    unsigned char cells[RAYS_BLOCK];  /* of a tile in strands: the pixels that they are of */
+    double times[RAYS_BLOCK];         /* when each ray comes, s; all 0 where nothing needs it */
+    uint32_t when, hero;              /* the tile's scramblings of them, and of bands of blocks */
+    struct sampler_sequence sequence; /* of the tile: what rays decide by in a scene */
     double sums[TILE_PIXELS][TILE_CHANNELS];
     uint64_t counts[PHOTOGRAPH_COUNTS];
 };
 
 /* What rays of a scene decide by, for `points` of its view: dimensions behind film and time. */
-const struct points_table *tile_rays_points(size_t samples, struct arena *arena);
+const struct sampler_table *tile_rays_points(size_t samples, struct arena *arena);
 
 /*
  * Make ready.

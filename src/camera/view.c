@@ -8,8 +8,8 @@ struct world_ray view_ray(const struct scene_place *place, double pupil,
     const struct scene_pose pose = scene_pose_at(place, time);
     const struct vector from = {rays->x[i], rays->y[i], rays->z[i] - pupil};
     const struct vector way = {rays->p[i], rays->q[i], rays->r[i]};
-    return (struct world_ray){.from = vector_along(pose.at, 1, frame_out(&pose.turned, from)),
-                              .way = vector_unit(frame_out(&pose.turned, way)),
+    return (struct world_ray){.origin = vector_along(pose.at, 1, frame_out(&pose.turned, from)),
+                              .direction = vector_unit(frame_out(&pose.turned, way)),
                               .time = time,
                               .farthest = INFINITY};
 }

@@ -5,7 +5,7 @@
 
 #include "light/bands.h"
 #include "scene/path.h"
-#include "scene/points.h"
+#include "scene/sampler.h"
 #include "scene/scene.h"
 #include "scene/world.h"
 #include "trace/rays.h"
@@ -14,7 +14,7 @@
 struct view {
     const struct path *path;
     const struct bands *bands;
-    const struct points_table *points;
+    const struct sampler_table *points;
     struct scene_place camera;
     double pupil; /* what of the lens stands at camera.at, behind its first vertex, mm */
 };

@@ -40,17 +40,17 @@ void bands_rgb_of_sum(const double xyz[3], double rgb[3])
 
 /* -------- stretches of the spectrum -------- */
 
-static double edge(size_t count, size_t k)
+static double band_edge(size_t count, size_t k)
 {
     return BANDS_FIRST + (BANDS_LAST - BANDS_FIRST) * (double)k / (double)count;
 }
 
-static void sum_bands(size_t count, const struct spectrum *light, const struct spectrum *surface,
+static void band_sums(size_t count, const struct spectrum *light, const struct spectrum *surface,
                       double (*xyz)[3])
 {
     double edges[BANDS_MOST + 1];
     for (size_t k = 1; k < count; k++) {
-        edges[k] = edge(count, k);
+        edges[k] = band_edge(count, k);
     }
     edges[0] = OBSERVER_LEAST;
     edges[count] = OBSERVER_MOST;
@@ -61,7 +61,7 @@ void bands_ratios(const struct bands *bands, const struct spectrum *light,
                   const struct spectrum *surface, double of[BANDS_MOST])
 {
     double xyz[BANDS_MOST][3];
-    sum_bands(bands->count, light, surface, xyz);
+    band_sums(bands->count, light, surface, xyz);
     for (size_t k = 0; k < bands->count; k++) {
         of[k] = (xyz[k][0] + xyz[k][1] + xyz[k][2]) / bands->white[k];
     }
@@ -134,9 +134,9 @@ bool bands_many(size_t count, struct bands *bands, struct error *error)
     double xyz[BANDS_MOST][3];
     const struct spectrum d65 = spectrum_white();
     *bands = (struct bands){.count = count};
-    sum_bands(count, &d65, NULL, xyz);
+    band_sums(count, &d65, NULL, xyz);
     for (size_t k = 0; k < count; k++) {
-        bands->wavelength[k] = (edge(count, k) + edge(count, k + 1)) / 2;
+        bands->wavelength[k] = (band_edge(count, k) + band_edge(count, k + 1)) / 2;
         bands->white[k] = xyz[k][0] + xyz[k][1] + xyz[k][2];
     }
     set_basis(bands, 0);

@@ -22,7 +22,7 @@ struct match {
     double wanted[3];             /* t */
 };
 
-static double sum_of(struct colour xyz)
+static double colour_sum(struct colour xyz)
 {
     return xyz.part[0] + xyz.part[1] + xyz.part[2];
 }
@@ -54,7 +54,7 @@ static void set_match(struct match *match, const struct bands *bands, struct col
     match->count = bands->count;
     for (size_t k = 0; k < bands->count; k++) {
         const struct colour xyz = xyz_of(bands->rgb[k]);
-        units[k] = sum_of(xyz);
+        units[k] = colour_sum(xyz);
         match->share[k] = of[k] * units[k];
         all += match->share[k];
         for (int i = 0; i < 3; i++) {
@@ -70,7 +70,7 @@ static void set_match(struct match *match, const struct bands *bands, struct col
         match->width[k] = match->share[k] / 2 + (before + behind) / 4;
     }
     for (int i = 0; i < 3; i++) {
-        match->wanted[i] = wanted.part[i] / sum_of(wanted);
+        match->wanted[i] = wanted.part[i] / colour_sum(wanted);
     }
 }
 
@@ -137,7 +137,7 @@ static bool step_down(const struct match *match, double m[3])
 }
 
 /* Distance of the chromaticities u' = 4 X/(X + 15 Y + 3 Z), v' = 9 Y/(X + 15 Y + 3 Z). */
-static double distance(struct colour a, struct colour b)
+static double chromaticity_distance(struct colour a, struct colour b)
 {
     const double first = a.part[0] + 15 * a.part[1] + 3 * a.part[2];
     const double second = b.part[0] + 15 * b.part[1] + 3 * b.part[2];
@@ -170,5 +170,5 @@ double bands_off(const struct bands *bands, const struct spectrum *light,
             rgb[i] += of[k] * bands->rgb[k][i];
         }
     }
-    return light->kind == SPECTRUM_RGB ? 0 : distance(xyz_of(rgb), bands_whole(light));
+    return light->kind == SPECTRUM_RGB ? 0 : chromaticity_distance(xyz_of(rgb), bands_whole(light));
 }

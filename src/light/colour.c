@@ -56,7 +56,7 @@ struct colour_matrix colour_product(const struct colour_matrix *second,
 }
 
 /* The minor without row i, column j, with its sign: indices go round. */
-static double cofactor(const struct colour_matrix *m, int i, int j)
+static double matrix_cofactor(const struct colour_matrix *m, int i, int j)
 {
     const int a = (i + 1) % 3, b = (i + 2) % 3, c = (j + 1) % 3, d = (j + 2) % 3;
     return m->at[a][c] * m->at[b][d] - m->at[a][d] * m->at[b][c];
@@ -66,12 +66,12 @@ struct colour_matrix colour_inverse(const struct colour_matrix *matrix)
 {
     double determinant = 0;
     for (int j = 0; j < 3; j++) {
-        determinant += matrix->at[0][j] * cofactor(matrix, 0, j);
+        determinant += matrix->at[0][j] * matrix_cofactor(matrix, 0, j);
     }
     struct colour_matrix inverse;
     for (int i = 0; i < 3; i++) {
         for (int j = 0; j < 3; j++) {
-            inverse.at[i][j] = cofactor(matrix, j, i) / determinant;
+            inverse.at[i][j] = matrix_cofactor(matrix, j, i) / determinant;
         }
     }
     return inverse;
@@ -79,7 +79,7 @@ struct colour_matrix colour_inverse(const struct colour_matrix *matrix)
 
 /* -------- whites -------- */
 
-static double cubic(const double c[4], double x)
+static double cubic_polynomial(const double c[4], double x)
 {
     return c[0] + x * (c[1] + x * (c[2] + x * c[3]));
 }
@@ -89,21 +89,21 @@ static struct colour white_at(double x, double y)
     return (struct colour){{x / y, 1, (1 - x - y) / y}};
 }
 
-static struct colour daylight(double kelvin)
+static struct colour daylight_xyz(double kelvin)
 {
     static const double cool[4] = {0.244063, 0.09911, 2.9678, -4.6070};
     static const double blue[4] = {0.237040, 0.24748, 1.9018, -2.0064}; /* above 7000 K */
-    const double x = cubic(kelvin <= 7000 ? cool : blue, 1000 / kelvin);
+    const double x = cubic_polynomial(kelvin <= 7000 ? cool : blue, 1000 / kelvin);
     return white_at(x, x * (2.870 - 3.000 * x) - 0.275);
 }
 
-static struct colour black_body(double kelvin)
+static struct colour black_body_xyz(double kelvin)
 {
     static const double by_kelvin[4] = {0.179910, 0.8776956, -0.2343589, -0.2661239};
     static const double low[4] = {-0.20219683, 2.18555832, -1.34811020, -1.1063814};
     static const double high[4] = {-0.16748867, 2.09137015, -1.37418593, -0.9549476};
-    const double x = cubic(by_kelvin, 1000 / kelvin);
-    return white_at(x, cubic(kelvin <= 2222 ? low : high, x));
+    const double x = cubic_polynomial(by_kelvin, 1000 / kelvin);
+    return white_at(x, cubic_polynomial(kelvin <= 2222 ? low : high, x));
 }
 
 bool colour_white(double kelvin, struct colour *white, struct error *error)
@@ -113,7 +113,7 @@ bool colour_white(double kelvin, struct colour *white, struct error *error)
                     "the colour temperature %.6g K of white is not from %d to %d K", kelvin,
                     WHITE_LEAST, WHITE_MOST);
     }
-    *white = kelvin < WHITE_DAYLIGHT ? black_body(kelvin) : daylight(kelvin);
+    *white = kelvin < WHITE_DAYLIGHT ? black_body_xyz(kelvin) : daylight_xyz(kelvin);
     return true;
 }
 

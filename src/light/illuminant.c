@@ -100,7 +100,7 @@ static const struct {
 /* -------- reading -------- */
 
 /* Nothing of that name: what is near? */
-static bool fail_unknown(struct text name, struct error *error)
+static bool illuminant_fail_unknown(struct text name, struct error *error)
 {
     struct nearest nearest = {.typed = name};
     for (const struct word *word = illuminant_words; word->word != NULL; word++) {
@@ -153,7 +153,7 @@ bool spectrum_named(struct text name, struct spectrum *spectrum, struct error *e
     if (trimmed.length > 0 && (char_is_digit(trimmed.start[0]) || trimmed.start[0] == '-')) {
         return read_kelvin(trimmed, spectrum, error);
     }
-    return fail_unknown(trimmed, error);
+    return illuminant_fail_unknown(trimmed, error);
 }
 
 struct spectrum spectrum_white(void)

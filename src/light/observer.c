@@ -52,7 +52,7 @@ struct bends {
     size_t count, next;
 };
 
-static double bend(const struct bends *bends, size_t i)
+static double spline_bend(const struct bends *bends, size_t i)
 {
     return bends->wavelength != NULL ? bends->wavelength[i] : row_wavelength(i);
 }
@@ -63,11 +63,11 @@ static double next_bend(struct bends lists[3], double behind, double end)
     double next = end;
     for (int i = 0; i < 3; i++) {
         struct bends *list = &lists[i];
-        while (list->next < list->count && !(bend(list, list->next) > behind)) {
+        while (list->next < list->count && !(spline_bend(list, list->next) > behind)) {
             list->next++;
         }
-        if (list->next < list->count && bend(list, list->next) < next) {
-            next = bend(list, list->next);
+        if (list->next < list->count && spline_bend(list, list->next) < next) {
+            next = spline_bend(list, list->next);
         }
     }
     return next;

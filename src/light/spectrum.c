@@ -11,7 +11,7 @@
 static const double c2 = 14387.768775; /* h c/k, um K: exact in the SI of 2019 */
 
 /* e^x - 1 of the two in one quotient, which the smallest and largest of exponents leave finite. */
-static double black_body(double kelvin, double wavelength)
+static double black_body_power(double kelvin, double wavelength)
 {
     const double middle = 0.56, x = c2 / (wavelength * kelvin), x0 = c2 / (middle * kelvin);
     return pow(middle / wavelength, 5) * exp(x0 - x) * expm1(-x0) / expm1(-x);
@@ -54,12 +54,12 @@ static const double components[DAYLIGHT_ROWS][3] = {
 };
 /* clang-format on */
 
-static double rounded(double value)
+static double spectrum_rounded(double value)
 {
     return floor(value * 1000 + 0.5) / 1000;
 }
 
-static double daylight(double kelvin, double wavelength)
+static double daylight_power(double kelvin, double wavelength)
 {
     const double rows = (wavelength - DAYLIGHT_FIRST) / DAYLIGHT_STEP;
     struct colour white;
@@ -70,8 +70,8 @@ static double daylight(double kelvin, double wavelength)
     const double sum = white.part[0] + white.part[1] + white.part[2];
     const double x = white.part[0] / sum, y = white.part[1] / sum;
     const double m = 0.0241 + 0.2562 * x - 0.7341 * y;
-    const double m1 = rounded((-1.3515 - 1.7703 * x + 5.9114 * y) / m);
-    const double m2 = rounded((0.0300 - 31.4424 * x + 30.0717 * y) / m);
+    const double m1 = spectrum_rounded((-1.3515 - 1.7703 * x + 5.9114 * y) / m);
+    const double m2 = spectrum_rounded((0.0300 - 31.4424 * x + 30.0717 * y) / m);
     const size_t row = rows < DAYLIGHT_ROWS - 1 ? (size_t)rows : DAYLIGHT_ROWS - 2;
     double ends[2];
     for (size_t i = 0; i < 2; i++) {
@@ -103,9 +103,9 @@ double spectrum_at(const struct spectrum *spectrum, double wavelength)
 {
     switch (spectrum->kind) {
     case SPECTRUM_BLACKBODY:
-        return black_body(spectrum->kelvin, wavelength);
+        return black_body_power(spectrum->kelvin, wavelength);
     case SPECTRUM_DAYLIGHT:
-        return daylight(spectrum->kelvin, wavelength);
+        return daylight_power(spectrum->kelvin, wavelength);
     case SPECTRUM_TABLE:
         return table_at(spectrum, wavelength);
     default:
@@ -132,7 +132,7 @@ static bool check_rgb(const struct spectrum *spectrum, struct error *error)
     return true;
 }
 
-static bool check_table(const struct spectrum *table, struct error *error)
+static bool spectrum_check_table(const struct spectrum *table, struct error *error)
 {
     if (table->count < 2) {
         return fail(error, ERROR_DOMAIN, "a table of a spectrum has at least two rows");
@@ -173,7 +173,7 @@ bool spectrum_check(const struct spectrum *spectrum, struct error *error)
     case SPECTRUM_DAYLIGHT:
         return check_kelvin(spectrum, "daylight", day, error);
     case SPECTRUM_TABLE:
-        return check_table(spectrum, error);
+        return spectrum_check_table(spectrum, error);
     case SPECTRUM_NONE:
         break;
     }

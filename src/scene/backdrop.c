@@ -20,9 +20,9 @@ static bool has_one_colour(const struct image *picture)
 
 struct backdrop backdrop_open(const struct world *world, const struct lights *lights)
 {
-    struct backdrop backdrop = {world, lights, lights->around_count == 0, false};
-    for (size_t i = 0; i < lights->around_count; i++) {
-        const struct scene_light *light = lights->arounds[i].light;
+    struct backdrop backdrop = {world, lights, lights->environment_count == 0, false};
+    for (size_t i = 0; i < lights->environment_count; i++) {
+        const struct scene_light *light = lights->environments[i].light;
         backdrop.has_views = backdrop.has_views ||
                              (light->kind == LIGHT_ENVIRONMENT && !has_one_colour(light->picture));
     }
@@ -31,7 +31,7 @@ struct backdrop backdrop_open(const struct world *world, const struct lights *li
 
 /* -------- what rays pass -------- */
 
-static double angle_between(struct vector a, struct vector b)
+static double backdrop_angle_between(struct vector a, struct vector b)
 {
     return atan2(vector_length(vector_cross(a, b)), vector_dot(a, b));
 }
@@ -42,10 +42,10 @@ static const double slight = 1e-9;
 /* May one of them meet a ball? */
 static bool may_meet(const struct backdrop_rays *rays, struct vector middle, double radius)
 {
-    const struct vector to = vector_minus(middle, rays->from);
+    const struct vector to = vector_minus(middle, rays->center);
     const double away = vector_length(to), both = (rays->radius + radius) * (1 + slight);
     return !(away > both) ||
-           angle_between(to, rays->way) <= rays->angle + asin(both / away) + slight;
+           backdrop_angle_between(to, rays->direction) <= rays->angle + asin(both / away) + slight;
 }
 
 static bool may_meet_child(const struct backdrop_rays *rays, const struct bvh_node *node, int child)
@@ -64,7 +64,7 @@ static bool may_meet_child(const struct backdrop_rays *rays, const struct bvh_no
 
 static bool may_meet_tree(const struct bvh *tree, const struct backdrop_rays *rays)
 {
-    uint32_t kept[BVH_KEPT];
+    uint32_t kept[BVH_PENDING];
     size_t count = 0;
     bool may = false;
     if (tree->count > 0) {
@@ -86,10 +86,10 @@ static bool may_meet_tree(const struct bvh *tree, const struct backdrop_rays *ra
 static bool may_meet_plane(const struct world_thing *thing, const struct backdrop_rays *rays)
 {
     const struct vector up = thing->pose.turned.z;
-    const double above = vector_dot(up, vector_minus(rays->from, thing->pose.at));
+    const double above = vector_dot(up, vector_minus(rays->center, thing->pose.at));
     const struct vector away = vector_times(above < 0 ? -1 : 1, up);
     return thing->moves || !(fabs(above) > rays->radius * (1 + slight)) ||
-           angle_between(away, rays->way) + rays->angle + slight >= PI / 2;
+           backdrop_angle_between(away, rays->direction) + rays->angle + slight >= PI / 2;
 }
 
 /* -------- what is behind -------- */
@@ -97,11 +97,13 @@ static bool may_meet_plane(const struct world_thing *thing, const struct backdro
 static bool is_even_light(const struct scene_light *light, const struct backdrop_rays *rays)
 {
     const struct vector up = {0, 1, 0};
-    const double from_zenith = angle_between(up, rays->way), angle = rays->angle + slight;
+    const double from_zenith = backdrop_angle_between(up, rays->direction),
+                 angle = rays->angle + slight;
     switch (light->kind) {
     case LIGHT_SUN:
     case LIGHT_STAR:
-        return angle_between(light->direction, rays->way) > angle + light->diameter / 2;
+        return backdrop_angle_between(light->direction, rays->direction) >
+               angle + light->diameter / 2;
     case LIGHT_SKY:
         return from_zenith - angle > PI / 2 ||
                (light->sky == SKY_UNIFORM && from_zenith + angle < PI / 2);
@@ -112,8 +114,8 @@ static bool is_even_light(const struct scene_light *light, const struct backdrop
     return true;
 }
 
-bool backdrop_is_even(const struct backdrop *backdrop, const struct backdrop_rays *rays,
-                      const struct lanes *lanes, struct radiance *light)
+bool backdrop_is_uniform(const struct backdrop *backdrop, const struct backdrop_rays *rays,
+                         const struct lanes *lanes, struct radiance *light)
 {
     const struct world *world = backdrop->world;
     const struct scene *scene = world->scene;
@@ -127,6 +129,6 @@ bool backdrop_is_even(const struct backdrop *backdrop, const struct backdrop_ray
     if (!is_even || may_meet_tree(&world->tree, rays)) {
         return false;
     }
-    lights_background(backdrop->lights, rays->way, lanes, light);
+    lights_background(backdrop->lights, rays->direction, lanes, light);
     return true;
 }

@@ -10,10 +10,10 @@
 
 /* Rays that begin in a ball and go no farther than an angle from one way. */
 struct backdrop_rays {
-    struct vector from; /* the middle of the ball, mm */
-    double radius;      /* mm */
-    struct vector way;  /* of length 1 */
-    double angle;       /* rad, less than a right one */
+    struct vector center;    /* the middle of the ball, mm */
+    double radius;           /* mm */
+    struct vector direction; /* of length 1 */
+    double angle;            /* rad, less than a right one */
 };
 
 /* Read-only: threads share it. */
@@ -34,7 +34,7 @@ struct backdrop backdrop_open(const struct world *world, const struct lights *li
  *           radii of both together; nor a plane, from which the ball is away and all go on; and no
  *           sun or star, nor the horizon of a sky, lies among the ways
  */
-bool backdrop_is_even(const struct backdrop *backdrop, const struct backdrop_rays *rays,
-                      const struct lanes *lanes, struct radiance *light);
+bool backdrop_is_uniform(const struct backdrop *backdrop, const struct backdrop_rays *rays,
+                         const struct lanes *lanes, struct radiance *light);
 
 #endif

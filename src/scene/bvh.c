@@ -8,13 +8,13 @@
 enum { AXES = 3, BINS = 16 };
 
 /* What is sorted: a box and whose it is. */
-struct item {
+struct bvh_item {
     struct bvh_box box;
     uint32_t which;
 };
 
 /* Items that lie together, and what becomes of them. */
-struct range {
+struct bvh_range {
     size_t first, count;
     struct bvh_box box;
     int depth;
@@ -27,14 +27,14 @@ struct bin {
 };
 
 /* Where a range is cut: between bins `before` - 1 and `before` of an axis. */
-struct cut {
+struct bvh_cut {
     int axis, before; /* 0: nowhere */
     double cost;
     double low, scale; /* of the bins, in sums of an item's two sides */
 };
 
 struct builder {
-    struct item *items;
+    struct bvh_item *items;
     size_t most;
     struct bvh_node *nodes;
     size_t node_count;
@@ -56,7 +56,7 @@ struct bvh_box bvh_box_of(struct vector low, struct vector high, double room)
     return box;
 }
 
-static void grow(struct bvh_box *box, const struct bvh_box *by)
+static void box_grow(struct bvh_box *box, const struct bvh_box *by)
 {
     for (int k = 0; k < AXES; k++) {
         box->low[k] = by->low[k] < box->low[k] ? by->low[k] : box->low[k];
@@ -65,7 +65,7 @@ static void grow(struct bvh_box *box, const struct bvh_box *by)
 }
 
 /* Half the surface of a box; of none 0. */
-static double surface(const struct bvh_box *box)
+static double box_half_surface(const struct bvh_box *box)
 {
     const double x = (double)box->high[0] - (double)box->low[0];
     const double y = (double)box->high[1] - (double)box->low[1];
@@ -76,34 +76,34 @@ static double surface(const struct bvh_box *box)
 /* -------- one cut -------- */
 
 /* Twice its middle along an axis. */
-static double middle_of(const struct item *item, int axis)
+static double item_middle(const struct bvh_item *item, int axis)
 {
     return (double)item->box.low[axis] + (double)item->box.high[axis];
 }
 
-static int bin_of(const struct cut *cut, double middle)
+static int bin_of(const struct bvh_cut *cut, double middle)
 {
     const int bin = (int)((middle - cut->low) * cut->scale);
     return bin < BINS ? bin : BINS - 1;
 }
 
 /* The cheapest cut between bins of one axis, if it is cheaper than that found so far. */
-static void choose(const struct bin *bins, const struct cut *along, struct cut *best)
+static void cut_choose(const struct bin *bins, const struct bvh_cut *along, struct bvh_cut *best)
 {
     double behind[BINS];
     size_t count = 0;
     struct bvh_box box = nothing;
     for (int k = BINS - 1; k > 0; k--) {
-        grow(&box, &bins[k].box);
+        box_grow(&box, &bins[k].box);
         count += bins[k].count;
-        behind[k] = count > 0 ? surface(&box) * (double)count : INFINITY;
+        behind[k] = count > 0 ? box_half_surface(&box) * (double)count : INFINITY;
     }
     box = nothing;
     count = 0;
     for (int k = 1; k < BINS; k++) {
-        grow(&box, &bins[k - 1].box);
+        box_grow(&box, &bins[k - 1].box);
         count += bins[k - 1].count;
-        const double cost = surface(&box) * (double)count + behind[k];
+        const double cost = box_half_surface(&box) * (double)count + behind[k];
         if (count > 0 && cost < best->cost) {
             *best = *along;
             best->before = k;
@@ -112,14 +112,14 @@ static void choose(const struct bin *bins, const struct cut *along, struct cut *
     }
 }
 
-static struct cut best_cut(const struct item *items, size_t count)
+static struct bvh_cut best_cut(const struct bvh_item *items, size_t count)
 {
-    struct cut along[AXES], best = {.cost = INFINITY};
+    struct bvh_cut along[AXES], best = {.cost = INFINITY};
     double low[AXES] = {INFINITY, INFINITY, INFINITY};
     double high[AXES] = {-INFINITY, -INFINITY, -INFINITY};
     for (size_t i = 0; i < count; i++) {
         for (int k = 0; k < AXES; k++) {
-            const double middle = middle_of(&items[i], k);
+            const double middle = item_middle(&items[i], k);
             low[k] = middle < low[k] ? middle : low[k];
             high[k] = middle > high[k] ? middle : high[k];
         }
@@ -127,42 +127,42 @@ static struct cut best_cut(const struct item *items, size_t count)
     struct bin bins[AXES][BINS];
     for (int k = 0; k < AXES; k++) {
         const double width = high[k] - low[k];
-        along[k] = (struct cut){k, 0, INFINITY, low[k], width > 0 ? BINS / width : 0};
+        along[k] = (struct bvh_cut){k, 0, INFINITY, low[k], width > 0 ? BINS / width : 0};
         for (int b = 0; b < BINS; b++) {
             bins[k][b] = (struct bin){nothing, 0};
         }
     }
     for (size_t i = 0; i < count; i++) {
         for (int k = 0; k < AXES; k++) {
-            struct bin *bin = &bins[k][bin_of(&along[k], middle_of(&items[i], k))];
-            grow(&bin->box, &items[i].box);
+            struct bin *bin = &bins[k][bin_of(&along[k], item_middle(&items[i], k))];
+            box_grow(&bin->box, &items[i].box);
             bin->count++;
         }
     }
     for (int k = 0; k < AXES; k++) {
-        choose(bins[k], &along[k], &best);
+        cut_choose(bins[k], &along[k], &best);
     }
     return best;
 }
 
-static struct bvh_box box_around(const struct item *items, size_t count)
+static struct bvh_box box_around(const struct bvh_item *items, size_t count)
 {
     struct bvh_box box = nothing;
     for (size_t i = 0; i < count; i++) {
-        grow(&box, &items[i].box);
+        box_grow(&box, &items[i].box);
     }
     return box;
 }
 
 /* Those of the cut's lower bins to the front: how many they are. */
-static size_t part_items(struct item *items, size_t count, const struct cut *cut)
+static size_t part_items(struct bvh_item *items, size_t count, const struct bvh_cut *cut)
 {
     size_t first = 0, end = count;
     while (first < end) {
-        if (bin_of(cut, middle_of(&items[first], cut->axis)) < cut->before) {
+        if (bin_of(cut, item_middle(&items[first], cut->axis)) < cut->before) {
             first++;
         } else {
-            const struct item other = items[--end];
+            const struct bvh_item other = items[--end];
             items[end] = items[first];
             items[first] = other;
         }
@@ -171,15 +171,15 @@ static size_t part_items(struct item *items, size_t count, const struct cut *cut
 }
 
 /* The range becomes its first part; returns the second. */
-static struct range cut_range(const struct builder *builder, struct range *range)
+static struct bvh_range cut_range(const struct builder *builder, struct bvh_range *range)
 {
-    struct item *items = builder->items + range->first;
-    struct cut cut = {.before = 0};
+    struct bvh_item *items = builder->items + range->first;
+    struct bvh_cut cut = {.before = 0};
     if (range->depth < BVH_UNEVEN) {
         cut = best_cut(items, range->count);
     }
     const size_t before = cut.before > 0 ? part_items(items, range->count, &cut) : range->count / 2;
-    struct range second = *range;
+    struct bvh_range second = *range;
     second.first += before;
     second.count -= before;
     second.box = box_around(items + before, second.count);
@@ -191,13 +191,13 @@ static struct range cut_range(const struct builder *builder, struct range *range
 /* -------- a tree of them -------- */
 
 /* Which part is divided next; `count`: none, they are all leaves. */
-static size_t next_to_cut(const struct builder *builder, const struct range *parts, size_t count,
-                          bool by_number)
+static size_t next_to_cut(const struct builder *builder, const struct bvh_range *parts,
+                          size_t count, bool by_number)
 {
     size_t best = count;
     double largest = -1;
     for (size_t i = 0; i < count; i++) {
-        const double size = by_number ? (double)parts[i].count : surface(&parts[i].box);
+        const double size = by_number ? (double)parts[i].count : box_half_surface(&parts[i].box);
         if (parts[i].count > builder->most && size > largest) {
             best = i;
             largest = size;
@@ -206,7 +206,7 @@ static size_t next_to_cut(const struct builder *builder, const struct range *par
     return best;
 }
 
-static void put_child(struct bvh_node *node, size_t place, const struct range *part)
+static void put_child(struct bvh_node *node, size_t place, const struct bvh_range *part)
 {
     for (int k = 0; k < AXES; k++) {
         node->side[0][k][place] = part->box.low[k];
@@ -217,9 +217,10 @@ static void put_child(struct bvh_node *node, size_t place, const struct range *p
 }
 
 /* A node of a range: up to four parts; those that become nodes go on the heap. */
-static size_t make_node(struct builder *builder, const struct range *range, struct range *heap)
+static size_t make_node(struct builder *builder, const struct bvh_range *range,
+                        struct bvh_range *heap)
 {
-    struct range parts[BVH_WIDTH] = {*range};
+    struct bvh_range parts[BVH_WIDTH] = {*range};
     size_t count = 1, kept = 0;
     while (count < BVH_WIDTH) {
         const size_t next = next_to_cut(builder, parts, count, range->depth >= BVH_UNEVEN);
@@ -232,7 +233,7 @@ static size_t make_node(struct builder *builder, const struct range *range, stru
     const uint32_t number = (uint32_t)builder->node_count++;
     struct bvh_node *node = &builder->nodes[number];
     for (size_t i = 0; i < BVH_WIDTH; i++) {
-        const struct range *part = i < count ? &parts[i] : &(struct range){.box = nothing};
+        const struct bvh_range *part = i < count ? &parts[i] : &(struct bvh_range){.box = nothing};
         put_child(node, i, part);
         if (part->count > builder->most) {
             node->count[i] = 0;
@@ -245,13 +246,13 @@ static size_t make_node(struct builder *builder, const struct range *range, stru
     return kept;
 }
 
-static void build(struct builder *builder, size_t count)
+static void bvh_build(struct builder *builder, size_t count)
 {
-    struct range heap[BVH_KEPT + BVH_WIDTH];
+    struct bvh_range heap[BVH_PENDING + BVH_WIDTH];
     size_t kept = 1;
-    heap[0] = (struct range){.count = count, .box = box_around(builder->items, count)};
+    heap[0] = (struct bvh_range){.count = count, .box = box_around(builder->items, count)};
     while (kept > 0) {
-        const struct range range = heap[--kept];
+        const struct bvh_range range = heap[--kept];
         if (builder->node_count > 0) {
             builder->nodes[range.parent].child[range.place] = (uint32_t)builder->node_count;
         }
@@ -275,9 +276,9 @@ void bvh_open(const struct bvh_box *boxes, size_t count, size_t most, struct are
         .nodes = arena_buffer_array(&work, count, sizeof *builder.nodes),
     };
     for (size_t i = 0; i < count; i++) {
-        builder.items[i] = (struct item){boxes[i], (uint32_t)i};
+        builder.items[i] = (struct bvh_item){boxes[i], (uint32_t)i};
     }
-    build(&builder, count);
+    bvh_build(&builder, count);
     struct bvh_node *nodes = arena_buffer_array(arena, builder.node_count, sizeof *nodes);
     memcpy(nodes, builder.nodes, builder.node_count * sizeof *nodes);
     uint32_t *items = arena_buffer_array(arena, count, sizeof *items);

@@ -15,7 +15,7 @@
  * BVH_UNEVEN of them its parts are halved by number. A walk keeps all but one child of each.
  */
 enum { BVH_WIDTH = 4, BVH_UNEVEN = 48, BVH_DEPTH = BVH_UNEVEN + 32 };
-enum { BVH_KEPT = BVH_DEPTH * (BVH_WIDTH - 1) + 1 };
+enum { BVH_PENDING = BVH_DEPTH * (BVH_WIDTH - 1) + 1 };
 
 /* Coordinates are smaller than that, mm. */
 #define BVH_REACH 1e32

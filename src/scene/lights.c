@@ -3,7 +3,7 @@
 #include "scene/lights.h"
 
 #include "base/constants.h"
-#include "scene/pick.h"
+#include "scene/discrete.h"
 #include "scene/texture.h"
 
 /* -------- kinds of light -------- */
@@ -13,14 +13,15 @@ enum { OF_DISCS, OF_AROUND, OF_LAMPS, OF_PLANES, KINDS };
 /* How much light each kind gives a point, roughly: luminance times solid angle, lx. */
 static void light_of_kinds(const struct lights *lights, struct vector from, double of[KINDS])
 {
-    of[OF_DISCS] = lights->discs.total;
-    of[OF_AROUND] = lights->around_below[lights->around_count];
-    of[OF_LAMPS] = lamp_tree_light(&lights->lamps, from);
+    of[OF_DISCS] = lights->distant.total;
+    of[OF_AROUND] = lights->environment_below[lights->environment_count];
+    of[OF_LAMPS] = light_tree_importance(&lights->tree, from);
     of[OF_PLANES] = 2 * PI * lights->plane_below[lights->plane_count];
 }
 
 /* The chances of each kind, as sums before each; false: there is no light. */
-static bool chances(const struct lights *lights, struct vector from, double below[KINDS + 1])
+static bool light_kind_probabilities(const struct lights *lights, struct vector from,
+                                     double below[KINDS + 1])
 {
     double of[KINDS], all = 0;
     int there = 0;
@@ -46,12 +47,12 @@ static double chance_of(const double below[KINDS + 1], int kind)
 static double background_density(const struct lights *lights, const double below[KINDS + 1],
                                  struct vector way)
 {
-    double density = chance_of(below, OF_DISCS) * light_discs_density(&lights->discs, way);
-    const double all = lights->around_below[lights->around_count];
-    for (size_t i = 0; i < lights->around_count; i++) {
-        const struct light_around *around = &lights->arounds[i];
+    double density = chance_of(below, OF_DISCS) * distant_lights_pdf(&lights->distant, way);
+    const double all = lights->environment_below[lights->environment_count];
+    for (size_t i = 0; i < lights->environment_count; i++) {
+        const struct environment_light *around = &lights->environments[i];
         density += around->total > 0 ? chance_of(below, OF_AROUND) * around->total / all *
-                                           light_around_density(around, way)
+                                           environment_light_pdf(around, way)
                                      : 0;
     }
     return density;
@@ -61,9 +62,9 @@ void lights_background(const struct lights *lights, struct vector way, const str
                        struct radiance *light)
 {
     *light = (struct radiance){{0}};
-    light_discs_add(&lights->discs, way, lanes, light);
-    for (size_t i = 0; i < lights->around_count; i++) {
-        light_around_add(&lights->arounds[i], lights->bands, way, lanes, light);
+    distant_lights_add(&lights->distant, way, lanes, light);
+    for (size_t i = 0; i < lights->environment_count; i++) {
+        environment_light_add(&lights->environments[i], lights->bands, way, lanes, light);
     }
 }
 
@@ -71,19 +72,20 @@ static void sample_background(const struct lights *lights, const double below[KI
                               struct vector way, const struct lanes *lanes,
                               struct light_sample *sample)
 {
-    sample->way = way;
+    sample->direction = way;
     sample->distance = (double)INFINITY;
-    sample->density = background_density(lights, below, way);
+    sample->pdf = background_density(lights, below, way);
     lights_background(lights, way, lanes, &sample->light);
 }
 
 static struct vector around_way(const struct lights *lights, const double u[3])
 {
-    const struct pick pick = pick_of(lights->around_below, lights->around_count, u[0]);
-    return light_around_sample(&lights->arounds[pick.number], u[1], u[2]);
+    const struct discrete_sample pick =
+        discrete_sample_of(lights->environment_below, lights->environment_count, u[0]);
+    return environment_light_sample(&lights->environments[pick.index], u[1], u[2]);
 }
 
-/* -------- lamps -------- */
+/* -------- emitters -------- */
 
 /* A point, and whether it is not just here. */
 static bool sample_point(const struct lights *lights, size_t which, struct vector from, double time,
@@ -94,7 +96,7 @@ static bool sample_point(const struct lights *lights, size_t which, struct vecto
     const double square = vector_dot(to, to);
     sample->is_point = true;
     sample->distance = sqrt(square);
-    sample->way = vector_times(1 / sample->distance, to);
+    sample->direction = vector_times(1 / sample->distance, to);
     for (size_t k = 0; k < lanes->count; k++) {
         sample->light.of[k] =
             light->amount * MM2_PER_M2 / square * lights->units[which]->of[lanes->band[k]];
@@ -107,13 +109,13 @@ static double share_there(const struct scene_thing *thing, const double place[2]
 {
     double of[TEXTURE_CHANNELS] = {[TEXTURE_ALPHA] = 1};
     if (thing->picture != NULL) {
-        texture_look(thing->picture, place, TEXTURE_ENDS, of);
+        texture_lookup(thing->picture, place, TEXTURE_ENDS, of);
     }
     return of[TEXTURE_ALPHA];
 }
 
-static void shine(const struct lights *lights, size_t thing, const double place[2],
-                  const struct lanes *lanes, struct light_sample *sample)
+static void light_sample_emission(const struct lights *lights, size_t thing, const double place[2],
+                                  const struct lanes *lanes, struct light_sample *sample)
 {
     const double there = share_there(&lights->scene->things[thing], place);
     materials_shine(&lights->materials, thing, place, lanes, &sample->light);
@@ -122,41 +124,42 @@ static void shine(const struct lights *lights, size_t thing, const double place[
     }
 }
 
-static bool sample_lamp(const struct lights *lights, struct vector from, double time,
-                        const double u[3], const struct lanes *lanes, struct light_sample *sample)
+static bool sample_emitter(const struct lights *lights, struct vector from, double time,
+                           const double u[3], const struct lanes *lanes,
+                           struct light_sample *sample)
 {
     double rest = u[0], chance;
-    const size_t leaf = lamp_tree_pick(&lights->lamps, from, &rest, &chance);
-    const struct lamp *lamp = &lights->lamps.lamps[leaf];
+    const size_t leaf = light_tree_sample(&lights->tree, from, &rest, &chance);
+    const struct emitter *emitter = &lights->tree.emitters[leaf];
     if (!(chance > 0)) {
         return false;
     }
-    if (lamp->thing == SCENE_NONE) {
-        sample->density = chance;
-        return sample_point(lights, lamp->part, from, time, lanes, sample);
+    if (emitter->thing == SCENE_NONE) {
+        sample->pdf = chance;
+        return sample_point(lights, emitter->part, from, time, lanes, sample);
     }
-    const struct scene_thing *thing = &lights->scene->things[lamp->thing];
+    const struct scene_thing *thing = &lights->scene->things[emitter->thing];
     const struct scene_pose pose = scene_pose_at(&thing->where, time);
-    struct lamp_ray ray = {.distance = 0};
-    if (!lamp_sample(thing, lamp->part, &pose, from, u + 1, &ray)) {
+    struct emitter_sample ray = {.distance = 0};
+    if (!emitter_sample(thing, emitter->part, &pose, from, u + 1, &ray)) {
         return false;
     }
-    sample->way = ray.way;
+    sample->direction = ray.direction;
     sample->distance = ray.distance;
-    sample->density = chance * ray.density;
-    shine(lights, lamp->thing, ray.place, lanes, sample);
+    sample->pdf = chance * ray.pdf;
+    light_sample_emission(lights, emitter->thing, ray.place, lanes, sample);
     return true;
 }
 
-static double met_lamp_density(const struct lights *lights, struct vector from, struct vector way,
-                               double time, const struct world_hit *hit)
+static double met_emitter_density(const struct lights *lights, struct vector from,
+                                  struct vector way, double time, const struct world_hit *hit)
 {
     const struct scene_thing *thing = &lights->scene->things[hit->thing];
     const struct scene_pose pose = scene_pose_at(&thing->where, time);
-    const size_t lamp =
+    const size_t emitter =
         lights->first[hit->thing] + (thing->shape == SHAPE_MESH ? hit->triangle : 0);
-    return lamp_tree_chance(&lights->lamps, from, lamp) *
-           lamp_density(thing, &pose, from, hit, way);
+    return light_tree_probability(&lights->tree, from, emitter) *
+           emitter_pdf(thing, &pose, from, hit, way);
 }
 
 /* -------- planes without end: evenly over all ways that meet them -------- */
@@ -171,28 +174,29 @@ static bool sample_plane(const struct lights *lights, struct vector from, double
                          const double u[3], const struct lanes *lanes, struct light_sample *sample)
 {
     static const double nowhere[2] = {0, 0};
-    const struct pick pick = pick_of(lights->plane_below, lights->plane_count, u[0]);
-    const size_t thing = lights->planes[pick.number];
+    const struct discrete_sample pick =
+        discrete_sample_of(lights->plane_below, lights->plane_count, u[0]);
+    const size_t thing = lights->planes[pick.index];
     const struct scene_pose pose = scene_pose_at(&lights->scene->things[thing].where, time);
     const double above = vector_dot(pose.turned.z, vector_minus(from, pose.at));
     const double sine = sqrt(1 - u[1] * u[1]), angle = 2 * PI * u[2];
     const struct vector own = {sine * cos(angle), sine * sin(angle), above > 0 ? -u[1] : u[1]};
-    sample->way = frame_out(&pose.turned, own);
+    sample->direction = frame_out(&pose.turned, own);
     sample->distance = fabs(above) / u[1];
-    sample->density = plane_chance(lights, pick.number) / (2 * PI);
+    sample->pdf = plane_chance(lights, pick.index) / (2 * PI);
     materials_shine(&lights->materials, thing, nowhere, lanes, &sample->light);
     return sample->distance > 0 && sample->distance < (double)INFINITY;
 }
 
 /* -------- all of them -------- */
 
-static bool has_light(const struct light_sample *sample, const struct lanes *lanes)
+static bool light_sample_is_lit(const struct light_sample *sample, const struct lanes *lanes)
 {
     double most = 0;
     for (size_t k = 0; k < lanes->count; k++) {
         most = fmax(most, sample->light.of[k]);
     }
-    return most > 0 && sample->density > 0;
+    return most > 0 && sample->pdf > 0;
 }
 
 bool lights_sample(const struct lights *lights, struct vector from, double time, const double u[3],
@@ -200,43 +204,45 @@ bool lights_sample(const struct lights *lights, struct vector from, double time,
 {
     double below[KINDS + 1];
     *sample = (struct light_sample){.distance = 0};
-    if (!chances(lights, from, below)) {
+    if (!light_kind_probabilities(lights, from, below)) {
         return false;
     }
-    const struct pick kind = pick_of(below, KINDS, u[0]);
-    const double chance = chance_of(below, (int)kind.number);
-    const double rest[3] = {kind.rest, u[1], u[2]};
+    const struct discrete_sample kind = discrete_sample_of(below, KINDS, u[0]);
+    const double chance = chance_of(below, (int)kind.index);
+    const double rest[3] = {kind.remainder, u[1], u[2]};
     bool is_seen = true;
-    switch (kind.number) {
+    switch (kind.index) {
     case OF_DISCS:
-        sample_background(lights, below, light_discs_sample(&lights->discs, rest), lanes, sample);
-        return has_light(sample, lanes);
+        sample_background(lights, below, distant_lights_sample(&lights->distant, rest), lanes,
+                          sample);
+        return light_sample_is_lit(sample, lanes);
     case OF_AROUND:
         sample_background(lights, below, around_way(lights, rest), lanes, sample);
-        return has_light(sample, lanes);
+        return light_sample_is_lit(sample, lanes);
     case OF_LAMPS:
-        is_seen = sample_lamp(lights, from, time, rest, lanes, sample);
+        is_seen = sample_emitter(lights, from, time, rest, lanes, sample);
         break;
     default:
         is_seen = sample_plane(lights, from, time, rest, lanes, sample);
         break;
     }
-    sample->density *= chance;
-    if (!is_seen || !has_light(sample, lanes)) {
+    sample->pdf *= chance;
+    if (!is_seen || !light_sample_is_lit(sample, lanes)) {
         return false;
     }
     for (size_t k = 0; k < lanes->count && sample->is_point; k++) {
-        sample->light.of[k] /= sample->density;
+        sample->light.of[k] /= sample->pdf;
     }
-    sample->density = sample->is_point ? 1 : sample->density;
+    sample->pdf = sample->is_point ? 1 : sample->pdf;
     return true;
 }
 
-double lights_density(const struct lights *lights, struct vector from, struct vector way,
-                      double time, const struct world_hit *hit)
+double lights_pdf(const struct lights *lights, struct vector from, struct vector way, double time,
+                  const struct world_hit *hit)
 {
     double below[KINDS + 1];
-    if ((hit != NULL && lights->first[hit->thing] == SCENE_NONE) || !chances(lights, from, below)) {
+    if ((hit != NULL && lights->first[hit->thing] == SCENE_NONE) ||
+        !light_kind_probabilities(lights, from, below)) {
         return 0;
     }
     if (hit == NULL) {
@@ -245,5 +251,5 @@ double lights_density(const struct lights *lights, struct vector from, struct ve
     return lights->scene->things[hit->thing].shape == SHAPE_PLANE
                ? chance_of(below, OF_PLANES) * plane_chance(lights, lights->first[hit->thing]) /
                      (2 * PI)
-               : chance_of(below, OF_LAMPS) * met_lamp_density(lights, from, way, time, hit);
+               : chance_of(below, OF_LAMPS) * met_emitter_density(lights, from, way, time, hit);
 }

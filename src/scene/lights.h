@@ -6,9 +6,9 @@
 #include "base/arena.h"
 #include "base/error.h"
 #include "light/bands.h"
-#include "scene/lamp_tree.h"
-#include "scene/light_around.h"
-#include "scene/light_discs.h"
+#include "scene/distant_lights.h"
+#include "scene/environment_light.h"
+#include "scene/light_tree.h"
 #include "scene/material.h"
 #include "scene/spectra.h"
 #include "scene/world.h"
@@ -22,22 +22,22 @@ struct lights {
     const struct bands *bands;
     const struct banded **units; /* of each light of luminance 1; null: it gives none */
     struct materials materials;
-    struct light_discs discs;
-    struct light_around *arounds;
-    double *around_below; /* light of those before each, and of all */
-    size_t around_count;
-    struct lamp_tree lamps;
+    struct distant_lights distant;
+    struct environment_light *environments;
+    double *environment_below; /* light of those before each, and of all */
+    size_t environment_count;
+    struct light_tree tree;
     size_t *planes;      /* things */
     double *plane_below; /* luminance of those before each, and of all */
     size_t plane_count;
-    size_t *first; /* of a thing its first lamp, or its number among the planes; SCENE_NONE */
+    size_t *first; /* of a thing its first emitter, or its number among the planes; SCENE_NONE */
 };
 
 struct light_sample {
-    struct vector way;     /* of length 1 */
-    double distance;       /* mm, to what shines; INFINITY: behind everything */
-    double density;        /* with which all lights together get this way, per sr; of points 1 */
-    bool is_point;         /* no ray meets it by chance */
+    struct vector direction; /* of length 1 */
+    double distance;         /* mm, to what shines; INFINITY: behind everything */
+    double pdf;              /* with which all lights together get this way, per sr; of points 1 */
+    bool is_point;           /* no ray meets it by chance */
     struct radiance light; /* radiance, cd/m^2; of a point its illuminance across the way, lx, over
                               the chance that it was picked */
 };
@@ -59,7 +59,7 @@ bool lights_open(const struct scene *scene, const struct bands *bands, struct ar
  *           sample  light over density is right in the mean for the light that comes through the
  *                   unit sphere about the point, if nothing is in its way
  * Result    false: this time none; counts as 0
- * Formula   discs far away, skies and pictures, lamps, and planes that shine: each of these that
+ * Formula   discs far away, skies and pictures, emitters, and planes that shine: each of these that
  *           are there as often as half its share of their light and half evenly, so that what
  *           the brightest one cannot reach is found too
  */
@@ -72,8 +72,8 @@ bool lights_sample(const struct lights *lights, struct vector from, double time,
  * Given     hit  what a ray met there; null: it went past everything
  * Result    0: lights_sample does not go there
  */
-double lights_density(const struct lights *lights, struct vector from, struct vector way,
-                      double time, const struct world_hit *hit);
+double lights_pdf(const struct lights *lights, struct vector from, struct vector way, double time,
+                  const struct world_hit *hit);
 
 /* What comes from behind everything: suns, stars, skies and pictures; 0 where nothing is. */
 void lights_background(const struct lights *lights, struct vector way, const struct lanes *lanes,

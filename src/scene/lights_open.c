@@ -25,17 +25,17 @@ static void open_arounds(struct lights *lights, struct arena *arena)
     const struct scene *scene = lights->scene;
     size_t count = 0;
     for (size_t i = 0; i < scene->light_count; i++) {
-        count += light_around_is(&scene->lights[i]) ? 1 : 0;
+        count += is_environment_light(&scene->lights[i]) ? 1 : 0;
     }
-    lights->arounds = ARENA_ARRAY(arena, count, struct light_around);
-    lights->around_below = ARENA_ARRAY(arena, count + 1, double);
+    lights->environments = ARENA_ARRAY(arena, count, struct environment_light);
+    lights->environment_below = ARENA_ARRAY(arena, count + 1, double);
     for (size_t i = 0; i < scene->light_count; i++) {
-        struct light_around *around = &lights->arounds[lights->around_count];
-        double *below = &lights->around_below[lights->around_count];
-        if (light_around_is(&scene->lights[i])) {
-            *around = light_around_open(&scene->lights[i], lights->units[i], arena);
+        struct environment_light *around = &lights->environments[lights->environment_count];
+        double *below = &lights->environment_below[lights->environment_count];
+        if (is_environment_light(&scene->lights[i])) {
+            *around = environment_light_open(&scene->lights[i], lights->units[i], arena);
             below[1] = below[0] + around->total;
-            lights->around_count++;
+            lights->environment_count++;
         }
     }
 }
@@ -43,7 +43,7 @@ static void open_arounds(struct lights *lights, struct arena *arena)
 /* -------- things that shine -------- */
 
 /* In the mean over it. */
-static double luminance_of(const struct scene *scene, const struct scene_thing *thing)
+static double thing_luminance(const struct scene *scene, const struct scene_thing *thing)
 {
     return thing->picture != NULL ? thing->luminance * thing->mean
                                   : scene->materials[thing->material].luminance;
@@ -60,12 +60,12 @@ static void open_planes(struct lights *lights, struct arena *arena)
             lights->first[i] = number;
             lights->planes[number] = i;
             lights->plane_below[number + 1] =
-                lights->plane_below[number] + luminance_of(scene, &scene->things[i]);
+                lights->plane_below[number] + thing_luminance(scene, &scene->things[i]);
         }
     }
 }
 
-static bool is_lamp(const struct lights *lights, size_t thing)
+static bool is_emitter(const struct lights *lights, size_t thing)
 {
     return lights->scene->things[thing].shape != SHAPE_PLANE &&
            materials_shines(&lights->materials, thing);
@@ -77,12 +77,12 @@ static bool is_point(const struct lights *lights, size_t light)
     return lights->scene->lights[light].kind == LIGHT_POINT && lights->units[light] != NULL;
 }
 
-static size_t count_lamps(const struct lights *lights)
+static size_t count_emitters(const struct lights *lights)
 {
     const struct scene *scene = lights->scene;
     size_t count = 0;
     for (size_t i = 0; i < scene->thing_count; i++) {
-        count += is_lamp(lights, i) ? lamp_parts(&scene->things[i]) : 0;
+        count += is_emitter(lights, i) ? emitter_parts(&scene->things[i]) : 0;
     }
     for (size_t i = 0; i < scene->light_count; i++) {
         count += is_point(lights, i) ? 1 : 0;
@@ -90,33 +90,33 @@ static size_t count_lamps(const struct lights *lights)
     return count;
 }
 
-static void open_lamps(struct lights *lights, struct arena *arena)
+static void open_emitters(struct lights *lights, struct arena *arena)
 {
     const struct scene *scene = lights->scene;
     struct arena spare = arena_within(arena);
-    const size_t room = count_lamps(lights);
-    struct lamp *lamps = ARENA_ARRAY(&spare, room, struct lamp);
+    const size_t room = count_emitters(lights);
+    struct emitter *emitters = ARENA_ARRAY(&spare, room, struct emitter);
     double *power = ARENA_ARRAY(&spare, room, double);
     size_t count = 0;
     for (size_t i = 0; i < scene->thing_count; i++) {
         const struct scene_thing *thing = &scene->things[i];
-        if (is_lamp(lights, i)) {
-            const size_t parts = lamp_parts(thing);
-            const double luminance = luminance_of(scene, thing);
+        if (is_emitter(lights, i)) {
+            const size_t parts = emitter_parts(thing);
+            const double luminance = thing_luminance(scene, thing);
             lights->first[i] = count;
             for (size_t part = 0; part < parts; part++, count++) {
-                lamps[count] = (struct lamp){i, part};
-                power[count] = luminance * lamp_bounds(scene, &lamps[count]).area;
+                emitters[count] = (struct emitter){i, part};
+                power[count] = luminance * emitter_bounds(scene, &emitters[count]).area;
             }
         }
     }
     for (size_t i = 0; i < scene->light_count; i++) {
         if (is_point(lights, i)) {
-            lamps[count] = (struct lamp){SCENE_NONE, i};
+            emitters[count] = (struct emitter){SCENE_NONE, i};
             power[count++] = scene->lights[i].amount * MM2_PER_M2;
         }
     }
-    lamp_tree_open(scene, lamps, power, count, arena, &lights->lamps);
+    light_tree_open(scene, emitters, power, count, arena, &lights->tree);
     arena_free(&spare);
 }
 
@@ -129,13 +129,13 @@ bool lights_open(const struct scene *scene, const struct bands *bands, struct ar
         !open_units(lights, &spectra, error)) {
         return false;
     }
-    light_discs_open(scene, lights->units, arena, &lights->discs);
+    distant_lights_open(scene, lights->units, arena, &lights->distant);
     open_arounds(lights, arena);
     lights->first = ARENA_ARRAY(arena, scene->thing_count, size_t);
     for (size_t i = 0; i < scene->thing_count; i++) {
         lights->first[i] = SCENE_NONE;
     }
     open_planes(lights, arena);
-    open_lamps(lights, arena);
+    open_emitters(lights, arena);
     return true;
 }

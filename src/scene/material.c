@@ -42,13 +42,13 @@ static void open_coats(const struct scene *scene, struct material *of, struct ar
     const struct scene_material **list =
         ARENA_ARRAY(&spare, scene->material_count, const struct scene_material *);
     const size_t count = list_glossy(scene, &spare, list);
-    struct coat *coat = NULL;
+    struct microfacets *coat = NULL;
     for (size_t i = 0; i < count; i++) {
         if (i == 0 || compare_coats(&list[i - 1], &list[i]) != 0) {
-            coat = ARENA_NEW(arena, struct coat);
-            coat_open(list[i]->roughness, list[i]->index, coat);
+            coat = ARENA_NEW(arena, struct microfacets);
+            microfacets_open(list[i]->roughness, list[i]->index, coat);
         }
-        of[list[i] - scene->materials].coat = coat;
+        of[list[i] - scene->materials].microfacets = coat;
     }
     arena_free(&spare);
 }
@@ -98,13 +98,14 @@ static const enum texture_edges edges[] = {
     [SHAPE_SPHERE] = TEXTURE_ROUND,  [SHAPE_BOX] = TEXTURE_ENDS,  [SHAPE_MESH] = TEXTURE_REPEATS};
 
 /* What a picture on a thing has at a place: shares of the lanes, and the mean of its colours. */
-static struct radiance look_at(const struct materials *materials, const struct scene_thing *thing,
-                               const struct image *picture, const double place[2],
-                               const struct lanes *lanes, double *mean)
+static struct radiance texture_reflectance(const struct materials *materials,
+                                           const struct scene_thing *thing,
+                                           const struct image *picture, const double place[2],
+                                           const struct lanes *lanes, double *mean)
 {
     double rgb[TEXTURE_CHANNELS];
     struct radiance of = {{0}};
-    texture_look(picture, place, edges[thing->shape], rgb);
+    texture_lookup(picture, place, edges[thing->shape], rgb);
     for (size_t k = 0; k < lanes->count; k++) {
         const double *basis = materials->bands->basis[lanes->band[k]];
         of.of[k] = rgb[0] * basis[0] + rgb[1] * basis[1] + rgb[2] * basis[2];
@@ -113,14 +114,15 @@ static struct radiance look_at(const struct materials *materials, const struct s
     return of;
 }
 
-bool materials_scatter(const struct materials *materials, size_t thing, const double place[2],
-                       const struct lanes *lanes, struct scatter *scatter)
+bool materials_bsdf(const struct materials *materials, size_t thing, const double place[2],
+                    const struct lanes *lanes, struct bsdf *scatter)
 {
     const struct scene_thing *of = &materials->scene->things[thing];
     scatter->lanes = lanes->count;
     if (of->picture != NULL) {
         scatter->kind = MATERIAL_LAMBERT;
-        scatter->colour = look_at(materials, of, of->picture, place, lanes, &scatter->ground);
+        scatter->colour =
+            texture_reflectance(materials, of, of->picture, place, lanes, &scatter->ground);
         return !of->shines;
     }
     const struct material *material = &materials->of[of->material];
@@ -128,14 +130,15 @@ bool materials_scatter(const struct materials *materials, size_t thing, const do
         return false;
     }
     scatter->kind = material->kind;
-    scatter->coat = material->coat;
+    scatter->microfacets = material->microfacets;
     scatter->ground = material->ground;
     for (size_t k = 0; k < lanes->count; k++) {
         scatter->colour.of[k] = material->colour->of[lanes->band[k]];
     }
     if (material->texture != NULL) {
         double mean;
-        const struct radiance by = look_at(materials, of, material->texture, place, lanes, &mean);
+        const struct radiance by =
+            texture_reflectance(materials, of, material->texture, place, lanes, &mean);
         for (size_t k = 0; k < lanes->count; k++) {
             scatter->colour.of[k] *= by.of[k];
         }
@@ -157,7 +160,7 @@ void materials_shine(const struct materials *materials, size_t thing, const doub
     const struct scene_thing *of = &materials->scene->things[thing];
     if (of->picture != NULL) {
         double mean;
-        *light = look_at(materials, of, of->picture, place, lanes, &mean);
+        *light = texture_reflectance(materials, of, of->picture, place, lanes, &mean);
         for (size_t k = 0; k < lanes->count; k++) {
             light->of[k] *= of->luminance;
         }

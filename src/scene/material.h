@@ -6,7 +6,7 @@
 #include "base/arena.h"
 #include "base/error.h"
 #include "light/bands.h"
-#include "scene/scatter.h"
+#include "scene/bsdf.h"
 #include "scene/scene.h"
 #include "scene/spectra.h"
 
@@ -16,12 +16,12 @@
 /* A material of the scene. */
 struct material {
     enum scene_material_kind kind;
-    const struct image *texture; /* null: none */
-    const struct banded *colour; /* shares; null: black */
-    double ground;               /* the largest of them */
-    const struct banded *light;  /* of luminance 1; null: it does not shine */
-    double luminance;            /* cd/m^2 */
-    const struct coat *coat;     /* null: not glossy, or of no thing */
+    const struct image *texture;           /* null: none */
+    const struct banded *colour;           /* shares; null: black */
+    double ground;                         /* the largest of them */
+    const struct banded *light;            /* of luminance 1; null: it does not shine */
+    double luminance;                      /* cd/m^2 */
+    const struct microfacets *microfacets; /* null: not glossy, or of no thing */
 };
 
 /* Read-only afterwards: threads share it. */
@@ -47,8 +47,8 @@ bool materials_open(const struct scene *scene, struct spectra *spectra, struct m
  * Result    false: nothing, and the rest is not set. Cards with a picture are Lambertian, or, where
  *           they shine, black
  */
-bool materials_scatter(const struct materials *materials, size_t thing, const double place[2],
-                       const struct lanes *lanes, struct scatter *scatter);
+bool materials_bsdf(const struct materials *materials, size_t thing, const double place[2],
+                    const struct lanes *lanes, struct bsdf *scatter);
 
 /* Does a thing shine anywhere? */
 bool materials_shines(const struct materials *materials, size_t thing);

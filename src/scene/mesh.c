@@ -2,12 +2,12 @@
 /* SPDX-License-Identifier: MIT */
 #include "scene/mesh.h"
 
-#include "scene/bvh_walk.h"
+#include "scene/bvh_traversal.h"
 
 enum { MOST_TRIANGLES = 4 }; /* in a leaf */
 
 /* Twice its area, along its normal. */
-static struct vector across(const struct scene_mesh *mesh, size_t triangle)
+static struct vector triangle_normal(const struct scene_mesh *mesh, size_t triangle)
 {
     const size_t *of = mesh->triangles[triangle];
     const struct vector a = mesh->corners[of[0]];
@@ -17,13 +17,13 @@ static struct vector across(const struct scene_mesh *mesh, size_t triangle)
 
 static bool has_area(const struct scene_mesh *mesh, size_t triangle)
 {
-    const struct vector n = across(mesh, triangle);
+    const struct vector n = triangle_normal(mesh, triangle);
     return vector_dot(n, n) > 0;
 }
 
 /* -------- made ready -------- */
 
-static void reach(struct shape_box *box, struct vector at)
+static void box_extend(struct shape_box *box, struct vector at)
 {
     struct vector *low = &box->low, *high = &box->high;
     low->x = at.x < low->x ? at.x : low->x;
@@ -38,11 +38,11 @@ static const struct shape_box nothing = {{INFINITY, INFINITY, INFINITY},
                                          {-INFINITY, -INFINITY, -INFINITY}};
 
 /* About all corners of a triangle. */
-static struct shape_box box_of(const struct scene_mesh *mesh, size_t triangle)
+static struct shape_box triangle_box(const struct scene_mesh *mesh, size_t triangle)
 {
     struct shape_box box = nothing;
     for (size_t k = 0; k < 3; k++) {
-        reach(&box, mesh->corners[mesh->triangles[triangle][k]]);
+        box_extend(&box, mesh->corners[mesh->triangles[triangle][k]]);
     }
     return box;
 }
@@ -62,15 +62,15 @@ static struct counted count_triangles(const struct scene_mesh *of, struct arena 
                               arena_buffer_array(arena, most, sizeof(uint32_t)), 0};
     mesh->box = nothing;
     for (size_t i = 0; i < of->triangle_count; i++) {
-        const struct shape_box box = box_of(of, i);
-        reach(&mesh->box, box.low);
-        reach(&mesh->box, box.high);
+        const struct shape_box box = triangle_box(of, i);
+        box_extend(&mesh->box, box.low);
+        box_extend(&mesh->box, box.high);
     }
     /* corners are sheared along the ray with errors that are shares of the whole triangle */
     const double size = vector_taxi(vector_minus(mesh->box.high, mesh->box.low));
     for (size_t i = 0; i < of->triangle_count; i++) {
         if (has_area(of, i)) {
-            const struct shape_box box = box_of(of, i);
+            const struct shape_box box = triangle_box(of, i);
             counted.boxes[counted.count] = bvh_box_of(box.low, box.high, size * 0x1p-44);
             counted.which[counted.count++] = (uint32_t)i;
         }
@@ -107,8 +107,8 @@ struct sheared {
 
 static struct sheared shear_along(const struct shape_ray *ray)
 {
-    const double from[] = {ray->from.x, ray->from.y, ray->from.z};
-    const double way[] = {ray->way.x, ray->way.y, ray->way.z};
+    const double from[] = {ray->origin.x, ray->origin.y, ray->origin.z};
+    const double way[] = {ray->direction.x, ray->direction.y, ray->direction.z};
     const double x = fabs(way[0]), y = fabs(way[1]), z = fabs(way[2]);
     const size_t steep = x > y ? (x > z ? 0 : 2) : (y > z ? 1 : 2);
     const size_t first = steep < 2 ? steep + 1 : 0, second = first < 2 ? first + 1 : 0;
@@ -119,19 +119,21 @@ static struct sheared shear_along(const struct shape_ray *ray)
 }
 
 /* A corner in sheared coordinates; z is still along the steepest axis of the ray, in mm. */
-struct corner {
+struct sheared_corner {
     double x, y, z;
 };
 
-static inline struct corner corner_of(const struct sheared *sheared, const struct vector *at)
+static inline struct sheared_corner sheared_corner_of(const struct sheared *sheared,
+                                                      const struct vector *at)
 {
     const double of[] = {at->x, at->y, at->z};
     const double z = of[sheared->axis[2]] - sheared->from[2];
-    return (struct corner){of[sheared->axis[0]] - sheared->from[0] - sheared->shear[0] * z,
-                           of[sheared->axis[1]] - sheared->from[1] - sheared->shear[1] * z, z};
+    return (struct sheared_corner){of[sheared->axis[0]] - sheared->from[0] - sheared->shear[0] * z,
+                                   of[sheared->axis[1]] - sheared->from[1] - sheared->shear[1] * z,
+                                   z};
 }
 
-static inline double largest(double a, double b, double c)
+static inline double largest_of_three(double a, double b, double c)
 {
     const double ab = fabs(a) > fabs(b) ? fabs(a) : fabs(b);
     return ab > fabs(c) ? ab : fabs(c);
@@ -144,46 +146,48 @@ static inline double largest(double a, double b, double c)
  *           are y and z by less, an edge u by 2 (5 e (X + Z) Y + 5 e (Y + Z) X) + 4 e X Y, and the
  *           sum of three products, each at most 2 X Y Z, by three times this times Z and 8 e X Y Z
  */
-static double doubt(const struct corner *a, const struct corner *b, const struct corner *c)
+static double edge_rounding_error(const struct sheared_corner *a, const struct sheared_corner *b,
+                                  const struct sheared_corner *c)
 {
-    const double x = largest(a->x, b->x, c->x), y = largest(a->y, b->y, c->y);
-    const double z = largest(a->z, b->z, c->z);
+    const double x = largest_of_three(a->x, b->x, c->x), y = largest_of_three(a->y, b->y, c->y);
+    const double z = largest_of_three(a->z, b->z, c->z);
     return 3 * 0x1p-53 * z * (10 * ((x + z) * y + (y + z) * x) + 12 * x * y);
 }
 
-static inline bool meet(const struct mesh *mesh, const struct mesh_triangle *triangle,
-                        const struct sheared *sheared, double farthest,
-                        struct shape_meeting *meeting)
+static inline bool triangle_intersect(const struct mesh *mesh, const struct mesh_triangle *triangle,
+                                      const struct sheared *sheared, double farthest,
+                                      struct shape_hit *meeting)
 {
     const struct vector *corners = mesh->triangles->corners;
-    const struct corner a = corner_of(sheared, &corners[triangle->corner[0]]);
-    const struct corner b = corner_of(sheared, &corners[triangle->corner[1]]);
-    const struct corner c = corner_of(sheared, &corners[triangle->corner[2]]);
+    const struct sheared_corner a = sheared_corner_of(sheared, &corners[triangle->corner[0]]);
+    const struct sheared_corner b = sheared_corner_of(sheared, &corners[triangle->corner[1]]);
+    const struct sheared_corner c = sheared_corner_of(sheared, &corners[triangle->corner[2]]);
     const double u = c.x * b.y - c.y * b.x, v = a.x * c.y - a.y * c.x, w = b.x * a.y - b.y * a.x;
     if ((u < 0 || v < 0 || w < 0) && (u > 0 || v > 0 || w > 0)) {
         return false;
     }
     const double whole = u + v + w, sum = u * a.z + v * b.z + w * c.z;
     const double distance = sum / whole * sheared->shear[2];
-    if (!(distance > 0 && distance < farthest && fabs(sum) > doubt(&a, &b, &c))) {
+    if (!(distance > 0 && distance < farthest && fabs(sum) > edge_rounding_error(&a, &b, &c))) {
         return false;
     }
-    *meeting = (struct shape_meeting){distance, triangle->number, {v / whole, w / whole}};
+    *meeting = (struct shape_hit){distance, triangle->number, {v / whole, w / whole}};
     return true;
 }
 
-bool mesh_meet(const struct mesh *mesh, const struct shape_ray *ray, bool is_any,
-               struct shape_meeting *meeting)
+bool mesh_intersect(const struct mesh *mesh, const struct shape_ray *ray, bool is_any,
+                    struct shape_hit *meeting)
 {
     const struct sheared sheared = shear_along(ray);
     double farthest = ray->farthest;
     bool met = false;
-    struct bvh_walk walk;
-    struct bvh_kept leaf;
-    bvh_start(&walk, &mesh->tree, ray->from, ray->way);
-    while (!(met && is_any) && bvh_next(&walk, farthest, &leaf)) {
+    struct bvh_traversal walk;
+    struct bvh_pending leaf;
+    bvh_traversal_start(&walk, &mesh->tree, ray->origin, ray->direction);
+    while (!(met && is_any) && bvh_traversal_next(&walk, farthest, &leaf)) {
         for (uint32_t i = 0; i < leaf.count; i++) {
-            if (meet(mesh, &mesh->leaves[leaf.child + i], &sheared, farthest, meeting)) {
+            if (triangle_intersect(mesh, &mesh->leaves[leaf.child + i], &sheared, farthest,
+                                   meeting)) {
                 met = true;
                 farthest = meeting->distance;
             }
@@ -194,26 +198,27 @@ bool mesh_meet(const struct mesh *mesh, const struct shape_ray *ray, bool is_any
 
 /* -------- what is there -------- */
 
-static struct vector mixed(const struct vector *of, const size_t corner[3], const double share[3])
+static struct vector interpolated(const struct vector *of, const size_t corner[3],
+                                  const double share[3])
 {
     return vector_along(
         vector_along(vector_times(share[0], of[corner[0]]), share[1], of[corner[1]]), share[2],
         of[corner[2]]);
 }
 
-struct shape_spot mesh_spot(const struct mesh *mesh, const struct shape_meeting *meeting)
+struct shape_surface mesh_surface(const struct mesh *mesh, const struct shape_hit *meeting)
 {
     const struct scene_mesh *of = mesh->triangles;
     const size_t *corner = of->triangles[meeting->part];
     const double b = meeting->share[0], c = meeting->share[1], share[3] = {1 - b - c, b, c};
-    struct shape_spot spot = {.at = mixed(of->corners, corner, share),
-                              .face = vector_unit(across(of, meeting->part))};
+    struct shape_surface spot = {.at = interpolated(of->corners, corner, share),
+                                 .face = vector_unit(triangle_normal(of, meeting->part))};
     spot.normal = spot.face;
     for (size_t k = 0; k < 3; k++) {
         spot.size += fabs(share[k]) * vector_taxi(of->corners[corner[k]]);
     }
     if (of->normals != NULL) {
-        const struct vector smooth = mixed(of->normals, corner, share);
+        const struct vector smooth = interpolated(of->normals, corner, share);
         /* files go round their corners one way and turn normals the other */
         const double length = copysign(vector_length(smooth), vector_dot(smooth, spot.face));
         spot.normal = length != 0 ? vector_times(1 / length, smooth) : spot.face;

@@ -40,13 +40,13 @@ void mesh_open(const struct scene_mesh *triangles, struct arena *arena, struct m
  *           difference of rounded products may be 0, which is inside, but never has the wrong sign
  *           [Woop13]. Distances within their own rounding error from 0 are none [Pharr23]
  */
-bool mesh_meet(const struct mesh *mesh, const struct shape_ray *ray, bool is_any,
-               struct shape_meeting *meeting);
+bool mesh_intersect(const struct mesh *mesh, const struct shape_ray *ray, bool is_any,
+                    struct shape_hit *meeting);
 
 /*
  * The surface where they met; outwards is where corners 0, 1, 2 go round against the clock, also
  * where normals of the corners point inwards.
  */
-struct shape_spot mesh_spot(const struct mesh *mesh, const struct shape_meeting *meeting);
+struct shape_surface mesh_surface(const struct mesh *mesh, const struct shape_hit *meeting);
 
 #endif

@@ -5,7 +5,7 @@
 
 #include "light/bands.h"
 #include "scene/lights.h"
-#include "scene/points.h"
+#include "scene/sampler.h"
 #include "scene/world.h"
 
 /* What paths go through; the scene and bands of both are the same. */
@@ -18,15 +18,15 @@ struct path {
     /* What is seen directly where others look for that as well; null: `lights`, nobody does. Of it
        counts what path_weight says, by the density of the rays that begin paths, per sr */
     const struct lights *seen;
-    double density;
+    double pdf;
 };
 
 /* What counts of light that was found by one density, and is found by another one as well. */
-double path_weight(double density, double other);
+double path_power_heuristic(double density, double other);
 
 /* Does nothing stand between a point and what lights_sample has found from there? */
-bool path_is_clear(const struct path *path, struct vector from, double time,
-                   const struct light_sample *sample);
+bool path_is_unoccluded(const struct path *path, struct vector from, double time,
+                        const struct light_sample *sample);
 
 /*
  * What comes along a ray, against its way.
@@ -45,9 +45,9 @@ bool path_is_clear(const struct path *path, struct vector from, double time,
  *           Cosines are to the smooth normal; what is behind the surface itself lights nothing
  * Source    [Kajiya86] (paths); [Veach97] sections 9.2.3 (power heuristic), 10.4.1 (roulette)
  * Limits    light that a mirror sends onto a surface is met only as that surface reflects: of small
- *           lamps rarely, and much of it at once
+ *           emitters rarely, and much of it at once
  */
-void path_look(const struct path *path, const struct world_ray *ray, const struct lanes *lanes,
-               struct points *points, struct radiance *light);
+void path_radiance(const struct path *path, const struct world_ray *ray, const struct lanes *lanes,
+                   struct sampler *points, struct radiance *light);
 
 #endif

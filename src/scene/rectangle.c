@@ -44,7 +44,7 @@ static bool is_large(const struct aspect *aspect, double solid)
     return solid >= LEAST_SOLID_ANGLE && aspect->z < 0;
 }
 
-double rectangle_seen(const struct rectangle *rectangle, struct vector from)
+double rectangle_solid_angle(const struct rectangle *rectangle, struct vector from)
 {
     const struct aspect aspect = aspect_of(rectangle, from);
     const double solid = solid_angle(&aspect);
@@ -57,7 +57,7 @@ double rectangle_seen(const struct rectangle *rectangle, struct vector from)
     return square > 0 ? area * -aspect.z / (square * sqrt(square)) : 0;
 }
 
-static double within(double value, const double limits[2])
+static double rectangle_within(double value, const double limits[2])
 {
     return value < limits[0] ? limits[0] : value > limits[1] ? limits[1] : value;
 }
@@ -81,7 +81,7 @@ static double x_of_share(const struct aspect *aspect, double u)
     const double slope = (cos(angle) * below - above) / sin(angle);
     const double cosine = fmin(1, 1 / sqrt(slope * slope + below * below));
     const double x = -aspect->z * cosine / sqrt(fmax(1 - cosine * cosine, 1e-30));
-    return within(copysign(x, slope), aspect->x);
+    return rectangle_within(copysign(x, slope), aspect->x);
 }
 
 /* On the line at this x, even in the solid angle: sines of its angle are even. */
@@ -91,7 +91,7 @@ static double y_of_share(const struct aspect *aspect, double x, double u)
     const double low = aspect->y[0] / sqrt(far * far + aspect->y[0] * aspect->y[0]);
     const double high = aspect->y[1] / sqrt(far * far + aspect->y[1] * aspect->y[1]);
     const double sine = low + u * (high - low);
-    return within(far * sine / sqrt(fmax(1 - sine * sine, 1e-30)), aspect->y);
+    return rectangle_within(far * sine / sqrt(fmax(1 - sine * sine, 1e-30)), aspect->y);
 }
 
 struct vector rectangle_sample(const struct rectangle *rectangle, struct vector from,
@@ -110,8 +110,8 @@ struct vector rectangle_sample(const struct rectangle *rectangle, struct vector 
     return vector_along(rectangle->at, 1, frame_out(&rectangle->axes, own));
 }
 
-double rectangle_density(const struct rectangle *rectangle, struct vector from, struct vector way,
-                         double distance)
+double rectangle_pdf(const struct rectangle *rectangle, struct vector from, struct vector way,
+                     double distance)
 {
     const struct aspect aspect = aspect_of(rectangle, from);
     const double solid = solid_angle(&aspect);

@@ -18,7 +18,7 @@ struct rectangle {
  *
  * Formula   atan(x y/(z r)) of the four corners, with their signs
  */
-double rectangle_seen(const struct rectangle *rectangle, struct vector from);
+double rectangle_solid_angle(const struct rectangle *rectangle, struct vector from);
 
 /*
  * A place on it.
@@ -32,7 +32,7 @@ struct vector rectangle_sample(const struct rectangle *rectangle, struct vector 
                                const double u[2], double shares[2]);
 
 /* The density of these places by their way, per sr; 0 along the plane of the rectangle. */
-double rectangle_density(const struct rectangle *rectangle, struct vector from, struct vector way,
-                         double distance);
+double rectangle_pdf(const struct rectangle *rectangle, struct vector from, struct vector way,
+                     double distance);
 
 #endif

@@ -2,7 +2,7 @@
 /* SPDX-License-Identifier: MIT */
 #include "scene/scene.h"
 
-static struct vector turn(struct vector a, struct vector axis, double cosine, double sine)
+static struct vector vector_rotated(struct vector a, struct vector axis, double cosine, double sine)
 {
     const double along = (1 - cosine) * vector_dot(axis, a);
     const struct vector across = vector_along(vector_times(cosine, a), sine, vector_cross(axis, a));
@@ -14,9 +14,9 @@ struct scene_pose scene_pose_at(const struct scene_place *place, double time)
     struct scene_pose pose = {vector_along(place->at, time, place->velocity), place->turned};
     if (place->spin != 0) {
         const double cosine = cos(place->spin * time), sine = sin(place->spin * time);
-        pose.turned.x = turn(place->turned.x, place->axis, cosine, sine);
-        pose.turned.y = turn(place->turned.y, place->axis, cosine, sine);
-        pose.turned.z = turn(place->turned.z, place->axis, cosine, sine);
+        pose.turned.x = vector_rotated(place->turned.x, place->axis, cosine, sine);
+        pose.turned.y = vector_rotated(place->turned.y, place->axis, cosine, sine);
+        pose.turned.z = vector_rotated(place->turned.z, place->axis, cosine, sine);
     }
     return pose;
 }

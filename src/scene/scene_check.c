@@ -3,7 +3,7 @@
 #include "scene/scene_check.h"
 
 /* With a picture: where that is not black. */
-static bool shines(const struct scene *scene, const struct scene_thing *thing)
+static bool thing_shines(const struct scene *scene, const struct scene_thing *thing)
 {
     return (thing->shines && thing->mean > 0) ||
            (thing->material != SCENE_NONE &&
@@ -17,13 +17,13 @@ bool scene_reflects(const struct scene *scene, const struct scene_thing *thing)
 }
 
 /* What a scene has, seen by itself or not. */
-struct having {
+struct scene_light_content {
     bool seen, points, black, surface;
 };
 
-static struct having look_over(const struct scene *scene)
+static struct scene_light_content look_over(const struct scene *scene)
 {
-    struct having has = {false, false, false, false};
+    struct scene_light_content has = {false, false, false, false};
     for (size_t i = 0; i < scene->light_count; i++) {
         const struct scene_light *light = &scene->lights[i];
         const bool is_point = light->kind == LIGHT_POINT;
@@ -34,7 +34,7 @@ static struct having look_over(const struct scene *scene)
     }
     for (size_t i = 0; i < scene->thing_count; i++) {
         const struct scene_thing *thing = &scene->things[i];
-        has.seen = has.seen || shines(scene, thing);
+        has.seen = has.seen || thing_shines(scene, thing);
         has.black = has.black || thing->shines;
         has.surface = has.surface || scene_reflects(scene, thing);
     }
@@ -43,7 +43,7 @@ static struct having look_over(const struct scene *scene)
 
 bool scene_check(const struct scene *scene, int bounces, struct error *error)
 {
-    const struct having has = look_over(scene);
+    const struct scene_light_content has = look_over(scene);
     if (has.seen || (has.points && has.surface && bounces > 0)) {
         return true;
     }

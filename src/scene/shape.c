@@ -8,73 +8,72 @@
 
 #include <string.h>
 
-typedef bool shape_meets(const struct scene_thing *, const struct shape_ray *,
-                         struct shape_meeting *);
-typedef struct shape_spot shape_spots(const struct scene_thing *, const struct shape_ray *,
-                                      const struct shape_meeting *);
+typedef bool shape_meets(const struct scene_thing *, const struct shape_ray *, struct shape_hit *);
+typedef struct shape_surface shape_spots(const struct scene_thing *, const struct shape_ray *,
+                                         const struct shape_hit *);
 
-static struct vector reached(const struct shape_ray *ray, double distance)
+static struct vector ray_point(const struct shape_ray *ray, double distance)
 {
-    return vector_along(ray->from, distance, ray->way);
+    return vector_along(ray->origin, distance, ray->direction);
 }
 
 /* -------- flat things -------- */
 
-static bool meet_plane(const struct scene_thing *thing, const struct shape_ray *ray,
-                       struct shape_meeting *meeting)
+static bool plane_intersect(const struct scene_thing *thing, const struct shape_ray *ray,
+                            struct shape_hit *meeting)
 {
     (void)thing;
-    meeting->distance = -ray->from.z / ray->way.z;
+    meeting->distance = -ray->origin.z / ray->direction.z;
     return meeting->distance > 0 && meeting->distance < ray->farthest;
 }
 
 static bool meet_disc(const struct scene_thing *thing, const struct shape_ray *ray,
-                      struct shape_meeting *meeting)
+                      struct shape_hit *meeting)
 {
-    if (!meet_plane(thing, ray, meeting)) {
+    if (!plane_intersect(thing, ray, meeting)) {
         return false;
     }
-    const struct vector at = reached(ray, meeting->distance);
+    const struct vector at = ray_point(ray, meeting->distance);
     return at.x * at.x + at.y * at.y <= thing->radius * thing->radius;
 }
 
-static struct shape_spot spot_flat(const struct shape_ray *ray, const struct shape_meeting *meeting,
-                                   double width, double height)
+static struct shape_surface spot_flat(const struct shape_ray *ray, const struct shape_hit *meeting,
+                                      double width, double height)
 {
-    struct vector at = reached(ray, meeting->distance);
+    struct vector at = ray_point(ray, meeting->distance);
     at.z = 0;
-    return (struct shape_spot){.at = at,
-                               .size = vector_taxi(at),
-                               .normal = {0, 0, 1},
-                               .face = {0, 0, 1},
-                               .place = {at.x / width + 0.5, at.y / height + 0.5}};
+    return (struct shape_surface){.at = at,
+                                  .size = vector_taxi(at),
+                                  .normal = {0, 0, 1},
+                                  .face = {0, 0, 1},
+                                  .place = {at.x / width + 0.5, at.y / height + 0.5}};
 }
 
-static struct shape_spot spot_plane(const struct scene_thing *thing, const struct shape_ray *ray,
-                                    const struct shape_meeting *meeting)
+static struct shape_surface spot_plane(const struct scene_thing *thing, const struct shape_ray *ray,
+                                       const struct shape_hit *meeting)
 {
     const bool repeats = thing->repeat[0] > 0;
-    struct shape_spot spot = spot_flat(ray, meeting, repeats ? thing->repeat[0] : INFINITY,
-                                       repeats ? thing->repeat[1] : INFINITY);
+    struct shape_surface spot = spot_flat(ray, meeting, repeats ? thing->repeat[0] : INFINITY,
+                                          repeats ? thing->repeat[1] : INFINITY);
     spot.place[0] -= floor(spot.place[0]);
     spot.place[1] -= floor(spot.place[1]);
     return spot;
 }
 
-static struct shape_spot spot_disc(const struct scene_thing *thing, const struct shape_ray *ray,
-                                   const struct shape_meeting *meeting)
+static struct shape_surface spot_disc(const struct scene_thing *thing, const struct shape_ray *ray,
+                                      const struct shape_hit *meeting)
 {
     return spot_flat(ray, meeting, 2 * thing->radius, 2 * thing->radius);
 }
 
-static struct shape_spot spot_card(const struct scene_thing *thing, const struct shape_ray *ray,
-                                   const struct shape_meeting *meeting)
+static struct shape_surface spot_card(const struct scene_thing *thing, const struct shape_ray *ray,
+                                      const struct shape_hit *meeting)
 {
     return spot_flat(ray, meeting, thing->size.x, thing->size.y);
 }
 
 /* Is something there, at a place of which the share alpha is? */
-static bool is_there(struct vector at, double alpha)
+static bool alpha_is_there(struct vector at, double alpha)
 {
     struct random_words counter;
     const double place[2] = {at.x, at.y};
@@ -84,12 +83,12 @@ static bool is_there(struct vector at, double alpha)
 }
 
 static bool meet_card(const struct scene_thing *thing, const struct shape_ray *ray,
-                      struct shape_meeting *meeting)
+                      struct shape_hit *meeting)
 {
-    if (!meet_plane(thing, ray, meeting)) {
+    if (!plane_intersect(thing, ray, meeting)) {
         return false;
     }
-    const struct vector at = reached(ray, meeting->distance);
+    const struct vector at = ray_point(ray, meeting->distance);
     if (!(fabs(at.x) <= thing->size.x / 2 && fabs(at.y) <= thing->size.y / 2)) {
         return false;
     }
@@ -97,35 +96,36 @@ static bool meet_card(const struct scene_thing *thing, const struct shape_ray *r
         return true;
     }
     double of[TEXTURE_CHANNELS];
-    texture_look(thing->picture, spot_card(thing, ray, meeting).place, TEXTURE_ENDS, of);
-    return is_there(at, of[TEXTURE_ALPHA]);
+    texture_lookup(thing->picture, spot_card(thing, ray, meeting).place, TEXTURE_ENDS, of);
+    return alpha_is_there(at, of[TEXTURE_ALPHA]);
 }
 
 /* -------- a sphere -------- */
 
 static bool meet_sphere(const struct scene_thing *thing, const struct shape_ray *ray,
-                        struct shape_meeting *meeting)
+                        struct shape_hit *meeting)
 {
-    const double r = thing->radius, before = -vector_dot(ray->from, ray->way);
-    const double beside = vector_length(vector_along(ray->from, before, ray->way));
+    const double r = thing->radius, before = -vector_dot(ray->origin, ray->direction);
+    const double beside = vector_length(vector_along(ray->origin, before, ray->direction));
     const double squared = (r - beside) * (r + beside);
     if (!(squared >= 0)) {
         return false;
     }
     /* the larger of the two without cancellation; the other from their product */
-    const double away = vector_length(ray->from), product = (away - r) * (away + r);
+    const double away = vector_length(ray->origin), product = (away - r) * (away + r);
     const double one = before + copysign(sqrt(squared), before), other = product / one;
     const double first = fmin(one, other), second = fmax(one, other);
     meeting->distance = first > 0 ? first : second;
     return meeting->distance > 0 && meeting->distance < ray->farthest;
 }
 
-static struct shape_spot spot_sphere(const struct scene_thing *thing, const struct shape_ray *ray,
-                                     const struct shape_meeting *meeting)
+static struct shape_surface spot_sphere(const struct scene_thing *thing,
+                                        const struct shape_ray *ray,
+                                        const struct shape_hit *meeting)
 {
-    const struct vector normal = vector_unit(reached(ray, meeting->distance));
+    const struct vector normal = vector_unit(ray_point(ray, meeting->distance));
     const double height = fmax(-1, fmin(normal.y, 1));
-    return (struct shape_spot){
+    return (struct shape_surface){
         .at = vector_times(thing->radius, normal),
         .size = thing->radius * vector_taxi(normal),
         .normal = normal,
@@ -150,10 +150,10 @@ static bool between_sides(double from, double way, double half, double span[2])
 }
 
 static bool meet_box(const struct scene_thing *thing, const struct shape_ray *ray,
-                     struct shape_meeting *meeting)
+                     struct shape_hit *meeting)
 {
-    const double from[] = {ray->from.x, ray->from.y, ray->from.z};
-    const double way[] = {ray->way.x, ray->way.y, ray->way.z};
+    const double from[] = {ray->origin.x, ray->origin.y, ray->origin.z};
+    const double way[] = {ray->direction.x, ray->direction.y, ray->direction.z};
     const double size[] = {thing->size.x, thing->size.y, thing->size.z};
     double in = -INFINITY, out = INFINITY;
     size_t side_in = 0, side_out = 0;
@@ -179,17 +179,18 @@ static bool meet_box(const struct scene_thing *thing, const struct shape_ray *ra
     return meeting->distance > 0 && meeting->distance < ray->farthest;
 }
 
-static double within(double x, double half)
+static double within_half(double x, double half)
 {
     return fmax(-half, fmin(x, half));
 }
 
-static struct shape_spot spot_box(const struct scene_thing *thing, const struct shape_ray *ray,
-                                  const struct shape_meeting *meeting)
+static struct shape_surface spot_box(const struct scene_thing *thing, const struct shape_ray *ray,
+                                     const struct shape_hit *meeting)
 {
-    const struct vector reach = reached(ray, meeting->distance);
+    const struct vector reach = ray_point(ray, meeting->distance);
     const double half[] = {thing->size.x / 2, thing->size.y / 2, thing->size.z / 2};
-    double at[] = {within(reach.x, half[0]), within(reach.y, half[1]), within(reach.z, half[2])};
+    double at[] = {within_half(reach.x, half[0]), within_half(reach.y, half[1]),
+                   within_half(reach.z, half[2])};
     const size_t axis = meeting->part / 2;
     const double sign = meeting->part % 2 == 1 ? 1 : -1;
     double normal[] = {0, 0, 0};
@@ -200,11 +201,11 @@ static struct shape_spot spot_box(const struct scene_thing *thing, const struct 
     const double right = axis == 0 ? -sign * z : axis == 1 ? x : sign * x;
     const double up = axis == 1 ? -sign * z : y;
     const struct vector face = {normal[0], normal[1], normal[2]};
-    return (struct shape_spot){.at = {at[0], at[1], at[2]},
-                               .size = fabs(at[0]) + fabs(at[1]) + fabs(at[2]),
-                               .normal = face,
-                               .face = face,
-                               .place = {0.5 + right, 0.5 + up}};
+    return (struct shape_surface){.at = {at[0], at[1], at[2]},
+                                  .size = fabs(at[0]) + fabs(at[1]) + fabs(at[2]),
+                                  .normal = face,
+                                  .face = face,
+                                  .place = {0.5 + right, 0.5 + up}};
 }
 
 /* -------- all of them -------- */
@@ -213,19 +214,21 @@ static const struct {
     shape_meets *meet;
     shape_spots *spot;
 } kinds[] = {
-    [SHAPE_PLANE] = {meet_plane, spot_plane}, [SHAPE_DISC] = {meet_disc, spot_disc},
-    [SHAPE_CARD] = {meet_card, spot_card},    [SHAPE_SPHERE] = {meet_sphere, spot_sphere},
+    [SHAPE_PLANE] = {plane_intersect, spot_plane},
+    [SHAPE_DISC] = {meet_disc, spot_disc},
+    [SHAPE_CARD] = {meet_card, spot_card},
+    [SHAPE_SPHERE] = {meet_sphere, spot_sphere},
     [SHAPE_BOX] = {meet_box, spot_box},
 };
 
-bool shape_meet(const struct scene_thing *thing, const struct shape_ray *ray,
-                struct shape_meeting *meeting)
+bool shape_intersect(const struct scene_thing *thing, const struct shape_ray *ray,
+                     struct shape_hit *meeting)
 {
     return kinds[thing->shape].meet(thing, ray, meeting);
 }
 
-struct shape_spot shape_spot(const struct scene_thing *thing, const struct shape_ray *ray,
-                             const struct shape_meeting *meeting)
+struct shape_surface shape_surface(const struct scene_thing *thing, const struct shape_ray *ray,
+                                   const struct shape_hit *meeting)
 {
     return kinds[thing->shape].spot(thing, ray, meeting);
 }

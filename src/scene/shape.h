@@ -7,19 +7,19 @@
 
 /* In the frame of a thing; its way has length 1. */
 struct shape_ray {
-    struct vector from, way;
+    struct vector origin, direction;
     double farthest; /* mm */
 };
 
 /* Where it met: enough to tell all the rest. */
-struct shape_meeting {
+struct shape_hit {
     double distance; /* mm, above 0 and below the ray's farthest */
     size_t part;     /* of a mesh the triangle; of a box the side, 2 axis + 1 if it is the upper */
     double share[2]; /* of a triangle's second and third corner */
 };
 
 /* What is there, in the frame of the thing. */
-struct shape_spot {
+struct shape_surface {
     struct vector at;     /* on the surface itself, not only near it */
     struct vector normal; /* of length 1, outwards; of flat things to their front, z > 0 */
     struct vector face;   /* the same of the surface itself, of meshes without smoothness */
@@ -50,8 +50,8 @@ struct shape_box {
  * Formula   sphere: from the point of the ray that is nearest to the middle, so that neither far
  *           nor grazing rays lose digits [Haines19]
  */
-bool shape_meet(const struct scene_thing *thing, const struct shape_ray *ray,
-                struct shape_meeting *meeting);
+bool shape_intersect(const struct scene_thing *thing, const struct shape_ray *ray,
+                     struct shape_hit *meeting);
 
 /*
  * The surface where they met.
@@ -60,8 +60,8 @@ bool shape_meet(const struct scene_thing *thing, const struct shape_ray *ray,
  *           z in the middle; of a box on each side, as one looks at it; of a plane what `repeat`
  *           leaves
  */
-struct shape_spot shape_spot(const struct scene_thing *thing, const struct shape_ray *ray,
-                             const struct shape_meeting *meeting);
+struct shape_surface shape_surface(const struct scene_thing *thing, const struct shape_ray *ray,
+                                   const struct shape_hit *meeting);
 
 /* All of it lies within; a plane has none, and a mesh its own. */
 struct shape_box shape_box(const struct scene_thing *thing);

@@ -12,13 +12,13 @@ struct sky_type {
 static const struct sky_type types[] = {
     {0, -1, 0, -1, 0}, {4, -0.7, 0, -1, 0}, {-1, -0.32, 10, -3, 0.45}};
 
-static double gradation(const struct sky_type *type, double cosine)
+static double sky_gradation(const struct sky_type *type, double cosine)
 {
     return 1 + type->a * exp(type->b / cosine);
 }
 
 /* Scattering by the angle from the sun, whose cosine is given. */
-static double indicatrix(const struct sky_type *type, double cosine)
+static double sky_indicatrix(const struct sky_type *type, double cosine)
 {
     const double angle = acos(cosine < -1 ? -1 : cosine > 1 ? 1 : cosine);
     return 1 + type->c * (exp(type->d * angle) - exp(type->d * (PI / 2))) +
@@ -31,7 +31,8 @@ double sky_share(enum scene_sky sky, struct vector sun, struct vector way)
     if (!(way.y > 0)) {
         return 0;
     }
-    const double share = gradation(type, way.y) / gradation(type, 1);
-    return type->c == 0 ? share
-                        : share * indicatrix(type, vector_dot(sun, way)) / indicatrix(type, sun.y);
+    const double share = sky_gradation(type, way.y) / sky_gradation(type, 1);
+    return type->c == 0
+               ? share
+               : share * sky_indicatrix(type, vector_dot(sun, way)) / sky_indicatrix(type, sun.y);
 }

@@ -9,13 +9,13 @@
 #include <string.h>
 
 /* What tells spectra apart, bit by bit; a table is where its rows lie. */
-struct key {
+struct spectrum_key {
     uint64_t kind, parts[3];
 };
 
-static struct key key_of(const struct spectrum *spectrum, bool is_surface)
+static struct spectrum_key spectrum_key_of(const struct spectrum *spectrum, bool is_surface)
 {
-    struct key key = {2 * (uint64_t)spectrum->kind + (is_surface ? 1 : 0), {0}};
+    struct spectrum_key key = {2 * (uint64_t)spectrum->kind + (is_surface ? 1 : 0), {0}};
     switch (spectrum->kind) {
     case SPECTRUM_RGB:
         memcpy(key.parts, spectrum->rgb, sizeof key.parts);
@@ -33,8 +33,8 @@ static struct key key_of(const struct spectrum *spectrum, bool is_surface)
 }
 
 /* A spectrum that is new. */
-static bool put(const struct bands *bands, const struct spectrum *spectrum, bool is_surface,
-                struct banded *banded, struct error *error)
+static bool banded_open(const struct bands *bands, const struct spectrum *spectrum, bool is_surface,
+                        struct banded *banded, struct error *error)
 {
     if (is_surface) {
         return bands_of_surface(bands, spectrum, banded->of, &banded->held, error);
@@ -46,11 +46,11 @@ static bool put(const struct bands *bands, const struct spectrum *spectrum, bool
     return true;
 }
 
-static const struct banded *find(struct spectra *spectra, const struct spectrum *spectrum,
-                                 bool is_surface, const struct typed_place *place,
-                                 struct error *error)
+static const struct banded *spectra_find(struct spectra *spectra, const struct spectrum *spectrum,
+                                         bool is_surface, const struct typed_place *place,
+                                         struct error *error)
 {
-    const struct key key = key_of(spectrum, is_surface);
+    const struct spectrum_key key = spectrum_key_of(spectrum, is_surface);
     struct arena *arena = spectra->arena;
     struct name_index *index = &spectra->index;
     const size_t known = name_index_find(index, (struct text){(const char *)&key, sizeof key});
@@ -58,11 +58,11 @@ static const struct banded *find(struct spectra *spectra, const struct spectrum 
         return spectra->list[known];
     }
     struct banded *banded = ARENA_NEW(arena, struct banded);
-    if (!put(spectra->bands, spectrum, is_surface, banded, error)) {
+    if (!banded_open(spectra->bands, spectrum, is_surface, banded, error)) {
         error_locate(error, place->source, place->line, place->column);
         return NULL;
     }
-    struct key *kept = ARENA_NEW(arena, struct key);
+    struct spectrum_key *kept = ARENA_NEW(arena, struct spectrum_key);
     *kept = key;
     spectra->list =
         arena_grow(arena, spectra->list, index->count, &spectra->room, sizeof spectra->list[0]);
@@ -74,11 +74,11 @@ static const struct banded *find(struct spectra *spectra, const struct spectrum 
 const struct banded *spectra_light(struct spectra *spectra, const struct spectrum *light,
                                    const struct typed_place *place, struct error *error)
 {
-    return find(spectra, light, false, place, error);
+    return spectra_find(spectra, light, false, place, error);
 }
 
 const struct banded *spectra_surface(struct spectra *spectra, const struct spectrum *surface,
                                      const struct typed_place *place, struct error *error)
 {
-    return find(spectra, surface, true, place, error);
+    return spectra_find(spectra, surface, true, place, error);
 }

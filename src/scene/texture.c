@@ -14,7 +14,7 @@ struct between {
 };
 
 /* Beyond the ends the last one, or the first of the next; anything but a number is the first. */
-static size_t pixel_at(double at, size_t count, bool repeats)
+static size_t texture_pixel(double at, size_t count, bool repeats)
 {
     const double last = (double)(count - 1);
     if (!(at >= 0)) {
@@ -26,12 +26,13 @@ static size_t pixel_at(double at, size_t count, bool repeats)
 static struct between between_at(double place, size_t count, bool repeats)
 {
     const double at = place * (double)count - 0.5, first = floor(at);
-    return (struct between){{pixel_at(first, count, repeats), pixel_at(first + 1, count, repeats)},
-                            at - first};
+    return (struct between){
+        {texture_pixel(first, count, repeats), texture_pixel(first + 1, count, repeats)},
+        at - first};
 }
 
-void texture_look(const struct image *image, const double place[2], enum texture_edges edges,
-                  double of[TEXTURE_CHANNELS])
+void texture_lookup(const struct image *image, const double place[2], enum texture_edges edges,
+                    double of[TEXTURE_CHANNELS])
 {
     const struct between x = between_at(place[0], image->width, edges != TEXTURE_ENDS);
     const struct between y = between_at(1 - place[1], image->height, edges == TEXTURE_REPEATS);

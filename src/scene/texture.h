@@ -25,8 +25,8 @@ enum texture_edges {
  *               them goes in a straight line. Alpha of a picture that has none is 1.
  *               NaN where the place is no number, or endless
  */
-void texture_look(const struct image *image, const double place[2], enum texture_edges edges,
-                  double of[TEXTURE_CHANNELS]);
+void texture_lookup(const struct image *image, const double place[2], enum texture_edges edges,
+                    double of[TEXTURE_CHANNELS]);
 
 /* The mean luminance of a picture, of three channels or four, over that of white; alpha counts
    nothing. */

@@ -2,7 +2,7 @@
 /* SPDX-License-Identifier: MIT */
 #include "scene/world.h"
 
-#include "scene/bvh_walk.h"
+#include "scene/bvh_traversal.h"
 
 #include <stdlib.h>
 
@@ -93,13 +93,13 @@ static bool open_meshes(struct world *world, struct arena *arena, struct error *
 }
 
 /* What a frame's box reaches along an axis of the world, to both sides of its middle. */
-static double reach_of(double x, double y, double z, struct vector half)
+static double box_reach(double x, double y, double z, struct vector half)
 {
     return fabs(x) * half.x + fabs(y) * half.y + fabs(z) * half.z;
 }
 
 /* Everywhere it is during the span. */
-static struct shape_box box_of(const struct world *world, const struct world_thing *thing)
+static struct shape_box world_thing_box(const struct world *world, const struct world_thing *thing)
 {
     const struct shape_box own = thing->mesh != NULL ? thing->mesh->box : shape_box(thing->thing);
     const struct scene_pose begin = scene_pose_at(&thing->thing->where, world->span[0]);
@@ -114,9 +114,9 @@ static struct shape_box box_of(const struct world *world, const struct world_thi
     } else {
         const struct frame *turned = &begin.turned;
         middle = frame_out(turned, middle);
-        half = (struct vector){reach_of(turned->x.x, turned->y.x, turned->z.x, half),
-                               reach_of(turned->x.y, turned->y.y, turned->z.y, half),
-                               reach_of(turned->x.z, turned->y.z, turned->z.z, half)};
+        half = (struct vector){box_reach(turned->x.x, turned->y.x, turned->z.x, half),
+                               box_reach(turned->x.y, turned->y.y, turned->z.y, half),
+                               box_reach(turned->x.z, turned->y.z, turned->z.z, half)};
     }
     const struct vector low = {fmin(begin.at.x, end.at.x), fmin(begin.at.y, end.at.y),
                                fmin(begin.at.z, end.at.z)};
@@ -145,7 +145,7 @@ static bool open_tree(struct world *world, struct arena *arena, struct error *er
         if (thing->mesh != NULL && thing->mesh->tree.count == 0) {
             continue;
         }
-        const struct shape_box box = box_of(world, thing);
+        const struct shape_box box = world_thing_box(world, thing);
         const double room = 0x1p-40 * fmax(vector_taxi(box.low), vector_taxi(box.high));
         good = check_box(thing->thing, &box, error);
         boxes[count] = bvh_box_of(box.low, box.high, room);
@@ -191,39 +191,39 @@ static struct scene_pose pose_of(const struct world_thing *thing, double time)
 /* The ray in the frame of a thing. */
 static struct shape_ray turned_in(const struct scene_pose *pose, const struct world_ray *ray)
 {
-    return (struct shape_ray){frame_in(&pose->turned, vector_minus(ray->from, pose->at)),
-                              frame_in(&pose->turned, ray->way), ray->farthest};
+    return (struct shape_ray){frame_in(&pose->turned, vector_minus(ray->origin, pose->at)),
+                              frame_in(&pose->turned, ray->direction), ray->farthest};
 }
 
-static bool meet(const struct world_thing *thing, const struct world_ray *ray, bool is_any,
-                 struct shape_meeting *meeting)
+static bool world_thing_intersect(const struct world_thing *thing, const struct world_ray *ray,
+                                  bool is_any, struct shape_hit *meeting)
 {
     const struct scene_pose pose = pose_of(thing, ray->time);
     const struct shape_ray own = turned_in(&pose, ray);
-    return thing->mesh != NULL ? mesh_meet(thing->mesh, &own, is_any, meeting)
-                               : shape_meet(thing->thing, &own, meeting);
+    return thing->mesh != NULL ? mesh_intersect(thing->mesh, &own, is_any, meeting)
+                               : shape_intersect(thing->thing, &own, meeting);
 }
 
 /* Which thing a ray meets first, or any; SCENE_NONE. */
-static size_t search(const struct world *world, const struct world_ray *ray, bool is_any,
-                     struct shape_meeting *nearest)
+static size_t world_nearest(const struct world *world, const struct world_ray *ray, bool is_any,
+                            struct shape_hit *nearest)
 {
     struct world_ray rest = *ray;
-    struct shape_meeting meeting = {0};
+    struct shape_hit meeting = {0};
     size_t which = SCENE_NONE;
     for (size_t i = 0; i < world->endless_count; i++) {
-        if (meet(&world->things[world->endless[i]], &rest, is_any, &meeting)) {
+        if (world_thing_intersect(&world->things[world->endless[i]], &rest, is_any, &meeting)) {
             which = world->endless[i];
             *nearest = meeting;
             rest.farthest = meeting.distance;
         }
     }
-    struct bvh_walk walk;
-    struct bvh_kept leaf;
-    bvh_start(&walk, &world->tree, ray->from, ray->way);
-    while (!(is_any && which != SCENE_NONE) && bvh_next(&walk, rest.farthest, &leaf)) {
+    struct bvh_traversal walk;
+    struct bvh_pending leaf;
+    bvh_traversal_start(&walk, &world->tree, ray->origin, ray->direction);
+    while (!(is_any && which != SCENE_NONE) && bvh_traversal_next(&walk, rest.farthest, &leaf)) {
         const size_t thing = world->bounded[world->tree.items[leaf.child]];
-        if (meet(&world->things[thing], &rest, is_any, &meeting)) {
+        if (world_thing_intersect(&world->things[thing], &rest, is_any, &meeting)) {
             which = thing;
             *nearest = meeting;
             rest.farthest = meeting.distance;
@@ -233,7 +233,7 @@ static size_t search(const struct world *world, const struct world_ray *ray, boo
 }
 
 /* Towards the side that the ray came from, also where a smooth normal would turn away from it. */
-static struct vector facing(struct vector normal, double sign, struct vector way)
+static struct vector normal_facing(struct vector normal, double sign, struct vector way)
 {
     const struct vector turned = vector_times(sign, normal);
     const double along = vector_dot(turned, way), least = -1e-6;
@@ -241,22 +241,23 @@ static struct vector facing(struct vector normal, double sign, struct vector way
 }
 
 /* All about where a ray met something. */
-static void describe(const struct world *world, const struct world_ray *ray, size_t which,
-                     const struct shape_meeting *meeting, struct world_hit *hit)
+static void world_hit_fill(const struct world *world, const struct world_ray *ray, size_t which,
+                           const struct shape_hit *meeting, struct world_hit *hit)
 {
     const struct world_thing *thing = &world->things[which];
     const struct scene_pose pose = pose_of(thing, ray->time);
     const struct shape_ray own = turned_in(&pose, ray);
-    const struct shape_spot spot = thing->mesh != NULL ? mesh_spot(thing->mesh, meeting)
-                                                       : shape_spot(thing->thing, &own, meeting);
-    const bool is_back = vector_dot(own.way, spot.face) > 0;
+    const struct shape_surface spot = thing->mesh != NULL
+                                          ? mesh_surface(thing->mesh, meeting)
+                                          : shape_surface(thing->thing, &own, meeting);
+    const bool is_back = vector_dot(own.direction, spot.face) > 0;
     const double sign = is_back ? -1 : 1;
     const struct vector at = vector_along(frame_out(&pose.turned, spot.at), 1, pose.at);
     const struct vector face = frame_out(&pose.turned, vector_times(sign, spot.face));
     *hit = (struct world_hit){
         .distance = meeting->distance,
         .at = at,
-        .normal = facing(frame_out(&pose.turned, spot.normal), sign, ray->way),
+        .normal = normal_facing(frame_out(&pose.turned, spot.normal), sign, ray->direction),
         .face = face,
         .is_back = is_back,
         .thing = which,
@@ -266,19 +267,19 @@ static void describe(const struct world *world, const struct world_ray *ray, siz
     };
 }
 
-bool world_look(const struct world *world, const struct world_ray *ray, struct world_hit *hit)
+bool world_intersect(const struct world *world, const struct world_ray *ray, struct world_hit *hit)
 {
-    struct shape_meeting nearest = {0};
-    const size_t which = search(world, ray, false, &nearest);
+    struct shape_hit nearest = {0};
+    const size_t which = world_nearest(world, ray, false, &nearest);
     if (which == SCENE_NONE) {
         return false;
     }
-    describe(world, ray, which, &nearest, hit);
+    world_hit_fill(world, ray, which, &nearest, hit);
     return true;
 }
 
-bool world_is_clear(const struct world *world, const struct world_ray *ray)
+bool world_is_unoccluded(const struct world *world, const struct world_ray *ray)
 {
-    struct shape_meeting any;
-    return search(world, ray, true, &any) == SCENE_NONE;
+    struct shape_hit any;
+    return world_nearest(world, ray, true, &any) == SCENE_NONE;
 }

@@ -13,9 +13,9 @@
 #include <stddef.h>
 
 struct world_ray {
-    struct vector from, way; /* way has length 1 */
-    double time;             /* s, within the world's span */
-    double farthest;         /* mm; INFINITY */
+    struct vector origin, direction; /* way has length 1 */
+    double time;                     /* s, within the world's span */
+    double farthest;                 /* mm; INFINITY */
 };
 
 /* The surface where a ray first met something. */
@@ -67,10 +67,10 @@ bool world_open(const struct scene *scene, const double span[2], struct arena *a
 #define WORLD_MOST  4294967295U
 
 /* What a ray meets first; false: it goes past everything. */
-bool world_look(const struct world *world, const struct world_ray *ray, struct world_hit *hit);
+bool world_intersect(const struct world *world, const struct world_ray *ray, struct world_hit *hit);
 
 /* Is nothing in its way up to its farthest? */
-bool world_is_clear(const struct world *world, const struct world_ray *ray);
+bool world_is_unoccluded(const struct world *world, const struct world_ray *ray);
 
 /*
  * Where a ray starts that leaves a surface to the side of its face: it doesn't meet that surface
@@ -82,7 +82,7 @@ bool world_is_clear(const struct world *world, const struct world_ray *ray);
  *           that the frame's axes lack in length and squareness: less than 32 u (|local| + |world|)
  *           along each axis, sqrt(3) times that along the normal; `slack` is 128 u
  */
-static inline struct vector world_leave(const struct world_hit *hit)
+static inline struct vector world_ray_origin(const struct world_hit *hit)
 {
     return vector_along(hit->at, hit->slack, hit->face);
 }

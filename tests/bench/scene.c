@@ -114,7 +114,7 @@ static double time_rays(struct fixture *fixture, const struct world_ray *rays)
         const double began = processor_time();
         for (size_t i = 0; i < RAYS; i++) {
             struct world_hit hit;
-            fixture->met += world_look(&fixture->world, &rays[i], &hit) ? 1 : 0;
+            fixture->met += world_intersect(&fixture->world, &rays[i], &hit) ? 1 : 0;
         }
         best = fmin(best, processor_time() - began);
     }
@@ -128,10 +128,10 @@ static bool meets(const struct scene_mesh *mesh, size_t triangle, const struct w
     const struct vector a = mesh->corners[of[0]];
     const struct vector e = vector_minus(mesh->corners[of[1]], a);
     const struct vector f = vector_minus(mesh->corners[of[2]], a);
-    const struct vector p = vector_cross(ray->way, f), s = vector_minus(ray->from, a);
+    const struct vector p = vector_cross(ray->direction, f), s = vector_minus(ray->origin, a);
     const double over = 1 / vector_dot(e, p), u = vector_dot(s, p) * over;
     const struct vector q = vector_cross(s, e);
-    const double v = vector_dot(ray->way, q) * over;
+    const double v = vector_dot(ray->direction, q) * over;
     return u >= 0 && v >= 0 && u + v <= 1 && vector_dot(f, q) * over > 0;
 }
 
@@ -156,7 +156,7 @@ static void look(void *context, size_t begin, size_t end)
     const struct fixture *fixture = context;
     for (size_t i = begin; i < end; i++) {
         struct world_hit hit;
-        world_look(&fixture->world, &fixture->random[i], &hit);
+        world_intersect(&fixture->world, &fixture->random[i], &hit);
     }
 }
 

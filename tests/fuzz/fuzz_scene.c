@@ -94,13 +94,13 @@ static void look(const struct scene *scene, struct arena *arena)
     for (int i = 0; i < 16; i++) {
         const struct vector way = {0.1 * (i % 4 - 1.5), 0.1 * (i / 4 - 1.5), -1};
         const struct world_ray ray = {
-            .from = scene->camera.where.at,
-            .way = vector_unit(frame_out(&scene->camera.where.turned, way)),
+            .origin = scene->camera.where.at,
+            .direction = vector_unit(frame_out(&scene->camera.where.turned, way)),
             .time = 0.01 * (i % 3 - 1),
             .farthest = INFINITY,
         };
         struct world_hit hit;
-        if (world_look(&world, &ray, &hit)) {
+        if (world_intersect(&world, &ray, &hit)) {
             REQUIRE(hit.distance > 0 && isfinite(hit.distance) && hit.thing < scene->thing_count);
             REQUIRE(fabs(vector_length(hit.normal) - 1) < 1e-6);
         }

@@ -16,7 +16,7 @@ struct looked {
     struct world world;
     struct lights lights;
     struct path path;
-    const struct points_table *table;
+    const struct sampler_table *table;
 };
 
 struct looked_mean {
@@ -66,7 +66,7 @@ static inline void looked_open(const struct scene *scene, int bounces, struct lo
     CHECK(lights_open(scene, &looked->bands, &looked->arena, &looked->lights, &error));
     looked->path =
         (struct path){.world = &looked->world, .lights = &looked->lights, .bounces = bounces};
-    looked->table = points_table_new(5, LOOKED_BITS, &looked->arena);
+    looked->table = sampler_table_new(5, LOOKED_BITS, &looked->arena);
     if (error.message[0] != 0) {
         printf("%s\n", error.message);
     }
@@ -77,11 +77,11 @@ static inline double looked_once(const struct looked *looked, const struct world
                                  uint32_t sequence, uint32_t which)
 {
     static const struct lanes lanes = {3, {0, 1, 2}};
-    struct points_sequence of;
+    struct sampler_sequence of;
     struct radiance light;
-    points_sequence_open(looked->table, 1, sequence, &of);
-    struct points points = points_of(&of, which, 0);
-    path_look(&looked->path, ray, &lanes, &points, &light);
+    sampler_sequence_open(looked->table, 1, sequence, &of);
+    struct sampler points = sampler_of(&of, which, 0);
+    path_radiance(&looked->path, ray, &lanes, &points, &light);
     return light.of[1];
 }
 
@@ -91,13 +91,13 @@ static inline struct looked_mean looked_mean(const struct looked *looked,
     static const struct lanes lanes = {3, {0, 1, 2}};
     double all = 0, squares = 0;
     for (uint32_t sequence = 0; sequence < LOOKED_SEQUENCES; sequence++) {
-        struct points_sequence of;
+        struct sampler_sequence of;
         double sum = 0;
-        points_sequence_open(looked->table, 1, sequence, &of);
+        sampler_sequence_open(looked->table, 1, sequence, &of);
         for (uint32_t i = 0; i < count; i++) {
-            struct points points = points_of(&of, i, 0);
+            struct sampler points = sampler_of(&of, i, 0);
             struct radiance light;
-            path_look(&looked->path, ray, &lanes, &points, &light);
+            path_radiance(&looked->path, ray, &lanes, &points, &light);
             sum += light.of[1] / count;
         }
         all += sum / LOOKED_SEQUENCES;

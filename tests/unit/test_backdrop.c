@@ -28,8 +28,8 @@ static bool is_even(struct scene_thing *thing, struct scene_light *light, double
     looked_open(&scene, 0, &looked);
     const struct backdrop backdrop = backdrop_open(&looked.world, &looked.lights);
     const struct backdrop_rays rays = {
-        .radius = 1, .way = {0, sin(up), -cos(up)}, .angle = 5 * PI / 180};
-    const bool even = backdrop_is_even(&backdrop, &rays, &lanes, &radiance);
+        .radius = 1, .direction = {0, sin(up), -cos(up)}, .angle = 5 * PI / 180};
+    const bool even = backdrop_is_uniform(&backdrop, &rays, &lanes, &radiance);
     *luminance = radiance.of[1];
     arena_free(&looked.arena);
     return even;

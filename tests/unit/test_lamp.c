@@ -1,6 +1,6 @@
 /* tests/unit/test_lamp.c - places on a lamp itself. */
 /* SPDX-License-Identifier: MIT */
-#include "scene/lamp.h"
+#include "scene/emitter.h"
 
 #include "check.h"
 
@@ -18,8 +18,8 @@ static int count_samples(struct vector from, double *nearest)
     *nearest = INFINITY;
     for (int i = 0; i < 100; i++) {
         const double u[2] = {(i + 0.5) / 100, fmod(i * 0.6180339887498949, 1)};
-        struct lamp_ray ray;
-        if (lamp_sample(&box, 0, &pose, from, u, &ray)) {
+        struct emitter_sample ray;
+        if (emitter_sample(&box, 0, &pose, from, u, &ray)) {
             count++;
             *nearest = fmin(*nearest, ray.distance);
         }

@@ -86,10 +86,11 @@ static double illuminance(const struct stage *stage, struct vector from, struct 
         struct light_sample sample;
         point(i, u);
         if (lights_sample(&stage->lights, from, time, u, &stage->lanes, &sample)) {
-            const struct world_ray ray = {from, sample.way, time, sample.distance * (1 - 1e-9)};
-            const double cosine = vector_dot(sample.way, normal);
-            sum += cosine > 0 && world_is_clear(&stage->world, &ray)
-                       ? luminance(&sample.light) * cosine / sample.density
+            const struct world_ray ray = {from, sample.direction, time,
+                                          sample.distance * (1 - 1e-9)};
+            const double cosine = vector_dot(sample.direction, normal);
+            sum += cosine > 0 && world_is_unoccluded(&stage->world, &ray)
+                       ? luminance(&sample.light) * cosine / sample.pdf
                        : 0;
         }
     }
@@ -108,12 +109,12 @@ static double met_illuminance(const struct stage *stage, struct vector from, str
         const double z = 2 * u[0] - 1, across = sqrt(1 - z * z), angle = 2 * PI * u[1];
         const struct world_ray ray = {
             from, {across * cos(angle), across * sin(angle), z}, 0, (double)INFINITY};
-        if (!world_look(&stage->world, &ray, &hit)) {
-            lights_background(&stage->lights, ray.way, &stage->lanes, &light);
+        if (!world_intersect(&stage->world, &ray, &hit)) {
+            lights_background(&stage->lights, ray.direction, &stage->lanes, &light);
         } else if (materials_shines(&stage->lights.materials, hit.thing)) {
             materials_shine(&stage->lights.materials, hit.thing, hit.place, &stage->lanes, &light);
         }
-        sum += luminance(&light) * fmax(0, vector_dot(ray.way, normal));
+        sum += luminance(&light) * fmax(0, vector_dot(ray.direction, normal));
     }
     return 4 * PI * sum / POINTS;
 }
@@ -129,8 +130,8 @@ static double all_density(const struct stage *stage, struct vector from, double 
         const double z = 2 * u[0] - 1, across = sqrt(1 - z * z), angle = 2 * PI * u[1];
         const struct world_ray ray = {
             from, {across * cos(angle), across * sin(angle), z}, time, (double)INFINITY};
-        const bool meets = world_look(&stage->world, &ray, &hit);
-        sum += lights_density(&stage->lights, from, ray.way, time, meets ? &hit : NULL);
+        const bool meets = world_intersect(&stage->world, &ray, &hit);
+        sum += lights_pdf(&stage->lights, from, ray.direction, time, meets ? &hit : NULL);
     }
     return 4 * PI * sum / POINTS;
 }
@@ -149,20 +150,20 @@ static void check_samples(const struct stage *stage, struct vector from, double 
             sample.is_point) {
             continue;
         }
-        const struct world_ray ray = {from, sample.way, time, (double)INFINITY};
-        const bool meets = world_look(&stage->world, &ray, &hit);
+        const struct world_ray ray = {from, sample.direction, time, (double)INFINITY};
+        const bool meets = world_intersect(&stage->world, &ray, &hit);
         if (meets && fabs(hit.distance - sample.distance) > 1e-6 * hit.distance) {
             continue; /* hidden */
         }
         if (meets) {
             materials_shine(&stage->lights.materials, hit.thing, hit.place, &stage->lanes, &light);
         } else {
-            lights_background(&stage->lights, sample.way, &stage->lanes, &light);
+            lights_background(&stage->lights, sample.direction, &stage->lanes, &light);
         }
         const double density =
-            lights_density(&stage->lights, from, sample.way, time, meets ? &hit : NULL);
+            lights_pdf(&stage->lights, from, sample.direction, time, meets ? &hit : NULL);
         seen++;
-        wrong += fabs(density - sample.density) > 1e-6 * density ||
+        wrong += fabs(density - sample.pdf) > 1e-6 * density ||
                  fabs(luminance(&light) - luminance(&sample.light)) > 1e-6 * luminance(&light);
     }
     CHECK(seen > 100 && wrong <= seen / 200); /* at the edges of cells and discs either may be */
@@ -216,7 +217,7 @@ static void test_stars(void)
     stars[7].direction = vector_unit((struct vector){1e-3, 0.2, -1});
     stars[14].direction = vector_unit((struct vector){0.02, -1, 0.01});
     stage_open(&stage, NULL, 0, stars, STARS);
-    CHECK_RELATIVE(stage.lights.discs.total, all, 1e-12, "all stars");
+    CHECK_RELATIVE(stage.lights.distant.total, all, 1e-12, "all stars");
     int wrong = 0;
     for (uint32_t i = 0; i < 20 * STARS; i++) {
         const struct scene_light *star = &stars[i % STARS];
@@ -257,7 +258,7 @@ static void test_joined(void)
     stars[5].spectrum.kelvin = 3000;
     stage_open(&stage, NULL, 0, stars, STARS);
     /* behind: 2 + 5 + 8; before: 1 + 3 + 4 + 7, 6 of another colour and 9 of another size */
-    const struct light_discs *discs = &stage.lights.discs;
+    const struct distant_lights *discs = &stage.lights.distant;
     static const double amounts[] = {15, 15, 6, 9};
     CHECK(discs->count == 4);
     for (size_t i = 0; i < discs->count; i++) {
@@ -541,7 +542,7 @@ static void test_many(void)
     check_samples(&stage, from, 0);
     double chances = 0;
     for (size_t i = 0; i <= LAMPS; i++) {
-        chances += lamp_tree_chance(&stage.lights.lamps, from, i);
+        chances += light_tree_probability(&stage.lights.tree, from, i);
     }
     CHECK_NEAR(chances, 1, 1e-12, "chances of all lamps");
     arena_free(&stage.arena);
@@ -560,7 +561,7 @@ static void test_dark(void)
     const struct vector from = {0, 0, 0}, up = {0, 1, 0};
     stage_open(&stage, NULL, 0, &off, 1);
     CHECK(!lights_sample(&stage.lights, from, 0, u, &stage.lanes, &sample));
-    CHECK(lights_density(&stage.lights, from, up, 0, NULL) == 0);
+    CHECK(lights_pdf(&stage.lights, from, up, 0, NULL) == 0);
     arena_free(&stage.arena);
     off.amount = 1;
     off.spectrum = (struct spectrum){.kind = SPECTRUM_RGB};

@@ -66,24 +66,24 @@ static void check_lanes(const struct radiance *found, double a, double b, double
 
 static void test_scatter(const struct materials *materials)
 {
-    struct scatter scatter = {0};
-    CHECK(materials_scatter(materials, 0, middle, &all, &scatter));
+    struct bsdf scatter = {0};
+    CHECK(materials_bsdf(materials, 0, middle, &all, &scatter));
     CHECK(scatter.kind == MATERIAL_LAMBERT && scatter.lanes == 3);
     check_lanes(&scatter.colour, 0.75, 0.5, 0.25);
     /* the mean of four pixels in the middle; the lower left one near its corner */
-    CHECK(materials_scatter(materials, 1, middle, &all, &scatter));
-    CHECK(scatter.kind == MATERIAL_GLOSSY && scatter.coat->index == 1.5);
+    CHECK(materials_bsdf(materials, 1, middle, &all, &scatter));
+    CHECK(scatter.kind == MATERIAL_GLOSSY && scatter.microfacets->index == 1.5);
     check_lanes(&scatter.colour, 0.35, 0.175, 0);
     CHECK_NEAR(scatter.ground, 0.35, 1e-7, "ground");
-    CHECK(materials_scatter(materials, 1, (const double[]){0, 0}, &all, &scatter));
+    CHECK(materials_bsdf(materials, 1, (const double[]){0, 0}, &all, &scatter));
     check_lanes(&scatter.colour, 0.4, 0.2, 0);
-    CHECK(materials->of[1].coat == materials->of[3].coat);
-    CHECK(materials->of[4].coat->alpha == 0.2 && materials->of[5].coat == NULL);
-    CHECK(!materials_scatter(materials, 2, middle, &all, &scatter));
-    CHECK(materials_scatter(materials, 4, middle, &all, &scatter));
+    CHECK(materials->of[1].microfacets == materials->of[3].microfacets);
+    CHECK(materials->of[4].microfacets->alpha == 0.2 && materials->of[5].microfacets == NULL);
+    CHECK(!materials_bsdf(materials, 2, middle, &all, &scatter));
+    CHECK(materials_bsdf(materials, 4, middle, &all, &scatter));
     CHECK(scatter.kind == MATERIAL_LAMBERT);
     check_lanes(&scatter.colour, 1, 0.5, 0.25);
-    CHECK(!materials_scatter(materials, 5, middle, &all, &scatter));
+    CHECK(!materials_bsdf(materials, 5, middle, &all, &scatter));
 }
 
 static void test_shine(const struct materials *materials)

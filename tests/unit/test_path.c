@@ -227,17 +227,17 @@ static void test_glossy(void)
     struct looked looked;
     const struct world_ray ray = looked_ray((struct vector){-70, 90, 20}, (struct vector){0, 0, 0});
     looked_open(&scene, 1, &looked);
-    struct scatter scatter;
-    materials_scatter(&looked.lights.materials, 0, (const double[]){0, 0},
-                      &(const struct lanes){1, {0}}, &scatter);
-    const struct vector out = frame_in(&looked_level, vector_times(-1, ray.way));
+    struct bsdf scatter;
+    materials_bsdf(&looked.lights.materials, 0, (const double[]){0, 0},
+                   &(const struct lanes){1, {0}}, &scatter);
+    const struct vector out = frame_in(&looked_level, vector_times(-1, ray.direction));
     double sum = 0;
     for (int i = 0; i < RINGS * TURNS; i++) {
         const double r = R * sqrt((i / TURNS + 0.5) / RINGS), turn = 2 * PI * (i % TURNS) / TURNS;
         const struct vector to = {beside + r * cos(turn), h, r * sin(turn)};
         const double d2 = vector_dot(to, to), cosine = h / sqrt(d2);
         struct radiance value;
-        scatter_value(&scatter, out, frame_in(&looked_level, vector_unit(to)), &value);
+        bsdf_value(&scatter, out, frame_in(&looked_level, vector_unit(to)), &value);
         sum += value.of[0] * L * cosine / d2 * PI * R * R / (RINGS * TURNS);
     }
     looked_check(&looked, &ray, 1024, sum, "glossy");
@@ -248,38 +248,40 @@ static void test_glossy(void)
 enum way { BY_LIGHT, BY_SURFACE, BY_BOTH, WAYS };
 
 static double by_way(const struct looked *looked, const struct world_ray *ray, enum way way,
-                     struct points *points)
+                     struct sampler *points)
 {
     const struct lanes lanes = {1, {0}};
     struct world_hit hit;
-    struct scatter scatter;
+    struct bsdf scatter;
     struct radiance value, light;
     struct light_sample to;
-    struct scatter_sample sample;
+    struct bsdf_sample sample;
     double u[3];
     if (way == BY_BOTH) {
-        path_look(&looked->path, ray, &lanes, points, &light);
+        path_radiance(&looked->path, ray, &lanes, points, &light);
         return light.of[0];
     }
-    CHECK(world_look(&looked->world, ray, &hit));
-    materials_scatter(&looked->lights.materials, hit.thing, hit.place, &lanes, &scatter);
+    CHECK(world_intersect(&looked->world, ray, &hit));
+    materials_bsdf(&looked->lights.materials, hit.thing, hit.place, &lanes, &scatter);
     const struct frame frame = frame_about(hit.normal);
-    const struct vector out = frame_in(&frame, vector_times(-1, ray->way));
-    struct world_ray on = {.from = world_leave(&hit), .time = 0, .farthest = INFINITY};
+    const struct vector out = frame_in(&frame, vector_times(-1, ray->direction));
+    struct world_ray on = {.origin = world_ray_origin(&hit), .time = 0, .farthest = INFINITY};
     for (int i = 0; i < 3; i++) {
-        u[i] = points_next(points);
+        u[i] = sampler_next(points);
     }
     if (way == BY_LIGHT) {
-        return lights_sample(&looked->lights, on.from, 0, u, &lanes, &to) &&
-                       scatter_value(&scatter, out, frame_in(&frame, to.way), &value) > 0
-                   ? value.of[0] * to.light.of[0] / to.density
+        return lights_sample(&looked->lights, on.origin, 0, u, &lanes, &to) &&
+                       bsdf_value(&scatter, out, frame_in(&frame, to.direction), &value) > 0
+                   ? value.of[0] * to.light.of[0] / to.pdf
                    : 0;
     }
-    if (!scatter_sample(&scatter, out, u, &sample)) {
+    if (!bsdf_sample(&scatter, out, u, &sample)) {
         return 0;
     }
-    on.way = frame_out(&frame, sample.way);
-    return world_look(&looked->world, &on, &hit) && hit.thing == 1 ? sample.share.of[0] * L : 0;
+    on.direction = frame_out(&frame, sample.direction);
+    return world_intersect(&looked->world, &on, &hit) && hit.thing == 1
+               ? sample.throughput.of[0] * L
+               : 0;
 }
 
 /*
@@ -307,11 +309,11 @@ static void test_ways(void)
         for (enum way way = BY_LIGHT; way < WAYS; way++) {
             double squares = 0;
             for (uint32_t s = 0; s < LOOKED_SEQUENCES; s++) {
-                struct points_sequence of;
+                struct sampler_sequence of;
                 double sum = 0;
-                points_sequence_open(looked.table, 1, s, &of);
+                sampler_sequence_open(looked.table, 1, s, &of);
                 for (uint32_t k = 0; k < COUNT; k++) {
-                    struct points points = points_of(&of, k, 0);
+                    struct sampler points = sampler_of(&of, k, 0);
                     sum += by_way(&looked, &ray, way, &points) / COUNT;
                 }
                 mean[way] += sum / LOOKED_SEQUENCES;

@@ -1,6 +1,6 @@
 /* tests/unit/test_scatter.c - Lambert, mirror and gloss: furnaces, either way alike, densities. */
 /* SPDX-License-Identifier: MIT */
-#include "scene/scatter.h"
+#include "scene/bsdf.h"
 
 #include "base/constants.h"
 #include "check.h"
@@ -24,28 +24,31 @@ static struct vector towards(double cosine, double turn)
     return (struct vector){sine * cos(2 * PI * turn), sine * sin(2 * PI * turn), cosine};
 }
 
-static struct scatter glossy(const struct coat *coat, double colour)
+static struct bsdf glossy(const struct microfacets *coat, double colour)
 {
-    return (struct scatter){
-        .kind = MATERIAL_GLOSSY, .lanes = 1, .colour = {{colour}}, .coat = coat, .ground = colour};
+    return (struct bsdf){.kind = MATERIAL_GLOSSY,
+                         .lanes = 1,
+                         .colour = {{colour}},
+                         .microfacets = coat,
+                         .ground = colour};
 }
 
 /* What leaves towards `out` where light 1 comes from everywhere: as chosen, points far apart. */
-static double chosen(const struct scatter *scatter, struct vector out, int count)
+static double chosen(const struct bsdf *scatter, struct vector out, int count)
 {
     double sum = 0;
     for (int i = 0; i < count; i++) {
         /* parts of the golden and the silver ratio */
         const double u[3] = {fmod(i * 0.4142135623730950 + 0.5, 1), (i + 0.5) / count,
                              fmod(i * 0.6180339887498949, 1)};
-        struct scatter_sample sample;
-        sum += scatter_sample(scatter, out, u, &sample) ? sample.share.of[0] : 0;
+        struct bsdf_sample sample;
+        sum += bsdf_sample(scatter, out, u, &sample) ? sample.throughput.of[0] : 0;
     }
     return sum / count;
 }
 
 /* The same, and the integral of the density, over directions: evenly by cosine and turn. */
-static double integrated(const struct scatter *scatter, struct vector out, double *density)
+static double integrated(const struct bsdf *scatter, struct vector out, double *density)
 {
     enum { ACROSS = 200, AROUND = 100 };
     double sum = 0;
@@ -54,7 +57,7 @@ static double integrated(const struct scatter *scatter, struct vector out, doubl
         const double t = (i / AROUND + 0.5) / ACROSS; /* closer to each other along the surface */
         const struct vector in = towards(t * t, (i % AROUND + 0.5) / AROUND);
         struct radiance value;
-        *density += scatter_value(scatter, out, in, &value) * 2 * t;
+        *density += bsdf_value(scatter, out, in, &value) * 2 * t;
         sum += value.of[0] * 2 * t;
     }
     *density *= 2 * PI / (ACROSS * AROUND);
@@ -62,16 +65,16 @@ static double integrated(const struct scatter *scatter, struct vector out, doubl
 }
 
 /* The coat's share by its choice alone, and what the ground adds, which no turn changes. */
-static double furnace(const struct coat *coat, double colour, struct vector out)
+static double furnace(const struct microfacets *coat, double colour, struct vector out)
 {
     enum { ACROSS = 500 };
-    const struct scatter bare = glossy(coat, 0), whole = glossy(coat, colour);
+    const struct bsdf bare = glossy(coat, 0), whole = glossy(coat, colour);
     double sum = 0;
     for (int i = 0; i < ACROSS; i++) {
         const double t = (i + 0.5) / ACROSS;
         struct radiance dark, light;
-        scatter_value(&bare, out, towards(t * t, 0.3), &dark);
-        scatter_value(&whole, out, towards(t * t, 0.3), &light);
+        bsdf_value(&bare, out, towards(t * t, 0.3), &dark);
+        bsdf_value(&whole, out, towards(t * t, 0.3), &light);
         sum += (light.of[0] - dark.of[0]) * 2 * t * 2 * PI / ACROSS;
     }
     return chosen(&bare, out, 4000) + sum;
@@ -84,8 +87,8 @@ static void test_furnace(void)
     {
         EACH(n, indices)
         {
-            struct coat coat;
-            coat_open(alphas[a], indices[n], &coat);
+            struct microfacets coat;
+            microfacets_open(alphas[a], indices[n], &coat);
             EACH(c, cosines)
             {
                 const struct vector out = towards(cosines[c], 0.1);
@@ -110,27 +113,28 @@ static void test_share(void)
                  {0.6, 1.1, 54, 0.004223}, {0.01, 1.5, 28, 0.747486}, {0.3, 1, 20, 0}};
     EACH(i, cases)
     {
-        struct coat coat;
-        const double root = cases[i].node / (COAT_NODES - 1.0);
-        coat_open(cases[i].alpha, cases[i].index, &coat);
-        CHECK_NEAR(coat_share(&coat, root * root * root * root), cases[i].share, 3e-5, "share");
+        struct microfacets coat;
+        const double root = cases[i].node / (MICROFACET_NODES - 1.0);
+        microfacets_open(cases[i].alpha, cases[i].index, &coat);
+        CHECK_NEAR(microfacets_albedo(&coat, root * root * root * root), cases[i].share, 3e-5,
+                   "share");
     }
 }
 
 /* Of the finest facets the coat reflects what Fresnel says; without a coat the ground is bare. */
 static void test_smooth(void)
 {
-    struct coat coat;
+    struct microfacets coat;
     struct radiance value;
-    coat_open(0.001, 1.5, &coat);
-    const struct scatter bare = glossy(&coat, 0);
+    microfacets_open(0.001, 1.5, &coat);
+    const struct bsdf bare = glossy(&coat, 0);
     for (double c = 0.1; c < 1; c += 0.1) {
         CHECK_NEAR(chosen(&bare, towards(c, 0), 3000), fresnel(1.5, c), 2e-4, "smooth");
     }
     CHECK_NEAR(fresnel(1.5, 1), 0.04, 1e-15, "((n - 1)/(n + 1))^2");
-    coat_open(0.3, 1, &coat);
-    const struct scatter none = glossy(&coat, 0.7);
-    const double density = scatter_value(&none, towards(0.4, 0), towards(0.6, 0.3), &value);
+    microfacets_open(0.3, 1, &coat);
+    const struct bsdf none = glossy(&coat, 0.7);
+    const double density = bsdf_value(&none, towards(0.4, 0), towards(0.6, 0.3), &value);
     CHECK_NEAR(value.of[0], 0.7 * 0.6 / PI, 1e-15, "no coat");
     CHECK_NEAR(density, 0.6 / PI, 1e-15, "its density");
 }
@@ -140,9 +144,9 @@ static void test_reciprocity(void)
 {
     EACH(a, alphas)
     {
-        struct coat coat;
-        coat_open(alphas[a], 1.5, &coat);
-        const struct scatter scatter = glossy(&coat, 0.6);
+        struct microfacets coat;
+        microfacets_open(alphas[a], 1.5, &coat);
+        const struct bsdf scatter = glossy(&coat, 0.6);
         EACH(i, cosines)
         {
             EACH(k, cosines)
@@ -150,8 +154,8 @@ static void test_reciprocity(void)
                 const struct vector one = towards(cosines[i], 0.1);
                 const struct vector other = towards(cosines[k], 0.56);
                 struct radiance there, back;
-                scatter_value(&scatter, one, other, &there);
-                scatter_value(&scatter, other, one, &back);
+                bsdf_value(&scatter, one, other, &there);
+                bsdf_value(&scatter, other, one, &back);
                 CHECK_RELATIVE(there.of[0] * one.z, back.of[0] * other.z, 1e-9, "reciprocity");
             }
         }
@@ -167,9 +171,9 @@ static void test_choice(void)
     static const double rough[] = {0.2, 0.5, 1};
     EACH(a, rough)
     {
-        struct coat coat;
-        coat_open(rough[a], 1.5, &coat);
-        const struct scatter scatter = glossy(&coat, 0.3);
+        struct microfacets coat;
+        microfacets_open(rough[a], 1.5, &coat);
+        const struct bsdf scatter = glossy(&coat, 0.3);
         EACH(c, cosines)
         {
             if (cosines[c] < 0.25) {
@@ -186,41 +190,41 @@ static void test_choice(void)
 
 static void test_lambert(void)
 {
-    const struct scatter scatter = {.kind = MATERIAL_LAMBERT, .lanes = 2, .colour = {{0.5, 0.2}}};
+    const struct bsdf scatter = {.kind = MATERIAL_LAMBERT, .lanes = 2, .colour = {{0.5, 0.2}}};
     struct radiance value;
-    struct scatter_sample sample;
+    struct bsdf_sample sample;
     double sum = 0;
-    CHECK(scatter_value(&scatter, towards(0.3, 0), towards(0.6, 0.7), &value) == 0.6 / PI);
+    CHECK(bsdf_value(&scatter, towards(0.3, 0), towards(0.6, 0.7), &value) == 0.6 / PI);
     CHECK_NEAR(value.of[0], 0.5 * 0.6 / PI, 1e-16, "cos/pi");
     CHECK_NEAR(value.of[1], 0.2 * 0.6 / PI, 1e-16, "cos/pi");
-    CHECK(scatter_value(&scatter, towards(0.3, 0), (struct vector){0, 0.6, -0.8}, &value) == 0);
+    CHECK(bsdf_value(&scatter, towards(0.3, 0), (struct vector){0, 0.6, -0.8}, &value) == 0);
     CHECK(value.of[0] == 0);
-    CHECK(scatter_value(&scatter, (struct vector){0, 0.6, -0.8}, towards(0.3, 0), &value) == 0);
+    CHECK(bsdf_value(&scatter, (struct vector){0, 0.6, -0.8}, towards(0.3, 0), &value) == 0);
     for (int i = 0; i < 1000; i++) {
         const double u[3] = {0.5, (i + 0.5) / 1000, i * 0.618};
-        CHECK(scatter_sample(&scatter, towards(0.3, 0), u, &sample));
-        CHECK_NEAR(sample.share.of[0], 0.5, 1e-15, "colour");
-        CHECK_NEAR(vector_length(sample.way), 1, 1e-15, "length");
-        sum += sample.way.z / 1000;
+        CHECK(bsdf_sample(&scatter, towards(0.3, 0), u, &sample));
+        CHECK_NEAR(sample.throughput.of[0], 0.5, 1e-15, "colour");
+        CHECK_NEAR(vector_length(sample.direction), 1, 1e-15, "length");
+        sum += sample.direction.z / 1000;
     }
     CHECK_NEAR(sum, 2. / 3, 1e-4, "mean cosine");
 }
 
 static void test_others(void)
 {
-    const struct scatter mirror = {.kind = MATERIAL_MIRROR, .lanes = 1, .colour = {{0.9}}};
-    const struct scatter black = {.kind = MATERIAL_BLACK, .lanes = 1};
+    const struct bsdf mirror = {.kind = MATERIAL_MIRROR, .lanes = 1, .colour = {{0.9}}};
+    const struct bsdf black = {.kind = MATERIAL_BLACK, .lanes = 1};
     const double u[3] = {0.5, 0.5, 0.5};
     struct radiance value;
-    struct scatter_sample sample;
-    CHECK(scatter_sample(&mirror, (struct vector){0.6, 0, 0.8}, u, &sample));
-    CHECK(sample.way.x == -0.6 && sample.way.y == 0 && sample.way.z == 0.8);
-    CHECK(sample.share.of[0] == 0.9 && isinf(sample.density));
-    CHECK(scatter_value(&mirror, towards(0.8, 0), towards(0.8, 0.5), &value) == 0);
+    struct bsdf_sample sample;
+    CHECK(bsdf_sample(&mirror, (struct vector){0.6, 0, 0.8}, u, &sample));
+    CHECK(sample.direction.x == -0.6 && sample.direction.y == 0 && sample.direction.z == 0.8);
+    CHECK(sample.throughput.of[0] == 0.9 && isinf(sample.pdf));
+    CHECK(bsdf_value(&mirror, towards(0.8, 0), towards(0.8, 0.5), &value) == 0);
     CHECK(value.of[0] == 0);
-    CHECK(!scatter_sample(&mirror, (struct vector){0.6, 0, -0.8}, u, &sample));
-    CHECK(!scatter_sample(&black, (struct vector){0.6, 0, 0.8}, u, &sample));
-    CHECK(scatter_value(&black, towards(0.8, 0), towards(0.8, 0.5), &value) == 0);
+    CHECK(!bsdf_sample(&mirror, (struct vector){0.6, 0, -0.8}, u, &sample));
+    CHECK(!bsdf_sample(&black, (struct vector){0.6, 0, 0.8}, u, &sample));
+    CHECK(bsdf_value(&black, towards(0.8, 0), towards(0.8, 0.5), &value) == 0);
 }
 
 int main(void)

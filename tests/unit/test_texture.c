@@ -39,7 +39,7 @@ static void test_places(void)
     };
     for (size_t i = 0; i < sizeof cases / sizeof cases[0]; i++) {
         double of[TEXTURE_CHANNELS];
-        texture_look(&picture, cases[i].place, cases[i].edges, of);
+        texture_lookup(&picture, cases[i].place, cases[i].edges, of);
         for (size_t k = 0; k < TEXTURE_ALPHA; k++) {
             CHECK_NEAR(of[k], cases[i].expected, 1e-15, cases[i].what);
         }
@@ -54,7 +54,7 @@ static void test_channels(void)
     double of[TEXTURE_CHANNELS];
     for (size_t channels = 1; channels <= 4; channels++) {
         const struct image one = {.width = 1, .height = 1, .channels = channels, .pixels = pixels};
-        texture_look(&one, place, TEXTURE_ENDS, of);
+        texture_lookup(&one, place, TEXTURE_ENDS, of);
         CHECK_NEAR(of[1], channels < 3 ? 0.125 : 0.25, 0, "green");
         CHECK_NEAR(of[2], channels < 3 ? 0.125 : 0.5, 0, "blue");
         CHECK_NEAR(of[TEXTURE_ALPHA], channels < 4 ? 1 : 0.75, 0, "alpha");
@@ -70,7 +70,7 @@ static void test_nowhere(void)
     for (size_t i = 0; i < sizeof places / sizeof *places; i++) {
         for (size_t k = 0; k < sizeof all / sizeof *all; k++) {
             double of[TEXTURE_CHANNELS];
-            texture_look(&picture, places[i], all[k], of);
+            texture_lookup(&picture, places[i], all[k], of);
             CHECK(isnan(of[0]) && isnan(of[1]) && isnan(of[2]));
         }
     }

@@ -14,7 +14,7 @@ static void test_points(void)
     } cases[] = {{1, 0}, {2, 1}, {3, 2}, {64, 6}, {65, 7}, {1 << 25, 25}, {1 << 26, 25}};
     struct arena arena = {0};
     for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
-        const struct points_table *table = tile_rays_points(cases[i].samples, &arena);
+        const struct sampler_table *table = tile_rays_points(cases[i].samples, &arena);
         struct sobol expected;
         sobol_open_strands(5, cases[i].bits, &expected);
         CHECK(table->first == 5 && memcmp(&table->sobol[0], &expected, sizeof expected) == 0);

@@ -26,27 +26,29 @@ int main(void)
     struct scene_place place = {
         .at = {100, 200, 300}, .turned = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}, .axis = {0, 1, 0}};
     struct world_ray ray = view_ray(&place, 20, &rays, 1, 0);
-    check_vector(ray.from, (struct vector){101, 202, 283}, "upright: from");
-    check_vector(ray.way, (struct vector){-3.0 / 13, 4.0 / 13, -12.0 / 13}, "upright: way");
+    check_vector(ray.origin, (struct vector){101, 202, 283}, "upright: from");
+    check_vector(ray.direction, (struct vector){-3.0 / 13, 4.0 / 13, -12.0 / 13}, "upright: way");
     CHECK(ray.time == 0 && isinf(ray.farthest));
 
     /* it looks along +x: its right is +z, its back -x */
     place.turned = (struct frame){{0, 0, 1}, {0, 1, 0}, {-1, 0, 0}};
     ray = view_ray(&place, 20, &rays, 1, 0);
-    check_vector(ray.from, (struct vector){117, 202, 301}, "to the right: from");
-    check_vector(ray.way, (struct vector){12.0 / 13, 4.0 / 13, -3.0 / 13}, "to the right: way");
+    check_vector(ray.origin, (struct vector){117, 202, 301}, "to the right: from");
+    check_vector(ray.direction, (struct vector){12.0 / 13, 4.0 / 13, -3.0 / 13},
+                 "to the right: way");
 
     /* after 0.5 s: 5 mm along y, and a quarter turn about y, right-handed: +x goes to -z */
     place.velocity = (struct vector){0, 10, 0};
     place.spin = PI;
     ray = view_ray(&place, 20, &rays, 1, 0.5);
-    check_vector(ray.from, (struct vector){101, 207, 283}, "later: from");
-    check_vector(ray.way, (struct vector){-3.0 / 13, 4.0 / 13, -12.0 / 13}, "later: way");
+    check_vector(ray.origin, (struct vector){101, 207, 283}, "later: from");
+    check_vector(ray.direction, (struct vector){-3.0 / 13, 4.0 / 13, -12.0 / 13}, "later: way");
     CHECK(ray.time == 0.5);
 
     /* a way that is not of length 1 becomes one */
     struct ray_block twice = rays;
     twice.r[0] = -2;
-    check_vector(view_ray(&place, 20, &twice, 0, 0).way, (struct vector){1, 0, 0}, "of length 1");
+    check_vector(view_ray(&place, 20, &twice, 0, 0).direction, (struct vector){1, 0, 0},
+                 "of length 1");
     return check_report();
 }

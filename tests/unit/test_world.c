@@ -257,8 +257,8 @@ static void test_shapes(void)
         struct world_ray ray = {vector_along(c->from, 1, place),
                                 vector_unit(vector_minus(c->to, c->from)), 0, INFINITY};
         struct world_hit hit;
-        check_at(world_look(&world, &ray, &hit) == c->meets, __FILE__, __LINE__, c->what);
-        check_at(world_is_clear(&world, &ray) != c->meets, __FILE__, __LINE__, c->what);
+        check_at(world_intersect(&world, &ray, &hit) == c->meets, __FILE__, __LINE__, c->what);
+        check_at(world_is_unoccluded(&world, &ray) != c->meets, __FILE__, __LINE__, c->what);
         if (c->meets) {
             const struct vector at = vector_minus(hit.at, place);
             const double distance = vector_length(vector_minus(c->at, c->from));
@@ -270,8 +270,8 @@ static void test_shapes(void)
             CHECK_NEAR(hit.place[1], c->place[1], 1e-13, c->what);
             check_at(hit.is_back == c->is_back, __FILE__, __LINE__, c->what);
             ray.farthest = distance * (1 - 1e-12);
-            check_at(world_is_clear(&world, &ray), __FILE__, __LINE__, c->what);
-            check_at(!world_look(&world, &ray, &hit), __FILE__, __LINE__, c->what);
+            check_at(world_is_unoccluded(&world, &ray), __FILE__, __LINE__, c->what);
+            check_at(!world_intersect(&world, &ray, &hit), __FILE__, __LINE__, c->what);
         }
         arena_free(&arena);
     }
@@ -294,12 +294,12 @@ static void test_motion(void)
     /* its right side, x = 1 of itself, looks up after a second, its size of 4 lies along x */
     struct world_ray ray = {{11.9, 20, 0}, {0, -1, 0}, 1, INFINITY};
     struct world_hit hit;
-    CHECK(world_look(&world, &ray, &hit));
+    CHECK(world_intersect(&world, &ray, &hit));
     CHECK_NEAR(hit.at.y, 4, 1e-13, "upper side");
     CHECK_NEAR(hit.normal.y, 1, 1e-15, "its normal");
     CHECK_NEAR(hit.place[1], 0.5 - 1.9 / 4, 1e-13, "upwards in it is to the left now");
     ray.time = 0;
-    CHECK(!world_look(&world, &ray, &hit));
+    CHECK(!world_intersect(&world, &ray, &hit));
     thing.shape = SHAPE_SPHERE;
     const struct shape_box box = shape_box(&thing);
     CHECK_NEAR(box.high.z, 2, 0, "half a sphere");
@@ -321,7 +321,7 @@ static void test_tiles(void)
     struct error error;
     CHECK(world_open(&scene, whole, &arena, &world, &error));
     const struct world_ray ray = {{0.25, 0.75, 1}, {0, 0, -1}, 0, INFINITY};
-    CHECK(world_look(&world, &ray, &hit));
+    CHECK(world_intersect(&world, &ray, &hit));
     CHECK_NEAR(hit.place[0], 0.75, 1e-15, "-1 + 3 x");
     CHECK_NEAR(hit.place[1], 0.25, 1e-15, "3 y");
     arena_free(&arena);
@@ -345,23 +345,23 @@ static void test_normals(void)
         struct error error;
         CHECK(world_open(&scene, whole, &arena, &world, &error));
         struct world_ray ray = {{1e-9, 0.5, 1}, {0, 0, -1}, 0, INFINITY};
-        CHECK(world_look(&world, &ray, &hit) && !hit.is_back);
+        CHECK(world_intersect(&world, &ray, &hit) && !hit.is_back);
         CHECK_NEAR(hit.normal.x, half, 1e-8, "leans to the right");
         CHECK_NEAR(hit.normal.z, half, 1e-8, "towards the ray");
         CHECK_NEAR(hit.face.z, 1, 1e-15, "the surface itself");
         ray = (struct world_ray){{1e-9, 0.5, -1}, {0, 0, 1}, 0, INFINITY};
-        CHECK(world_look(&world, &ray, &hit) && hit.is_back);
+        CHECK(world_intersect(&world, &ray, &hit) && hit.is_back);
         CHECK_NEAR(hit.normal.x, -half, 1e-8, "from behind");
         CHECK_NEAR(hit.normal.z, -half, 1e-8, "towards the ray from behind");
         /* a ray that a smooth normal turns away from still sees the surface */
         ray = (struct world_ray){{1, 0.5, 0.5}, vector_unit((struct vector){-1, 0, -0.5}), 0, 9};
-        ray.from.x += 1e-9;
-        CHECK(world_look(&world, &ray, &hit));
-        CHECK(vector_dot(hit.normal, ray.way) < 0);
+        ray.origin.x += 1e-9;
+        CHECK(world_intersect(&world, &ray, &hit));
+        CHECK(vector_dot(hit.normal, ray.direction) < 0);
         ray =
             (struct world_ray){{-1, 0.5, 0.5}, vector_unit((struct vector){1.001, 0, -0.5}), 0, 9};
-        CHECK(world_look(&world, &ray, &hit));
-        CHECK(vector_dot(hit.normal, ray.way) < 0);
+        CHECK(world_intersect(&world, &ray, &hit));
+        CHECK(vector_dot(hit.normal, ray.direction) < 0);
         CHECK_NEAR(vector_length(hit.normal), 1, 1e-15, "its length");
         arena_free(&arena);
     }

@@ -101,7 +101,7 @@ static void test_tight(void)
             const struct vector from = vector_in(&stream, 0.4 * c->size);
             struct world_ray ray = {i % 8 < 4 ? c->at : vector_along(c->at, 1, from),
                                     vector_unit(vector_minus(to, from)), 0, INFINITY};
-            leaks += world_is_clear(&world, &ray) ? 1 : 0;
+            leaks += world_is_unoccluded(&world, &ray) ? 1 : 0;
         }
         CHECK_NEAR((double)leaks, 0, 0, c->what);
         arena_free(&arena);
@@ -136,15 +136,15 @@ static void leave_thing(const struct scene_thing *thing, struct stream *stream, 
         struct world_ray ray = {vector_along(thing->where.at, 1, from),
                                 vector_unit(vector_minus(to, from)), 0, INFINITY};
         struct world_hit hit;
-        if (!world_look(&world, &ray, &hit)) {
+        if (!world_intersect(&world, &ray, &hit)) {
             continue;
         }
         met++;
         worst = fmax(worst, hit.slack / (vector_length(hit.at) + vector_length(thing->where.at)));
-        ray.from = world_leave(&hit);
+        ray.origin = world_ray_origin(&hit);
         /* the least rise is less than a unit of rounding: without end it may go down */
-        ray.way = over(stream, hit.face, thing->shape == SHAPE_PLANE ? i % 6 % 5 : i);
-        again += world_is_clear(&world, &ray) ? 0 : 1;
+        ray.direction = over(stream, hit.face, thing->shape == SHAPE_PLANE ? i % 6 % 5 : i);
+        again += world_is_unoccluded(&world, &ray) ? 0 : 1;
     }
     check_at(met > 200, __FILE__, __LINE__, what);
     CHECK_NEAR((double)again, 0, 0, what);
@@ -199,11 +199,11 @@ static void test_slivers(void)
         const struct vector from = vector_along(middle, 1000, direction(&stream));
         struct world_ray ray = {from, vector_unit(vector_minus(middle, from)), 0, INFINITY};
         struct world_hit hit;
-        if (world_look(&world, &ray, &hit)) {
+        if (world_intersect(&world, &ray, &hit)) {
             met++;
-            ray.from = world_leave(&hit);
-            ray.way = over(&stream, hit.face, i);
-            again += world_is_clear(&world, &ray) ? 0 : 1;
+            ray.origin = world_ray_origin(&hit);
+            ray.direction = over(&stream, hit.face, i);
+            again += world_is_unoccluded(&world, &ray) ? 0 : 1;
         }
         arena_free(&arena);
     }
@@ -224,11 +224,11 @@ static void test_within(void)
     for (size_t i = 0; i < 2000; i++) {
         struct world_ray ray = {thing.where.at, direction(&stream), 0, INFINITY};
         struct world_hit hit;
-        CHECK(world_look(&world, &ray, &hit) && hit.is_back);
-        ray.from = world_leave(&hit);
-        ray.way = over(&stream, hit.face, i % 6 < 4 ? i : 0);
-        const double c = vector_dot(ray.way, hit.face), slack = hit.slack;
-        CHECK(world_look(&world, &ray, &hit) && hit.is_back);
+        CHECK(world_intersect(&world, &ray, &hit) && hit.is_back);
+        ray.origin = world_ray_origin(&hit);
+        ray.direction = over(&stream, hit.face, i % 6 < 4 ? i : 0);
+        const double c = vector_dot(ray.direction, hit.face), slack = hit.slack;
+        CHECK(world_intersect(&world, &ray, &hit) && hit.is_back);
         const double more = fmin(slack / c, sqrt(14 * slack));
         CHECK_NEAR(hit.distance, 14 * c, 1.01 * more + 1e-13, "chord");
     }
@@ -256,7 +256,7 @@ static void test_thin(void)
                                       between(&stream, 19.501, 20.499), 30};
             const struct vector from = vector_along(to, k % 2 == 0 ? 5 : -5, direction(&stream));
             const struct world_ray ray = {from, vector_unit(vector_minus(to, from)), 0, INFINITY};
-            missed += world_is_clear(&world, &ray) ? 1 : 0;
+            missed += world_is_unoccluded(&world, &ray) ? 1 : 0;
         }
         CHECK_NEAR((double)missed, 0, 0, "thin box");
         leave_thing(&thing, &stream, "thin box");
@@ -276,12 +276,12 @@ static void test_grazing(void)
         for (double rim = 1e-3; rim > 1e-14; rim /= 10) {
             struct world_hit hit;
             struct world_ray ray = {{1 - rim, 0, away}, {0, 0, -1}, 0, INFINITY};
-            CHECK(world_look(&world, &ray, &hit));
-            const double x = ray.from.x, z = sqrt((1 - x) * (1 + x));
+            CHECK(world_intersect(&world, &ray, &hit));
+            const double x = ray.origin.x, z = sqrt((1 - x) * (1 + x));
             CHECK_NEAR(hit.distance, away - z, 4e-16 * away, "distance");
             CHECK_NEAR(hit.at.z, z, 1e-9 + 4e-16 * away, "height over the middle");
-            ray.from.x = 1 + rim;
-            CHECK(world_is_clear(&world, &ray));
+            ray.origin.x = 1 + rim;
+            CHECK(world_is_unoccluded(&world, &ray));
         }
     }
     arena_free(&arena);
@@ -304,8 +304,8 @@ static void test_piles(void)
             (struct scene_thing){.shape = SHAPE_SPHERE, .where.turned = upright, .radius = 1};
     }
     open_world(&scene, &arena, &world);
-    CHECK(world_look(&world, &ray, &hit));
-    CHECK(!world_look(&world, &(struct world_ray){{2, 0, -9}, {0, 0, 1}, 0, INFINITY}, &hit));
+    CHECK(world_intersect(&world, &ray, &hit));
+    CHECK(!world_intersect(&world, &(struct world_ray){{2, 0, -9}, {0, 0, 1}, 0, INFINITY}, &hit));
     /* each a hundredth larger and farther than the one before it: the first is met first */
     for (size_t i = 0; i < PILE; i++) {
         const double far = pow(1.015, (double)i);
@@ -314,10 +314,10 @@ static void test_piles(void)
     }
     open_world(&scene, &arena, &world);
     const struct world_ray along = {{0, 0, -1}, {0, 0, 1}, 0, INFINITY};
-    CHECK(world_look(&world, &along, &hit) && hit.thing == 0);
+    CHECK(world_intersect(&world, &along, &hit) && hit.thing == 0);
     CHECK_NEAR(hit.distance, 1.995, 1e-15, "the first of them");
     const struct world_ray back = {{0, 0, 1e20}, {0, 0, -1}, 0, INFINITY};
-    CHECK(world_look(&world, &back, &hit) && hit.thing == PILE - 1);
+    CHECK(world_intersect(&world, &back, &hit) && hit.thing == PILE - 1);
     arena_free(&arena);
 }
 
@@ -342,9 +342,9 @@ static void test_nothing(void)
     open_world(&scene, &arena, &world);
     CHECK(world.degenerate == 3);
     const struct world_ray ray = {{0.5, 0, 1}, {0, 0, -1}, 0, INFINITY};
-    CHECK(world_is_clear(&world, &ray));
+    CHECK(world_is_unoccluded(&world, &ray));
     const struct world_ray lost = {{NAN, 0, 1}, {0, NAN, -1}, 0, INFINITY};
-    CHECK(world_is_clear(&world, &lost));
+    CHECK(world_is_unoccluded(&world, &lost));
     arena_free(&arena);
 }
 
@@ -368,9 +368,9 @@ static void test_alpha(void)
         const struct vector to = {between(&stream, -1, 1), between(&stream, -1, 1), -5};
         const struct world_ray ray = {{to.x, to.y, 3}, {0, 0, -1}, 0, INFINITY};
         const struct world_ray back = {{to.x, to.y, -9}, {0, 0, 1}, 0, INFINITY};
-        const bool meets = !world_is_clear(&world, &ray);
+        const bool meets = !world_is_unoccluded(&world, &ray);
         met += meets ? 1 : 0;
-        CHECK(meets == !world_is_clear(&world, &back));
+        CHECK(meets == !world_is_unoccluded(&world, &back));
     }
     CHECK_NEAR((double)met / RAYS, 1.0 / 3, 4 * sqrt(2.0 / 9 / RAYS), "share of the card");
     arena_free(&arena);

@@ -125,8 +125,8 @@ static long double meet_thing(const struct scene_thing *thing, const struct worl
     const struct scene_place *place = &thing->where;
     const struct far_vector at =
         far_along(far_of(place->at), (long double)ray->time, far_of(place->velocity));
-    const struct far_vector from = far_in(place, ray->time, far_along(far_of(ray->from), -1, at));
-    const struct far_vector way = far_in(place, ray->time, far_of(ray->way));
+    const struct far_vector from = far_in(place, ray->time, far_along(far_of(ray->origin), -1, at));
+    const struct far_vector way = far_in(place, ray->time, far_of(ray->direction));
     return thing->shape == SHAPE_SPHERE ? meet_ball(thing, from, way)
            : thing->shape == SHAPE_BOX  ? meet_block(thing, from, way)
            : thing->shape == SHAPE_MESH ? meet_mesh(thing->mesh, from, way)
@@ -201,20 +201,21 @@ static void check_look(const struct scene *scene, const struct world *world,
     size_t which;
     struct world_hit hit = {0};
     const long double expected = meet_first(scene, ray, &which);
-    const bool met = world_look(world, ray, &hit);
+    const bool met = world_intersect(world, ray, &hit);
     CHECK(met == (which != SCENE_NONE));
     if (met && which != SCENE_NONE) {
         CHECK(hit.thing == which);
         CHECK_RELATIVE(hit.distance, (double)expected, 1e-10, "distance");
-        const struct vector at = vector_along(ray->from, hit.distance, ray->way);
+        const struct vector at = vector_along(ray->origin, hit.distance, ray->direction);
         CHECK_NEAR(vector_length(vector_minus(hit.at, at)), 0, 1e-9, "place");
-        CHECK(vector_dot(hit.face, ray->way) < 0 && vector_dot(hit.normal, ray->way) < 0);
+        CHECK(vector_dot(hit.face, ray->direction) < 0 &&
+              vector_dot(hit.normal, ray->direction) < 0);
     }
     struct world_ray part = *ray;
     part.farthest = which == SCENE_NONE ? 1e9 : (double)expected * (1 - 1e-9);
-    CHECK(world_is_clear(world, &part));
+    CHECK(world_is_unoccluded(world, &part));
     part.farthest = which == SCENE_NONE ? 1e9 : (double)expected * (1 + 1e-9);
-    CHECK(world_is_clear(world, &part) == (which == SCENE_NONE));
+    CHECK(world_is_unoccluded(world, &part) == (which == SCENE_NONE));
 }
 
 static void test_random(void)
@@ -269,7 +270,7 @@ static void test_moved_by_hand(void)
     for (size_t k = 0; k < RAYS; k++) {
         const struct world_ray ray = {vector_in(&stream, 100), direction(&stream), time, INFINITY};
         struct world_hit a = {0}, b = {0};
-        CHECK(world_look(&moving, &ray, &a) == world_look(&resting, &ray, &b));
+        CHECK(world_intersect(&moving, &ray, &a) == world_intersect(&resting, &ray, &b));
         CHECK_NEAR(a.distance, b.distance, 0, "distance, moving and at rest");
     }
     arena_free(&arena);

@@ -201,7 +201,7 @@ static bool look(const struct analysis_case *one, void *context, struct error *e
     }
     const struct world_ray ray = view_ray(camera, pupil, rays.blocks, 0, 0);
     looking->distance = INFINITY;
-    if (world_look(&looking->world->world, &ray, &hit)) {
+    if (world_intersect(&looking->world->world, &ray, &hit)) {
         const struct scene_pose pose = scene_pose_at(camera, 0);
         looking->distance = -pupil - vector_dot(pose.turned.z, vector_minus(hit.at, pose.at));
     }

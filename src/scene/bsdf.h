@@ -1,10 +1,10 @@
-/* scene/scatter.h - how surfaces send light on: evenly, as a mirror, or glossy. */
+/* scene/bsdf.h - how surfaces send light on: evenly, as a mirror, or glossy. */
 /* SPDX-License-Identifier: MIT */
-#ifndef LENSCALC_SCENE_SCATTER_H
-#define LENSCALC_SCENE_SCATTER_H
+#ifndef LENSCALC_SCENE_BSDF_H
+#define LENSCALC_SCENE_BSDF_H
 
 #include "light/bands.h"
-#include "scene/coat.h"
+#include "scene/microfacets.h"
 #include "scene/scene.h"
 #include "scene/vector.h"
 
@@ -12,20 +12,20 @@
 #include <stddef.h>
 
 /* What one point of a surface does to the lanes of a ray. */
-struct scatter {
+struct bsdf {
     enum scene_material_kind kind;
     size_t lanes;
-    struct radiance colour;  /* shares, 0 to 1; of a glossy one those of its ground */
-    const struct coat *coat; /* of a glossy one */
-    double ground;           /* 0 to 1: about its colour, by which directions are chosen; the same
+    struct radiance colour;                /* shares, 0 to 1; of a glossy one those of its ground */
+    const struct microfacets *microfacets; /* of a glossy one */
+    double ground; /* 0 to 1: about its colour, by which directions are chosen; the same
                                 for all lanes that a ray may have */
 };
 
 /* Towards where light is looked for. */
-struct scatter_sample {
-    struct vector way;     /* of length 1 */
-    struct radiance share; /* value over density */
-    double density;        /* per sr; INFINITY: a mirror's only way */
+struct bsdf_sample {
+    struct vector direction;    /* of length 1 */
+    struct radiance throughput; /* value over density */
+    double pdf;                 /* per sr; INFINITY: a mirror's only way */
 };
 
 /*
@@ -42,8 +42,8 @@ struct scatter_sample {
  * Source    [Walter07] equations 20, 22, 33 (microfacets, Fresnel, GGX); [Heitz14] equation 99 (G);
  *           [Kelemen01] (the ground)
  */
-double scatter_value(const struct scatter *scatter, struct vector out, struct vector in,
-                     struct radiance *value);
+double bsdf_value(const struct bsdf *scatter, struct vector out, struct vector in,
+                  struct radiance *value);
 
 /*
  * Choose where to look for the light that leaves in a direction.
@@ -55,7 +55,7 @@ double scatter_value(const struct scatter *scatter, struct vector out, struct ve
  *           ground's directions by their cosine; the density is that of both together
  * Source    [Heitz18]
  */
-bool scatter_sample(const struct scatter *scatter, struct vector out, const double u[3],
-                    struct scatter_sample *sample);
+bool bsdf_sample(const struct bsdf *scatter, struct vector out, const double u[3],
+                 struct bsdf_sample *sample);
 
 #endif

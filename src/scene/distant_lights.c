@@ -1,9 +1,9 @@
-/* scene/light_discs.c - suns and stars, found by where they stand. */
+/* scene/distant_lights.c - suns and stars, found by where they stand. */
 /* SPDX-License-Identifier: MIT */
-#include "scene/light_discs.h"
+#include "scene/distant_lights.h"
 
 #include "base/constants.h"
-#include "scene/pick.h"
+#include "scene/discrete.h"
 
 #include <stdlib.h>
 #include <string.h>
@@ -12,51 +12,52 @@
 
 enum { ROWS_MOST = 512 };
 
-static size_t step_of(double share, size_t steps)
+static size_t cemittered_step(double share, size_t steps)
 {
     const double at = share * (double)steps;
     const size_t step = at > 0 ? (size_t)at : 0;
     return step < steps ? step : steps - 1;
 }
 
-static size_t row_of(const struct light_discs *discs, double y)
+static size_t cell_row(const struct distant_lights *discs, double y)
 {
-    return step_of((y + 1) / 2, discs->rows);
+    return cemittered_step((y + 1) / 2, discs->rows);
 }
 
 /* Columns go round: longitudes beyond half a turn are another's. */
-static size_t column_of(const struct light_discs *discs, double longitude)
+static size_t cell_column(const struct distant_lights *discs, double longitude)
 {
     const double turns = longitude / (2 * PI) + 0.5;
-    return step_of(turns - floor(turns), discs->columns);
+    return cemittered_step(turns - floor(turns), discs->columns);
 }
 
-static size_t cell_of(const struct light_discs *discs, struct vector way)
+static size_t cell_of_direction(const struct distant_lights *discs, struct vector way)
 {
-    return row_of(discs, way.y) * discs->columns + column_of(discs, atan2(way.x, way.z));
+    return cell_row(discs, way.y) * discs->columns + cell_column(discs, atan2(way.x, way.z));
 }
 
 /* The cells that a disc may lie in. */
-struct cells {
+struct cell_range {
     size_t row[2], column, columns; /* rows from..to; columns on from the first, round */
 };
 
-static struct cells cells_of(const struct light_discs *discs, const struct light_disc *disc)
+static struct cell_range cells_of_light(const struct distant_lights *discs,
+                                        const struct distant_light *disc)
 {
     const double reach = disc->radius * (1 + 1e-9) + 1e-12;
-    const double y = disc->way.y,
-                 across = sqrt(disc->way.x * disc->way.x + disc->way.z * disc->way.z);
+    const double y = disc->direction.y, across = sqrt(disc->direction.x * disc->direction.x +
+                                                      disc->direction.z * disc->direction.z);
     const double latitude = atan2(y, across);
     const double low = latitude - reach, high = latitude + reach;
-    struct cells cells = {{low <= -PI / 2 ? 0 : row_of(discs, sin(low)),
-                           high >= PI / 2 ? discs->rows - 1 : row_of(discs, sin(high))},
-                          0,
-                          discs->columns};
+    struct cell_range cells = {{low <= -PI / 2 ? 0 : cell_row(discs, sin(low)),
+                                high >= PI / 2 ? discs->rows - 1 : cell_row(discs, sin(high))},
+                               0,
+                               discs->columns};
     if (low > -PI / 2 && high < PI / 2) {
         const double half = asin(fmin(1, sin(reach) / cos(latitude))) * (1 + 1e-9) + 1e-12;
-        const double longitude = atan2(disc->way.x, disc->way.z);
-        const size_t last = column_of(discs, longitude + half);
-        cells.column = column_of(discs, longitude - half);
+        const double longitude = atan2(disc->direction.x, disc->direction.z);
+        const size_t last = cell_column(discs, longitude + half);
+        cells.column = cell_column(discs, longitude - half);
         cells.columns = half >= PI / 2
                             ? discs->columns
                             : (last + discs->columns - cells.column) % discs->columns + 1;
@@ -65,10 +66,10 @@ static struct cells cells_of(const struct light_discs *discs, const struct light
 }
 
 /* Count the discs of each cell, or list them where they were counted. */
-static void fill(struct light_discs *discs, size_t *next, bool lists)
+static void cells_fill(struct distant_lights *discs, size_t *next, bool lists)
 {
     for (size_t i = 0; i < discs->count; i++) {
-        const struct cells cells = cells_of(discs, &discs->all[i]);
+        const struct cell_range cells = cells_of_light(discs, &discs->all[i]);
         for (size_t row = cells.row[0]; row <= cells.row[1]; row++) {
             for (size_t k = 0; k < cells.columns; k++) {
                 const size_t cell = row * discs->columns + (cells.column + k) % discs->columns;
@@ -82,7 +83,7 @@ static void fill(struct light_discs *discs, size_t *next, bool lists)
 }
 
 /* About one disc a cell, but cells no smaller than discs are in the mean. */
-static void sort_into_cells(struct light_discs *discs, struct arena *arena)
+static void sort_into_cells(struct distant_lights *discs, struct arena *arena)
 {
     double radii = 0;
     for (size_t i = 0; i < discs->count; i++) {
@@ -95,51 +96,53 @@ static void sort_into_cells(struct light_discs *discs, struct arena *arena)
     const size_t cells = discs->rows * discs->columns;
     size_t *next = ARENA_ARRAY(arena, cells + 1, size_t);
     discs->begins = ARENA_ARRAY(arena, cells + 1, size_t);
-    fill(discs, next, false);
+    cells_fill(discs, next, false);
     for (size_t i = 0; i < cells; i++) {
         discs->begins[i + 1] = discs->begins[i] + next[i];
         next[i] = discs->begins[i];
     }
     discs->listed = ARENA_ARRAY(arena, discs->begins[cells], size_t);
-    fill(discs, next, true);
+    cells_fill(discs, next, true);
 }
 
 /* -------- what they shine -------- */
 
-static bool is_disc(const struct scene_light *light)
+static bool is_distant_light(const struct scene_light *light)
 {
     return (light->kind == LIGHT_SUN || light->kind == LIGHT_STAR) && light->amount > 0;
 }
 
 /* 1 - cos r, without losing the digits of small ones; the square of the chord is twice that. */
-static double height_of(double radius)
+static double cap_height(double radius)
 {
     const double half = sin(radius / 2);
     return 2 * half * half;
 }
 
-static struct light_disc disc_of(const struct scene_light *light, const struct banded *unit)
+static struct distant_light disc_of(const struct scene_light *light, const struct banded *unit)
 {
     const double radius = light->diameter / 2, sine = sin(radius);
-    return (struct light_disc){.way = light->direction,
-                               .radius = radius,
-                               .chord = 2 * height_of(radius),
-                               .luminance = light->amount / (PI * sine * sine),
-                               .unit = unit};
+    return (struct distant_light){.direction = light->direction,
+                                  .radius = radius,
+                                  .chord = 2 * cap_height(radius),
+                                  .luminance = light->amount / (PI * sine * sine),
+                                  .unit = unit};
 }
 
 /* -------- discs that lie on each other -------- */
 
-static int compare(double a, double b)
+static int compare_numbers(double a, double b)
 {
     return (a > b) - (a < b);
 }
 
 /* Do they differ in more than in how bright they are? */
-static int by_disc(const struct light_disc *a, const struct light_disc *b)
+static int by_disc(const struct distant_light *a, const struct distant_light *b)
 {
-    const int signs[] = {compare(a->way.x, b->way.x), compare(a->way.y, b->way.y),
-                         compare(a->way.z, b->way.z), compare(a->radius, b->radius)};
+    const int signs[] = {compare_numbers(a->direction.x, b->direction.x),
+                         compare_numbers(a->direction.y, b->direction.y),
+                         compare_numbers(a->direction.z, b->direction.z),
+                         compare_numbers(a->radius, b->radius)};
     for (size_t i = 0; i < sizeof signs / sizeof signs[0]; i++) {
         if (signs[i] != 0) {
             return signs[i];
@@ -151,8 +154,8 @@ static int by_disc(const struct light_disc *a, const struct light_disc *b)
 /* The first of the scene goes before others like it. */
 static int by_disc_and_number(const void *a, const void *b)
 {
-    const struct light_disc *p = *(struct light_disc *const *)a;
-    const struct light_disc *q = *(struct light_disc *const *)b;
+    const struct distant_light *p = *(struct distant_light *const *)a;
+    const struct distant_light *q = *(struct distant_light *const *)b;
     const int sign = by_disc(p, q);
     return sign != 0 ? sign : (p > q) - (p < q);
 }
@@ -161,15 +164,15 @@ static int by_disc_and_number(const void *a, const void *b)
  * Discs of one place, size and colour become the first of them: rays would look at each. The others
  * have no amount any more; `amount`: lx of each.
  */
-static void join_alike(struct light_discs *discs, double *amount)
+static void join_alike(struct distant_lights *discs, double *amount)
 {
     struct arena work = {0};
-    struct light_disc **order = ARENA_ARRAY(&work, discs->count, struct light_disc *);
+    struct distant_light **order = ARENA_ARRAY(&work, discs->count, struct distant_light *);
     for (size_t i = 0; i < discs->count; i++) {
         order[i] = &discs->all[i];
     }
     qsort(order, discs->count, sizeof order[0], by_disc_and_number);
-    struct light_disc *first = order[0];
+    struct distant_light *first = order[0];
     for (size_t i = 1; i < discs->count; i++) {
         if (by_disc(first, order[i]) != 0) {
             first = order[i];
@@ -183,7 +186,7 @@ static void join_alike(struct light_discs *discs, double *amount)
 }
 
 /* What is left of them, in the order of the scene, and how often each is chosen. */
-static void weigh(struct light_discs *discs, const double *amount)
+static void distant_lights_weigh(struct distant_lights *discs, const double *amount)
 {
     size_t count = 0;
     for (size_t i = 0; i < discs->count; i++) {
@@ -197,81 +200,81 @@ static void weigh(struct light_discs *discs, const double *amount)
     discs->total = discs->below[count];
     for (size_t i = 0; i < count; i++) {
         const double share = (discs->below[i + 1] - discs->below[i]) / discs->total;
-        discs->all[i].density = share / (2 * PI * height_of(discs->all[i].radius));
+        discs->all[i].pdf = share / (2 * PI * cap_height(discs->all[i].radius));
     }
 }
 
-void light_discs_open(const struct scene *scene, const struct banded *const *units,
-                      struct arena *arena, struct light_discs *discs)
+void distant_lights_open(const struct scene *scene, const struct banded *const *units,
+                         struct arena *arena, struct distant_lights *discs)
 {
-    *discs = (struct light_discs){.count = 0};
+    *discs = (struct distant_lights){.count = 0};
     for (size_t i = 0; i < scene->light_count; i++) {
-        discs->count += is_disc(&scene->lights[i]) ? 1 : 0;
+        discs->count += is_distant_light(&scene->lights[i]) ? 1 : 0;
     }
     if (discs->count == 0) {
         return;
     }
-    discs->all = ARENA_ARRAY(arena, discs->count, struct light_disc);
+    discs->all = ARENA_ARRAY(arena, discs->count, struct distant_light);
     discs->below = ARENA_ARRAY(arena, discs->count + 1, double);
     double *amount = ARENA_ARRAY(arena, discs->count, double);
     size_t count = 0;
     for (size_t i = 0; i < scene->light_count; i++) {
-        if (is_disc(&scene->lights[i])) {
+        if (is_distant_light(&scene->lights[i])) {
             discs->all[count] = disc_of(&scene->lights[i], units[i]);
             amount[count++] = scene->lights[i].amount;
         }
     }
     join_alike(discs, amount);
-    weigh(discs, amount);
+    distant_lights_weigh(discs, amount);
     sort_into_cells(discs, arena);
 }
 
-struct vector light_disc_way(const struct light_disc *disc, const double u[2])
+struct vector distant_light_direction(const struct distant_light *disc, const double u[2])
 {
-    const struct frame frame = frame_about(disc->way);
-    const double height = height_of(disc->radius) * u[0]; /* even in the solid angle */
+    const struct frame frame = frame_about(disc->direction);
+    const double height = cap_height(disc->radius) * u[0]; /* even in the solid angle */
     const double sine = sqrt(height * (2 - height));
     const double angle = 2 * PI * u[1];
     const struct vector own = {sine * cos(angle), sine * sin(angle), 1 - height};
     return vector_unit(frame_out(&frame, own));
 }
 
-struct vector light_discs_sample(const struct light_discs *discs, const double u[3])
+struct vector distant_lights_sample(const struct distant_lights *discs, const double u[3])
 {
-    const struct pick pick = pick_of(discs->below, discs->count, u[0]);
-    return light_disc_way(&discs->all[pick.number], u + 1);
+    const struct discrete_sample pick = discrete_sample_of(discs->below, discs->count, u[0]);
+    return distant_light_direction(&discs->all[pick.index], u + 1);
 }
 
 /* -------- looking -------- */
 
-static bool lies_in(const struct light_disc *disc, struct vector way)
+static bool lies_in(const struct distant_light *disc, struct vector way)
 {
-    const struct vector off = vector_minus(way, disc->way);
+    const struct vector off = vector_minus(way, disc->direction);
     return vector_dot(off, off) <= disc->chord;
 }
 
-double light_discs_density(const struct light_discs *discs, struct vector way)
+double distant_lights_pdf(const struct distant_lights *discs, struct vector way)
 {
     double density = 0;
     if (discs->count > 0) {
-        const size_t cell = cell_of(discs, way);
+        const size_t cell = cell_of_direction(discs, way);
         for (size_t i = discs->begins[cell]; i < discs->begins[cell + 1]; i++) {
-            const struct light_disc *disc = &discs->all[discs->listed[i]];
-            density += lies_in(disc, way) ? disc->density : 0;
+            const struct distant_light *disc = &discs->all[discs->listed[i]];
+            density += lies_in(disc, way) ? disc->pdf : 0;
         }
     }
     return density;
 }
 
-void light_discs_add(const struct light_discs *discs, struct vector way, const struct lanes *lanes,
-                     struct radiance *light)
+void distant_lights_add(const struct distant_lights *discs, struct vector way,
+                        const struct lanes *lanes, struct radiance *light)
 {
     if (discs->count == 0) {
         return;
     }
-    const size_t cell = cell_of(discs, way);
+    const size_t cell = cell_of_direction(discs, way);
     for (size_t i = discs->begins[cell]; i < discs->begins[cell + 1]; i++) {
-        const struct light_disc *disc = &discs->all[discs->listed[i]];
+        const struct distant_light *disc = &discs->all[discs->listed[i]];
         for (size_t k = 0; k < lanes->count && lies_in(disc, way); k++) {
             light->of[k] += disc->luminance * disc->unit->of[lanes->band[k]];
         }

@@ -1,7 +1,7 @@
-/* scene/coat.h - the coat of a glossy surface: facets that are mirrors, and what they reflect. */
+/* scene/microfacets.h - the coat of a glossy surface: facets that are mirrors, and what they reflect. */
 /* SPDX-License-Identifier: MIT */
-#ifndef LENSCALC_SCENE_COAT_H
-#define LENSCALC_SCENE_COAT_H
+#ifndef LENSCALC_SCENE_MICROFACETS_H
+#define LENSCALC_SCENE_MICROFACETS_H
 
 #include "scene/vector.h"
 
@@ -9,13 +9,14 @@
  * Its facets are mirrors of a clear medium, whose slopes are spread as GGX has it. What it lets
  * through meets the ground.
  */
-enum { COAT_NODES = 65 };
-struct coat {
-    double alpha;             /* root mean square slope, about */
-    double index;             /* of its medium */
-    double share[COAT_NODES]; /* that it reflects, in all directions together, of light from an
+enum { MICROFACET_NODES = 65 };
+struct microfacets {
+    double alpha; /* root mean square slope, about */
+    double index; /* of its medium */
+    double
+        albedo[MICROFACET_NODES]; /* that it reflects, in all directions together, of light from an
                                  angle whose cosine is (k / (COAT_NODES - 1))^4 */
-    double mean;              /* of these, over light from everywhere */
+    double mean_albedo;           /* of these, over light from everywhere */
 };
 
 /*
@@ -32,18 +33,19 @@ struct coat {
  * Limits    off by 3e-4 at most, at nodes and between them, and the mean by 2e-4: seen by
  *           comparison with 12 x 50 points
  */
-void coat_open(double roughness, double index, struct coat *coat);
+void microfacets_open(double roughness, double index, struct microfacets *coat);
 
 /* The share of light that comes at an angle, or leaves at it. */
-double coat_share(const struct coat *coat, double cosine);
+double microfacets_albedo(const struct microfacets *coat, double cosine);
 
 /*
  * What one of its normals sends on of the light from `in`, over how often it is seen from `out`;
  * 0: `in` lies behind the surface.
  */
-double coat_by(const struct coat *coat, struct vector out, struct vector normal, struct vector in);
+double microfacets_reflect(const struct microfacets *coat, struct vector out, struct vector normal,
+                           struct vector in);
 
 /* Smith's Lambda: facets hidden for each one that is seen. */
-double coat_hidden(const struct coat *coat, struct vector way);
+double microfacets_lambda(const struct microfacets *coat, struct vector way);
 
 #endif

@@ -1,16 +1,16 @@
-/* scene/light_around.c - skies and environments, and directions to what is bright in them. */
+/* scene/environment_light.c - skies and environments, and directions to what is bright in them. */
 /* SPDX-License-Identifier: MIT */
-#include "scene/light_around.h"
+#include "scene/environment_light.h"
 
 #include "base/constants.h"
 #include "light/colour.h"
-#include "scene/pick.h"
+#include "scene/discrete.h"
 #include "scene/sky.h"
 
 /* Of a sky; its horizon lies between two rows. */
 enum { SKY_ROWS = 90, SKY_COLUMNS = 180 };
 
-bool light_around_is(const struct scene_light *light)
+bool is_environment_light(const struct scene_light *light)
 {
     return (light->kind == LIGHT_SKY || light->kind == LIGHT_ENVIRONMENT) && light->amount > 0;
 }
@@ -18,35 +18,37 @@ bool light_around_is(const struct scene_light *light)
 /* -------- where a direction lies -------- */
 
 /* In the picture's own axes, and back: turned about y. */
-static struct vector turned(const struct light_around *around, struct vector a, double sign)
+static struct vector environment_turned(const struct environment_light *around, struct vector a,
+                                        double sign)
 {
     const double c = around->cosine, s = sign * around->sine;
     return (struct vector){c * a.x + s * a.z, a.y, c * a.z - s * a.x};
 }
 
 /* From the left and from the top, 0 to 1. */
-static void place_of(const struct light_around *around, struct vector way, double place[2])
+static void environment_place(const struct environment_light *around, struct vector way,
+                              double place[2])
 {
-    const struct vector own = turned(around, way, -1);
+    const struct vector own = environment_turned(around, way, -1);
     const double across = sqrt(own.x * own.x + own.z * own.z);
     place[0] = 0.5 + atan2(own.x, -own.z) / (2 * PI);
     place[1] = atan2(across, own.y) / PI;
 }
 
-static struct vector way_at(const struct light_around *around, double left, double cosine)
+static struct vector way_at(const struct environment_light *around, double left, double cosine)
 {
     const double sine = sqrt(fmax(0, 1 - cosine * cosine)), angle = 2 * PI * (left - 0.5);
     const struct vector own = {sine * sin(angle), cosine, -sine * cos(angle)};
-    return turned(around, vector_unit(own), 1);
+    return environment_turned(around, vector_unit(own), 1);
 }
 
 /* Cosine of the zenith distance above a row; exact in the middle and at the ends. */
-static double cosine_above(const struct light_around *around, size_t row)
+static double cosine_above(const struct environment_light *around, size_t row)
 {
     return sin(PI * (0.5 - (double)row / (double)around->rows));
 }
 
-static double cell_solid_angle(const struct light_around *around, size_t row)
+static double cell_solid_angle(const struct environment_light *around, size_t row)
 {
     return 2 * PI / (double)around->columns *
            (cosine_above(around, row) - cosine_above(around, row + 1));
@@ -54,7 +56,7 @@ static double cell_solid_angle(const struct light_around *around, size_t row)
 
 /* -------- how bright it is there -------- */
 
-static const float *pixel_at(const struct image *picture, long column, long row)
+static const float *environment_pixel(const struct image *picture, long column, long row)
 {
     const long width = (long)picture->width, height = (long)picture->height;
     const long y = row < 0 ? 0 : row < height ? row : height - 1;
@@ -62,7 +64,7 @@ static const float *pixel_at(const struct image *picture, long column, long row)
 }
 
 /* Between the middles of four pixels, all round; beyond the first and last row as these are. */
-static void look(const struct image *picture, const double place[2], double rgb[3])
+static void environment_bilinear(const struct image *picture, const double place[2], double rgb[3])
 {
     const double x = place[0] * (double)picture->width - 0.5;
     const double y = place[1] * (double)picture->height - 0.5;
@@ -70,7 +72,7 @@ static void look(const struct image *picture, const double place[2], double rgb[
     const double shares[2] = {x - (double)left, y - (double)top};
     const float *corners[4];
     for (int i = 0; i < 4; i++) {
-        corners[i] = pixel_at(picture, left + i % 2, top + i / 2);
+        corners[i] = environment_pixel(picture, left + i % 2, top + i / 2);
     }
     for (int c = 0; c < 3; c++) {
         const double upper = corners[0][c] + shares[0] * ((double)corners[1][c] - corners[0][c]);
@@ -79,7 +81,7 @@ static void look(const struct image *picture, const double place[2], double rgb[
     }
 }
 
-static double luminance_of(const float *rgb)
+static double rgb_luminance(const float *rgb)
 {
     return colour_luminance((const double[3]){rgb[0], rgb[1], rgb[2]});
 }
@@ -91,14 +93,15 @@ static double picture_mean(const struct image *picture, size_t row, size_t colum
     double mean = 0;
     for (int y = 0; y < 3; y++) {
         for (int x = 0; x < 3; x++) {
-            mean += shares[y] * shares[x] *
-                    luminance_of(pixel_at(picture, (long)column + x - 1, (long)row + y - 1));
+            mean +=
+                shares[y] * shares[x] *
+                rgb_luminance(environment_pixel(picture, (long)column + x - 1, (long)row + y - 1));
         }
     }
     return mean;
 }
 
-static double sky_mean(const struct light_around *around, size_t row, size_t column)
+static double sky_mean(const struct environment_light *around, size_t row, size_t column)
 {
     double mean = 0;
     for (int i = 0; i < 4; i++) {
@@ -110,7 +113,7 @@ static double sky_mean(const struct light_around *around, size_t row, size_t col
     return mean;
 }
 
-static double cell_mean(const struct light_around *around, size_t row, size_t column)
+static double cell_mean(const struct environment_light *around, size_t row, size_t column)
 {
     return around->light->amount * (around->light->kind == LIGHT_SKY
                                         ? sky_mean(around, row, column)
@@ -134,7 +137,7 @@ static double sums_of(const double *weights, size_t count, float *sums)
     return all;
 }
 
-static void open_cells(struct light_around *around, struct arena *arena)
+static void open_cells(struct environment_light *around, struct arena *arena)
 {
     const bool is_sky = around->light->kind == LIGHT_SKY;
     around->rows = is_sky ? SKY_ROWS : around->light->picture->height;
@@ -158,18 +161,18 @@ static void open_cells(struct light_around *around, struct arena *arena)
     arena_free(&spare);
 }
 
-struct light_around light_around_open(const struct scene_light *light, const struct banded *unit,
-                                      struct arena *arena)
+struct environment_light environment_light_open(const struct scene_light *light,
+                                                const struct banded *unit, struct arena *arena)
 {
     const double turn = light->kind == LIGHT_SKY ? 0 : light->turn;
-    struct light_around around = {
+    struct environment_light around = {
         .light = light, .unit = unit, .cosine = cos(turn), .sine = sin(turn)};
     open_cells(&around, arena);
     return around;
 }
 
 /* As pick_of. */
-static struct pick pick_share(const float *sums, size_t count, double u)
+static struct discrete_sample pick_share(const float *sums, size_t count, double u)
 {
     size_t low = 0, high = count;
     while (high - low > 1) {
@@ -180,48 +183,49 @@ static struct pick pick_share(const float *sums, size_t count, double u)
             high = middle;
         }
     }
-    return (struct pick){low, pick_rest(u, (double)sums[low], (double)sums[low + 1])};
+    return (struct discrete_sample){
+        low, discrete_remainder(u, (double)sums[low], (double)sums[low + 1])};
 }
 
-struct vector light_around_sample(const struct light_around *around, double u, double v)
+struct vector environment_light_sample(const struct environment_light *around, double u, double v)
 {
-    const struct pick row = pick_share(around->down, around->rows, v);
-    const float *across = around->across + row.number * (around->columns + 1);
-    const struct pick column = pick_share(across, around->columns, u);
-    const double top = cosine_above(around, row.number);
-    const double bottom = cosine_above(around, row.number + 1);
-    return way_at(around, ((double)column.number + column.rest) / (double)around->columns,
-                  top + row.rest * (bottom - top));
+    const struct discrete_sample row = pick_share(around->down, around->rows, v);
+    const float *across = around->across + row.index * (around->columns + 1);
+    const struct discrete_sample column = pick_share(across, around->columns, u);
+    const double top = cosine_above(around, row.index);
+    const double bottom = cosine_above(around, row.index + 1);
+    return way_at(around, ((double)column.index + column.remainder) / (double)around->columns,
+                  top + row.remainder * (bottom - top));
 }
 
-static size_t step_of(double share, size_t steps)
+static size_t row_or_column_of(double share, size_t steps)
 {
     const size_t step = share > 0 ? (size_t)(share * (double)steps) : 0;
     return step < steps ? step : steps - 1;
 }
 
-double light_around_density(const struct light_around *around, struct vector way)
+double environment_light_pdf(const struct environment_light *around, struct vector way)
 {
     double place[2];
-    place_of(around, way, place);
-    const size_t row = step_of(place[1], around->rows);
+    environment_place(around, way, place);
+    const size_t row = row_or_column_of(place[1], around->rows);
     const float *at =
-        around->across + row * (around->columns + 1) + step_of(place[0], around->columns);
+        around->across + row * (around->columns + 1) + row_or_column_of(place[0], around->columns);
     const float *down = around->down + row;
     return ((double)down[1] - (double)down[0]) * ((double)at[1] - (double)at[0]) /
            cell_solid_angle(around, row);
 }
 
-void light_around_add(const struct light_around *around, const struct bands *bands,
-                      struct vector way, const struct lanes *lanes, struct radiance *light)
+void environment_light_add(const struct environment_light *around, const struct bands *bands,
+                           struct vector way, const struct lanes *lanes, struct radiance *light)
 {
     double rgb[3] = {1, 1, 1}, share = 1;
     if (around->light->kind == LIGHT_SKY) {
         share = sky_share(around->light->sky, around->light->direction, way);
     } else {
         double place[2];
-        place_of(around, way, place);
-        look(around->light->picture, place, rgb);
+        environment_place(around, way, place);
+        environment_bilinear(around->light->picture, place, rgb);
     }
     for (size_t k = 0; k < lanes->count; k++) {
         const double *basis = bands->basis[lanes->band[k]];

@@ -1,26 +1,27 @@
-/* scene/lamp_tree.c - lamps in halves of halves. */
+/* scene/light_tree.c - emitters in halves of halves. */
 /* SPDX-License-Identifier: MIT */
-#include "scene/lamp_tree.h"
+#include "scene/light_tree.h"
 
-#include "scene/pick.h"
+#include "scene/discrete.h"
 
 /* -------- making it -------- */
 
-struct item {
-    struct lamp lamp;
+struct emitter_item {
+    struct emitter emitter;
     size_t given; /* its number */
     float at[3], radius;
     double power;
 };
 
-struct extent {
+struct emitter_extent {
     float low[3], high[3];
 };
 
-/* About the middles, or about all of the lamps. */
-static struct extent extent_of(const struct item *items, size_t count, bool whole)
+/* About the middles, or about all of the emitters. */
+static struct emitter_extent emitter_extent_of(const struct emitter_item *items, size_t count,
+                                               bool whole)
 {
-    struct extent extent;
+    struct emitter_extent extent;
     for (int axis = 0; axis < 3; axis++) {
         extent.low[axis] = INFINITY;
         extent.high[axis] = -INFINITY;
@@ -35,7 +36,7 @@ static struct extent extent_of(const struct item *items, size_t count, bool whol
     return extent;
 }
 
-static int longest(const struct extent *extent)
+static int longest_axis(const struct emitter_extent *extent)
 {
     int axis = 0;
     for (int i = 1; i < 3; i++) {
@@ -45,7 +46,7 @@ static int longest(const struct extent *extent)
 }
 
 /* Bring the `middle` items that are least along an axis before the others. [Hoare61] */
-static void halve(struct item *items, size_t count, size_t middle, int axis)
+static void partition_at_median(struct emitter_item *items, size_t count, size_t middle, int axis)
 {
     long low = 0, high = (long)count - 1;
     const long wanted = (long)middle;
@@ -60,7 +61,7 @@ static void halve(struct item *items, size_t count, size_t middle, int axis)
                 j--;
             }
             if (i <= j) {
-                const struct item other = items[i];
+                const struct emitter_item other = items[i];
                 items[i++] = items[j];
                 items[j--] = other;
             }
@@ -77,16 +78,16 @@ static size_t first_half(size_t count)
     return count / 2;
 }
 
-/* Behind a node are the nodes of its first half, one less than twice its lamps. */
+/* Behind a node are the nodes of its first half, one less than twice its emitters. */
 static size_t second_node(size_t node, size_t count)
 {
     return node + 2 * first_half(count);
 }
 
-static struct lamp_node node_of(const struct item *items, size_t count)
+static struct light_tree_node node_of(const struct emitter_item *items, size_t count)
 {
-    const struct extent extent = extent_of(items, count, true);
-    struct lamp_node node = {.power = 0};
+    const struct emitter_extent extent = emitter_extent_of(items, count, true);
+    struct light_tree_node node = {.power = 0};
     double square = 0;
     for (int axis = 0; axis < 3; axis++) {
         const double half = ((double)extent.high[axis] - (double)extent.low[axis]) / 2;
@@ -101,61 +102,62 @@ static struct lamp_node node_of(const struct item *items, size_t count)
 }
 
 /* A stretch of the items that has a node. */
-struct stretch {
+struct tree_range {
     size_t begin, count, node;
 };
 
 enum { DEPTH_MOST = 64 }; /* halves of halves of any number */
 
-static void build(struct item *items, size_t count, struct lamp_node *nodes)
+static void light_tree_build(struct emitter_item *items, size_t count,
+                             struct light_tree_node *nodes)
 {
-    struct stretch open[DEPTH_MOST + 1] = {{0, count, 0}};
+    struct tree_range open[DEPTH_MOST + 1] = {{0, count, 0}};
     size_t left = 1;
     while (left > 0) {
-        const struct stretch at = open[--left];
-        struct item *own = items + at.begin;
+        const struct tree_range at = open[--left];
+        struct emitter_item *own = items + at.begin;
         nodes[at.node] = node_of(own, at.count);
         if (at.count > 1) {
-            const struct extent middles = extent_of(own, at.count, false);
+            const struct emitter_extent middles = emitter_extent_of(own, at.count, false);
             const size_t half = first_half(at.count);
-            halve(own, at.count, half, longest(&middles));
-            open[left++] =
-                (struct stretch){at.begin + half, at.count - half, second_node(at.node, at.count)};
-            open[left++] = (struct stretch){at.begin, half, at.node + 1};
+            partition_at_median(own, at.count, half, longest_axis(&middles));
+            open[left++] = (struct tree_range){at.begin + half, at.count - half,
+                                               second_node(at.node, at.count)};
+            open[left++] = (struct tree_range){at.begin, half, at.node + 1};
         }
     }
 }
 
-static struct item item_of(const struct scene *scene, const struct lamp *lamp, size_t given,
-                           double power)
+static struct emitter_item item_of(const struct scene *scene, const struct emitter *emitter,
+                                   size_t given, double power)
 {
-    const struct lamp_bounds bounds = lamp_bounds(scene, lamp);
-    return (struct item){
-        .lamp = *lamp,
+    const struct emitter_bounds bounds = emitter_bounds(scene, emitter);
+    return (struct emitter_item){
+        .emitter = *emitter,
         .given = given,
         .at = {(float)bounds.middle.x, (float)bounds.middle.y, (float)bounds.middle.z},
         .radius = (float)bounds.radius,
         .power = power};
 }
 
-void lamp_tree_open(const struct scene *scene, const struct lamp *lamps, const double *power,
-                    size_t count, struct arena *arena, struct lamp_tree *tree)
+void light_tree_open(const struct scene *scene, const struct emitter *emitters, const double *power,
+                     size_t count, struct arena *arena, struct light_tree *tree)
 {
-    *tree = (struct lamp_tree){.count = count};
+    *tree = (struct light_tree){.count = count};
     if (count == 0) {
         return;
     }
-    tree->lamps = ARENA_ARRAY(arena, count, struct lamp);
+    tree->emitters = ARENA_ARRAY(arena, count, struct emitter);
     tree->leaf_of = ARENA_ARRAY(arena, count, size_t);
-    tree->nodes = ARENA_ARRAY(arena, 2 * count - 1, struct lamp_node);
+    tree->nodes = ARENA_ARRAY(arena, 2 * count - 1, struct light_tree_node);
     struct arena spare = arena_within(arena);
-    struct item *items = ARENA_ARRAY(&spare, count, struct item);
+    struct emitter_item *items = ARENA_ARRAY(&spare, count, struct emitter_item);
     for (size_t i = 0; i < count; i++) {
-        items[i] = item_of(scene, &lamps[i], i, power[i]);
+        items[i] = item_of(scene, &emitters[i], i, power[i]);
     }
-    build(items, count, tree->nodes);
+    light_tree_build(items, count, tree->nodes);
     for (size_t i = 0; i < count; i++) {
-        tree->lamps[i] = items[i].lamp;
+        tree->emitters[i] = items[i].emitter;
         tree->leaf_of[items[i].given] = i;
     }
     arena_free(&spare);
@@ -163,7 +165,7 @@ void lamp_tree_open(const struct scene *scene, const struct lamp *lamps, const d
 
 /* -------- asking it -------- */
 
-static double light_of(const struct lamp_node *node, struct vector from)
+static double light_of(const struct light_tree_node *node, struct vector from)
 {
     const double x = from.x - (double)node->at[0], y = from.y - (double)node->at[1];
     const double z = from.z - (double)node->at[2], radius = (double)node->radius;
@@ -172,13 +174,13 @@ static double light_of(const struct lamp_node *node, struct vector from)
     return node->power > 0 ? node->power / fmax(square, 1e-200) : 0;
 }
 
-double lamp_tree_light(const struct lamp_tree *tree, struct vector from)
+double light_tree_importance(const struct light_tree *tree, struct vector from)
 {
     return tree->count > 0 ? light_of(&tree->nodes[0], from) : 0;
 }
 
 /* The share of the first half. */
-static double first_share(const struct lamp_tree *tree, struct vector from, size_t node,
+static double first_share(const struct light_tree *tree, struct vector from, size_t node,
                           size_t count)
 {
     const double first = light_of(&tree->nodes[node + 1], from);
@@ -187,7 +189,8 @@ static double first_share(const struct lamp_tree *tree, struct vector from, size
     return share <= 1 ? share : 0; /* 0/0: nothing shines */
 }
 
-size_t lamp_tree_pick(const struct lamp_tree *tree, struct vector from, double *u, double *chance)
+size_t light_tree_sample(const struct light_tree *tree, struct vector from, double *u,
+                         double *chance)
 {
     size_t node = 0, begin = 0, count = tree->count;
     *chance = tree->nodes[0].power > 0 ? 1 : 0;
@@ -195,12 +198,12 @@ size_t lamp_tree_pick(const struct lamp_tree *tree, struct vector from, double *
         const size_t half = first_half(count);
         const double share = first_share(tree, from, node, count);
         if (*u < share) {
-            *u = pick_rest(*u, 0, share);
+            *u = discrete_remainder(*u, 0, share);
             *chance *= share;
             node++;
             count = half;
         } else {
-            *u = pick_rest(*u, share, 1);
+            *u = discrete_remainder(*u, share, 1);
             *chance *= 1 - share;
             node = second_node(node, count);
             begin += half;
@@ -210,9 +213,9 @@ size_t lamp_tree_pick(const struct lamp_tree *tree, struct vector from, double *
     return begin;
 }
 
-double lamp_tree_chance(const struct lamp_tree *tree, struct vector from, size_t lamp)
+double light_tree_probability(const struct light_tree *tree, struct vector from, size_t emitter)
 {
-    const size_t leaf = tree->leaf_of[lamp];
+    const size_t leaf = tree->leaf_of[emitter];
     size_t node = 0, begin = 0, count = tree->count;
     double chance = tree->nodes[0].power > 0 ? 1 : 0;
     while (count > 1) {

@@ -1,7 +1,7 @@
-/* scene/light_discs.h - discs of light infinitely far away: suns and stars. */
+/* scene/distant_lights.h - discs of light infinitely far away: suns and stars. */
 /* SPDX-License-Identifier: MIT */
-#ifndef LENSCALC_SCENE_LIGHT_DISCS_H
-#define LENSCALC_SCENE_LIGHT_DISCS_H
+#ifndef LENSCALC_SCENE_DISTANT_LIGHTS_H
+#define LENSCALC_SCENE_DISTANT_LIGHTS_H
 
 #include "base/arena.h"
 #include "light/bands.h"
@@ -11,18 +11,18 @@
 #include <stdbool.h>
 #include <stddef.h>
 
-struct light_disc {
-    struct vector way;         /* to its middle */
+struct distant_light {
+    struct vector direction;   /* to its middle */
     double radius;             /* rad */
     double chord;              /* its square, from the middle to the edge on the unit sphere */
-    double density;            /* with which samples lie in it, per sr */
+    double pdf;                /* with which samples lie in it, per sr */
     double luminance;          /* cd/m^2 */
     const struct banded *unit; /* light of luminance 1 */
 };
 
 /* Read-only afterwards. Which discs a direction may lie in stands in cells of the sphere. */
-struct light_discs {
-    struct light_disc *all;
+struct distant_lights {
+    struct distant_light *all;
     double *below; /* illuminance of those before each, and of all */
     size_t count;
     double total; /* lx */
@@ -37,24 +37,24 @@ struct light_discs {
  * Given     units  of each light of the scene that shines the light of luminance 1
  * Formula   L = E/(pi sin^2 r): the illuminance of a plane that faces a disc of the radius r
  */
-void light_discs_open(const struct scene *scene, const struct banded *const *units,
-                      struct arena *arena, struct light_discs *discs);
+void distant_lights_open(const struct scene *scene, const struct banded *const *units,
+                         struct arena *arena, struct distant_lights *discs);
 
 /* A direction to a disc, evenly over it, by two numbers in 0..1. */
-struct vector light_disc_way(const struct light_disc *disc, const double u[2]);
+struct vector distant_light_direction(const struct distant_light *disc, const double u[2]);
 
 /*
  * A direction to one of them: each as often as its illuminance has it, evenly over its disc.
  *
  * Given     u  three numbers in 0..1
  */
-struct vector light_discs_sample(const struct light_discs *discs, const double u[3]);
+struct vector distant_lights_sample(const struct distant_lights *discs, const double u[3]);
 
 /* Of these samples, per sr. */
-double light_discs_density(const struct light_discs *discs, struct vector way);
+double distant_lights_pdf(const struct distant_lights *discs, struct vector way);
 
 /* Add what shines there. */
-void light_discs_add(const struct light_discs *discs, struct vector way, const struct lanes *lanes,
-                     struct radiance *light);
+void distant_lights_add(const struct distant_lights *discs, struct vector way,
+                        const struct lanes *lanes, struct radiance *light);
 
 #endif

@@ -1,17 +1,17 @@
-/* scene/pick.h - one of many by chance, as often as its weight has it. */
+/* scene/discrete.h - one of many by chance, as often as its weight has it. */
 /* SPDX-License-Identifier: MIT */
-#ifndef LENSCALC_SCENE_PICK_H
-#define LENSCALC_SCENE_PICK_H
+#ifndef LENSCALC_SCENE_DISCRETE_H
+#define LENSCALC_SCENE_DISCRETE_H
 
 #include <stddef.h>
 
-struct pick {
-    size_t number;
-    double rest; /* in 0..1, below 1: what the number that picked it says beyond that */
+struct discrete_sample {
+    size_t index;
+    double remainder; /* in 0..1, below 1: what the number that picked it says beyond that */
 };
 
 /* The rest of a number that lies between two others. */
-static inline double pick_rest(double at, double low, double high)
+static inline double discrete_remainder(double at, double low, double high)
 {
     const double most = 1 - 0x1p-53, rest = (at - low) / (high - low);
     return rest < most ? rest > 0 ? rest : 0 : most;
@@ -22,7 +22,7 @@ static inline double pick_rest(double at, double low, double high)
  *           u      in 0..1, below 1
  * Result    never one without weight
  */
-static inline struct pick pick_of(const double *below, size_t count, double u)
+static inline struct discrete_sample discrete_sample_of(const double *below, size_t count, double u)
 {
     const double at = u * below[count];
     size_t low = 0, high = count;
@@ -34,7 +34,7 @@ static inline struct pick pick_of(const double *below, size_t count, double u)
             high = middle;
         }
     }
-    return (struct pick){low, pick_rest(at, below[low], below[low + 1])};
+    return (struct discrete_sample){low, discrete_remainder(at, below[low], below[low + 1])};
 }
 
 #endif

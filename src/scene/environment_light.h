@@ -1,7 +1,7 @@
-/* scene/light_around.h - light from all around: a sky, or a picture. */
+/* scene/environment_light.h - light from all around: a sky, or a picture. */
 /* SPDX-License-Identifier: MIT */
-#ifndef LENSCALC_SCENE_LIGHT_AROUND_H
-#define LENSCALC_SCENE_LIGHT_AROUND_H
+#ifndef LENSCALC_SCENE_ENVIRONMENT_LIGHT_H
+#define LENSCALC_SCENE_ENVIRONMENT_LIGHT_H
 
 #include "base/arena.h"
 #include "light/bands.h"
@@ -15,7 +15,7 @@
  * One sky or environment. Cells of the sphere, as rows and columns of a picture of it, have shares
  * of its light: single precision is enough for chances, whose density is known exactly.
  */
-struct light_around {
+struct environment_light {
     const struct scene_light *light;
     const struct banded *unit; /* light of luminance 1 */
     double cosine, sine;       /* of its turn about y */
@@ -25,19 +25,19 @@ struct light_around {
     const float *across; /* in each row the same of its columns */
 };
 
-bool light_around_is(const struct scene_light *light);
+bool is_environment_light(const struct scene_light *light);
 
-struct light_around light_around_open(const struct scene_light *light, const struct banded *unit,
-                                      struct arena *arena);
+struct environment_light environment_light_open(const struct scene_light *light,
+                                                const struct banded *unit, struct arena *arena);
 
 /* A direction, as often as its cell's light has it, evenly within; u and v are 0..1. */
-struct vector light_around_sample(const struct light_around *around, double u, double v);
+struct vector environment_light_sample(const struct environment_light *around, double u, double v);
 
 /* Of these samples, per sr. */
-double light_around_density(const struct light_around *around, struct vector way);
+double environment_light_pdf(const struct environment_light *around, struct vector way);
 
 /* Add what shines there; of pictures what lies between four pixels goes in a straight line. */
-void light_around_add(const struct light_around *around, const struct bands *bands,
-                      struct vector way, const struct lanes *lanes, struct radiance *light);
+void environment_light_add(const struct environment_light *around, const struct bands *bands,
+                           struct vector way, const struct lanes *lanes, struct radiance *light);
 
 #endif

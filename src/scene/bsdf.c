@@ -1,6 +1,6 @@
-/* scene/scatter.c - how surfaces send light on: evenly, as a mirror, or glossy. */
+/* scene/bsdf.c - how surfaces send light on: evenly, as a mirror, or glossy. */
 /* SPDX-License-Identifier: MIT */
-#include "scene/scatter.h"
+#include "scene/bsdf.h"
 
 #include "base/constants.h"
 #include "base/turns.h"
@@ -9,7 +9,7 @@
 
 /* -------- the coat -------- */
 
-static double facets(double alpha, struct vector normal)
+static double ggx_normals(double alpha, struct vector normal)
 {
     const double x = normal.x / alpha, y = normal.y / alpha;
     const double all = x * x + y * y + normal.z * normal.z;
@@ -38,24 +38,25 @@ static struct vector facet_of(double alpha, struct vector out, double u, double 
 /* -------- surfaces -------- */
 
 /* Of the coat and the ground, how often the coat is chosen; -1: nothing of it reflects. */
-static double coat_chance(const struct scatter *scatter, struct vector out)
+static double coat_chance(const struct bsdf *scatter, struct vector out)
 {
     if (scatter->kind == MATERIAL_LAMBERT) {
         return 0;
     }
-    const double coat = coat_share(scatter->coat, out.z);
+    const double coat = microfacets_albedo(scatter->microfacets, out.z);
     const double ground = scatter->ground * (1 - coat);
     return coat + ground > 0 ? coat / (coat + ground) : -1;
 }
 
 /* What the ground under a coat sends on, over what it would send without. */
-static double through_coat(const struct coat *coat, struct vector out, struct vector in)
+static double through_coat(const struct microfacets *coat, struct vector out, struct vector in)
 {
-    return (1 - coat_share(coat, out.z)) * (1 - coat_share(coat, in.z)) / (1 - coat->mean);
+    return (1 - microfacets_albedo(coat, out.z)) * (1 - microfacets_albedo(coat, in.z)) /
+           (1 - coat->mean_albedo);
 }
 
-double scatter_value(const struct scatter *scatter, struct vector out, struct vector in,
-                     struct radiance *value)
+double bsdf_value(const struct bsdf *scatter, struct vector out, struct vector in,
+                  struct radiance *value)
 {
     *value = (struct radiance){{0}};
     const bool is_glossy = scatter->kind == MATERIAL_GLOSSY;
@@ -65,12 +66,12 @@ double scatter_value(const struct scatter *scatter, struct vector out, struct ve
     double coat = 0, ground = in.z / PI, found = 0, chance = 0;
     if (is_glossy) {
         const struct vector normal = vector_unit(vector_along(out, 1, in));
-        const double own = coat_hidden(scatter->coat, out);
+        const double own = microfacets_lambda(scatter->microfacets, out);
         /* G1 D/(4 cos(out)): of the directions that normals as they are seen send light from */
-        found = facets(scatter->coat->alpha, normal) / ((1 + own) * 4 * out.z);
-        coat = found * coat_by(scatter->coat, out, normal, in);
+        found = ggx_normals(scatter->microfacets->alpha, normal) / ((1 + own) * 4 * out.z);
+        coat = found * microfacets_reflect(scatter->microfacets, out, normal, in);
         chance = coat_chance(scatter, out);
-        ground *= through_coat(scatter->coat, out, in);
+        ground *= through_coat(scatter->microfacets, out, in);
     }
     for (size_t k = 0; k < scatter->lanes; k++) {
         value->of[k] = coat + scatter->colour.of[k] * ground;
@@ -78,27 +79,28 @@ double scatter_value(const struct scatter *scatter, struct vector out, struct ve
     return chance < 0 ? 0 : chance * found + (1 - chance) * in.z / PI;
 }
 
-bool scatter_sample(const struct scatter *scatter, struct vector out, const double u[3],
-                    struct scatter_sample *sample)
+bool bsdf_sample(const struct bsdf *scatter, struct vector out, const double u[3],
+                 struct bsdf_sample *sample)
 {
     if (!(out.z > 0) || scatter->kind == MATERIAL_BLACK) {
         return false;
     }
     if (scatter->kind == MATERIAL_MIRROR) {
-        *sample = (struct scatter_sample){{-out.x, -out.y, out.z}, scatter->colour, INFINITY};
+        *sample = (struct bsdf_sample){{-out.x, -out.y, out.z}, scatter->colour, INFINITY};
         return true;
     }
     if (u[0] < coat_chance(scatter, out)) {
-        sample->way = vector_mirrored(out, facet_of(scatter->coat->alpha, out, u[1], u[2]));
+        sample->direction =
+            vector_mirrored(out, facet_of(scatter->microfacets->alpha, out, u[1], u[2]));
     } else {
         double cosine, sine;
         turns_of(u[2], &cosine, &sine);
         const double beside = sqrt(u[1]);
-        sample->way = (struct vector){beside * cosine, beside * sine, sqrt(1 - u[1])};
+        sample->direction = (struct vector){beside * cosine, beside * sine, sqrt(1 - u[1])};
     }
-    sample->density = scatter_value(scatter, out, sample->way, &sample->share);
-    for (size_t k = 0; k < scatter->lanes && sample->density > 0; k++) {
-        sample->share.of[k] /= sample->density;
+    sample->pdf = bsdf_value(scatter, out, sample->direction, &sample->throughput);
+    for (size_t k = 0; k < scatter->lanes && sample->pdf > 0; k++) {
+        sample->throughput.of[k] /= sample->pdf;
     }
-    return sample->density > 0;
+    return sample->pdf > 0;
 }

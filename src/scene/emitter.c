@@ -1,12 +1,12 @@
-/* scene/lamp.c - spheres, discs, cards, boxes and triangles that shine. */
+/* scene/emitter.c - spheres, discs, cards, boxes and triangles that shine. */
 /* SPDX-License-Identifier: MIT */
-#include "scene/lamp.h"
+#include "scene/emitter.h"
 
 #include "base/constants.h"
-#include "scene/pick.h"
+#include "scene/discrete.h"
 #include "scene/rectangle.h"
 
-size_t lamp_parts(const struct scene_thing *thing)
+size_t emitter_parts(const struct scene_thing *thing)
 {
     return thing->shape == SHAPE_MESH ? thing->mesh->triangle_count : 1;
 }
@@ -52,23 +52,23 @@ static double flat_density(const struct flat *flat, struct vector way, double di
 }
 
 /* The way to a place; false: it is here. */
-static bool go_to(struct vector from, struct vector at, struct lamp_ray *ray)
+static bool emitter_sample_towards(struct vector from, struct vector at, struct emitter_sample *ray)
 {
     const struct vector to = vector_minus(at, from);
     ray->distance = vector_length(to);
-    ray->way = vector_times(1 / ray->distance, to);
+    ray->direction = vector_times(1 / ray->distance, to);
     return ray->distance > 0;
 }
 
 static bool sample_flat(const struct scene_thing *thing, size_t triangle, struct vector from,
-                        const double u[2], struct lamp_ray *ray)
+                        const double u[2], struct emitter_sample *ray)
 {
     const struct flat flat = flat_of(thing, triangle);
-    if (!go_to(from, flat_place(&flat, thing->shape == SHAPE_MESH, u), ray)) {
+    if (!emitter_sample_towards(from, flat_place(&flat, thing->shape == SHAPE_MESH, u), ray)) {
         return false;
     }
-    ray->density = flat_density(&flat, ray->way, ray->distance);
-    return ray->density > 0;
+    ray->pdf = flat_density(&flat, ray->direction, ray->distance);
+    return ray->pdf > 0;
 }
 
 /* -------- cards, and the sides of a box that are seen -------- */
@@ -84,7 +84,7 @@ static struct rectangle card_of(const struct scene_thing *thing)
 }
 
 /* Side 2 axis, or + 1 for the upper one; its own axes are the next ones. */
-static struct rectangle side_of(const struct scene_thing *thing, size_t side)
+static struct rectangle box_side(const struct scene_thing *thing, size_t side)
 {
     static const struct vector axes[3] = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
     const double half[3] = {thing->size.x / 2, thing->size.y / 2, thing->size.z / 2};
@@ -113,8 +113,8 @@ static double see_sides(const struct scene_thing *thing, struct vector from,
         const double outwards = side % 2 == 1 ? at[side / 2] : -at[side / 2];
         const double height = outwards - half[side / 2];
         const bool is_seen = (is_within || height > 0) && fabs(height) > ON_SIDE * half[side / 2];
-        const struct rectangle rectangle = side_of(thing, side);
-        below[side + 1] = below[side] + (is_seen ? rectangle_seen(&rectangle, from) : 0);
+        const struct rectangle rectangle = box_side(thing, side);
+        below[side + 1] = below[side] + (is_seen ? rectangle_solid_angle(&rectangle, from) : 0);
     }
     return below[SIDES];
 }
@@ -122,43 +122,43 @@ static double see_sides(const struct scene_thing *thing, struct vector from,
 static double side_density(const struct scene_thing *thing, size_t side, struct vector from,
                            struct vector way, double distance)
 {
-    const struct rectangle rectangle = side_of(thing, side);
+    const struct rectangle rectangle = box_side(thing, side);
     double below[SIDES + 1];
     const double all = see_sides(thing, from, below);
     return all > 0 ? (below[side + 1] - below[side]) / all *
-                         rectangle_density(&rectangle, from, way, distance)
+                         rectangle_pdf(&rectangle, from, way, distance)
                    : 0;
 }
 
 static bool sample_box(const struct scene_thing *thing, struct vector from, const double u[2],
-                       struct lamp_ray *ray)
+                       struct emitter_sample *ray)
 {
     double below[SIDES + 1], shares[2];
     if (!(see_sides(thing, from, below) > 0)) {
         return false;
     }
-    const struct pick side = pick_of(below, SIDES, u[0]);
-    const struct rectangle rectangle = side_of(thing, side.number);
-    const double rest[2] = {side.rest, u[1]};
-    if (!go_to(from, rectangle_sample(&rectangle, from, rest, shares), ray)) {
+    const struct discrete_sample side = discrete_sample_of(below, SIDES, u[0]);
+    const struct rectangle rectangle = box_side(thing, side.index);
+    const double rest[2] = {side.remainder, u[1]};
+    if (!emitter_sample_towards(from, rectangle_sample(&rectangle, from, rest, shares), ray)) {
         return false;
     }
-    ray->density = side_density(thing, side.number, from, ray->way, ray->distance);
-    return ray->density > 0;
+    ray->pdf = side_density(thing, side.index, from, ray->direction, ray->distance);
+    return ray->pdf > 0;
 }
 
 static bool sample_card(const struct scene_thing *thing, struct vector from, const double u[2],
-                        struct lamp_ray *ray)
+                        struct emitter_sample *ray)
 {
     const struct rectangle card = card_of(thing);
     double shares[2];
-    if (!go_to(from, rectangle_sample(&card, from, u, shares), ray)) {
+    if (!emitter_sample_towards(from, rectangle_sample(&card, from, u, shares), ray)) {
         return false;
     }
-    ray->density = rectangle_density(&card, from, ray->way, ray->distance);
+    ray->pdf = rectangle_pdf(&card, from, ray->direction, ray->distance);
     ray->place[0] = (shares[0] + 1) / 2;
     ray->place[1] = (shares[1] + 1) / 2;
-    return ray->density > 0;
+    return ray->pdf > 0;
 }
 
 /* -------- spheres -------- */
@@ -176,7 +176,7 @@ static double sphere_density(double radius, struct vector from)
 }
 
 static bool sample_sphere(double radius, struct vector from, const double u[2],
-                          struct lamp_ray *ray)
+                          struct emitter_sample *ray)
 {
     const double far = vector_length(from);
     const struct vector inwards = far > 0 ? vector_times(-1 / far, from) : (struct vector){0, 0, 1};
@@ -186,9 +186,9 @@ static bool sample_sphere(double radius, struct vector from, const double u[2],
     const struct vector own = {sine * cos(angle), sine * sin(angle), cosine};
     /* nearest to the middle it is far * sine away from it */
     const double beside = far * sine, half = sqrt(fmax(0, radius * radius - beside * beside));
-    *ray = (struct lamp_ray){.way = vector_unit(frame_out(&frame, own)),
-                             .distance = far * cosine + (height < 2 ? -half : half),
-                             .density = 1 / (2 * PI * height)};
+    *ray = (struct emitter_sample){.direction = vector_unit(frame_out(&frame, own)),
+                                   .distance = far * cosine + (height < 2 ? -half : half),
+                                   .pdf = 1 / (2 * PI * height)};
     return ray->distance > 0;
 }
 
@@ -205,14 +205,14 @@ static size_t side_met(const struct scene_pose *pose, const struct world_hit *hi
     return 2 * axis + (along[axis] > 0 ? 1 : 0);
 }
 
-struct lamp_bounds lamp_bounds(const struct scene *scene, const struct lamp *lamp)
+struct emitter_bounds emitter_bounds(const struct scene *scene, const struct emitter *emitter)
 {
-    if (lamp->thing == SCENE_NONE) {
-        return (struct lamp_bounds){scene->lights[lamp->part].at, 0, 0};
+    if (emitter->thing == SCENE_NONE) {
+        return (struct emitter_bounds){scene->lights[emitter->part].at, 0, 0};
     }
-    const struct scene_thing *thing = &scene->things[lamp->thing];
+    const struct scene_thing *thing = &scene->things[emitter->thing];
     const struct vector size = thing->size;
-    struct lamp_bounds bounds = {thing->where.at, thing->radius, 0};
+    struct emitter_bounds bounds = {thing->where.at, thing->radius, 0};
     switch (thing->shape) {
     case SHAPE_SPHERE:
         bounds.area = PI * thing->radius * thing->radius;
@@ -229,7 +229,7 @@ struct lamp_bounds lamp_bounds(const struct scene *scene, const struct lamp *lam
         bounds.radius = vector_length(size) / 2;
         break;
     default: {
-        const struct flat flat = flat_of(thing, lamp->part);
+        const struct flat flat = flat_of(thing, emitter->part);
         const struct vector middle =
             vector_along(vector_along(flat.at, 1.0 / 3, flat.x), 1.0 / 3, flat.y);
         bounds.middle = vector_along(thing->where.at, 1, frame_out(&thing->where.turned, middle));
@@ -241,8 +241,8 @@ struct lamp_bounds lamp_bounds(const struct scene *scene, const struct lamp *lam
     return bounds;
 }
 
-bool lamp_sample(const struct scene_thing *thing, size_t part, const struct scene_pose *pose,
-                 struct vector from, const double u[2], struct lamp_ray *ray)
+bool emitter_sample(const struct scene_thing *thing, size_t part, const struct scene_pose *pose,
+                    struct vector from, const double u[2], struct emitter_sample *ray)
 {
     const struct vector own = frame_in(&pose->turned, vector_minus(from, pose->at));
     bool is_seen = false;
@@ -261,13 +261,13 @@ bool lamp_sample(const struct scene_thing *thing, size_t part, const struct scen
         break;
     }
     if (is_seen) {
-        ray->way = frame_out(&pose->turned, ray->way);
+        ray->direction = frame_out(&pose->turned, ray->direction);
     }
     return is_seen;
 }
 
-double lamp_density(const struct scene_thing *thing, const struct scene_pose *pose,
-                    struct vector from, const struct world_hit *hit, struct vector way)
+double emitter_pdf(const struct scene_thing *thing, const struct scene_pose *pose,
+                   struct vector from, const struct world_hit *hit, struct vector way)
 {
     const struct vector own = frame_in(&pose->turned, vector_minus(from, pose->at));
     const struct vector own_way = frame_in(&pose->turned, way);
@@ -276,7 +276,7 @@ double lamp_density(const struct scene_thing *thing, const struct scene_pose *po
         return sphere_density(thing->radius, own);
     case SHAPE_CARD: {
         const struct rectangle card = card_of(thing);
-        return rectangle_density(&card, own, own_way, hit->distance);
+        return rectangle_pdf(&card, own, own_way, hit->distance);
     }
     case SHAPE_BOX:
         return side_density(thing, side_met(pose, hit), own, own_way, hit->distance);
