@@ -1,4 +1,4 @@
-/* scene/backdrop.c - where nothing stands before a background that is the same all over. */
+/* scene/backdrop.c - uniform background: where rays of a cone meet nothing but one even light. */
 /* SPDX-License-Identifier: MIT */
 #include "scene/backdrop.h"
 

@@ -1,4 +1,4 @@
-/* scene/backdrop.h - where nothing stands before a background that is the same all over. */
+/* scene/backdrop.h - uniform background: where rays of a cone meet nothing but one even light. */
 /* SPDX-License-Identifier: MIT */
 #ifndef LENSCALC_SCENE_BACKDROP_H
 #define LENSCALC_SCENE_BACKDROP_H
@@ -8,7 +8,7 @@
 
 #include <stdbool.h>
 
-/* Rays that begin in a ball and go no farther than an angle from one way. */
+/* Rays that begin in a ball and stay within a cone about one direction. */
 struct backdrop_rays {
     struct vector center;    /* the middle of the ball, mm */
     double radius;           /* mm */
@@ -32,7 +32,7 @@ struct backdrop backdrop_open(const struct world *world, const struct lights *li
  * Result    light  it, in the lanes. False also where that is so, but not easily seen
  * Formula   none meets the ball about a box of the world's tree, as seen from the middle with the
  *           radii of both together; nor a plane, from which the ball is away and all go on; and no
- *           sun or star, nor the horizon of a sky, lies among the ways
+ *           sun or star, nor the horizon of a sky, lies within the cone
  */
 bool backdrop_is_uniform(const struct backdrop *backdrop, const struct backdrop_rays *rays,
                          const struct lanes *lanes, struct radiance *light);

@@ -1,4 +1,4 @@
-/* scene/bsdf.c - how surfaces send light on: evenly, as a mirror, or glossy. */
+/* scene/bsdf.c - BSDFs of surfaces: Lambertian, mirror, and microfacets over a diffuse ground. */
 /* SPDX-License-Identifier: MIT */
 #include "scene/bsdf.h"
 

@@ -1,4 +1,4 @@
-/* scene/bsdf.h - how surfaces send light on: evenly, as a mirror, or glossy. */
+/* scene/bsdf.h - BSDFs of surfaces: Lambertian, mirror, and microfacets over a diffuse ground. */
 /* SPDX-License-Identifier: MIT */
 #ifndef LENSCALC_SCENE_BSDF_H
 #define LENSCALC_SCENE_BSDF_H
@@ -11,7 +11,7 @@
 #include <stdbool.h>
 #include <stddef.h>
 
-/* What one point of a surface does to the lanes of a ray. */
+/* The BSDF at one point of a surface, in the lanes of a ray. */
 struct bsdf {
     enum scene_material_kind kind;
     size_t lanes;
@@ -21,11 +21,11 @@ struct bsdf {
                                 for all lanes that a ray may have */
 };
 
-/* Towards where light is looked for. */
+/* A direction sampled from the BSDF. */
 struct bsdf_sample {
     struct vector direction;    /* of length 1 */
-    struct radiance throughput; /* value over density */
-    double pdf;                 /* per sr; INFINITY: a mirror's only way */
+    struct radiance throughput; /* value over pdf: what a path carries on */
+    double pdf;                 /* per sr; INFINITY: a mirror's only direction */
 };
 
 /*
@@ -34,7 +34,7 @@ struct bsdf_sample {
  * Given     out, in  of length 1, away from the surface, in axes of which z is its normal
  * Result    value    of each lane f(in, out) cos(in), per sr: light that leaves towards `out` is
  *                    the integral of it times what comes from `in`. Of mirrors 0
- *           returns the density per sr with which scatter_sample finds `in`; 0: never, or one of
+ *           returns the pdf per sr with which bsdf_sample finds `in`; 0: never, or one of
  *           the two lies behind the surface
  * Formula   Lambert: colour cos/pi. Glossy: F D G/(4 cos(in) cos(out)) of the coat, and of the
  *           ground colour (1 - E(in)) (1 - E(out))/(pi (1 - mean E)), E the coat's share: so a
@@ -46,13 +46,13 @@ double bsdf_value(const struct bsdf *scatter, struct vector out, struct vector i
                   struct radiance *value);
 
 /*
- * Choose where to look for the light that leaves in a direction.
+ * Sample the direction that light comes from which leaves in another.
  *
  * Given     out  as above
  *           u    three numbers, each evenly spread over 0..1
  * Result    false: nothing comes from there, and no light is lost by that
  * Formula   the coat or the ground by what each reflects; the coat's normals as they are seen, the
- *           ground's directions by their cosine; the density is that of both together
+ *           ground's directions by their cosine; the pdf is that of both together
  * Source    [Heitz18]
  */
 bool bsdf_sample(const struct bsdf *scatter, struct vector out, const double u[3],

@@ -1,4 +1,4 @@
-/* scene/bvh.c - boxes in boxes, so that a ray looks only at what it passes. */
+/* scene/bvh.c - bounding volume hierarchy: boxes in boxes, a ray tests what it passes. */
 /* SPDX-License-Identifier: MIT */
 #include "scene/bvh.h"
 

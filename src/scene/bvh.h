@@ -1,4 +1,4 @@
-/* scene/bvh.h - boxes in boxes, so that a ray looks only at what it passes. */
+/* scene/bvh.h - bounding volume hierarchy: boxes in boxes, a ray tests what it passes. */
 /* SPDX-License-Identifier: MIT */
 #ifndef LENSCALC_SCENE_BVH_H
 #define LENSCALC_SCENE_BVH_H

@@ -1,4 +1,4 @@
-/* scene/bvh_traversal.h - from leaf to leaf along a ray, the nearer ones first. */
+/* scene/bvh_traversal.h - traversal of a bounding volume hierarchy, near leaves first. */
 /* SPDX-License-Identifier: MIT */
 #ifndef LENSCALC_SCENE_BVH_TRAVERSAL_H
 #define LENSCALC_SCENE_BVH_TRAVERSAL_H
@@ -13,29 +13,29 @@ struct bvh_pending {
 
 struct bvh_traversal {
     const struct bvh_node *nodes;
-    double origin[3], inverse[3]; /* 1/way */
+    double origin[3], inverse[3]; /* 1/direction */
     int near[3];                  /* the side that the ray passes first */
     size_t count;
     struct bvh_pending pending[BVH_PENDING];
 };
 
 /* Finite, so that no side of a box times it is 0 times infinity. */
-static inline double bvh_inverse(double way)
+static inline double bvh_inverse(double direction)
 {
     const double least = 1e-270;
-    return 1 / (fabs(way) < least ? copysign(least, way) : way);
+    return 1 / (fabs(direction) < least ? copysign(least, direction) : direction);
 }
 
 static inline void bvh_traversal_start(struct bvh_traversal *walk, const struct bvh *tree,
-                                       struct vector from, struct vector way)
+                                       struct vector from, struct vector direction)
 {
     walk->nodes = tree->nodes;
     walk->origin[0] = from.x;
     walk->origin[1] = from.y;
     walk->origin[2] = from.z;
-    walk->inverse[0] = bvh_inverse(way.x);
-    walk->inverse[1] = bvh_inverse(way.y);
-    walk->inverse[2] = bvh_inverse(way.z);
+    walk->inverse[0] = bvh_inverse(direction.x);
+    walk->inverse[1] = bvh_inverse(direction.y);
+    walk->inverse[2] = bvh_inverse(direction.z);
     for (int k = 0; k < 3; k++) {
         walk->near[k] = walk->inverse[k] < 0;
     }

@@ -1,4 +1,4 @@
-/* scene/discrete.h - one of many by chance, as often as its weight has it. */
+/* scene/discrete.h - discrete distribution: one of many, each as often as its weight has it. */
 /* SPDX-License-Identifier: MIT */
 #ifndef LENSCALC_SCENE_DISCRETE_H
 #define LENSCALC_SCENE_DISCRETE_H

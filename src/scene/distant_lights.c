@@ -1,4 +1,4 @@
-/* scene/distant_lights.c - suns and stars, found by where they stand. */
+/* scene/distant_lights.c - distant lights: discs infinitely far away, suns and stars. */
 /* SPDX-License-Identifier: MIT */
 #include "scene/distant_lights.h"
 
@@ -12,7 +12,7 @@
 
 enum { ROWS_MOST = 512 };
 
-static size_t cemittered_step(double share, size_t steps)
+static size_t clamped_step(double share, size_t steps)
 {
     const double at = share * (double)steps;
     const size_t step = at > 0 ? (size_t)at : 0;
@@ -21,19 +21,20 @@ static size_t cemittered_step(double share, size_t steps)
 
 static size_t cell_row(const struct distant_lights *discs, double y)
 {
-    return cemittered_step((y + 1) / 2, discs->rows);
+    return clamped_step((y + 1) / 2, discs->rows);
 }
 
 /* Columns go round: longitudes beyond half a turn are another's. */
 static size_t cell_column(const struct distant_lights *discs, double longitude)
 {
     const double turns = longitude / (2 * PI) + 0.5;
-    return cemittered_step(turns - floor(turns), discs->columns);
+    return clamped_step(turns - floor(turns), discs->columns);
 }
 
-static size_t cell_of_direction(const struct distant_lights *discs, struct vector way)
+static size_t cell_of_direction(const struct distant_lights *discs, struct vector direction)
 {
-    return cell_row(discs, way.y) * discs->columns + cell_column(discs, atan2(way.x, way.z));
+    return cell_row(discs, direction.y) * discs->columns +
+           cell_column(discs, atan2(direction.x, direction.z));
 }
 
 /* The cells that a disc may lie in. */
@@ -247,35 +248,35 @@ struct vector distant_lights_sample(const struct distant_lights *discs, const do
 
 /* -------- looking -------- */
 
-static bool lies_in(const struct distant_light *disc, struct vector way)
+static bool lies_in(const struct distant_light *disc, struct vector direction)
 {
-    const struct vector off = vector_minus(way, disc->direction);
+    const struct vector off = vector_minus(direction, disc->direction);
     return vector_dot(off, off) <= disc->chord;
 }
 
-double distant_lights_pdf(const struct distant_lights *discs, struct vector way)
+double distant_lights_pdf(const struct distant_lights *discs, struct vector direction)
 {
-    double density = 0;
+    double pdf = 0;
     if (discs->count > 0) {
-        const size_t cell = cell_of_direction(discs, way);
+        const size_t cell = cell_of_direction(discs, direction);
         for (size_t i = discs->begins[cell]; i < discs->begins[cell + 1]; i++) {
             const struct distant_light *disc = &discs->all[discs->listed[i]];
-            density += lies_in(disc, way) ? disc->pdf : 0;
+            pdf += lies_in(disc, direction) ? disc->pdf : 0;
         }
     }
-    return density;
+    return pdf;
 }
 
-void distant_lights_add(const struct distant_lights *discs, struct vector way,
+void distant_lights_add(const struct distant_lights *discs, struct vector direction,
                         const struct lanes *lanes, struct radiance *light)
 {
     if (discs->count == 0) {
         return;
     }
-    const size_t cell = cell_of_direction(discs, way);
+    const size_t cell = cell_of_direction(discs, direction);
     for (size_t i = discs->begins[cell]; i < discs->begins[cell + 1]; i++) {
         const struct distant_light *disc = &discs->all[discs->listed[i]];
-        for (size_t k = 0; k < lanes->count && lies_in(disc, way); k++) {
+        for (size_t k = 0; k < lanes->count && lies_in(disc, direction); k++) {
             light->of[k] += disc->luminance * disc->unit->of[lanes->band[k]];
         }
     }

@@ -1,4 +1,4 @@
-/* scene/distant_lights.h - discs of light infinitely far away: suns and stars. */
+/* scene/distant_lights.h - distant lights: discs infinitely far away, suns and stars. */
 /* SPDX-License-Identifier: MIT */
 #ifndef LENSCALC_SCENE_DISTANT_LIGHTS_H
 #define LENSCALC_SCENE_DISTANT_LIGHTS_H
@@ -51,10 +51,10 @@ struct vector distant_light_direction(const struct distant_light *disc, const do
 struct vector distant_lights_sample(const struct distant_lights *discs, const double u[3]);
 
 /* Of these samples, per sr. */
-double distant_lights_pdf(const struct distant_lights *discs, struct vector way);
+double distant_lights_pdf(const struct distant_lights *discs, struct vector direction);
 
 /* Add what shines there. */
-void distant_lights_add(const struct distant_lights *discs, struct vector way,
+void distant_lights_add(const struct distant_lights *discs, struct vector direction,
                         const struct lanes *lanes, struct radiance *light);
 
 #endif

@@ -1,4 +1,4 @@
-/* scene/emitter.c - spheres, discs, cards, boxes and triangles that shine. */
+/* scene/emitter.c - area and point emitters, sampled from a point. */
 /* SPDX-License-Identifier: MIT */
 #include "scene/emitter.h"
 
@@ -45,9 +45,9 @@ static struct vector flat_place(const struct flat *flat, bool is_triangle, const
     return vector_along(vector_along(flat->at, x, flat->x), y, flat->y);
 }
 
-static double flat_density(const struct flat *flat, struct vector way, double distance)
+static double flat_pdf(const struct flat *flat, struct vector direction, double distance)
 {
-    const double seen = flat->area * fabs(vector_dot(flat->normal, way));
+    const double seen = flat->area * fabs(vector_dot(flat->normal, direction));
     return seen > 0 ? distance * distance / seen : 0;
 }
 
@@ -67,7 +67,7 @@ static bool sample_flat(const struct scene_thing *thing, size_t triangle, struct
     if (!emitter_sample_towards(from, flat_place(&flat, thing->shape == SHAPE_MESH, u), ray)) {
         return false;
     }
-    ray->pdf = flat_density(&flat, ray->direction, ray->distance);
+    ray->pdf = flat_pdf(&flat, ray->direction, ray->distance);
     return ray->pdf > 0;
 }
 
@@ -119,14 +119,14 @@ static double see_sides(const struct scene_thing *thing, struct vector from,
     return below[SIDES];
 }
 
-static double side_density(const struct scene_thing *thing, size_t side, struct vector from,
-                           struct vector way, double distance)
+static double side_pdf(const struct scene_thing *thing, size_t side, struct vector from,
+                       struct vector direction, double distance)
 {
     const struct rectangle rectangle = box_side(thing, side);
     double below[SIDES + 1];
     const double all = see_sides(thing, from, below);
     return all > 0 ? (below[side + 1] - below[side]) / all *
-                         rectangle_pdf(&rectangle, from, way, distance)
+                         rectangle_pdf(&rectangle, from, direction, distance)
                    : 0;
 }
 
@@ -143,7 +143,7 @@ static bool sample_box(const struct scene_thing *thing, struct vector from, cons
     if (!emitter_sample_towards(from, rectangle_sample(&rectangle, from, rest, shares), ray)) {
         return false;
     }
-    ray->pdf = side_density(thing, side.index, from, ray->direction, ray->distance);
+    ray->pdf = side_pdf(thing, side.index, from, ray->direction, ray->distance);
     return ray->pdf > 0;
 }
 
@@ -170,7 +170,7 @@ static double cone_height(double radius, struct vector from)
     return sine2 < 1 ? sine2 / (1 + sqrt(1 - sine2)) : 2;
 }
 
-static double sphere_density(double radius, struct vector from)
+static double sphere_pdf(double radius, struct vector from)
 {
     return 1 / (2 * PI * cone_height(radius, from));
 }
@@ -267,22 +267,22 @@ bool emitter_sample(const struct scene_thing *thing, size_t part, const struct s
 }
 
 double emitter_pdf(const struct scene_thing *thing, const struct scene_pose *pose,
-                   struct vector from, const struct world_hit *hit, struct vector way)
+                   struct vector from, const struct world_hit *hit, struct vector direction)
 {
     const struct vector own = frame_in(&pose->turned, vector_minus(from, pose->at));
-    const struct vector own_way = frame_in(&pose->turned, way);
+    const struct vector own_way = frame_in(&pose->turned, direction);
     switch (thing->shape) {
     case SHAPE_SPHERE:
-        return sphere_density(thing->radius, own);
+        return sphere_pdf(thing->radius, own);
     case SHAPE_CARD: {
         const struct rectangle card = card_of(thing);
         return rectangle_pdf(&card, own, own_way, hit->distance);
     }
     case SHAPE_BOX:
-        return side_density(thing, side_met(pose, hit), own, own_way, hit->distance);
+        return side_pdf(thing, side_met(pose, hit), own, own_way, hit->distance);
     default: {
         const struct flat flat = flat_of(thing, hit->triangle);
-        return flat_density(&flat, own_way, hit->distance);
+        return flat_pdf(&flat, own_way, hit->distance);
     }
     }
 }

@@ -1,4 +1,4 @@
-/* scene/environment_light.c - skies and environments, and directions to what is bright in them. */
+/* scene/environment_light.c - environment lights: skies and pictures, importance sampled. */
 /* SPDX-License-Identifier: MIT */
 #include "scene/environment_light.h"
 
@@ -26,10 +26,10 @@ static struct vector environment_turned(const struct environment_light *around, 
 }
 
 /* From the left and from the top, 0 to 1. */
-static void environment_place(const struct environment_light *around, struct vector way,
+static void environment_place(const struct environment_light *around, struct vector direction,
                               double place[2])
 {
-    const struct vector own = environment_turned(around, way, -1);
+    const struct vector own = environment_turned(around, direction, -1);
     const double across = sqrt(own.x * own.x + own.z * own.z);
     place[0] = 0.5 + atan2(own.x, -own.z) / (2 * PI);
     place[1] = atan2(across, own.y) / PI;
@@ -107,8 +107,8 @@ static double sky_mean(const struct environment_light *around, size_t row, size_
     for (int i = 0; i < 4; i++) {
         const double left = ((double)column + 0.25 + 0.5 * (i % 2)) / (double)around->columns;
         const double down = ((double)row + 0.25 + 0.5 * (i / 2)) / (double)around->rows;
-        const struct vector way = way_at(around, left, cos(PI * down));
-        mean += sky_share(around->light->sky, around->light->direction, way) / 4;
+        const struct vector direction = way_at(around, left, cos(PI * down));
+        mean += sky_share(around->light->sky, around->light->direction, direction) / 4;
     }
     return mean;
 }
@@ -204,10 +204,10 @@ static size_t row_or_column_of(double share, size_t steps)
     return step < steps ? step : steps - 1;
 }
 
-double environment_light_pdf(const struct environment_light *around, struct vector way)
+double environment_light_pdf(const struct environment_light *around, struct vector direction)
 {
     double place[2];
-    environment_place(around, way, place);
+    environment_place(around, direction, place);
     const size_t row = row_or_column_of(place[1], around->rows);
     const float *at =
         around->across + row * (around->columns + 1) + row_or_column_of(place[0], around->columns);
@@ -217,14 +217,15 @@ double environment_light_pdf(const struct environment_light *around, struct vect
 }
 
 void environment_light_add(const struct environment_light *around, const struct bands *bands,
-                           struct vector way, const struct lanes *lanes, struct radiance *light)
+                           struct vector direction, const struct lanes *lanes,
+                           struct radiance *light)
 {
     double rgb[3] = {1, 1, 1}, share = 1;
     if (around->light->kind == LIGHT_SKY) {
-        share = sky_share(around->light->sky, around->light->direction, way);
+        share = sky_share(around->light->sky, around->light->direction, direction);
     } else {
         double place[2];
-        environment_place(around, way, place);
+        environment_place(around, direction, place);
         environment_bilinear(around->light->picture, place, rgb);
     }
     for (size_t k = 0; k < lanes->count; k++) {

@@ -1,4 +1,4 @@
-/* scene/environment_light.h - light from all around: a sky, or a picture. */
+/* scene/environment_light.h - environment lights: skies and pictures, importance sampled. */
 /* SPDX-License-Identifier: MIT */
 #ifndef LENSCALC_SCENE_ENVIRONMENT_LIGHT_H
 #define LENSCALC_SCENE_ENVIRONMENT_LIGHT_H
@@ -13,7 +13,7 @@
 
 /*
  * One sky or environment. Cells of the sphere, as rows and columns of a picture of it, have shares
- * of its light: single precision is enough for chances, whose density is known exactly.
+ * of its light: single precision is enough for chances, whose pdf is known exactly.
  */
 struct environment_light {
     const struct scene_light *light;
@@ -34,10 +34,11 @@ struct environment_light environment_light_open(const struct scene_light *light,
 struct vector environment_light_sample(const struct environment_light *around, double u, double v);
 
 /* Of these samples, per sr. */
-double environment_light_pdf(const struct environment_light *around, struct vector way);
+double environment_light_pdf(const struct environment_light *around, struct vector direction);
 
 /* Add what shines there; of pictures what lies between four pixels goes in a straight line. */
 void environment_light_add(const struct environment_light *around, const struct bands *bands,
-                           struct vector way, const struct lanes *lanes, struct radiance *light);
+                           struct vector direction, const struct lanes *lanes,
+                           struct radiance *light);
 
 #endif

@@ -1,4 +1,4 @@
-/* scene/light_tree.c - emitters in halves of halves. */
+/* scene/light_tree.c - light tree: one of many emitters, near and bright ones more often. */
 /* SPDX-License-Identifier: MIT */
 #include "scene/light_tree.h"
 

@@ -1,4 +1,4 @@
-/* scene/light_tree.h - many emitters: one of them by chance, near and bright ones more often. */
+/* scene/light_tree.h - light tree: one of many emitters, near and bright ones more often. */
 /* SPDX-License-Identifier: MIT */
 #ifndef LENSCALC_SCENE_LIGHT_TREE_H
 #define LENSCALC_SCENE_LIGHT_TREE_H
@@ -28,9 +28,9 @@ struct light_tree {
 };
 
 /*
- * Given     emitters  copied; at the time 0, near which they stay: a emitter that moves far is picked by
- *                  where it was, which costs samples, not truth
- *           power  of each, 0 or more
+ * Given     emitters  copied; at the time 0, near which they stay: one that moves far is sampled by
+ *                     where it was, which costs samples, not truth
+ *           power     of each, 0 or more
  */
 void light_tree_open(const struct scene *scene, const struct emitter *emitters, const double *power,
                      size_t count, struct arena *arena, struct light_tree *tree);
@@ -39,7 +39,7 @@ void light_tree_open(const struct scene *scene, const struct emitter *emitters, 
 double light_tree_importance(const struct light_tree *tree, struct vector from);
 
 /*
- * Pick a emitter.
+ * Pick an emitter.
  *
  * Given     u       in 0..1; becomes what it says beyond the choice
  *           chance  receives that of the emitter, 0: none shines
@@ -50,7 +50,7 @@ double light_tree_importance(const struct light_tree *tree, struct vector from);
 size_t light_tree_sample(const struct light_tree *tree, struct vector from, double *u,
                          double *chance);
 
-/* The chance of a emitter, by its number as it was given. */
+/* The chance of an emitter, by its number as it was given. */
 double light_tree_probability(const struct light_tree *tree, struct vector from, size_t emitter);
 
 #endif

@@ -1,4 +1,4 @@
-/* scene/lights.c - which of the lights to look at, and how often. */
+/* scene/lights.c - all lights of a scene: sampled together, with their pdf. */
 /* SPDX-License-Identifier: MIT */
 #include "scene/lights.h"
 
@@ -8,14 +8,14 @@
 
 /* -------- kinds of light -------- */
 
-enum { OF_DISCS, OF_AROUND, OF_LAMPS, OF_PLANES, KINDS };
+enum { OF_DISCS, OF_AROUND, OF_EMITTERS, OF_PLANES, KINDS };
 
 /* How much light each kind gives a point, roughly: luminance times solid angle, lx. */
 static void light_of_kinds(const struct lights *lights, struct vector from, double of[KINDS])
 {
     of[OF_DISCS] = lights->distant.total;
     of[OF_AROUND] = lights->environment_below[lights->environment_count];
-    of[OF_LAMPS] = light_tree_importance(&lights->tree, from);
+    of[OF_EMITTERS] = light_tree_importance(&lights->tree, from);
     of[OF_PLANES] = 2 * PI * lights->plane_below[lights->plane_count];
 }
 
@@ -44,38 +44,38 @@ static double chance_of(const double below[KINDS + 1], int kind)
 
 /* -------- behind everything -------- */
 
-static double background_density(const struct lights *lights, const double below[KINDS + 1],
-                                 struct vector way)
+static double background_pdf(const struct lights *lights, const double below[KINDS + 1],
+                             struct vector direction)
 {
-    double density = chance_of(below, OF_DISCS) * distant_lights_pdf(&lights->distant, way);
+    double pdf = chance_of(below, OF_DISCS) * distant_lights_pdf(&lights->distant, direction);
     const double all = lights->environment_below[lights->environment_count];
     for (size_t i = 0; i < lights->environment_count; i++) {
         const struct environment_light *around = &lights->environments[i];
-        density += around->total > 0 ? chance_of(below, OF_AROUND) * around->total / all *
-                                           environment_light_pdf(around, way)
-                                     : 0;
+        pdf += around->total > 0 ? chance_of(below, OF_AROUND) * around->total / all *
+                                       environment_light_pdf(around, direction)
+                                 : 0;
     }
-    return density;
+    return pdf;
 }
 
-void lights_background(const struct lights *lights, struct vector way, const struct lanes *lanes,
-                       struct radiance *light)
+void lights_background(const struct lights *lights, struct vector direction,
+                       const struct lanes *lanes, struct radiance *light)
 {
     *light = (struct radiance){{0}};
-    distant_lights_add(&lights->distant, way, lanes, light);
+    distant_lights_add(&lights->distant, direction, lanes, light);
     for (size_t i = 0; i < lights->environment_count; i++) {
-        environment_light_add(&lights->environments[i], lights->bands, way, lanes, light);
+        environment_light_add(&lights->environments[i], lights->bands, direction, lanes, light);
     }
 }
 
 static void sample_background(const struct lights *lights, const double below[KINDS + 1],
-                              struct vector way, const struct lanes *lanes,
+                              struct vector direction, const struct lanes *lanes,
                               struct light_sample *sample)
 {
-    sample->direction = way;
+    sample->direction = direction;
     sample->distance = (double)INFINITY;
-    sample->pdf = background_density(lights, below, way);
-    lights_background(lights, way, lanes, &sample->light);
+    sample->pdf = background_pdf(lights, below, direction);
+    lights_background(lights, direction, lanes, &sample->light);
 }
 
 static struct vector around_way(const struct lights *lights, const double u[3])
@@ -151,18 +151,18 @@ static bool sample_emitter(const struct lights *lights, struct vector from, doub
     return true;
 }
 
-static double met_emitter_density(const struct lights *lights, struct vector from,
-                                  struct vector way, double time, const struct world_hit *hit)
+static double met_emitter_pdf(const struct lights *lights, struct vector from,
+                              struct vector direction, double time, const struct world_hit *hit)
 {
     const struct scene_thing *thing = &lights->scene->things[hit->thing];
     const struct scene_pose pose = scene_pose_at(&thing->where, time);
     const size_t emitter =
         lights->first[hit->thing] + (thing->shape == SHAPE_MESH ? hit->triangle : 0);
     return light_tree_probability(&lights->tree, from, emitter) *
-           emitter_pdf(thing, &pose, from, hit, way);
+           emitter_pdf(thing, &pose, from, hit, direction);
 }
 
-/* -------- planes without end: evenly over all ways that meet them -------- */
+/* -------- planes without end: evenly over all directions that meet them -------- */
 
 static double plane_chance(const struct lights *lights, size_t number)
 {
@@ -219,7 +219,7 @@ bool lights_sample(const struct lights *lights, struct vector from, double time,
     case OF_AROUND:
         sample_background(lights, below, around_way(lights, rest), lanes, sample);
         return light_sample_is_lit(sample, lanes);
-    case OF_LAMPS:
+    case OF_EMITTERS:
         is_seen = sample_emitter(lights, from, time, rest, lanes, sample);
         break;
     default:
@@ -237,8 +237,8 @@ bool lights_sample(const struct lights *lights, struct vector from, double time,
     return true;
 }
 
-double lights_pdf(const struct lights *lights, struct vector from, struct vector way, double time,
-                  const struct world_hit *hit)
+double lights_pdf(const struct lights *lights, struct vector from, struct vector direction,
+                  double time, const struct world_hit *hit)
 {
     double below[KINDS + 1];
     if ((hit != NULL && lights->first[hit->thing] == SCENE_NONE) ||
@@ -246,10 +246,11 @@ double lights_pdf(const struct lights *lights, struct vector from, struct vector
         return 0;
     }
     if (hit == NULL) {
-        return background_density(lights, below, way);
+        return background_pdf(lights, below, direction);
     }
     return lights->scene->things[hit->thing].shape == SHAPE_PLANE
                ? chance_of(below, OF_PLANES) * plane_chance(lights, lights->first[hit->thing]) /
                      (2 * PI)
-               : chance_of(below, OF_LAMPS) * met_emitter_density(lights, from, way, time, hit);
+               : chance_of(below, OF_EMITTERS) *
+                     met_emitter_pdf(lights, from, direction, time, hit);
 }

@@ -1,4 +1,4 @@
-/* scene/lights.h - all that lights a scene: where rays to it may go, and what they find. */
+/* scene/lights.h - all lights of a scene: sampled together, with their pdf. */
 /* SPDX-License-Identifier: MIT */
 #ifndef LENSCALC_SCENE_LIGHTS_H
 #define LENSCALC_SCENE_LIGHTS_H
@@ -36,9 +36,10 @@ struct lights {
 struct light_sample {
     struct vector direction; /* of length 1 */
     double distance;         /* mm, to what shines; INFINITY: behind everything */
-    double pdf;              /* with which all lights together get this way, per sr; of points 1 */
-    bool is_point;           /* no ray meets it by chance */
-    struct radiance light; /* radiance, cd/m^2; of a point its illuminance across the way, lx, over
+    double pdf;    /* with which all lights together sample this direction, per sr; of points 1 */
+    bool is_point; /* no ray meets it by chance */
+    struct radiance
+        light; /* radiance, cd/m^2; of a point its illuminance across the direction, lx, over
                               the chance that it was picked */
 };
 
@@ -51,13 +52,13 @@ bool lights_open(const struct scene *scene, const struct bands *bands, struct ar
                  struct lights *lights, struct error *error);
 
 /*
- * Look for light from a point.
+ * Sample light that comes to a point (next-event estimation).
  *
- * Given     from    where it is wanted; which way it turns is not asked
+ * Given     from    where it is wanted; its normal is not asked for
  *           time    s
  *           u       three numbers in 0..1
- *           sample  light over density is right in the mean for the light that comes through the
- *                   unit sphere about the point, if nothing is in its way
+ *           sample  light over pdf is right in the mean for the light that comes through the
+ *                   unit sphere about the point, if nothing occludes it
  * Result    false: this time none; counts as 0
  * Formula   discs far away, skies and pictures, emitters, and planes that shine: each of these that
  *           are there as often as half its share of their light and half evenly, so that what
@@ -67,16 +68,16 @@ bool lights_sample(const struct lights *lights, struct vector from, double time,
                    const struct lanes *lanes, struct light_sample *sample);
 
 /*
- * The density of lights_sample for a way, per sr.
+ * The pdf of lights_sample for a direction, per sr.
  *
  * Given     hit  what a ray met there; null: it went past everything
  * Result    0: lights_sample does not go there
  */
-double lights_pdf(const struct lights *lights, struct vector from, struct vector way, double time,
-                  const struct world_hit *hit);
+double lights_pdf(const struct lights *lights, struct vector from, struct vector direction,
+                  double time, const struct world_hit *hit);
 
 /* What comes from behind everything: suns, stars, skies and pictures; 0 where nothing is. */
-void lights_background(const struct lights *lights, struct vector way, const struct lanes *lanes,
-                       struct radiance *light);
+void lights_background(const struct lights *lights, struct vector direction,
+                       const struct lanes *lanes, struct radiance *light);
 
 #endif

@@ -1,4 +1,4 @@
-/* scene/material.c - what things are made of, in bands: what they reflect, and how they shine. */
+/* scene/material.c - materials in bands: reflectance and emission. */
 /* SPDX-License-Identifier: MIT */
 #include "scene/material.h"
 

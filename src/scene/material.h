@@ -1,4 +1,4 @@
-/* scene/material.h - what things are made of, in bands: what they reflect, and how they shine. */
+/* scene/material.h - materials in bands: reflectance and emission. */
 /* SPDX-License-Identifier: MIT */
 #ifndef LENSCALC_SCENE_MATERIAL_H
 #define LENSCALC_SCENE_MATERIAL_H

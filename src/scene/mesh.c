@@ -1,4 +1,4 @@
-/* scene/mesh.c - where rays meet triangles. */
+/* scene/mesh.c - intersections of rays with triangle meshes. */
 /* SPDX-License-Identifier: MIT */
 #include "scene/mesh.h"
 
@@ -108,14 +108,14 @@ struct sheared {
 static struct sheared shear_along(const struct shape_ray *ray)
 {
     const double from[] = {ray->origin.x, ray->origin.y, ray->origin.z};
-    const double way[] = {ray->direction.x, ray->direction.y, ray->direction.z};
-    const double x = fabs(way[0]), y = fabs(way[1]), z = fabs(way[2]);
+    const double direction[] = {ray->direction.x, ray->direction.y, ray->direction.z};
+    const double x = fabs(direction[0]), y = fabs(direction[1]), z = fabs(direction[2]);
     const size_t steep = x > y ? (x > z ? 0 : 2) : (y > z ? 1 : 2);
     const size_t first = steep < 2 ? steep + 1 : 0, second = first < 2 ? first + 1 : 0;
-    const double over = 1 / way[steep];
+    const double over = 1 / direction[steep];
     return (struct sheared){.axis = {first, second, steep},
                             .from = {from[first], from[second], from[steep]},
-                            .shear = {way[first] * over, way[second] * over, over}};
+                            .shear = {direction[first] * over, direction[second] * over, over}};
 }
 
 /* A corner in sheared coordinates; z is still along the steepest axis of the ray, in mm. */

@@ -1,4 +1,4 @@
-/* scene/mesh.h - where rays meet triangles. */
+/* scene/mesh.h - intersections of rays with triangle meshes. */
 /* SPDX-License-Identifier: MIT */
 #ifndef LENSCALC_SCENE_MESH_H
 #define LENSCALC_SCENE_MESH_H
@@ -30,7 +30,7 @@ struct mesh {
 void mesh_open(const struct scene_mesh *triangles, struct arena *arena, struct mesh *mesh);
 
 /*
- * Where does a ray first meet a mesh?
+ * The nearest intersection of a ray with a mesh.
  *
  * Given     is_any  any meeting will do, it need not be the first
  * Result    as of shape_meet; both sides count. Rays through an edge or a corner that triangles

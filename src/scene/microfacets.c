@@ -1,4 +1,4 @@
-/* scene/microfacets.c - the coat of a glossy surface: facets that are mirrors, and what they reflect. */
+/* scene/microfacets.c - microfacets: the GGX distribution, its masking and its albedo. */
 /* SPDX-License-Identifier: MIT */
 #include "scene/microfacets.h"
 
@@ -21,9 +21,10 @@ static double fresnel_reflectance(double index, double c)
     return index > 1 ? across * across * (1 + along * along) / 2 : 0;
 }
 
-double microfacets_lambda(const struct microfacets *coat, struct vector way)
+double microfacets_lambda(const struct microfacets *coat, struct vector direction)
 {
-    const double slope = (way.x * way.x + way.y * way.y) / (way.z * way.z);
+    const double slope =
+        (direction.x * direction.x + direction.y * direction.y) / (direction.z * direction.z);
     return (sqrt(1 + coat->alpha * coat->alpha * slope) - 1) / 2;
 }
 

@@ -1,4 +1,4 @@
-/* scene/microfacets.h - the coat of a glossy surface: facets that are mirrors, and what they reflect. */
+/* scene/microfacets.h - microfacets: the GGX distribution, its masking and its albedo. */
 /* SPDX-License-Identifier: MIT */
 #ifndef LENSCALC_SCENE_MICROFACETS_H
 #define LENSCALC_SCENE_MICROFACETS_H
@@ -46,6 +46,6 @@ double microfacets_reflect(const struct microfacets *coat, struct vector out, st
                            struct vector in);
 
 /* Smith's Lambda: facets hidden for each one that is seen. */
-double microfacets_lambda(const struct microfacets *coat, struct vector way);
+double microfacets_lambda(const struct microfacets *coat, struct vector direction);
 
 #endif

@@ -1,4 +1,4 @@
-/* scene/rectangle.c - rectangles by their solid angle. */
+/* scene/rectangle.c - rectangles sampled evenly in solid angle. */
 /* SPDX-License-Identifier: MIT */
 #include "scene/rectangle.h"
 
@@ -110,7 +110,7 @@ struct vector rectangle_sample(const struct rectangle *rectangle, struct vector 
     return vector_along(rectangle->at, 1, frame_out(&rectangle->axes, own));
 }
 
-double rectangle_pdf(const struct rectangle *rectangle, struct vector from, struct vector way,
+double rectangle_pdf(const struct rectangle *rectangle, struct vector from, struct vector direction,
                      double distance)
 {
     const struct aspect aspect = aspect_of(rectangle, from);
@@ -119,6 +119,6 @@ double rectangle_pdf(const struct rectangle *rectangle, struct vector from, stru
         return 1 / solid;
     }
     const double area = 4 * rectangle->half[0] * rectangle->half[1];
-    const double seen = area * fabs(vector_dot(rectangle->axes.z, way));
+    const double seen = area * fabs(vector_dot(rectangle->axes.z, direction));
     return seen > 0 ? distance * distance / seen : 0;
 }

@@ -1,4 +1,4 @@
-/* scene/rectangle.h - rectangles that shine: ways to them, even in their solid angle. */
+/* scene/rectangle.h - rectangles sampled evenly in solid angle. */
 /* SPDX-License-Identifier: MIT */
 #ifndef LENSCALC_SCENE_RECTANGLE_H
 #define LENSCALC_SCENE_RECTANGLE_H
@@ -31,8 +31,8 @@ double rectangle_solid_angle(const struct rectangle *rectangle, struct vector fr
 struct vector rectangle_sample(const struct rectangle *rectangle, struct vector from,
                                const double u[2], double shares[2]);
 
-/* The density of these places by their way, per sr; 0 along the plane of the rectangle. */
-double rectangle_pdf(const struct rectangle *rectangle, struct vector from, struct vector way,
+/* The pdf of these places by their direction, per sr; 0 along the plane of the rectangle. */
+double rectangle_pdf(const struct rectangle *rectangle, struct vector from, struct vector direction,
                      double distance);
 
 #endif

@@ -1,4 +1,4 @@
-/* scene/sampler.c - the numbers that a ray decides by on its way through a scene. */
+/* scene/sampler.c - sampler: the numbers of a ray, dimension by dimension. */
 /* SPDX-License-Identifier: MIT */
 #include "scene/sampler.h"
 
@@ -28,14 +28,14 @@ void sampler_sequence_open(const struct sampler_table *table, uint64_t seed, uin
     }
 }
 
-double sampler_next(struct sampler *points)
+double sampler_next(struct sampler *sampler)
 {
-    const struct sampler_sequence *sequence = points->sequence;
-    const uint32_t k = points->next++;
+    const struct sampler_sequence *sequence = sampler->sequence;
+    const uint32_t k = sampler->next++;
     if (k < SAMPLER_DIMENSIONS) {
-        return sobol_point(&sequence->table->sobol[k], sequence->scrambling[k], points->index);
+        return sobol_point(&sequence->table->sobol[k], sequence->scrambling[k], sampler->index);
     }
     const struct random_words words = random_words(
-        RANDOM_PATHS, sequence->seed, (uint64_t)sequence->number << 32 | points->index, k);
+        RANDOM_PATHS, sequence->seed, (uint64_t)sequence->number << 32 | sampler->index, k);
     return random_unit_of(words.w[0], words.w[1]);
 }

@@ -1,4 +1,4 @@
-/* scene/sampler.h - the numbers that a ray decides by on its way through a scene. */
+/* scene/sampler.h - sampler: the numbers of a ray, dimension by dimension. */
 /* SPDX-License-Identifier: MIT */
 #ifndef LENSCALC_SCENE_SAMPLER_H
 #define LENSCALC_SCENE_SAMPLER_H
@@ -62,6 +62,6 @@ static inline struct sampler sampler_of(const struct sampler_sequence *sequence,
  *           spread, and over the points of a sequence more evenly than by chance
  * Source    [Burley20] (Sobol' dimensions, each scrambled by hashing); [Salmon11] beyond them
  */
-double sampler_next(struct sampler *points);
+double sampler_next(struct sampler *sampler);
 
 #endif

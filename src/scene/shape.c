@@ -1,4 +1,4 @@
-/* scene/shape.c - where rays meet things, in the things' own frames. */
+/* scene/shape.c - intersections of rays with shapes, in their own frames. */
 /* SPDX-License-Identifier: MIT */
 #include "scene/shape.h"
 
@@ -136,16 +136,16 @@ static struct shape_surface spot_sphere(const struct scene_thing *thing,
 /* -------- a box -------- */
 
 /* From where to where it is between the two sides of a box across an axis. */
-static bool between_sides(double from, double way, double half, double span[2])
+static bool between_sides(double from, double direction, double half, double span[2])
 {
-    if (way == 0) {
+    if (direction == 0) {
         span[0] = -INFINITY;
         span[1] = INFINITY;
         return fabs(from) <= half;
     }
-    const double to = copysign(half, way);
-    span[0] = (-to - from) / way;
-    span[1] = (to - from) / way;
+    const double to = copysign(half, direction);
+    span[0] = (-to - from) / direction;
+    span[1] = (to - from) / direction;
     return true;
 }
 
@@ -153,22 +153,22 @@ static bool meet_box(const struct scene_thing *thing, const struct shape_ray *ra
                      struct shape_hit *meeting)
 {
     const double from[] = {ray->origin.x, ray->origin.y, ray->origin.z};
-    const double way[] = {ray->direction.x, ray->direction.y, ray->direction.z};
+    const double direction[] = {ray->direction.x, ray->direction.y, ray->direction.z};
     const double size[] = {thing->size.x, thing->size.y, thing->size.z};
     double in = -INFINITY, out = INFINITY;
     size_t side_in = 0, side_out = 0;
     for (size_t k = 0; k < 3; k++) {
         double span[2];
-        if (!between_sides(from[k], way[k], size[k] / 2, span)) {
+        if (!between_sides(from[k], direction[k], size[k] / 2, span)) {
             return false;
         }
         if (span[0] > in) {
             in = span[0];
-            side_in = 2 * k + (way[k] < 0);
+            side_in = 2 * k + (direction[k] < 0);
         }
         if (span[1] < out) {
             out = span[1];
-            side_out = 2 * k + (way[k] > 0);
+            side_out = 2 * k + (direction[k] > 0);
         }
     }
     if (!(in <= out)) {

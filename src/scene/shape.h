@@ -1,17 +1,17 @@
-/* scene/shape.h - where rays meet things, in the things' own frames. */
+/* scene/shape.h - intersections of rays with shapes, in their own frames. */
 /* SPDX-License-Identifier: MIT */
 #ifndef LENSCALC_SCENE_SHAPE_H
 #define LENSCALC_SCENE_SHAPE_H
 
 #include "scene/scene.h"
 
-/* In the frame of a thing; its way has length 1. */
+/* In the frame of a thing; its direction has length 1. */
 struct shape_ray {
     struct vector origin, direction;
     double farthest; /* mm */
 };
 
-/* Where it met: enough to tell all the rest. */
+/* The intersection: enough to tell all the rest. */
 struct shape_hit {
     double distance; /* mm, above 0 and below the ray's farthest */
     size_t part;     /* of a mesh the triangle; of a box the side, 2 axis + 1 if it is the upper */
@@ -39,10 +39,10 @@ struct shape_box {
 };
 
 /*
- * Where does a ray first meet a thing?
+ * The nearest intersection of a ray with a thing.
  *
  * Given     thing  anything but a mesh
- *           ray    way may have parts of 0
+ *           ray    its direction may have parts of 0
  * Result    false: nowhere before its farthest. What starts on a plane does not meet it; spheres
  *           and boxes are met from within as well. Where a card's alpha a is below 1, a share a of
  *           all places is there, picked by enciphering the place itself: it is so for every ray and

@@ -25,14 +25,14 @@ static double sky_indicatrix(const struct sky_type *type, double cosine)
            type->e * cosine * cosine;
 }
 
-double sky_share(enum scene_sky sky, struct vector sun, struct vector way)
+double sky_share(enum scene_sky sky, struct vector sun, struct vector direction)
 {
     const struct sky_type *type = &types[sky];
-    if (!(way.y > 0)) {
+    if (!(direction.y > 0)) {
         return 0;
     }
-    const double share = sky_gradation(type, way.y) / sky_gradation(type, 1);
-    return type->c == 0
-               ? share
-               : share * sky_indicatrix(type, vector_dot(sun, way)) / sky_indicatrix(type, sun.y);
+    const double share = sky_gradation(type, direction.y) / sky_gradation(type, 1);
+    return type->c == 0 ? share
+                        : share * sky_indicatrix(type, vector_dot(sun, direction)) /
+                              sky_indicatrix(type, sun.y);
 }

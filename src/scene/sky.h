@@ -18,6 +18,6 @@
  *           e = 0.45
  * Source    [ISO15469] 4 and table 1
  */
-double sky_share(enum scene_sky sky, struct vector sun, struct vector way);
+double sky_share(enum scene_sky sky, struct vector sun, struct vector direction);
 
 #endif

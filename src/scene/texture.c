@@ -1,4 +1,4 @@
-/* scene/texture.c - pictures on things: what lies between four pixels. */
+/* scene/texture.c - textures: bilinear lookup in pictures on things. */
 /* SPDX-License-Identifier: MIT */
 #include "scene/texture.h"
 

@@ -1,4 +1,4 @@
-/* scene/texture.h - pictures on things: what lies between four pixels. */
+/* scene/texture.h - textures: bilinear lookup in pictures on things. */
 /* SPDX-License-Identifier: MIT */
 #ifndef LENSCALC_SCENE_TEXTURE_H
 #define LENSCALC_SCENE_TEXTURE_H

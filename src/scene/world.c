@@ -1,4 +1,4 @@
-/* scene/world.c - a scene made ready for rays: what they meet, and where. */
+/* scene/world.c - scene geometry made ready for rays: intersection and occlusion. */
 /* SPDX-License-Identifier: MIT */
 #include "scene/world.h"
 
@@ -233,11 +233,11 @@ static size_t world_nearest(const struct world *world, const struct world_ray *r
 }
 
 /* Towards the side that the ray came from, also where a smooth normal would turn away from it. */
-static struct vector normal_facing(struct vector normal, double sign, struct vector way)
+static struct vector normal_facing(struct vector normal, double sign, struct vector direction)
 {
     const struct vector turned = vector_times(sign, normal);
-    const double along = vector_dot(turned, way), least = -1e-6;
-    return along < least ? turned : vector_unit(vector_along(turned, least - along, way));
+    const double along = vector_dot(turned, direction), least = -1e-6;
+    return along < least ? turned : vector_unit(vector_along(turned, least - along, direction));
 }
 
 /* All about where a ray met something. */

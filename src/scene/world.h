@@ -1,4 +1,4 @@
-/* scene/world.h - a scene made ready for rays: what they meet, and where. */
+/* scene/world.h - scene geometry made ready for rays: intersection and occlusion. */
 /* SPDX-License-Identifier: MIT */
 #ifndef LENSCALC_SCENE_WORLD_H
 #define LENSCALC_SCENE_WORLD_H
@@ -13,12 +13,12 @@
 #include <stddef.h>
 
 struct world_ray {
-    struct vector origin, direction; /* way has length 1 */
+    struct vector origin, direction; /* of length 1 */
     double time;                     /* s, within the world's span */
     double farthest;                 /* mm; INFINITY */
 };
 
-/* The surface where a ray first met something. */
+/* The nearest intersection of a ray. */
 struct world_hit {
     double distance;      /* mm */
     struct vector at;     /* on it, mm */
@@ -66,10 +66,10 @@ bool world_open(const struct scene *scene, const double span[2], struct arena *a
 #define WORLD_REACH 1e30 /* mm */
 #define WORLD_MOST  4294967295U
 
-/* What a ray meets first; false: it goes past everything. */
+/* The nearest intersection; false: the ray meets nothing. */
 bool world_intersect(const struct world *world, const struct world_ray *ray, struct world_hit *hit);
 
-/* Is nothing in its way up to its farthest? */
+/* Is nothing on the ray up to its farthest? */
 bool world_is_unoccluded(const struct world *world, const struct world_ray *ray);
 
 /*

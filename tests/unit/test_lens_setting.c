@@ -111,7 +111,7 @@ static void test_json(struct arena *arena)
 }
 
 /* Points of the field: scaled, in another unit, in JSON, and of one position. */
-static void test_points(struct arena *arena)
+static void test_sampler(struct arena *arena)
 {
     const struct lens *lens =
         read_lens("unit mm\nwavelength d\nobject 100\nfield height 0 2,1:0.5\naperture na 0.1\n"
@@ -302,7 +302,7 @@ int main(void)
     test_change(&arena);
     test_json(&arena);
     test_sequence(&arena);
-    test_points(&arena);
+    test_sampler(&arena);
     test_focal_length(&arena);
     test_parameter_check(&arena);
     test_errors(&arena);

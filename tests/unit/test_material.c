@@ -64,7 +64,7 @@ static void check_lanes(const struct radiance *found, double a, double b, double
     CHECK_NEAR(found->of[2], c, 1e-7, "third");
 }
 
-static void test_scatter(const struct materials *materials)
+static void test_bsdf(const struct materials *materials)
 {
     struct bsdf scatter = {0};
     CHECK(materials_bsdf(materials, 0, middle, &all, &scatter));
@@ -139,7 +139,7 @@ int main(void)
     bands_three(&bands);
     struct spectra spectra = {.bands = &bands, .arena = &arena};
     CHECK(materials_open(&scene, &spectra, &materials, &error));
-    test_scatter(&materials);
+    test_bsdf(&materials);
     test_shine(&materials);
     test_shared(&materials, &spectra);
     written[3].colour.rgb[1] = NAN;

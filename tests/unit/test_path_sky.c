@@ -97,7 +97,7 @@ static void test_overcast(void)
     check_ground(lights, 1, 5000 * sum / (1 + 4 * exp(-0.7)), "an overcast sky");
 }
 
-static void test_points(void)
+static void test_sampler(void)
 {
     struct scene_light lights[] = {{.kind = LIGHT_POINT,
                                     .spectrum = LOOKED_GREY(1),
@@ -212,7 +212,7 @@ int main(void)
 {
     test_sun_and_sky();
     test_overcast();
-    test_points();
+    test_sampler();
     test_star();
     test_environment();
     test_glossy();

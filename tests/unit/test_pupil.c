@@ -134,7 +134,7 @@ static void test_fill(struct arena *arena)
 }
 
 /* All rays of a near or virtual point go through it; path + way is the same for all of them. */
-static void test_points(void)
+static void test_sampler(void)
 {
     const double points[][3] = {
         {0, 0, -100}, {0, 30, -100}, {-20, 5, -3}, {0, 0, 80}, {10, -20, 60}};
@@ -503,7 +503,7 @@ int main(void)
 {
     struct arena arena = {0};
     test_places();
-    test_points();
+    test_sampler();
     test_fill(&arena);
     test_far_object();
     test_decentred_stop(&arena);

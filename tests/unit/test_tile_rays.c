@@ -6,7 +6,7 @@
 #include <string.h>
 
 /* Numbers of paths: behind x, y, u, v and time, in the least strands that count the samples. */
-static void test_points(void)
+static void test_sampler(void)
 {
     static const struct {
         size_t samples;
@@ -68,6 +68,6 @@ static void test_cells(void)
 int main(void)
 {
     test_cells();
-    test_points();
+    test_sampler();
     return check_report();
 }

@@ -197,7 +197,7 @@ static void test_untilted(void)
     CHECK_RELATIVE(tilt_along(&t, 0.3).near, r.near, 1e-6, "small tilts join on");
 }
 
-static void test_points(void)
+static void test_sampler(void)
 {
     struct error error;
     double tilt, image;
@@ -330,7 +330,7 @@ int main(void)
     test_round_trips();
     test_lines();
     test_untilted();
-    test_points();
+    test_sampler();
     test_coverage();
     test_drawing();
     test_refusals();

@@ -1,4 +1,4 @@
-/* tests/unit/test_points.c - the numbers of rays: even, independent, the same in any order. */
+/* tests/unit/test_sampler.c - the numbers of rays: even, independent, the same in any order. */
 /* SPDX-License-Identifier: MIT */
 #include "scene/sampler.h"
 

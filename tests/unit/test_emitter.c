@@ -1,4 +1,4 @@
-/* tests/unit/test_lamp.c - places on a lamp itself. */
+/* tests/unit/test_emitter.c - places on a lamp itself. */
 /* SPDX-License-Identifier: MIT */
 #include "scene/emitter.h"
 

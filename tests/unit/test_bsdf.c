@@ -1,4 +1,4 @@
-/* tests/unit/test_scatter.c - Lambert, mirror and gloss: furnaces, either way alike, densities. */
+/* tests/unit/test_bsdf.c - Lambert, mirror and gloss: furnaces, either way alike, densities. */
 /* SPDX-License-Identifier: MIT */
 #include "scene/bsdf.h"
 
