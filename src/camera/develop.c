@@ -60,15 +60,13 @@ static struct colour srgb_of(const struct developing *developing, const float *r
 static bool mean_white(const struct developing *developing, const struct image *raw,
                        struct colour *white, struct error *error)
 {
-    const struct sensor_model *model = developing->model;
-    const double full = model->sensor.black + model->gain * model->clip - 0.5;
     struct colour sum = {{0}};
     size_t count = 0;
     for (size_t i = 0; i < raw->width * raw->height; i++) {
         const float *pixel = raw->pixels + i * raw->channels;
         bool within = true;
         for (size_t k = 0; k < raw->channels; k++) {
-            within = within && (double)pixel[k] < full;
+            within = within && (double)pixel[k] < developing->model->full_number;
         }
         if (within) {
             const struct colour colour = srgb_of(developing, pixel, raw->channels);
@@ -107,6 +105,22 @@ static bool find_white(const struct developing *developing, const struct image *
     return true;
 }
 
+/* Of a developed colour, what a channel has of a full pixel's light. */
+static struct colour_matrix fill_of(const struct developing *developing, size_t channels)
+{
+    static const double darkness =
+        1e-6; /* where the dark alone fills the pixel, any light is full */
+    struct colour_matrix fill = colour_inverse(&developing->to_srgb);
+    for (size_t j = 0; j < SENSOR_CHANNELS; j++) {
+        const double full = (developing->model->full_number - developing->zero) *
+                            developing->per_number[channels == 1 ? 0 : j];
+        for (size_t k = 0; k < SENSOR_CHANNELS; k++) {
+            fill.at[j][k] /= fmax(full, darkness);
+        }
+    }
+    return fill;
+}
+
 bool develop_picture(const struct sensor_model *model, const struct image *raw,
                      const struct develop_way *way, struct arena *arena, struct developed *made,
                      struct error *error)
@@ -129,6 +143,7 @@ bool develop_picture(const struct sensor_model *model, const struct image *raw,
         }
         developing.to_srgb = colour_product(&balance, &developing.to_srgb);
     }
+    made->fill = fill_of(&developing, channels);
     struct image *picture = &made->picture;
     *picture =
         (struct image){.width = raw->width, .height = raw->height, .channels = SENSOR_CHANNELS};

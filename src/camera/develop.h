@@ -30,6 +30,9 @@ struct develop_way {
 struct developed {
     struct image picture;
     struct colour white; /* the one that was taken, X, Y, Z */
+    /* row j times (R, G, B): the light of channel j as a share of what a full pixel has at least;
+       of a mono sensor all rows say the same */
+    struct colour_matrix fill;
 };
 
 /*
@@ -39,6 +42,8 @@ struct developed {
  *           way
  * Result    made     linear sRGB, three channels, 1 is white: what a PNG of IMAGE_LIGHT takes; may
  *                    lie below 0 and above 1. A mono sensor's is grey, whatever the balance
+ *                    made->fill gives (number - zero)/(full_number - zero) of each channel, by the
+ *                    inverse of what made R, G and B
  * Formula   H = ((number - black)/K - dark)/electrons of each channel, the mean of the dark
  *           subtracted; over H_sat = (largest number - black)/(K electrons), which is 78/S where K
  *           comes from a speed; times headroom; the inverse of what the channels see; balance

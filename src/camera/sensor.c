@@ -125,6 +125,16 @@ static bool find_gain(struct sensor_model *model, struct error *error)
     return true;
 }
 
+/* Noise is added to what a well holds; of numbers it makes no difference above the largest. */
+static double full_number_of(const struct sensor_model *model)
+{
+    static const double deviations = 4;
+    const struct image_sensor *sensor = &model->sensor;
+    const double noise = model->setting.noiseless ? 0 : deviations * sensor->read_noise;
+    const double electrons = fmax(sensor->full_well - noise, sensor->full_well / 2);
+    return fmin(model->white, rint(sensor->black + model->gain * electrons)) - 0.5;
+}
+
 bool sensor_open(const struct image_sensor *sensor, const struct sensor_setting *setting,
                  struct sensor_model *model, struct error *error)
 {
@@ -152,6 +162,7 @@ bool sensor_open(const struct image_sensor *sensor, const struct sensor_setting 
         return fail(error, ERROR_DOMAIN,
                     "a dark current of %.6g electrons in the exposure is too much", model->dark);
     }
+    model->full_number = full_number_of(model);
     model->clip = fmin(sensor->full_well, (model->white - sensor->black) / model->gain);
     model->saturation = fmax(0, model->clip - model->dark) / model->of_white;
     return true;
@@ -316,5 +327,6 @@ void sensor_codes(const struct sensor_model *model, const struct sensor_place *p
                text_of(pattern_from(model->sensor.mosaic, place)));
     note_number(raw, arena, "Black level", model->sensor.black);
     note_number(raw, arena, "White level", model->white);
+    note_number(raw, arena, "Saturation level", ceil(model->full_number));
     note_number(raw, arena, "Gain", model->gain);
 }

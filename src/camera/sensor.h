@@ -95,6 +95,7 @@ struct sensor_model {
     double gain;                       /* K, digital numbers an electron */
     double white;                      /* the largest digital number */
     double clip;                       /* the electrons that reach it, or the full well */
+    double full_number;                /* the least digital number that a full pixel may have */
     double saturation;                 /* lx s at which the reference channel clips */
 };
 
@@ -103,7 +104,9 @@ struct sensor_model {
  *
  * Result    model   electrons = fill efficiency pitch^2 SENSOR_PHOTONS; dark = current time
  *                   2^((temperature - dark_temperature)/doubling); K as given, or so that the
- *                   reference channel reaches the largest number at H_sat = 78/S of white light
+ *                   reference channel reaches the largest number at H_sat = 78/S of white light;
+ *                   full_number is half a number below that of a full well, and four deviations of
+ *                   the read noise, which is added to what the well holds; at least half of it
  * Source    [EMVA16] 2.1 (photons, K), 3 (dark current); [IsoSpeed06] 6.2 (H_sat); photons of
  *           light of other colours by lumens: an efficiency is that of light of 555 nm which gives
  *           as many lumens
@@ -165,8 +168,8 @@ bool sensor_expose(const struct sensor_model *model, const struct image *light,
  * Given     place  of its first pixel, where the pattern that is noted begins
  *           raw    of sensor_expose; its numbers are divided by 65535 in place, so that a PNG of 16
  *                  bits with IMAGE_CODES has them as they are; noted are "CFA pattern" (the
- *                  mosaic's word, or "none"), "Black level", "White level" and "Gain" in numbers an
- *                  electron
+ *                  mosaic's word, or "none"), "Black level", "White level", "Saturation level", the
+ *                  least number that a full pixel may have, and "Gain" in numbers an electron
  */
 void sensor_codes(const struct sensor_model *model, const struct sensor_place *place,
                   struct image *raw, struct arena *arena);

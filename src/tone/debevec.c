@@ -65,18 +65,21 @@ static struct spot spot_of(const struct tone_frame *frame, size_t at, size_t cha
     const long x = (long)(at % frame->width) + frame->right;
     const long y = (long)(at / frame->width) + frame->down;
     unsigned sum = 0, least = TOP, most = 0;
+    bool is_full = false;
     if (x < 0 || y < 0 || x >= (long)frame->width || y >= (long)frame->height) {
         return (struct spot){.is_there = false, .is_even = true};
     }
     for (long i = 0; i < 9; i++) {
         const size_t row = held(y + i / 3 - 1, frame->height);
         const size_t column = held(x + i % 3 - 1, frame->width);
-        const unsigned code = frame_byte(frame, row * frame->width + column, channel);
+        const size_t pixel = row * frame->width + column;
+        const unsigned code = frame_byte(frame, pixel, channel);
+        is_full = is_full || frame_is_full(frame, pixel * FRAME_CHANNELS + channel);
         sum += code;
         least = code < least ? code : least;
         most = code > most ? code : most;
     }
-    const bool is_exposed = least > 0 && most < TOP;
+    const bool is_exposed = least > 0 && !is_full;
     return (struct spot){frame_byte(frame, (size_t)y * frame->width + (size_t)x, channel),
                          sum / 9.0, true, !is_exposed || most - least <= APART_MOST, is_exposed};
 }

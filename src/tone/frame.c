@@ -133,6 +133,24 @@ const struct frame_level *frame_levels_of(const double *light, size_t count, str
     return levels;
 }
 
+/* The whole number of a value. */
+static size_t code_of(const struct tone_frame *frame, size_t i)
+{
+    return frame->bytes != NULL ? frame->bytes[i] : frame->codes[i];
+}
+
+struct frame_level frame_level_at(const struct tone_frame *frame, size_t i)
+{
+    return frame->bits == 0 ? (struct frame_level){frame->values[i], 1, 0}
+                            : frame->levels[i % FRAME_CHANNELS][code_of(frame, i)];
+}
+
+bool frame_is_full(const struct tone_frame *frame, size_t i)
+{
+    return (frame->trust != NULL && frame->trust[i] == 0) ||
+           (frame->bits != 0 && code_of(frame, i) + 1 == frame_levels(frame->bits));
+}
+
 unsigned frame_byte(const struct tone_frame *frame, size_t pixel, size_t channel)
 {
     const size_t i = pixel * FRAME_CHANNELS + channel;

@@ -7,7 +7,7 @@
 
 #include <stdint.h>
 
-enum { FRAME_CHANNELS = 3, FRAME_LEVELS = 256, FRAMES_MOST = 64 };
+enum { FRAME_CHANNELS = 3, FRAME_LEVELS = 256, FRAMES_MOST = 64, TRUST_MOST = 255 };
 
 /* What one whole number stands for. */
 struct frame_level {
@@ -28,7 +28,10 @@ struct tone_frame {
     double time;           /* of the exposure, s, */
     bool is_by_white;      /* as its white has it, and not as is noted */
     long right, down;      /* how far its picture lies beside that of the others, pixels */
-    size_t full;           /* values that are the highest number */
+    size_t full;           /* values that are the highest number, or of a full pixel */
+    /* three a pixel: how far each is from where the sensor is full, 0 to TRUST_MOST, beside what
+       `levels` say; null: the file's highest number alone is where */
+    const uint8_t *trust;
     /* of its whole numbers, at first as the file encodes light; floats have none */
     const struct frame_level *levels[FRAME_CHANNELS];
 };
@@ -59,6 +62,12 @@ bool frame_take(const struct image *image, struct arena *arena, struct tone_fram
  *           spread  ((next - last)/2)^2/12, at least 1e-18
  */
 const struct frame_level *frame_levels_of(const double *light, size_t count, struct arena *arena);
+
+/* What a value stands for by its levels; of floats itself. i counts three a pixel. */
+struct frame_level frame_level_at(const struct tone_frame *frame, size_t i);
+
+/* Is a value the highest number, or of a full pixel? */
+bool frame_is_full(const struct tone_frame *frame, size_t i);
 
 /* The number of a pixel's channel, as of 8 bits. */
 unsigned frame_byte(const struct tone_frame *frame, size_t pixel, size_t channel);

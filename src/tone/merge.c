@@ -82,6 +82,9 @@ static void fetch(const struct tone_frame *frame, const struct place *place,
                 put(stretch, i + k, &(struct frame_level){frame->values[j + k], 1, 0});
             }
         }
+        for (size_t k = 0; frame->trust != NULL && k < FRAME_CHANNELS; k++) {
+            stretch->keep[i + k] *= (float)frame->trust[j + k] / TRUST_MOST;
+        }
     }
 }
 

@@ -145,6 +145,53 @@ def check_rendered(tone, checks):
                  f"render: {len(offs)} pixels are off by {mean:.4f} +- {spread:.4f}")
 
 
+def without_note(path, key):
+    """A PNG that does not say so."""
+    with open(path, "rb") as file:
+        data = file.read()
+    kept, at = data[:8], 8
+    while at < len(data):
+        end = at + 12 + struct.unpack(">I", data[at:at + 4])[0]
+        if not data[at + 8:end].startswith(key.encode() + b"\0"):
+            kept += data[at:end]
+        at = end
+    with open(path, "wb") as file:
+        file.write(kept)
+
+
+def check_saturated(tone, checks):
+    """A sensor that is full below the file's highest number loses no light of a bracket."""
+    card = ["render", "chart:wedge", "--lens", "double-gauss-50", "-s", "2m", "--size", "60x40",
+            "--samples", "4"]
+    result = tone.program.run(*card, "--radiance", "-t", "1/8", "-o", "truth.pfm", cwd=tone.folder)
+    checks.check(result.returncode == 0, f"saturated: {result.stderr}")
+    truth = read_pfm(tone.path("truth.pfm"))
+    well = ["--noise", "--pitch", "6um", "--full-well", "40000"]
+    for words in ([], ["--bits", "16"], ["--black", "500"], ["--response", "mono"],
+                  ["--response", "xyz"], ["--response", "xyz", "--bits", "16"],
+                  ["--read-noise", "50"], ["--full-well", "30000"], "silent"):
+        silent = words == "silent"
+        asked = ["--noise", "--pitch", "6um", "--adc", "12"] + (well[3:] if silent else
+                 (well[3:] if "--full-well" not in words else []) + words)
+        result = tone.program.run(*card, *asked, "-t", "1/2,1/8,1/30,1/125,1/500", "-o", "full.png",
+                                  cwd=tone.folder)
+        checks.check(result.returncode == 0, f"saturated: {result.stderr}")
+        names = [f"full-{i}.png" for i in range(1, 6)]
+        for name in names if silent else []:
+            without_note(tone.path(name), "Saturation")
+        merged, said = tone.run(*names)
+        checks.check(("do not say" in said) == silent and "differ by more" not in said,
+                     f"saturated {words}: {said}")
+        offs = [a[1] / b[1] - 1 for p, q in zip(merged or [], truth) for a, b in zip(p, q) if b[1] > 3]
+        mean, worst = sum(offs) / max(1, len(offs)), max(map(abs, offs), default=1)
+        checks.check(len(offs) > 500 and abs(mean) < 0.01 and worst < 0.2,
+                     f"saturated {words}: {len(offs)} pixels off by {mean:.4f}, {worst:.3f} at most")
+    # a patch that nothing saturates is no sensor that is full
+    result = tone.program.run(*card, "-t", "1/500,1/2000", "-o", "even.png", cwd=tone.folder)
+    _, said = tone.run("even-1.png", "even-2.png")
+    checks.check("highest value" not in said, f"saturated, where nothing is: {said}")
+
+
 def check_whites(tone, checks):
     """
     Frames whose exposures are not as their times: a leaf shutter's, and those behind filters; and
@@ -647,7 +694,7 @@ def main():
     checks = Checks()
     with tempfile.TemporaryDirectory(prefix="lenscalc-tone-") as folder:
         tone = Tone(Program(sys.argv[1]), checks, folder)
-        for check in (check_merge, check_rendered, check_whites, check_response, check_shift, check_exif,
+        for check in (check_merge, check_rendered, check_saturated, check_whites, check_response, check_shift, check_exif,
                       check_ward, check_glare, check_colours, check_acuity, check_blur,
                       check_falsecolour, check_operators):
             check(tone, checks)

@@ -134,6 +134,45 @@ static void test_developed(void)
     }
 }
 
+/*
+ * A full well of 20000 electrons: light of half as many is half of a full pixel's, whatever the
+ * channels see, the black level and the balance of white; half a number may be missing.
+ */
+static void test_fill(void)
+{
+    const struct sensor_setting setting = {
+        .iso = 100, .gain = NAN, .time = 1, .temperature = 20, .noiseless = true};
+    const struct sensor_place place = {0, 0, 1};
+    for (int response = 0; response < SENSOR_RESPONSES; response++) {
+        for (int white = 0; white < 2; white++) {
+            struct image_sensor sensor = sensor_plain(0.006);
+            sensor.response = (enum sensor_response)response;
+            sensor.black = 200;
+            sensor.full_well = 20000;
+            const struct develop_way way = {
+                .white = white > 0 ? BALANCE_TUNGSTEN : BALANCE_DAYLIGHT, .headroom = 1};
+            /* 0.5 of 4.0906683948e9 photons a mm^2 and lx s on (0.006 mm)^2; white has X 0.9505 */
+            const double half = 10000 / (0.5 * 4.0906683948e9 * 0.006 * 0.006);
+            struct image light = {.width = 1, .height = 1, .channels = 3};
+            struct sensor_model model;
+            struct sensor_raw raw;
+            struct developed made;
+            CHECK(image_new(&light, arena, &error));
+            light.pixels[0] = light.pixels[1] = light.pixels[2] = (float)half;
+            CHECK(sensor_open(&sensor, &setting, &model, &error) &&
+                  sensor_expose(&model, &light, &place, arena, &raw, &error) &&
+                  develop_picture(&model, &raw.image, &way, arena, &made, &error));
+            const float *seen = made.picture.pixels;
+            const struct colour fill = colour_turned(
+                &made.fill, (struct colour){{(double)seen[0], (double)seen[1], (double)seen[2]}});
+            const double X = 0.4124 + 0.3576 + 0.1805;
+            const double wanted = response == SENSOR_XYZ ? 0.5 * X : 0.5;
+            CHECK_NEAR(fill.part[0], wanted, 3e-4, "red");
+            CHECK_NEAR(fill.part[1], 0.5, 3e-4, "green");
+        }
+    }
+}
+
 static void test_balanced(void)
 {
     const struct image_sensor sensor = sensor_plain(0.006);
@@ -205,6 +244,7 @@ int main(void)
     test_whites();
     test_bradford();
     test_developed();
+    test_fill();
     test_balanced();
     arena_free(arena);
     test_primaries();

@@ -108,6 +108,13 @@ static void test_numbers(void)
           sensor_expose(&model, &light, &whole, arena, &raw, &error));
     CHECK(raw.image.pixels[0] == 7700 && raw.sums.saturated == 16);
     CHECK_RELATIVE(model.saturation, 30000 / 51133.35494, 1e-9, "of the full well");
+    CHECK_NEAR(model.full_number, 7699.5, 0, "200 + 0.25 30000, less half a number");
+    sensor.read_noise = 100;
+    setting.noiseless = false;
+    CHECK(sensor_open(&sensor, &setting, &model, &error));
+    CHECK_NEAR(model.full_number, 7599.5, 0, "four deviations of the noise below");
+    sensor.read_noise = 0;
+    setting.noiseless = true;
     light = even(4, 4, 3e38, 3e38, 3e38);
     setting.noiseless = false;
     CHECK(sensor_open(&sensor, &setting, &model, &error) &&
@@ -207,9 +214,10 @@ static void test_mosaic(void)
     const float expected[2][4] = {{511, 1023, 511, 1023}, {1023, 1534, 1023, 1534}};
     CHECK(raw.image.channels == 1 && memcmp(raw.image.pixels, expected, sizeof expected) == 0);
     sensor_codes(&model, &odd, &raw.image, arena);
-    CHECK(rint((double)raw.image.pixels[1] * 65535) == 1023 && raw.image.note_count == 4);
+    CHECK(rint((double)raw.image.pixels[1] * 65535) == 1023 && raw.image.note_count == 5);
     CHECK_TEXT(raw.image.notes[0].value, "rggb");
     CHECK_TEXT(raw.image.notes[2].value, "16383");
+    CHECK_TEXT(raw.image.notes[3].value, "16383");
 }
 
 /* What changes linearly is kept within, what is constant everywhere. */

@@ -5,6 +5,7 @@
 #include "tone/align.h"
 #include "tone/merge.h"
 #include "tone/operator.h"
+#include "tone/saturation.h"
 #include "tone/sight.h"
 
 static struct arena memory;
@@ -125,6 +126,71 @@ static void test_full_channel(void)
     frame.bytes = frame_of(greys, 4, 1, 1).bytes;
     CHECK(!merge_frames(&frame, 1, &noise, arena, &merged, &error));
     CHECK(strstr(error.message, "every frame") == NULL);
+}
+
+/* A picture of two rows: 100 shades and 100 pixels that are full at code 200. */
+static struct tone_frame full_at_200(double time)
+{
+    enum { WIDTH = 100 };
+    uint8_t greys[2 * WIDTH];
+    for (int i = 0; i < 2 * WIDTH; i++) {
+        const double light = (i < WIDTH ? 0.002 * i : 0.5) * time;
+        const double code = rint(255 * sqrt(light));
+        greys[i] = (uint8_t)(code < 200 ? code : 200);
+    }
+    return frame_of(greys, WIDTH, 2, time);
+}
+
+/* Its own word for it: half of the light of code 200 is trusted, from nine tenths on less. */
+static void test_saturation(void)
+{
+    const double top = 200.0 / 255 * (200.0 / 255);
+    struct saturation saturation;
+    char text[200];
+    snprintf(text, sizeof text, "%.9g 0 0 0 %.9g 0 0 0 %.9g", 1 / top, 1 / top, 1 / top);
+    CHECK(saturation_read(text, &saturation, &error));
+    struct tone_frame frame = full_at_200(4);
+    const size_t shade = 3 * 35; /* light of 0.28 */
+    CHECK(!frame_is_full(&frame, 3 * 150));
+    saturation_apply(&frame, &saturation, arena);
+    CHECK(frame_is_full(&frame, 3 * 150) && frame.trust[shade] == TRUST_MOST);
+    /* code 195 and half a step more is 0.5877 of 0.6151, which is (1 - 0.9554)/0.1 of trust */
+    const uint8_t near[] = {195, 200, 199, 10};
+    frame = frame_of(near, 4, 1, 1);
+    saturation_apply(&frame, &saturation, arena);
+    CHECK_NEAR(frame.trust[0] / 255.0, (1 - 195.5 * 195.5 / 40000) / 0.1, 5e-3, "near the end");
+    CHECK(frame.trust[3] == 0 && frame.full == 3 &&
+          frame.trust[6] < 26); /* of 199 little is left */
+    /* colours that are mixed of all channels: one that is full spoils all three */
+    CHECK(saturation_read("0.5 0.3 0.2 0.2 0.7 0.1 0 0.1 4", &saturation, &error));
+    frame = frame_of(near, 4, 1, 1);
+    saturation_apply(&frame, &saturation, arena);
+    CHECK(frame.trust[0] == 0 && frame.trust[1] == 0 && frame.trust[2] == 0);
+    CHECK(frame.trust[9] == TRUST_MOST);
+    static const char *const bad[] = {"",    "1 0 0 0 1 0 0 0",     "1 0 0 0 1 0 0 0 x",
+                                      "1 0", "1 0 0 0 1 0 0 0 1 0", "1 0 0 1 0 0 0 0 1"};
+    for (size_t i = 0; i < sizeof bad / sizeof bad[0]; i++) {
+        CHECK(!saturation_read(bad[i], &saturation, &error) && error.code == ERROR_DATA);
+    }
+}
+
+/* Nobody says so: what the shorter frame shows does, and what all frames show alike does not. */
+static void test_saturation_found(void)
+{
+    struct tone_frame frames[] = {full_at_200(4), full_at_200(1)};
+    const struct merge_noise noise = {1e6, 1};
+    struct saturation_found found;
+    struct merged merged;
+    saturation_find(frames, 2, arena, &found);
+    CHECK(found.is_found[0] && found.is_found[1] && found.is_found[2]);
+    CHECK_NEAR((double)found.light[1], 40000.0 / 65025, 1e-6, "code 200");
+    CHECK_NEAR(found.share, 0.5 + 0.12, 0.02, "half of the picture, and the lightest shades");
+    CHECK(merge_frames(frames, 2, &noise, arena, &merged, &error));
+    CHECK_RELATIVE((double)merged.image.pixels[3 * 150], 0.5, 0.01, "full in the longer frame");
+    CHECK_RELATIVE((double)merged.image.pixels[3 * 90], 0.18, 0.02, "and a shade");
+    struct tone_frame even[] = {full_at_200(1), full_at_200(0.25)};
+    saturation_find(even, 2, arena, &found);
+    CHECK(found.name == NULL && even[0].trust == NULL && even[1].trust == NULL);
 }
 
 /* Steep levels near black are narrower than single precision has; without noise nothing is 0/0. */
@@ -361,6 +427,8 @@ int main(void)
     test_shifted();
     test_edge();
     test_full_channel();
+    test_saturation();
+    test_saturation_found();
     test_steep();
     test_sight();
     test_histogram();

@@ -16,6 +16,9 @@
 #define RENDER_NOTE_FULL "Electrons of white"
 #define RENDER_NOTE_READ "Read noise electrons"
 
+/* And where it is full: three times three numbers, as struct saturation has them. */
+#define RENDER_NOTE_SATURATION "Saturation"
+
 /* And of light: what in the scene a value of 1 is, of a PNG and of files that hold lx s. */
 #define RENDER_NOTE_WHITE "Luminance of white"
 #define RENDER_NOTE_LIGHT "Luminance of 1 lx s"

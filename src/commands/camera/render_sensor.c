@@ -251,6 +251,18 @@ static void note_white(const struct developed *made, struct image *picture, stru
     image_note(picture, remarks->arena, text_of("White balance"), text_of(said));
 }
 
+/* Where the sensor is full, which need not be the largest number of the file. */
+static void note_saturation(const struct colour_matrix *fill, struct image *image,
+                            struct arena *arena)
+{
+    struct growing words = {.arena = arena};
+    for (size_t i = 0; i < SENSOR_CHANNELS * SENSOR_CHANNELS; i++) {
+        const double share = fill->at[i / SENSOR_CHANNELS][i % SENSOR_CHANNELS];
+        growing_format(&words, "%s%.6g", i > 0 ? " " : "", share + 0.0); /* no -0 */
+    }
+    image_note(image, arena, text_of(RENDER_NOTE_SATURATION), growing_done(&words));
+}
+
 bool render_sense(const struct render_input *input, double time, const struct render_frame *frame,
                   struct image *image, struct growing *remarks, struct error *error)
 {
@@ -297,10 +309,12 @@ bool render_sense(const struct render_input *input, double time, const struct re
     *image = sensed;
     image_note(image, arena, text_of("Sensor"), text_of(said));
     if (!input->raw) { /* for who weighs pixels by their noise */
-        const char *white = arena_printf(arena, "%.6g", model.clip / way.headroom);
+        const double electrons = (model.white - model.sensor.black) / model.gain / way.headroom;
+        const char *white = arena_printf(arena, "%.6g", electrons);
         const char *noise = arena_printf(arena, "%.6g", model.sensor.read_noise);
         image_note(image, arena, text_of(RENDER_NOTE_FULL), text_of(white));
         image_note(image, arena, text_of(RENDER_NOTE_READ), text_of(noise));
+        note_saturation(&made.fill, image, arena);
     }
     return true;
 }

@@ -4,6 +4,7 @@
 #include "commands/camera/tone.h"
 #include "file/image_file.h"
 #include "report/place.h"
+#include "tone/saturation.h"
 
 #include <math.h>
 #include <string.h>
@@ -154,6 +155,22 @@ static void take_notes(struct reading *reading, const struct image *image, size_
     }
 }
 
+/* Where the sensor was full, if it says so. */
+static bool take_saturation(const struct reading *reading, const struct image *image,
+                            struct tone_frame *frame, struct error *error)
+{
+    const char *note = note_of(image, RENDER_NOTE_SATURATION);
+    struct saturation saturation;
+    if (note == NULL) {
+        return true;
+    }
+    if (!saturation_read(note, &saturation, error)) {
+        return false;
+    }
+    saturation_apply(frame, &saturation, reading->arena);
+    return true;
+}
+
 /* Its noise would count as if it were another's. */
 static bool check_once(const struct reading *reading, const char *path, struct error *error)
 {
@@ -178,7 +195,8 @@ static bool read_one(struct reading *reading, const char *path, double time, siz
     struct tone_frame *frame = &reading->frames->frames[i];
     bool done = image_file_read(path, &wish, &scratch, &image, error);
     if (done) {
-        done = check_kind(&image, error) && frame_take(&image, reading->arena, frame, error);
+        done = check_kind(&image, error) && frame_take(&image, reading->arena, frame, error) &&
+               take_saturation(reading, &image, frame, error);
         frame->name = path;
         frame->remark = image_file_remark(path, &image, reading->arena);
         frame->time = isnan(time) ? noted(&image, "Exposure time", &dimension_time) : time;

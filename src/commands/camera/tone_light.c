@@ -5,6 +5,7 @@
 #include "photo/sensitometry.h"
 #include "report/spoken.h"
 #include "tone/align.h"
+#include "tone/saturation.h"
 #include "tone/sight.h"
 
 #include <math.h>
@@ -234,6 +235,30 @@ static void say_frames(const struct tone_frames *frames, struct growing *remarks
                    first->width, first->height, least, most);
 }
 
+/* Frames of who knows which camera, whose full pixels are not the highest number. */
+static void find_saturation(struct tone_frames *frames, struct arena *arena,
+                            struct growing *remarks)
+{
+    static const char *const names[FRAME_CHANNELS] = {"red", "green", "blue"};
+    struct saturation_found found;
+    struct growing which = {.arena = remarks->arena};
+    saturation_find(frames->frames, frames->count, arena, &found);
+    for (size_t k = 0; k < FRAME_CHANNELS; k++) {
+        if (found.is_found[k]) {
+            growing_format(&which, "%s%s %.4g of white", which.length > 0 ? ", " : "", names[k],
+                           (double)found.light[k]);
+        }
+    }
+    if (found.name != NULL) {
+        growing_format(remarks,
+                       "warning: %.3g %% of the pixels in %s share the highest value, where a "
+                       "shorter frame shows more light: %.*s are taken for a full sensor, of which "
+                       "the files do not say where that is\n",
+                       100 * found.share, found.name, (int)which.length,
+                       growing_done(&which).start);
+    }
+}
+
 static double percent(size_t part, size_t whole)
 {
     return 100 * (double)part / (double)whole;
@@ -293,6 +318,7 @@ static bool make_light(const struct tone_input *input, struct arena *frames_aren
     say_frames(&frames, &remarks);
     if (frames.count > 1) {
         align(input, &frames, &remarks);
+        find_saturation(&frames, frames_arena, &remarks);
         noise = noise_of(input, &frames, &remarks);
     }
     if (input->response == RESPONSE_DEBEVEC && !recover(&frames, light, &remarks, error)) {
