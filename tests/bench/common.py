@@ -18,6 +18,10 @@ TURNS = 5  # of each pipe, interleaved; the fastest counts: others only ever slo
 Entry = namedtuple("Entry", "name value unit figures")
 
 
+# a section that could not be measured to its end, and why
+Broken = namedtuple("Broken", "section trouble")
+
+
 def entry(name, value, unit="", figures=""):
     return Entry(name, value, unit, figures)
 
@@ -91,6 +95,15 @@ class Bench:
     def batch(self, *options):
         return [self.lenscalc, "dof", "--batch", "-", "--columns", "hyperfocal_m,near_m,far_m",
                 *options]
+
+
+def measured(bench, sections):
+    """What each of {name: section} yields; of one that stops a Broken, then the next one's."""
+    for name, section in sections.items():
+        try:
+            yield from section(bench)
+        except (Exception, SystemExit) as trouble:
+            yield Broken(name, f"{type(trouble).__name__}: {trouble}")
 
 
 def run(words, source, target=os.devnull):

@@ -68,7 +68,7 @@ int main(void)
         expose(&frames[i], exp2(-2 * i), light, &arena);
     }
     const double began = processor_time();
-    align_frames(frames, FRAMES, steps, &arena);
+    align_frames(frames, FRAMES, steps);
     const double aligned = processor_time();
     if (!merge_frames(frames, FRAMES, &noise, &arena, &merged, &error)) {
         stop(&error);

@@ -191,7 +191,7 @@ static char *gauss_with(struct arena *arena, const char *extra)
 
 static double cost(const char *extra, bool path, double base)
 {
-    struct fixture fixture = {{0}};
+    struct fixture fixture = {0};
     char *text = gauss_with(&fixture.arena, extra);
     set_up(&fixture, text, true, path, RAYS);
     double seconds = time_rays(&fixture, NULL, 5);
@@ -202,7 +202,7 @@ static double cost(const char *extra, bool path, double base)
 /* A lens of a telephone, with aspheres all over. */
 static double phone(void)
 {
-    struct fixture fixture = {{0}};
+    struct fixture fixture = {0};
     struct lensdb db = {.arena = &fixture.arena};
     struct error error;
     struct system_options options = system_options_default();
@@ -281,7 +281,7 @@ static double time_tangents(struct fixture *fixture, size_t count)
 
 static double gain(size_t count)
 {
-    struct fixture fixture = {{0}};
+    struct fixture fixture = {0};
     set_up(&fixture, gauss, true, false, count);
     const struct trace_way two = {SET_BEST, 2};
     double one = 1e9, both = 1e9;
@@ -299,7 +299,7 @@ static double gain(size_t count)
 
 int main(void)
 {
-    struct fixture fixture = {{0}};
+    struct fixture fixture = {0};
     set_up(&fixture, gauss, true, false, RAYS);
     double plain = time_plain(&fixture.lens, &fixture.arena), base = 0;
     printf("plain %.0f\n", million(&fixture, plain));

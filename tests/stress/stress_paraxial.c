@@ -202,7 +202,7 @@ static void collect(const struct first_order *f, double figures[FIGURES])
 static quad sensitivity(const struct numbers *numbers, size_t count, size_t stop, int k)
 {
     static struct numbers moved; /* a test program may */
-    const quad step = 1e-18Q;
+    const quad step = (quad)1 / 1e18;
     quad here[FIGURES], there[FIGURES], sum = 0;
     reference(numbers, count, stop, here);
     for (size_t i = 0; i <= 3 * count; i++) {
