@@ -15,6 +15,13 @@
 
 enum lensdb_place { LENSDB_USER, LENSDB_EMBEDDED, LENSDB_PLACES };
 
+/* Of a lens file that has indices beside the name of a glass: what counts where the two differ. */
+enum glass_numbers {
+    GLASS_NUMBERS_OF_FILE, /* as the program that wrote the file means it */
+    GLASS_NUMBERS_LINE,    /* the indices */
+    GLASS_NUMBERS_CATALOG  /* the name */
+};
+
 /* Where data comes from. Files of the user's folder are read once, when first asked for. */
 struct lensdb {
     struct arena *arena;
@@ -24,7 +31,8 @@ struct lensdb {
     struct lensdb_folder *folders; /* read so far */
     struct lensdb_series *series;  /* stop series read so far */
     bool agf_is_read;
-    bool lossy;            /* --lossy: files of other programs are read without what is lost */
+    bool lossy; /* --lossy: files of other programs are read without what is lost */
+    enum glass_numbers glass_numbers; /* --glass-numbers */
     struct growing losses; /* what that was, and damaged glasses: a line each, each file once */
     struct lensdb_told *told_of;            /* those files */
     const struct agf_catalog *agf_catalogs; /* the user's, once they are read */

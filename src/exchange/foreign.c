@@ -354,28 +354,72 @@ static bool is_glass_word(struct text name)
 
 typedef bool find_function(void *context, struct medium *medium, struct error *error);
 
-static bool is_near(struct glass_abbe abbe, double nd, double Vd)
+/* Is it within these distances of what the file says? */
+static bool is_near(struct glass_abbe abbe, const struct foreign_name *named, double most_nd,
+                    double most_Vd)
 {
-    const double most_nd = 6e-5, most_Vd = 1e-3; /* catalogues of different years */
-    return fabs(abbe.nd - nd) <= most_nd &&
-           (!(Vd > 0) || !(fabs(abbe.Vd - Vd) > most_Vd * fabs(Vd)));
+    return fabs(abbe.nd - named->nd) <= most_nd &&
+           (!(named->Vd > 0) || !(fabs(abbe.Vd - named->Vd) > most_Vd));
 }
 
-bool foreign_agrees(const struct medium *medium, double nd, double Vd)
+/* Of a glass that is for the d line, where the file has figures of it. */
+static bool is_within(const struct medium *medium, const struct foreign_name *named, double most_nd,
+                      double most_Vd)
 {
     const struct glass *glass = lens_glass_of(medium);
-    if (glass == NULL || !(nd > 1) || WAVELENGTH_D < glass->shortest ||
+    if (glass == NULL || !(named->nd > 1) || WAVELENGTH_D < glass->shortest ||
         WAVELENGTH_D > glass->longest) {
         return true;
     }
-    return is_near(glass_abbe(glass), nd, Vd) || is_near(lens_glass_printed(medium), nd, Vd);
+    return is_near(glass_abbe(glass), named, most_nd, most_Vd) ||
+           is_near(lens_glass_printed(medium), named, most_nd, most_Vd);
 }
 
+bool foreign_agrees(const struct medium *medium, const struct foreign_name *named)
+{
+    return is_within(medium, named, fmax(6e-5, named->nd_rounding),
+                     fmax(1e-3 * fabs(named->Vd), named->Vd_rounding));
+}
+
+bool foreign_is_rounded(const struct medium *medium, const struct foreign_name *named)
+{
+    const double printed_nd = 5.5e-6, printed_Vd = 5.5e-3; /* half of the last digit */
+    return is_within(medium, named, named->nd_rounding + printed_nd,
+                     named->Vd_rounding + printed_Vd);
+}
+
+char *foreign_difference(const struct foreign_job *job, const struct foreign_name *named,
+                         const struct medium *medium)
+{
+    const struct glass_abbe printed = lens_glass_printed(medium);
+    const struct glass_abbe is =
+        printed.nd > 1 && printed.Vd > 0 ? printed : glass_abbe(lens_glass_of(medium));
+    char *what = arena_printf(
+        job->arena,
+        "the glass '%.*s' is %.*s of nd %.6g and Vd %.5g, beside which the file has nd %.6g and "
+        "Vd %.5g",
+        text_shown(named->name), named->name.start, text_shown(medium->written),
+        medium->written.start, is.nd, is.Vd, named->nd, named->Vd);
+    text_make_printable(what, "");
+    return what;
+}
+
+/* A glass being looked for. */
+struct glass_search {
+    const struct foreign_job *job;
+    const struct foreign_name *named;
+    struct medium *medium;
+    struct medium other; /* the first of the name that has another nd or Vd */
+    bool has_other;
+};
+
 /* Ask the source for one name; true if it knows it, and it is the one that the file describes. */
-static bool ask(const struct foreign_job *job, const struct foreign_name *named,
-                find_function *find, const char *written, struct medium *medium,
+static bool ask(struct glass_search *search, find_function *find, const char *written,
                 struct error *error)
 {
+    const struct foreign_job *job = search->job;
+    const struct foreign_name *named = search->named;
+    struct medium *medium = search->medium;
     *medium = (struct medium){.kind = MEDIUM_GLASS, .written = text_of(written), .index = {1, 0}};
     error->code = ERROR_NONE;
     if (!find(job->glasses->context, medium, error)) {
@@ -388,7 +432,14 @@ static bool ask(const struct foreign_job *job, const struct foreign_name *named,
             arena_printf(job->arena, "%.*s:%.*s", (int)glass->catalog.length, glass->catalog.start,
                          (int)glass->name.length, glass->name.start));
     }
-    return foreign_agrees(medium, named->nd, named->Vd);
+    if (foreign_agrees(medium, named)) {
+        return true;
+    }
+    if (!search->has_other) {
+        search->other = *medium;
+        search->has_other = true;
+    }
+    return false;
 }
 
 /* Bad data of a catalogue, as opposed to a name that is in none. */
@@ -398,15 +449,16 @@ static bool is_damage(const struct error *error)
 }
 
 /* Ask one catalogue. Result: false with a code where its data are bad. */
-static bool ask_catalog(const struct foreign_job *job, const struct foreign_name *named,
-                        struct text catalog, struct medium *medium, struct error *error)
+static bool ask_catalog(struct glass_search *search, struct text catalog, struct error *error)
 {
+    const struct foreign_job *job = search->job;
+    const struct foreign_name *named = search->named;
     const char *written = arena_printf(job->arena, "%.*s:%.*s", (int)catalog.length, catalog.start,
                                        (int)named->name.length, named->name.start);
     find_function *const finds[] = {named->has_homonyms ? job->glasses->find_homonym : NULL,
                                     job->glasses->find_foreign};
     for (size_t i = 0; i < sizeof finds / sizeof finds[0]; i++) {
-        if (finds[i] != NULL && ask(job, named, finds[i], written, medium, error)) {
+        if (finds[i] != NULL && ask(search, finds[i], written, error)) {
             return true;
         }
         if (finds[i] != NULL && is_damage(error)) {
@@ -418,10 +470,9 @@ static bool ask_catalog(const struct foreign_job *job, const struct foreign_name
 }
 
 /* "CDGM-ZEMAX201409", "OHARA_2021-04" and "OLD_SCHOTT" are editions of CDGM, OHARA and SCHOTT. */
-static bool ask_editions(const struct foreign_job *job, const struct foreign_name *named,
-                         struct text catalog, struct medium *medium, struct error *error)
+static bool ask_editions(struct glass_search *search, struct text catalog, struct error *error)
 {
-    if (ask_catalog(job, named, catalog, medium, error)) {
+    if (ask_catalog(search, catalog, error)) {
         return true;
     }
     for (size_t from = 0, to = 0; to <= catalog.length && error->code == ERROR_NONE; to++) {
@@ -429,8 +480,7 @@ static bool ask_editions(const struct foreign_job *job, const struct foreign_nam
             continue;
         }
         const struct text part = {catalog.start + from, to - from};
-        if (part.length > 0 && part.length < catalog.length &&
-            ask_catalog(job, named, part, medium, error)) {
+        if (part.length > 0 && part.length < catalog.length && ask_catalog(search, part, error)) {
             return true;
         }
         from = to + 1;
@@ -439,17 +489,18 @@ static bool ask_editions(const struct foreign_job *job, const struct foreign_nam
 }
 
 /* No name of a catalogue: all of them. */
-static bool ask_all(const struct foreign_job *job, const struct foreign_name *named,
-                    struct medium *medium, struct error *error)
+static bool ask_all(struct glass_search *search, struct error *error)
 {
-    return ask(job, named, job->glasses->find_foreign,
-               arena_string(job->arena, named->name.start, named->name.length), medium, error);
+    const struct text name = search->named->name;
+    return ask(search, search->job->glasses->find_foreign,
+               arena_string(search->job->arena, name.start, name.length), error);
 }
 
 bool foreign_glass(struct foreign_job *job, const struct file_words *words,
                    const struct foreign_name *named, struct medium *medium, struct error *error)
 {
     const struct text name = named->name;
+    struct glass_search search = {.job = job, .named = named, .medium = medium};
     if (job->glasses == NULL) {
         *medium = (struct medium){.kind = MEDIUM_GLASS, .written = name, .index = {1, 0}};
         return is_glass_word(name) ||
@@ -457,15 +508,20 @@ bool foreign_glass(struct foreign_job *job, const struct file_words *words,
     }
     error->code = ERROR_NONE;
     for (size_t i = 0; i < named->catalog_count && error->code == ERROR_NONE; i++) {
-        if (ask_editions(job, named, named->catalogs[i], medium, error)) {
+        if (ask_editions(&search, named->catalogs[i], error)) {
             return true;
         }
     }
-    if (named->catalog_count == 0 && ask_all(job, named, medium, error)) {
+    if (named->catalog_count == 0 && ask_all(&search, error)) {
         return true;
     }
     if (is_damage(error)) {
         return false;
+    }
+    if (search.has_other && named->is_by_name) {
+        *medium = search.other;
+        error->code = ERROR_NONE;
+        return true;
     }
     const struct error found = *error;
     if (error->code == ERROR_NONE || strncmp(found.message, "several ", 8) != 0) {

@@ -7,6 +7,7 @@
 #include "base/error.h"
 #include "base/file_type.h"
 #include "base/text.h"
+#include "data/lensdb.h"
 #include "file/file_words.h"
 #include "file/lens_build.h"
 #include "file/lens_file.h"
@@ -45,6 +46,7 @@ struct foreign_job {
     const struct glass_source *glasses; /* null: named glasses stay unresolved */
     bool reads_beside; /* the source is a path: files of its folder that it names are read */
     bool lossy;        /* losses are listed; else they are an error together */
+    enum glass_numbers glass_numbers; /* of formats that have indices beside names of glasses */
     struct foreign_loss *losses;
     size_t loss_count, loss_room;
     const char *lost_power; /* the first loss that bends light; null = none */
@@ -88,6 +90,7 @@ struct foreign_format {
     bool has_settings;  /* and what the positions set anew: struct lens_setting, stops, lights */
     bool has_design;    /* marks of positions, pick-ups, goals, tolerances */
     bool has_apertures; /* `write` keeps the apertures of surfaces, or says which it cannot */
+    bool has_glass_numbers;         /* indices may stand beside the name of a glass */
     const struct word_group *words; /* what becomes of each word when it is read; null: not told */
 };
 
@@ -164,7 +167,9 @@ struct foreign_name {
     const struct text *catalogs; /* names in the order of the file */
     size_t catalog_count;        /* 0: the file names none, and all are looked through */
     double nd, Vd;               /* that stand beside the name; 0 = none */
-    bool has_homonyms;           /* the program's names come before lenscalc's own */
+    double nd_rounding, Vd_rounding;
+    bool has_homonyms; /* the program's names come before lenscalc's own */
+    bool is_by_name;   /* nd and Vd only decide between several glasses of the name */
 };
 
 /*
@@ -172,7 +177,8 @@ struct foreign_name {
  * decided by their order, and by nd and Vd where the file has them.
  *
  * Given     medium  receives it, written CATALOG:NAME as the catalogue spells it
- * Result    false with ERROR_NONE where no catalogue has it so: the reader may know an index
+ * Result    the first with this nd and Vd; where is_by_name and there is none, the first of the
+ *           name. False with ERROR_NONE where no catalogue has it so: the reader may know an index
  * Errors    ERROR_DATA with the place: several catalogues have the name with different data, and
  *           the file names none; the glass of a user's AGF file is damaged
  * Note      a name is never changed but by glass_alias and glass_homonym, and then the medium has a
@@ -182,12 +188,19 @@ bool foreign_glass(struct foreign_job *job, const struct file_words *words,
                    const struct foreign_name *named, struct medium *medium, struct error *error);
 
 /*
- * Has a glass this nd and Vd?
+ * Has a glass the nd and Vd that stand beside its name?
  *
- * Given     nd, Vd  0 = not known
- * Result    within 6e-5 and 0.1 % of what its formula gives or its catalogue prints; true too where
- *           they are not known, or the glass is not for the d line
+ * Result    within 6e-5 and 0.1 % (catalogues of different years), or the rounding of the file, of
+ *           what its formula gives or its catalogue prints; true too where they are not known, or
+ *           the glass is not for the d line
  */
-bool foreign_agrees(const struct medium *medium, double nd, double Vd);
+bool foreign_agrees(const struct medium *medium, const struct foreign_name *named);
+
+/* The same within the rounding of the file and of the catalogue's own figures. */
+bool foreign_is_rounded(const struct medium *medium, const struct foreign_name *named);
+
+/* "the glass 'SK2' is SCHOTT:SK2 of nd .. and Vd .., beside which the file has nd .. and Vd .." */
+char *foreign_difference(const struct foreign_job *job, const struct foreign_name *named,
+                         const struct medium *medium);
 
 #endif

@@ -100,12 +100,33 @@ const char *foreign_format_name(const char *source, struct text content, struct 
     return format != NULL ? format->type.word.word : lens_file_type.word.word;
 }
 
+/* --glass-numbers does nothing in a format whose glasses are names or numbers, never both. */
+static bool check_glass_numbers(const struct foreign_job *job, const struct foreign_format *format,
+                                struct error *error)
+{
+    const char *endings = "";
+    if (job->glass_numbers == GLASS_NUMBERS_OF_FILE ||
+        (format != NULL && (format->has_glass_numbers || format->read == NULL))) {
+        return true;
+    }
+    for (const struct foreign_format *const *one = foreign_formats; *one != NULL; one++) {
+        if ((*one)->has_glass_numbers) {
+            endings = arena_printf(job->arena, "%s%s%s", endings, endings[0] != '\0' ? ", " : "",
+                                   (*one)->type.ending);
+        }
+    }
+    fail(error, ERROR_DATA, "a file without indices beside the names of its glasses");
+    error_locate(error, job->source, 0, 0);
+    return error_hint(error, "leave {glass numbers} out: it is for files as %s", endings);
+}
+
 bool foreign_read(struct foreign_job *job, struct text content, struct lens *lens,
                   struct error *error)
 {
     struct text source = text_of(job->source), text = content;
     if (file_type_ends(source, lens_file_type.ending)) {
-        return lens_read(job->source, content, job->glasses, job->arena, lens, error);
+        return check_glass_numbers(job, NULL, error) &&
+               lens_read(job->source, content, job->glasses, job->arena, lens, error);
     }
     if (file_type_ends(source, ".agf")) {
         fail(error, ERROR_DATA, "an AGF file is a catalogue of glasses, not a lens");
@@ -120,6 +141,9 @@ bool foreign_read(struct foreign_job *job, struct text content, struct lens *len
     }
     bool is_text = encoding_to_utf8(job->source, content, job->arena, &text, error);
     const struct foreign_format *format = format_of(source, is_text ? text : content);
+    if (!check_glass_numbers(job, format, error)) {
+        return false;
+    }
     if (format == NULL) {
         return lens_read(job->source, is_text ? text : content, job->glasses, job->arena, lens,
                          error);

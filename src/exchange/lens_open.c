@@ -221,7 +221,8 @@ bool lens_open(struct lensdb *db, struct text name, struct arena *arena, struct 
                               .arena = arena,
                               .glasses = &glasses,
                               .reads_beside = text_equal(name, source), /* else no file */
-                              .lossy = db->lossy};
+                              .lossy = db->lossy,
+                              .glass_numbers = db->glass_numbers};
     if (!foreign_read(&job, content, lens, error)) {
         return false;
     }

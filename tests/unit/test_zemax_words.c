@@ -120,13 +120,39 @@ static const struct meaning of_glasses[] = {
     {NO_GLASS, WITH("CDGM", "BAF6 0 0 1.60801 46.21"),
      "note the glass 'BAF6' of nd 1.60801 and Vd 46.21 is in none of the file's catalogues (CDGM): "
      "nd and Vd are used instead"},
+    /* the numbers beside a glass of the file's catalogues are left-overs of another one */
+    {NO_GLASS, WITH("HOYA OHARA", "BAF6 0 0 1.60801 46.21"), "surface 50 4 HOYA:BAF6 - stop"},
     {NO_GLASS, WITH("HOYA OHARA", "BAF6 0 0 1.60801 46.21"),
-     "note the glass 'BAF6' of nd 1.60801 and Vd 46.21 is in none of the file's catalogues (HOYA, "
-     "OHARA): nd and Vd are used instead"},
+     "note the glass 'BAF6' is HOYA:BAF6 of nd 1.589 and Vd 48.544, beside which the file has nd "
+     "1.60801 and Vd 46.21: the catalogue's glass is used"},
+    {NO_GLASS, WITH("SCHOTT", "SK2 0 0 1.61765 5.5139999E+1 -8.E-4 1 1 1 0 0"),
+     "surface 50 4 SCHOTT:SK2 - stop"},
+    {NO_GLASS, WITH("SCHOTT", "SK2 3 0 1.61765 5.5139999E+1"), "surface 50 4 SCHOTT:SK2 - stop"},
+    /* those of a model glass count, whatever it is called */
+    {NO_GLASS, WITH("SCHOTT", "SK2 1 0 1.61765 55.14"), "surface 50 4 1.61765/55.14 - stop"},
+    {NO_GLASS, WITH("SCHOTT", "SK2 1 0 1.61765 55.14"),
+     "note the glass 'SK2' is SCHOTT:SK2 of nd 1.60738 and Vd 56.65, beside which the file has nd "
+     "1.61765 and Vd 55.14: it is a model glass, whose numbers are used"},
+    {NO_GLASS, WITH("SCHOTT", "SK2 1 0 1.5 40"), "surface 50 4 1.5/40 - stop"},
+    {NO_GLASS, WITH("SCHOTT", "N-BK7 1 0 1.5168 64.17"), "surface 50 4 1.5168/64.17 - stop"},
+    {NO_GLASS, WITH("SCHOTT", "517642 1 0 1.6 50"), "surface 50 4 1.6/50 - stop"},
+    /* a converter that is known to write a patent's numbers beside the nearest glass */
+    {NO_GLASS, "VERS 161019 507 33785\n" WITH("SCHOTT", "N-LAF33 0 0 1.7859 44.3"),
+     "surface 50 4 1.7859/44.3 - stop"},
+    {NO_GLASS, "VERS 161019 507 33785\n" WITH("SCHOTT", "N-LAF33 0 0 1.7859 44.3"),
+     "note the glass 'N-LAF33' is SCHOTT:N-LAF33 of nd 1.78582 and Vd 44.05, beside which the file "
+     "has nd 1.7859 and Vd 44.3, where redukti's converter writes those of a patent: nd and Vd are "
+     "used instead"},
+    {NO_GLASS, "VERS 161019 507 33785\n" WITH("SCHOTT", "SF57 0 0 1.8467 23.8"),
+     "surface 50 4 SCHOTT:SF57 - stop"}, /* rounded */
     {"GLAS ___BLANK 1 0 1.5 0", "GLAS NOGLASS 0 0 1.6 50", "surface 50 4 1.6/50 - stop"},
     /* N-BK7 beyond 6e-5 and 0.1 % */
-    {NO_GLASS, WITH("SCHOTT", "N-BK7 0 0 1.51688 64.167"), "surface 50 4 1.51688/64.167 - stop"},
-    {NO_GLASS, WITH("SCHOTT", "N-BK7 0 0 1.5168 64.25"), "surface 50 4 1.5168/64.25 - stop"},
+    {NO_GLASS, WITH("SCHOTT", "N-BK7 4 0 1.51688 64.167"), "surface 50 4 1.51688/64.167 - stop"},
+    {NO_GLASS, WITH("SCHOTT", "N-BK7 4 0 1.5168 64.25"), "surface 50 4 1.5168/64.25 - stop"},
+    /* within them, beyond the rounding */
+    {NO_GLASS, WITH("SCHOTT", "N-BK7 0 0 1.51685 64.11"),
+     "note the glass 'N-BK7' is SCHOTT:N-BK7 of nd 1.5168 and Vd 64.17, beside which the file has "
+     "nd 1.51685 and Vd 64.11: the catalogue's glass is used"},
     /* editions and former names of catalogues */
     {NO_GLASS, WITH("CDGM-ZEMAX201409", "F2"), "surface 50 4 CDGM:F2 - stop"},
     {NO_GLASS, WITH("OLD_SCHOTT", "F2"), "surface 50 4 SCHOTT:F2 - stop"},

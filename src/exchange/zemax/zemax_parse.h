@@ -74,6 +74,9 @@ struct zemax_file {
     bool has_configurations; /* MNUM has been */
     struct text catalogs[ZEMAX_CATALOGS];
     size_t catalog_count;
+    struct text version; /* VERS: what has written the file */
+    bool takes_numbers;  /* of lines whose glass differs: told by the solves */
+    size_t disputed;     /* such lines */
     const struct zemax_line *aperture, *fields;     /* ENPD .., FTYP */
     const struct zemax_line *x, *y, *field_weights; /* XFLN, YFLN, FWGN */
     const struct zemax_line *environment;           /* ENVD */

@@ -503,4 +503,5 @@ const struct foreign_format zemax_format = {
     .words = zemax_words,
     .has_thick = true,
     .has_apertures = true,
+    .has_glass_numbers = true,
 };

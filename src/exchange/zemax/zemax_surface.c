@@ -5,7 +5,7 @@
 #include "exchange/zemax/zemax_break.h"
 
 #include "base/constants.h"
-#include "exchange/zemax/zemax_environment.h"
+#include "exchange/zemax/zemax_glass.h"
 #include "exchange/zemax/zemax_paraxial.h"
 #include "exchange/zemax/zemax_solve.h"
 #include "file/lens_unit.h"
@@ -25,139 +25,6 @@ static bool is_mirror(const struct zemax_surface *surface)
     return surface->glass != NULL && text_same(surface->glass->keyword, "MIRROR");
 }
 
-/* nd/Vd, of a model glass or one of which only they are known. */
-static struct medium model_of(struct zemax_file *file, struct figure nd, struct figure Vd)
-{
-    return (struct medium){
-        .kind = MEDIUM_MODEL,
-        .written = text_of(arena_printf(file->job->arena, "%.*s/%.*s", (int)nd.typed.length,
-                                        nd.typed.start, (int)Vd.typed.length, Vd.typed.start)),
-        .index = nd.value,
-        .abbe = Vd.value};
-}
-
-/* "517642" is nd = 1.517, Vd = 64.2. */
-static bool is_code(struct text name)
-{
-    bool digits = name.length == 6;
-    for (size_t i = 0; i < name.length; i++) {
-        digits = digits && name.start[i] >= '0' && name.start[i] <= '9';
-    }
-    return digits;
-}
-
-static struct figure figure_text(const char *typed)
-{
-    struct figure figure = {.typed = text_of(typed), .variable = LENS_NONE};
-    pair_read(typed, typed + strlen(typed), NUMBER_UNSCALED, &figure.value);
-    return figure;
-}
-
-static struct medium code_medium(struct zemax_file *file, struct text name)
-{
-    struct arena *arena = file->job->arena;
-    struct figure nd = figure_text(arena_printf(arena, "1.%.3s", name.start));
-    struct figure Vd =
-        figure_text(arena_printf(arena, "%.2s.%.1s", name.start + 3, name.start + 5));
-    return Vd.value.hi > 0
-               ? model_of(file, nd, Vd)
-               : (struct medium){.kind = MEDIUM_CONSTANT, .written = nd.typed, .index = nd.value};
-}
-
-/* GLAS name mode pick-up nd Vd dPgF .. */
-static bool model_medium(struct zemax_file *file, const struct zemax_line *line,
-                         struct medium *medium, struct error *error)
-{
-    if (!(zemax_number(line, 2) > 0 && zemax_number(line, 2) < 100)) {
-        return file_words_fail(&line->words, line->keyword, error,
-                               "a model glass without an index");
-    }
-    bool constant = zemax_number(line, 3) == 0;
-    *medium = constant ? (struct medium){.kind = MEDIUM_CONSTANT,
-                                         .written = line->numbers[2].typed,
-                                         .index = line->numbers[2].value}
-                       : model_of(file, line->numbers[2], line->numbers[3]);
-    if (!constant && zemax_number(line, 3) < 0) {
-        return file_words_fail(&line->words, line->numbers[3].typed, error,
-                               "the Abbe number is below 0");
-    }
-    return zemax_number(line, 4) == 0 ||
-           zemax_loss(file, line, error, "the deviation %g of the partial dispersion PgF",
-                      zemax_number(line, 4));
-}
-
-/* Catalogues as the file names them: "SCHOTT, OHARA"; "none" where it names none. */
-static const char *catalog_list(const struct zemax_file *file)
-{
-    struct arena *arena = file->job->arena;
-    const char *list = file->catalog_count > 0 ? "" : "no catalogue";
-    for (size_t i = 0; i < file->catalog_count && strlen(list) < 200; i++) {
-        list = arena_printf(arena, "%s%s%.*s", list, i > 0 ? ", " : "",
-                            text_shown(file->catalogs[i]), file->catalogs[i].start);
-    }
-    return file->catalog_count > 0 ? arena_printf(arena, "none of the file's catalogues (%s)", list)
-                                   : list;
-}
-
-/* nd and Vd beside the name of a glass; a program that does not know them writes 1.5 and 40. */
-static bool has_index(const struct zemax_line *line)
-{
-    double nd = zemax_number(line, 2), Vd = zemax_number(line, 3);
-    return nd > 1 && nd < 100 && Vd > 0 && !(nd == 1.5 && Vd == 40);
-}
-
-/* nd and Vd describe a glass where all of the file's light is visible. */
-static bool is_visible(const struct zemax_file *file)
-{
-    const double shortest = 0.4, longest = 0.8; /* um */
-    bool is = true;
-    for (size_t i = 0; i < file->wave_count; i++) {
-        is = is && file->waves[i].value.hi >= shortest && file->waves[i].value.hi <= longest;
-    }
-    return is;
-}
-
-/* No catalogue has it so: the indices beside its name. */
-static bool unknown_glass(struct zemax_file *file, const struct zemax_line *line,
-                          struct medium *medium, struct error *error)
-{
-    int length = (int)(line->keyword.length < 40 ? line->keyword.length : 40);
-    if (!has_index(line)) {
-        return foreign_lack(
-            file->job, &line->words, line->keyword, medium,
-            arena_printf(file->job->arena,
-                         "the glass '%.*s' is in %s, and the file has no index of it", length,
-                         line->keyword.start, catalog_list(file)));
-    }
-    *medium = model_of(file, line->numbers[2], line->numbers[3]);
-    char *what = arena_printf(file->job->arena, "the glass '%.*s' of nd %g and Vd %g is in %s",
-                              length, line->keyword.start, zemax_number(line, 2),
-                              zemax_number(line, 3), catalog_list(file));
-    text_make_printable(what, "");
-    if (is_visible(file)) {
-        medium->warning = arena_printf(file->job->arena, "%s: nd and Vd are used instead", what);
-        lens_build_note(&file->build, text_of(medium->warning));
-        return true;
-    }
-    file->job->lacks_glass = true;
-    return zemax_loss(file, line, error,
-                      "%s" LOSS_OF_POWER LOSS_INSTEAD "nd and Vd are used instead", what);
-}
-
-/* In the file's catalogues, else as the file describes it. */
-static bool find_glass(struct zemax_file *file, const struct zemax_line *line,
-                       struct medium *medium, struct error *error)
-{
-    const struct foreign_name named = {.name = line->keyword,
-                                       .catalogs = file->catalogs,
-                                       .catalog_count = file->catalog_count,
-                                       .nd = has_index(line) ? zemax_number(line, 2) : 0,
-                                       .Vd = has_index(line) ? zemax_number(line, 3) : 0,
-                                       .has_homonyms = true};
-    return foreign_glass(file->job, &line->words, &named, medium, error) ||
-           (error->code == ERROR_NONE && unknown_glass(file, line, medium, error));
-}
-
 bool zemax_medium(struct zemax_file *file, const struct zemax_surface *surface,
                   const struct medium *before, struct medium *medium, struct error *error)
 {
@@ -166,22 +33,7 @@ bool zemax_medium(struct zemax_file *file, const struct zemax_surface *surface,
     if (line == NULL || is_mirror(surface) || text_same(line->keyword, "AIR")) {
         return true;
     }
-    if (text_same(line->keyword, "___BLANK")) {
-        return model_medium(file, line, medium, error);
-    }
-    bool offset = zemax_number(line, 0) == 4;
-    for (size_t i = 8; offset && i < line->count; i++) {
-        if (line->numbers[i].value.hi != 0 &&
-            !zemax_loss(file, line, error,
-                        "a glass with an offset of its index or dispersion" LOSS_OF_POWER)) {
-            return false;
-        }
-    }
-    if (is_code(line->keyword)) {
-        *medium = code_medium(file, line->keyword);
-        return true;
-    }
-    return find_glass(file, line, medium, error) && zemax_to_environment(file, line, medium, error);
+    return zemax_glass(file, line, medium, error);
 }
 
 /* A figure in the file's unit to a power, from one that was read without a unit. */

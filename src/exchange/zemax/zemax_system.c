@@ -67,6 +67,14 @@ static bool read_note(struct zemax_file *file, struct text keyword, struct error
     return true;
 }
 
+static bool read_version(struct zemax_file *file, struct text keyword, struct error *error)
+{
+    (void)keyword;
+    (void)error;
+    file->version = file_words_rest(&file->words);
+    return true;
+}
+
 static bool read_catalogs(struct zemax_file *file, struct text keyword, struct error *error)
 {
     (void)keyword;
@@ -223,7 +231,7 @@ const struct zemax_keyword zemax_system_keywords[] = {
     {"VANN", read_vignetting},  {"VDSX", read_vignetting},  {"VDSY", read_vignetting},
     {"VCSX", read_vignetting},  {"VCSY", read_vignetting},  {"VANS", read_vignetting},
     {"ZVDX", read_vignetting},  {"ZVDY", read_vignetting},  {"ZVCX", read_vignetting},
-    {"ZVCY", read_vignetting},  {"ZVAN", read_vignetting},  {"VDXN", read_vignetting},
+    {"ZVCY", read_vignetting},  {"ZVAN", read_vignetting},  {"VERS", read_version},
     {"VDYN", read_vignetting},  {"VCXN", read_vignetting},  {"VCYN", read_vignetting},
     {"VANN", read_vignetting},  {"VDSX", read_vignetting},  {"VDSY", read_vignetting},
     {"VCSX", read_vignetting},  {"VCSY", read_vignetting},  {"VANS", read_vignetting},

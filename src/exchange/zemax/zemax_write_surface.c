@@ -135,7 +135,7 @@ static bool check_homonym(struct zemax_writer *writer, const struct medium *medi
             text_of(arena_printf(job->arena, "%.*s:%.*s", (int)writer->catalogs[i].length,
                                  writer->catalogs[i].start, (int)name.length, name.start));
         if (job->glasses->find(job->glasses->context, &other, &ignored) &&
-            foreign_agrees(&other, abbe.nd, abbe.Vd)) {
+            foreign_agrees(&other, &(struct foreign_name){.nd = abbe.nd, .Vd = abbe.Vd})) {
             return foreign_lose(writer->job, error,
                                 "the glass %.*s:%.*s: the file would be read with that of %.*s",
                                 (int)catalog.length, catalog.start, (int)name.length, name.start,

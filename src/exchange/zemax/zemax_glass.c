@@ -1,0 +1,269 @@
+/* exchange/zemax/zemax_glass.c - the materials of a .zmx file: names of glasses, and numbers. */
+/* SPDX-License-Identifier: MIT */
+#include "exchange/zemax/zemax_glass.h"
+#include "exchange/zemax/zemax_environment.h"
+
+#include <string.h>
+
+/* The types of a glass: GLAS NAME type .. */
+enum { GLASS_NAMED = 0, GLASS_MODEL = 1, GLASS_OFFSET = 4 };
+
+/* nd/Vd, of a model glass or one of which only they are known. */
+static struct medium model_of(struct zemax_file *file, struct figure nd, struct figure Vd)
+{
+    return (struct medium){
+        .kind = MEDIUM_MODEL,
+        .written = text_of(arena_printf(file->job->arena, "%.*s/%.*s", (int)nd.typed.length,
+                                        nd.typed.start, (int)Vd.typed.length, Vd.typed.start)),
+        .index = nd.value,
+        .abbe = Vd.value};
+}
+
+/* "517642" is nd = 1.517, Vd = 64.2. */
+static bool is_code(struct text name)
+{
+    bool digits = name.length == 6;
+    for (size_t i = 0; i < name.length; i++) {
+        digits = digits && name.start[i] >= '0' && name.start[i] <= '9';
+    }
+    return digits;
+}
+
+static struct figure figure_text(const char *typed)
+{
+    struct figure figure = {.typed = text_of(typed), .variable = LENS_NONE};
+    pair_read(typed, typed + strlen(typed), NUMBER_UNSCALED, &figure.value);
+    return figure;
+}
+
+static struct medium code_medium(struct zemax_file *file, struct text name)
+{
+    struct arena *arena = file->job->arena;
+    struct figure nd = figure_text(arena_printf(arena, "1.%.3s", name.start));
+    struct figure Vd =
+        figure_text(arena_printf(arena, "%.2s.%.1s", name.start + 3, name.start + 5));
+    return Vd.value.hi > 0
+               ? model_of(file, nd, Vd)
+               : (struct medium){.kind = MEDIUM_CONSTANT, .written = nd.typed, .index = nd.value};
+}
+
+/* GLAS name mode pick-up nd Vd dPgF .. */
+static bool model_medium(struct zemax_file *file, const struct zemax_line *line,
+                         struct medium *medium, struct error *error)
+{
+    if (!(zemax_number(line, 2) > 0 && zemax_number(line, 2) < 100)) {
+        return file_words_fail(&line->words, line->keyword, error,
+                               "a model glass without an index");
+    }
+    bool constant = zemax_number(line, 3) == 0;
+    *medium = constant ? (struct medium){.kind = MEDIUM_CONSTANT,
+                                         .written = line->numbers[2].typed,
+                                         .index = line->numbers[2].value}
+                       : model_of(file, line->numbers[2], line->numbers[3]);
+    if (!constant && zemax_number(line, 3) < 0) {
+        return file_words_fail(&line->words, line->numbers[3].typed, error,
+                               "the Abbe number is below 0");
+    }
+    return zemax_number(line, 4) == 0 ||
+           zemax_loss(file, line, error, "the deviation %g of the partial dispersion PgF",
+                      zemax_number(line, 4));
+}
+
+/* Catalogues as the file names them: "SCHOTT, OHARA"; "none" where it names none. */
+static const char *catalog_list(const struct zemax_file *file)
+{
+    struct arena *arena = file->job->arena;
+    const char *list = file->catalog_count > 0 ? "" : "no catalogue";
+    for (size_t i = 0; i < file->catalog_count && strlen(list) < 200; i++) {
+        list = arena_printf(arena, "%s%s%.*s", list, i > 0 ? ", " : "",
+                            text_shown(file->catalogs[i]), file->catalogs[i].start);
+    }
+    return file->catalog_count > 0 ? arena_printf(arena, "none of the file's catalogues (%s)", list)
+                                   : list;
+}
+
+/* nd and Vd beside the name of a glass; a program that does not know them writes 1.5 and 40. */
+static bool has_index(const struct zemax_line *line)
+{
+    double nd = zemax_number(line, 2), Vd = zemax_number(line, 3);
+    return nd > 1 && nd < 100 && Vd > 0 && !(nd == 1.5 && Vd == 40);
+}
+
+/* nd and Vd describe a glass where all of the file's light is visible. */
+static bool is_visible(const struct zemax_file *file)
+{
+    const double shortest = 0.4, longest = 0.8; /* um */
+    bool is = true;
+    for (size_t i = 0; i < file->wave_count; i++) {
+        is = is && file->waves[i].value.hi >= shortest && file->waves[i].value.hi <= longest;
+    }
+    return is;
+}
+
+/* nd and Vd instead of the glass, of which `what` tells; behind visible light they are a loss. */
+static bool numbers_instead(struct zemax_file *file, const struct zemax_line *line,
+                            struct medium *medium, const char *what, struct error *error)
+{
+    *medium = model_of(file, line->numbers[2], line->numbers[3]);
+    if (is_visible(file)) {
+        medium->warning = arena_printf(file->job->arena, "%s: nd and Vd are used instead", what);
+        lens_build_note(&file->build, text_of(medium->warning));
+        return true;
+    }
+    file->job->lacks_glass = true;
+    return zemax_loss(file, line, error,
+                      "%s" LOSS_OF_POWER LOSS_INSTEAD "nd and Vd are used instead", what);
+}
+
+/* No catalogue has it so: the indices beside its name. */
+static bool unknown_glass(struct zemax_file *file, const struct zemax_line *line,
+                          struct medium *medium, struct error *error)
+{
+    int length = (int)(line->keyword.length < 40 ? line->keyword.length : 40);
+    if (!has_index(line)) {
+        return foreign_lack(
+            file->job, &line->words, line->keyword, medium,
+            arena_printf(file->job->arena,
+                         "the glass '%.*s' is in %s, and the file has no index of it", length,
+                         line->keyword.start, catalog_list(file)));
+    }
+    char *what = arena_printf(file->job->arena, "the glass '%.*s' of nd %g and Vd %g is in %s",
+                              length, line->keyword.start, zemax_number(line, 2),
+                              zemax_number(line, 3), catalog_list(file));
+    text_make_printable(what, "");
+    return numbers_instead(file, line, medium, what, error);
+}
+
+/* Programs that write a line VERS of their own, and which numbers they put beside names. */
+static const struct {
+    const char *version, *name;
+} converters[] = {
+    /* a constant of the exporters of github.com/redukti: names are those of the nearest glass */
+    {"161019 507 33785", "redukti's converter"},
+};
+
+static const char *converter_of(const struct zemax_file *file)
+{
+    for (size_t i = 0; i < sizeof converters / sizeof converters[0]; i++) {
+        if (text_equal(file->version, converters[i].version)) {
+            return converters[i].name;
+        }
+    }
+    return NULL;
+}
+
+/* What counts where the name of a glass and the numbers beside it differ. */
+static enum glass_numbers numbers_of(const struct zemax_file *file, const struct zemax_line *line)
+{
+    if (file->job->glass_numbers != GLASS_NUMBERS_OF_FILE) {
+        return file->job->glass_numbers;
+    }
+    bool of_line = zemax_number(line, 0) == GLASS_MODEL || zemax_number(line, 0) == GLASS_OFFSET ||
+                   converter_of(file) != NULL;
+    return of_line || file->takes_numbers ? GLASS_NUMBERS_LINE : GLASS_NUMBERS_CATALOG;
+}
+
+/* A glass of a catalogue beside which the line has other numbers: the one or the others. */
+static bool settle_glass(struct zemax_file *file, const struct zemax_line *line,
+                         const struct foreign_name *named, struct medium *medium,
+                         struct error *error)
+{
+    const bool model = zemax_number(line, 0) == GLASS_MODEL;
+    const bool of_line = numbers_of(file, line) == GLASS_NUMBERS_LINE;
+    char *what = foreign_difference(file->job, named, medium);
+    file->disputed += !model && zemax_number(line, 0) != GLASS_OFFSET;
+    if (of_line && converter_of(file) != NULL && !model) {
+        what = arena_printf(file->job->arena, "%s, where %s writes those of a patent", what,
+                            converter_of(file));
+    }
+    if (of_line) {
+        return numbers_instead(file, line, medium, what, error);
+    }
+    const char *warning = arena_printf(file->job->arena, "%s: the catalogue's glass is used", what);
+    lens_build_note(&file->build, text_of(warning));
+    medium->warning = medium->warning == NULL
+                          ? warning
+                          : arena_printf(file->job->arena, "%s; %s", medium->warning, warning);
+    return true;
+}
+
+/* The name of a line, and what it says of the glass. */
+static struct foreign_name name_of(const struct zemax_file *file, const struct zemax_line *line)
+{
+    struct foreign_name named = {.name = line->keyword,
+                                 .catalogs = file->catalogs,
+                                 .catalog_count = file->catalog_count,
+                                 .has_homonyms = true,
+                                 .is_by_name = true};
+    if (has_index(line) || zemax_number(line, 0) == GLASS_MODEL) {
+        named.nd = zemax_number(line, 2);
+        named.Vd = zemax_number(line, 3);
+        named.nd_rounding = figure_rounding(&line->numbers[2]);
+        named.Vd_rounding = named.Vd != 0 ? figure_rounding(&line->numbers[3]) : 0;
+    }
+    return named;
+}
+
+/* In the file's catalogues, else as the file describes it. */
+static bool named_glass(struct zemax_file *file, const struct zemax_line *line,
+                        struct medium *medium, struct error *error)
+{
+    const struct foreign_name named = name_of(file, line);
+    if (!foreign_glass(file->job, &line->words, &named, medium, error)) {
+        return error->code == ERROR_NONE && unknown_glass(file, line, medium, error);
+    }
+    return foreign_is_rounded(medium, &named) || settle_glass(file, line, &named, medium, error);
+}
+
+/* A model glass that has a name: of a catalogue's it is said where that one is another. */
+static bool named_model(struct zemax_file *file, const struct zemax_line *line,
+                        struct medium *medium, struct error *error)
+{
+    const struct foreign_name named = name_of(file, line);
+    struct medium found;
+    struct error ignored;
+    if (!model_medium(file, line, medium, error)) {
+        return false;
+    }
+    if (file->job->glasses == NULL ||
+        !foreign_glass(file->job, &line->words, &named, &found, &ignored)) {
+        return true;
+    }
+    if (numbers_of(file, line) == GLASS_NUMBERS_CATALOG) {
+        *medium = found;
+        return foreign_is_rounded(medium, &named) ||
+               settle_glass(file, line, &named, medium, error);
+    }
+    if (!foreign_is_rounded(&found, &named)) {
+        medium->warning =
+            arena_printf(file->job->arena, "%s: it is a model glass, whose numbers are used",
+                         foreign_difference(file->job, &named, &found));
+        lens_build_note(&file->build, text_of(medium->warning));
+    }
+    return true;
+}
+
+bool zemax_glass(struct zemax_file *file, const struct zemax_line *line, struct medium *medium,
+                 struct error *error)
+{
+    const double type = zemax_number(line, 0);
+    if (text_same(line->keyword, "___BLANK")) {
+        return model_medium(file, line, medium, error);
+    }
+    for (size_t i = 8; type == GLASS_OFFSET && i < line->count; i++) {
+        if (line->numbers[i].value.hi != 0 &&
+            !zemax_loss(file, line, error,
+                        "a glass with an offset of its index or dispersion" LOSS_OF_POWER)) {
+            return false;
+        }
+    }
+    if (type == GLASS_MODEL && zemax_number(line, 2) > 0) {
+        return named_model(file, line, medium, error);
+    }
+    if (is_code(line->keyword)) {
+        *medium = code_medium(file, line->keyword);
+        return true;
+    }
+    return named_glass(file, line, medium, error) &&
+           zemax_to_environment(file, line, medium, error);
+}
