@@ -170,6 +170,7 @@ struct common {
     bool explain, csv, tsv, json, jsonl, nominal, force, fail_fast, lossy, help;
     const char *columns, *output, *lensdb, *agf, *batch, *table, *plot;
     int format, batch_format, units, color;
+    int glass_numbers; /* enum glass_numbers */
     long digits;
 };
 

@@ -25,6 +25,14 @@ static const struct word *batch_format_word(size_t i)
 
 #define COMMON(member_name) OPTION(struct common, member_name)
 
+/* By enum glass_numbers. */
+static const struct word glass_numbers_words[] = {
+    {"file", "what the program that wrote the file means"},
+    {"line", "the indices"},
+    {"catalog", "the glass of the catalogue"},
+    {NULL, NULL},
+};
+
 const struct option common_options[] = {
     {COMMON(format), .name = "format", .value = "FORMAT", .word_at = format_word,
      .fallback = "text", .help = "how to print"},
@@ -63,6 +71,10 @@ const struct option common_options[] = {
     {COMMON(lossy), .name = "lossy",
      .help =
          "drop what cannot be carried over between file formats, and list it on standard error"},
+    {COMMON(glass_numbers), .name = "glass-numbers", .value = "WHICH", .words = glass_numbers_words,
+     .fallback = "file",
+     .help = "of a lens file with indices beside the name of a glass, where the two differ: line "
+             "takes the indices, catalog the glass, file what the file means"},
     {COMMON(color), .name = "color", .value = "WHEN", .flags = OPTION_ASIDE, .words = color_words,
      .fallback = "auto", .help = "colour the heads of tables, warnings and errors"},
     {COMMON(help), .name = "help", .letter = 'h', .flags = OPTION_ASIDE,
@@ -235,6 +247,7 @@ static const struct {
     {"lensdb", reads_lensdb, "uses no data of lensdb"},
     {"agf", reads_glasses, "uses no glasses"},
     {"lossy", reads_lenses, "reads no lenses"},
+    {"glass-numbers", reads_lenses, "reads no lenses"},
 };
 
 /* Most names differ in their first letter: every start compares some hundreds of them. */

@@ -199,6 +199,7 @@ static bool prepare(struct driver *driver, int count, char **words, struct error
     driver->db.directory = driver->common.lensdb != NULL ? driver->common.lensdb : driver->database;
     driver->db.agf = driver->common.agf;
     driver->db.lossy = driver->common.lossy;
+    driver->db.glass_numbers = (enum glass_numbers)driver->common.glass_numbers;
     if (!inputs_spare(&driver->arguments, &driver->db, driver->common.force, driver->common.output,
                       &driver->arena, error)) {
         return false;

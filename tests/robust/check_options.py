@@ -80,7 +80,7 @@ ASKED = {
 }
 ODD_LENS = ("MODE SEQ\nUNIT MM\nENPD 10\nFTYP 0 0 2 1 0 0 0\nYFLN 0 5\nVDXN 0 0.1\n"
             "WAVM 1 0.5876 1\nPWAV 1\nSURF 0\n  DISZ INFINITY\nSURF 1\n  STOP\n  CURV 0.02\n"
-            "  DISZ 4\n  GLAS N-BK7 0 0\n  USAP slit.uda\n  DIAM 6\nSURF 2\n  DIAM 6\n  DISZ 90\nSURF 3\n")
+            "  DISZ 4\n  GLAS N-BK7 0 0 1.6 40\n  USAP slit.uda\n  DIAM 6\nSURF 2\n  DIAM 6\n  DISZ 90\nSURF 3\n")
 TABLES = ("cameras", "films", "filters", "formats", "fstops", "iso", "lines", "scenes", "shutters",
           "glass/BAD")
 
@@ -316,6 +316,13 @@ def try_lossy(asked):
     return plain.returncode == 4 and lossy.returncode == 0 and b"lost:" in lossy.stderr
 
 
+def try_glass_numbers(asked):
+    """The indices beside the name of a glass are others than its own."""
+    line, catalog = (asked.with_lens("--lossy", "--glass-numbers", which)
+                     for which in ("line", "catalog"))
+    return line.returncode == catalog.returncode == 0 and line.stdout != catalog.stdout
+
+
 def try_help(asked):
     return b"Examples:" in asked.run("--help").stdout
 
@@ -331,7 +338,7 @@ TRIES = {
     "--explain": try_explain, "--nominal": try_short("nominal"), "--batch": try_batch,
     "--batch-format": try_batch_format, "--fail-fast": try_fail_fast, "--force": try_force,
     "--output": try_output, "--lensdb": try_lensdb, "--agf": try_agf, "--lossy": try_lossy,
-    "--color": try_color, "--help": try_help,
+    "--glass-numbers": try_glass_numbers, "--color": try_color, "--help": try_help,
 }
 TRIES.update({f"--{name}": try_short(name) for name in ("csv", "tsv", "json", "jsonl")})
 

@@ -114,7 +114,8 @@ static void check_file(struct lensdb *db, const struct check_item *item, struct 
                               .arena = &scratch,
                               .glasses = &glasses,
                               .reads_beside = true,
-                              .lossy = true};
+                              .lossy = true,
+                              .glass_numbers = db->glass_numbers};
     struct text content;
     struct error error = {0};
     const bool has =
@@ -144,7 +145,8 @@ static struct lensdb *database_of(struct checking *checking, const struct parall
         **own = (struct lensdb){.arena = piece->arena,
                                 .agf = checking->db->agf,
                                 .directory = checking->db->directory,
-                                .lossy = true};
+                                .lossy = true,
+                                .glass_numbers = checking->db->glass_numbers};
     }
     return *own;
 }

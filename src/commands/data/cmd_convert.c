@@ -234,7 +234,8 @@ static bool write(const struct artifact_job *job, struct output *sink, struct er
                                           .arena = conversion.arena,
                                           .glasses = &conversion.glasses,
                                           .reads_beside = input->lens.is_file,
-                                          .lossy = input->lens.db->lossy};
+                                          .lossy = input->lens.db->lossy,
+                                          .glass_numbers = input->lens.db->glass_numbers};
     return convert(&conversion, foreign_by_name(text_of(job->type->word.word)), sink, error);
 }
 
