@@ -21,12 +21,18 @@ struct artifact;
 /* Which options a question has, on the command line or as columns of its batch. */
 struct asking {
     bool (*given)(const void *asked, const char *option);
+    bool (*in_rows)(const void *asked, const char *option); /* as a column, whose cells differ */
     const void *asked;
 };
 
 static inline bool asking_given(const struct asking *asking, const char *option)
 {
     return asking->given(asking->asked, option);
+}
+
+static inline bool asking_in_rows(const struct asking *asking, const char *option)
+{
+    return asking->in_rows(asking->asked, option);
 }
 
 /* What an artifact is made of. */

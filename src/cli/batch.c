@@ -20,13 +20,6 @@ static bool take_row(struct batch *batch, struct text *row, struct error *error)
                            : batch_next_row(batch, row, error);
 }
 
-/* An empty cell is what the option is without the row. */
-static void reset_member(const struct batch *batch, const struct option *option, void *input)
-{
-    memcpy((char *)input + option->offset, (const char *)batch->constants + option->offset,
-           option->kind->size);
-}
-
 /* One cell of a separated row: its content without quotes, and where it starts in the line. */
 struct cell {
     struct text text;
@@ -95,8 +88,8 @@ static bool wrong_count(struct batch *batch, size_t cells, struct error *error)
     return row_fail(batch, error, 0);
 }
 
-static bool set_cell(struct batch *batch, const struct batch_column *column, struct text cell,
-                     size_t at, void *input, struct error *error)
+static bool set_cell(struct batch *batch, struct batch_column *column, struct text cell, size_t at,
+                     void *input, struct error *error)
 {
     if (column->is_ignored) {
         return true;
@@ -105,12 +98,7 @@ static bool set_cell(struct batch *batch, const struct batch_column *column, str
         batch->passed[column->passed] = cell;
         return true;
     }
-    struct text trimmed = text_trim(cell);
-    if (trimmed.length == 0) {
-        reset_member(batch, column->option, input);
-        return true;
-    }
-    if (!batch_read_cell(batch, column, trimmed, input, error)) {
+    if (!batch_read_cell(batch, column, text_trim(cell), input, error)) {
         return row_fail(batch, error, at + (error->caret > 0 ? (size_t)error->caret - 1 : 0));
     }
     return true;
@@ -126,6 +114,7 @@ static bool read_row(struct batch *batch, struct text line, void *input, struct 
     struct error later;
     size_t cells = 0;
     bool good = true;
+    batch->row_decimals = batch->decimals;
     while (rest.start != NULL) {
         size_t at = (size_t)(rest.start - line.start) + 1;
         struct cell cell;
@@ -139,7 +128,11 @@ static bool read_row(struct batch *batch, struct text line, void *input, struct 
         }
         cells++;
     }
-    return good && (cells == batch->column_count || wrong_count(batch, cells, error));
+    if (!good || (cells != batch->column_count && !wrong_count(batch, cells, error))) {
+        return false;
+    }
+    batch->decimals = batch->row_decimals;
+    return true;
 }
 
 struct plain_number {
@@ -224,6 +217,7 @@ enum batch_result batch_next(struct batch *batch, void *input, struct error *err
     if (!take_row(batch, &line, error)) {
         return error->code == ERROR_NONE ? BATCH_END : BATCH_FAILED;
     }
+    batch->rows++;
     if (batch->format == BATCH_JSONL) {
         read = batch_json_row(batch, line, input, error) || object_fail(batch, line, error);
     } else {
@@ -235,8 +229,20 @@ enum batch_result batch_next(struct batch *batch, void *input, struct error *err
     return read ? BATCH_ROW : BATCH_BAD_ROW;
 }
 
-static bool set_format(struct batch *batch, enum batch_format format, struct text first,
-                       struct error *error)
+/* Does it stand in the line, outside quotes? */
+static bool has_separator(struct text line, char separator)
+{
+    bool is_quoted = false;
+    for (size_t i = 0; i < line.length; i++) {
+        is_quoted = is_quoted != (line.start[i] == '"');
+        if (!is_quoted && line.start[i] == separator) {
+            return true;
+        }
+    }
+    return false;
+}
+
+static void set_format(struct batch *batch, enum batch_format format, struct text first)
 {
     bool tabs = first.length > 0 && memchr(first.start, '\t', first.length) != NULL;
     if (format == BATCH_AUTO) {
@@ -244,14 +250,10 @@ static bool set_format(struct batch *batch, enum batch_format format, struct tex
         bool json = trimmed.length > 0 && (trimmed.start[0] == '{' || trimmed.start[0] == '[');
         format = json ? BATCH_JSONL : tabs ? BATCH_TSV : BATCH_CSV;
     }
-    if (format == BATCH_CSV && memchr(first.start, ',', first.length) == NULL &&
-        memchr(first.start, ';', first.length) != NULL) {
-        fail(error, ERROR_DATA, "the columns seem to be separated by ';': expected ',' or a tab");
-        return error_locate(error, batch->source, batch->line, 0);
-    }
+    const bool semicolons =
+        format == BATCH_CSV && !has_separator(first, ',') && has_separator(first, ';');
     batch->format = format;
-    batch->separator = format == BATCH_TSV ? '\t' : ',';
-    return true;
+    batch->separator = format == BATCH_TSV ? '\t' : semicolons ? ';' : ',';
 }
 
 /* Does a line begin behind a carriage return that is outside quotes and before no line break? */
@@ -326,6 +328,9 @@ static bool set_factors(struct batch_plain *plain)
 static void prepare_plain(struct batch *batch)
 {
     size_t count = batch->column_count;
+    if (batch->separator == ';') {
+        return; /* all cells say together how fractions are written */
+    }
     struct batch_plain *plain = ARENA_ARRAY(batch->reader->arena, count, struct batch_plain);
     for (size_t i = 0; i < count; i++) {
         const struct batch_column *column = &batch->columns[i];
@@ -389,9 +394,7 @@ static bool begin(struct batch *batch, enum batch_format format, struct error *e
         fail(error, ERROR_DATA, "the file is empty: expected a line of column names");
         return error_locate(error, batch->source, 0, 0);
     }
-    if (!set_format(batch, format, line, error)) {
-        return false;
-    }
+    set_format(batch, format, line);
     if (batch->format != BATCH_JSONL) {
         if (!read_header(batch, line, error) || !batch_settle_columns(batch, error)) {
             return false;

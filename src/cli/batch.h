@@ -19,11 +19,18 @@ struct batch_column {
     size_t offset;
     bool is_plain; /* a number that needs no lensdb, no prefix */
     bool is_coc;
-    bool is_ignored;  /* neither input nor handed through */
-    bool is_infinite; /* a JSON companion: true makes the option infinite */
-    struct text name; /* as in the file */
-    long row;         /* in JSON: the object in which it was seen last */
-    size_t passed;    /* index among the columns handed through */
+    bool is_ignored;      /* neither input nor handed through */
+    bool is_infinite;     /* a JSON companion: true makes the option infinite */
+    struct text name;     /* as in the file */
+    const char *tag;      /* the tag of photographs that it is; null: it is none */
+    bool is_copy;         /* of a tag, by the camera's maker or another standard than Exif */
+    bool zero_is_unknown; /* of a tag: 0 is no value */
+    bool is_shared;       /* another column may have a value for the same option */
+    bool has_decimals;    /* its cells may have decimal commas */
+    struct text cell;     /* of a column that is shared: as it stood in row `filled` */
+    long filled;          /* the row in which it had a value last; 0 = none */
+    long row;             /* in JSON: the object in which it was seen last */
+    size_t passed;        /* index among the columns handed through */
 };
 
 /* What reading a bare number of a column takes, ready for use. */
@@ -35,6 +42,19 @@ struct batch_plain {
     bool is_coc;
     char behind; /* what ends the cell */
 };
+
+/* What the name of a column stands for. */
+struct batch_meaning {
+    const struct option *option;   /* null: none */
+    const char *unit;              /* that stands behind the name; null: none does */
+    const struct option *doubtful; /* as in struct batch_column */
+    struct text typed_unit;
+    const char *tag;
+    bool is_copy, zero_is_unknown;
+};
+
+/* How fractions are written in a file whose cells are separated by ';'. */
+enum decimals { DECIMALS_UNKNOWN, DECIMALS_COMMA, DECIMALS_POINT, DECIMALS_BOTH };
 
 /* What --batch-format names; BATCH_AUTO sees it from the first line. */
 enum batch_format { BATCH_AUTO, BATCH_CSV, BATCH_TSV, BATCH_JSONL };
@@ -64,6 +84,9 @@ struct batch {
     void *waiting; /* its argument */
     long line;     /* of the present row */
     long next_line;
+    long rows;                            /* read so far, other than by the short way */
+    enum decimals decimals, row_decimals; /* of the good rows so far; and of the present one */
+    bool is_photographs;                  /* exiftool wrote it: capitalised names are tags */
     bool is_array;  /* the objects are items of one array, over as many lines as they like */
     bool is_closed; /* and its end was seen */
     long objects;   /* of JSON, read so far */
@@ -101,7 +124,7 @@ struct batch_source {
  * Open the file and read its header.
  *
  * Errors    ERROR_IO; ERROR_DATA with line and column: no header, a column twice, a unit that
- *           does not fit; ERROR_USAGE: a column that is also given as an option
+ *           does not fit
  */
 bool batch_open(struct batch *batch, const struct batch_source *source, struct error *error);
 
@@ -126,11 +149,41 @@ bool batch_has(const struct batch *batch, const char *option);
 /* How the column that sets this option of the command is called; null: there is none. */
 const char *batch_called(const struct batch *batch, const struct option *option);
 
-/* Internal to batch.c, batch_header.c and batch_json.c. */
+/* Is there a column that means something to the command? */
+bool batch_knows_any(const struct batch *batch);
+
+/* -------- internal to batch*.c -------- */
+
 bool batch_add_column(struct batch *batch, struct text name, size_t at, struct error *error);
 bool batch_settle_columns(struct batch *batch, struct error *error);
-bool batch_read_cell(const struct batch *batch, const struct batch_column *column, struct text cell,
+
+/* -------- cli/batch_names.c -------- */
+
+/* What a column of this name means to the command. */
+struct batch_meaning batch_meaning_of(const struct batch *batch, struct text name);
+
+/* The option that a name without unit stands for: "f", "focal_length", "FocalLength" or "focal". */
+const struct option *batch_option_of(const struct batch *batch, struct text name);
+
+/* -------- cli/batch_cell.c -------- */
+
+/* No row has set the value of the option yet: it is what it is without one. */
+void batch_reset_member(const struct batch *batch, const struct option *option, void *input);
+
+/*
+ * Read a cell, without blanks around it, into the member of its option. One that is empty, or says
+ * that there is no value, leaves what options or another column of the row say.
+ *
+ * Errors    as option_read; another column of the same option has another value
+ */
+bool batch_read_cell(struct batch *batch, struct batch_column *column, struct text cell,
                      void *input, struct error *error);
+
+/* Can cells of an option have fractions? Then these may be written with commas. */
+bool batch_has_decimals(const struct option *option);
+
+/* -------- cli/batch_json.c -------- */
+
 bool batch_json_header(struct batch *batch, struct text line, struct error *error);
 bool batch_json_row(struct batch *batch, struct text line, void *input, struct error *error);
 

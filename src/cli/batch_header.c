@@ -5,34 +5,6 @@
 #include <math.h>
 #include <string.h>
 
-bool batch_read_cell(const struct batch *batch, const struct batch_column *column, struct text cell,
-                     void *input, struct error *error)
-{
-    char *member = (char *)input + column->option->offset;
-    if (column->is_infinite) {
-        if (text_equal(cell, "true")) {
-            *(double *)(void *)member = INFINITY;
-        } else if (text_equal(cell, "false")) {
-            /* no infinity is left over from the row before */
-            if (isinf(*(const double *)(const void *)member)) {
-                memcpy(member, (const char *)batch->constants + column->option->offset,
-                       sizeof(double));
-            }
-        } else {
-            return fail(error, ERROR_DATA, "'%.*s' is neither true nor false", text_shown(cell),
-                        cell.start);
-        }
-        return true;
-    }
-    if (text_same(cell, "undef")) {
-        /* exiftool's word for no value */
-        memcpy(member, (const char *)batch->constants + column->option->offset,
-               column->option->kind->size);
-        return true;
-    }
-    return option_read(batch->reader, &column->as_read, cell, member, error);
-}
-
 bool batch_has(const struct batch *batch, const char *option)
 {
     for (size_t i = 0; i < batch->column_count; i++) {
@@ -44,75 +16,30 @@ bool batch_has(const struct batch *batch, const char *option)
     return false;
 }
 
+bool batch_knows_any(const struct batch *batch)
+{
+    bool found = false;
+    for (size_t i = 0; i < batch->column_count && !found; i++) {
+        found = batch->columns[i].option != NULL;
+    }
+    return found;
+}
+
 const char *batch_called(const struct batch *batch, const struct option *option)
 {
-    const char *called = NULL;
+    const struct batch_column *called = NULL;
     for (size_t i = 0; i < batch->column_count; i++) {
         const struct batch_column *column = &batch->columns[i];
         /* a companion only says that the other column is infinite */
         if (column->option == option && !column->is_ignored &&
-            (called == NULL || !column->is_infinite)) {
-            called = column->as_read.called;
+            (called == NULL || (called->is_infinite && !column->is_infinite))) {
+            called = column;
         }
     }
-    return called;
+    return called != NULL ? called->as_read.called : NULL;
 }
 
 enum { MOST_COLUMNS = 4096 };
-
-/* Tags by which cameras and exiftool name what an option takes. */
-static const struct {
-    const char *tag, *option;
-} tags[] = {
-    {"FNumber", "aperture"},         {"ExposureTime", "time"},        {"ShutterSpeed", "time"},
-    {"FocusDistance", "distance"},   {"SubjectDistance", "distance"}, {"Model", "sensor"},
-    {"Camera Model Name", "sensor"},
-};
-
-/* Is the column named by a tag of photographs? */
-static const char *tagged_option(struct text name)
-{
-    for (size_t i = 0; i < sizeof tags / sizeof tags[0]; i++) {
-        if (text_same_name(name, text_of(tags[i].tag))) {
-            return tags[i].option;
-        }
-    }
-    return NULL;
-}
-
-/* As people and other programs write names: case, '_' and '-' do not count. */
-static const struct option *option_like(const struct batch *batch, struct text name)
-{
-    const struct command *command = batch->arguments->command;
-    const char *tagged = tagged_option(name);
-    for (size_t i = 0; i < command->option_count; i++) {
-        const struct option *option = &command->options[i];
-        if (tagged != NULL && strcmp(option->name, tagged) == 0) {
-            return option;
-        }
-        if (tagged == NULL && name.length > 1 &&
-            (text_same_name(name, text_of(option->name)) ||
-             (option->column != NULL && text_same_name(name, text_of(option->column))))) {
-            return option;
-        }
-    }
-    return NULL;
-}
-
-/* The option that a name without unit stands for: "f", "focal_length", "FocalLength" or "focal". */
-static const struct option *option_of(const struct batch *batch, struct text name)
-{
-    const struct command *command = batch->arguments->command;
-    for (size_t i = 0; i < command->option_count; i++) {
-        const struct option *option = &command->options[i];
-        if ((name.length == 1 && name.start[0] == option->letter) ||
-            (option->column != NULL && text_equal(name, option->column))) {
-            return option;
-        }
-    }
-    const struct argument *argument = arguments_find(batch->arguments, name);
-    return argument != NULL && argument->is_input ? argument->option : option_like(batch, name);
-}
 
 /* "far_is_infinite" beside "far_m" in the rows of another lenscalc. */
 static bool find_companion(const struct batch *batch, struct text name, struct batch_column *column)
@@ -122,34 +49,9 @@ static bool find_companion(const struct batch *batch, struct text name, struct b
     if (name.length <= length || memcmp(name.start + name.length - length, suffix, length) != 0) {
         return false;
     }
-    column->option = option_of(batch, (struct text){name.start, name.length - length});
+    column->option = batch_option_of(batch, (struct text){name.start, name.length - length});
     column->is_infinite = column->option != NULL && column->option->kind == &kind_quantity;
     return column->is_infinite;
-}
-
-/* Split "focal_length_mm" or "speed_m_s" into the option and its unit, at any '_'. */
-static const struct option *find_with_unit(const struct batch *batch, struct text name,
-                                           const char **unit, struct text *typed)
-{
-    const struct option *without_unit = NULL;
-    for (size_t at = 1; at + 1 < name.length; at++) {
-        if (name.start[at] != '_') {
-            continue;
-        }
-        const struct option *option = option_of(batch, (struct text){name.start, at});
-        struct text behind = {name.start + at + 1, name.length - at - 1};
-        if (option == NULL || option->dimension == NULL) {
-            continue;
-        }
-        const struct unit *found = unit_find(option->dimension, behind);
-        *typed = behind;
-        if (found != NULL) {
-            *unit = found->name;
-            return option;
-        }
-        without_unit = option;
-    }
-    return without_unit;
 }
 
 /* Is this the name, with or without unit, of a column of the sheet that is always printed? */
@@ -224,21 +126,9 @@ static void set_scale(struct batch_column *column, const struct reader *reader)
     column->is_plain = (column->option->kind == &kind_quantity && !labels) || column->is_coc;
 }
 
-/*
- * A tag that says what is known already: by an option, or by a column before it. Photographs have
- * several tags for one thing, and none of them was meant for this program.
- */
-static bool is_spare_tag(const struct batch *batch, struct text name, const struct option *option)
-{
-    return tagged_option(name) != NULL &&
-           (arguments_given(batch->arguments, option->name) || batch_has(batch, option->name));
-}
-
 static bool find_column(const struct batch *batch, struct text name, struct batch_column *column,
                         struct error *error)
 {
-    const char *unit = NULL;
-    struct text typed;
     *column = (struct batch_column){.name = name};
     const char *called =
         arena_printf(batch->reader->arena, "column '%.*s'", text_shown(name), name.start);
@@ -247,27 +137,22 @@ static bool find_column(const struct batch *batch, struct text name, struct batc
         column->as_read.called = called;
         return true;
     }
-    column->option = option_of(batch, name);
-    if (column->option != NULL && is_spare_tag(batch, name, column->option)) {
-        column->option = NULL;
-        return true;
-    }
-    if (column->option == NULL) {
-        column->option = find_with_unit(batch, name, &unit, &typed);
-        if (column->option != NULL && unit == NULL) {
-            /* s_id is a name of its own beside s_m, near_diopter comes from another run */
-            column->doubtful = is_printed(name) ? NULL : column->option;
-            column->typed_unit = typed;
-            column->option = NULL;
-            if (column->doubtful != NULL && is_unit_of_any(typed)) {
-                return wrong_unit(column, error);
-            }
-        }
+    const struct batch_meaning meaning = batch_meaning_of(batch, name);
+    column->option = meaning.option;
+    column->tag = meaning.tag;
+    column->is_copy = meaning.is_copy;
+    column->zero_is_unknown = meaning.zero_is_unknown;
+    /* s_id is a name of its own beside s_m, near_diopter comes from another run */
+    column->doubtful = is_printed(name) ? NULL : meaning.doubtful;
+    column->typed_unit = meaning.typed_unit;
+    if (column->doubtful != NULL && is_unit_of_any(column->typed_unit)) {
+        return wrong_unit(column, error);
     }
     if (column->option != NULL) {
         column->as_read = *column->option;
-        column->as_read.unit = unit != NULL ? unit : column->option->unit;
+        column->as_read.unit = meaning.unit != NULL ? meaning.unit : column->option->unit;
         column->as_read.called = called;
+        column->has_decimals = batch->separator == ';' && batch_has_decimals(column->option);
         set_scale(column, batch->reader);
     }
     return true;
@@ -293,6 +178,26 @@ static void prefer_own_name(const struct batch *batch, struct batch_column *one,
     }
 }
 
+/*
+ * Two columns of one option. Of a tag that stands in several groups the photograph's own counts, as
+ * exiftool has it without groups; of what else says the same, tags among it, the rows decide. False
+ * if nothing tells them apart.
+ */
+static bool share_option(struct batch_column *one, struct batch_column *other)
+{
+    const bool is_companion = one->is_infinite || other->is_infinite;
+    if (!is_companion && one->tag == NULL && other->tag == NULL) {
+        return false;
+    }
+    if (one->tag == other->tag && one->is_copy != other->is_copy) {
+        (one->is_copy ? one : other)->option = NULL;
+    } else {
+        one->is_shared = other->is_shared = true;
+        one->is_plain = other->is_plain = false;
+    }
+    return true;
+}
+
 static bool check_new(struct batch *batch, struct batch_column *column, struct error *error)
 {
     for (size_t i = 0; i < batch->column_count; i++) {
@@ -301,9 +206,8 @@ static bool check_new(struct batch *batch, struct batch_column *column, struct e
             prefer_own_name(batch, column, other);
         }
         bool same_name = text_identical(other->name, column->name);
-        bool same_option = column->option != NULL && column->option == other->option &&
-                           !column->is_infinite && !other->is_infinite;
-        if (same_name || same_option) {
+        bool same_option = column->option != NULL && column->option == other->option;
+        if (same_name || (same_option && !share_option(column, other))) {
             return fail(error, ERROR_DATA, "columns '%.*s' and '%.*s' mean the same",
                         text_shown(other->name), other->name.start, text_shown(column->name),
                         column->name.start);
@@ -334,6 +238,7 @@ bool batch_add_column(struct batch *batch, struct text name, size_t at, struct e
     }
     column.place = at;
     batch->columns[batch->column_count++] = column;
+    batch->is_photographs = batch->is_photographs || text_equal(name, "SourceFile");
     return true;
 }
 
@@ -374,7 +279,7 @@ bool batch_settle_columns(struct batch *batch, struct error *error)
             return error_locate(error, batch->source, batch->line, column->place);
         }
         bool goal = column->option != NULL && (column->option->flags & OPTION_GOAL) != 0;
-        if (goal && settled) {
+        if (goal && settled && !arguments_given(batch->arguments, column->option->name)) {
             column->is_ignored = true;
             column->is_plain = false;
         } else if (column->option == NULL && is_computed(batch, column->name)) {
@@ -382,9 +287,6 @@ bool batch_settle_columns(struct batch *batch, struct error *error)
         } else if (column->option == NULL) {
             column->passed = batch->passed_count;
             batch->passed_names[batch->passed_count++] = column->name;
-        } else if (arguments_given(batch->arguments, column->option->name)) {
-            return fail(error, ERROR_USAGE, "--%s is given, and a column of the batch too ('%.*s')",
-                        column->option->name, (int)column->name.length, column->name.start);
         }
     }
     return true;

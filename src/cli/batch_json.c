@@ -79,7 +79,7 @@ static struct batch_column *column_of(const struct batch *batch, struct text key
     return NULL;
 }
 
-static bool set_value(struct batch *batch, const struct batch_column *column,
+static bool set_value(struct batch *batch, struct batch_column *column,
                       const struct json_value *value, void *input, struct error *error)
 {
     if (column->is_ignored) {
@@ -107,8 +107,7 @@ static void reset(struct batch *batch, void *input)
     for (size_t i = 0; i < batch->column_count; i++) {
         const struct option *option = batch->columns[i].option;
         if (option != NULL) {
-            memcpy((char *)input + option->offset, (const char *)batch->constants + option->offset,
-                   option->kind->size);
+            batch_reset_member(batch, option, input);
         } else if (!batch->columns[i].is_ignored) {
             batch->passed[batch->columns[i].passed] = (struct text){"", 0};
             batch->passed_bare[batch->columns[i].passed] = true;

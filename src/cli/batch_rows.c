@@ -75,8 +75,9 @@ static bool opens_cell(const struct batch *batch, const struct scan *scan)
     }
     char before = batch->at[scan->offset - 1];
     /* before the header is read the separator is not known yet */
-    return batch->format == BATCH_AUTO ? before == ',' || before == '\t'
-                                       : before == batch->separator;
+    const bool any = batch->columns == NULL && batch->format != BATCH_TSV;
+    return before == batch->separator || (any && before == ';') ||
+           (batch->format == BATCH_AUTO && before == '\t');
 }
 
 /* The line feed that ends the row, or null if it has not arrived. */

@@ -55,7 +55,8 @@ const struct option common_options[] = {
     {COMMON(nominal), .name = "nominal",
      .help = "f-numbers, times and ISO are labels of stop series: use their exact values"},
     {COMMON(batch), .name = "batch", .value = "FILE", .flags = OPTION_FILE,
-     .help = "read inputs as rows from FILE, or from standard input with -"},
+     .help = "read inputs as rows from FILE, or from standard input with -; an option is what "
+             "empty cells of its column take"},
     {COMMON(batch_format), .name = "batch-format", .value = "FORMAT", .word_at = batch_format_word,
      .fallback = "auto", .help = "what the rows of --batch are"},
     {COMMON(fail_fast), .name = "fail-fast", .help = "stop at the first row that fails"},

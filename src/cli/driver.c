@@ -18,11 +18,16 @@
 
 enum { MOST_CELLS = 100000, MOST_POINTS = 1000000 };
 
+static bool asked_in_rows(const void *asked, const char *option)
+{
+    const struct driver *driver = asked;
+    return driver->is_batch && batch_has(&driver->batch, option);
+}
+
 static bool asked_given(const void *asked, const char *option)
 {
     const struct driver *driver = asked;
-    return arguments_given(&driver->arguments, option) ||
-           (driver->is_batch && batch_has(&driver->batch, option));
+    return arguments_given(&driver->arguments, option) || asked_in_rows(asked, option);
 }
 
 static bool asked_brings(const void *asked, const char *option)
@@ -37,7 +42,7 @@ static bool asked_varied(const void *asked, const char *option)
     const struct driver *driver = asked;
     return sweep_axis(&driver->sweep, option) != NULL ||
            (driver->command->varies != NULL && driver->command->varies(driver->input, option)) ||
-           (driver->is_batch && batch_has(&driver->batch, option));
+           asked_in_rows(asked, option);
 }
 
 /* Before a row is printed: a batch finds out row by row. */
@@ -216,7 +221,7 @@ static bool prepare(struct driver *driver, int count, char **words, struct error
                                .emit = rows_emit,
                                .driver = driver};
     driver->reader.nominal = driver->common.nominal;
-    driver->asking = (struct asking){asked_given, driver};
+    driver->asking = (struct asking){asked_given, asked_in_rows, driver};
     driver->input = arena_array(&driver->arena, 1, command->input_size);
     return true;
 }

@@ -34,8 +34,8 @@ static bool serves_any(const struct idle *idle, const struct option *server)
             continue;
         }
         /* those of a batch are not known yet; an assumed one gives way to what this implies */
-        found = !argument->is_given &&
-                (option->fallback != NULL || asking_given(idle->asking, option->name));
+        found = asking_in_rows(idle->asking, option->name) ||
+                (!argument->is_given && option->fallback != NULL);
         size_t count;
         const char *values = values_of(idle, option, &count);
         for (size_t k = 0; k < count && !found; k++) {
@@ -71,7 +71,7 @@ static bool holds(const struct idle *idle, const struct condition *condition)
 {
     const struct option *option = condition->argument->option;
     bool given = asking_given(idle->asking, option->name), found = false;
-    if (condition->value.length == 0 || (given && !condition->argument->is_given)) {
+    if (condition->value.length == 0 || asking_in_rows(idle->asking, option->name)) {
         return given; /* values of a batch are not known yet */
     }
     if (!given && option->fallback == NULL) {

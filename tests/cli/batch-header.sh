@@ -9,7 +9,7 @@ for file in none twice same unit empty missing returns; do
     lenscalc dof --batch $file.csv --csv --columns near_m
     echo "$file status $?"
 done
-lenscalc dof --batch none.csv -f 50 --csv
+lenscalc dof --batch none.csv -f 50 --csv --columns near_m
 echo "status $?"
 lenscalc dof --batch none.csv --batch-format xml
 echo "status $?"

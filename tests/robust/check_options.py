@@ -370,6 +370,23 @@ def make_folder(folder):
         file.write(ODD_LENS)
 
 
+def check_batch_beside_option(checks, asked):
+    """A filled cell wins over an option, which is what an empty one takes."""
+    header, *cells = asked.batch.split("\n")[:3]
+    name, question = "-" * (1 + (len(header) > 1)) + header, asked.without(header)
+    plain = asked.batched("--csv")
+    for cell in cells:
+        words = ("--batch", "-", "--csv", f"{name}={cell}")
+        filled = asked.run(*words, question=question, stdin=asked.batch)
+        checks.check(filled.returncode == 0 and filled.stdout == plain.stdout,
+                     f"{asked.command} {name}={cell} beside a column of it: status "
+                     f"{filled.returncode}, {filled.stderr.decode()[:200]!r}")
+        empty, full = (asked.run(*words, question=question, stdin=f"{header}\n{text}\n")
+                       for text in ('""', cell))
+        checks.check(empty.returncode == 0 and empty.stdout == full.stdout,
+                     f"{asked.command}: an empty cell of {header} is not {name}={cell}")
+
+
 def check_command(checks, program, command, options):
     own, used = shown_options(program, command)
     with tempfile.TemporaryDirectory(prefix="lenscalc-options-") as folder:
@@ -381,6 +398,8 @@ def check_command(checks, program, command, options):
         asked = Asked(program, command, folder)
         checks.check(asked.plain.returncode == 0, f"{command} {ASKED[command][0]}: status "
                      f"{asked.plain.returncode}: {asked.plain.stderr.decode()[:200]}")
+        if asked.batch is not None:
+            check_batch_beside_option(checks, asked)
         for option, value in options:
             name = f"{command} {option}"
             if option in used or option in own:

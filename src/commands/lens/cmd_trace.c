@@ -234,17 +234,15 @@ static bool varies(const void *data, const char *option)
 /* Rays by point and direction, all through the lens of the command line. */
 static bool takes_blocks(const void *data, const struct asking *asking)
 {
-    static const char *const constant[] = {"position", "paraxial", "verify", "all"};
+    static const char *const constant[] = {"lens", "position", "paraxial", "verify", "all"};
     static const char *const single[] = {"field",       "field-x", "height",  "height-x", "real",
                                          "pupil-point", "pupil-x", "pupil-y", "pattern"};
     const struct trace_input *input = data;
     bool ray = asking_given(asking, "x") && asking_given(asking, "y") && asking_given(asking, "z");
-    const bool set[] = {input->question.position != NULL, input->paraxial, input->verify,
-                        input->all};
     bool takes = input->question.lens.lens != NULL && ray && !input->all &&
                  !lens_positions_several(input->question.lens.lens, input->question.position);
     for (size_t i = 0; i < sizeof constant / sizeof constant[0]; i++) {
-        takes = takes && (set[i] || !asking_given(asking, constant[i]));
+        takes = takes && !asking_in_rows(asking, constant[i]);
     }
     for (size_t i = 0; i < sizeof single / sizeof single[0]; i++) {
         takes = takes && !asking_given(asking, single[i]);
