@@ -394,6 +394,7 @@ static bool begin(struct batch *batch, enum batch_format format, struct error *e
         fail(error, ERROR_DATA, "the file is empty: expected a line of column names");
         return error_locate(error, batch->source, 0, 0);
     }
+    batch->header_line = batch->line;
     set_format(batch, format, line);
     if (batch->format != BATCH_JSONL) {
         if (!read_header(batch, line, error) || !batch_settle_columns(batch, error)) {

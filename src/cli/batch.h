@@ -82,7 +82,8 @@ struct batch {
     /* called before the file may keep the program waiting: texts of earlier rows end here */
     bool (*before_read)(void *reader, struct error *error);
     void *waiting; /* its argument */
-    long line;     /* of the present row */
+    long header_line;
+    long line; /* of the present row */
     long next_line;
     long rows;                            /* read so far, other than by the short way */
     enum decimals decimals, row_decimals; /* of the good rows so far; and of the present one */
@@ -145,6 +146,9 @@ void batch_close(struct batch *batch);
 
 /* Does a column of the file set this option? */
 bool batch_has(const struct batch *batch, const char *option);
+
+/* Has a row, of which this is the input, a value of its own for the option? */
+bool batch_is_filled(const struct batch *batch, const struct option *option, const void *input);
 
 /* How the column that sets this option of the command is called; null: there is none. */
 const char *batch_called(const struct batch *batch, const struct option *option);

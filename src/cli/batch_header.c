@@ -16,6 +16,12 @@ bool batch_has(const struct batch *batch, const char *option)
     return false;
 }
 
+bool batch_is_filled(const struct batch *batch, const struct option *option, const void *input)
+{
+    return memcmp((const char *)input + option->offset,
+                  (const char *)batch->constants + option->offset, option->kind->size) != 0;
+}
+
 bool batch_knows_any(const struct batch *batch)
 {
     bool found = false;

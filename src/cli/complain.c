@@ -103,8 +103,18 @@ void error_print(const struct error *error, const char *command, enum color_when
 struct naming {
     const struct arguments *arguments;
     const struct batch *batch;
+    const void *input;
     struct called room;
 };
+
+/* The column that gave an option its value, or might have where no row is asked about. */
+static const char *giving_column(const struct naming *naming, const struct option *option)
+{
+    const char *called = batch_called(naming->batch, option);
+    const bool gives = called != NULL && (naming->input == NULL ||
+                                          batch_is_filled(naming->batch, option, naming->input));
+    return gives ? called : NULL;
+}
 
 /*
  * By what a quantity was given; where a message asks for one, by what it may be. A command's own
@@ -118,14 +128,14 @@ static const char *given_by(void *context, struct text quantity, bool asked)
     struct text name = {quantity.start + 2, quantity.length - 2};
     if (is_option) {
         const struct argument *argument = arguments_find(naming->arguments, name);
-        return argument != NULL ? batch_called(naming->batch, argument->option) : NULL;
+        return argument != NULL ? giving_column(naming, argument->option) : NULL;
     }
     for (size_t i = 0; i < naming->arguments->count; i++) {
         const struct argument *argument = &naming->arguments->all[i];
         if (!option_is_quantity(argument->option, quantity)) {
             continue;
         }
-        const char *column = batch_called(naming->batch, argument->option);
+        const char *column = giving_column(naming, argument->option);
         if (column != NULL) {
             return column;
         }
@@ -137,14 +147,15 @@ static const char *given_by(void *context, struct text quantity, bool asked)
 }
 
 void complain_name(struct error *error, const struct arguments *arguments,
-                   const struct batch *batch)
+                   const struct batch *batch, const void *input)
 {
-    error_name(error, given_by, &(struct naming){.arguments = arguments, .batch = batch});
+    error_name(error, given_by,
+               &(struct naming){.arguments = arguments, .batch = batch, .input = input});
 }
 
 void complain(struct error *error, const struct arguments *arguments, const struct batch *batch)
 {
-    complain_name(error, arguments, batch);
+    complain_name(error, arguments, batch, NULL);
     error_print(error, arguments->command->name, arguments->color);
 }
 

@@ -20,9 +20,10 @@ void error_print(const struct error *error, const char *command, enum color_when
  * error that has these names already is left as it is.
  *
  * Given     batch  without columns where there is none
+ *           input  of the row that failed: a cell that is empty there gave nothing; null: of none
  */
 void complain_name(struct error *error, const struct arguments *arguments,
-                   const struct batch *batch);
+                   const struct batch *batch, const void *input);
 
 /* Print an error of a command, named so. The error is left with these names. */
 void complain(struct error *error, const struct arguments *arguments, const struct batch *batch);

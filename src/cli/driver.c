@@ -247,6 +247,11 @@ static bool open_batch(struct driver *driver, struct error *error)
         return false;
     }
     driver->passed = driver->batch.passed;
+    if (!batch_knows_any(&driver->batch)) {
+        doubts_add(&driver->doubts,
+                   "no column of %s means anything to %s: all its rows have one answer",
+                   driver->batch.source, driver->command->name);
+    }
     return true;
 }
 

@@ -86,21 +86,50 @@ static bool is_same(const struct error *a, const struct error *b)
            strcmp(a->message, b->message) == 0 && strcmp(a->hint, b->hint) == 0;
 }
 
-/* Of failures in a row that are alike, as in a sweep, the first; all rows have their own. */
+/* A failure names its quantities by what gave them in its row. */
+static void failure_name(const struct driver *driver, struct error *failure)
+{
+    complain_name(failure, &driver->arguments, &driver->batch,
+                  driver->is_batch ? driver->answered : NULL);
+}
+
+/*
+ * Of failures in a row that are alike, as in a sweep, the first, and of rows of a batch that lack
+ * the same; all rows have their own.
+ */
 static void say(struct driver *driver, struct error *failure)
 {
     if (driver->is_inside || is_same(failure, &driver->said)) {
         return;
     }
     driver->said = *failure;
+    if (driver->is_batch && gaps_has(failure)) {
+        if (!gaps_add(&driver->gaps, failure)) {
+            return;
+        }
+        gaps_explain(failure, &driver->batch, driver->answered);
+    }
     progress_erase(&driver->progress);
-    complain(failure, &driver->arguments, &driver->batch);
+    failure_name(driver, failure);
+    error_print(failure, driver->command->name, driver->arguments.color);
+}
+
+/* How many rows lack what was said of the first of them. */
+static void say_gaps(struct driver *driver)
+{
+    struct error rest;
+    for (size_t i = 0; i < driver->gaps.count; i++) {
+        if (gaps_rest(&driver->gaps, i, driver->batch.source, &rest)) {
+            progress_erase(&driver->progress);
+            error_print(&rest, driver->command->name, driver->arguments.color);
+        }
+    }
 }
 
 /* A row names its quantities as what is said of it does, be it said or not. */
 static void write_failure(struct driver *driver, const struct text *passed, struct error *failure)
 {
-    complain_name(failure, &driver->arguments, &driver->batch);
+    failure_name(driver, failure);
     driver->report.format->row(&driver->report, NULL, passed, failure);
     driver->report.rows++;
 }
@@ -166,12 +195,12 @@ static void count_answer(struct driver *driver, bool done, struct error *shortfa
 
 static bool run_one(struct driver *driver, struct error *error)
 {
+    driver->answered = driver->input;
     /* most have one sheet: their rows need no call */
     if (driver->command->choose_sheet != NULL && !rows_check_sheet(driver, error)) {
         return false;
     }
     driver->run.shortfall.code = ERROR_NONE;
-    driver->answered = driver->input;
     bool done = driver->command->run(driver->input, &driver->run, error);
     count_answer(driver, done, &driver->run.shortfall);
     return done;
@@ -191,6 +220,11 @@ static bool stop_early(struct driver *driver, struct error *error)
 /* One combination of several failed. False if that ends the sweep. */
 static bool take_failure(struct driver *driver, struct error *error)
 {
+    const bool is_first = driver->good == 0 && driver->failed == 0;
+    if (driver->is_batch && is_first && gaps_has(error) && !batch_knows_any(&driver->batch)) {
+        gaps_refuse(error, &driver->batch);
+        return false;
+    }
     if (driver->common.fail_fast) {
         return stop_early(driver, error);
     }
@@ -342,5 +376,7 @@ bool rows_of_batch(struct driver *driver, struct error *error)
             break;
         }
     }
-    return flush_queue(driver, error) && (!interrupt_came() || interrupt_fail(error));
+    const bool done = flush_queue(driver, error);
+    say_gaps(driver);
+    return done && (!interrupt_came() || interrupt_fail(error));
 }

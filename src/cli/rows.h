@@ -6,6 +6,7 @@
 #include "cli/batch.h"
 #include "cli/collect.h"
 #include "cli/echo.h"
+#include "cli/gaps.h"
 #include "cli/progress.h"
 #include "cli/queue.h"
 #include "cli/rows_team.h"
@@ -43,6 +44,7 @@ struct driver {
     size_t index;   /* of the present combination of the sweep */
     size_t good, failed;
     struct error said;     /* the last failure that was printed, as it came */
+    struct gaps gaps;      /* of the rows of a batch */
     bool has_answer;       /* to at least one input, if only in part */
     const void *explained; /* the row whose numbers --explain puts in */
     struct progress progress;

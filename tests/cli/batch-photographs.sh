@@ -35,3 +35,22 @@ echo "status $?"
 printf 'distance_is_infinite,distance_m\ntrue,\nfalse,3\nfalse,\ntrue,3\n' |
     lenscalc dof -f 50 -N 8 -s 5 --batch - --csv --columns distance,error
 echo "status $?"
+# what rows lack is said once, with what is known and the option that says it
+{
+    echo SourceFile,FocalLength,FNumber,SubjectDistance
+    for i in 1 2 3 4; do echo "$i.jpg,50.0 mm,2.8,"; done
+    echo 5.jpg,,2.8,3
+    echo 6.jpg,50.0 mm,2.8,3
+} > lacking.csv
+lenscalc dof --batch lacking.csv --csv --columns near
+echo "status $?"
+lenscalc dof --batch lacking.csv -s 3m -f 50 --csv --columns near --digits 6
+echo "status $?"
+# no column is known
+printf 'a,b\n1,2\n3,4\n5,6\n' > unknown.csv
+for words in 'dof -f 50' exposure 'trace' refract; do
+    lenscalc $words --batch unknown.csv --csv
+    echo "status $?"
+done
+lenscalc dof -f 50 -N 8 -s 3 --batch unknown.csv --csv --columns near --digits 6
+echo "status $?"
