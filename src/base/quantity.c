@@ -314,7 +314,13 @@ static bool left_over(struct reading *reading)
         return wrong(reading, reading->at, "unexpected text after the number");
     }
     wrong(reading, reading->at, "a decimal comma: the decimal point is '.'");
-    if (reading->text.length < 40) {
+    const char *at = reading->text.start, *const end = at + reading->text.length;
+    size_t marks = 0;
+    for (; at < end; at++) {
+        marks += *at == '.' || *at == ',';
+    }
+    /* of 1.234,5 and 1,234.5 nobody knows which mark is meant for what */
+    if (reading->text.length < 40 && marks == 1) {
         char fixed[48] = {0};
         memcpy(fixed, reading->text.start, reading->text.length);
         fixed[reading->at - reading->text.start] = '.';

@@ -1,4 +1,4 @@
-/* tests/unit/test_batch.c - a batch's column, by all its names, and the option that it stands for. */
+/* tests/unit/test_batch.c - the option that a column of a batch stands for, by all its names. */
 /* SPDX-License-Identifier: MIT */
 #include "check.h"
 #include "cli/batch.h"
