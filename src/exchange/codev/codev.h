@@ -61,7 +61,7 @@ struct codev_qualifiers {
     size_t next;              /* the first word behind them */
 };
 
-/* Read the qualifiers from word `first` on. */
+/* Read the qualifiers from word `first` on; before it stands the name that they narrow. */
 bool codev_qualifiers(struct codev *codev, size_t first, struct codev_qualifiers *qualifiers,
                       struct error *error);
 
@@ -118,8 +118,20 @@ bool codev_set_positions(struct codev *codev, struct error *error);
  */
 bool codev_place(struct codev *codev, bool *is_here, struct error *error);
 
-/* The letter of a word that narrows a command: 's' surfaces; 'z', 'f', 'w' with a number; or 0. */
-char codev_qualifier_kind(const struct command_word *word);
+/*
+ * The letter of a word that narrows a command: 's' surfaces; 'z', 'f', 'w' with a number; or 0. No
+ * field or wavelength narrows a command whose value is a name: GLA F2 has a glass.
+ */
+char codev_qualifier_kind(const struct command_word *command, const struct command_word *word);
+
+/*
+ * The number of the first word behind the qualifiers.
+ *
+ * Given     first   the word behind the command's name
+ *           values  how many the command has: where these are names, and others stand before them,
+ *                   they are no qualifiers whatever they look like
+ */
+size_t codev_qualifiers_end(const struct commands *commands, size_t first, size_t values);
 
 /* The words of DIM: millimetres, centimetres, inches. */
 extern const struct foreign_unit codev_units[];

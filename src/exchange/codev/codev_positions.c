@@ -56,11 +56,10 @@ static bool place_zoom(struct codev *codev, bool *is_here, struct error *error)
 {
     struct commands *commands = &codev->commands;
     const struct command_word name = commands_word(commands, 1);
-    size_t first = 2, count = codev->positions;
-    while (first < commands->count && codev_qualifier_kind(&commands->words[first]) != 0) {
-        first++;
-    }
-    const size_t given = commands->count > first ? commands->count - first : 0;
+    const size_t count = codev->positions;
+    const size_t first =
+        commands->count > 2 ? codev_qualifiers_end(commands, 2, count) : commands->count;
+    const size_t given = commands->count - first;
     const size_t values = given > count ? commands->count - count : first;
     *is_here = given > 0 && !codev_is_harmless(name.text) && !text_same(name.text, "TIT");
     if (!*is_here) {
@@ -87,11 +86,11 @@ bool codev_place(struct codev *codev, bool *is_here, struct error *error)
         return true;
     }
     size_t at = 1, zoom = 0;
-    while (at < commands->count && codev_qualifier_kind(&commands->words[at]) != 0 &&
-           codev_qualifier_kind(&commands->words[at]) != 'z') {
+    const size_t end = codev_qualifiers_end(commands, 1, 1);
+    while (at < end && codev_qualifier_kind(&commands->words[0], &commands->words[at]) != 'z') {
         at++;
     }
-    if (at >= commands->count || codev_qualifier_kind(&commands->words[at]) != 'z') {
+    if (at >= end) {
         return true;
     }
     const struct command_word word = commands->words[at];

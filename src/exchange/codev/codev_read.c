@@ -142,6 +142,34 @@ static const struct {
     {"PRE", read_environment, 'P', false},
 };
 
+/* Of a range of surfaces, S3..5, each gets what the command says; a stop or pick-up has one. */
+static bool run_on_surfaces(struct codev *codev, codev_command *run, int what, struct error *error)
+{
+    struct commands *commands = &codev->commands;
+    struct codev_qualifiers qualifiers;
+    if (run == codev_pickup || run == codev_stop) {
+        return run(codev, what, error);
+    }
+    if (!codev_qualifiers(codev, 1, &qualifiers, error)) {
+        return false;
+    }
+    struct command_word *range = NULL;
+    for (size_t i = 1; i < qualifiers.next && qualifiers.surface != qualifiers.end; i++) {
+        const char kind = codev_qualifier_kind(&commands->words[0], &commands->words[i]);
+        range = kind == 's' ? &commands->words[i] : range;
+    }
+    for (size_t i = qualifiers.surface; range != NULL && i < qualifiers.end; i++) {
+        range->text = text_of(arena_printf(codev->job->arena, "S%zu", i));
+        if (!run(codev, what, error)) {
+            return false;
+        }
+    }
+    if (range != NULL) {
+        range->text = text_of(arena_printf(codev->job->arena, "S%zu", qualifiers.end));
+    }
+    return run(codev, what, error);
+}
+
 static bool is_surface_line(struct text word)
 {
     char second = word.length > 1 ? (char)(word.start[1] | 32) : 0;
@@ -172,7 +200,8 @@ static bool run_command(struct codev *codev, struct error *error)
     if (!is_here) {
         return true;
     }
-    if (codev->in_catalog && strcmp(key.letters, "PWL") != 0 && strcmp(key.letters, "END") != 0) {
+    if (codev->in_catalog &&
+        (word->is_quoted || (strcmp(key.letters, "PWL") != 0 && strcmp(key.letters, "END") != 0))) {
         return codev_private_glass(codev, error);
     }
     if (word->is_quoted || word->text.length == 0) {
@@ -189,7 +218,9 @@ static bool run_command(struct codev *codev, struct error *error)
             return commands_fail(&codev->commands, word, error, "'%s' before the first surface",
                                  keywords[i].key);
         }
-        return keywords[i].run(codev, keywords[i].what, error);
+        return keywords[i].of_surface
+                   ? run_on_surfaces(codev, keywords[i].run, keywords[i].what, error)
+                   : keywords[i].run(codev, keywords[i].what, error);
     }
     return run_group(codev, word->text, error);
 }

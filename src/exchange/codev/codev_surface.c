@@ -342,6 +342,10 @@ bool codev_stop(struct codev *codev, int what, struct error *error)
         return commands_fail(&codev->commands, &codev->commands.words[0], error,
                              "the object cannot be the stop");
     }
+    if (qualifiers.surface != qualifiers.end) {
+        return commands_fail(&codev->commands, &codev->commands.words[0], error,
+                             "one surface is the stop, not a range");
+    }
     for (size_t i = 0; i < codev->sequence.count; i++) {
         codev->sequence.surfaces[i].is_stop = i == qualifiers.surface;
     }

@@ -374,10 +374,11 @@ bool codev_pickup(struct codev *codev, int what, struct error *error)
         return true;
     }
     const size_t here = codev->positions > 0 ? codev->position : 1;
-    if (!text_same(commands_word(commands, to.next).text, name->name) ||
-        (to.zoom > 0 && to.zoom != here) || (from.zoom > 0 && from.zoom != here)) {
+    if (!text_same(commands_word(commands, to.next).text, name->name) || to.surface != to.end ||
+        from.surface != from.end || (to.zoom > 0 && to.zoom != here) ||
+        (from.zoom > 0 && from.zoom != here)) {
         return commands_lose(&codev->commands, error,
-                             "a pick-up between unlike numbers or positions");
+                             "a pick-up between unlike numbers, ranges or positions");
     }
     struct sequence_pickup pickup = {
         .what = name->what, .target = to.surface, .source = from.surface, .at = commands->words[0]};

@@ -94,18 +94,25 @@ static bool read_number(struct text text, size_t *number)
     return text.length > 0;
 }
 
+/* O, I, or S: the object, the image, the stop. */
+static bool is_place(struct text name)
+{
+    const char letter = name.length == 1 ? (char)(name.start[0] | 32) : 0;
+    return letter == 'o' || letter == 'i' || letter == 's';
+}
+
 /* S3, SO, SI, SS (the stop), S'label'; false where it is none of these. */
 static bool surface_named(const struct codev *codev, struct text name, size_t *surface)
 {
     const struct sequence *sequence = &codev->sequence;
     char first = name.length > 0 ? (char)(name.start[0] | 32) : 0;
-    if (name.length == 1 && (first == 'o' || first == 'i')) {
+    if (is_place(name) && first != 's') {
         *surface = first == 'o' ? 0 : sequence->count - 1;
         return sequence->count > 0;
     }
     for (size_t i = 0; i < sequence->count; i++) {
         const struct sequence_surface *one = &sequence->surfaces[i];
-        bool is_stop = name.length == 1 && first == 's' && one->is_stop;
+        bool is_stop = is_place(name) && one->is_stop;
         bool is_label = name.length > 2 && is_quote(first) && one->name != NULL &&
                         text_same((struct text){name.start + 1, name.length - 2}, one->name);
         if (is_stop || is_label) {
@@ -116,49 +123,101 @@ static bool surface_named(const struct codev *codev, struct text name, size_t *s
     return read_number(name, surface) && *surface < sequence->count;
 }
 
+/* "3..5" of S3..5 is "3", and "5" behind it; "3" is both. */
+static struct text cut_range(struct text name, struct text *last)
+{
+    *last = name;
+    for (size_t i = 0; i + 1 < name.length && !is_quote(name.start[0]); i++) {
+        if (name.start[i] == '.' && name.start[i + 1] == '.') {
+            const size_t behind = i + 2 < name.length && (name.start[i + 2] | 32) == 's' &&
+                                  i + 3 < name.length; /* S3..S5 */
+            *last = (struct text){name.start + i + 2 + behind, name.length - i - 2 - behind};
+            return (struct text){name.start, i};
+        }
+    }
+    return name;
+}
+
 static bool read_surfaces(struct codev *codev, const struct command_word *word,
                           struct codev_qualifiers *qualifiers, struct error *error)
 {
-    struct text name = {word->text.start + 1, word->text.length - 1}, last = name;
-    for (size_t i = 0; i + 1 < name.length; i++) {
-        if (name.start[i] == '.' && name.start[i + 1] == '.') {
-            last = (struct text){name.start + i + 2, name.length - i - 2};
-            name.length = i;
-        }
-    }
+    const struct text name = {word->text.start + 1, word->text.length - 1};
+    struct text last, first = cut_range(name, &last);
     qualifiers->has_surface = true;
-    return (surface_named(codev, name, &qualifiers->surface) &&
-            surface_named(codev, last, &qualifiers->end)) ||
+    return (surface_named(codev, first, &qualifiers->surface) &&
+            surface_named(codev, last, &qualifiers->end) &&
+            qualifiers->surface <= qualifiers->end) ||
            commands_fail(&codev->commands, word, error, "there is no surface '%.*s'",
                          (int)(word->text.length < 40 ? word->text.length : 40), word->text.start);
 }
 
-char codev_qualifier_kind(const struct command_word *word)
+static bool is_digits(struct text text)
 {
-    char letter = word->text.length > 1 ? (char)(word->text.start[0] | 32) : 0;
+    size_t i = 0;
+    while (i < text.length && char_is_digit(text.start[i])) {
+        i++;
+    }
+    return i > 0 && i == text.length;
+}
+
+/* Has what stands behind the S the form of a surface, whether there is such a one or not? */
+static bool is_surface_form(struct text name)
+{
+    struct text last, first = cut_range(name, &last);
+    return name.length > 0 && (is_quote(name.start[0]) || ((is_digits(first) || is_place(first)) &&
+                                                           (is_digits(last) || is_place(last))));
+}
+
+/* Is the value of a command a name, that may look like a qualifier: the glass F2? */
+static bool has_name(const struct command_word *command)
+{
+    static const char *const commands[] = {"GLA", "RMD", "SLB"};
+    const struct codev_key key = codev_key(command->text);
+    bool is = false;
+    for (size_t i = 0; i < sizeof commands / sizeof commands[0]; i++) {
+        is = is || strcmp(key.letters, commands[i]) == 0;
+    }
+    return is;
+}
+
+char codev_qualifier_kind(const struct command_word *command, const struct command_word *word)
+{
+    const char letter = word->text.length > 1 ? (char)(word->text.start[0] | 32) : 0;
+    const struct text rest = {word->text.start + 1, word->text.length - 1};
     if (letter == 0 || word->is_quoted) {
         return 0;
     }
-    char second = word->text.start[1];
     if (letter == 's') {
-        return char_is_digit(second) || word->text.length == 2 || is_quote(second) ? 's' : 0;
+        return is_surface_form(rest) ? 's' : 0;
     }
-    return char_is_digit(second) && strchr("zfw", letter) != NULL ? letter : 0;
+    const char *letters = has_name(command) ? "z" : "zfw";
+    return strchr(letters, letter) != NULL && is_digits(rest) ? letter : 0;
+}
+
+size_t codev_qualifiers_end(const struct commands *commands, size_t first, size_t values)
+{
+    const struct command_word *command = &commands->words[first - 1];
+    const bool is_list = has_name(command) && commands->count > first + values;
+    const size_t most = commands->count - (is_list ? values : 0);
+    while (first < most && codev_qualifier_kind(command, &commands->words[first]) != 0) {
+        first++;
+    }
+    return first;
 }
 
 bool codev_qualifiers(struct codev *codev, size_t first, struct codev_qualifiers *qualifiers,
                       struct error *error)
 {
     struct commands *commands = &codev->commands;
+    const struct command_word *command = &commands->words[first - 1];
     *qualifiers =
-        (struct codev_qualifiers){.surface = codev->surface, .end = codev->surface, .next = first};
-    for (; qualifiers->next < commands->count; qualifiers->next++) {
-        struct command_word word = commands->words[qualifiers->next];
-        char kind = codev_qualifier_kind(&word);
+        (struct codev_qualifiers){.surface = codev->surface,
+                                  .end = codev->surface,
+                                  .next = codev_qualifiers_end(commands, first, first == 1)};
+    for (size_t i = first; i < qualifiers->next; i++) {
+        const struct command_word word = commands->words[i];
+        const char kind = codev_qualifier_kind(command, &word);
         size_t value = 0;
-        if (kind == 0) {
-            break;
-        }
         if (kind == 's') {
             if (!read_surfaces(codev, &word, qualifiers, error)) {
                 return false;

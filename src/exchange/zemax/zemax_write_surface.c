@@ -116,33 +116,39 @@ static struct glass_abbe abbe_of(const struct medium *medium)
 }
 
 /*
- * Would the name be found in an earlier catalogue of the file's list, as another glass? nd and Vd
- * stand beside it; 0: they don't.
+ * Would the file be read with another glass of this name: that of an earlier catalogue of its list,
+ * or what the other program calls so? nd and Vd stand beside it; 0: they don't.
  */
 static bool check_homonym(struct zemax_writer *writer, const struct medium *medium,
                           struct glass_abbe abbe, struct error *error)
 {
-    const struct foreign_job *job = writer->job;
     struct text catalog, name;
+    struct medium other;
+    const struct file_words nowhere = {0};
     split_glass(medium, &catalog, &name);
-    for (size_t i = 0; i < writer->catalog_count && job->glasses != NULL; i++) {
-        struct medium other = {.kind = MEDIUM_GLASS};
-        struct error ignored;
-        if (text_identical(writer->catalogs[i], catalog)) {
-            return true;
-        }
-        other.written =
-            text_of(arena_printf(job->arena, "%.*s:%.*s", (int)writer->catalogs[i].length,
-                                 writer->catalogs[i].start, (int)name.length, name.start));
-        if (job->glasses->find(job->glasses->context, &other, &ignored) &&
-            foreign_agrees(&other, &(struct foreign_name){.nd = abbe.nd, .Vd = abbe.Vd})) {
-            return foreign_lose(writer->job, error,
-                                "the glass %.*s:%.*s: the file would be read with that of %.*s",
-                                (int)catalog.length, catalog.start, (int)name.length, name.start,
-                                (int)writer->catalogs[i].length, writer->catalogs[i].start);
-        }
+    const struct foreign_name named = {.name = name,
+                                       .catalogs = writer->catalogs,
+                                       .catalog_count = writer->catalog_count,
+                                       .nd = abbe.nd,
+                                       .Vd = abbe.Vd,
+                                       .has_homonyms = true,
+                                       .is_by_name = true};
+    if (writer->job->glasses == NULL || lens_glass_of(medium) == NULL) {
+        return true;
     }
-    return true;
+    if (!foreign_glass(writer->job, &nowhere, &named, &other, error)) {
+        return error->code == ERROR_NONE &&
+               foreign_lose(writer->job, error, "the glass %.*s:%.*s, of more than %d catalogues",
+                            (int)catalog.length, catalog.start, (int)name.length, name.start,
+                            ZEMAX_MOST_CATALOGS);
+    }
+    const struct glass *read = lens_glass_of(&other);
+    return (text_identical(read->name, name) && text_identical(read->catalog, catalog)) ||
+           foreign_lose(writer->job, error,
+                        "the glass %.*s:%.*s: the file would be read with %.*s:%.*s",
+                        (int)catalog.length, catalog.start, (int)name.length, name.start,
+                        (int)read->catalog.length, read->catalog.start, (int)read->name.length,
+                        read->name.start);
 }
 
 bool zemax_put_glass_name(struct zemax_writer *writer, const struct medium *medium,
