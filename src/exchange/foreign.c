@@ -100,6 +100,13 @@ void foreign_mark_power(const struct foreign_job *job, struct lens_build *build)
     }
 }
 
+void foreign_cut_short(struct foreign_job *job, const char *what)
+{
+    if (job->cut_short == NULL) {
+        job->cut_short = arena_printf(job->arena, "the file may be cut short: %s", what);
+    }
+}
+
 /* By lines, those that were written last; the order of the list where they are equal. */
 static int by_line(const void *a, const void *b)
 {
@@ -375,7 +382,8 @@ static bool is_within(const struct medium *medium, const struct foreign_name *na
            is_near(lens_glass_printed(medium), named, most_nd, most_Vd);
 }
 
-bool foreign_agrees(const struct medium *medium, const struct foreign_name *named)
+/* Within 6e-5 and 0.1 % of what the formula gives or the catalogue prints. */
+static bool glass_agrees(const struct medium *medium, const struct foreign_name *named)
 {
     return is_within(medium, named, fmax(6e-5, named->nd_rounding),
                      fmax(1e-3 * fabs(named->Vd), named->Vd_rounding));
@@ -432,7 +440,7 @@ static bool ask(struct glass_search *search, find_function *find, const char *wr
             arena_printf(job->arena, "%.*s:%.*s", (int)glass->catalog.length, glass->catalog.start,
                          (int)glass->name.length, glass->name.start));
     }
-    if (foreign_agrees(medium, named)) {
+    if (glass_agrees(medium, named)) {
         return true;
     }
     if (!search->has_other) {

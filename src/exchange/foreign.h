@@ -51,6 +51,8 @@ struct foreign_job {
     size_t loss_count, loss_room;
     const char *lost_power; /* the first loss that bends light; null = none */
     bool lacks_glass;       /* of some loss: a further catalogue may have it */
+    const char *cut_short;  /* why the end of the file may be missing; null = it is whole */
+    bool has_end;           /* the file ends as its format does, with or without an end of line */
 };
 
 /* What a program calls a unit of length: of several words for one, it writes the first. */
@@ -134,6 +136,14 @@ void foreign_forget_repeated(struct foreign_job *job, size_t from);
 void foreign_mark_power(const struct foreign_job *job, struct lens_build *build);
 
 /*
+ * The end of the file may be missing, as of a download that broke: a warning of the lens. Where
+ * there is no lens without what is missing the reader refuses the file instead.
+ *
+ * Given     what  "its last line has no end"; of several the first counts
+ */
+void foreign_cut_short(struct foreign_job *job, const char *what);
+
+/*
  * The end of reading or writing a file.
  *
  * Given     done  it has gone well but for what is lost
@@ -188,15 +198,9 @@ bool foreign_glass(struct foreign_job *job, const struct file_words *words,
                    const struct foreign_name *named, struct medium *medium, struct error *error);
 
 /*
- * Has a glass the nd and Vd that stand beside its name?
- *
- * Result    within 6e-5 and 0.1 % (catalogues of different years), or the rounding of the file, of
- *           what its formula gives or its catalogue prints; true too where they are not known, or
- *           the glass is not for the d line
+ * Has a glass the nd and Vd that stand beside its name, within the rounding of the file and of the
+ * catalogue's own figures? True too where they are not known, or the glass is not for the d line.
  */
-bool foreign_agrees(const struct medium *medium, const struct foreign_name *named);
-
-/* The same within the rounding of the file and of the catalogue's own figures. */
 bool foreign_is_rounded(const struct medium *medium, const struct foreign_name *named);
 
 /* "the glass 'SK2' is SCHOTT:SK2 of nd .. and Vd .., beside which the file has nd .. and Vd .." */

@@ -8,6 +8,7 @@
 #include "exchange/oslo/oslo.h"
 #include "exchange/pbrt.h"
 #include "exchange/zemax/zemax.h"
+#include "optics/medium.h"
 
 const struct foreign_format *const foreign_formats[] = {
     &zemax_format, &codev_format, &oslo_format, &pbrt_format, &lens_json_format, NULL,
@@ -120,13 +121,61 @@ static bool check_glass_numbers(const struct foreign_job *job, const struct fore
     return error_hint(error, "leave {glass numbers} out: it is for files as %s", endings);
 }
 
+static bool has_last_end(struct text content)
+{
+    const char last = content.length > 0 ? content.start[content.length - 1] : '\n';
+    return last == '\n' || last == '\r';
+}
+
+/* What the end of a file that was read says of its being whole. */
+static void check_end(struct foreign_job *job, struct text content, struct lens *lens)
+{
+    if (!job->has_end && !has_last_end(content)) {
+        foreign_cut_short(job, "its last line has no end");
+    }
+    lens->cut_short = job->cut_short;
+}
+
+/*
+ * Does a glass lie before the image? Bare indices may be a single surface to be reckoned with, and
+ * one as low as that of water an eye, or a camera under water.
+ */
+static bool ends_in_glass(const struct lens *lens)
+{
+    const double lowest = 1.4;
+    struct pair index;
+    struct error ignored;
+    if (lens->surface_count == 0) {
+        return false;
+    }
+    const struct medium *last = &lens->surfaces[lens->surface_count - 1].medium;
+    return (last->kind == MEDIUM_GLASS || last->kind == MEDIUM_MODEL) &&
+           !(medium_index(last, lens_primary_wavelength(lens), &index, &ignored) &&
+             index.hi < lowest);
+}
+
+/* A .lens file is a list of surfaces without a last word. */
+static bool read_list(struct foreign_job *job, struct text content, struct lens *lens,
+                      struct error *error)
+{
+    if (!lens_read(job->source, content, job->glasses, job->arena, lens, error)) {
+        return false;
+    }
+    if (ends_in_glass(lens)) {
+        const struct text glass = lens->surfaces[lens->surface_count - 1].medium.written;
+        foreign_cut_short(job, arena_printf(job->arena, "the glass %.*s lies before the image",
+                                            text_shown(glass), glass.start));
+    }
+    check_end(job, content, lens);
+    return true;
+}
+
 bool foreign_read(struct foreign_job *job, struct text content, struct lens *lens,
                   struct error *error)
 {
     struct text source = text_of(job->source), text = content;
     if (file_type_ends(source, lens_file_type.ending)) {
-        return check_glass_numbers(job, NULL, error) &&
-               lens_read(job->source, content, job->glasses, job->arena, lens, error);
+        return check_glass_numbers(job, NULL, error) && read_list(job, content, lens, error);
     }
     if (file_type_ends(source, ".agf")) {
         fail(error, ERROR_DATA, "an AGF file is a catalogue of glasses, not a lens");
@@ -145,8 +194,7 @@ bool foreign_read(struct foreign_job *job, struct text content, struct lens *len
         return false;
     }
     if (format == NULL) {
-        return lens_read(job->source, is_text ? text : content, job->glasses, job->arena, lens,
-                         error);
+        return read_list(job, is_text ? text : content, lens, error);
     }
     if (!is_text) {
         return false;
@@ -156,7 +204,9 @@ bool foreign_read(struct foreign_job *job, struct text content, struct lens *len
              format->type.word.word);
         return error_locate(error, job->source, 0, 0);
     }
-    return foreign_settle(job, format->read(job, text, lens, error), error);
+    const bool done = format->read(job, text, lens, error);
+    check_end(job, text, lens);
+    return foreign_settle(job, done, error);
 }
 
 static const char *endings_with_thick(struct arena *arena)

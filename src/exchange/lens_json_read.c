@@ -495,6 +495,7 @@ bool lens_json_read(struct foreign_job *job, struct text content, struct lens *l
     if (!json_tree(&json, &root)) {
         return fail_tree(&reading, &json, error);
     }
+    job->has_end = true; /* all that was opened is closed */
     const struct json_value *surfaces = json_item(&root, "surfaces");
     if (root.kind != JSON_OBJECT || surfaces == NULL || surfaces->kind != JSON_ARRAY ||
         json_item(&root, "lens") == NULL) {

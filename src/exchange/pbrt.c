@@ -172,6 +172,17 @@ static bool read_words(struct lens_build *build, struct file_words *words, struc
             error_locate(error, words->source, 0, 0));
 }
 
+/* The camera has air before its film, and its lens a stop. */
+static void check_end(struct foreign_job *job, const struct lens *lens)
+{
+    const struct surface *last = &lens->surfaces[lens->surface_count - 1];
+    if (!medium_is_air(&last->medium)) {
+        foreign_cut_short(job, "behind its last surface is glass");
+    } else if (lens->stop == LENS_NONE) {
+        foreign_cut_short(job, "it has no stop, a surface of radius 0");
+    }
+}
+
 static bool read(struct foreign_job *job, struct text content, struct lens *lens,
                  struct error *error)
 {
@@ -179,8 +190,12 @@ static bool read(struct foreign_job *job, struct text content, struct lens *lens
     struct lens_build build;
     lens_build_begin(&build, lens, job->arena);
     read_comments(&build, content);
-    return file_words_open(&words, job->source, content, job->arena, error) &&
-           read_words(&build, &words, error);
+    if (!file_words_open(&words, job->source, content, job->arena, error) ||
+        !read_words(&build, &words, error)) {
+        return false;
+    }
+    check_end(job, lens);
+    return true;
 }
 
 const struct foreign_format pbrt_format = {

@@ -376,6 +376,9 @@ static void warn_of_file(const struct lens *lens, struct lens_warnings *warnings
     if (lens->lost_power != NULL) {
         warnings->texts[warnings->count++] = lens->lost_power;
     }
+    if (lens->cut_short != NULL) {
+        warnings->texts[warnings->count++] = lens->cut_short;
+    }
     for (size_t i = 0; i < lens->pickup_count; i++) {
         if (lens->pickups[i].warning != NULL && warnings->count < MOST_WARNINGS) {
             warnings->texts[warnings->count++] = lens->pickups[i].warning;

@@ -159,6 +159,7 @@ struct lens {
     struct lens_tolerance *tolerances; /* optics/tolerance.h */
     size_t tolerance_count;
     const char *lost_power; /* what bends light in a file that it was read from; null = all kept */
+    const char *cut_short;  /* why the end of that file may be missing; null = it is whole */
 };
 
 /*

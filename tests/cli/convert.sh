@@ -36,6 +36,8 @@ SURF 2
   MAZH 0 0
   USAP slit.uda
 SURF 3
+  DISZ 0
+MNUM 1 1
 END
 lenscalc lens odd.zmx
 lenscalc convert odd.zmx --lossy

@@ -1,7 +1,7 @@
 # a glass comes from the catalogues that a file names, as nd and Vd in its line say
 lens() {
     printf 'MODE SEQ\nUNIT MM\nENPD 10\nGCAT %s\nSURF 0\n  DISZ INFINITY\nSURF 1\n  STOP\n' "$1"
-    printf '  CURV 0.02\n  DISZ 4\n  GLAS %s\nSURF 2\n  CURV -0.02\n  DISZ 90\nSURF 3\n' "$2"
+    printf '  CURV 0.02\n  DISZ 4\n  GLAS %s\nSURF 2\n  CURV -0.02\n  DISZ 90\nSURF 3\n  DISZ 0\nMNUM 1 1\n' "$2"
 }
 lens CDGM 'BAF6 0 0 1.60801 46.21' > baf6.zmx
 # the model glass of nd 1.60801: 1/f = (n - 1) (2/R - (n - 1) d/(n R^2)), f = 41.7492 mm

@@ -3,7 +3,7 @@ lens() {
     printf 'MODE SEQ\nUNIT MM\nENPD 10\nFTYP 0 0 2 1 0 0 0\nYFLN 0 5\nVDXN 0 0.1\n'
     printf 'WAVM 1 0.5876 1\nPWAV 1\nSURF 0\n  DISZ INFINITY\n'
     printf 'SURF 1\n  STOP\n  CURV 0.02\n  DISZ 4\n  GLAS N-BK7 0 0\n  USAP slit.uda\n'
-    printf 'SURF 2\n  DISZ 90\nSURF 3\n'
+    printf 'SURF 2\n  DISZ 90\nSURF 3\n  DISZ 0\nMNUM 1 1\n'
 }
 lens > odd.zmx
 lenscalc lens odd.zmx --columns efl

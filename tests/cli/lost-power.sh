@@ -4,7 +4,7 @@ zmx() {
     printf 'MODE SEQ\nUNIT MM\nENPD 10\nSURF 0\n  DISZ INFINITY\nSURF 1\n  STOP\n'
     printf '  TYPE %s\n  CURV 0.02\n  DISZ 4\n  GLAS ___BLANK 1 0 1.5 0\n' "$1"
     printf 'SURF 2\n  CURV -0.01 4 1 -0.5 0\n  DISZ 6\nSURF 3\n  CURV 0.001 2 -0.07\n  DISZ 2\n'
-    printf '  GLAS ___BLANK 1 0 1.5 0\nSURF 4\n  DISZ 31.5\n  MAZH 0 0\nSURF 5\n'
+    printf '  GLAS ___BLANK 1 0 1.5 0\nSURF 4\n  DISZ 31.5\n  MAZH 0 0\nSURF 5\n  DISZ 0\nMNUM 1 1\n'
 }
 zmx GRINSUR1 > grin.zmx
 lenscalc convert grin.zmx --lossy
@@ -20,7 +20,7 @@ lenscalc convert d.len --lossy
 # a decentred aperture is kept, or left out with its decentre: a centred one clips another beam
 printf 'MODE SEQ\nUNIT MM\nENPD 10\nSURF 0\n  DISZ INFINITY\nSURF 1\n  STOP\n  CURV 0.02\n' > o.zmx
 printf '  DISZ 4\n  GLAS ___BLANK 1 0 1.5 0\n  CLAP 0 6 0\n  OBDC 0 20\n  DIAM 26 0\n' >> o.zmx
-printf 'SURF 2\n  CURV -0.02\n  DISZ 40\n  DIAM 26 1\n  CLAP 0 6 0\n  OBDC 0 20\nSURF 3\n' >> o.zmx
+printf 'SURF 2\n  CURV -0.02\n  DISZ 40\n  DIAM 26 1\n  CLAP 0 6 0\n  OBDC 0 20\nSURF 3\n  DISZ 0\nMNUM 1 1\n' >> o.zmx
 lenscalc convert o.zmx --lossy
 printf 'RDM;LEN\nEPD 10\nSO 0 1e13\nS 50 4 1.5\nSTO\nCIR 6\nADY 20\nS -50 40\nSI 0 0\nGO\n' > o.seq
 lenscalc convert o.seq --lossy

@@ -79,6 +79,7 @@ SURF 3
   TYPE STANDARD
   CURV 0 0
   DISZ 0
+MNUM 1 1
 END
 lenscalc convert pzup.zmx | grep 'pickup\|surface'
 # what cannot be

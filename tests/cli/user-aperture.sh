@@ -2,7 +2,7 @@
 lens() {
     printf '%s\n' 'MODE SEQ' 'UNIT MM' 'ENPD 10' 'WAVM 1 0.55 1' 'SURF 0' '  DISZ INFINITY' 'SURF 1' \
         '  STOP' '  CURV 0.02' '  DISZ 4' '  GLAS ___BLANK 1 0 1.5 0' '  DIAM 8 0' "$@" \
-        'SURF 2' '  DISZ 90' 'SURF 3' > lens.zmx
+        'SURF 2' '  DISZ 90' 'SURF 3' '  DISZ 0' 'MNUM 1 1' > lens.zmx
     lenscalc convert lens.zmx | sed -n '/^surface *50/,$p'
 }
 printf '%s\n' '! a slit' 'LIN -5 -2' 'LIN 5 -2 3' 'LIN 5, 2' 'LIN -5 2' 'BRK' > slit.uda

@@ -42,6 +42,7 @@ tail_of() {
     operand SDIA 2 7 7.5 6
     operand WAVE 1 0.5875618 0.6563 0.4861
     operand STPS 0 1 2 1
+    echo 'CSUM 1'
 }
 for shown in 1 2 3; do
     { cat $shown.zmx; tail_of $shown; } > all$shown.zmx

@@ -188,6 +188,63 @@ static void check_environment(void)
     }
 }
 
+#define ZMX                                                                                        \
+    "MODE SEQ\nSURF 0\n DISZ INFINITY\nSURF 1\n CURV 0.02\n DISZ 4\nSURF 2\n DISZ 9\nSURF 3\n"
+#define SEQ  "RDM;LEN\nSO 0 1e20\nS 50 4 1.5\nS -50 9\nSI 0 0\n"
+#define OSLO "LEN NEW \"c\"\nNXT\nRD 50\nTH 4\nGLA 1.5\nNXT\nTH 9\nNXT\n"
+#define DAT  "50 4 1.5 20\n-50 4 1 20\n"
+
+/* Files that end as their format does, and such as may be the beginning of a longer one. */
+static void check_ends(void)
+{
+    static const struct {
+        const char *name, *text, *why; /* null: it is whole; "": refused */
+    } cases[] = {
+        {"a.zmx", ZMX " DISZ 0\nMNUM 1 1\n", NULL},
+        {"a.zmx", ZMX " DISZ 0\nMNUM 1 1", "its last line has no end"},
+        {"a.zmx", ZMX " DISZ 0\n", "nothing stands behind its surfaces"},
+        {"a.zmx", ZMX " DISZ 0\n MEMA 1\n", "nothing stands behind its surfaces"},
+        {"a.zmx", ZMX "MNUM 1 1\n", "its last surface has no distance DISZ"},
+        {"a.zmx", ZMX " GLAS ___BLANK 1 0 1.5 0\n DISZ 4\n", ""},
+        {"a.zmx", ZMX " DISZ 0\nMNUM 2 1\nTHIC 2 1 9\nTHIC 2 2 8\n",
+         "neither CSUM nor MOFF stands behind its configurations"},
+        {"a.zmx", ZMX " DISZ 0\nMNUM 2 1\nTHIC 2 1 9\nTHIC 2 2 8\nCSUM 1\n", NULL},
+        {"a.seq", SEQ "GO", NULL},
+        {"a.seq", SEQ, "no GO stands at its end"},
+        {"a.len", OSLO "END 3\n", NULL},
+        {"a.len", OSLO, "no END stands behind its surfaces"},
+        {"a.len", OSLO "GLA 1.6\n", ""},
+        {"a.len", OSLO "END 3\nCFG\nTH 2 2 8\n", "no END stands behind its last block"},
+        {"a.dat", DAT "0 3 0 9\n", NULL},
+        {"a.dat", DAT, "it has no stop, a surface of radius 0"},
+        {"a.dat", DAT "0 3 0 9\n40 4 1.6 20\n", "behind its last surface is glass"},
+        {"a.lens", "surface 50 4 1.5 20\n", NULL},
+        {"a.lens", "surface 50 4 1.336/55 20\n", NULL},
+        {"a.lens", "surface 50 4 N-BK7 20\n", "the glass N-BK7 lies before the image"},
+        {"a.lens", "surface 50 4 1.6/40 20\n", "the glass 1.6/40 lies before the image"},
+        {"a.lens", "surface 50 4 air 20", "its last line has no end"},
+    };
+    for (size_t i = 0; i < sizeof cases / sizeof cases[0]; i++) {
+        struct fixture fixture;
+        struct lens lens = {0};
+        struct error error = {.code = ERROR_NONE};
+        size_t losses;
+        open_fixture(&fixture);
+        const bool done = read_text(&fixture, cases[i].name, text_of(cases[i].text), false, &lens,
+                                    &losses, &error);
+        const bool is_refusal = cases[i].why != NULL && cases[i].why[0] == '\0';
+        const char *told = done ? lens.cut_short : strstr(error.message, "cut short");
+        const bool same = cases[i].why == NULL
+                              ? done && told == NULL
+                              : done != is_refusal && told != NULL && strstr(told, cases[i].why);
+        if (!same) {
+            printf("%s: %s\n%s\n", cases[i].text, told, error.message);
+        }
+        CHECK(same);
+        arena_free(&fixture.arena);
+    }
+}
+
 int main(void)
 {
     static const char *const codev[] = {"nd is not from 1 to 2", NULL};
@@ -195,5 +252,6 @@ int main(void)
     check_round_trip("seq", true, codev);
     check_round_trip("len", false, oslo);
     check_environment();
+    check_ends();
     return check_report();
 }

@@ -90,6 +90,9 @@ static void judge(struct foreign_job *job, struct text content, struct row *row)
         return;
     }
     foreign_summary(job, &reasons);
+    if (done && lens.cut_short != NULL) {
+        growing_format(&reasons, "%s%s", reasons.length > 0 ? "; " : "", lens.cut_short);
+    }
     row->reasons = reasons.length > 0 ? arena_string(scratch, reasons.data, reasons.length) : NULL;
     if (!done) {
         return;

@@ -172,6 +172,9 @@ static struct text remarks_of(struct conversion *conversion, const struct lens *
 {
     const struct input *input = conversion->input;
     struct growing lost = {.arena = input->lens.arena};
+    if (read->cut_short != NULL) {
+        growing_format(&lost, "%s: %s\n", input->lens.source, read->cut_short);
+    }
     for (size_t i = 0; i < read->pickup_count; i++) {
         if (read->pickups[i].warning != NULL) {
             growing_format(&lost, "%s: %s\n", input->lens.source, read->pickups[i].warning);

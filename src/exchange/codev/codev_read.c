@@ -37,6 +37,14 @@ static bool read_nothing(struct codev *codev, int what, struct error *error)
     return true;
 }
 
+/* Nothing stands behind GO; a macro that goes on is refused. */
+static bool read_go(struct codev *codev, int what, struct error *error)
+{
+    (void)what, (void)error;
+    codev->job->has_end = true;
+    return true;
+}
+
 static bool refuse_macro(struct codev *codev, struct error *error)
 {
     return commands_fail(&codev->commands, &codev->commands.words[0], error,
@@ -140,6 +148,7 @@ static const struct {
     {"END", codev_catalog, 'P', false},
     {"TEM", read_environment, 'T', false},
     {"PRE", read_environment, 'P', false},
+    {"GO", read_go, 0, false},
 };
 
 /* Of a range of surfaces, S3..5, each gets what the command says; a stop or pick-up has one. */
@@ -268,6 +277,9 @@ static bool finish(struct codev *codev, struct error *error)
     if (!codev->has_image) {
         fail(error, ERROR_DATA, "the file has no image surface SI");
         return error_locate(error, codev->job->source, 0, 0);
+    }
+    if (!codev->job->has_end) {
+        foreign_cut_short(codev->job, "no GO stands at its end");
     }
     for (size_t i = 0; i < sequence->count; i++) {
         if (!codev_find_glass(codev, &sequence->surfaces[i], error)) {

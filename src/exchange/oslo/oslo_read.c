@@ -466,6 +466,23 @@ static bool run_behind(struct oslo *oslo, struct error *error)
     return commands_lose(&oslo->commands, error, "a command behind END: further data of the lens");
 }
 
+/* END, or that of a block, is the last command; before it the image has no glass. */
+static bool check_end(struct oslo *oslo, struct error *error)
+{
+    const size_t image = oslo->sequence.count - 1;
+    const struct sequence_surface *last = &oslo->sequence.surfaces[image];
+    if (oslo->has_ended) {
+        if (oslo->block != OSLO_NO_BLOCK) {
+            foreign_cut_short(oslo->job, "no END stands behind its last block");
+        }
+        return true;
+    }
+    foreign_cut_short(oslo->job, "no END stands behind its surfaces");
+    return (medium_is_air(&last->medium) && !last->reflects) ||
+           commands_fail(&oslo->commands, &last->at, error,
+                         "the file ends inside surface %zu: it was cut short", image);
+}
+
 static bool run_command(struct oslo *oslo, struct error *error)
 {
     const struct command_word *word = &oslo->commands.words[0];
@@ -522,6 +539,9 @@ static bool read_position(void *state, size_t position, struct text content, str
         }
     }
     if (error->code != ERROR_NONE) {
+        return false;
+    }
+    if (!check_end(oslo, error)) {
         return false;
     }
     if (!oslo->has_stop && oslo->sequence.count > 2) { /* OSLO's stop, where none is named */

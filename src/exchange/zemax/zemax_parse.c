@@ -387,6 +387,7 @@ static bool read_line(struct zemax_file *file, struct error *error)
     bool behind = in_surface && !indented;
     const struct zemax_keyword *keyword = find_keyword(file, word, indented);
     const struct word_group *group = behind ? group_behind(word) : NULL;
+    file->last_word = word;
     if (text_same(word, "SURF")) {
         return read_surf(file, word, error);
     }
@@ -394,6 +395,8 @@ static bool read_line(struct zemax_file *file, struct error *error)
         return file_words_fail(&file->words, word, error, "'%s' stands before any surface",
                                keyword->word);
     }
+    file->has_tail =
+        file->has_tail || (behind && word_group_of(zemax_words, ZEMAX_IN_SURFACE, word) == NULL);
     if (keyword != NULL) {
         return keyword->read(file, word, error);
     }
@@ -482,6 +485,28 @@ static bool pick_up_glasses(struct zemax_file *file, struct error *error)
     return true;
 }
 
+/*
+ * A file of the program goes on behind its surfaces, and behind several configurations too. One
+ * that does not may be whole: then its last surface, the image, has no glass.
+ */
+static bool check_end(struct zemax_file *file, struct error *error)
+{
+    const struct zemax_surface *image = surface_of(file);
+    const bool has_last = text_same(file->last_word, "CSUM") || text_same(file->last_word, "MOFF");
+    if (!file->has_tail && image->glass != NULL) {
+        return file_words_fail(&image->surf->words, image->surf->keyword, error,
+                               "the file ends inside surface %zu: it was cut short", image->number);
+    }
+    if (image->thickness == NULL) {
+        foreign_cut_short(file->job, "its last surface has no distance DISZ");
+    } else if (!file->has_tail) {
+        foreign_cut_short(file->job, "nothing stands behind its surfaces");
+    } else if (file->configurations > 1 && !has_last) {
+        foreign_cut_short(file->job, "neither CSUM nor MOFF stands behind its configurations");
+    }
+    return true;
+}
+
 bool zemax_parse(struct zemax_file *file, struct text content, struct error *error)
 {
     if (!file_words_open(&file->words, file->job->source, content, file->job->arena, error)) {
@@ -499,8 +524,8 @@ bool zemax_parse(struct zemax_file *file, struct text content, struct error *err
         fail(error, ERROR_DATA, "the file has no surface between object and image");
         return error_locate(error, file->job->source, 0, 0);
     }
-    return pass_zeros(file, error) && (!file->has_gaps || close_gaps(file, error)) &&
-           pick_up_glasses(file, error);
+    return check_end(file, error) && pass_zeros(file, error) &&
+           (!file->has_gaps || close_gaps(file, error)) && pick_up_glasses(file, error);
 }
 
 bool zemax_is_tilted(const struct zemax_file *file, size_t at)

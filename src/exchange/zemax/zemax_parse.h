@@ -68,7 +68,9 @@ struct zemax_file {
     size_t surface_count, surface_room;
     size_t passed; /* surfaces behind the object that the lens does not have */
     bool has_gaps; /* some numbers of surfaces are left out */
-    bool in_tail;  /* behind the surfaces: merit function, tolerances, configurations */
+    bool has_tail; /* a line of the whole lens stands behind the surfaces */
+    struct text last_word;
+    bool in_tail; /* behind the surfaces: merit function, tolerances, configurations */
     const struct zemax_line **zeros; /* unknown words whose numbers are all 0 */
     size_t zero_count, zero_room;
     bool has_configurations; /* MNUM has been */

@@ -201,5 +201,9 @@ bool zemax_put_positions(struct zemax_writer *writer, struct error *error)
                        lens->aperture_kind == APERTURE_EPD ? writer->unit : NUMBER_UNSCALED);
         end_operand(writer);
     }
-    return put_settings(writer, error) && put_stops_and_waves(writer, error);
+    const bool done = put_settings(writer, error) && put_stops_and_waves(writer, error);
+    if (count > 1) { /* a free line, behind which nothing is missing */
+        growing_string(&writer->out, "MOFF 0 1 \"\" 0 0 0 1 1 0 0.0 \"\"\r\n");
+    }
+    return done;
 }
