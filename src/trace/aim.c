@@ -19,12 +19,19 @@ struct ray aim_chief(const struct aim *aim)
 bool aim_open_near(const struct system *system, const struct beam *beam, struct aim_near *near,
                    struct arena *arena, struct aim *aim, struct error *error)
 {
+    const double widest = 1e100; /* its square is still a number */
+    *aim = (struct aim){.system = NULL};
     if (system->stop == LENS_NONE) {
         return fail(error, ERROR_DOMAIN, "the lens has no stop: rays cannot be aimed at it");
     }
-    if (!(system->stop_radius > 0 && system->stop_radius <= 1e100)) {
+    if (!(system->stop_radius > 0)) {
         fail(error, ERROR_DOMAIN, "the stop has no diameter: the size of the pupil is not known");
         return error_hint(error, "give an f-number, or a diameter in the file");
+    }
+    if (!(system->stop_radius <= widest)) {
+        return fail(error, ERROR_DOMAIN,
+                    "the stop would have a radius of %.3g mm: at most %g mm can be traced",
+                    system->stop_radius, widest);
     }
     *aim = (struct aim){.system = system,
                         .beam = *beam,
@@ -50,6 +57,9 @@ bool aim_open_at(struct aim *aim, const double at[2])
 {
     const struct ray_block *block = aim->work.blocks;
     double slope[4];
+    if (aim->system == NULL) {
+        return false;
+    }
     chief_trace(aim, (const double(*)[2])at, 1);
     if (ray_block_status(block, 0) != RAY_OK) {
         return false;

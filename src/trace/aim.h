@@ -16,7 +16,8 @@
 
 /* A beam whose chief ray is known. */
 struct aim {
-    const struct system *system; /* without clipping; must outlive the aim */
+    const struct system *system; /* without clipping; must outlive the aim. Null: there is no stop
+                                    that could be aimed at, and nothing else is set */
     struct beam beam;
     double chief[2];      /* its coordinates in the beam, mm */
     double centre[2];     /* where it crosses the stop, mm: 0 but with aim_open_at */
@@ -66,7 +67,7 @@ bool aim_open_near(const struct system *system, const struct beam *beam, struct 
  *
  * Given     aim  as aim_open left it, which said why there is no chief ray
  *           at   that ray, in coordinates of the beam
- * Result    false: the rays about it do not reach the stop
+ * Result    false: the rays about it do not reach the stop, or there is none that could be aimed at
  */
 bool aim_open_at(struct aim *aim, const double at[2]);
 

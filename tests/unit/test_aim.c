@@ -233,10 +233,28 @@ static void test_maps(void)
     }
 }
 
+/* A stop wider than can be traced: the aim says so, and is asked for nothing more. */
+static void test_widest_stop(void)
+{
+    struct arena arena = {0};
+    struct opened opened;
+    struct beam beam = beam_along((double[3]){0, 0, 1}, 1);
+    struct aim aim;
+    struct error error = {0};
+    memset(&aim, 0xff, sizeof aim);
+    CHECK(open_lens("double-gauss", 0, &arena, &opened));
+    opened.system.stop_radius = 1e101;
+    CHECK(!aim_open(&opened.system, &beam, &arena, &aim, &error));
+    CHECK(strstr(error.message, "1e+101 mm") != NULL);
+    CHECK(aim.system == NULL && !aim_open_at(&aim, (double[2]){0, 0}));
+    arena_free(&arena);
+}
+
 int main(void)
 {
     test_instruction_sets();
     test_maps();
+    test_widest_stop();
     struct arena arena = {0};
     struct lensdb db = {.arena = &arena};
     struct error error;
