@@ -168,12 +168,14 @@ static void write_warning(struct output *output, const char *command, const char
     output_character(output, '\n');
 }
 
-void print_beside(const struct report *report, bool is_table, enum color_when color)
+void print_beside(const struct report *report, bool is_apart, enum color_when color)
 {
     struct doubts *doubts = report->doubts;
-    bool has_place = report->format == &format_json || report->format->is_for_people;
+    /* without rows there is neither a format nor an explanation */
+    const struct format *format = report->format;
+    bool has_place = format == NULL || format == &format_json || format->is_for_people;
     const char *explain = has_place ? NULL : report->explain;
-    size_t warnings = has_place && !is_table ? 0 : doubts->count;
+    size_t warnings = has_place && !is_apart ? 0 : doubts->count;
     if (explain == NULL && warnings == 0) {
         return; /* as most: the terminal is not even asked */
     }

@@ -28,8 +28,12 @@ void complain_name(struct error *error, const struct arguments *arguments,
 /* Print an error of a command, named so. The error is left with these names. */
 void complain(struct error *error, const struct arguments *arguments, const struct batch *batch);
 
-/* Formulas and doubts of a report for which its format, or a cross-table, has no place. */
-void print_beside(const struct report *report, bool is_table, enum color_when color);
+/*
+ * Formulas and doubts of a report for which its format has no place.
+ *
+ * Given     is_apart  doubts are not in it whatever its format: a cross-table, a picture, a file
+ */
+void print_beside(const struct report *report, bool is_apart, enum color_when color);
 
 /* What is said beside an answer: nothing has no address. */
 void print_remark(const char *start, size_t length);

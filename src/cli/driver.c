@@ -63,7 +63,6 @@ static bool set_up_report(struct driver *driver, struct error *error)
     struct report *report = &driver->report;
     report->arena = &driver->arena;
     report->output = &driver->output;
-    report->command = driver->command->name;
     report->digits = (int)driver->common.digits;
     report->nominal = driver->common.nominal ? "--nominal" : NULL;
     report->units = (enum unit_system)driver->common.units;
@@ -210,6 +209,7 @@ static bool prepare(struct driver *driver, int count, char **words, struct error
         return false;
     }
     driver->reader.doubts = &driver->doubts;
+    driver->report.command = command->name;
     driver->report.doubts = &driver->doubts;
     driver->run = (struct run){.arena = &driver->row_arena,
                                .doubts = &driver->doubts,
@@ -397,6 +397,7 @@ static int answer_without_rows(struct driver *driver)
         complain(&error, &driver->arguments, &driver->batch);
         return (int)error.code;
     }
+    print_beside(&driver->report, true, driver->arguments.color);
     return 0;
 }
 

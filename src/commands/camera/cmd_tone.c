@@ -2,6 +2,7 @@
 /* SPDX-License-Identifier: MIT */
 #include "base/constants.h"
 #include "commands/camera/tone.h"
+#include "commands/photo/photo_options.h"
 
 #include <math.h>
 
@@ -49,7 +50,8 @@ static const struct option options[] = {
      .help = "electrons of a pixel's read noise; default as the files say, or 5"},
     {TONE_POSITIVE(fnumber, &dimension_fnumber), .name = "aperture", .letter = 'N',
      .quantity = "f-number", .value = "NUMBER",
-     .help = "f-number of all frames, which luminance follows from; default as the files say"},
+     .help = "f-number of all frames, which luminance follows from; default as the files say",
+     OPTION_USUAL_FNUMBER},
     {TONE_POSITIVE(iso, &dimension_iso), .name = "iso", .quantity = "ISO speed", .value = "SPEED",
      .help = "ISO speed of all frames, the same"},
     {TONE_POSITIVE(calibrate, &dimension_luminance), .name = "calibrate", .unit = "cd_m2",

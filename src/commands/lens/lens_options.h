@@ -6,6 +6,7 @@
 #include "analysis/setup.h"
 #include "base/constants.h"
 #include "cli/command.h"
+#include "commands/photo/photo_options.h"
 #include "exchange/lens_formats.h"
 #include "trace/islands.h"
 
@@ -66,7 +67,7 @@ extern const struct word section_words[];
             .name = "aperture", .quantity = "f-number", .letter = 'N', .column = "fnumber",        \
             .dimension = &dimension_fnumber, .lowest = 0, .highest = INFINITY,                     \
             .flags = OPTION_ABOVE_LOWEST | OPTION_NO_INFINITY, .value = "NUMBER",                  \
-            .help = "f-number in place of the lens's own aperture"                                 \
+            .help = "f-number in place of the lens's own aperture", OPTION_USUAL_FNUMBER           \
     }
 
 #define LENS_FIELD_OPTIONS(S, member)                                                              \
