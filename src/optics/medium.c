@@ -90,6 +90,10 @@ bool medium_index(const struct medium *medium, double wavelength, struct pair *i
     } else {
         done = medium->glass_index(medium->glass, wavelength, index, error);
     }
+    if (done && isnan(index->hi)) {
+        return fail(error, ERROR_DOMAIN, "the formula of %.*s gives no number at %.7g nm",
+                    (int)medium->written.length, medium->written.start, 1000 * wavelength);
+    }
     if (done && !(index->hi > 0)) {
         return fail(error, ERROR_DOMAIN, "the index of %.*s at %.7g nm is %.6g: not above 0",
                     (int)medium->written.length, medium->written.start, 1000 * wavelength,

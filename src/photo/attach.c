@@ -140,6 +140,11 @@ bool attach_apply(struct attach_lens *lens, const struct attach_step *steps, siz
         if (!adders[steps[i].kind](lens, &steps[i], error)) {
             return false;
         }
+        if (!(isfinite(lens->f) && isfinite(lens->N) && isfinite(lens->front) &&
+              isfinite(lens->length_far) && isfinite(lens->length_near))) {
+            return fail(error, ERROR_DOMAIN,
+                        "with what is attached the lens has lengths too large for a number");
+        }
     }
     return true;
 }

@@ -88,7 +88,8 @@ bool attach_bare(const struct attach_bare *bare, struct attach_lens *lens, struc
  *           2x2 matrices and with N' (1 + m'/P') = N (1 + m/P), a supplementary lens leaving the
  *           image-side cone alone
  * Errors    values outside their ranges; a close-up lens whose focus lies before the pupil or
- *           before the lens's own focus; a reversal that is not the first step
+ *           before the lens's own focus; a reversal that is not the first step; what is attached
+ *           makes the lens too long for a number
  * Limits    paraxial; the converter's and close-up lens's own thickness is nothing; a lens with
  *           internal focusing shortens f when near, so its m is lower than said here
  */

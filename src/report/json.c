@@ -51,10 +51,16 @@ static void write_key(struct output *output, const char *name, const char *suffi
     output_string(output, "\":");
 }
 
+/* In its unit: what is a number in the program's own may be too large for one there. */
+static double shown_number(const void *row, const struct shown *shown)
+{
+    const double value = row_number(row, shown->column);
+    return shown->unit != NULL ? unit_from_own(shown->unit, value) : value;
+}
+
 static void write_number(struct report *report, const void *row, const struct shown *shown)
 {
-    double value = row_number(row, shown->column);
-    if (!isfinite(value)) {
+    if (!isfinite(shown_number(row, shown))) {
         output_string(report->output, "null");
         return;
     }
@@ -103,7 +109,7 @@ static void write_members(struct report *report, const void *row, const struct s
         if ((shown[i].column->flags & COLUMN_INFINITE) != 0 && !stands_before(shown, i)) {
             output_character(report->output, ',');
             write_key(report->output, shown[i].column->name, "_is_infinite");
-            bool infinite = row != NULL && isinf(row_number(row, shown[i].column));
+            bool infinite = row != NULL && isinf(shown_number(row, &shown[i]));
             output_string(report->output, row == NULL ? "null" : infinite ? "true" : "false");
         }
     }

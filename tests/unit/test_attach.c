@@ -209,6 +209,16 @@ static void test_converter(void)
     CHECK_RELATIVE(with.working_fnumber, 1.4 * bare.working_fnumber, 1e-13, "one stop at any m");
 }
 
+/* Lengths that overflow are refused, not shown as no number. */
+static void test_overflow(void)
+{
+    struct attach_lens lens;
+    struct error error;
+    CHECK(attach_bare(&(struct attach_bare){50, 2.8, 1, 0, 0, 0}, &lens, &error));
+    CHECK(!attach_apply(&lens, &(struct attach_step){ATTACH_CONVERTER, 1e308, 0, 0}, 1, &error));
+    CHECK(error.code == ERROR_DOMAIN);
+}
+
 /* apug 1057535 (Bigler): a lens reversed works at N (1/P)(1 + P m). */
 static void test_reversed(void)
 {
@@ -307,6 +317,7 @@ int main(void)
     test_traced_close_up();
     test_commute();
     test_converter();
+    test_overflow();
     test_reversed();
     test_stacked_beam();
     test_solved();
