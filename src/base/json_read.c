@@ -148,15 +148,39 @@ bool json_string(struct json *json, struct text *text)
     return true;
 }
 
-/* null, true, false, or a number as JSON writes it. */
+static const char *skip_digits(const char *at, const char *end)
+{
+    while (at < end && char_is_digit(*at)) {
+        at++;
+    }
+    return at;
+}
+
+/* A number as JSON writes it: no +, no 0 before other digits, digits on both sides of a point. */
+static bool is_number(struct text text)
+{
+    const char *const end = text.start + text.length;
+    const char *digits = text.start + (text.length > 0 && *text.start == '-');
+    const char *at = skip_digits(digits, end);
+    bool good = at > digits && (*digits != '0' || at == digits + 1);
+    if (at < end && *at == '.') {
+        digits = at + 1;
+        at = skip_digits(digits, end);
+        good = good && at > digits;
+    }
+    if (at < end && (*at == 'e' || *at == 'E')) {
+        digits = at + 1;
+        digits += digits < end && (*digits == '+' || *digits == '-');
+        at = skip_digits(digits, end);
+        good = good && at > digits;
+    }
+    return good && at == end;
+}
+
 static bool is_bare_value(struct text text)
 {
-    double ignored;
-    const char *end = text.start + text.length;
-    char first = *text.start;
     return text_equal(text, "null") || text_equal(text, "true") || text_equal(text, "false") ||
-           (((first >= '0' && first <= '9') || first == '-') && end[-1] != 'f' &&
-            number_read(text.start, end, NUMBER_UNSCALED, &ignored) == end);
+           is_number(text);
 }
 
 bool json_scalar(struct json *json, struct json_value *value)
@@ -178,7 +202,9 @@ bool json_scalar(struct json *json, struct json_value *value)
     }
     if (!is_bare_value(value->text)) {
         json->at = from;
-        return json_fail(json, "this is not a JSON value: text needs quotes");
+        return json_fail(json, strchr("+-.0123456789", *from) != NULL
+                                   ? "this is not a number as JSON writes it"
+                                   : "this is not a JSON value: text needs quotes");
     }
     return true;
 }

@@ -95,7 +95,7 @@ static bool set_cell(struct batch *batch, struct batch_column *column, struct te
         return true;
     }
     if (column->option == NULL) {
-        batch->passed[column->passed] = cell;
+        batch->passed[column->passed].text = cell;
         return true;
     }
     if (!batch_read_cell(batch, column, text_trim(cell), input, error)) {
@@ -202,7 +202,8 @@ static bool take_plain_row(struct batch *batch, void *input)
 static void clear_passed(struct batch *batch)
 {
     for (size_t i = 0; i < batch->passed_count; i++) {
-        batch->passed[i] = (struct text){"", 0};
+        batch->passed[i] =
+            (struct passed_cell){.text = {"", 0}, .is_bare = batch->format == BATCH_JSONL};
     }
 }
 
@@ -295,7 +296,7 @@ static bool read_header(struct batch *batch, struct text line, struct error *err
             return error_locate(error, batch->source, batch->line, at);
         }
         struct text name = text_trim(cell.text);
-        name.start = arena_string(batch->reader->arena, name.start, name.length);
+        name.start = arena_string(batch->arena, name.start, name.length);
         if (!batch_add_column(batch, name, at, error)) {
             return false;
         }
@@ -331,7 +332,7 @@ static void prepare_plain(struct batch *batch)
     if (batch->separator == ';') {
         return; /* all cells say together how fractions are written */
     }
-    struct batch_plain *plain = ARENA_ARRAY(batch->reader->arena, count, struct batch_plain);
+    struct batch_plain *plain = ARENA_ARRAY(batch->arena, count, struct batch_plain);
     for (size_t i = 0; i < count; i++) {
         const struct batch_column *column = &batch->columns[i];
         plain[i] = (struct batch_plain){.scale = column->scale,
@@ -397,16 +398,12 @@ static bool begin(struct batch *batch, enum batch_format format, struct error *e
     batch->header_line = batch->line;
     set_format(batch, format, line);
     if (batch->format != BATCH_JSONL) {
-        if (!read_header(batch, line, error) || !batch_settle_columns(batch, error)) {
-            return false;
-        }
-        prepare_plain(batch);
-        return true;
+        return read_header(batch, line, error);
     }
     if (text_trim(line).start[0] == '[' && !open_array(batch, &line, error)) {
         return false;
     }
-    if (!batch_json_header(batch, line, error) || !batch_settle_columns(batch, error)) {
+    if (!batch_json_header(batch, line, error)) {
         return false;
     }
     /* the first object is a row too */
@@ -421,6 +418,8 @@ bool batch_open(struct batch *batch, const struct batch_source *source, struct e
     *batch = (struct batch){.source = strcmp(path, "-") == 0 ? "standard input" : path,
                             .descriptor = STDIN_FILENO,
                             .reader = source->reader,
+                            .arena = source->arena,
+                            .sheet = source->sheet,
                             .arguments = source->arguments,
                             .constants = source->constants,
                             .capacity = BLOCK,
@@ -437,6 +436,20 @@ bool batch_open(struct batch *batch, const struct batch_source *source, struct e
     }
     batch->at = batch->end = batch->buffer;
     return begin(batch, source->format, error);
+}
+
+bool batch_settle(struct batch *batch, const struct sheet *sheet, bool hands_late,
+                  struct error *error)
+{
+    batch->sheet = sheet;
+    batch->hands_late = hands_late;
+    if (!batch_settle_columns(batch, error)) {
+        return false;
+    }
+    if (batch->format != BATCH_JSONL) {
+        prepare_plain(batch);
+    }
+    return true;
 }
 
 bool batch_is_file(const struct batch *batch, int descriptor)

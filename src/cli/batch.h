@@ -5,6 +5,7 @@
 
 #include "base/number_short.h"
 #include "cli/arguments.h"
+#include "report/report.h"
 
 /* What to do with a column of the file. */
 struct batch_column {
@@ -21,6 +22,7 @@ struct batch_column {
     bool is_coc;
     bool is_ignored;      /* neither input nor handed through */
     bool is_infinite;     /* a JSON companion: true makes the option infinite */
+    bool is_late;         /* in JSON: the first object does not have it */
     struct text name;     /* as in the file */
     const char *tag;      /* the tag of photographs that it is; null: it is none */
     bool is_copy;         /* of a tag, by the camera's maker or another standard than Exif */
@@ -66,15 +68,18 @@ struct batch {
     enum batch_format format;
     char separator;
     const struct reader *reader;
+    struct arena *arena; /* of what stays as long as the batch: its columns */
     const struct arguments *arguments;
-    const void *constants; /* the input as options set it */
+    const struct sheet *sheet; /* of the rows that come of it */
+    const void *constants;     /* the input as options set it */
     size_t input_size;
     struct batch_column *columns;
-    size_t column_count, column_capacity;
+    size_t column_count, column_room;
     struct batch_plain *plain; /* one a column, if rows of bare numbers can do; else null */
-    struct text *passed_names, *passed; /* columns handed through */
-    bool *passed_bare;                  /* in JSON: it stood there without quotes, and may again */
-    size_t passed_count;
+    struct text *passed_names; /* columns handed through */
+    struct passed_cell *passed;
+    size_t passed_count, passed_room;
+    bool hands_late; /* in JSON: keys that the first object does not have are handed through too */
     char *buffer;
     size_t capacity;
     const char *at, *end; /* what is still to read */
@@ -118,11 +123,13 @@ struct batch_source {
     enum batch_format format;
     const struct arguments *arguments;
     const struct reader *reader;
-    const void *constants; /* the input as the command line left it: the value of empty cells */
+    struct arena *arena;       /* stays as long as the batch */
+    const struct sheet *sheet; /* of the rows, as far as options choose it */
+    const void *constants;     /* the input as the command line left it: the value of empty cells */
 };
 
 /*
- * Open the file and read its header.
+ * Open the file and read its header; batch_settle says what comes of its columns.
  *
  * Errors    ERROR_IO; ERROR_DATA with line and column: no header, a column twice, a unit that
  *           does not fit
@@ -130,9 +137,21 @@ struct batch_source {
 bool batch_open(struct batch *batch, const struct batch_source *source, struct error *error);
 
 /*
+ * Decide what is handed through. Results of an earlier run in the same file are computed anew, and
+ * do not count as goals where the row has all the settings.
+ *
+ * Given     sheet       of the rows, as options and columns choose it
+ *           hands_late  keys that only later objects of JSON have are handed through too
+ * Errors    ERROR_USAGE: a column that is also given as an option; ERROR_DATA: a wrong unit
+ */
+bool batch_settle(struct batch *batch, const struct sheet *sheet, bool hands_late,
+                  struct error *error);
+
+/*
  * Read the next row into the input.
  *
- * Result    BATCH_BAD_ROW: this row cannot be read, the next may; `error` says line and column
+ * Result    BATCH_BAD_ROW: this row cannot be read, the next may; `error` says line and column.
+ *           In JSON there may be more columns than before, handed through or not
  */
 enum batch_result batch_next(struct batch *batch, void *input, struct error *error);
 
@@ -160,6 +179,7 @@ bool batch_knows_any(const struct batch *batch);
 
 bool batch_add_column(struct batch *batch, struct text name, size_t at, struct error *error);
 bool batch_settle_columns(struct batch *batch, struct error *error);
+struct batch_column *batch_add_late(struct batch *batch, struct text name, struct error *error);
 
 /* -------- cli/batch_names.c -------- */
 

@@ -81,7 +81,7 @@ static bool is_column(const struct sheet *sheet, struct text name)
 /* Will the command print a column of this name itself? */
 static bool is_computed(const struct batch *batch, struct text name)
 {
-    return text_equal(name, "error") || is_column(&batch->arguments->command->sheet, name);
+    return text_equal(name, "error") || is_column(batch->sheet, name);
 }
 
 /* Does any command print a column of this name? */
@@ -136,8 +136,7 @@ static bool find_column(const struct batch *batch, struct text name, struct batc
                         struct error *error)
 {
     *column = (struct batch_column){.name = name};
-    const char *called =
-        arena_printf(batch->reader->arena, "column '%.*s'", text_shown(name), name.start);
+    const char *called = arena_printf(batch->arena, "column '%.*s'", text_shown(name), name.start);
     if (find_companion(batch, name, column)) {
         column->as_read = *column->option;
         column->as_read.called = called;
@@ -222,30 +221,27 @@ static bool check_new(struct batch *batch, struct batch_column *column, struct e
     return true;
 }
 
+static bool push_column(struct batch *batch, const struct batch_column *column, struct error *error)
+{
+    if (batch->column_count == MOST_COLUMNS) {
+        return fail(error, ERROR_DATA, "the file has more than %d columns", MOST_COLUMNS);
+    }
+    batch->columns = arena_grow(batch->arena, batch->columns, batch->column_count,
+                                &batch->column_room, sizeof *batch->columns);
+    batch->columns[batch->column_count++] = *column;
+    batch->is_photographs = batch->is_photographs || text_equal(column->name, "SourceFile");
+    return true;
+}
+
 bool batch_add_column(struct batch *batch, struct text name, size_t at, struct error *error)
 {
     struct batch_column column;
     if (!find_column(batch, name, &column, error) || !check_new(batch, &column, error)) {
         return error_locate(error, batch->source, batch->line, at);
     }
-    if (batch->column_count == MOST_COLUMNS) {
-        fail(error, ERROR_DATA, "the file has more than %d columns", MOST_COLUMNS);
-        return error_locate(error, batch->source, batch->line, at);
-    }
-    if (batch->column_count == batch->column_capacity) {
-        size_t capacity = batch->column_capacity == 0 ? 16 : 2 * batch->column_capacity;
-        struct batch_column *columns =
-            ARENA_ARRAY(batch->reader->arena, capacity, struct batch_column);
-        if (batch->column_count > 0) {
-            memcpy(columns, batch->columns, batch->column_count * sizeof *columns);
-        }
-        batch->columns = columns;
-        batch->column_capacity = capacity;
-    }
     column.place = at;
-    batch->columns[batch->column_count++] = column;
-    batch->is_photographs = batch->is_photographs || text_equal(name, "SourceFile");
-    return true;
+    return push_column(batch, &column, error) ||
+           error_locate(error, batch->source, batch->line, at);
 }
 
 /* Is every option that a goal would solve for already there? */
@@ -266,34 +262,84 @@ static bool has_all_settings(const struct batch *batch)
     return any;
 }
 
-/*
- * Decide what is handed through. Results of an earlier run in the same file are computed anew, and
- * do not count as goals where the row has all the settings.
- */
+static void pass_column(struct batch *batch, struct batch_column *column)
+{
+    size_t room = batch->passed_room;
+    batch->passed_names = arena_grow(batch->arena, batch->passed_names, batch->passed_count, &room,
+                                     sizeof *batch->passed_names);
+    batch->passed = arena_grow(batch->arena, batch->passed, batch->passed_count,
+                               &batch->passed_room, sizeof *batch->passed);
+    column->passed = batch->passed_count;
+    batch->passed[batch->passed_count].text = (struct text){"", 0};
+    batch->passed_names[batch->passed_count++] = column->name;
+}
+
+/* What becomes of a column. `settled`: the columns say all that goals would be solved for. */
+static bool settle_column(struct batch *batch, struct batch_column *column, bool settled,
+                          struct error *error)
+{
+    const struct option *meant = column->doubtful;
+    if (meant != NULL && !batch_has(batch, meant->name) &&
+        !arguments_given(batch->arguments, meant->name)) {
+        return wrong_unit(column, error);
+    }
+    bool goal = column->option != NULL && (column->option->flags & OPTION_GOAL) != 0;
+    if (goal && settled && !arguments_given(batch->arguments, column->option->name)) {
+        column->is_ignored = true;
+        column->is_plain = false;
+    } else if (column->option == NULL && is_computed(batch, column->name)) {
+        column->is_ignored = true;
+    } else if (column->option == NULL && column->is_late && !batch->hands_late) {
+        column->is_ignored = true;
+        doubts_add(batch->reader->doubts,
+                   "the first row has no key '%.*s': only json and jsonl hand it through",
+                   text_shown(column->name), column->name.start);
+    } else if (column->option == NULL) {
+        pass_column(batch, column);
+    }
+    return true;
+}
+
 bool batch_settle_columns(struct batch *batch, struct error *error)
 {
     bool settled = has_all_settings(batch);
-    batch->passed_names = ARENA_ARRAY(batch->reader->arena, batch->column_count, struct text);
-    batch->passed = ARENA_ARRAY(batch->reader->arena, batch->column_count, struct text);
-    batch->passed_bare = ARENA_ARRAY(batch->reader->arena, batch->column_count, bool);
     for (size_t i = 0; i < batch->column_count; i++) {
         struct batch_column *column = &batch->columns[i];
-        const struct option *meant = column->doubtful;
-        if (meant != NULL && !batch_has(batch, meant->name) &&
-            !arguments_given(batch->arguments, meant->name)) {
-            wrong_unit(column, error);
+        if (!settle_column(batch, column, settled, error)) {
             return error_locate(error, batch->source, batch->line, column->place);
-        }
-        bool goal = column->option != NULL && (column->option->flags & OPTION_GOAL) != 0;
-        if (goal && settled && !arguments_given(batch->arguments, column->option->name)) {
-            column->is_ignored = true;
-            column->is_plain = false;
-        } else if (column->option == NULL && is_computed(batch, column->name)) {
-            column->is_ignored = true;
-        } else if (column->option == NULL) {
-            column->passed = batch->passed_count;
-            batch->passed_names[batch->passed_count++] = column->name;
         }
     }
     return true;
+}
+
+/* Rows may have either of two keys for one option, or both with the same value. */
+static void share_late(struct batch *batch, struct batch_column *column)
+{
+    for (size_t i = 0; i < batch->column_count; i++) {
+        struct batch_column *other = &batch->columns[i];
+        if (column->option != NULL && column->option == other->option &&
+            !share_option(column, other)) {
+            column->is_shared = other->is_shared = true;
+        }
+    }
+}
+
+struct batch_column *batch_add_late(struct batch *batch, struct text name, struct error *error)
+{
+    struct batch_column column;
+    name.start = arena_string(batch->arena, name.start, name.length);
+    if (!find_column(batch, name, &column, error)) {
+        return NULL;
+    }
+    column.is_late = true;
+    share_late(batch, &column);
+    if (!push_column(batch, &column, error)) {
+        return NULL;
+    }
+    struct batch_column *added = &batch->columns[batch->column_count - 1];
+    if (!settle_column(batch, added, has_all_settings(batch), error)) {
+        batch->column_count--;
+        return NULL;
+    }
+    return added;
 }

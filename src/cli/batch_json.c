@@ -57,6 +57,7 @@ bool batch_json_header(struct batch *batch, struct text line, struct error *erro
     }
     while (next_pair(&json, first, &key, &value)) {
         first = false;
+        key.start = arena_string(batch->arena, key.start, key.length);
         if (!batch_add_column(batch, key, value.at, error)) {
             return false;
         }
@@ -86,9 +87,9 @@ static bool set_value(struct batch *batch, struct batch_column *column,
         return true;
     }
     if (column->option == NULL) {
-        batch->passed[column->passed] =
-            value->kind == JSON_NULL ? (struct text){"", 0} : value->text;
-        batch->passed_bare[column->passed] = value->kind != JSON_STRING;
+        batch->passed[column->passed] = (struct passed_cell){
+            .text = value->kind == JSON_NULL ? (struct text){"", 0} : value->text,
+            .is_bare = value->kind != JSON_STRING};
         return true;
     }
     if (value->kind == JSON_NULL) {
@@ -101,47 +102,64 @@ static bool set_value(struct batch *batch, struct batch_column *column,
     return true;
 }
 
-/* Every member as it is without the row. */
+/* Every member as it is without the row; of what is handed through, first keys are null. */
 static void reset(struct batch *batch, void *input)
 {
     for (size_t i = 0; i < batch->column_count; i++) {
-        const struct option *option = batch->columns[i].option;
+        const struct batch_column *column = &batch->columns[i];
+        const struct option *option = column->option;
         if (option != NULL) {
             batch_reset_member(batch, option, input);
-        } else if (!batch->columns[i].is_ignored) {
-            batch->passed[batch->columns[i].passed] = (struct text){"", 0};
-            batch->passed_bare[batch->columns[i].passed] = true;
+        } else if (!column->is_ignored && column->is_late) {
+            batch->passed[column->passed].text = (struct text){NULL, 0};
         }
     }
 }
 
+/* One value of a row; `guess` is where among the columns its key may be. */
+static bool take_pair(struct batch *batch, struct text key, size_t guess,
+                      const struct json_value *value, void *input, struct error *error)
+{
+    struct batch_column *column = column_of(batch, key, guess);
+    if (column == NULL) {
+        column = batch_add_late(batch, key, error);
+    }
+    if (column == NULL) {
+        error->column = (int)value->at;
+        return false;
+    }
+    const bool is_twice = column->row == batch->objects;
+    column->row = batch->objects;
+    if (is_twice) {
+        fail(error, ERROR_DATA, "the key '%.*s' appears twice", text_shown(key), key.start);
+        error->column = (int)value->at;
+        return false;
+    }
+    return set_value(batch, column, value, input, error);
+}
+
+/*
+ * After a bad value the others are still looked at: what is handed through belongs to its row even
+ * if that fails.
+ */
 bool batch_json_row(struct batch *batch, struct text line, void *input, struct error *error)
 {
     struct json json;
     struct text key;
     struct json_value value;
+    struct error later;
+    bool good = true;
     size_t pairs = 0;
     batch->objects++;
+    reset(batch, input);
     if (!start(&json, batch, line, error)) {
         return false;
     }
-    reset(batch, input);
     for (; next_pair(&json, pairs == 0, &key, &value); pairs++) {
-        struct batch_column *column = column_of(batch, key, pairs);
-        if (column != NULL && column->row == batch->objects) {
-            fail(error, ERROR_DATA, "the key '%.*s' appears twice", text_shown(key), key.start);
-            error->column = (int)value.at;
-            return false;
-        }
-        if (column == NULL) {
-            fail(error, ERROR_DATA, "the first row has no key '%.*s'", text_shown(key), key.start);
-            error->column = (int)value.at;
-            return false;
-        }
-        column->row = batch->objects;
-        if (!set_value(batch, column, &value, input, error)) {
-            return false;
+        if (!take_pair(batch, key, pairs, &value, input, json.error)) {
+            json.error = &later;
+            good = false;
         }
     }
-    return error->code == ERROR_NONE;
+    return good && error->code == ERROR_NONE;
 }

@@ -71,7 +71,6 @@ static bool set_up_report(struct driver *driver, struct error *error)
                                driver->common.columns == NULL && report->format->separator != '\0';
     report->passed_names = driver->batch.passed_names;
     report->passed_count = driver->batch.passed_count;
-    report->passed_bare = driver->batch.passed_bare;
     driver->selection = (struct selection){.columns = driver->common.columns,
                                            .many = driver->is_batch || driver->sweep.total > 1,
                                            .layout = !report->format->is_for_people ? SELECT_ALL
@@ -227,6 +226,13 @@ static bool prepare(struct driver *driver, int count, char **words, struct error
 }
 
 /* The options as read so far are the constants of all rows. */
+static const struct sheet *asked_sheet(const struct driver *driver)
+{
+    const struct command *command = driver->command;
+    return command->choose_sheet != NULL ? command->choose_sheet(driver->input, &driver->asking)
+                                         : &command->sheet;
+}
+
 static bool open_batch(struct driver *driver, struct error *error)
 {
     const struct common *common = &driver->common;
@@ -242,11 +248,16 @@ static bool open_batch(struct driver *driver, struct error *error)
                                         .format = (enum batch_format)common->batch_format,
                                         .arguments = &driver->arguments,
                                         .reader = &driver->reader,
+                                        .arena = &driver->arena,
+                                        .sheet = asked_sheet(driver),
                                         .constants = constants};
-    if (!batch_open(&driver->batch, &source, error)) {
+    if (!batch_open(&driver->batch, &source, error) ||
+        !batch_settle(&driver->batch, asked_sheet(driver), driver->report.format->is_keyed,
+                      error)) {
         return false;
     }
     driver->passed = driver->batch.passed;
+    driver->known_columns = driver->batch.column_count;
     if (!batch_knows_any(&driver->batch)) {
         doubts_add(&driver->doubts,
                    "no column of %s means anything to %s: all its rows have one answer",
@@ -259,9 +270,7 @@ static bool open_batch(struct driver *driver, struct error *error)
 static void choose_sheet(struct driver *driver)
 {
     const struct command *command = driver->command;
-    const struct sheet *sheet = command->choose_sheet != NULL
-                                    ? command->choose_sheet(driver->input, &driver->asking)
-                                    : &command->sheet;
+    const struct sheet *sheet = asked_sheet(driver);
     const struct echo_question question = {.command = command,
                                            .sheet = sheet,
                                            .all = driver->common.columns != NULL,

@@ -14,7 +14,7 @@ void queue_open(struct queue *queue, const struct command *command, const struct
     queue->inputs = arena_array(arena, BLOCK_INPUTS, queue->input_size);
     queue->rows = arena_array(arena, BLOCK_INPUTS, queue->row_size);
     queue->errors = ARENA_ARRAY(arena, BLOCK_INPUTS, struct error);
-    queue->passed = ARENA_ARRAY(arena, BLOCK_INPUTS * passed_count + 1, struct text);
+    queue->passed = ARENA_ARRAY(arena, BLOCK_INPUTS * passed_count + 1, struct passed_cell);
     queue->lines = ARENA_ARRAY(arena, BLOCK_INPUTS, long);
 }
 

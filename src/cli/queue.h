@@ -10,8 +10,8 @@ struct queue {
     size_t input_size, row_size, passed_count;
     char *inputs, *rows;
     struct error *errors;
-    struct text *passed; /* passed_count a row; they point into the batch's buffer */
-    long *lines;         /* in the file */
+    struct passed_cell *passed; /* passed_count a row; they point into the batch's buffer */
+    long *lines;                /* in the file */
 };
 
 void queue_open(struct queue *queue, const struct command *command, const struct sheet *sheet,
@@ -33,7 +33,7 @@ static inline const void *queue_input(const struct queue *queue, size_t i)
     return queue->inputs + i * queue->input_size;
 }
 
-static inline const struct text *queue_passed(const struct queue *queue, size_t i)
+static inline const struct passed_cell *queue_passed(const struct queue *queue, size_t i)
 {
     return queue->passed + i * queue->passed_count;
 }

@@ -127,7 +127,8 @@ static void say_gaps(struct driver *driver)
 }
 
 /* A row names its quantities as what is said of it does, be it said or not. */
-static void write_failure(struct driver *driver, const struct text *passed, struct error *failure)
+static void write_failure(struct driver *driver, const struct passed_cell *passed,
+                          struct error *failure)
 {
     failure_name(driver, failure);
     driver->report.format->row(&driver->report, NULL, passed, failure);
@@ -162,9 +163,10 @@ void rows_break_off(struct driver *driver, struct error *failure)
         return;
     }
     if (!driver->is_broken_off && has_place(report)) {
-        struct text *none = ARENA_ARRAY(&driver->arena, report->passed_count + 1, struct text);
+        struct passed_cell *none =
+            ARENA_ARRAY(&driver->arena, report->passed_count + 1, struct passed_cell);
         for (size_t i = 0; i < report->passed_count; i++) {
-            none[i] = text_of("");
+            none[i] = (struct passed_cell){.text = text_of(""), .is_bare = true};
         }
         write_failure(driver, none, failure);
     }
@@ -334,6 +336,23 @@ static bool flush_before_read(void *data, struct error *error)
     return going;
 }
 
+/* An object of JSON has keys that were not there before: what waits is printed without them. */
+static bool take_new_keys(struct driver *driver, struct error *error)
+{
+    const struct batch *batch = &driver->batch;
+    struct error earlier;
+    driver->known_columns = batch->column_count;
+    if (!flush_queue(driver, &earlier)) {
+        *error = earlier;
+        return false;
+    }
+    driver->queue.capacity = 0; /* it has no place for them */
+    driver->passed = batch->passed;
+    driver->report.passed_names = batch->passed_names;
+    driver->report.passed_count = batch->passed_count;
+    return true;
+}
+
 /* A row of the batch: into the queue, or answered at once. False if that ends the batch. */
 static bool take_row(struct driver *driver, enum batch_result result, struct error *error)
 {
@@ -366,7 +385,11 @@ bool rows_of_batch(struct driver *driver, struct error *error)
         if (result == BATCH_END) {
             break;
         }
-        if (result == BATCH_FAILED || !take_row(driver, result, error)) {
+        if (result == BATCH_FAILED || (driver->batch.column_count != driver->known_columns &&
+                                       !take_new_keys(driver, error))) {
+            return false;
+        }
+        if (!take_row(driver, result, error)) {
             return false;
         }
         if (driver->queue.count == 0) {

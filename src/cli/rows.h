@@ -32,11 +32,12 @@ struct driver {
     struct asking asking; /* the columns of a batch count as given */
     struct arena kept;    /* of the command, until the end */
     struct doubts doubts;
-    struct team *team;         /* who answers the sweep; null: the driver itself */
-    struct queue queue;        /* rows of the batch that wait to be computed together */
-    struct echo echo;          /* what rows repeat beside the command's own columns */
-    const void *answered;      /* the input whose rows come */
-    const struct text *passed; /* columns handed through, of the row being printed */
+    struct team *team;                /* who answers the sweep; null: the driver itself */
+    struct queue queue;               /* rows of the batch that wait to be computed together */
+    struct echo echo;                 /* what rows repeat beside the command's own columns */
+    size_t known_columns;             /* of the batch; objects of JSON may bring more */
+    const void *answered;             /* the input whose rows come */
+    const struct passed_cell *passed; /* columns handed through, of the row being printed */
     void *input;
     const char *database;
     bool is_batch, is_open, begun, collects;

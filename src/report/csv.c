@@ -111,7 +111,7 @@ static void write_numbers(struct report *report, const void *row, char separator
     output_advance(report->output, to);
 }
 
-static void write_cells(struct report *report, const void *row, const struct text *passed,
+static void write_cells(struct report *report, const void *row, const struct passed_cell *passed,
                         const struct error *failure)
 {
     char separator = report->format->separator;
@@ -120,7 +120,7 @@ static void write_cells(struct report *report, const void *row, const struct tex
         if (cells++ > 0) {
             output_character(report->output, separator);
         }
-        write_text(report, passed[i].start, passed[i].length);
+        write_text(report, passed[i].text.start, passed[i].text.length);
     }
     for (size_t i = 0; i < report->shown_count; i++) {
         if (cells++ > 0) {
@@ -142,7 +142,7 @@ static void write_cells(struct report *report, const void *row, const struct tex
     output_character(report->output, '\n');
 }
 
-static void row(struct report *report, const void *row, const struct text *passed,
+static void row(struct report *report, const void *row, const struct passed_cell *passed,
                 const struct error *failure)
 {
     if (row != NULL && report->state != NULL) {

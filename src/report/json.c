@@ -115,29 +115,40 @@ static void write_members(struct report *report, const void *row, const struct s
     }
 }
 
-static void write_object(struct report *report, const void *row, const struct text *passed,
-                         const struct error *failure)
+static void write_passed(struct output *output, const struct passed_cell *cell)
+{
+    if (!cell->is_bare) {
+        write_string(output, cell->text.start, cell->text.length);
+    } else if (cell->text.length > 0) {
+        output_text(output, cell->text.start, cell->text.length);
+    } else {
+        output_string(output, "null");
+    }
+}
+
+/* What is handed through of the first keys, then the columns of the row and why it failed. */
+static void write_object(struct report *report, const void *row, const struct passed_cell *passed,
+                         size_t passed_count, const struct error *failure)
 {
     output_character(report->output, '{');
-    for (size_t i = 0; i < report->passed_count; i++) {
+    bool comma = false;
+    for (size_t i = 0; i < passed_count; i++) {
         struct text name = report->passed_names[i];
-        if (i > 0) {
+        if (passed[i].text.start == NULL) {
+            continue; /* a key that this row does not have */
+        }
+        if (comma) {
             output_character(report->output, ',');
         }
+        comma = true;
         write_string(report->output, name.start, name.length);
         output_character(report->output, ':');
-        if (report->passed_bare != NULL && report->passed_bare[i]) {
-            struct text bare = passed[i].length > 0 ? passed[i] : text_of("null");
-            output_text(report->output, bare.start, bare.length);
-        } else {
-            write_string(report->output, passed[i].start, passed[i].length);
-        }
+        write_passed(report->output, &passed[i]);
     }
-    write_members(report, row, report->shown, report->shown_count, report->passed_count > 0);
+    write_members(report, row, report->shown, report->shown_count, comma);
     if (failure != NULL) {
-        output_string(report->output, report->shown_count + report->passed_count > 0
-                                          ? ",\"error\":"
-                                          : "\"error\":");
+        output_string(report->output,
+                      comma || report->shown_count > 0 ? ",\"error\":" : "\"error\":");
         write_string(report->output, failure->message, strlen(failure->message));
     }
     output_character(report->output, '}');
@@ -158,7 +169,8 @@ static void write_head(struct report *report, const void *row)
 
 /* Failed rows that came before the first good one. */
 struct pending {
-    struct text *passed;
+    struct passed_cell *passed;
+    size_t passed_count; /* later rows may have more */
     struct error failure;
     struct pending *next;
 };
@@ -168,34 +180,31 @@ struct json_state {
     struct pending *first, **last;
 };
 
-static void write_row(struct report *report, const void *row, const struct text *passed,
-                      const struct error *failure, bool first)
-{
-    output_string(report->output, first ? "\n" : ",\n");
-    write_object(report, row, passed, failure);
-}
-
 static void write_start(struct report *report, const void *row)
 {
     struct json_state *state = report->state;
     state->has_head = true;
     write_head(report, row);
-    bool first = true;
     for (struct pending *at = state->first; at != NULL; at = at->next) {
-        write_row(report, NULL, at->passed, &at->failure, first);
-        first = false;
+        output_string(report->output, at == state->first ? "\n" : ",\n");
+        write_object(report, NULL, at->passed, at->passed_count, &at->failure);
     }
 }
 
-static void keep(struct report *report, const struct text *passed, const struct error *failure)
+static void keep(struct report *report, const struct passed_cell *passed,
+                 const struct error *failure)
 {
     struct json_state *state = report->state;
     struct pending *pending = ARENA_NEW(report->arena, struct pending);
     pending->failure = *failure;
-    pending->passed = ARENA_ARRAY(report->arena, report->passed_count, struct text);
+    pending->passed_count = report->passed_count;
+    pending->passed = ARENA_ARRAY(report->arena, report->passed_count, struct passed_cell);
     for (size_t i = 0; i < report->passed_count; i++) {
-        pending->passed[i] = (struct text){
-            arena_string(report->arena, passed[i].start, passed[i].length), passed[i].length};
+        const struct text text = passed[i].text;
+        pending->passed[i].text.start =
+            text.start != NULL ? arena_string(report->arena, text.start, text.length) : NULL;
+        pending->passed[i].text.length = text.length;
+        pending->passed[i].is_bare = passed[i].is_bare;
     }
     *state->last = pending;
     state->last = &pending->next;
@@ -211,7 +220,7 @@ static void json_begin(struct report *report)
     report->state = state;
 }
 
-static void json_row(struct report *report, const void *row, const struct text *passed,
+static void json_row(struct report *report, const void *row, const struct passed_cell *passed,
                      const struct error *failure)
 {
     struct json_state *state = report->state;
@@ -222,7 +231,8 @@ static void json_row(struct report *report, const void *row, const struct text *
     if (!state->has_head) {
         write_start(report, row);
     }
-    write_row(report, row, passed, failure, report->rows == 0);
+    output_string(report->output, report->rows == 0 ? "\n" : ",\n");
+    write_object(report, row, passed, report->passed_count, failure);
 }
 
 static void write_doubts(struct report *report)
@@ -263,14 +273,20 @@ static void jsonl_begin(struct report *report)
     (void)report;
 }
 
-static void jsonl_row(struct report *report, const void *row, const struct text *passed,
+static void jsonl_row(struct report *report, const void *row, const struct passed_cell *passed,
                       const struct error *failure)
 {
-    write_object(report, row, passed, failure);
+    write_object(report, row, passed, report->passed_count, failure);
     output_character(report->output, '\n');
 }
 
-const struct format format_json = {
-    {"json", "one JSON object"}, .begin = json_begin, .row = json_row, .end = json_end};
-const struct format format_jsonl = {
-    {"jsonl", "one JSON object a row"}, .begin = jsonl_begin, .row = jsonl_row, .end = jsonl_begin};
+const struct format format_json = {{"json", "one JSON object"},
+                                   .is_keyed = true,
+                                   .begin = json_begin,
+                                   .row = json_row,
+                                   .end = json_end};
+const struct format format_jsonl = {{"jsonl", "one JSON object a row"},
+                                    .is_keyed = true,
+                                    .begin = jsonl_begin,
+                                    .row = jsonl_row,
+                                    .end = jsonl_begin};

@@ -17,15 +17,22 @@ enum unit_system { UNITS_METRIC, UNITS_IMPERIAL };
 struct report;
 struct grid;
 
+/* A cell of a batch that is handed through. */
+struct passed_cell {
+    struct text text; /* start is null where only other rows have it, of formats that are keyed */
+    bool is_bare;     /* JSON without quotes: a number, true, false; null where the text is empty */
+};
+
 /* A way to print. `row` gets a failed row as a null pointer with its failure. */
 struct format {
     struct word word;   /* "csv", what it is */
     bool is_for_people; /* scaled for reading, units in the heads */
+    bool is_keyed;      /* each row names its values: later rows may have more that is handed on */
     char separator;     /* between the cells of a line; 0 = the lines have no cells */
     /* A whole table, with its head or without; null: the format has none. */
     void (*write_grid)(const struct grid *grid, struct output *output, bool with_head);
     void (*begin)(struct report *report);
-    void (*row)(struct report *report, const void *row, const struct text *passed,
+    void (*row)(struct report *report, const void *row, const struct passed_cell *passed,
                 const struct error *failure);
     void (*end)(struct report *report);
 };
@@ -52,7 +59,6 @@ struct report {
     size_t assumed_count;
     const struct text *passed_names; /* columns of a batch that are handed through */
     size_t passed_count;
-    const bool *passed_bare; /* JSON numbers, true, false, null: no quotes; null = none are */
     bool has_error_column;
     bool are_named;      /* the columns, by --columns: their heads are these names */
     bool many;           /* a sweep or a batch: rows lie, even if there is one */

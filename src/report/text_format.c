@@ -27,14 +27,15 @@ static struct text copy_text(struct arena *arena, struct text text)
 }
 
 /* Rows are kept whole, with copies of their texts. */
-static void keep(struct report *report, const void *row, const struct text *passed,
+static void keep(struct report *report, const void *row, const struct passed_cell *passed,
                  const struct error *failure)
 {
     struct text_state *state = report->state;
     struct kept *kept = &state->kept[state->kept_count++];
-    struct text *copies = ARENA_ARRAY(report->arena, report->passed_count, struct text);
+    struct passed_cell *copies =
+        ARENA_ARRAY(report->arena, report->passed_count, struct passed_cell);
     for (size_t i = 0; i < report->passed_count; i++) {
-        copies[i] = copy_text(report->arena, passed[i]);
+        copies[i].text = copy_text(report->arena, passed[i].text);
     }
     *kept = (struct kept){.passed = copies};
     if (failure != NULL) {
@@ -177,13 +178,13 @@ static struct grid new_grid(struct report *report, size_t rows, struct arena *ar
 }
 
 static void add_row(struct report *report, struct grid *grid, const void *row,
-                    const struct text *passed, const char *failure)
+                    const struct passed_cell *passed, const char *failure)
 {
     const struct text_state *state = report->state;
     char cell[CELL];
     grid_add_row(grid);
     for (size_t i = 0; i < report->passed_count; i++) {
-        grid_set(grid, i, arena_string(grid->arena, passed[i].start, passed[i].length));
+        grid_set(grid, i, arena_string(grid->arena, passed[i].text.start, passed[i].text.length));
     }
     for (size_t i = 0; i < report->shown_count && row != NULL; i++) {
         readable_value(cell, sizeof cell, row, &report->shown[i], state->units[i],
@@ -312,8 +313,8 @@ static void write_kept(struct report *report)
     state->has_layout = true;
 }
 
-static void write_later_row(struct report *report, const void *row, const struct text *passed,
-                            const struct error *failure)
+static void write_later_row(struct report *report, const void *row,
+                            const struct passed_cell *passed, const struct error *failure)
 {
     struct text_state *state = report->state;
     struct arena_mark mark = arena_mark(&state->scratch);
@@ -345,7 +346,7 @@ static void text_begin(struct report *report)
     }
 }
 
-static void text_row(struct report *report, const void *row, const struct text *passed,
+static void text_row(struct report *report, const void *row, const struct passed_cell *passed,
                      const struct error *failure)
 {
     struct text_state *state = report->state;

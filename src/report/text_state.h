@@ -7,7 +7,7 @@
 
 struct kept {
     void *row; /* null: failed */
-    const struct text *passed;
+    const struct passed_cell *passed;
     const char *failure;
 };
 

@@ -19,7 +19,6 @@ struct ray aim_chief(const struct aim *aim)
 bool aim_open_near(const struct system *system, const struct beam *beam, struct aim_near *near,
                    struct arena *arena, struct aim *aim, struct error *error)
 {
-    const double widest = 1e100; /* its square is still a number */
     *aim = (struct aim){.system = NULL};
     if (system->stop == LENS_NONE) {
         return fail(error, ERROR_DOMAIN, "the lens has no stop: rays cannot be aimed at it");
@@ -28,10 +27,9 @@ bool aim_open_near(const struct system *system, const struct beam *beam, struct 
         fail(error, ERROR_DOMAIN, "the stop has no diameter: the size of the pupil is not known");
         return error_hint(error, "give an f-number, or a diameter in the file");
     }
-    if (!(system->stop_radius <= widest)) {
-        return fail(error, ERROR_DOMAIN,
-                    "the stop would have a radius of %.3g mm: at most %g mm can be traced",
-                    system->stop_radius, widest);
+    if (!(system->stop_radius <= 1e100)) {
+        return fail(error, ERROR_DOMAIN, "the stop would have a radius of %.3g mm: at most 1e100",
+                    system->stop_radius);
     }
     *aim = (struct aim){.system = system,
                         .beam = *beam,
@@ -69,9 +67,7 @@ bool aim_open_at(struct aim *aim, const double at[2])
     if (!chief_slope(aim, at, slope)) {
         return false;
     }
-    for (int i = 0; i < 4; i++) {
-        aim->slope[i] = slope[i];
-    }
+    memcpy(aim->slope, slope, sizeof slope);
     aim->chief[0] = at[0];
     aim->chief[1] = at[1];
     return true;

@@ -32,8 +32,8 @@ static void require_passed(const struct batch *batch)
 {
     volatile unsigned char last = 0;
     for (size_t i = 0; i < batch->passed_count; i++) {
-        for (size_t j = 0; j < batch->passed[i].length; j++) {
-            last = (unsigned char)batch->passed[i].start[j];
+        for (size_t j = 0; j < batch->passed[i].text.length; j++) {
+            last = (unsigned char)batch->passed[i].text.start[j];
         }
     }
     (void)last;
@@ -112,8 +112,11 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
                                         .format = (enum batch_format)(data[0] / 3 % 4),
                                         .arguments = &arguments,
                                         .reader = &reader,
+                                        .arena = &arena,
+                                        .sheet = &command->sheet,
                                         .constants = constants};
-    if (batch_open(&batch, &source, &error)) {
+    if (batch_open(&batch, &source, &error) &&
+        batch_settle(&batch, &command->sheet, data[0] / 12 % 2 == 0, &error)) {
         read_rows(&batch, command, &run, input, constants, lines_in(data + 1, size - 1));
     } else {
         fuzz_require_error(&error);

@@ -73,7 +73,7 @@ static const struct column columns[] = {
      .help = "frequency from which on there is no contrast by waves"},
     {FREQUENCY(cutoff_sagittal, 0), .name = "cutoff_sagittal", .label = "sagittal cut-off",
      .help = "the same of lines along"},
-    {PLAIN(error, COLUMN_HIDDEN), .name = "error", .label = "error",
+    {PLAIN(error, COLUMN_HIDDEN), .name = "contrast_error", .label = "error of the contrast",
      .help = "what the contrasts may be off"},
     {PLAIN(method, COLUMN_ASSUMED), .name = "method", .depends = "method", .label = "method",
      .help = "by waves or by rays"},
@@ -142,7 +142,7 @@ static bool take(const struct analysis_case *one, size_t field, const void *room
             analysis_warn(asked, &row.point,
                           isnan(row.tangential) || isnan(row.sagittal)
                               ? "the wave front is too steep or too rough for contrasts by waves"
-                              : "the contrast has not converged: see its error");
+                              : "the contrast has not converged: see contrast_error");
         }
         if (!run_emit(asked->run, &row)) {
             return false;

@@ -1,0 +1,78 @@
+#!/usr/bin/env python3
+"""tests/robust/check_columns.py - no machine format has two columns of one name.
+
+Every command is asked for all its columns, alone, swept, with rows that fail, and with its own rows
+and those of other commands as a batch.
+"""
+# SPDX-License-Identifier: MIT
+
+import csv
+import io
+import os
+import sys
+import tempfile
+
+sys.dont_write_bytecode = True
+sys.path.insert(0, os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
+from check_extremes import read_json
+from check_options import Asked
+from harness import Checks, Program
+
+
+def check_heads(checks, name, form, result):
+    text = result.stdout.decode("utf-8", "replace")
+    if form in ("--csv", "--tsv"):
+        rows = list(csv.reader(io.StringIO(text), delimiter="\t" if form == "--tsv" else ","))
+        head = rows[0] if rows else []
+        twice = {cell for cell in head if head.count(cell) > 1}
+        checks.check(not twice, f"{name}: {twice} twice")
+        return
+    try:
+        for object_text in [text] if form == "--json" else text.split("\n")[:-1]:
+            read_json(object_text or "{}")
+    except ValueError as trouble:
+        checks.check(False, f"{name}: {trouble}: {text[:300]}")
+    checks.check(True, name)
+
+
+def all_columns(program, command):
+    """What --columns of the command knows, and each length in feet too."""
+    rows = list(csv.DictReader(io.StringIO(
+        program.run(command, "--columns", "?", "--csv").stdout.decode())))
+    feet = [row["column"][:-len(row["unit"])] + "ft" for row in rows if row["unit"] in ("m", "mm")]
+    return ",".join([row["column"] for row in rows] + feet)
+
+
+def check_command(checks, asked):
+    program, command = asked.program, asked.command
+    names = all_columns(program, command)
+    questions = [("", lambda *more: asked.run(*more))]
+    if asked.pair is not None:
+        questions.append(("swept", lambda *more: asked.swept(*more)))
+    if asked.batch is not None:
+        header = asked.batch.split("\n")[0]
+        own = asked.run("--csv").stdout.decode()
+        shown = asked.run("--csv", "--columns", names).stdout.decode()
+        bad = f"{header},note,error,far_m\nx,1,2,3\n" + asked.batch.split("\n")[1] + ",1,2,3\n"
+        questions += [("batch", lambda *more: asked.batched(*more)),
+                      ("bad rows", lambda *more: asked.batched(*more, rows=bad)),
+                      ("own rows", lambda *more: asked.batched(*more, rows=own)),
+                      ("own columns", lambda *more: asked.batched(*more, rows=shown))]
+    for kind, ask in questions:
+        for form in ("--csv", "--tsv", "--json", "--jsonl"):
+            for more in ([], ["--columns", names]) if names else ([],):
+                name = f"{command} {kind} {form} {' '.join(more)[:40]}"
+                check_heads(checks, name, form, ask(form, *more))
+
+
+def main():
+    checks, program = Checks(), Program(sys.argv[1])
+    rows = program.run("list", "commands", "--columns", "command", "--csv").stdout.decode()
+    for command in rows.split("\n")[1:-1]:
+        with tempfile.TemporaryDirectory(prefix="lenscalc-columns-") as folder:
+            check_command(checks, Asked(program, command, folder))
+    checks.finish()
+
+
+if __name__ == "__main__":
+    main()
