@@ -61,9 +61,100 @@ static void check_refused(void)
     arena_free(&fixture.arena);
 }
 
+/*
+ * The back focus of the lens, by its solve, beside SK2 with the numbers of another glass: by hand
+ * f - 4/n with f = 50/(n - 1). Which n the program had is told by the number beside the solve.
+ */
+static void check_told(void)
+{
+    static const struct {
+        const char *what;
+        double index;             /* the program's */
+        enum glass_numbers asked; /* by the reader */
+        bool is_read;
+        double nd; /* then */
+    } cases[] = {
+        {"the numbers", 1.61765, GLASS_NUMBERS_OF_FILE, true, 1.61765},
+        {"the catalogue", 1.60738, GLASS_NUMBERS_OF_FILE, true, 1.60738},
+        {"neither", 1.6, GLASS_NUMBERS_OF_FILE, false, 0},
+        {"the numbers, against the reader", 1.61765, GLASS_NUMBERS_CATALOG, false, 0},
+        {"the catalogue, against the reader", 1.60738, GLASS_NUMBERS_LINE, false, 0},
+        {"the numbers, as the reader says", 1.61765, GLASS_NUMBERS_LINE, true, 1.61765},
+        {"another edition of the catalogue", 1.607385, GLASS_NUMBERS_OF_FILE, true, 1.60738},
+    };
+    for (size_t i = 0; i < sizeof cases / sizeof cases[0]; i++) {
+        const double n = cases[i].index, back = 50 / (n - 1) - 4 / n;
+        struct fixture fixture;
+        long line;
+        int column;
+        char text[200];
+        fixture_open(&fixture, "told.zmx");
+        fixture.job.glass_numbers = cases[i].asked;
+        snprintf(text, sizeof text, "GLAS SK2 0 0 1.61765 55.14\nSURF 2\n  DISZ %.15g\n  MAZH 0 0",
+                 back);
+        struct text file =
+            case_file(&fixture, good, "GLAS N-BK7\nSURF 2\n  DISZ 90", text, &line, &column);
+        const bool read = foreign_read(&fixture.job, file, &fixture.lens, &fixture.error);
+        if (read != cases[i].is_read) {
+            printf("%s: %s\n", cases[i].what, read ? "read" : fixture.error.message);
+        }
+        CHECK(read == cases[i].is_read);
+        if (read) {
+            CHECK_RELATIVE(focal_length(&fixture), 50 / (cases[i].nd - 1), 1e-5, cases[i].what);
+            const char *warning = fixture.lens.surfaces[0].medium.warning;
+            CHECK(warning != NULL && strstr(warning, "nd 1.60738") != NULL &&
+                  strstr(warning, "nd 1.61765") != NULL);
+        } else {
+            CHECK(fixture.error.line == 16 &&
+                  strstr(fixture.error.message, "contradicts the lens") != NULL);
+        }
+        arena_free(&fixture.arena);
+    }
+}
+
+/*
+ * What is rounded is no contradiction: f = 50/(n - 1) of n = 1.5168 known by nd and Vd only, at
+ * another wavelength, and a back focus of 4 digits. With 8 digits of a wrong one it is.
+ */
+static void check_rounding(void)
+{
+    static const struct {
+        const char *wave, *back;
+        bool is_read;
+    } cases[] = {
+        {"0.5875618", "94.1121", true},         {"0.5875618", "94.11", true},
+        {"0.5875618", "94.11220000001", false}, {"0.5460740", "93.76600000001", true},
+        {"0.5460740", "94.11220000001", false}, {"0.5875618", "0", true},
+    };
+    for (size_t i = 0; i < sizeof cases / sizeof cases[0]; i++) {
+        struct fixture fixture;
+        long line;
+        int column;
+        char text[400];
+        fixture_open(&fixture, "rounded.zmx");
+        snprintf(
+            text, sizeof text,
+            "WAVM 1 %s 1\nPWAV 1\nSURF 0\n  DISZ INFINITY\nSURF 1\n  STOP\n  CURV 0.02\n"
+            "  DISZ 4\n  GLAS ___BLANK 1 0 1.5168 64.17\nSURF 2\n  DISZ %s\n  MAZH 0 0\nSURF 3",
+            cases[i].wave, cases[i].back);
+        const char *from = strstr(good, "WAVM"), *to = strstr(good, "\n  DISZ 0");
+        char *old = arena_string(&fixture.arena, from, (size_t)(to - from));
+        struct text file = case_file(&fixture, good, old, text, &line, &column);
+        const bool read = foreign_read(&fixture.job, file, &fixture.lens, &fixture.error);
+        if (read != cases[i].is_read) {
+            printf("%s um, %s: %s\n", cases[i].wave, cases[i].back,
+                   read ? "read" : fixture.error.message);
+        }
+        CHECK(read == cases[i].is_read);
+        arena_free(&fixture.arena);
+    }
+}
+
 int main(void)
 {
     check_choices();
+    check_told();
+    check_rounding();
     check_refused();
     return check_report();
 }

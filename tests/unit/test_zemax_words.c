@@ -283,14 +283,14 @@ static const struct meaning of_solves[] = {
      "SURF 5\n  CURV -0.02\n  DISZ 90\n  PZUP 1 2\nSURF 9",
      "note line 21: what follows another surface, in a file whose surface numbers have gaps; the "
      "file's number is kept"},
-    {"DISZ 90", "DISZ 12\n  PZUP 1 2 0.5", "surface -50 8.5 air -"},
+    {"DISZ 90", "DISZ 0\n  PZUP 1 2 0.5", "surface -50 8.5 air -"},
     {"ENPD 10\nFTYP 0 0 2 1 0 0 0\nXFLN 0 0\nYFLN 0 10\nWAVM 1 0.5875618 1\nPWAV 1\nSURF 0\n"
      "  TYPE STANDARD\n  DISZ INFINITY\nSURF 1\n  STOP\n  CURV 0.02\n  DISZ 4\n",
      "FNUM 4 1\nSURF 0\n  DISZ 200\nSURF 1\n  STOP\n  CURV 0.02\n  DISZ 4\n  MAZH 3 0\n",
      "surface 50 4 1.5 - stop"},
-    {"DISZ 90", "DISZ 12\n  PZUP 1 2.5", "surface -50 10 air -"},
-    {"DISZ 90", "DISZ 12\n  TCOM 1 20", "surface -50 16 air -"},
-    {"DISZ 90", "DISZ 12\n  TOLE 1 50", "surface -50 46 air -"},
+    {"DISZ 90", "DISZ 0\n  PZUP 1 2.5", "surface -50 10 air -"},
+    {"DISZ 90", "DISZ 0\n  TCOM 1 20", "surface -50 16 air -"},
+    {"DISZ 90", "DISZ 0\n  TOLE 1 50", "surface -50 46 air -"},
 };
 
 static const struct meaning of_positions[] = {
@@ -400,6 +400,15 @@ static const struct refusal losses[] = {
      "the deviation 0.01 of the partial dispersion PgF", ""},
     {"GLAS ___BLANK 1 0 1.5 0", "GLAS @N-BK7 4 0 1.5168 64.17 0 0 0 0 0.001",
      "a glass with an offset of its index or dispersion", ""},
+    /* what a solve gives is not what the program has stored */
+    {"DISZ 90", "DISZ 12\n  @PZUP 1 2.5",
+     "a solve contradicts the lens that is read: the thickness of surface 2 is 10 by it, and 12 in "
+     "the file",
+     "the file's number is kept"},
+    {"CURV -0.02", "@CURV -0.03 4 1 -1 0",
+     "a solve contradicts the lens that is read: the curvature of surface 2 is -0.02 by it, and "
+     "-0.03 in the file",
+     "the file's number is kept"},
     {"CURV -0.02", "CURV -0.02\n  GLAS @___BLANK 2 5 1.5 0",
      "a glass that follows no earlier surface", "the file's glass is kept"},
     {"  TYPE STANDARD\n  DISZ 0\n", "  DISZ 0\nMNUM 2 1\nFLTP 0 1 0\nFLTP 0 2 2\n",

@@ -117,7 +117,9 @@ bool zemax_thicknesses(struct zemax_file *file, const size_t *places, struct err
     if (!solve_all(&solving, error)) {
         return false;
     }
-    zemax_remark_solves(&solving);
+    if (!zemax_check_solves(&solving, error)) {
+        return false;
+    }
     put_numbers(&solving);
     zemax_keep_pickups(&solving);
     return true;

@@ -3,6 +3,7 @@
 #include "exchange/zemax/zemax_glass.h"
 #include "exchange/zemax/zemax_environment.h"
 
+#include <math.h>
 #include <string.h>
 
 /* The types of a glass: GLAS NAME type .. */
@@ -171,8 +172,10 @@ static bool settle_glass(struct zemax_file *file, const struct zemax_line *line,
     const bool model = zemax_number(line, 0) == GLASS_MODEL;
     const bool of_line = numbers_of(file, line) == GLASS_NUMBERS_LINE;
     char *what = foreign_difference(file->job, named, medium);
-    file->disputed += !model && zemax_number(line, 0) != GLASS_OFFSET;
-    if (of_line && converter_of(file) != NULL && !model) {
+    file->doubts->disputed += !model && zemax_number(line, 0) != GLASS_OFFSET;
+    if (file->takes_numbers) {
+        what = arena_printf(file->job->arena, "%s, which the solves of the file confirm", what);
+    } else if (of_line && converter_of(file) != NULL && !model) {
         what = arena_printf(file->job->arena, "%s, where %s writes those of a patent", what,
                             converter_of(file));
     }
@@ -190,6 +193,8 @@ static bool settle_glass(struct zemax_file *file, const struct zemax_line *line,
 /* The name of a line, and what it says of the glass. */
 static struct foreign_name name_of(const struct zemax_file *file, const struct zemax_line *line)
 {
+    /* as patents print them at the least; fewer digits are numbers whose last ones are 0 */
+    const double coarsest_nd = 5e-5, coarsest_Vd = 0.05;
     struct foreign_name named = {.name = line->keyword,
                                  .catalogs = file->catalogs,
                                  .catalog_count = file->catalog_count,
@@ -198,8 +203,9 @@ static struct foreign_name name_of(const struct zemax_file *file, const struct z
     if (has_index(line) || zemax_number(line, 0) == GLASS_MODEL) {
         named.nd = zemax_number(line, 2);
         named.Vd = zemax_number(line, 3);
-        named.nd_rounding = figure_rounding(&line->numbers[2]);
-        named.Vd_rounding = named.Vd != 0 ? figure_rounding(&line->numbers[3]) : 0;
+        named.nd_rounding = fmin(figure_rounding(&line->numbers[2]), coarsest_nd);
+        named.Vd_rounding =
+            named.Vd != 0 ? fmin(figure_rounding(&line->numbers[3]), coarsest_Vd) : 0;
     }
     return named;
 }

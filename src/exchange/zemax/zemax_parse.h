@@ -59,6 +59,14 @@ struct zemax_setting {
 /* Begins the notes in which lenscalc keeps what a .zmx file has no words for. */
 #define ZEMAX_KEEP_NOTE "lenscalc "
 #define ZEMAX_POSITIONS "positions " /* their names follow */
+/* the last distance is not what the solve beside it gives */
+#define ZEMAX_OTHER_DISTANCE "distance as typed, beside its solve"
+
+/* What speaks against the lens as it is read, over all configurations. */
+struct zemax_doubts {
+    size_t disputed;     /* lines whose numbers are not those of the catalogue's glass */
+    size_t contradicted; /* solves that do not give the file's number */
+};
 
 struct zemax_file {
     struct foreign_job *job;
@@ -78,7 +86,7 @@ struct zemax_file {
     size_t catalog_count;
     struct text version; /* VERS: what has written the file */
     bool takes_numbers;  /* of lines whose glass differs: told by the solves */
-    size_t disputed;     /* such lines */
+    struct zemax_doubts *doubts;
     const struct zemax_line *aperture, *fields;     /* ENPD .., FTYP */
     const struct zemax_line *x, *y, *field_weights; /* XFLN, YFLN, FWGN */
     const struct zemax_line *environment;           /* ENVD */
@@ -87,9 +95,12 @@ struct zemax_file {
     size_t wave_count, primary;
     const struct zemax_line *primary_line;
     size_t configurations;
+    size_t shown;         /* the configuration whose solves the file has stored, 1-based */
+    size_t configuration; /* being read */
     struct zemax_setting *settings, *last_setting;
     struct keep_notes notes;
     struct text position_names;
+    bool has_other_distance;                     /* by such a note */
     const struct displacement *coordinate_break; /* of the next surface */
 };
 

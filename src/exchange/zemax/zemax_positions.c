@@ -375,6 +375,7 @@ bool zemax_read_positions(struct zemax_file *file, zemax_build_function *build, 
     struct lens *lenses = ARENA_ARRAY(arena, file->configurations, struct lens);
     for (size_t p = 0; p < file->configurations; p++) {
         struct zemax_file one = *file;
+        one.configuration = p + 1;
         size_t losses = file->job->loss_count;
         lenses[p] = named;
         lenses[p].position_count = 0;

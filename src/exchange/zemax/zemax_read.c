@@ -453,10 +453,12 @@ static bool build_lens(struct zemax_file *file, struct error *error)
     return true;
 }
 
-static bool read(struct foreign_job *job, struct text content, struct lens *lens,
-                 struct error *error)
+/* The lens of a file, where name and numbers of a glass differ with the one or the other. */
+static bool read_as(struct foreign_job *job, struct text content, bool takes_numbers,
+                    struct zemax_doubts *doubts, struct lens *lens, struct error *error)
 {
-    struct zemax_file file = {.job = job};
+    struct zemax_file file = {.job = job, .takes_numbers = takes_numbers, .doubts = doubts};
+    *doubts = (struct zemax_doubts){0, 0};
     lens_build_begin(&file.build, lens, job->arena);
     if (!zemax_parse(&file, content, error) || !check_vignetting(&file, error) ||
         (!file.has_gaps && !zemax_check_circles(&file, error))) {
@@ -469,6 +471,30 @@ static bool read(struct foreign_job *job, struct text content, struct lens *lens
         foreign_mark_power(job, &file.build);
     }
     return done;
+}
+
+/*
+ * Where the solves contradict the lens with the catalogue's glasses, and confirm the one with the
+ * numbers beside their names, the program that has written the file means these.
+ */
+static bool read(struct foreign_job *job, struct text content, struct lens *lens,
+                 struct error *error)
+{
+    const struct foreign_job unread = *job;
+    struct zemax_doubts doubts, others;
+    struct lens other;
+    bool done = read_as(job, content, false, &doubts, lens, error);
+    if (!done || doubts.contradicted == 0 || doubts.disputed == 0 ||
+        job->glass_numbers != GLASS_NUMBERS_OF_FILE) {
+        return done;
+    }
+    struct foreign_job again = unread;
+    struct error unused;
+    if (read_as(&again, content, true, &others, &other, &unused) && others.contradicted == 0) {
+        *job = again;
+        *lens = other;
+    }
+    return true;
 }
 
 /* "MODE", "VERS" or "UNIT" begins a line, and "SURF 0" another. */

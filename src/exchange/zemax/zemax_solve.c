@@ -383,33 +383,25 @@ bool zemax_solve_surface(struct solving *solving, size_t at, struct error *error
     return solve_curve(solving, at, error) && solve_thickness_of(solving, at, error);
 }
 
-static void remark(struct zemax_file *file, const char *what, size_t at, const struct figure *is,
-                   const struct figure *was)
+bool zemax_solve_in(const struct solving *solving, size_t at, bool is_curvature,
+                    const struct lens *lens, struct arena *arena, struct pair *value)
 {
-    /* doubles lose digits on the way to a solve */
-    if (!is_near(is->value, was->value, 1e-9, figure_rounding(was))) {
-        zemax_remark(file, "the %s of surface %zu is %.*s by its solve, the file had %.*s", what,
-                     at, text_shown(is->typed), is->typed.start, text_shown(was->typed),
-                     was->typed.start);
+    const struct zemax_surface *from = &solving->file->surfaces[at];
+    const int code = is_curvature ? code_of(from->curvature) : 0;
+    bool chief = is_curvature ? code == CHIEF_ANGLE || code == CHIEF_NORMAL
+                              : text_same(from->solve->keyword, "CHZH");
+    bool of_ray = is_curvature ? is_of_ray(code) : chief || text_same(from->solve->keyword, "MAZH");
+    struct solve_state state;
+    struct error unknown;
+    size_t place =
+        is_curvature ? solving->places[at] : zemax_gap_place(solving->file, solving->places, at);
+    if (!of_ray ||
+        !solve_follow(lens, place, chief ? SOLVE_CHIEF : SOLVE_MARGINAL, arena, &state, &unknown)) {
+        return false;
     }
-}
-
-void zemax_remark_solves(const struct solving *solving)
-{
-    struct zemax_file *file = solving->file;
-    for (size_t i = 1; i + 1 < file->surface_count; i++) {
-        const struct zemax_surface *from = &file->surfaces[i];
-        bool focus = i + 2 == file->surface_count && zemax_focuses(file);
-        if (solving->curvature[i].typed.start != NULL) {
-            struct figure was =
-                figure_per_length(from->curvature->numbers[0], file->build.lens->unit, -1);
-            remark(file, "curvature", i, &solving->curvature[i], &was);
-        }
-        if (from->solve != NULL && !focus && from->thickness != NULL &&
-            from->thickness->count > 0) {
-            remark(file, "thickness", i, &solving->thickness[i], &from->thickness->numbers[0]);
-        }
-    }
+    *value = is_curvature ? curvature_of_ray(solving, at, code, &state)
+                          : solve_thickness(&state, length_of(solving, from->solve, 0));
+    return isfinite(value->hi);
 }
 
 /* CURV c 4 surface scale */

@@ -23,8 +23,21 @@ struct solving {
  */
 bool zemax_solve_surface(struct solving *solving, size_t at, struct error *error);
 
-/* Notes of the lens where a solve gives another number than the file has, beyond its rounding. */
-void zemax_remark_solves(const struct solving *solving);
+/*
+ * What a solve that follows a ray gives in some lens.
+ *
+ * Given     is_curvature  the curvature's, else that of the thickness
+ * Result    false: it follows none, or has no answer
+ */
+bool zemax_solve_in(const struct solving *solving, size_t at, bool is_curvature,
+                    const struct lens *lens, struct arena *arena, struct pair *value);
+
+/*
+ * What the solves give against the numbers that the program has stored beside them. Within what
+ * rounding and editions of catalogues may do (exchange/solve_doubt.h) a note says both. Beyond that
+ * the lens is not the one that the program had: a loss, and the file's number is kept.
+ */
+bool zemax_check_solves(struct solving *solving, struct error *error);
 
 /* Pick-ups of curvatures and thicknesses become those of the lens, whose numbers are all set. */
 void zemax_keep_pickups(const struct solving *solving);

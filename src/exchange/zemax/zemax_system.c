@@ -56,6 +56,10 @@ static bool read_note(struct zemax_file *file, struct text keyword, struct error
     }
     struct text note = text_behind(rest, ZEMAX_KEEP_NOTE),
                 names = text_behind(note, ZEMAX_POSITIONS);
+    if (text_equal(note, ZEMAX_OTHER_DISTANCE)) {
+        file->has_other_distance = true;
+        return true;
+    }
     if (names.start != NULL) {
         file->position_names = names;
         return true;

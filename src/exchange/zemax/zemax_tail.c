@@ -2,6 +2,8 @@
 /* SPDX-License-Identifier: MIT */
 #include "exchange/zemax/zemax_keyword.h"
 
+#include <math.h>
+
 static bool read_configurations(struct zemax_file *file, struct text keyword, struct error *error)
 {
     const struct zemax_line *line = zemax_line_of(file, keyword, NUMBER_UNSCALED);
@@ -15,6 +17,7 @@ static bool read_configurations(struct zemax_file *file, struct text keyword, st
                                ZEMAX_CONFIGURATIONS);
     }
     file->configurations = (size_t)count;
+    file->shown = (size_t)fmax(0, fmin(zemax_number(line, 1), ZEMAX_CONFIGURATIONS));
     file->in_tail = file->has_configurations = true;
     return true;
 }

@@ -6,6 +6,7 @@
 #include "exchange/zemax/zemax_parse.h"
 #include "exchange/zemax/zemax_writer.h"
 #include "file/lens_build.h"
+#include "file/lens_solve.h"
 #include "optics/wavelength.h"
 
 #include "base/constants.h"
@@ -14,6 +15,27 @@
 #include <math.h>
 
 enum { MOST_FIELDS = 12, MOST_WAVES = 24 };
+
+/* Has a position a distance of the image that its paraxial focus is not? It stays in the file. */
+static bool has_other_distance(const struct zemax_writer *writer)
+{
+    const struct lens *all = writer->lens;
+    struct arena *arena = writer->job->arena;
+    const size_t last = all->surface_count - 1;
+    const size_t count = all->position_count > 0 ? all->position_count : 1;
+    bool other = false;
+    for (size_t p = 0; p < count && all->focus == FOCUS_PARAXIAL && !other; p++) {
+        const struct lens *lens = lens_at_position(all, p, arena);
+        const struct figure *typed = &lens->surfaces[last].thickness;
+        struct solve_state state;
+        struct error unknown;
+        other = lens->surfaces[last].has_thickness && typed->value.hi != 0 &&
+                solve_follow(lens, last, SOLVE_MARGINAL, arena, &state, &unknown) &&
+                !(fabs(pair_subtract(solve_thickness(&state, pair_of(0)), typed->value).hi) <=
+                  1e-10 * fabs(typed->value.hi));
+    }
+    return other;
+}
 
 static void put_notes(struct zemax_writer *writer)
 {
@@ -24,6 +46,9 @@ static void put_notes(struct zemax_writer *writer)
         growing_string(&writer->out, "\r\n");
     }
     keep_notes_write(&writer->out, lens, writer->unit, "NOTE 0 " ZEMAX_KEEP_NOTE, "\r\n");
+    if (has_other_distance(writer)) {
+        growing_string(&writer->out, "NOTE 0 " ZEMAX_KEEP_NOTE ZEMAX_OTHER_DISTANCE "\r\n");
+    }
     if (lens->position_count > 0) {
         growing_string(&writer->out, "NOTE 0 " ZEMAX_KEEP_NOTE ZEMAX_POSITIONS);
         for (size_t i = 0; i < lens->position_count; i++) {
