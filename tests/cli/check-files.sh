@@ -11,7 +11,7 @@ mkdir -p some/deep/er
 { head; body; } > some/plain.zmx
 { head; body; } | iconv -t UTF-16LE > some/wide.zmx
 { head; body STANDARD '  USAP a.uda\n  UDAD b.uda\n'; } > some/deep/blocked.zmx
-{ head; printf 'GFAC 1 2\n'; body DGRATING '  WXYZ 1\n'; } > some/deep/er/grating.zmx
+{ head; printf 'VCYN 0 0.1\n'; body DGRATING '  WXYZ 1\n'; } > some/deep/er/grating.zmx
 { head; body STANDARD '' 'NOSUCH 0 0 1.5 40'; } | sed 's/^SURF 2/&\n  GLAS OTHER 0 0 1.5 40/; s/^SURF 3/SURF 3\n  GLAS THIRD 0 0 1.6 50\nSURF 5/' > some/deep/er/glass.zmx
 { head; body STANDARD '  USAP a.uda\n'; } | sed 's/^SURF 2/&\n  TYPE NONSEQCO/' > some/mixed.zmx
 { head; body USERSURF; } > some/dll.zmx

@@ -383,6 +383,9 @@ def slope(row):
     raise ValueError(formula)
 
 
+NO_MATTER = ("N15", "VACUUM")  # one index for all light; the reciprocal of that of air
+
+
 def dispersion_faults(row):
     """Transparent matter has normal dispersion: n falls all over the range, without a pole."""
     low, high = UNSTATED if row["from_um"] == "-" else (float(row["from_um"]),
@@ -393,7 +396,7 @@ def dispersion_faults(row):
         poles.append(math.sqrt(0.028))
     faults = [f"has a pole at {pole:.4g} um, inside of its range" for pole in poles
               if low <= pole <= high]
-    if faults or resonances and all(b >= 0 and r >= 0 for b, r in resonances):
+    if row["name"] in NO_MATTER or faults or resonances and all(b >= 0 and r >= 0 for b, r in resonances):
         return faults  # each term of such a sum falls
     of = slope(row)
     rising = [l for l in (low + (high - low) * i / STEPS for i in range(STEPS + 1)) if not of(l) < 0]
@@ -437,8 +440,10 @@ def check_aliases(path, rows):
                 faults.append(f"'{row['alias']}' is a catalogue or stands for none")
         elif ":" in row["alias"]:  # a homonym
             own, word = row["alias"].split(":")
-            if key(word) not in glasses.get(own, ()) or key(name) not in glasses.get(catalog, ()):
-                faults.append(f"'{row['alias']}' or '{row['material']}' is in no catalogue")
+            if own not in glasses or key(name) not in glasses.get(catalog, ()):
+                faults.append(f"'{row['material']}', or the catalogue {own}, is not there")
+            elif not any(key(word) in names for names in glasses.values()):
+                faults.append(f"no glass is called '{word}'")
         else:
             if key(name) not in glasses.get(catalog, ()):
                 faults.append(f"'{row['material']}' is in no catalogue")

@@ -120,6 +120,10 @@ bool zemax_set_aperture(struct zemax_file *file, const struct zemax_surface *fro
     struct aperture *aperture = ARENA_NEW(file->job->arena, struct aperture);
     *aperture = aperture_of(words[word].shape, words[word].blocks);
     bool sound = set_sizes(file, line, aperture);
+    if (sound && aperture->blocks && aperture->shape != SHAPE_SPIDER &&
+        line->numbers[0].value.hi == 0 && line->numbers[1].value.hi == 0) {
+        return true; /* it blocks nothing */
+    }
     shift_aperture(file, shift, aperture);
     if (!sound || !aperture_check(aperture, &wrong)) {
         return zemax_loss(file, line, error,

@@ -195,7 +195,10 @@ static bool read_vignetting(struct zemax_file *file, struct text keyword, struct
     return zemax_all_numbers(line, error);
 }
 
-/* GFAC type factor: 0 is an even pupil, as is a Gaussian, 1, of the factor 0. */
+/*
+ * GFAC type factor: 0 is an even pupil, as is a Gaussian, 1, of the factor 0. Another one moves no
+ * ray and stops none: a note keeps the weights that the rays have there.
+ */
 static bool read_apodisation(struct zemax_file *file, struct text keyword, struct error *error)
 {
     const struct zemax_line *line = zemax_line_of(file, keyword, NUMBER_UNSCALED);
@@ -203,8 +206,11 @@ static bool read_apodisation(struct zemax_file *file, struct text keyword, struc
     if (!zemax_all_numbers(line, error)) {
         return false;
     }
-    return type == 0 || (type == 1 && zemax_number(line, 1) == 0) ||
-           zemax_loss(file, line, error, "GFAC: lenscalc has no apodised pupil" LOSS_VIGNETTES);
+    if (type != 0 && !(type == 1 && zemax_number(line, 1) == 0)) {
+        zemax_remark(file, "apodisation of the pupil, GFAC %g %g: here its rays weigh the same",
+                     type, zemax_number(line, 1));
+    }
+    return true;
 }
 
 /* ENVD temperature pressure adjust */
