@@ -14,6 +14,7 @@ import math
 import os
 import re
 import sys
+import tempfile
 from concurrent.futures import ThreadPoolExecutor
 from decimal import Decimal
 
@@ -24,6 +25,7 @@ import import_files
 from harness import ROOT, SHARED, Checks, Program
 
 FOLDER = os.path.join(SHARED, "data/import")
+STUDIO = os.path.join(SHARED, "reference/opticstudio")
 GLASSES = os.path.join(SHARED, "data/glass/glass.tsv")
 
 
@@ -210,8 +212,59 @@ def check_roundtrips(checks, program):
         print("refused:", refused, "of", len(names))
 
 
+def schott_of(table):
+    """a0, a1, a2 of n^2 = a0 + a1 l^2 + a2/l^2 through the indices at three wavelengths, um."""
+    rows = [[1, l * l, 1 / (l * l), n * n] for l, n in table]
+    for i in range(3):
+        rows[i] = [x / rows[i][i] for x in rows[i]]
+        for k in range(3):
+            if k != i:
+                rows[k] = [x - rows[k][i] * y for x, y in zip(rows[k], rows[i])]
+    return [row[3] for row in rows]
+
+
+def check_left_overs(checks, program):
+    """
+    What OpticStudio prints of a lens whose lines GLAS have the numbers of former model glasses: the
+    lens as a .zmx file with such numbers has that focal length, and another one by the numbers.
+    """
+    with open(os.path.join(STUDIO, "studio.lens"), encoding="utf-8") as file:
+        lens = file.read()
+    with open(os.path.join(STUDIO, "figures.json"), encoding="utf-8") as file:
+        printed = next(one["opticstudio"] for one in json.load(file)["figures"]
+                       if one["quantity"] == "EFL")
+    with tempfile.TemporaryDirectory(prefix="lenscalc-import-") as folder:
+        def write(name, text):
+            with open(os.path.join(folder, name), "w", encoding="utf-8", newline="") as file:
+                file.write(text)
+        agf = ""
+        for i, table in enumerate(re.findall(r"\{.*?\}", lens)):
+            pairs = [(float(l) / 1000, float(n)) for l, n in re.findall(r"([\d.]+)nm ([\d.]+)", table)]
+            agf += f"NM T{i} 1 0 1.6 50 0\nCD {' '.join(map(repr, schott_of(pairs)))} 0 0 0\nLD 0.4 0.7\n"
+            lens = lens.replace(table, f"OWN:T{i}")
+        write("own.agf", agf)
+        write("own.lens", lens)
+        plain = program.run("convert", "own.lens", "--to", "zmx", "--agf", "own.agf", cwd=folder)
+        numbers = re.sub(rb"(GLAS \S+ 0 0) \S+ \S+", rb"\1 1.6 40", plain.stdout)
+        checks.check(plain.returncode == 0 and numbers.count(b" 1.6 40") == 11, "studio.lens as .zmx")
+        write("own.zmx", numbers.decode())
+        found = {}
+        for which in ("file", "line", "catalog"):
+            # by the numbers the last solve contradicts the lens, which is a loss
+            row = first_row(program.run("lens", "./own.zmx", "--json", "--agf", "own.agf", "--lossy",
+                                        "--glass-numbers", which, cwd=folder))
+            found[which] = row["efl_mm"] if row is not None else float("nan")
+        checks.check(abs(found["file"] - float(printed)) <= 5e-6 and found["catalog"] == found["file"],
+                     f"left-overs beside the glasses: {found}, OpticStudio {printed}")
+        checks.check(abs(found["line"] - float(printed)) > 0.1, f"--glass-numbers line: {found}")
+
+
 def main():
     checks, program = Checks(), Program(sys.argv[1])
+    if os.path.isdir(STUDIO):
+        check_left_overs(checks, program)
+    else:
+        print("skipped: left-overs beside glasses (no ../shared/reference/opticstudio)")
     if os.path.isdir(FOLDER) and os.path.exists(GLASSES):
         glasses = {f"{row['catalog']}:{row['name']}": row for row in read_tsv(GLASSES)}
         rows = read_tsv(os.path.join(ROOT, "tests/truth/import.tsv"))

@@ -88,6 +88,14 @@ static const struct meaning of_surfaces[] = {
     {"STO", "STO\nGLA F2_SCHOTT", "surface 50 4 SCHOTT:F2 - stop"},
     {"STO", "STO\nPRV;PWL 500;F2 1.7;S1 1.6;Z1 1.8;END;GLA F2", "surface 50 4 1.7 - stop"},
     {"STO", "STO\nPRV;PWL 500;F2 1.7;S1 1.6;Z1 1.8;END;GLA S1 S1", "surface 50 4 1.6 - stop"},
+    /* a private glass by the name of a catalogue's: n_F of N-BK7 is 1.52238 */
+    {"STO", "STO\nPRV;PWL 486.1327;'NBK7_SCHOTT' 1.6;END;GLA 'NBK7_SCHOTT'",
+     "surface 50 4 1.6 - stop"},
+    {"STO", "STO\nPRV;PWL 486.1327;'NBK7_SCHOTT' 1.6;END;GLA 'NBK7_SCHOTT'",
+     "note the glass 'NBK7_SCHOTT' is SCHOTT:N-BK7 of the index 1.522376 at 0.486133 um, beside "
+     "which the file has 1.6: the file's indices are used"},
+    {"STO", "STO\nPRV;PWL 486.1327;'NBK7_SCHOTT' 1.52238;END;GLA 'NBK7_SCHOTT'",
+     "lens Singlet\nunit mm"}, /* rounded: no note */
     {"STO", "STO\nPRV;PWL 500;'ENDER' 1.7;'PWL' 1.6;END;GLA ENDER", "surface 50 4 1.7 - stop"},
     {"GO", "SLB S2 F1", "surface -50 90 air - name=\"F1\""},
     {"GO", "CIR S1..2 6;THI S1..S2 5", "surface 50 5 1.517/64.2 12 stop\nsurface -50 5 air 12"},

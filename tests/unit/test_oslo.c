@@ -68,6 +68,12 @@ static const struct meaning of_surfaces[] = {
     {"GLA 1.5", "GLA MOD 1.6 50", "surface 50 4 1.6/50 - stop"},
     {"GLA 1.5", "GLA MOD MINE 1.6 50", "surface 50 4 1.6/50 - stop"},
     {"GLA 1.5", "GLA MINE 1.55", "surface 50 4 1.55 - stop"},
+    /* indices count, whatever glass has the name; SCHOTT prints nd = 1.51680, 1.80518 */
+    {"GLA 1.5", "GLA BK7 1.6", "surface 50 4 1.6 - stop"},
+    {"GLA 1.5", "GLA BK7 1.6",
+     "note the glass 'BK7' is SCHOTT:BK7 of the index 1.5168 at 0.587562 um, beside which the file "
+     "has 1.6: the file's indices are used"},
+    {"GLA 1.5", "GLA BK7 1.5168", "lens Singlet\nunit mm"}, /* rounded: no note */
     {"WV 0.5875618\nTH 1e20\nNXT\nRD 50\nTH 4\nGLA 1.5",
      "WV 0.5 0.6\nTH 1e20\nNXT\nRD 50\nTH 4\nGLA MINE 1.52 1.51",
      "surface 50 4 {0.5um 1.52, 0.6um 1.51} - stop"},

@@ -18,10 +18,13 @@ enum { CODEV_MOST_VALUES = 100 }; /* fields, wavelengths or positions */
 /* Beside the EPD of a lens whose stop rules the aperture. */
 #define CODEV_STOP_RULES "the stop's diameter rules, not EPD"
 
-/* A glass of the file's own catalogue: PRV .. END. */
+/* A glass of the file's own catalogue, PRV .. END, and where its indices are. */
 struct codev_private {
     struct command_word name;
-    const char *medium; /* as a .lens file has it; null = a formula that is not known */
+    const char *medium;        /* as a .lens file has it; null = a formula that is not known */
+    const double *wavelengths; /* um */
+    size_t count;
+    double rounding; /* of the indices */
 };
 
 /* What XAN, YAN and WTF list of the fields. */

@@ -2,8 +2,10 @@
 /* SPDX-License-Identifier: MIT */
 #include "exchange/codev/codev.h"
 
+#include "exchange/own_glass.h"
 #include "file/decimal.h"
 
+#include <math.h>
 #include <string.h>
 
 bool codev_catalog(struct codev *codev, int what, struct error *error)
@@ -69,7 +71,7 @@ bool codev_private_glass(struct codev *codev, struct error *error)
     codev->privates = arena_grow(commands->job->arena, codev->privates, codev->private_count,
                                  &codev->private_room, sizeof codev->privates[0]);
     struct codev_private *one = &codev->privates[codev->private_count++];
-    *one = (struct codev_private){commands->words[0], NULL};
+    *one = (struct codev_private){.name = commands->words[0]};
     const struct command_word first = commands_word(commands, 1);
     bool is_formula =
         first.text.length > 0 && !char_is_digit(first.text.start[0]) && first.text.start[0] != '.';
@@ -81,12 +83,19 @@ bool codev_private_glass(struct codev *codev, struct error *error)
                              "%zu indices for %zu wavelengths of PWL", count,
                              codev->catalog_wave_count);
     }
+    double *wavelengths = ARENA_ARRAY(commands->job->arena, count, double);
     for (size_t i = 1; i <= count; i++) {
+        const struct text nm = codev->catalog_waves[i - 1].text;
         struct figure index;
         if (!commands_figure(commands, i, (struct number_scale){1, 0}, "index", &index, error)) {
             return false;
         }
+        number_read(nm.start, nm.start + nm.length, (struct number_scale){1, -3},
+                    &wavelengths[i - 1]);
+        one->rounding = fmax(one->rounding, own_glass_rounding(&index));
     }
+    one->wavelengths = wavelengths;
+    one->count = count;
     one->medium = table_of(codev, count);
     return true;
 }
@@ -148,6 +157,45 @@ static const char *medium_of_numbers(struct text text, struct arena *arena)
                : NULL;
 }
 
+/* NAME_CATALOG, or a name that one catalogue has; false with ERROR_NONE where there is none. */
+static bool catalog_glass(struct codev *codev, const struct file_words *place, struct text text,
+                          struct medium *medium, struct error *error)
+{
+    size_t cut = text.length;
+    while (cut > 0 && text.start[cut - 1] != '_') {
+        cut--;
+    }
+    const struct text catalog = {text.start + cut, text.length - cut};
+    const struct foreign_name named = {.name = {text.start, cut > 1 ? cut - 1 : text.length},
+                                       .catalogs = &catalog,
+                                       .catalog_count = cut > 1};
+    return foreign_glass(codev->job, place, &named, medium, error);
+}
+
+/* A private glass may have the name of a catalogue's. */
+static bool compare_private(struct codev *codev, const struct codev_private *own,
+                            struct sequence_surface *surface, struct error *error)
+{
+    const struct own_glass glass = {.job = codev->job,
+                                    .build = &codev->build,
+                                    .name = surface->glass.text,
+                                    .wavelengths = own->wavelengths,
+                                    .count = own->count,
+                                    .rounding = own->rounding};
+    const struct file_words place = commands_place(&codev->commands, &surface->glass);
+    struct medium found;
+    if (codev->job->glasses == NULL) {
+        return true;
+    }
+    if (catalog_glass(codev, &place, surface->glass.text, &found, error)) {
+        own_glass_compare(&glass, &found, &surface->medium);
+        return true;
+    }
+    const bool of_catalog = codev->job->glass_numbers == GLASS_NUMBERS_CATALOG;
+    error->code = of_catalog ? error->code : ERROR_NONE;
+    return error->code == ERROR_NONE;
+}
+
 bool codev_find_glass(struct codev *codev, struct sequence_surface *surface, struct error *error)
 {
     struct arena *arena = codev->job->arena;
@@ -165,17 +213,10 @@ bool codev_find_glass(struct codev *codev, struct sequence_surface *surface, str
     const char *made = own != NULL ? own->medium : medium_of_numbers(text, arena);
     made = made != NULL ? made : medium_of_code(text, arena);
     if (made != NULL) {
-        return sequence_medium(&codev->commands, &surface->glass, made, &surface->medium, error);
+        return sequence_medium(&codev->commands, &surface->glass, made, &surface->medium, error) &&
+               (own == NULL || compare_private(codev, own, surface, error));
     }
-    size_t cut = text.length;
-    while (cut > 0 && text.start[cut - 1] != '_') {
-        cut--;
-    }
-    const struct text catalog = {text.start + cut, text.length - cut};
-    const struct foreign_name named = {.name = {text.start, cut > 1 ? cut - 1 : text.length},
-                                       .catalogs = &catalog,
-                                       .catalog_count = cut > 1};
-    if (foreign_glass(codev->job, &place, &named, &surface->medium, error)) {
+    if (catalog_glass(codev, &place, text, &surface->medium, error)) {
         return true;
     }
     return error->code == ERROR_NONE &&

@@ -392,4 +392,5 @@ const struct foreign_format codev_format = {.type = {{"seq", "CODE V"}, ".seq"},
                                             .write = codev_write,
                                             .words = codev_words,
                                             .has_settings = true,
-                                            .has_apertures = true};
+                                            .has_apertures = true,
+                                            .has_glass_numbers = true};

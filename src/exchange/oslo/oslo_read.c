@@ -586,4 +586,5 @@ const struct foreign_format oslo_format = {.type = {{"len", "OSLO"}, ".len"},
                                            .read = oslo_read,
                                            .write = oslo_write,
                                            .has_apertures = true,
+                                           .has_glass_numbers = true,
                                            .words = oslo_words};

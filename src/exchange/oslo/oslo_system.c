@@ -1,6 +1,7 @@
 /* exchange/oslo/oslo_system.c - what an OSLO file says of the whole lens, and its glasses. */
 /* SPDX-License-Identifier: MIT */
 #include "exchange/oslo/oslo_reading.h"
+#include "exchange/own_glass.h"
 #include "file/decimal.h"
 #include "file/lens_words.h"
 #include "optics/wavelength.h"
@@ -204,14 +205,17 @@ static bool is_kept(const struct oslo *oslo, struct text word, struct foreign_na
             (rest.start != NULL && text_same_name(prefix, *catalog) && text_same_name(rest, name)));
 }
 
-/* A glass by name; those of Ohara and Hoya have a letter in front, those of Schott have none. */
-static bool find_glass(struct oslo *oslo, const struct command_word *word, struct error *error)
+/*
+ * A glass by name; those of Ohara and Hoya have a letter in front, those of Schott have none. False
+ * with ERROR_NONE where there is none.
+ */
+static bool catalog_glass(struct oslo *oslo, const struct command_word *word, struct medium *medium,
+                          struct error *error)
 {
     static const struct {
         const char *prefix, *catalog;
     } makers[] = {{"O_", "OHARA"}, {"H_", "HOYA"}, {"", "SCHOTT"}, {"", NULL}};
     const struct file_words place = commands_place(&oslo->commands, word);
-    struct medium *medium = &oslo->sequence.surfaces[oslo->surface].medium;
     struct foreign_name named;
     struct text catalog;
     bool kept = is_kept(oslo, word->text, &named, &catalog);
@@ -236,11 +240,63 @@ static bool find_glass(struct oslo *oslo, const struct command_word *word, struc
             return false;
         }
     }
+    return false;
+}
+
+static bool find_glass(struct oslo *oslo, const struct command_word *word, struct error *error)
+{
+    const struct file_words place = commands_place(&oslo->commands, word);
+    struct medium *medium = &oslo->sequence.surfaces[oslo->surface].medium;
+    error->code = ERROR_NONE;
+    if (catalog_glass(oslo, word, medium, error)) {
+        return true;
+    }
     return error->code == ERROR_NONE &&
            foreign_lack(oslo->job, &place, word->text, medium,
                         arena_printf(oslo->job->arena, "glass '%.*s' is in no catalogue",
                                      (int)(word->text.length < 60 ? word->text.length : 60),
                                      word->text.start));
+}
+
+/* Indices behind a name, which may be that of a catalogue's glass. */
+static bool compare_named(struct oslo *oslo, const struct command_word *word, struct error *error)
+{
+    static const double usual[] = {WAVELENGTH_D, 0.48613, 0.65627};
+    const size_t count = oslo->wave_count > 0 ? oslo->wave_count : 3;
+    double *wavelengths = ARENA_ARRAY(oslo->job->arena, count, double);
+    struct own_glass own = {.job = oslo->job,
+                            .build = &oslo->build,
+                            .name = word->text,
+                            .wavelengths = wavelengths,
+                            .count = count};
+    struct figure index;
+    struct medium found;
+    if (oslo->job->glasses == NULL) {
+        return true;
+    }
+    for (size_t i = 0; i < count; i++) {
+        wavelengths[i] = usual[i < 3 ? i : 0];
+        if (oslo->wave_count > 0) {
+            const struct text um = oslo->waves[i];
+            number_read(um.start, um.start + um.length, plain, &wavelengths[i]);
+        }
+    }
+    for (const struct command_word *one = word + 1;
+         one < oslo->commands.words + oslo->commands.count; one++) {
+        if (!commands_figure(&oslo->commands, (size_t)(one - oslo->commands.words), plain, "index",
+                             &index, error)) {
+            return false;
+        }
+        own.rounding = fmax(own.rounding, own_glass_rounding(&index));
+    }
+    error->code = ERROR_NONE;
+    if (catalog_glass(oslo, word, &found, error)) {
+        own_glass_compare(&own, &found, &oslo->sequence.surfaces[oslo->surface].medium);
+        return true;
+    }
+    const bool of_catalog = oslo->job->glass_numbers == GLASS_NUMBERS_CATALOG;
+    error->code = of_catalog ? error->code : ERROR_NONE;
+    return error->code == ERROR_NONE;
 }
 
 bool oslo_glass(struct oslo *oslo, int what, struct error *error)
@@ -259,7 +315,8 @@ bool oslo_glass(struct oslo *oslo, int what, struct error *error)
         return read_indices(oslo, first, is_model, error);
     }
     if (has_indices) {
-        return read_indices(oslo, first + 1, is_model, error);
+        return read_indices(oslo, first + 1, is_model, error) &&
+               compare_named(oslo, &oslo->commands.words[first], error);
     }
     return find_glass(oslo, &oslo->commands.words[first], error);
 }
