@@ -283,3 +283,58 @@ bool world_is_unoccluded(const struct world *world, const struct world_ray *ray)
     struct shape_hit any;
     return world_nearest(world, ray, true, &any) == SCENE_NONE;
 }
+
+/* -------- enclosed -------- */
+
+enum { DIRECTIONS = 256, PASSED_MOST = 16 };
+
+/* One of so many directions, evenly on a sphere, by the golden angle. */
+static struct vector direction_at(int i)
+{
+    const double up = (2 * i + 1.0) / DIRECTIONS - 1, wide = sqrt(1 - up * up);
+    const double turn = 2.39996322972865332 * i;
+    return (struct vector){wide * cos(turn), wide * sin(turn), up};
+}
+
+/* The things that a ray passes through one after the other, so many at most. */
+static size_t things_along(const struct world *world, struct world_ray ray,
+                           size_t things[PASSED_MOST])
+{
+    struct world_hit hit;
+    size_t count = 0;
+    while (count < PASSED_MOST && world_intersect(world, &ray, &hit)) {
+        things[count++] = hit.thing;
+        ray.origin = vector_along(hit.at, -hit.slack, hit.face);
+    }
+    return count;
+}
+
+static bool is_all_around(const struct world *world, struct world_ray ray, size_t thing)
+{
+    bool is_met = true;
+    for (int i = 1; i < DIRECTIONS && is_met; i++) {
+        size_t things[PASSED_MOST];
+        ray.direction = direction_at(i);
+        const size_t count = things_along(world, ray, things);
+        is_met = false;
+        for (size_t k = 0; k < count; k++) {
+            is_met = is_met || things[k] == thing;
+        }
+    }
+    return is_met;
+}
+
+bool world_encloses(const struct world *world, struct vector at, double time, size_t *thing)
+{
+    const struct world_ray ray = {
+        .origin = at, .direction = direction_at(0), .time = time, .farthest = INFINITY};
+    size_t things[PASSED_MOST];
+    const size_t count = things_along(world, ray, things);
+    for (size_t k = 0; k < count; k++) {
+        if (is_all_around(world, ray, things[k])) {
+            *thing = things[k];
+            return true;
+        }
+    }
+    return false;
+}

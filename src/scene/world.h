@@ -73,6 +73,15 @@ bool world_intersect(const struct world *world, const struct world_ray *ray, str
 bool world_is_unoccluded(const struct world *world, const struct world_ray *ray);
 
 /*
+ * The nearest thing that is all around a place: a box, say, that somebody stands in.
+ *
+ * Given     time   s
+ * Result    false: there is none, a gap in it that one of 256 directions has found, or sixteen other
+ *           surfaces before it
+ */
+bool world_encloses(const struct world *world, struct vector at, double time, size_t *thing);
+
+/*
  * Where a ray starts that leaves a surface to the side of its face: it doesn't meet that surface
  * where it left it.
  *

@@ -277,6 +277,26 @@ static void test_shapes(void)
     }
 }
 
+/* Within a box behind a ball that stands in it too, and outside; a square has no inside. */
+static void test_enclosed(void)
+{
+    struct scene_thing things[] = {thing_of(SHAPE_SPHERE, (struct vector){0, 0, 0}),
+                                   thing_of(SHAPE_BOX, (struct vector){0, 0, 0}),
+                                   thing_of(SHAPE_MESH, (struct vector){0, 0, 0})};
+    things[0].radius = 0.4;
+    things[2].mesh = &square;
+    const struct scene scene = {.things = things, .thing_count = 3};
+    struct arena arena = {0};
+    struct world world;
+    struct error error;
+    size_t which;
+    CHECK(world_open(&scene, whole, &arena, &world, &error));
+    CHECK(world_encloses(&world, (struct vector){0.7, 0.3, 1}, 0, &which) && which == 1);
+    CHECK(world_encloses(&world, (struct vector){0.1, 0.2, 0.1}, 0, &which) && which == 0);
+    CHECK(!world_encloses(&world, (struct vector){1.3, 0.3, 1}, 0, &which));
+    arena_free(&arena);
+}
+
 /* What turns by a quarter about z in a second, while it goes up by 3. */
 static void test_motion(void)
 {
@@ -371,6 +391,7 @@ int main(void)
 {
     test_normals();
     test_tiles();
+    test_enclosed();
     test_motion();
     test_shapes();
     return check_report();
