@@ -51,9 +51,38 @@ static bool read_unit(struct scene_reader *reader, struct text head, struct erro
     return file_words_end(&reader->words, error);
 }
 
+/* The words of --from, as lenscalc render has them; without one the camera's place. */
+static bool read_from(struct scene_reader *reader, const struct scene_line *line,
+                      enum scene_from *from, struct error *error)
+{
+    static const char *const words[SCENE_FROMS] = {[SCENE_FROM_ENTRANCE] = "entrance",
+                                                   [SCENE_FROM_PRINCIPAL] = "principal",
+                                                   [SCENE_FROM_SENSOR] = "sensor",
+                                                   [SCENE_FROM_FRONT] = "front"};
+    struct nearest nearest = {.typed = line->value[KEY_FROM]};
+    *from = SCENE_FROM_ENTRANCE;
+    if (!scene_line_has(line, KEY_FROM)) {
+        return true;
+    }
+    if (!scene_line_has(line, KEY_FOCUS)) {
+        return scene_line_fail(line, KEY_FROM, error, "from= needs focus=, which it counts");
+    }
+    for (int i = 0; i < SCENE_FROMS; i++) {
+        if (text_same(line->value[KEY_FROM], words[i])) {
+            *from = (enum scene_from)i;
+            return true;
+        }
+        nearest_offer(&nearest, text_of(words[i]));
+    }
+    scene_word_fail(&reader->words, line->value[KEY_FROM], &nearest,
+                    "from= is entrance, principal, sensor or front, not", error);
+    return false;
+}
+
 static bool read_camera(struct scene_reader *reader, struct text head, struct error *error)
 {
-    const struct scene_keys keys = {SCENE_MOTION_KEYS | SCENE_BIT(KEY_LOOK) | SCENE_BIT(KEY_FOCUS),
+    const struct scene_keys keys = {SCENE_MOTION_KEYS | SCENE_BIT(KEY_LOOK) | SCENE_BIT(KEY_FOCUS) |
+                                        SCENE_BIT(KEY_FROM),
                                     SCENE_BIT(KEY_AT)};
     struct scene_camera *camera = &reader->scene->camera;
     struct scene_line line;
@@ -66,7 +95,7 @@ static bool read_camera(struct scene_reader *reader, struct text head, struct er
         return false;
     }
     camera->distance = scene_line_has(&line, KEY_FOCUS) ? line.number[KEY_FOCUS][0] : NAN;
-    return true;
+    return read_from(reader, &line, &camera->from, error);
 }
 
 /* Things have words of their own, those of scene_shape_word. */

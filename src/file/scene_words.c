@@ -51,6 +51,7 @@ static const struct form {
                   5e7 * RADIANS_PER_DEGREE, "-5e7 deg/s to 5e7 deg/s"},
     [KEY_AXIS] = {"axis", &dimension_number, 3, 3, -1e9, 1e9, "-1e9 to 1e9"},
     [KEY_FOCUS] = {"focus", &dimension_length, 1, 1, SMALLEST, INFINITY, "1 nm to inf"},
+    [KEY_FROM] = {.name = "from"},
     [KEY_RADIUS] = {"radius", &dimension_length, 1, 1, SMALLEST, FARTHEST, "1 nm to 1e9 m"},
     [KEY_SIZE] = {"size", &dimension_length, 1, 3, SMALLEST, FARTHEST, "1 nm to 1e9 m"},
     [KEY_REPEAT] = {"repeat", &dimension_length, 1, 1, SMALLEST, FARTHEST, "1 nm to 1e9 m"},

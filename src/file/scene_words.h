@@ -21,6 +21,7 @@ enum scene_key {
     KEY_SPIN,
     KEY_AXIS,
     KEY_FOCUS,
+    KEY_FROM,
     KEY_RADIUS,
     KEY_SIZE,
     KEY_REPEAT,

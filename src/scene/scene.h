@@ -143,13 +143,23 @@ struct scene_light {
 
 /* -------- the camera -------- */
 
+/* Places of a camera that distances are counted from; the first is where it stands. */
+enum scene_from {
+    SCENE_FROM_ENTRANCE, /* the entrance pupil, `at` */
+    SCENE_FROM_PRINCIPAL,
+    SCENE_FROM_SENSOR,
+    SCENE_FROM_FRONT, /* the first vertex */
+    SCENE_FROMS
+};
+
 /*
  * The camera's own axes are x to the right, y up and z backwards; `at` is the centre of its
  * entrance pupil, about which the picture's perspective is.
  */
 struct scene_camera {
     struct scene_place where;
-    double distance; /* on which it is focused, from the front principal plane, mm; NaN: not said */
+    double distance;      /* on which it is focused, mm; NaN: not said */
+    enum scene_from from; /* where that is counted from */
 };
 
 struct scene {

@@ -9,6 +9,7 @@ that its way makes, by closed form; a camera that moves what a thing gives that 
 import json
 import math
 import os
+import re
 import struct
 import subprocess
 import sys
@@ -88,6 +89,38 @@ def check_card(fixture, pupil):
                          f"the same turned: {most_off(seen, turned):.3g} of white off")
 
 
+def check_focus(fixture, pupil):
+    """What focus= says counts from where the camera stands, unless its line says otherwise."""
+    words = "-t 0.01 --samples 16"
+    card = "card size=2,2 at=0,0,0 material=lamp\nbox size=0.1,0.1,0.1 at=0.2,0,0.2 material=lamp\n"
+    first = f"camera at=0,0,1m look=0,0,0 %s\n{LAMP}{card}"
+    for said, counted in (("focus=800mm", f"-s {800 - pupil}mm --from front"),
+                          ("focus=800mm from=entrance", f"-s {800 - pupil}mm --from front"),
+                          ("focus=800mm from=sensor", "-s 800mm --from sensor"),
+                          ("focus=800mm from=front", "-s 800mm --from front"),
+                          ("focus=800mm from=principal", "-s 800mm")):
+        by_scene = fixture.take(fixture.scene("said.scene", first % said), words)
+        by_option = fixture.take(fixture.scene("option.scene", first % ""), f"{words} {counted}")
+        fixture.checks.check(most_off(by_scene, by_option) < 1e-6,
+                             f"{said}: {most_off(by_scene, by_option):.3g} off {counted}")
+    # the answer says so, by whatever the lens is focused; a mirror lens has its pupil far behind
+    mirror = "mirror-tele-us5331467"
+    for lens, said, metres in ((LENS, "focus=0.8", 0.8), (mirror, "focus=20", 20),
+                               (mirror, "focus=20 from=front", None), (f"{LENS} --gap 1", "focus=5", 5),
+                               (f"{LENS} --model thin", "focus=5", 5)):
+        name = lens.split()[0]
+        row = json.loads(fixture.run(["lens", name, "--json"]))["rows"][0]
+        metres = metres or 20 + row["entrance_pupil_mm"] / 1000
+        fixture.scene("far.scene", first % said)
+        shot = ["render", "far.scene", "--lens", *lens.split(), "--size", "6x4", "--samples", "1",
+                "-t", "1", "-o", "far.png"]
+        result = subprocess.run(fixture.program.command + shot, cwd=fixture.folder, text=True,
+                                capture_output=True, env=fixture.program.environment())
+        found = re.search(r"in focus: ([0-9.]+) m from the camera's place", result.stderr)
+        fixture.checks.check(found and abs(float(found[1]) - metres) < 1e-5 * metres,
+                             f"{lens} {said}: {metres} m, {result.stderr}")
+
+
 def ramp(low, high, begin, end, steps=4000):
     """Share of time and of low .. high that lies within begin .. end + s, s evenly -0.1 .. 0.1."""
     total = 0
@@ -146,6 +179,7 @@ def main():
     with tempfile.TemporaryDirectory(prefix="lenscalc-view-") as folder:
         fixture = Fixture(sys.argv[1], checks, folder)
         check_card(fixture, first_order(fixture)["entrance_pupil_mm"])
+        check_focus(fixture, first_order(fixture)["entrance_pupil_mm"])
         check_ramp(fixture)
         check_opposite(fixture)
     return checks.finish()

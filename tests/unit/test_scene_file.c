@@ -107,6 +107,8 @@ static const struct {
     {"camera at=0,0,5 axis=0,1,0\n", 1, 22, "no spin="},
     {"camera at=0,0,5 spin=1 axis=0,0,0\n", 1, 29, "no length"},
     {"camera at=0,0,5 focus=0\n", 1, 23, "not within 1 nm to inf"},
+    {"camera at=0,0,5 from=sensor\n", 1, 22, "from= needs focus="},
+    {"camera at=0,0,5 focus=3 from=sensr\n", 1, 30, "from= is entrance, principal, sensor or"},
     {"camera at=0,0,5 at=0,0,4\n", 1, 17, "'at=' is there twice"},
     {"camera at=0,0,5 radius=4\n", 1, 17, "'radius=' does not belong to 'camera'"},
     {"camera at=0,0,5 loook=4\n", 1, 17, "unknown word 'loook=4'"},
@@ -206,7 +208,7 @@ static void check_numbers(void)
     struct scene scene;
     struct error error = {0};
     CHECK(read_text("\xef\xbb\xbfscene  Things # of all kinds\r\nunit cm\r\n"
-                    "camera at=0,1m,2ft look=0,1m,-3 focus=inf move=1,2m/s,36km/h\r\n"
+                    "camera at=0,1m,2ft look=0,1m,-3 focus=inf from=front move=1,2m/s,36km/h\r\n"
                     "colour leaf srgb=#0080ff\r\n"
                     "material skin glossy colour=leaf roughness=0.2\r\n"
                     "material lamp black luminance=5000\r\n"
@@ -220,7 +222,8 @@ static void check_numbers(void)
     CHECK_TEXT(scene.title, "Things");
     CHECK(scene.material_count == 2 && scene.thing_count == 2 && scene.light_count == 4);
     const struct scene_camera *camera = &scene.camera;
-    CHECK(is_near(camera->where.at, 0, 1000, 609.6) && isinf(camera->distance));
+    CHECK(is_near(camera->where.at, 0, 1000, 609.6) && isinf(camera->distance) &&
+          camera->from == SCENE_FROM_FRONT);
     CHECK(is_near(camera->where.velocity, 10, 2000, 10000));
     CHECK(is_near(camera->where.turned.z, 0, 0, 1) && is_near(camera->where.turned.y, 0, 1, 0));
     const struct scene_material *skin = &scene.materials[0];

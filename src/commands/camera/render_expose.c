@@ -92,6 +92,11 @@ static bool exposure_of(const struct render_input *input, const struct render_sh
     const double full = saturation_exposure(iso), mean = colour_luminance(photograph->mean);
     const double white = shot->is_world ? 1 : render_white(input); /* its light is absolute */
     if (shot->is_world && isnan(input->time) && !(mean > 0)) {
+        if (shot->enclosed != NULL) {
+            return fail(error, ERROR_DOMAIN,
+                        "no light was found that reaches the film: %s, and no light comes in",
+                        shot->enclosed);
+        }
         fail(error, ERROR_DOMAIN, "no light was found that reaches the film: nothing to meter");
         return error_hint(error,
                           input->bounces == 0
@@ -212,9 +217,11 @@ static void add_warnings(const struct render_input *input, const struct render_s
     }
     if (clipping.most == 0 && !shot->photograph.is_incomplete) { /* else it is not there yet */
         const bool is_lit = colour_luminance(shot->photograph.mean) > 0;
-        growing_format(remarks, "warning: no light was found that reaches %s: all is black%s\n",
+        growing_format(remarks, "warning: no light was found that reaches %s: all is black%s%s\n",
                        input->crop != NULL ? "these pixels" : "the film",
-                       is_lit && input->crop == NULL ? ", and more --samples would find some" : "");
+                       is_lit && input->crop == NULL ? ", and more --samples would find some" : "",
+                       shot->enclosed != NULL ? arena_printf(remarks->arena, "; %s", shot->enclosed)
+                                              : "");
     }
     if (is_png && !render_senses(input)) {
         render_say_clipping(&clipping, remarks);

@@ -102,6 +102,9 @@ static void add_notes(const struct analysis_case *one, const struct picture_job 
     } else if (!isnan(input->distance)) {
         render_note(image, arena, "Distance", arena_printf(arena, "%.9g mm", input->distance));
     }
+    if (picture->world != NULL) {
+        render_note(image, arena, "In focus", render_focus_text(one, arena));
+    }
     const char *stars = picture->world != NULL ? render_stars_text(picture->world, arena) : NULL;
     if (stars != NULL) {
         render_note(image, arena, "Stars", stars);
@@ -133,6 +136,9 @@ static struct text doubts_of(const struct analysis_case *one, const struct pictu
     render_say_samples(input, photograph, &doubts);
     render_say_light(input, &doubts);
     if (picture->world != NULL) {
+        if (!isinf(render_object(one))) { /* who asks for infinity knows */
+            growing_format(&doubts, "in focus: %s\n", render_focus_text(one, doubts.arena));
+        }
         render_say_mean(question, photograph, &doubts);
         render_say_world(picture->world, &doubts);
     } else {
@@ -291,6 +297,7 @@ static bool take_picture(const struct analysis_case *one, void *context, struct 
         return true;
     }
     render_part_fill(&part, &shot.photograph);
+    shot.enclosed = picture->world != NULL ? picture->world->enclosed : NULL;
     finish(one, picture, &question, &shot);
     return expose_all(one, picture, question, &shot, error);
 }

@@ -167,6 +167,17 @@ static bool stand_clear(const struct render_world *world, const struct lens_room
     return error_hint(error, "move it, or the camera");
 }
 
+/* What the camera stands within, if that is closed: no light comes in. */
+static const char *enclosing_words(const struct render_world *world, struct arena *arena)
+{
+    const struct vector at = scene_pose_at(&world->scene.camera.where, 0).at;
+    size_t which;
+    return world_encloses(&world->world, at, 0, &which)
+               ? arena_printf(arena, "the camera stands within what line %zu of %.200s places",
+                              world->scene.things[which].place.line, world->scene.source)
+               : NULL;
+}
+
 /* -------- focus -------- */
 
 struct looking {
@@ -237,6 +248,55 @@ static bool find_distance(struct looking *looking, struct render_input *focused,
                 focused->autofocus);
 }
 
+static bool pupil_note(const struct analysis_case *one, void *context, struct error *error)
+{
+    (void)error;
+    *(double *)context = lens_room_pupil(one->setup);
+    return true;
+}
+
+/* The scene's distance counts from where it has the camera, which a lens moves as it focuses. */
+static bool focus_from_camera(const struct artifact_job *job, double distance,
+                              struct render_input *focused, struct error *error)
+{
+    enum { TURNS = 20 };
+    const double enough = 1e-12;
+    double pupil = 0, before = INFINITY;
+    focused->distance = NAN;
+    for (int turn = 0; turn < TURNS; turn++) {
+        if (!render_open(focused, NULL, job->run, pupil_note, &pupil, error)) {
+            return false;
+        }
+        focused->from = FROM_FRONT;
+        focused->distance = distance - pupil;
+        if (fabs(pupil - before) <= enough * distance) {
+            return true;
+        }
+        before = pupil;
+    }
+    return fail(error, ERROR_DOMAIN,
+                "focus=%.6g mm: the camera's place in the lens changes as it is focused", distance);
+}
+
+/* On what the scene says. */
+static bool focus_on_said(const struct artifact_job *job, const struct scene_camera *camera,
+                          struct render_input *focused, struct error *error)
+{
+    static const enum distance_from froms[SCENE_FROMS] = {
+        [SCENE_FROM_ENTRANCE] = FROM_ENTRANCE,
+        [SCENE_FROM_PRINCIPAL] = FROM_PRINCIPAL,
+        [SCENE_FROM_SENSOR] = FROM_SENSOR,
+        [SCENE_FROM_FRONT] = FROM_FRONT,
+    };
+    focused->distance = camera->distance;
+    if (isinf(camera->distance) || asking_given(job->asking, "from")) {
+        return true;
+    }
+    focused->from = froms[camera->from];
+    return camera->from != SCENE_FROM_ENTRANCE ||
+           focus_from_camera(job, camera->distance, focused, error);
+}
+
 bool render_world_focus(const struct artifact_job *job, struct render_world *world,
                         struct render_input *focused, struct error *error)
 {
@@ -247,8 +307,8 @@ bool render_world_focus(const struct artifact_job *job, struct render_world *wor
         return render_autofocus_place(input->autofocus, &looking.x, &looking.y, error) &&
                find_distance(&looking, focused, error);
     }
-    if (isnan(input->distance) && !is_fixed(input)) {
-        focused->distance = world->scene.camera.distance;
+    if (isnan(input->distance) && !is_fixed(input) && !isnan(world->scene.camera.distance)) {
+        return focus_on_said(job, &world->scene.camera, focused, error);
     }
     if (isnan(focused->distance) && asking_given(job->asking, "from")) {
         fail(error, ERROR_USAGE, "{--from} needs a distance");
@@ -335,6 +395,7 @@ bool render_world_open(const struct artifact_job *job, const struct analysis_cas
     if (!stand_clear(world, &room, span, error)) {
         return false;
     }
+    world->enclosed = enclosing_words(world, arena);
     put_filter(input, world);
     world->path = (struct path){.world = &world->world,
                                 .lights = &world->lights,
@@ -350,6 +411,37 @@ bool render_world_open(const struct artifact_job *job, const struct analysis_cas
 }
 
 /* -------- what is said of it -------- */
+
+/*
+ * The paraxial image of the film, from the first vertex towards the scene, mm; infinite at
+ * infinity, -infinite beyond: x x' = f f' from the focal points.
+ */
+static double in_focus(const struct analysis_case *one)
+{
+    const struct first_order *first = &one->setup->first;
+    const double object = render_object(one);
+    const double defocus = isnan(one->question->defocus) ? 0 : one->question->defocus;
+    if (!isnan(object) && defocus == 0) {
+        return object;
+    }
+    const double behind = (isnan(object) ? one->setup->image : first->image + defocus) - first->bfl;
+    const double product = first->front_focal * first->rear_focal;
+    if (behind < 0) {
+        return -INFINITY;
+    }
+    return behind > 0 ? -first->ffl - product / behind : (double)INFINITY;
+}
+
+const char *render_focus_text(const struct analysis_case *one, struct arena *arena)
+{
+    const struct setup *setup = one->setup;
+    const double object = in_focus(one), pupil = lens_room_pupil(setup);
+    const double film = object + setup->first.length + setup->image;
+    return isinf(object)
+               ? (object > 0 ? "infinity" : "nothing, the film stands before the focal point")
+               : arena_printf(arena, "%.6g m from the camera's place, %.6g m from the film",
+                              (object + pupil) / MM_PER_M, film / MM_PER_M);
+}
 
 /* Of each file once. */
 static void say_degenerate(const struct world *world, struct growing *remarks)

@@ -24,6 +24,7 @@ struct render_world {
     struct path path;
     struct view view;
     struct render_stars stars;
+    const char *enclosed; /* what the camera stands within, in words; null: nothing closed */
 };
 
 /* Errors: ERROR_USAGE: options that are of cards only; of a card those that are of scenes only */
@@ -40,7 +41,8 @@ bool render_world_read(const struct artifact_job *job, struct render_world *worl
                        struct error *error);
 
 /*
- * On what the lens is focused: as asked for, as the scene says, or on what is seen at a place.
+ * On what the lens is focused: as asked for, as the scene says, or on what is seen at a place. What
+ * the scene says counts from where it has the camera, unless its line or --from says otherwise.
  *
  * Given     focused  receives the input with the distance
  * Errors    ERROR_USAGE: nobody says; as render_open
@@ -60,6 +62,9 @@ bool render_world_open(const struct artifact_job *job, const struct analysis_cas
 
 /* Wavelengths of the lens in place of those of red, green and blue; as render_colours. */
 struct spectrum_value render_world_colours(const struct render_world *world, struct arena *arena);
+
+/* The plane in focus, as seen from where the scene has the camera, and from the film. */
+const char *render_focus_text(const struct analysis_case *one, struct arena *arena);
 
 /* What is to be known of it. */
 void render_say_world(const struct render_world *world, struct growing *remarks);
