@@ -76,8 +76,8 @@ bool world_is_unoccluded(const struct world *world, const struct world_ray *ray)
  * The nearest thing that is all around a place: a box, say, that somebody stands in.
  *
  * Given     time   s
- * Result    false: there is none, a gap in it that one of 256 directions has found, or sixteen other
- *           surfaces before it
+ * Result    false: there is none, a gap in it that one of 256 directions has found, or sixteen
+ *           other surfaces before it
  */
 bool world_encloses(const struct world *world, struct vector at, double time, size_t *thing);
 
