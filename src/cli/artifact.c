@@ -342,6 +342,13 @@ bool artifact_spares(const struct artifact_job *job, const char *path, struct er
     return true;
 }
 
+void artifacts_abandon(const struct artifacts *artifacts)
+{
+    for (size_t i = 0; i < artifacts->open; i++) {
+        output_abandon(&artifacts->sinks[i]);
+    }
+}
+
 bool artifacts_close(struct artifacts *artifacts, bool keep, struct error *error)
 {
     bool done = true;

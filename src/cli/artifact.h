@@ -147,6 +147,9 @@ bool artifacts_order(struct artifacts *artifacts, const struct artifact_setting 
 /* Make them. Errors as the artifact's `make`. */
 bool artifacts_make(const struct artifacts *artifacts, struct error *error);
 
+/* As output_abandon, of all that are open. */
+void artifacts_abandon(const struct artifacts *artifacts);
+
 /*
  * Their files appear, if `keep`; else none of them does.
  *

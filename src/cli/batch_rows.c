@@ -37,14 +37,17 @@ bool batch_refill(struct batch *batch, struct error *error)
     batch->at = batch->buffer;
     batch->end = batch->buffer + kept;
     ssize_t got;
+    interrupt_release();
     do {
         got = read(batch->descriptor, batch->buffer + kept, batch->capacity - kept);
     } while (got < 0 && errno == EINTR && !interrupt_came());
-    if (got < 0 && errno == EINTR) {
+    const int reason = errno;
+    interrupt_hold();
+    if (got < 0 && reason == EINTR) {
         return interrupt_fail(error);
     }
     if (got < 0) {
-        return fail(error, ERROR_IO, "cannot read %s: %s", batch->source, strerror(errno));
+        return fail(error, ERROR_IO, "cannot read %s: %s", batch->source, strerror(reason));
     }
     batch->at_end = got == 0;
     batch->end += got;

@@ -169,6 +169,18 @@ static bool order_artifacts(struct driver *driver, struct error *error)
                            driver->common.plot != NULL ? &column_plot : NULL, driver, error);
 }
 
+/* Files beside the answer may take long. */
+static bool make_artifacts(struct driver *driver, struct error *error)
+{
+    if (driver->is_inside) {
+        return artifacts_make(&driver->artifacts, error);
+    }
+    interrupt_release();
+    const bool done = artifacts_make(&driver->artifacts, error);
+    interrupt_hold();
+    return done;
+}
+
 static bool finish(struct driver *driver, struct error *error)
 {
     struct report *report = &driver->report;
@@ -185,7 +197,7 @@ static bool finish(struct driver *driver, struct error *error)
             driver->has_ended = true;
         }
     }
-    return !driver->has_answer || artifacts_make(&driver->artifacts, error);
+    return !driver->has_answer || make_artifacts(driver, error);
 }
 
 static bool prepare(struct driver *driver, int count, char **words, struct error *error)
@@ -217,7 +229,7 @@ static bool prepare(struct driver *driver, int count, char **words, struct error
                                .explain = driver->common.explain,
                                .kept = &driver->kept,
                                .db = &driver->db,
-                               .emit = rows_emit,
+                               .emit = driver->is_inside ? rows_emit : rows_emit_amid,
                                .driver = driver};
     driver->reader.nominal = driver->common.nominal;
     driver->asking = (struct asking){asked_given, asked_in_rows, driver};
@@ -351,8 +363,8 @@ static bool answer(struct driver *driver, struct error *error)
         driver->output.before_write = progress_make_way;
         driver->output.context = &driver->progress;
     }
-    if (driver->report.many || driver->command->keeps_best) {
-        interrupt_watch(); /* rows so far are worth something */
+    if (!driver->is_inside && (driver->report.many || driver->command->keeps_best)) {
+        interrupt_watch(rows_interrupted, driver); /* rows so far are worth something */
     }
     bool done = (driver->is_batch ? rows_of_batch(driver, error) : rows_of_sweep(driver, error)) &&
                 finish(driver, error);
@@ -377,11 +389,11 @@ static bool close_artifacts(struct driver *driver, bool done, struct error *erro
 }
 
 /* Make the artifacts of a command without rows, which may take long. */
-static bool make_artifacts(struct driver *driver, struct error *error)
+static bool make_answer(struct driver *driver, struct error *error)
 {
     progress_begin(&driver->progress, driver->command->name, rows_state, driver);
-    interrupt_watch(); /* what there is so far may be worth something */
-    const bool done = artifacts_make(&driver->artifacts, error);
+    interrupt_watch(rows_interrupted, driver); /* what there is so far may be worth something */
+    const bool done = make_artifacts(driver, error);
     progress_erase(&driver->progress);
     return done;
 }
@@ -395,7 +407,7 @@ static int answer_without_rows(struct driver *driver)
                     &error) &&
         sweep_check_single(&driver->sweep, driver->command, &error) &&
         idle_check(&driver->sweep, &driver->arguments, &driver->asking, driver->input, &error) &&
-        order_artifacts(driver, &error) && make_artifacts(driver, &error);
+        order_artifacts(driver, &error) && make_answer(driver, &error);
     driver->has_answer = done;
     done = close_artifacts(driver, done, &error);
     if (done && driver->run.shortfall.code != ERROR_NONE) {

@@ -2,30 +2,131 @@
 /* SPDX-License-Identifier: MIT */
 #include "cli/interrupt.h"
 
+#include <errno.h>
+#include <pthread.h>
+#include <semaphore.h>
 #include <signal.h>
+#include <stdatomic.h>
 #include <stddef.h>
+#include <time.h>
+#include <unistd.h>
 
-/* C has no other way for a signal's handler to tell anybody (C17 7.14.1.1). */
-static volatile sig_atomic_t came;
+/* What work gets to notice a signal: so long, of which so much in processors; on a machine that
+   others use, too, up to the most. Work that has noticed gets as long as files may take. s */
+static const double time_least = 0.3, busy_least = 0.2, time_most = 4, noticed_most = 30;
+
+/* C has no other way for a signal's handler to tell anybody: 0, or which (C17 7.14.1.1). */
+static atomic_int came;
+static sem_t arrived;
+
+/* Of the one thread that looks after it. */
+static struct watcher {
+    bool is_there;
+    interrupt_break_off *break_off;
+    void *context;
+} watcher;
+static atomic_bool is_noticed;
+static pthread_mutex_t answer = PTHREAD_MUTEX_INITIALIZER;
 
 static void note(int signal)
 {
-    (void)signal;
-    came = 1;
+    const int before = errno;
+    atomic_store(&came, signal);
+    sem_post(&arrived);
+    errno = before;
 }
 
-void interrupt_watch(void)
+/* s */
+static double clock_of(clockid_t which)
 {
-    struct sigaction before, action = {.sa_handler = note, .sa_flags = (int)SA_RESETHAND};
-    sigemptyset(&action.sa_mask);
-    if (sigaction(SIGINT, &action, &before) == 0 && before.sa_handler == SIG_IGN) {
-        sigaction(SIGINT, &before, NULL);
+    struct timespec time;
+    clock_gettime(which, &time);
+    return (double)time.tv_sec + 1e-9 * (double)time.tv_nsec;
+}
+
+/* Until the work has had its time. */
+static void wait_for_work(void)
+{
+    const struct timespec a_while = {0, 20 * 1000 * 1000};
+    const double began = clock_of(CLOCK_MONOTONIC), before = clock_of(CLOCK_PROCESS_CPUTIME_ID);
+    for (bool is_over = false; !is_over;) {
+        nanosleep(&a_while, NULL);
+        const double time = clock_of(CLOCK_MONOTONIC) - began;
+        const double busy = clock_of(CLOCK_PROCESS_CPUTIME_ID) - before;
+        is_over = atomic_load(&is_noticed)
+                      ? time > noticed_most
+                      : time > time_most || (time > time_least && busy > busy_least);
+    }
+}
+
+/* The answer is not being written then, unless nobody reads what is. */
+static void *end_work(void *argument)
+{
+    const struct watcher *own = argument;
+    struct timespec until;
+    while (sem_wait(&arrived) != 0) {
+    }
+    wait_for_work();
+    clock_gettime(CLOCK_REALTIME, &until);
+    until.tv_sec++;
+    if (pthread_mutex_timedlock(&answer, &until) == 0) {
+        own->break_off(own->context);
+    }
+    signal(atomic_load(&came), SIG_DFL);
+    kill(getpid(), atomic_load(&came));
+    return NULL;
+}
+
+/* Signals are for the others: system calls of these return. */
+static bool start_watcher(void)
+{
+    pthread_t thread;
+    sigset_t all, before;
+    sigfillset(&all);
+    pthread_sigmask(SIG_SETMASK, &all, &before);
+    const bool done = sem_init(&arrived, 0, 0) == 0 &&
+                      pthread_create(&thread, NULL, end_work, &watcher) == 0 &&
+                      pthread_detach(thread) == 0;
+    pthread_sigmask(SIG_SETMASK, &before, NULL);
+    return done;
+}
+
+void interrupt_watch(interrupt_break_off *break_off, void *context)
+{
+    static const int signals[] = {SIGINT, SIGTERM};
+    watcher = (struct watcher){true, break_off, context};
+    pthread_mutex_lock(&answer);
+    watcher.is_there = start_watcher();
+    for (size_t i = 0; i < sizeof signals / sizeof signals[0]; i++) {
+        struct sigaction before, action = {.sa_handler = note, .sa_flags = (int)SA_RESETHAND};
+        sigemptyset(&action.sa_mask);
+        if (sigaction(signals[i], &action, &before) == 0 && before.sa_handler == SIG_IGN) {
+            sigaction(signals[i], &before, NULL);
+        }
+    }
+}
+
+void interrupt_release(void)
+{
+    if (watcher.is_there) {
+        pthread_mutex_unlock(&answer);
+    }
+}
+
+void interrupt_hold(void)
+{
+    if (watcher.is_there) {
+        pthread_mutex_lock(&answer);
     }
 }
 
 bool interrupt_came(void)
 {
-    return came != 0;
+    const bool is_there = atomic_load(&came) != 0;
+    if (is_there) {
+        atomic_store(&is_noticed, true);
+    }
+    return is_there;
 }
 
 bool interrupt_fail(struct error *error)

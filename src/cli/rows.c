@@ -8,6 +8,7 @@
 
 #include <math.h>
 #include <string.h>
+#include <unistd.h>
 
 /* All rows have the columns of the first input. */
 bool rows_check_sheet(const struct driver *driver, struct error *error)
@@ -78,6 +79,15 @@ bool rows_emit(struct run *run, const void *row)
     }
     progress_row(&driver->progress);
     return is_going(driver);
+}
+
+/* A command's row, amid its work. */
+bool rows_emit_amid(struct run *run, const void *row)
+{
+    interrupt_hold();
+    const bool is_going_on = rows_emit(run, row);
+    interrupt_release();
+    return is_going_on;
 }
 
 static bool is_same(const struct error *a, const struct error *b)
@@ -164,7 +174,7 @@ void rows_break_off(struct driver *driver, struct error *failure)
     }
     if (!driver->is_broken_off && has_place(report)) {
         struct passed_cell *none =
-            ARENA_ARRAY(&driver->arena, report->passed_count + 1, struct passed_cell);
+            ARENA_ARRAY(report->arena, report->passed_count + 1, struct passed_cell);
         for (size_t i = 0; i < report->passed_count; i++) {
             none[i] = (struct passed_cell){.text = text_of(""), .is_bare = true};
         }
@@ -172,6 +182,27 @@ void rows_break_off(struct driver *driver, struct error *failure)
     }
     report->format->end(report);
     output_flush(&driver->output);
+}
+
+void rows_interrupted(void *context)
+{
+    struct driver *driver = context;
+    struct arena arena = {0};
+    struct error error, ignored;
+    if (driver->begun) {
+        interrupt_fail(&error);
+    } else {
+        fail(&error, ERROR_DOMAIN, "interrupted before anything was complete");
+    }
+    progress_erase(&driver->progress);
+    if (driver->is_open) {
+        driver->report.arena = &arena;
+        rows_break_off(driver, &error);
+        output_close(&driver->output, false, &ignored);
+    }
+    artifacts_abandon(&driver->artifacts);
+    complain(&error, &driver->arguments, &driver->batch);
+    _exit(ERROR_DOMAIN);
 }
 
 struct progress_state rows_state(const void *context)
@@ -195,6 +226,21 @@ static void count_answer(struct driver *driver, bool done, struct error *shortfa
     driver->has_answer = driver->has_answer || done;
 }
 
+/* Work that can be broken off: all but that for another command, whose answer is held by that. */
+static void compute_begin(const struct driver *driver)
+{
+    if (!driver->is_inside) {
+        interrupt_release();
+    }
+}
+
+static void compute_end(const struct driver *driver)
+{
+    if (!driver->is_inside) {
+        interrupt_hold();
+    }
+}
+
 static bool run_one(struct driver *driver, struct error *error)
 {
     driver->answered = driver->input;
@@ -203,7 +249,9 @@ static bool run_one(struct driver *driver, struct error *error)
         return false;
     }
     driver->run.shortfall.code = ERROR_NONE;
+    compute_begin(driver);
     bool done = driver->command->run(driver->input, &driver->run, error);
+    compute_end(driver);
     count_answer(driver, done, &driver->run.shortfall);
     return done;
 }
@@ -270,7 +318,9 @@ static bool rows_by_team(struct driver *driver, struct error *error)
                 !sweep_recall(&driver->sweep, done + k, driver->input, &answers[k].error);
             memcpy(answers[k].input, driver->input, size);
         }
+        compute_begin(driver);
         team_answer(driver->team, answers, here);
+        compute_end(driver);
         for (size_t k = 0; k < here && is_going(driver); k++) {
             driver->index = done + k;
             if (!take_answer(driver, &answers[k], error)) {
@@ -309,7 +359,9 @@ static bool flush_queue(struct driver *driver, struct error *error)
 {
     struct queue *queue = &driver->queue;
     bool going = true;
+    compute_begin(driver);
     queue_run(queue, driver->command, &driver->run);
+    compute_end(driver);
     for (size_t i = 0; i < queue->count && going && driver->output.failure == 0; i++) {
         driver->passed = queue_passed(queue, i);
         driver->answered = queue_input(queue, i);

@@ -64,8 +64,11 @@ bool rows_check_sheet(const struct driver *driver, struct error *error);
 /* The head of the output, before its first row. */
 void rows_begin(struct driver *driver);
 
-/* What `run` hands its rows to. */
+/* A row of the answer. */
 bool rows_emit(struct run *run, const void *row);
+
+/* What `run` hands its rows to, in the middle of work that can be broken off. */
+bool rows_emit_amid(struct run *run, const void *row);
 
 /*
  * Answer every combination of a sweep, or every row of a batch. One that fails keeps its place and
@@ -81,5 +84,12 @@ void rows_break_off(struct driver *driver, struct error *failure);
 
 /* How far they are. */
 struct progress_state rows_state(const void *driver);
+
+/*
+ * End the program in the middle of work that has not noticed an interrupt: the rows so far are the
+ * answer, and files that are not complete do not appear. The work goes on meanwhile, in arenas of
+ * its own.
+ */
+void rows_interrupted(void *context);
 
 #endif

@@ -382,6 +382,26 @@ static bool fail_written(const struct output *output, struct error *error)
                 "cannot write to standard output: %s", strerror(output->failure));
 }
 
+void output_abandon(const struct output *output)
+{
+    if (output->is_renamed && !output->is_nameless) {
+        unlink(output->beside);
+    }
+}
+
+const char *output_set_aside(struct output *output)
+{
+    if (!output->is_renamed) {
+        return NULL;
+    }
+    const char *name = strrchr(output->path, '/'), *ending = strrchr(output->path, '.');
+    name = name != NULL ? name + 1 : output->path;
+    ending = ending != NULL && ending > name ? ending : output->path + strlen(output->path);
+    output->path = arena_printf(output->arena, "%.*s-incomplete%s", (int)(ending - output->path),
+                                output->path, ending);
+    return output->path;
+}
+
 bool output_close(struct output *output, bool keep, struct error *error)
 {
     keep = keep && !output->is_unused;

@@ -90,6 +90,17 @@ void output_styled(struct output *output, enum style style, const char *string);
 /* Hand over what is buffered now, so that a reader of the pipe sees it. */
 void output_flush(struct output *output);
 
+/* Take away what has a name of a file that is not finished, while another thread writes to it. */
+void output_abandon(const struct output *output);
+
+/*
+ * Have a file that is not complete appear beside the one it was to be: "x-incomplete.png" for
+ * "x.png", which stays as it is, or is not there.
+ *
+ * Result    its name, in the arena; null: it is written to where it stands already
+ */
+const char *output_set_aside(struct output *output);
+
 /*
  * Finish. With `keep` false, or after a failed write, a file is removed instead of renamed.
  *

@@ -501,6 +501,7 @@ struct render_shot {
     struct render_frame frame;
     struct photograph photograph; /* with notes of what is the same in all exposures */
     struct text doubts;           /* lines about the lens */
+    const char *aside;            /* the file of a picture that was interrupted; null: none */
     const char *enclosed;         /* what the camera of a scene stands within; null: nothing */
     bool is_world;                /* of a scene, whose light is not that of a white card */
     bool is_last;                 /* this exposure of it may use it up */

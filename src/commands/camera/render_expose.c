@@ -331,6 +331,10 @@ bool render_expose(const struct artifact_job *job, size_t which, const struct re
         output_text(sink, bytes.start, bytes.length);
     }
     growing_text(&kept, growing_done(&remarks));
+    if (shot->aside != NULL) {
+        growing_format(&kept, "%s is what there is of the picture that was interrupted\n",
+                       shot->aside);
+    }
     sink->remarks = growing_done(&kept);
     arena_free(&scratch);
     return done;

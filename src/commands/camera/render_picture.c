@@ -232,6 +232,9 @@ static bool expose_all(const struct analysis_case *one, struct picture_job *pict
                 finish(one, picture, &question, shot);
             }
         }
+        if (photograph->is_incomplete && job->run->parts == NULL) {
+            shot->aside = output_set_aside(&picture->sinks[i]);
+        }
         shot->is_last = i + 1 == job->count;
         shot->is_one_of_many = job->count > 1;
         shot->frame.number = i;

@@ -45,6 +45,7 @@ const struct file_type *render_ray_types(size_t i)
 struct ray_writer {
     const struct ray_file *file;
     struct output *sink;
+    struct watch *watch; /* null: nobody looks */
 };
 
 static void write_names(const struct ray_writer *writer)
@@ -72,7 +73,6 @@ static bool write_rays(void *context, const struct lens_ray *rays, size_t count,
 {
     const struct ray_writer *writer = context;
     const char separator = writer->file->separator;
-    (void)error;
     for (size_t i = 0; i < count; i++) {
         double numbers[NUMBERS];
         char *to = output_reserve(writer->sink, NUMBERS * (NUMBER_LENGTH + 1));
@@ -87,7 +87,8 @@ static bool write_rays(void *context, const struct lens_ray *rays, size_t count,
         }
         output_advance(writer->sink, to);
     }
-    return true;
+    return watch_add(writer->watch, count) ||
+           fail(error, ERROR_DOMAIN, "interrupted: what would follow is missing");
 }
 
 /* One case, and where its rays go. */
@@ -110,13 +111,14 @@ static bool send_rays(const struct analysis_case *one, void *context, struct err
     const struct rays_job *rays_job = context;
     const struct artifact_job *job = rays_job->job;
     const struct render_input *input = job->inputs[0];
-    struct ray_writer writer = {file_of(job->type), rays_job->sink};
+    struct ray_writer writer = {file_of(job->type), rays_job->sink, job->run->watch};
     struct lens_rays result;
     struct lens_rays_question question = {.film = render_film(input, one),
                                           .samples = input->samples == 0 ? USUAL_RAYS
                                                                          : (uint64_t)input->samples,
                                           .seed = (uint64_t)input->seed};
     write_names(&writer);
+    watch_begin(writer.watch, "rays", question.samples);
     if (!render_acceptance(input, job->run->arena, &question.film.acceptance, error) ||
         !render_shutter(input, one, job->run->arena, &question.film.shutter, error) ||
         !lens_rays_make(&question, job->run->arena, write_rays, &writer, &result, error)) {
