@@ -121,6 +121,21 @@ def check_focus(fixture, pupil):
                              f"{lens} {said}: {metres} m, {result.stderr}")
 
 
+def check_box(fixture):
+    """A camera within a closed box is told which line is the box."""
+    fixture.scene("box.scene", "camera at=0,1,0 look=0,1,-1 focus=2\nmaterial grey lambert "
+                  "colour=0.5\nlight sky uniform luminance=1000\nplane at=0,0,0 normal=0,1,0 "
+                  "material=grey\nbox at=0,0,0 size=6,6,6 material=grey\n")
+    for more in ([], ["-t", "1/100"]):
+        result = subprocess.run([*fixture.program.command, "render", "box.scene", "--lens", LENS,
+                                 "--size", "6x4", "--samples", "4", "-o", "box.png", *more],
+                                cwd=fixture.folder, text=True, capture_output=True,
+                                env=fixture.program.environment())
+        fixture.checks.check(result.returncode == (0 if more else 1) and
+                             "within what line 5 of box.scene places" in result.stderr,
+                             f"box {more}: {result.stderr}")
+
+
 def ramp(low, high, begin, end, steps=4000):
     """Share of time and of low .. high that lies within begin .. end + s, s evenly -0.1 .. 0.1."""
     total = 0
@@ -180,6 +195,7 @@ def main():
         fixture = Fixture(sys.argv[1], checks, folder)
         check_card(fixture, first_order(fixture)["entrance_pupil_mm"])
         check_focus(fixture, first_order(fixture)["entrance_pupil_mm"])
+        check_box(fixture)
         check_ramp(fixture)
         check_opposite(fixture)
     return checks.finish()
