@@ -421,6 +421,23 @@ struct glass_search {
     bool has_other;
 };
 
+/* The numbers of the file have decided against the glass of an earlier catalogue. */
+static void warn_of_homonym(const struct glass_search *search)
+{
+    struct medium *medium = search->medium;
+    struct text rest = medium->written, other = search->other.written;
+    if (text_identical(text_cut(&rest, ':'), text_cut(&other, ':'))) {
+        return; /* another material of the same catalogue */
+    }
+    const char *warning =
+        arena_printf(search->job->arena, "%s: that is %.*s, which is used",
+                     foreign_difference(search->job, search->named, &search->other),
+                     text_shown(medium->written), medium->written.start);
+    medium->warning = medium->warning == NULL
+                          ? warning
+                          : arena_printf(search->job->arena, "%s; %s", medium->warning, warning);
+}
+
 /* Ask the source for one name; true if it knows it, and it is the one that the file describes. */
 static bool ask(struct glass_search *search, find_function *find, const char *written,
                 struct error *error)
@@ -441,6 +458,9 @@ static bool ask(struct glass_search *search, find_function *find, const char *wr
                          (int)glass->name.length, glass->name.start));
     }
     if (glass_agrees(medium, named)) {
+        if (search->has_other) {
+            warn_of_homonym(search);
+        }
         return true;
     }
     if (!search->has_other) {

@@ -47,6 +47,28 @@ static void check_choices(void)
     }
 }
 
+/* Numbers that decide against the first catalogue of the file are told with what that one has. */
+static void check_homonym(void)
+{
+    struct fixture fixture;
+    long line;
+    int column;
+    fixture_open(&fixture, "homonym.zmx");
+    struct text file =
+        case_file(&fixture, good,
+                  "SCHOTT\nWAVM 1 0.5875618 1\nPWAV 1\nSURF 0\n  DISZ INFINITY\nSURF 1\n"
+                  "  STOP\n  CURV 0.02\n  DISZ 4\n  GLAS N-BK7",
+                  "SCHOTT CDGM\nSURF 0\n  DISZ INFINITY\nSURF 1\n  STOP\n  CURV 0.02\n  DISZ 4\n"
+                  "  GLAS F2 0 0 1.612929 36.986",
+                  &line, &column);
+    CHECK(foreign_read(&fixture.job, file, &fixture.lens, &fixture.error));
+    const struct medium *medium = &fixture.lens.surfaces[0].medium;
+    CHECK(text_equal(medium->written, "CDGM:F2") && medium->warning != NULL &&
+          strstr(medium->warning, "SCHOTT:F2 of nd 1.62004 and Vd 36.37") != NULL &&
+          strstr(medium->warning, "that is CDGM:F2, which is used") != NULL);
+    arena_free(&fixture.arena);
+}
+
 /* A format whose glasses are names or numbers, never both, refuses the choice. */
 static void check_refused(void)
 {
@@ -155,6 +177,7 @@ int main(void)
     check_choices();
     check_told();
     check_rounding();
+    check_homonym();
     check_refused();
     return check_report();
 }
