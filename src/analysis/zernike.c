@@ -16,13 +16,19 @@ static struct zernike_term noll_term(int j)
     return (struct zernike_term){j, n, j % 2 == 0 ? m : -m};
 }
 
+/* The set ends at 37 with the spherical of order 12, in whose place (6, 6) comes at 49. */
 static struct zernike_term fringe_term(int j)
 {
+    enum { LAST = 37, SPHERICAL_12 = 49 };
+    int counted = j;
+    if (j == LAST || j == SPHERICAL_12) {
+        counted = LAST + SPHERICAL_12 - j;
+    }
     int d = 1;
-    while (d * d < j) {
+    while (d * d < counted) {
         d++;
     }
-    const int place = d * d - j, m = (place + 1) / 2;
+    const int place = d * d - counted, m = (place + 1) / 2;
     return (struct zernike_term){j, 2 * (d - 1) - m, place % 2 == 0 ? m : -m};
 }
 

@@ -7,7 +7,7 @@
 
 enum zernike_kind {
     ZERNIKE_NOLL,   /* from 1; orthonormal: mean square over the disc 1 */
-    ZERNIKE_FRINGE, /* from 1, by n + |m|; 1 at the edge */
+    ZERNIKE_FRINGE, /* from 1, by n + |m|, the 37th n = 12, m = 0; 1 at the edge */
     ZERNIKE_ANSI    /* ISO 24157, ANSI Z80.28: from 0; orthonormal */
 };
 
@@ -21,8 +21,9 @@ struct zernike_term {
 /*
  * Term i of an order, i from 0, below ZERNIKE_MOST.
  *
- * Source    [Noll76] table I; fringe: j = (1 + (n + |m|)/2)^2 - 2|m|, and 1 more of sines (the 37th
- *           term of other programs' sets, n = 12, is the 49th here); [ISO24157]: (n(n + 2) + m)/2
+ * Source    [Noll76] table I; fringe: j = (1 + (n + |m|)/2)^2 - 2|m|, and 1 more of sines, but for
+ *           the 37th, with which the set of interferometers ends: n = 12, m = 0, whose place, the
+ *           49th, n = m = 6 takes; [ISO24157]: (n(n + 2) + m)/2
  */
 struct zernike_term zernike_term(enum zernike_kind kind, size_t i);
 

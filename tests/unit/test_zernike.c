@@ -36,7 +36,13 @@ static void test_orders(void)
     for (size_t i = 0; i < sizeof ansi / sizeof ansi[0]; i++) {
         check_term(ZERNIKE_ANSI, i, (int)i, ansi[i][0], ansi[i][1]);
     }
-    check_term(ZERNIKE_FRINGE, 48, 49, 12, 0);
+    /* the 36 terms up to n + |m| = 10, and the spherical one of the next order: the set of 37 */
+    check_term(ZERNIKE_FRINGE, 35, 36, 10, 0);
+    check_term(ZERNIKE_FRINGE, 36, 37, 12, 0);
+    check_term(ZERNIKE_FRINGE, 37, 38, 6, -6);
+    check_term(ZERNIKE_FRINGE, 47, 48, 11, -1);
+    check_term(ZERNIKE_FRINGE, 48, 49, 6, 6);
+    check_term(ZERNIKE_FRINGE, 49, 50, 7, 7);
 }
 
 /* By hand: 6 r^4 - 6 r^2 + 1, (3 r^3 - 2 r) sin, r^2 sin(2 angle). */
