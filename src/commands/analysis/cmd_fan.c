@@ -10,6 +10,14 @@ static const struct word shows[] = {
     {NULL, NULL},
 };
 
+/* Wavelengths that are asked together have one reference, so that their colours show apart. */
+static const struct word references[] = {
+    [WAVE_CHIEF] = {"chief", "the chief ray, of the first wavelength where there are several"},
+    [WAVE_CENTROID] = {"centroid", "the centroid of all rays and wavelengths by their weights"},
+    [WAVE_BEST] = {"best", "the centre of the sphere that fits the wave fronts best"},
+    {NULL, NULL},
+};
+
 static const struct option options[] = {
     ANALYSIS_OPTIONS(struct fan_input, question, "all of the lens, each by itself",
                      ", or the fields of one question"),
@@ -17,7 +25,7 @@ static const struct option options[] = {
     ANALYSIS_SPECTRUM_OPTION(struct fan_input, question),
     {OPTION(struct fan_input, show), .name = "show", .words = shows, .fallback = "transverse",
      .value = "WHAT", .help = "what text and --plot show"},
-    {OPTION(struct fan_input, reference), .name = "reference", .words = wave_references,
+    {OPTION(struct fan_input, reference), .name = "reference", .words = references,
      .fallback = "chief", .value = "WHAT", .help = "reference point of the aberrations"},
     {OPTION(struct fan_input, points), .name = "points", .lowest = 3, .highest = 100001,
      .fallback = "21", .value = "COUNT",

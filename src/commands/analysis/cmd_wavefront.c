@@ -8,7 +8,7 @@ enum { NO_ZERNIKE };
 static const struct word orders[] = {
     [NO_ZERNIKE] = {"none", "figures of the whole"},
     [ZERNIKE_NOLL + 1] = {"noll", "from 1, orthonormal [Noll76]"},
-    [ZERNIKE_FRINGE + 1] = {"fringe", "from 1, by n + |m|, each 1 at the edge"},
+    [ZERNIKE_FRINGE + 1] = {"fringe", "from 1, by n + |m|, the 37th n = 12, each 1 at the edge"},
     [ZERNIKE_ANSI + 1] = {"ansi", "from 0, orthonormal [ISO24157]"},
     {NULL, NULL},
 };

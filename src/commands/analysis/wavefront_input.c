@@ -6,9 +6,9 @@ const struct analysis_policy wavefront_policy = {
     .wavelengths = WAVELENGTHS_PRIMARY, .fields = FIELDS_ALL, .one_wavelength = true};
 
 const struct word wave_references[] = {
-    [WAVE_CHIEF] = {"chief", "the chief ray, of the first wavelength where there are several"},
-    [WAVE_CENTROID] = {"centroid", "the centroid of all rays and wavelengths by their weights"},
-    [WAVE_BEST] = {"best", "the centre of the sphere that fits the wave fronts best"},
+    [WAVE_CHIEF] = {"chief", "the chief ray of the same wavelength"},
+    [WAVE_CENTROID] = {"centroid", "the centroid of the rays by their weights"},
+    [WAVE_BEST] = {"best", "the centre of the sphere that fits the wave front best"},
     {NULL, NULL},
 };
 

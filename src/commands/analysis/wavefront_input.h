@@ -13,7 +13,7 @@ struct wavefront_input {
 };
 
 extern const struct analysis_policy wavefront_policy;
-extern const struct word wave_references[];
+extern const struct word wave_references[]; /* of one wavelength by itself */
 
 /* One of the fields of a case made ready. Errors as wavefront_open. */
 bool wavefront_of_case(const struct analysis_case *one, size_t field,
