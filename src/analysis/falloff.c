@@ -110,8 +110,8 @@ static struct illumination from_film(const struct falloff *falloff, const struct
     return illumination_of_film(&question, falloff->setup.arena);
 }
 
-static double from_field(const struct falloff *falloff, const struct beam *beam,
-                         const double chief[2])
+static struct illumination from_field(const struct falloff *falloff, const struct beam *beam,
+                                      const double chief[2])
 {
     const struct illumination_question question = {.clipped = falloff->field,
                                                    .open = falloff->field_open,
@@ -119,21 +119,32 @@ static double from_field(const struct falloff *falloff, const struct beam *beam,
                                                    .first = &falloff->first,
                                                    .inside = chief,
                                                    .error = falloff->error};
-    return illumination_of_field(&question, falloff->setup.arena).value;
+    return illumination_of_field(&question, falloff->setup.arena);
+}
+
+/* One light over another, and what that may be off; NaN where the other is none. */
+static double quotient_of(const struct illumination *light, const struct illumination *whole,
+                          double *error)
+{
+    const bool is_dark = !(whole->value > 0);
+    const double quotient = is_dark ? (double)NAN : light->value / whole->value;
+    *error = is_dark ? (double)NAN : (light->error + quotient * whole->error) / whole->value;
+    return quotient;
 }
 
 /* 1 - E/E of the stop alone; what is less than the errors of the two is 0. */
-static double vignetted_of(const struct illumination *light, const struct illumination *stop)
+static double vignetted_of(const struct illumination *light, const struct illumination *stop,
+                           double *error)
 {
-    const double taken = 1 - light->value / stop->value;
-    const double doubt = (light->error + stop->error) / stop->value;
-    return !(stop->value > 0) ? (double)NAN : fabs(taken) <= doubt ? 0 : taken;
+    const double taken = 1 - quotient_of(light, stop, error);
+    return fabs(taken) <= *error ? 0 : taken;
 }
 
 /* Without ratios to the axis; is_row: with islands, and what is vignetted. */
 static struct falloff_point look(const struct falloff *falloff, const double height[2], bool is_row,
-                                 double *field)
+                                 struct illumination *field)
 {
+    static const struct illumination no_light = {NAN, NAN, true};
     const struct setup *setup = &falloff->setup;
     const struct field_point at = {FIELD_REAL, {height[0], height[1]}};
     const struct beam film =
@@ -144,22 +155,22 @@ static struct falloff_point look(const struct falloff *falloff, const double hei
     double chief[2], inside[2];
     struct error ignored;
     bool found = find_chief(falloff, &at, &beam, chief, &ignored);
-    *field = NAN;
+    *field = no_light;
     if (found) {
         const struct ray behind = chief_behind(falloff, &beam, chief);
         beam_place(&film, behind.point, inside);
         point.angle = atan2(hypot(beam.axis[0], beam.axis[1]), beam.axis[2]);
         point.cos4 = point.angle < PI / 2 ? pow(beam.axis[2], 4) : 0;
-        *field = falloff->no_field ? (double)NAN : from_field(falloff, &beam, chief);
+        *field = falloff->no_field ? no_light : from_field(falloff, &beam, chief);
         found = behind.status == RAY_OK;
     }
     point.light = from_film(falloff, falloff->film, &film, found ? inside : NULL,
                             falloff->clip && is_row ? &point.islands : NULL);
-    point.vignetted = falloff->no_vignetting ? (double)NAN : 0;
+    point.vignetted = point.vignetted_error = falloff->no_vignetting ? (double)NAN : 0;
     if (falloff->clip && is_row && !falloff->no_vignetting) {
         const struct illumination stop =
             from_film(falloff, falloff->film_stop, &film, found ? inside : NULL, NULL);
-        point.vignetted = vignetted_of(&point.light, &stop);
+        point.vignetted = vignetted_of(&point.light, &stop, &point.vignetted_error);
     }
     return point;
 }
@@ -186,12 +197,12 @@ struct falloff falloff_apart(const struct falloff *falloff, struct arena *arena)
 struct falloff_point falloff_at(const struct falloff *falloff, const double height[2])
 {
     const struct arena_mark mark = arena_mark(falloff->setup.arena);
-    double field;
+    struct illumination field;
     struct falloff_point point = look(falloff, height, true, &field);
-    const double axis = falloff->axis.value;
     arena_reset(falloff->setup.arena, mark);
-    point.relative_point = axis > 0 ? point.light.value / axis : (double)NAN;
-    point.relative_field = falloff->axis_field > 0 ? field / falloff->axis_field : (double)NAN;
+    point.relative_point = quotient_of(&point.light, &falloff->axis, &point.point_error);
+    point.relative_field = quotient_of(&field, &falloff->axis_field, &point.field_error);
+    point.is_field_met = field.is_met && falloff->axis_field.is_met;
     return point;
 }
 

@@ -15,9 +15,9 @@ struct falloff {
     bool clip, no_field, no_vignetting;
     /* reversed: all apertures, none, the stop alone; forward: all, none */
     const struct system *film, *film_open, *film_stop, *field, *field_open;
-    struct first_order first; /* at that wavelength */
-    struct illumination axis; /* of the film */
-    double axis_field;        /* by the rays of the object point on the axis; NaN: none */
+    struct first_order first;       /* at that wavelength */
+    struct illumination axis;       /* of the film */
+    struct illumination axis_field; /* by the rays of the object point there; NaN: none */
 };
 
 struct falloff_question {
@@ -54,14 +54,17 @@ struct falloff_point {
     double relative_point;     /* over that on the axis */
     double relative_field;     /* the same by the rays of the object point; NaN: no chief ray */
     double vignetted;          /* share of what the stop alone would let pass that apertures take */
-    double cos4;               /* cos^4 of the angle; NaN without one */
-    struct islands islands;    /* light beyond a gap in the exit pupil, that `light` leaves out */
+    double point_error, field_error, vignetted_error; /* of these three */
+    bool is_field_met;      /* the light by the rays of the object point is what was asked for */
+    double cos4;            /* cos^4 of the angle; NaN without one */
+    struct islands islands; /* light beyond a gap in the exit pupil, that `light` leaves out */
 };
 
 /*
  * The light in a point of the image plane, and that of the object point whose chief ray comes here.
  *
- * Formula   analysis/illumination.h; the chief ray by setup_beam
+ * Formula   analysis/illumination.h; the chief ray by setup_beam. Errors of quotients: the sum of
+ *           the relative errors of both
  */
 struct falloff_point falloff_at(const struct falloff *falloff, const double height[2]);
 

@@ -41,6 +41,7 @@ struct row {
     struct analysis_point point;
     double height, height_x, field; /* mm, rad */
     double irradiance, error, relative_point, relative_field, vignetted, cos4;
+    double point_error, field_error, vignetted_error;
     double stop_diameter; /* mm; NaN = that of the lens */
 };
 
@@ -69,13 +70,20 @@ static const struct column columns[] = {
      .digits = 2, .help = "what that may be off: what twice the rays change of it"},
     {PLAIN(relative_point, COLUMN_BRIEF), .name = "relative_point", .label = "E/E axis",
      .head = "E/E axis", .help = "irradiance of the point over that on the axis"},
+    {PLAIN(point_error, COLUMN_HIDDEN), .name = "relative_point_error", .digits = 2,
+     .label = "error of that", .help = "what that may be off, by the errors of both"},
     {PLAIN(relative_field, COLUMN_BRIEF | COLUMN_SPARSE), .name = "relative_field",
      .label = "by field", .head = "by field",
      .help = "the same by the rays of the object point whose chief ray comes there, wherever they "
              "meet; absent where none does"},
+    {PLAIN(field_error, COLUMN_HIDDEN | COLUMN_SPARSE), .name = "relative_field_error", .digits = 2,
+     .label = "error of that", .help = "what that may be off, by the errors of both"},
     {PLAIN(vignetted, COLUMN_BRIEF), .name = "vignetted_fraction", .label = "vignetted",
      .head = "vignetted",
      .help = "share of what the stop alone would let pass that apertures and obstructions take"},
+    {PLAIN(vignetted_error, COLUMN_HIDDEN), .name = "vignetted_error", .digits = 2,
+     .label = "error of that",
+     .help = "what that may be off: a share that is less than its error is 0"},
     {PLAIN(cos4, 0), .name = "cos4", .label = "cos^4",
      .help = "fourth power of the cosine of the field angle, for comparison"},
     ANALYSIS_TAIL_COLUMNS(struct row, point),
@@ -87,8 +95,10 @@ static const struct column columns[] = {
 static bool open_falloff(const struct analysis_case *one, const struct input *input,
                          const struct run *run, struct falloff *falloff, struct error *error)
 {
-    const bool no_field = run != NULL && !run_shows(run, offsetof(struct row, relative_field));
-    const bool no_vignetting = run != NULL && !run_shows(run, offsetof(struct row, vignetted));
+    const bool no_field = run != NULL && !run_shows(run, offsetof(struct row, relative_field)) &&
+                          !run_shows(run, offsetof(struct row, field_error));
+    const bool no_vignetting = run != NULL && !run_shows(run, offsetof(struct row, vignetted)) &&
+                               !run_shows(run, offsetof(struct row, vignetted_error));
     const struct falloff_question question = {.setup = one->setup,
                                               .no_field = no_field,
                                               .no_vignetting = no_vignetting,
@@ -168,9 +178,13 @@ static bool emit(const struct analysis_asked *asked, const struct analysis_case 
     row.relative_point = found->relative_point;
     row.relative_field = found->relative_field;
     row.vignetted = found->vignetted;
+    row.point_error = found->point_error;
+    row.field_error = found->field_error;
+    row.vignetted_error = found->vignetted_error;
     row.cos4 = found->cos4;
     const char *const warnings[] = {
         found->light.is_met ? NULL : "the irradiance has not converged: see its error",
+        found->is_field_met ? NULL : "the light by field has not converged: see its error",
         share < 1
             ? "no chief ray of the largest field comes to the image: the points end where one "
               "does"
