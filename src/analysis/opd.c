@@ -37,6 +37,7 @@ bool opd_sphere(const struct ray *chief, double pupil, double n, const double ce
     for (int i = 0; i < 3; i++) {
         to_pupil[i] = chief->point[i] - reference->centre[i] + way * chief->cosine[i];
     }
+    memcpy(reference->pupil, to_pupil, sizeof reference->pupil);
     reference->radius = sqrt(dot(to_pupil, to_pupil));
     reference->side = dot(to_pupil, chief->cosine) > 0 ? -1 : 1;
     if (!(reference->radius > 0)) {
@@ -72,6 +73,20 @@ static double plane_path(const struct opd_reference *reference, const struct ray
     return ray->path + reference->n * way;
 }
 
+/* q = |D x e|^2 of a sphere's ray, from D and e. */
+static double square_across(const double from[3], const double e[3])
+{
+    const double across[3] = {from[1] * e[2] - from[2] * e[1], from[2] * e[0] - from[0] * e[2],
+                              from[0] * e[1] - from[1] * e[0]};
+    return dot(across, across);
+}
+
+/* sqrt(R^2 - q) */
+static double half_chord(double radius, double q)
+{
+    return sqrt((radius - sqrt(q)) * (radius + sqrt(q)));
+}
+
 double opd_path(const struct opd_reference *reference, const struct ray *ray)
 {
     if (!arrives(ray)) {
@@ -85,9 +100,27 @@ double opd_path(const struct opd_reference *reference, const struct ray *ray)
     for (int i = 0; i < 3; i++) {
         from[i] = ray->point[i] - reference->centre[i];
     }
-    const double across[3] = {from[1] * e[2] - from[2] * e[1], from[2] * e[0] - from[0] * e[2],
-                              from[0] * e[1] - from[1] * e[0]};
-    double q = dot(across, across), R = reference->radius;
-    double bulge = isinf(R) ? 0 : q / (R + sqrt((R - sqrt(q)) * (R + sqrt(q))));
+    double q = square_across(from, e), R = reference->radius;
+    double bulge = isinf(R) ? 0 : q / (R + half_chord(R, q));
     return ray->path - reference->n * (dot(from, e) - reference->side * bulge);
+}
+
+void opd_path_by_centre(const struct opd_reference *reference, const struct ray *ray,
+                        double slope[3])
+{
+    const double *e = ray->cosine, n = reference->n, R = reference->radius;
+    double from[3];
+    for (int i = 0; i < 3; i++) {
+        from[i] = ray->point[i] - reference->centre[i];
+        slope[i] = arrives(ray) ? n * e[i] : (double)NAN;
+    }
+    if (isinf(R)) {
+        return;
+    }
+    const double q = square_across(from, e), S = half_chord(R, q), along = dot(from, e);
+    for (int i = 0; i < 3; i++) {
+        const double bulge =
+            reference->pupil[i] * q / (R * S * (R + S)) + (along * e[i] - from[i]) / S;
+        slope[i] += n * reference->side * bulge;
+    }
 }

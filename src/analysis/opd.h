@@ -14,6 +14,8 @@ struct opd_reference {
     double centre[3]; /* of the sphere; of a plane a point of it. mm, in the frame rays end in */
     double normal[3]; /* of a plane: the way of the chief ray, unit length; of a sphere 0 0 0 */
     double radius;    /* mm; infinite: a pupil infinitely far away; of a plane not used */
+    double pupil[3];  /* from the centre to the chief ray's crossing of the pupil, mm; 0 0 0 where
+                         that lies infinitely far away, and of a plane */
     double side;      /* +1: light meets the sphere before its centre; -1: behind it */
     bool is_plane;    /* the image lies infinitely far away */
     double plane_way; /* from the chief ray's last point along it to the plane, mm */
@@ -61,5 +63,18 @@ bool opd_plane(const struct ray *chief, double pupil, double n, struct opd_refer
  * Limits    the rounding of the paths themselves: 1e-13 mm of a way of 200 mm
  */
 double opd_path(const struct opd_reference *reference, const struct ray *ray);
+
+/*
+ * How opd_path of a ray changes with the centre of the sphere, which goes on through the chief
+ * ray's crossing of the pupil.
+ *
+ * Given     reference  a sphere
+ * Result    by the three coordinates of the centre; NaN as opd_path
+ * Formula   with T from the centre to the crossing, R = |T| and S = sqrt(R^2 - q), in the symbols
+ *           of opd_path: n e + n s (T q/(R S (R + S)) + ((D.e) e - D)/S); n e for an infinite R.
+ *           Derived here; a test takes differences of opd_path
+ */
+void opd_path_by_centre(const struct opd_reference *reference, const struct ray *ray,
+                        double slope[3]);
 
 #endif

@@ -7,7 +7,7 @@
 #include <math.h>
 #include <string.h>
 
-static const double centroid_error = 1e-6;
+static const double centroid_error = 1e-7;
 
 bool wave_open(const struct bundle_question *bundle, struct arena *arena,
                struct wave_lights *lights, struct error *error)
@@ -44,20 +44,24 @@ bool wave_open(const struct bundle_question *bundle, struct arena *arena,
 }
 
 /* From the chief ray to the centroid, mm or sines. */
-static bool find_centroid(const struct wave_lights *lights, struct arena *arena, double off[2],
-                          struct error *error)
+static bool find_centroid(const struct wave_lights *lights, struct arena *arena,
+                          struct wave_reference *reference, struct error *error)
 {
     const struct wave_light *first = &lights->list[0];
     struct spot_question asked = {
-        .bundle = first->question, .error = centroid_error, .energy = NAN};
+        .bundle = first->question, .error = centroid_error, .no_radius = true, .energy = NAN};
     struct spot spot;
     asked.bundle.pattern = PATTERN_GAUSS;
     if (!spot_find(&asked, arena, &spot, error)) {
         return false;
     }
     for (int i = 0; i < 2; i++) {
-        off[i] = spot.centroid[i] - (spot.is_angular ? 0 : first->chief.point[i]);
+        reference->at[i] = spot.centroid[i] - (spot.is_angular ? 0 : first->chief.point[i]);
     }
+    /* tilt by the sine of a ray's angle, whose root mean square is half of the widest */
+    const double wavelength = first->wavelength / 1000;
+    reference->doubt =
+        spot.is_angular ? 0 : 0.5 * first->open->index_last * spot.error / wavelength;
     return true;
 }
 
@@ -111,7 +115,7 @@ bool wave_reference_find(const struct wave_lights *lights, enum wave_about about
                     "chief ray and the centroid are references");
     }
     if (!find_pupil(setup, &pupil, error) ||
-        (about == WAVE_CENTROID && !find_centroid(lights, arena, reference->at, error))) {
+        (about == WAVE_CENTROID && !find_centroid(lights, arena, reference, error))) {
         return false;
     }
     reference->centre[0] = first->chief.point[0] + reference->at[0];
@@ -124,7 +128,8 @@ bool wave_reference_find(const struct wave_lights *lights, enum wave_about about
                                        : opd_sphere(&first->chief, pupil, n, reference->centre,
                                                     &reference->opd, error);
     if (about == WAVE_BEST) {
-        if (!found || !wave_sphere_fit(lights, pupil, arena, &reference->opd, error)) {
+        if (!found ||
+            !wave_sphere_fit(lights, pupil, arena, &reference->opd, &reference->doubt, error)) {
             return false;
         }
         memcpy(reference->centre, reference->opd.centre, sizeof reference->centre);

@@ -21,6 +21,8 @@ struct wave_reference {
     double at[2];        /* of an angular one, sines from the chief ray; else its distance, mm */
     double across[2][3]; /* of angles */
     double centre[3];    /* in the frame of the image plane, mm; z is not 0 of WAVE_BEST alone */
+    double doubt;        /* what its place may change of W, rms in wavelengths; 0: of a chief ray,
+                            and of an angular centroid, where it is not known */
     struct opd_reference opd;
     const char *no_opd; /* why there are no optical path differences; null: there are */
 };
@@ -38,7 +40,7 @@ bool wave_open(const struct bundle_question *bundle, struct arena *arena,
  * Find the reference.
  *
  * Formula   the chief ray of the first wavelength, or the centroid of all by their weights
- *           (spot_find to 1e-6), or the sphere with the least weighted mean square of W/wavelength,
+ *           (spot_find to 1e-7), or the sphere with the least weighted mean square of W/wavelength,
  *           its piston for each wavelength free. Spheres go through the crossing of the first
  *           wavelength's chief ray and its paraxial exit pupil; without a stop their radius is
  *           infinite. Angular: a plane wave across the reference, along spot_axes

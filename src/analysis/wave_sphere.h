@@ -35,13 +35,16 @@ struct ray wave_light_trace(const struct system *system, const struct ray *start
  *
  * Given     pupil      z of the exit pupil, as opd_sphere has it
  *           reference  a sphere about the chief ray; receives the best
+ *           doubt      receives what the last doubling of rays changes of W (root mean square,
+ *                      wavelengths)
  * Formula   the centre C that makes sum w ((W - mean W)/wavelength)^2 smallest, the mean that of
- *           each wavelength: dW/dC = -n e, e the ray's direction, so that each step is a linear
- *           least-squares problem. Ends when C moves by less than 1e-12 of the radius or, as the
- *           step is all but exact, after 8 steps
- * Errors    ERROR_DOMAIN: no ray arrives
+ *           each wavelength: steps of Gauss and Newton, dW/dC by opd_path_by_centre, until one
+ *           changes W by less than 1e-9 wavelengths (root mean square); rays are doubled until that
+ *           changes less than 1e-6
+ * Errors    ERROR_DOMAIN: no ray arrives; 50 steps do not get to a change of 1e-6 wavelengths
+ * Limits    2^15 rays of a wavelength
  */
 bool wave_sphere_fit(const struct wave_lights *lights, double pupil, struct arena *arena,
-                     struct opd_reference *reference, struct error *error);
+                     struct opd_reference *reference, double *doubt, struct error *error);
 
 #endif

@@ -257,8 +257,36 @@ static void test_centre(void)
     CHECK_NEAR(W, 1.5 * b, 1e-8, "a tilt");
 }
 
+/* Differences of the path about moved spheres through the same crossing of the pupil. */
+static void test_slopes(void)
+{
+    static const double pupils[] = {-40, 55, INFINITY};
+    const struct ray chief = {.point = {0.1, 3, 0}, .cosine = {0, 0.28, 0.96}, .path = 70};
+    const struct ray ray = {
+        .point = {0.3, 2.6, 0}, .cosine = {0.12, 0.48, sqrt(0.7552)}, .path = 71};
+    const double centre[3] = {0.2, 3.1, -0.3}, step = 1e-4;
+    for (size_t i = 0; i < sizeof pupils / sizeof pupils[0]; i++) {
+        struct opd_reference reference, moved;
+        struct error error;
+        double slope[3];
+        CHECK(opd_sphere(&chief, pupils[i], 1.5, centre, &reference, &error));
+        opd_path_by_centre(&reference, &ray, slope);
+        for (int k = 0; k < 3; k++) {
+            double paths[2];
+            for (int side = 0; side < 2; side++) {
+                double there[3] = {centre[0], centre[1], centre[2]};
+                there[k] += side == 0 ? -step : step;
+                CHECK(opd_sphere(&chief, pupils[i], 1.5, there, &moved, &error));
+                paths[side] = opd_path(&moved, &ray);
+            }
+            CHECK_NEAR(slope[k], (paths[1] - paths[0]) / (2 * step), 1e-9, "slope of a path");
+        }
+    }
+}
+
 int main(void)
 {
+    test_slopes();
     test_truth();
     test_defocus();
     test_kinds();
