@@ -3,9 +3,9 @@
 #include "analysis/psf.h"
 
 #include "analysis/psf_light.h"
+#include "analysis/psf_radius.h"
 
 #include <math.h>
-#include <stdlib.h>
 
 enum { SLOPES = 33 };
 
@@ -118,80 +118,53 @@ static void find_peak(struct psf *psf)
     }
 }
 
-/* A pixel's distance from the centroid, pixels, and light. */
-struct pixel {
-    double distance, light;
-};
-
-static int by_distance(const void *first, const void *second)
+/* Where the centroid of the pixels is that lie at most so far from the middle, pixels. Of an even
+   number the first have no counterpart on the other side: they move no centroid. */
+static void find_centroid(const struct psf *psf, size_t reach, double at[2])
 {
-    const double a = ((const struct pixel *)first)->distance;
-    const double b = ((const struct pixel *)second)->distance;
-    return (a > b) - (a < b);
-}
-
-/* All pixels at work, row by row. */
-static struct pixel pixel_of(const struct psf *psf, size_t i)
-{
-    const double half = (double)(psf->size / 2);
-    const double x = (double)(i % psf->size) - half - psf->centroid[0] / psf->pitch;
-    const double y = (double)(i / psf->size) - half - psf->centroid[1] / psf->pitch;
-    return (struct pixel){sqrt(x * x + y * y), psf->values[i]};
-}
-
-/* The radius about the centroid with so much of all light: the ring that has it, then its pixel. */
-static double radius_of(const struct psf *psf, double light, struct arena *arena)
-{
-    const struct arena_mark mark = arena_mark(arena);
-    const size_t count = psf->size * psf->size, rings = 2 * psf->size;
-    double *sums = ARENA_ARRAY(arena, rings, double), sum = 0, radius = NAN;
-    size_t *rings_of = ARENA_ARRAY(arena, count, size_t), ring = 0, found = 0;
-    for (size_t i = 0; i < count; i++) {
-        const struct pixel pixel = pixel_of(psf, i);
-        rings_of[i] = (size_t)pixel.distance;
-        sums[rings_of[i]] += pixel.light;
-    }
-    for (; ring < rings && sum + sums[ring] < light; ring++) {
-        sum += sums[ring];
-    }
-    struct pixel *pixels = ARENA_ARRAY(arena, count, struct pixel);
-    for (size_t i = 0; i < count; i++) {
-        if (rings_of[i] == ring) {
-            pixels[found++] = pixel_of(psf, i);
+    const size_t size = psf->size, half = size / 2, first = half - reach;
+    const size_t end = half + reach + 1;
+    double sum = 0;
+    at[0] = at[1] = 0;
+    for (size_t y = first; y < end; y++) {
+        for (size_t x = first; x < end; x++) {
+            const double light = psf->values[y * size + x];
+            sum += light;
+            at[0] += light * ((double)x - (double)half);
+            at[1] += light * ((double)y - (double)half);
         }
     }
-    qsort(pixels, found, sizeof *pixels, by_distance);
-    for (size_t i = 0; i < found && isnan(radius); i++) {
-        sum += pixels[i].light;
-        /* the last of all has it, whatever rounding says */
-        radius = sum >= light || i + 1 == found ? psf->pitch * pixels[i].distance : (double)NAN;
-    }
-    arena_reset(arena, mark);
-    return radius;
+    at[0] /= sum;
+    at[1] /= sum;
 }
 
 /* total: of all light, in values of pixels. */
 static void measure(struct psf *psf, double total, struct arena *arena)
 {
-    const size_t size = psf->size;
-    double sum = 0, mean[2] = {0, 0};
-    double paired = 0;
+    const size_t size = psf->size, reach = (size - 1) / 2;
+    double sum = 0, all[2], inner[2];
     for (size_t i = 0; i < size * size; i++) {
         sum += psf->values[i];
-        /* of an even number the first have no counterpart on the other side */
-        if (size % 2 == 0 && (i % size == 0 || i / size == 0)) {
-            continue;
-        }
-        paired += psf->values[i];
-        mean[0] += psf->values[i] * ((double)(i % size) - (double)(size / 2));
-        mean[1] += psf->values[i] * ((double)(i / size) - (double)(size / 2));
     }
+    find_centroid(psf, reach, all);
+    find_centroid(psf, reach / 2, inner);
     for (int k = 0; k < 2; k++) {
-        const double pixels = mean[k] / paired;
-        psf->centroid[k] = fabs(pixels) > noise ? pixels * psf->pitch : 0;
+        psf->centroid[k] = fabs(all[k]) > noise ? all[k] * psf->pitch : 0;
     }
     psf->inside = psf->pitch < psf->finest ? sum / total : (double)NAN;
-    psf->radius80 = psf->inside > 0.8 ? radius_of(psf, 0.8 * total, arena) : (double)NAN;
+    /* tails fall as the cube: beyond the sides lies as much again, and no more than is there */
+    const double moved = hypot(all[0] - inner[0], all[1] - inner[1]);
+    const double beyond = 0.5 * fmax(1 - psf->inside, 0) * (double)reach;
+    for (int k = 0; k < 2; k++) {
+        const double share = moved > beyond ? beyond / moved : 1;
+        psf->centroid_error[k] = share * (all[k] - inner[k]) * psf->pitch;
+    }
+    psf->radius80 = psf->radius80_error = NAN;
+    if (psf->inside > 0.8) {
+        const struct psf_radius found = psf_radius_find(psf, 0.8 * total, arena);
+        psf->radius80 = found.value;
+        psf->radius80_error = found.error;
+    }
     find_peak(psf);
 }
 

@@ -34,14 +34,16 @@ struct psf_question {
 struct psf {
     bool is_angular;
     size_t size;
-    double pitch;            /* mm */
-    const double *values;    /* size * size, rows from below; 1: the peak of a perfect image */
-    double peak, peak_at[2]; /* the highest of a parabola through it; mm from the chief ray */
-    double centroid[2];      /* of the pixels, mm from the chief ray */
-    double width[2];         /* at half the peak, through it along x and y, mm; NaN: not inside */
-    double finest;           /* above it pixels miss light between them, mm: NaN of the next */
-    double inside;           /* share of all light that the pixels have */
-    double radius80;         /* about the centroid, with 80 % of all light; NaN: not inside, too */
+    double pitch;             /* mm */
+    const double *values;     /* size * size, rows from below; 1: the peak of a perfect image */
+    double peak, peak_at[2];  /* the highest of a parabola through it; mm from the chief ray */
+    double centroid[2];       /* of the pixels, mm from the chief ray */
+    double centroid_error[2]; /* from there to that of all light at most, mm */
+    double width[2];          /* at half the peak, through it along x and y, mm; NaN: not inside */
+    double finest;            /* above it pixels miss light between them, mm: NaN of the next */
+    double inside;            /* share of all light that the pixels have */
+    double radius80, radius80_error; /* about the centroid, with 80 % of all light, psf_radius_find;
+                                        NaN: the circle is not inside, or pixels are coarse */
     struct islands islands;
 };
 

@@ -67,6 +67,62 @@ def check_airy(checks, program, folder):
                      < 0.02, f"Airy, {method}: width {row['width_x_um']}")
 
 
+def bessel0(x):
+    count = 400
+    return sum(math.cos(x * math.sin(t)) for t in
+               (math.pi * (i + 0.5) / count for i in range(count))) / count
+
+
+def check_radius(checks, program, folder):
+    """The light of Airy's disc within x is 1 - J0^2 - J1^2."""
+    low, high = 0.0, 6.0
+    for _ in range(60):
+        x = (low + high) / 2
+        low, high = ((x, high) if 1 - bessel0(x) ** 2 - bessel(x) ** 2 < 0.8 else (low, x))
+    expected = 1000 * low * WAVE * FOCUS / (2 * math.pi * RADIUS)
+    airy = 1000 * WAVE * FOCUS / (2 * RADIUS)
+    for words in ([], ["--size", "64"], ["--pitch", f"{0.45 * airy!r}um"],
+                  ["--pitch", f"{0.8 * airy!r}um"]):
+        row = image(program, folder, ["-", "--field", "0", "--focus", str(-FOCUS), *words], DISH)[0]
+        off, error = abs(float(row["radius80_um"]) - expected), float(row["radius80_error_um"])
+        checks.check(off <= error, f"Airy, 80 % {words}: {row['radius80_um']} +- {error}, "
+                                   f"expected {expected}")
+        checks.check(bool(words) or error < 5e-3 * expected,
+                     f"Airy, 80 %: the error printed is {error} of {expected}")
+
+
+def light_within(table, radius, pitch, centre):
+    """A pixel on the rim counts by its share along the radius; lengths in um."""
+    middle, sum_ = len(table) // 2, 0.0
+    for y, line in enumerate(table):
+        for x, value in enumerate(line):
+            r = math.hypot((x - middle) * pitch - centre[0], (y - middle) * pitch - centre[1])
+            sum_ += value * max(0, min(1, (radius - r) / pitch + 0.5))
+    return sum_
+
+
+def check_radii(checks, program, folder, lenses):
+    """Counted over pixels so fine that 64 make the radius, about the centroid of four times the
+    image."""
+    for words in lenses:
+        row = image(program, folder, words)[0]
+        if not row["radius80_um"]:
+            continue
+        error, radius = float(row["radius80_error_um"]), float(row["radius80_um"])
+        finer = max(2, min(16, math.ceil(64 * float(row["pitch_um"]) / radius)))
+        pitch = float(row["pitch_um"]) / finer
+        size = min(2048, 2 * math.ceil(1.3 * radius / pitch) + 16)
+        wide = image(program, folder, words + ["--size", "512", "--pitch", row["pitch_um"] + "um"])[0]
+        fine, table = image(program, folder,
+                            words + ["--size", str(size), "--pitch", f"{pitch!r}um"])
+        centre = float(wide["centroid_x_um"]), float(wide["centroid_y_um"])
+        total = sum(map(sum, table)) / (float(fine["inside_percent"]) / 100)
+        shares = [light_within(table, radius + side * error, pitch, centre) / total
+                  for side in (-1, 1)]
+        checks.check(shares[0] - 2e-5 <= 0.8 <= shares[1] + 2e-5,
+                     f"{words}: 80 % within {radius} +- {error} um, of finer pixels {shares}")
+
+
 def check_focus(checks, program, folder):
     for waves in (0.25, 0.7, 1.0, 1.6):
         off = waves * WAVE * 2 * FOCUS ** 2 / RADIUS ** 2
@@ -107,10 +163,29 @@ def check_contrast(checks, program, folder):
                          f"{expected[column]}")
 
 
+def lenses_of(program):
+    """Questions: a few, with LENSCALC_ALL set all fields of lensdb."""
+    few = [["double-gauss", "-N", "8", "--field", field, "-w", "d"] for field in ("0", "14")]
+    if not os.environ.get("LENSCALC_ALL"):
+        return few
+    listed = subprocess.run(program.command + ["list", "lenses", "--csv", "--columns", "lens"],
+                            text=True, capture_output=True, env=program.environment()).stdout
+    for lens in listed.split()[1:]:
+        result = subprocess.run(program.command + ["psf", lens, "-w", "d", "--csv", "--columns",
+                                                   "field,radius80"], text=True,
+                                capture_output=True, env=program.environment())
+        few += [[lens, "-w", "d", "--field", row["field_deg"]]
+                for row in csv.DictReader(io.StringIO(result.stdout))
+                if row["field_deg"] and row["radius80_um"]]
+    return few
+
+
 def main():
     program, checks = Program(sys.argv[1]), Checks()
     with tempfile.TemporaryDirectory() as folder:
         check_airy(checks, program, folder)
+        check_radius(checks, program, folder)
+        check_radii(checks, program, folder, lenses_of(program))
         check_focus(checks, program, folder)
         check_methods(checks, program, folder)
         check_contrast(checks, program, folder)

@@ -42,9 +42,10 @@ struct row {
     struct analysis_point point;
     double peak;
     double peak_x, peak_y, centroid_x, centroid_y, width_x, width_y, radius80, pitch; /* mm */
+    double radius80_error;
     /* rad */
     double peak_x_angle, peak_y_angle, centroid_x_angle, centroid_y_angle;
-    double width_x_angle, width_y_angle, radius80_angle, pitch_angle;
+    double width_x_angle, width_y_angle, radius80_angle, radius80_error_angle, pitch_angle;
     double inside;
     const char *method;
 };
@@ -73,9 +74,10 @@ static const struct column columns[] = {
     {SMALL(width_y, COLUMN_BRIEF), .name = "width_y", .label = "width in y",
      .help = "the same upwards"},
     {SMALL(radius80, COLUMN_BRIEF), .name = "radius80", .label = "radius of 80 %",
-     .help =
-         "about the centroid, with 80 % of all light; absent where less lies inside or pixels are "
-         "coarse"},
+     .help = "about the centroid, with 80 % of all light; absent where the circle is not inside or "
+             "pixels are coarse"},
+    {SMALL(radius80_error, COLUMN_HIDDEN), .name = "radius80_error", .label = "error of that",
+     .help = "what that radius may be off"},
     {COLUMN(struct row, inside), .dimension = &dimension_ratio, .unit = "%", .flags = COLUMN_BRIEF,
      .name = "inside", .label = "light inside",
      .help = "share of all light that the pixels have; absent where they are too coarse to say"},
@@ -91,6 +93,8 @@ static const struct column columns[] = {
      .help = "the same upwards"},
     {ANGLE(radius80_angle, COLUMN_BRIEF), .name = "radius80", .label = "radius of 80 %",
      .help = "with 80 % of all light"},
+    {ANGLE(radius80_error_angle, COLUMN_HIDDEN), .name = "radius80_error", .label = "error of that",
+     .help = "what that radius may be off"},
     {ANGLE(pitch_angle, COLUMN_BRIEF), .name = "pitch", .label = "pitch",
      .help = "side of a pixel"},
     {COLUMN(struct row, method), .flags = COLUMN_ASSUMED, .name = "method", .depends = "method",
@@ -114,13 +118,15 @@ static bool find(const struct analysis_case *one, size_t field, const void *cont
 
 static void fill(const struct psf *psf, struct row *row)
 {
-    const double values[] = {psf->peak_at[0], psf->peak_at[1], psf->centroid[0], psf->centroid[1],
-                             psf->width[0],   psf->width[1],   psf->radius80,    psf->pitch};
-    double *lengths[] = {&row->peak_x,  &row->peak_y,  &row->centroid_x, &row->centroid_y,
-                         &row->width_x, &row->width_y, &row->radius80,   &row->pitch};
+    const double values[] = {psf->peak_at[0],  psf->peak_at[1], psf->centroid[0],
+                             psf->centroid[1], psf->width[0],   psf->width[1],
+                             psf->radius80,    psf->pitch,      psf->radius80_error};
+    double *lengths[] = {&row->peak_x,     &row->peak_y,  &row->centroid_x,
+                         &row->centroid_y, &row->width_x, &row->width_y,
+                         &row->radius80,   &row->pitch,   &row->radius80_error};
     double *angles[] = {&row->peak_x_angle,     &row->peak_y_angle,  &row->centroid_x_angle,
                         &row->centroid_y_angle, &row->width_x_angle, &row->width_y_angle,
-                        &row->radius80_angle,   &row->pitch_angle};
+                        &row->radius80_angle,   &row->pitch_angle,   &row->radius80_error_angle};
     for (size_t i = 0; i < sizeof values / sizeof values[0]; i++) {
         *(psf->is_angular ? angles[i] : lengths[i]) = values[i];
     }
