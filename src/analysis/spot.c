@@ -319,8 +319,9 @@ static bool converge(const struct seeking *seeking, struct arena *arena, struct 
         }
         *spot = here;
         spot->error = fmax(rms_error(&before, &here, &finer, is_plain), least);
+        spot->energy_radius = question->rays > 0 ? here.energy_radius : finer.energy_radius;
         /* light comes and goes at edges, so that changes are not as regular as those of means */
-        spot->energy_error = 4 * fmax(fabs(finer.energy_radius - here.energy_radius),
+        spot->energy_error = 6 * fmax(fabs(finer.energy_radius - here.energy_radius),
                                       0.5 * fabs(here.energy_radius - before.energy_radius)) +
                              least;
         spot->has_converged =
