@@ -44,7 +44,7 @@ static double wave_of(const struct wavefront_source *source, const struct rays *
 struct values {
     double *waves;
     const struct pupil_point *points;
-    size_t count;
+    size_t count, arms, rings; /* as a bundle has them */
     double clear;
 };
 
@@ -59,6 +59,8 @@ static bool find_values(const struct wavefront_source *source, size_t rays, stru
     *values = (struct values){.waves = ARENA_ARRAY(arena, bundle.count, double),
                               .points = bundle.points,
                               .count = bundle.count,
+                              .arms = bundle.arms,
+                              .rings = bundle.rings,
                               .clear = bundle.clear};
     for (size_t i = 0; i < bundle.count; i++) {
         values->waves[i] = wave_of(source, &bundle.rays, i);
@@ -67,6 +69,61 @@ static bool find_values(const struct wavefront_source *source, size_t rays, stru
 }
 
 /* -------- means -------- */
+
+/* The figures of one sample, and how well it resolves the phase. */
+struct sampled {
+    struct wavefront figures;
+    double steepest;   /* most turns from a point to a neighbour */
+    double unresolved; /* share of the light where they are too many, less of what is nearly so */
+};
+
+/* Where the phase turns more than this from a point to the next, waves that turn faster look slow:
+   at a whole turn, where nothing is resolved, they look as if they stood. */
+static const double resolved = 0.5;
+
+/* Highest less lowest. */
+static double values_span(const struct values *values)
+{
+    double low = INFINITY, high = -INFINITY;
+    for (size_t i = 0; i < values->count; i++) {
+        low = fmin(low, values->waves[i]);
+        high = fmax(high, values->waves[i]);
+    }
+    return high - low;
+}
+
+/*
+ * Neighbours lie inwards, outwards and on either side. Of points without order none are known: they
+ * lie sqrt(pi/count) of the radius apart, and W is as steep as five spans a radius.
+ */
+static void find_turns(const struct values *values, struct arena *arena, struct sampled *sampled)
+{
+    const size_t arms = values->arms, rings = values->rings, count = values->count;
+    const double span = values_span(values);
+    double *steepest = ARENA_ARRAY(arena, count, double), unresolved = 0, all = 0;
+    for (size_t i = 0; i < count; i++) {
+        steepest[i] = arms == 0 ? 5 * span * sqrt(PI / (double)count) : 0;
+    }
+    for (size_t i = 0; i < count && arms > 0; i++) {
+        const size_t beside = i % arms + 1 < arms ? i + 1 : i + 1 - arms;
+        const size_t outwards = i / arms % rings + 1 < rings ? i + arms : i;
+        const size_t others[] = {beside, outwards};
+        for (size_t k = 0; k < 2; k++) {
+            const double turns = fabs(values->waves[others[k]] - values->waves[i]);
+            steepest[i] = fmax(steepest[i], turns);
+            steepest[others[k]] = fmax(steepest[others[k]], turns);
+        }
+    }
+    sampled->steepest = 0;
+    for (size_t i = 0; i < count; i++) {
+        const double weight = isnan(values->waves[i]) ? 0 : values->points[i].weight;
+        const double beyond = (steepest[i] - resolved) / (1 - resolved);
+        all += weight;
+        unresolved += weight * fmax(fmin(beyond, 1), 0);
+        sampled->steepest = fmax(sampled->steepest, steepest[i]);
+    }
+    sampled->unresolved = unresolved / all;
+}
 
 static void sum_up(const struct values *values, struct wavefront *wavefront)
 {
@@ -99,13 +156,15 @@ static void sum_up(const struct values *values, struct wavefront *wavefront)
 }
 
 static bool measure(const struct wavefront_source *source, size_t rays, struct arena *arena,
-                    struct wavefront *wavefront, struct error *error)
+                    struct sampled *sampled, struct error *error)
 {
     const struct arena_mark mark = arena_mark(arena);
     struct values values;
     const bool found = find_values(source, rays, arena, &values, error);
     if (found) {
-        sum_up(&values, wavefront);
+        sampled->figures = (struct wavefront){.rms = NAN};
+        sum_up(&values, &sampled->figures);
+        find_turns(&values, arena, sampled);
     }
     arena_reset(arena, mark);
     return found;
@@ -190,42 +249,72 @@ static bool find_span(const struct wavefront_source *source, size_t rays, struct
                       double *span, struct error *error)
 {
     struct values values;
-    double low = INFINITY, high = -INFINITY;
     if (!find_values(source, rays, arena, &values, error)) {
         return false;
     }
-    for (size_t i = 0; i < values.count; i++) {
-        low = fmin(low, values.waves[i]);
-        high = fmax(high, values.waves[i]);
-    }
-    *span = high - low;
+    *span = values_span(&values);
     return true;
 }
 
 /* -------- the whole -------- */
 
+/*
+ * What a Strehl ratio S may be off, by what twice the rays change of it. Two samples may agree by
+ * chance where the phase turns too fast for them: unresolved light of the share e can add e to the
+ * mean of the waves. Where that is most of the light its phases count as random, which they are but
+ * for chance: S is then within a few times the larger sample's and what so many of them leave.
+ */
+static double strehl_error_of(const struct sampled *here, const struct sampled *finer, double times)
+{
+    const double change = fabs(finer->figures.strehl - here->figures.strehl);
+    const double high = fmax(finer->figures.strehl, here->figures.strehl);
+    const double rays = (double)here->figures.rays, e = finer->unresolved;
+    const double coherent = e * (2 * sqrt(high) + e), random = 4 * high + 8 * e * e / rays;
+    return fmax(times * change, fmin(coherent, random));
+}
+
+/* The figures of two samples, the other of twice the rays. */
+static struct wavefront figures_of(const struct wavefront_source *source,
+                                   const struct sampled *before, const struct sampled *finer)
+{
+    const struct wavefront_question *question = source->question;
+    /* plain patterns are off as one over the root of their rays, by 3.4 times the change */
+    const double times = question->bundle.pattern == PATTERN_GAUSS ? 2 : 4;
+    struct wavefront here = question->rays > 0 ? before->figures : finer->figures;
+    const double change = fabs(finer->figures.rms - before->figures.rms);
+    here.error = fmax(times * change, least) + source->reference.doubt;
+    /* the slope of the mean wave is at most 2 pi */
+    const double by_reference = 4 * PI * sqrt(here.strehl) * source->reference.doubt;
+    here.strehl_error = fmax(strehl_error_of(before, finer, times), least) + by_reference;
+    here.has_converged = here.error <= question->error * here.rms + least &&
+                         here.strehl_error <= question->error + least;
+    return here;
+}
+
+/* Doubled again and again; where the phase says how many rays resolve it, so many at once. */
 static bool converge(const struct wavefront_source *source, struct arena *arena,
                      struct wavefront *wavefront, struct error *error)
 {
     const struct wavefront_question *question = source->question;
     size_t rays = question->rays > 0 ? question->rays : FIRST_RAYS;
-    /* plain patterns are off as one over the root of their rays, by 3.4 times the change */
-    const double times = question->bundle.pattern == PATTERN_GAUSS ? 2 : 4;
-    struct wavefront finer = *wavefront;
-    if (!measure(source, rays, arena, wavefront, error)) {
+    const bool is_orderly = question->bundle.pattern == PATTERN_GAUSS;
+    struct sampled before, finer;
+    if (!measure(source, rays, arena, &before, error) ||
+        !measure(source, 2 * rays, arena, &finer, error)) {
         return false;
     }
-    for (bool done = false; !done; rays *= 2) {
-        if (!measure(source, 2 * rays, arena, &finer, error)) {
+    *wavefront = figures_of(source, &before, &finer);
+    while (question->rays == 0 && !wavefront->has_converged && 2 * rays < MOST_RAYS) {
+        const double turns = finer.steepest / resolved;
+        const double wanted = fmin((double)rays * turns * turns / 2, MOST_RAYS / 2);
+        const bool is_far = is_orderly && wanted > 3 * (double)rays;
+        rays = is_far ? (size_t)wanted : 2 * rays;
+        before = finer;
+        if ((is_far && !measure(source, rays, arena, &before, error)) ||
+            !measure(source, 2 * rays, arena, &finer, error)) {
             return false;
         }
-        struct wavefront here = question->rays > 0 ? *wavefront : finer;
-        here.error = fmax(times * fabs(finer.rms - wavefront->rms), least);
-        here.strehl_error = fmax(times * fabs(finer.strehl - wavefront->strehl), least);
-        here.has_converged = here.error <= question->error * here.rms + least &&
-                             here.strehl_error <= question->error + least;
-        done = question->rays > 0 || here.has_converged || 2 * rays >= MOST_RAYS;
-        *wavefront = here;
+        *wavefront = figures_of(source, &before, &finer);
     }
     return true;
 }

@@ -19,7 +19,7 @@ static int surface_count, wave_count, stop;
 static double stop_radius, image_z, weights[WAVES];
 
 struct ray {
-    double p[3], d[3];
+    double p[3], d[3], path; /* path: times the index */
 };
 
 /* -------- one ray -------- */
@@ -160,8 +160,13 @@ static struct passage pass(struct ray ray, int wave, bool back, bool to_stop)
         const struct surface *s = &surfaces[i];
         ray.p[2] -= s->z - z;
         z = s->z;
+        const struct ray from = ray;
         if (!meet(s, way, &ray)) {
             return (struct passage){.limit = i + 1};
+        }
+        for (int k = 0; k < 3; k++) {
+            ray.path +=
+                (back ? s->n[wave] : index_before(i, wave)) * (ray.p[k] - from.p[k]) * from.d[k];
         }
         const double r2 = ray.p[0] * ray.p[0] + ray.p[1] * ray.p[1];
         const double most = i == stop ? fmin(s->clear, stop_radius) : s->clear;
@@ -198,9 +203,10 @@ static struct ray ray_of(const struct beam *beam, double u, double v)
     if (beam->is_film) {
         const double rest = 1 - u * u - v * v;
         return (struct ray){{0, beam->height, image_z},
-                            {u, v, -way_before(surface_count) * (rest > 0 ? sqrt(rest) : NAN)}};
+                            {u, v, -way_before(surface_count) * (rest > 0 ? sqrt(rest) : NAN)},
+                            0};
     }
-    return (struct ray){{u, v * beam->cosine, -v * beam->sine}, {0, beam->sine, beam->cosine}};
+    return (struct ray){{u, v * beam->cosine, -v * beam->sine}, {0, beam->sine, beam->cosine}, 0};
 }
 
 static struct passage look(const struct beam *beam, double u, double v, bool to_stop)

@@ -2,7 +2,7 @@
 /* SPDX-License-Identifier: MIT */
 
 /*
- * Standard input has words separated by blanks:
+ * Standard input has words separated by blanks, lengths in mm:
  *
  *   lens SURFACES WAVELENGTHS STOP STOP_RADIUS TRACK
  *       then each wavelength's weight, and the surfaces:
@@ -10,6 +10,10 @@
  *       A2 A4 ... A16 n n ... behind it
  *   spot TOLERANCE ANGLE   rms, rms_x, rms_y, rms_chief (mm) of light from infinity, deg
  *   film TOLERANCE HEIGHT  irradiance per radiance at that height of the image plane, primary only
+ *   field TOLERANCE ANGLE  area in direction cosines behind the lens, times n^2, primary only
+ *   wave TOLERANCE ANGLE WAVELENGTH PUPIL BEST  rms, Strehl ratio and rms about the chief ray's
+ *       image; wavelength in mm, the exit pupil's z or inf, BEST 1: about the sphere that fits best
+ *   energy TOLERANCE ANGLE RADIUS RADIUS  shares of the light within these of the centroid
  *
  * Each question is answered by a line: the values, what they may be off (relative), and the share
  * of what passes that is not joined to the part that was summed; or "none".
@@ -21,18 +25,26 @@
  * direction cosines.
  */
 #include "clear_region.h"
+#include "clear_waves.h"
 
 #include <stdio.h>
 #include <stdlib.h>
 
-enum { RADIAL = 32, NODES = 20, SUMS = 6 };
+enum { RADIAL = 32, NODES = 20, SUMS = 6, SHEAF = 1 << 20 };
 static const double pi = 3.14159265358979323846;
 
 struct job {
     const struct beam *beam;
     const struct region *region;
-    double origin[2];   /* where distances are from, mm */
-    double scale[SUMS]; /* what sums are of the order of */
+    const struct sphere *sphere; /* of wave fronts */
+    bool is_field;               /* areas behind the lens */
+    struct sheaf *sheaf;         /* rays are kept: `panels` pieces of a line and one that is cut */
+    int panels;
+    double cut;             /* where, so that no two lines have the same radii */
+    double disc, middle[2]; /* where above 0, light beyond so far from there is left out */
+    int finer;              /* looks then: a circle may be met in a narrow band of the pupil */
+    double origin[2];       /* where distances are from, mm */
+    double scale[SUMS];     /* what sums are of the order of */
     double tolerance, doubt[SUMS];
 };
 
@@ -55,9 +67,10 @@ static void gauss(int n, double *x, double *w)
     }
 }
 
-/* |d(stop)/d(u, v)|, in units of the stop. */
-static double area_of(const struct beam *beam, double u, double v, double h)
+/* |d(stop)/d(u, v)| in units of the stop, or of the direction behind the lens. */
+static double area_of(const struct job *job, double u, double v)
 {
+    const double h = 2e-3 * job->region->farthest;
     double m[4];
     for (int k = 0; k < 2; k++) {
         static const double at[4] = {-2, -1, 1, 2};
@@ -66,14 +79,60 @@ static double area_of(const struct beam *beam, double u, double v, double h)
         for (int i = 0; i < 4; i++) {
             const double step = at[i] * h;
             const struct passage ray =
-                look(beam, u + (k == 0 ? step : 0), v + (k == 1 ? step : 0), true);
-            sum[0] += share[i] * ray.at_stop[0];
-            sum[1] += share[i] * ray.at_stop[1];
+                look(job->beam, u + (k == 0 ? step : 0), v + (k == 1 ? step : 0), !job->is_field);
+            const double *of = job->is_field ? ray.ray.d : ray.at_stop;
+            sum[0] += share[i] * (job->is_field && !ray.arrives ? NAN : of[0]);
+            sum[1] += share[i] * of[1];
         }
         m[k] = sum[0] / h;
         m[2 + k] = sum[1] / h;
     }
-    return fabs(m[0] * m[3] - m[1] * m[2]) / (stop_radius * stop_radius);
+    return fabs(m[0] * m[3] - m[1] * m[2]) / (job->is_field ? 1 : stop_radius * stop_radius);
+}
+
+/* -------- along a line -------- */
+
+/* Pieces of it so short that a rule of NODES points follows the phase. */
+static int panels_of(const struct job *job, const double way[2], double low, double high)
+{
+    enum { LOOKS = 64 };
+    double turns = 0, last = 0;
+    for (int i = 0; i <= LOOKS && job->sphere != NULL; i++) {
+        const double r = low + (high - low) * i / LOOKS, *middle = job->region->middle;
+        const struct passage all =
+            look(job->beam, middle[0] + r * way[0], middle[1] + r * way[1], false);
+        const double wave = all.arrives ? wave_of(job->sphere, &all.ray) : last;
+        turns += i > 0 ? fabs(wave - last) : 0;
+        last = wave;
+    }
+    return 1 + (int)turns;
+}
+
+/* A ray of a line and its weight: what it adds. */
+static void add_ray(const struct job *job, const struct passage *all, double weight, double *sums)
+{
+    if (job->is_field) {
+        sums[0] += isfinite(weight) ? weight : 0;
+        return;
+    }
+    if (job->sheaf != NULL) {
+        struct sheaf *sheaf = job->sheaf;
+        if (sheaf->count == SHEAF) {
+            exit(3);
+        }
+        sheaf->rays[sheaf->count] = all->ray;
+        sheaf->weights[sheaf->count++] = weight;
+    }
+    double at[3];
+    at_image(&all->ray, at);
+    const double a = at[0] - job->origin[0], b = at[1] - job->origin[1];
+    const double wave = job->sphere != NULL ? wave_of(job->sphere, &all->ray) : 0;
+    const double moments[SUMS] = {1, a, b, a * a, b * b, 0};
+    const double waves[SUMS] = {1, wave, wave * wave, cos(2 * pi * wave), sin(2 * pi * wave), 0};
+    const double *add = job->sphere != NULL ? waves : moments;
+    for (int k = 0; k < SUMS && isfinite(weight * (a * a + b * b + wave)); k++) {
+        sums[k] += weight * add[k];
+    }
 }
 
 /* From one edge to the next along a line. */
@@ -88,20 +147,14 @@ static void add_piece(const struct job *job, const double way[2], double low, do
         sums[0] += (high - low) * (high + low) / 2;
         return;
     }
-    for (int i = 0; i < NODES; i++) {
-        const double r = (low + high) / 2 + x[i] * (high - low) / 2;
+    const int panels = panels_of(job, way, low, high);
+    const double half = (high - low) / panels / 2;
+    for (int i = 0; i < panels * NODES; i++) {
+        const double r = low + (2 * (i / NODES) + 1 + x[i % NODES]) * half;
         const double *middle = job->region->middle;
         const double u = middle[0] + r * way[0], v = middle[1] + r * way[1];
         const struct passage all = look(job->beam, u, v, false);
-        const double weight =
-            w[i] * (high - low) / 2 * r * area_of(job->beam, u, v, 2e-3 * job->region->farthest);
-        const double t = (image_z - all.ray.p[2]) / all.ray.d[2];
-        const double a = all.ray.p[0] + t * all.ray.d[0] - job->origin[0];
-        const double b = all.ray.p[1] + t * all.ray.d[1] - job->origin[1];
-        const double add[SUMS] = {1, a, b, a * a, b * b, 0};
-        for (int k = 0; k < SUMS && isfinite(weight * (a * a + b * b)); k++) {
-            sums[k] += weight * add[k];
-        }
+        add_ray(job, &all, w[i % NODES] * half * r * area_of(job, u, v), sums);
     }
 }
 
@@ -124,7 +177,17 @@ static bool is_own(const struct region *region, const double at[2])
 static int ending(const struct job *job, const double way[2], double r)
 {
     const double at[2] = {job->region->middle[0] + r * way[0], job->region->middle[1] + r * way[1]};
-    return is_own(job->region, at) ? limit_of(job->beam, at[0], at[1]) : SURFACES + 1;
+    if (!is_own(job->region, at)) {
+        return SURFACES + 1;
+    }
+    double image[3];
+    const struct passage all = look(job->beam, at[0], at[1], false);
+    if (all.limit != 0 || !(job->disc > 0)) {
+        return all.limit;
+    }
+    at_image(&all.ray, image);
+    return hypot(image[0] - job->middle[0], image[1] - job->middle[1]) > job->disc ? SURFACES + 2
+                                                                                   : 0;
 }
 
 /*
@@ -137,9 +200,10 @@ static long sum_line(const struct job *job, double angle, double *sums)
     int here = ending(job, way, 0);
     long edges = 0;
     double from = 0;
-    for (int i = 1; i <= RADIAL; i++) {
-        double low = far * (i - 1) / RADIAL, high = far * i / RADIAL;
-        int beyond = i < RADIAL ? ending(job, way, high) : SURFACES + 1;
+    const int looks = job->disc > 0 ? job->finer * RADIAL : RADIAL;
+    for (int i = 1; i <= looks; i++) {
+        double low = far * (i - 1) / looks, high = far * i / looks;
+        int beyond = i < looks ? ending(job, way, high) : SURFACES + 1;
         const int next = beyond;
         if ((here == 0) == (next == 0)) {
             continue;
@@ -159,7 +223,7 @@ static long sum_line(const struct job *job, double angle, double *sums)
         if (here == 0 && sums != NULL) {
             add_piece(job, way, from, low, sums);
         }
-        edges = edges * (SURFACES + 2) + (here == 0 ? beyond : before);
+        edges = edges * (SURFACES + 3) + (here == 0 ? beyond : before);
         from = high;
         here = next;
     }
@@ -242,9 +306,12 @@ static double sum_all(struct job *job, double *sums)
             job->scale[m] += 2 * pi / (4 * PIECES) * fabs(here[m]);
         }
     }
-    const double size = job->beam->is_film ? 0 : job->scale[3] + job->scale[4];
+    const double size = job->sphere != NULL ? job->scale[2] : job->scale[3] + job->scale[4];
     for (int m = 1; m < SUMS; m++) {
         job->scale[m] = m < 3 ? sqrt(size * job->scale[0]) : size;
+        if (job->sphere != NULL) {
+            job->scale[m] = m == 2 ? size : m > 2 ? job->scale[0] : job->scale[m];
+        }
         job->scale[m] = job->scale[m] > 0 ? job->scale[m] : 1;
     }
     for (int i = 0; i < PIECES; i++) {
@@ -259,6 +326,7 @@ static double sum_all(struct job *job, double *sums)
 /* -------- questions -------- */
 
 static struct region region;
+static bool is_new_lens;
 
 static double widest(void)
 {
@@ -315,6 +383,151 @@ static void answer_spot(double tolerance, double angle)
            sqrt(fmax(yy, 0)), sqrt((sums[3] + sums[4]) / sums[0]), doubt, islands);
 }
 
+static void answer_field(double tolerance, double angle)
+{
+    const struct beam beam = {.sine = sin(angle * pi / 180), .cosine = cos(angle * pi / 180)};
+    struct job job = {.beam = &beam, .region = &region, .tolerance = tolerance, .is_field = true};
+    double sums[SUMS] = {0};
+    bool has_chief;
+    if (!find_region(&beam, widest(), &region, &has_chief) || !has_chief) {
+        puts("none");
+        return;
+    }
+    const double doubt = sum_all(&job, sums), n = surfaces[surface_count - 1].n[0];
+    printf("%.17g %.3g %.4g\n", n * n * sums[0], doubt, region.islands);
+}
+
+/* The sphere about the chief ray's image point, through its crossing of the exit pupil. */
+static struct sphere sphere_of(const struct beam *beam, double wavelength, double pupil)
+{
+    const struct passage chief = look(beam, region.chief[0], region.chief[1], false);
+    struct sphere sphere = {.wavelength = wavelength,
+                            .n = surfaces[surface_count - 1].n[beam->wave],
+                            .is_plane = isinf(pupil)};
+    at_image(&chief.ray, sphere.centre);
+    const double t = (pupil - chief.ray.p[2]) / chief.ray.d[2];
+    for (int k = 0; k < 3; k++) {
+        sphere.crossing[k] = sphere.is_plane ? 0 : chief.ray.p[k] + t * chief.ray.d[k];
+    }
+    sphere.zero = path_to(&sphere, &chief.ray);
+    return sphere;
+}
+
+/* Rays over all of the part, along lines between corners that are not looked for. */
+static void fill_sheaf(struct job *job, struct sheaf *sheaf)
+{
+    enum { LINES = 720 };
+    double sums[SUMS] = {0};
+    sheaf->count = 0;
+    job->sheaf = sheaf;
+    for (int i = 0; i < LINES; i++) {
+        sum_line(job, 2 * pi * (i + 0.5) / LINES, sums);
+    }
+    job->sheaf = NULL;
+}
+
+static struct sheaf sheaf;
+
+static void open_sheaf(void)
+{
+    if (sheaf.rays == NULL) {
+        sheaf.rays = malloc(SHEAF * sizeof *sheaf.rays);
+        sheaf.weights = malloc(SHEAF * sizeof *sheaf.weights);
+    }
+}
+
+static void answer_wave(double tolerance, double angle, double wavelength, double pupil, bool best)
+{
+    const struct beam beam = {.sine = sin(angle * pi / 180), .cosine = cos(angle * pi / 180)};
+    double sums[SUMS] = {0};
+    bool has_chief;
+    if (!find_region(&beam, widest(), &region, &has_chief) || !has_chief) {
+        puts("none");
+        return;
+    }
+    struct sphere sphere = sphere_of(&beam, wavelength, pupil);
+    struct job job = {.beam = &beam, .region = &region, .tolerance = tolerance};
+    if (best) {
+        open_sheaf();
+        fill_sheaf(&job, &sheaf);
+        if (!find_best(&sheaf, &sphere)) {
+            puts("none");
+            return;
+        }
+        const struct passage chief = look(&beam, region.chief[0], region.chief[1], false);
+        sphere.zero = path_to(&sphere, &chief.ray);
+    }
+    job.sphere = &sphere;
+    const double doubt = sum_all(&job, sums), mean = sums[1] / sums[0];
+    printf("%.17g %.17g %.3g %.4g\n", sqrt(fmax(sums[2] / sums[0] - mean * mean, 0)),
+           (sums[3] * sums[3] + sums[4] * sums[4]) / (sums[0] * sums[0]), doubt, region.islands);
+}
+
+/* Moments of all wavelengths about the first one's chief ray; false: there is none. */
+static bool add_moments(double tolerance, double angle, double disc, int finer,
+                        const double *middle, double *sums, double *doubt)
+{
+    double origin[2] = {0, 0};
+    memset(sums, 0, SUMS * sizeof *sums);
+    for (int g = 0; g < wave_count; g++) {
+        const struct beam beam = {
+            .sine = sin(angle * pi / 180), .cosine = cos(angle * pi / 180), .wave = g};
+        double own[SUMS] = {0};
+        bool has_chief;
+        if (!find_region(&beam, widest(), &region, &has_chief) || (g == 0 && !has_chief)) {
+            return false;
+        }
+        if (g == 0) {
+            const struct passage chief = look(&beam, region.chief[0], region.chief[1], false);
+            double at[3];
+            at_image(&chief.ray, at);
+            memcpy(origin, at, sizeof origin);
+        }
+        struct job job = {.beam = &beam,
+                          .region = &region,
+                          .origin = {origin[0], origin[1]},
+                          .disc = disc,
+                          .finer = finer,
+                          .tolerance = tolerance};
+        if (disc > 0) {
+            memcpy(job.middle, middle, sizeof job.middle);
+        }
+        *doubt = fmax(*doubt, sum_all(&job, own));
+        for (int m = 0; m < SUMS; m++) {
+            sums[m] += weights[g] * own[m];
+        }
+    }
+    sums[1] += sums[0] * origin[0];
+    sums[2] += sums[0] * origin[1];
+    return true;
+}
+
+static void answer_energy(double tolerance, double angle, const double radii[2])
+{
+    static double lens_angle = NAN, lens_middle[2], all[SUMS], known;
+    double shares[2];
+    if (is_new_lens || !(lens_angle == angle)) {
+        known = 0;
+        if (!add_moments(tolerance, angle, 0, 1, NULL, all, &known)) {
+            puts("none");
+            return;
+        }
+        lens_middle[0] = all[1] / all[0];
+        lens_middle[1] = all[2] / all[0];
+        lens_angle = angle;
+        is_new_lens = false;
+    }
+    double doubt = known;
+    for (int i = 0; i < 2; i++) {
+        double sums[SUMS], few[SUMS];
+        add_moments(tolerance, angle, radii[i], 4, lens_middle, few, &doubt);
+        add_moments(tolerance, angle, radii[i], 12, lens_middle, sums, &doubt);
+        shares[i] = sums[0] / all[0];
+        doubt = fmax(doubt, fabs(sums[0] - few[0]) / all[0]);
+    }
+    printf("%.17g %.17g %.3g\n", shares[0], shares[1], doubt);
+}
+
 static double number(void)
 {
     char word[64];
@@ -359,6 +572,7 @@ int main(void)
     while (scanf("%63s", word) == 1) {
         if (strcmp(word, "lens") == 0) {
             read_lens();
+            is_new_lens = true;
             continue;
         }
         const double tolerance = number(), value = number();
@@ -366,6 +580,14 @@ int main(void)
             answer_film(tolerance, value);
         } else if (strcmp(word, "spot") == 0) {
             answer_spot(tolerance, value);
+        } else if (strcmp(word, "field") == 0) {
+            answer_field(tolerance, value);
+        } else if (strcmp(word, "energy") == 0) {
+            const double first = number();
+            answer_energy(tolerance, value, (double[2]){first, number()});
+        } else if (strcmp(word, "wave") == 0) {
+            const double wavelength = number(), pupil = number();
+            answer_wave(tolerance, value, wavelength, pupil, number() != 0);
         } else {
             return 2;
         }
