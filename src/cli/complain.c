@@ -168,6 +168,17 @@ static void write_warning(struct output *output, const char *command, const char
     output_character(output, '\n');
 }
 
+/* Columns that were asked for, and have no value in any row. */
+static void write_absent(struct output *output, const struct report *report)
+{
+    for (size_t i = 0; i < report->shown_count; i++) {
+        if (!report->has_value[i]) {
+            output_printf(output, "lenscalc: %s: %s has no value here: %s\n", report->command,
+                          report->shown[i].name, report_absence(report, report->shown[i].column));
+        }
+    }
+}
+
 void print_beside(const struct report *report, bool is_apart, enum color_when color)
 {
     struct doubts *doubts = report->doubts;
@@ -176,7 +187,8 @@ void print_beside(const struct report *report, bool is_apart, enum color_when co
     bool has_place = format == NULL || format == &format_json || format->is_for_people;
     const char *explain = has_place ? NULL : report->explain;
     size_t warnings = has_place && !is_apart ? 0 : doubts->count;
-    if (explain == NULL && warnings == 0) {
+    const bool are_looked_at = report->are_named && report->has_good_row && !is_apart;
+    if (explain == NULL && warnings == 0 && !are_looked_at) {
         return; /* as most: the terminal is not even asked */
     }
     struct voice voice;
@@ -184,6 +196,9 @@ void print_beside(const struct report *report, bool is_apart, enum color_when co
     if (explain != NULL) {
         write_string(output, explain);
         output_character(output, '\n');
+    }
+    if (are_looked_at) {
+        write_absent(output, report);
     }
     for (size_t i = 0; i < warnings; i++) {
         write_warning(output, report->command, doubts->texts[i]);

@@ -179,7 +179,7 @@ static void write_cell(const struct collection *collection, const struct cross *
         const struct shown *shown = &cross->values[k];
         if (row != NULL && is_machine(report) && shown->column->type == COLUMN_NUMBER) {
             *shown_write_number(value, row, shown, report->digits) = '\0';
-        } else if (row != NULL) {
+        } else if (row != NULL && (is_machine(report) || !row_is_absent(row, shown->column))) {
             readable_value(value, sizeof value, row, shown, cross->units[k],
                            digits_of(report, shown->column));
         }
@@ -271,6 +271,27 @@ static void write_grid(struct report *report, const struct grid *grid)
     }
 }
 
+/* Values that no cell has are said to be absent, not shown as nothing. */
+static void doubt_absent(const struct collection *collection, const struct cross *cross,
+                         const struct report *report)
+{
+    for (size_t k = 0; k < cross->value_count; k++) {
+        const struct column *column = cross->values[k].column;
+        bool any_row = false, any = false;
+        for (size_t i = 0; i < cross->down->count; i++) {
+            for (size_t j = 0; j < cross->across->count; j++) {
+                const void *row = row_at(collection, cross, i, j);
+                any_row = any_row || row != NULL;
+                any = any || (row != NULL && !row_is_absent(row, column));
+            }
+        }
+        if (any_row && !any) {
+            doubts_add(report->doubts, "%s has no value here: %s", cross->values[k].name,
+                       report_absence(report, column));
+        }
+    }
+}
+
 bool cross_table_write(const struct collection *collection, const char *specification,
                        struct report *report, struct error *error)
 {
@@ -289,6 +310,7 @@ bool cross_table_write(const struct collection *collection, const char *specific
         }
     }
     choose_units(collection, report, &cross);
+    doubt_absent(collection, &cross, report);
     struct grid grid = build(collection, &cross, report);
     if (!is_machine(report)) {
         const void *row = collection_first_row(collection);

@@ -44,7 +44,7 @@ static bool is_going(const struct driver *driver)
     return driver->output.failure == 0 && !atomic_load(&driver->progress.watch.is_ended);
 }
 
-/* The first row, and every one that is kept for something else too. */
+/* The first row, and every one that is kept or looked at for something else too. */
 static void emit_first(struct driver *driver, const void *row)
 {
     struct report *report = &driver->report;
@@ -60,7 +60,9 @@ static void emit_first(struct driver *driver, const void *row)
     if (driver->common.table == NULL && !driver->begun) {
         rows_begin(driver);
     }
-    driver->only_prints = driver->begun && !driver->collects;
+    const bool has_all =
+        !report->are_named || report->format->is_for_people || report_note_values(report, row);
+    driver->only_prints = driver->begun && !driver->collects && has_all;
 }
 
 bool rows_emit(struct run *run, const void *row)

@@ -15,6 +15,7 @@
 enum unit_system { UNITS_METRIC, UNITS_IMPERIAL };
 
 struct report;
+struct selection;
 struct grid;
 
 /* A cell of a batch that is handed through. */
@@ -60,8 +61,11 @@ struct report {
     const struct text *passed_names; /* columns of a batch that are handed through */
     size_t passed_count;
     bool has_error_column;
-    bool are_named;      /* the columns, by --columns: their heads are these names */
-    bool many;           /* a sweep or a batch: rows lie, even if there is one */
+    bool are_named;                    /* the columns, by --columns: their heads are these names */
+    bool *has_value;                   /* has any row that was looked at one, of each of these */
+    bool has_good_row;                 /* was a row looked at? */
+    const struct selection *selection; /* that chose the columns */
+    bool many;                         /* a sweep or a batch: rows lie, even if there is one */
     const char *nominal; /* what had labels of stop series read as exact values; null = nothing */
     int digits;          /* significant digits, 0 = as the format does */
     enum unit_system units;
@@ -115,6 +119,19 @@ struct sheet report_own_columns(const struct sheet *sheet);
 
 /* The option whose value a column has; empty: it repeats none. */
 struct text report_repeated(const struct column *column);
+
+/*
+ * Look whether a row has values for the columns that --columns names.
+ *
+ * Result    all have had one by now: further rows need not be looked at
+ */
+bool report_note_values(struct report *report, const void *row);
+
+/*
+ * When a column that was asked for and has no value would have one: "it has one with --film", else
+ * what it is; in the report's arena.
+ */
+const char *report_absence(const struct report *report, const struct column *column);
 
 /* A value in words: "circle of confusion 0.02884 mm". */
 const char *report_words(const struct report *report, const struct shown *shown, const void *row);

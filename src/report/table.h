@@ -56,6 +56,7 @@ struct column {
     const char *with;    /* of an echo: the option it repeats; else the options that bring it */
     const char *repeats; /* the option that it repeats where it is given, if no echo; null = none */
     const char *tells;   /* an option whose rows it tells apart, in another form; null = none */
+    const char *when;    /* it has a value, where options do not say that: "with several rows" */
     const char *depends; /* COLUMN_ASSUMED: the options it follows from, separated by blanks; one
                             with '+' before it makes it follow from all others when given */
     size_t condition;    /* offset of the number's condition (a double), 0 = none */

@@ -141,6 +141,20 @@ static void write_legend(struct report *report)
     text_write_line(report, line);
 }
 
+/* When columns that were asked for, and have no value in any row, would have one. */
+static void write_absent(struct report *report)
+{
+    const struct text_state *state = report->state;
+    const bool is_table = report->are_named && state->has_layout && !text_is_list(report);
+    for (size_t i = 0; is_table && first_good_row(state) != NULL && i < report->shown_count; i++) {
+        if (state->is_empty[i]) {
+            text_write_line(report, arena_printf(report->arena, "%s: no value here: %s",
+                                                 report->shown[i].name,
+                                                 report_absence(report, report->shown[i].column)));
+        }
+    }
+}
+
 /* Each text of a column once, in the order of the rows. */
 static void write_notes(struct report *report, const struct column *column)
 {
@@ -183,6 +197,7 @@ void text_write_below(struct report *report)
 {
     write_left_out(report);
     write_legend(report);
+    write_absent(report);
     text_write_line(report, report_assumptions(report, first_good_row(report->state)));
     write_all_notes(report);
     write_doubts(report);

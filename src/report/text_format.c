@@ -102,14 +102,15 @@ static void choose_units(struct report *report)
     }
 }
 
-/* Extras and sparse columns that no row has are not shown; others keep their place. */
+/* Extras and sparse columns that no row has are shown where they are named only. */
 static void leave_out_empty(struct report *report)
 {
     struct text_state *state = report->state;
     size_t kept = 0;
     for (size_t i = 0; i < report->shown_count; i++) {
         const unsigned flags = report->shown[i].column->flags;
-        if (state->is_empty[i] && (flags & (COLUMN_EXTRA | COLUMN_SPARSE)) != 0) {
+        if (state->is_empty[i] && !report->are_named &&
+            (flags & (COLUMN_EXTRA | COLUMN_SPARSE)) != 0) {
             continue;
         }
         report->shown[kept] = report->shown[i];
@@ -187,9 +188,11 @@ static void add_row(struct report *report, struct grid *grid, const void *row,
         grid_set(grid, i, arena_string(grid->arena, passed[i].text.start, passed[i].text.length));
     }
     for (size_t i = 0; i < report->shown_count && row != NULL; i++) {
+        const struct column *column = report->shown[i].column;
+        const bool is_dash = report->are_named && row_is_absent(row, column);
         readable_value(cell, sizeof cell, row, &report->shown[i], state->units[i],
-                       digits_of(report, report->shown[i].column));
-        grid_set(grid, report->passed_count + i, cell);
+                       digits_of(report, column));
+        grid_set(grid, report->passed_count + i, is_dash ? "-" : cell);
     }
     if (failure != NULL && state->has_failures) {
         grid_set(grid, grid->columns - 1, failure);
@@ -256,11 +259,37 @@ static bool cut_second(char *cell)
     return cut;
 }
 
+/* A quantity in words, its value, and its unit; of one that is absent when it would have one. */
+static void add_list_row(struct report *report, struct grid *grid, size_t i, size_t *value_width)
+{
+    const struct text_state *state = report->state;
+    const struct shown *shown = &report->shown[i];
+    const struct column *column = shown->column;
+    char cell[CELL];
+    grid_add_row(grid);
+    grid_set(grid, 0, column->label != NULL ? column->label : spaced(report->arena, shown->name));
+    if (state->is_empty[i]) {
+        grid_set(grid, 1, "-");
+        grid_set(grid, 2, report_absence(report, column));
+        return;
+    }
+    readable_value(cell, sizeof cell, state->kept[0].row, shown, state->units[i],
+                   digits_of(report, column));
+    if (column->type == COLUMN_NUMBER && strlen(cell) > *value_width) {
+        *value_width = strlen(cell); /* words may go on in another line */
+    }
+    const char *unit = readable_unit_label(shown, state->units[i]);
+    if (column->dimension == &dimension_time && cut_second(cell)) {
+        unit = "s";
+    }
+    grid_set(grid, 1, cell);
+    grid_set(grid, 2, strcmp(unit, "ft in") == 0 ? "" : unit);
+}
+
 /* One answer: a line for each quantity, in words. */
 static void write_list(struct report *report)
 {
-    struct text_state *state = report->state;
-    const void *row = state->kept[0].row;
+    const struct text_state *state = report->state;
     const bool with_head = report->format == &format_markdown; /* it has no tables without */
     size_t least[3] = {0}, rank[3] = {0};
     struct grid grid = grid_new(report->arena, 3, with_head);
@@ -272,26 +301,9 @@ static void write_list(struct report *report)
         grid_set(&grid, 2, "unit");
     }
     for (size_t i = 0; i < report->shown_count; i++) {
-        const struct shown *shown = &report->shown[i];
-        if (state->is_empty[i]) {
-            continue;
+        if (!state->is_empty[i] || report->are_named) {
+            add_list_row(report, &grid, i, &least[1]);
         }
-        char cell[CELL];
-        readable_value(cell, sizeof cell, row, shown, state->units[i],
-                       digits_of(report, shown->column));
-        if (shown->column->type == COLUMN_NUMBER && strlen(cell) > least[1]) {
-            least[1] = strlen(cell); /* words may go on in another line */
-        }
-        grid_add_row(&grid);
-        grid_set(&grid, 0,
-                 shown->column->label != NULL ? shown->column->label
-                                              : spaced(report->arena, shown->name));
-        const char *unit = readable_unit_label(shown, state->units[i]);
-        if (shown->column->dimension == &dimension_time && cut_second(cell)) {
-            unit = "s";
-        }
-        grid_set(&grid, 1, cell);
-        grid_set(&grid, 2, strcmp(unit, "ft in") == 0 ? "" : unit);
     }
     if (has_width(report)) {
         grid_fit(&grid, report->output->width, least, rank);

@@ -8,6 +8,9 @@ its line in ASKED below, a new common option its function.
 """
 # SPDX-License-Identifier: MIT
 
+import csv
+import io
+import json
 import os
 import re
 import sys
@@ -387,6 +390,34 @@ def check_batch_beside_option(checks, asked):
                      f"{asked.command}: an empty cell of {header} is not {name}={cell}")
 
 
+def check_absent_columns(checks, asked):
+    """A column that is asked for and has no value says so, and when it would have one."""
+    listed = asked.run("--columns", "?", "--csv", question=[]).stdout.decode()
+    names = [row["column"] for row in csv.DictReader(io.StringIO(listed))]
+    names = [name for name in dict.fromkeys(names)
+             if asked.run("--csv", "--columns", name).stdout.startswith(f"{name}\n".encode())]
+    for format in ("--csv", "--json"):
+        result = asked.run(format, "--columns", ",".join(names))
+        error = result.stderr.decode()
+        if format == "--json":
+            rows = json.loads(result.stdout)["rows"]
+            absent = {name for name in names if all(
+                row[name] is None and not any(value for key, value in row.items()
+                                              if key.endswith("_is_infinite")
+                                              and name.startswith(key[:-12]))
+                for row in rows)}
+        else:
+            rows = list(csv.DictReader(io.StringIO(result.stdout.decode())))
+            absent = {name for name in names if all(row[name] == "" for row in rows)}
+        said = set(re.findall(r": (\S+) has no value here: .", error))
+        checks.check(rows and said == absent, f"{asked.command} {format}: said to be absent are "
+                     f"{sorted(said - absent)}, not said {sorted(absent - said)}")
+        for name in sorted(absent)[:2]:
+            text = asked.run("--columns", name).stdout.decode()
+            checks.check(re.search(r"(^|\s)-\s", text) and len(text.split()) > 3,
+                         f"{asked.command} --columns {name}: {text!r}")
+
+
 def check_command(checks, program, command, options):
     own, used = shown_options(program, command)
     with tempfile.TemporaryDirectory(prefix="lenscalc-options-") as folder:
@@ -398,6 +429,8 @@ def check_command(checks, program, command, options):
         asked = Asked(program, command, folder)
         checks.check(asked.plain.returncode == 0, f"{command} {ASKED[command][0]}: status "
                      f"{asked.plain.returncode}: {asked.plain.stderr.decode()[:200]}")
+        if "--columns" in used:
+            check_absent_columns(checks, asked)
         if asked.batch is not None:
             check_batch_beside_option(checks, asked)
         for option, value in options:

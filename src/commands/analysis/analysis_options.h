@@ -233,7 +233,8 @@ extern const struct word analysis_aims[], analysis_weights[];
 /* And end with: what is assumed, and what is doubtful. */
 #define ANALYSIS_SPECTRUM_COLUMN(S, member)                                                        \
     {                                                                                              \
-        COLUMN(S, member.spectrum), .name = "spectrum", .flags = COLUMN_ASSUMED | COLUMN_SPARSE,   \
+        COLUMN(S, member.spectrum), .name = "spectrum", .when = "where several wavelengths count", \
+                                    .flags = COLUMN_ASSUMED | COLUMN_SPARSE,                       \
                                     .depends = "lens spectrum", .label = "wavelengths",            \
                                     .help = "those that count, nm, each with its weight"           \
     }

@@ -126,8 +126,8 @@ extern const struct word section_words[];
 
 #define LENS_POSITION_COLUMN(S, member, more)                                                      \
     {                                                                                              \
-        COLUMN(S, member), .name = "position", .flags = COLUMN_SPARSE | (more),                    \
-                           .label = "position",                                                    \
+        COLUMN(S, member), .name = "position", .when = "where a lens has several positions",       \
+                           .flags = COLUMN_SPARSE | (more), .label = "position",                   \
                            .help = "zoom or focus position; absent where there is only one"        \
     }
 

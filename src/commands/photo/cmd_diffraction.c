@@ -81,8 +81,9 @@ struct row {
     }
 #define COLUMN_NYQUIST                                                                             \
     {                                                                                              \
-        FREQUENCY(airy.nyquist), .name = "nyquist", .symbol = "Ny",                                \
-                                 .label = "Nyquist frequency of the pixels",                       \
+        FREQUENCY(airy.nyquist), .name = "nyquist",                                                \
+                                 .when = "with --pitch, or a camera of known pixels",              \
+                                 .symbol = "Ny", .label = "Nyquist frequency of the pixels",       \
                                  .help = "finest pattern the pixels can record"                    \
     }
 /* What contrast and Airy disc have in common. */
@@ -103,18 +104,24 @@ struct row {
     }
 /* What --near or --focus-spread bring. */
 #define COLUMNS_SPREAD(more)                                                                       \
-    {LENGTH(spread, "mm"),    .name = "focus_spread",                                              \
-     .flags = (more),         .symbol = "dv",                                                      \
-     .label = "focus spread", .help = "between the images of nearest and farthest point"},         \
+    {LENGTH(spread, "mm"),                                                                         \
+     .name = "focus_spread",                                                                       \
+     .when = "with --near or --focus-spread",                                                      \
+     .flags = (more),                                                                              \
+     .symbol = "dv",                                                                               \
+     .label = "focus spread",                                                                      \
+     .help = "between the images of nearest and farthest point"},                                  \
         {COLUMN(struct row, optimum.fnumber),                                                      \
          .name = "optimum_fnumber",                                                                \
+         .when = "with --near or --focus-spread",                                                  \
          .flags = (more),                                                                          \
          .symbol = "No",                                                                           \
          .label = "best f-number",                                                                 \
          .help = "sharpest ends of the focus spread"},                                             \
     {                                                                                              \
-        LENGTH(optimum.blur, "um"), .name = "optimum_blur", .flags = (more), .symbol = "bo",       \
-                                    .label = "blur at the best f-number",                          \
+        LENGTH(optimum.blur, "um"), .name = "optimum_blur",                                        \
+                                    .when = "with --near or --focus-spread", .flags = (more),      \
+                                    .symbol = "bo", .label = "blur at the best f-number",          \
                                     .help = "defocus and Airy disc at the ends, combined"          \
     }
 
@@ -135,13 +142,15 @@ static const struct column columns[] = {
      .help = "frequency of 50 % contrast: lens, defocus and pixels together"},
     {FREQUENCY(mtf10), .name = "mtf10", .label = "MTF10, 10 % contrast at",
      .help = "frequency of 10 % contrast"},
-    {COLUMN(struct row, fnumber_pixel), .name = "fnumber_pixel", .symbol = "Np",
+    {COLUMN(struct row, fnumber_pixel), .name = "fnumber_pixel",
+     .when = "with --pitch, or a camera of known pixels", .symbol = "Np",
      .label = "f-number of the pixels", .help = "where the Airy disc is --pixels wide"},
     {COLUMN(struct row, fnumber_coc), .name = "fnumber_coc", .symbol = "Nc",
      .label = "f-number of the circle of confusion",
      .help = "where the Airy disc is as wide as the circle of confusion"},
-    {COLUMN(struct row, fnumber_film), .name = "fnumber_film", .symbol = "Nf",
-     .label = "f-number of the film", .help = "where the Rayleigh limit is that of --film"},
+    {COLUMN(struct row, fnumber_film), .name = "fnumber_film", .when = "with --film",
+     .symbol = "Nf", .label = "f-number of the film",
+     .help = "where the Rayleigh limit is that of --film"},
     COLUMNS_SPREAD(0),
     {ANGLE(angles.rayleigh), .name = "rayleigh", .with = "focal-length lens", .symbol = "th",
      .label = "Rayleigh angle", .help = "smallest angle resolved at infinity"},

@@ -111,6 +111,8 @@ struct row {
                      .help = "vertical angle of the panorama"                                      \
     }
 
+#define WITH_PIXELS .when = "with --pixels, or a camera of known pixels"
+
 static const struct column columns[] = {
     COLUMN_FOCAL(struct row, focal, 0),
     {LENGTH(distance, "m"), .name = "distance",
@@ -128,21 +130,22 @@ static const struct column columns[] = {
      .help = "columns times rows"},
     {ANGLE(step), .name = "step", .flags = COLUMN_BRIEF, .symbol = "d", .label = "step",
      .help = "from frame to frame"},
-    {ANGLE(row_step), .name = "row_step", .label = "step between rows", .help = "from row to row"},
+    {ANGLE(row_step), .name = "row_step", .when = "where there are several rows",
+     .label = "step between rows", .help = "from row to row"},
     {RATIO(overlap), .name = "overlap", .flags = COLUMN_BRIEF, .symbol = "o", .label = "overlap",
      .help = "of neighbouring frames, achieved"},
-    {RATIO(row_overlap), .name = "row_overlap", .label = "overlap of rows",
-     .help = "of neighbouring rows, achieved"},
-    {COLUMN(struct row, size.per_degree), .name = "pixels_per_degree", .label = "pixels per degree",
-     .help = "in the middle of a frame"},
-    {COLUMN(struct row, size.width), .name = "width_px", .label = "width, pixels",
+    {RATIO(row_overlap), .name = "row_overlap", .when = "where there are several rows",
+     .label = "overlap of rows", .help = "of neighbouring rows, achieved"},
+    {COLUMN(struct row, size.per_degree), .name = "pixels_per_degree", WITH_PIXELS,
+     .label = "pixels per degree", .help = "in the middle of a frame"},
+    {COLUMN(struct row, size.width), .name = "width_px", WITH_PIXELS, .label = "width, pixels",
      .help = "of the stitched picture, cylinder or sphere"},
-    {COLUMN(struct row, size.sphere_height), .name = "sphere_height_px",
+    {COLUMN(struct row, size.sphere_height), .name = "sphere_height_px", WITH_PIXELS,
      .label = "height as a sphere, pixels", .help = "equirectangular"},
-    {COLUMN(struct row, size.cylinder_height), .name = "cylinder_height_px",
+    {COLUMN(struct row, size.cylinder_height), .name = "cylinder_height_px", WITH_PIXELS,
      .flags = COLUMN_INFINITE | COLUMN_HIDDEN, .label = "height as a cylinder, pixels",
      .help = "infinite from 180 degrees on"},
-    {COLUMN(struct row, size.flat_width), .name = "flat_width_px",
+    {COLUMN(struct row, size.flat_width), .name = "flat_width_px", WITH_PIXELS,
      .flags = COLUMN_INFINITE | COLUMN_HIDDEN, .label = "width laid flat, pixels",
      .help = "rectilinear; infinite from 180 degrees on"},
     {LENGTH(offset, "mm"), .name = "offset", .flags = COLUMN_ECHO | COLUMN_EXTRA, .with = "offset",
