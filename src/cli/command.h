@@ -24,6 +24,7 @@ struct run {
     /* What is printed, where no more is made of the rows: run_shows; null: they are used whole. */
     const struct report *report;
     struct doubts *doubts; /* what is doubtful about the answer, see report/doubts.h; or null */
+    struct report *leads;  /* of an answer that says first what it is, by report_lead; or null */
     const struct error
         *no_solver; /* why the solver that may be needed is missing; null: it is not */
     const struct arguments *arguments; /* that were typed */

@@ -187,12 +187,17 @@ void print_beside(const struct report *report, bool is_apart, enum color_when co
     bool has_place = format == NULL || format == &format_json || format->is_for_people;
     const char *explain = has_place ? NULL : report->explain;
     size_t warnings = has_place && !is_apart ? 0 : doubts->count;
+    const bool is_shown = format != NULL && format->is_for_people && !is_apart;
+    const char *lead = is_shown ? NULL : report->title;
     const bool are_looked_at = report->are_named && report->has_good_row && !is_apart;
-    if (explain == NULL && warnings == 0 && !are_looked_at) {
+    if (explain == NULL && warnings == 0 && !are_looked_at && lead == NULL) {
         return; /* as most: the terminal is not even asked */
     }
     struct voice voice;
     struct output *output = begin(&voice, color);
+    if (lead != NULL) {
+        output_printf(output, "lenscalc: %s: %s\n", report->command, lead);
+    }
     if (explain != NULL) {
         write_string(output, explain);
         output_character(output, '\n');

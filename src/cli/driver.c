@@ -224,6 +224,7 @@ static bool prepare(struct driver *driver, int count, char **words, struct error
     driver->report.doubts = &driver->doubts;
     driver->run = (struct run){.arena = &driver->row_arena,
                                .doubts = &driver->doubts,
+                               .leads = &driver->report,
                                .watch = &driver->progress.watch,
                                .arguments = &driver->arguments,
                                .explain = driver->common.explain,

@@ -55,6 +55,7 @@ static void answer_piece(void *context, const struct parallel_piece *piece)
         run.emit = keep_row;
         run.driver = &keeping;
         run.doubts = NULL;
+        run.leads = NULL;
         run.watch = NULL;
         run.shortfall.code = ERROR_NONE;
         answer->rows = NULL;

@@ -419,18 +419,29 @@ bool report_select(struct report *report, const struct selection *selection, str
     return true;
 }
 
+void report_lead(struct report *report, const char *one, const char *many)
+{
+    const char *text = report->many ? many : one;
+    if (report->title == NULL) {
+        report->title = arena_string(report->arena, text, strlen(text));
+    }
+}
+
 bool report_note_values(struct report *report, const void *row)
 {
     bool all = true;
     report->has_good_row = true;
     for (size_t i = 0; i < report->shown_count; i++) {
-        report->has_value[i] = report->has_value[i] || !row_is_absent(row, report->shown[i].column);
+        const struct column *column = report->shown[i].column;
+        /* where nothing is doubtful a warning is rightly empty */
+        report->has_value[i] = report->has_value[i] || (column->flags & COLUMN_NOTE) != 0 ||
+                               !row_is_absent(row, column);
         all = all && report->has_value[i];
     }
     return all;
 }
 
-/* "--front or --lens": those of a list of options, separated by blanks, if none of them is given. */
+/* "--front or --lens": a list of options, separated by blanks, if none of them is given. */
 static const char *options_in_words(const struct report *report, struct text options)
 {
     const struct selection *selection = report->selection;

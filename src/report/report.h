@@ -52,7 +52,7 @@ struct report {
     struct output *output;
     struct arena *arena;
     const char *command; /* its name */
-    const char *title;   /* for formats that have one */
+    const char *title;   /* what the answer is, where options do not say so: before it, or beside */
     const struct sheet *sheet;
     struct shown *shown; /* columns of the rows */
     size_t shown_count;
@@ -119,6 +119,15 @@ struct sheet report_own_columns(const struct sheet *sheet);
 
 /* The option whose value a column has; empty: it repeats none. */
 struct text report_repeated(const struct column *column);
+
+/*
+ * Say first what the answer is: where the question has been taken for another one than its options
+ * ask, as a value that is assumed without it gives way to a wish.
+ *
+ * Given     one   of an answer with one row
+ *           many  of any number
+ */
+void report_lead(struct report *report, const char *one, const char *many);
 
 /*
  * Look whether a row has values for the columns that --columns names.

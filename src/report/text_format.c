@@ -189,7 +189,7 @@ static void add_row(struct report *report, struct grid *grid, const void *row,
     }
     for (size_t i = 0; i < report->shown_count && row != NULL; i++) {
         const struct column *column = report->shown[i].column;
-        const bool is_dash = report->are_named && row_is_absent(row, column);
+        const bool is_dash = report->are_named && state->is_empty[i] && row_is_absent(row, column);
         readable_value(cell, sizeof cell, row, &report->shown[i], state->units[i],
                        digits_of(report, column));
         grid_set(grid, report->passed_count + i, is_dash ? "-" : cell);

@@ -5,6 +5,7 @@
 #include "photo/dof.h"
 #include "photo/dof_plan.h"
 #include "photo/stops.h"
+#include "report/report.h"
 
 #include <math.h>
 
@@ -342,6 +343,33 @@ static bool wants_coc(const struct dof_question *input, const struct dof_setting
     return complete && wish;
 }
 
+/* The wish that the circle of confusion is to meet stands before the answer, which is not the depth
+   of field of the options. */
+static void say_wish(const struct dof_question *input, const struct dof_setting *setting,
+                     struct run *run)
+{
+    const struct dof_targets *t = &input->targets;
+    const struct {
+        double value; /* mm */
+        const char *before, *behind;
+    } wishes[] = {{t->near, "", " just sharp"},
+                  {t->far, "", " just sharp"},
+                  {t->total, "the depth of field ", ""},
+                  {t->hyperfocal, "", " the hyperfocal distance"}};
+    for (size_t i = 0; i < sizeof wishes / sizeof wishes[0]; i++) {
+        if (!isnan(wishes[i].value)) {
+            const double m = wishes[i].value / 1000;
+            const char *wish = isinf(m) ? "infinity" : arena_printf(run->arena, "%.6g m", m);
+            const char *one =
+                arena_printf(run->arena, "what makes %s%s%s: a circle of confusion of %.4g mm",
+                             wishes[i].before, wish, wishes[i].behind, setting->c);
+            report_lead(run->leads, one,
+                        "what meets the wish of each row: its circle of confusion");
+            return;
+        }
+    }
+}
+
 static bool answer(const void *data, const struct photo_lens *lens, struct run *run,
                    struct error *error)
 {
@@ -380,6 +408,9 @@ static bool answer(const void *data, const struct photo_lens *lens, struct run *
     }
     if (solves_coc) {
         row.criterion = "solved";
+        if (run->leads != NULL && run->leads->title == NULL) {
+            say_wish(input, setting, run);
+        }
     }
     row.shot = row.shots = NO_INTEGER;
     return fill_other(input, &row, error) && (run_emit(run, &row), true);
