@@ -138,8 +138,8 @@ bool gaps_rest(const struct gaps *gaps, size_t i, const char *source, struct err
     if (i >= gaps->count || gap->more == 0) {
         return false;
     }
-    fail(rest, ERROR_ROWS, "%zu more %s what line %ld lacks, the last of them line %ld", gap->more,
-         gap->more == 1 ? "row lacks" : "rows lack", gap->first, gap->last);
+    fail(rest, ERROR_ROWS, "%zu more %s like line %ld, the last of them line %ld", gap->more,
+         gap->more == 1 ? "row fails" : "rows fail", gap->first, gap->last);
     error_locate(rest, source, 0, 0);
     return true;
 }

@@ -261,6 +261,10 @@ static bool run_one(struct driver *driver, struct error *error)
 /* --fail-fast: the status is that of the rows so far. Returns false. */
 static bool stop_early(struct driver *driver, struct error *error)
 {
+    if (driver->is_batch && gaps_has(error)) {
+        gaps_explain(error, &driver->batch, driver->answered);
+    }
+    failure_name(driver, error);
     if (driver->begun && has_place(&driver->report)) {
         write_failure(driver, driver->passed, error);
         driver->is_broken_off = true;
