@@ -46,7 +46,7 @@ static size_t find_column(const struct sheet *sheet, const struct option *option
 {
     const size_t count = sheet->column_count;
     size_t i = 0;
-    while (i < count && !text_equal(report_repeated(&sheet->columns[i]), option->name)) {
+    while (i < count && !text_equal(column_repeated(&sheet->columns[i]), option->name)) {
         i++;
     }
     if (i < count) {

@@ -223,21 +223,6 @@ static bool is_shown(const struct report *report, const char *name)
     return false;
 }
 
-struct text report_repeated(const struct column *column)
-{
-    if (column->repeats != NULL) {
-        return text_of(column->repeats);
-    }
-    const struct text none = {"", 0};
-    bool echo = (column->flags & COLUMN_ECHO) != 0;
-    struct text depends = text_of(column->depends != NULL ? column->depends : "");
-    struct text first = text_cut(&depends, ' ');
-    if (echo && column->with != NULL) {
-        return text_of(column->with);
-    }
-    return echo || text_equal(first, column->name) ? first : none;
-}
-
 /* People see what makes one row differ from the next, before what --columns names. */
 static void add_varied(struct report *report, const struct selection *selection)
 {
@@ -247,7 +232,7 @@ static void add_varied(struct report *report, const struct selection *selection)
     struct text before = {"", 0};
     for (size_t i = 0; i < report->sheet->column_count; i++) {
         const struct column *column = &report->sheet->columns[i];
-        struct text option = report_repeated(column);
+        struct text option = column_repeated(column);
         const char *name = arena_string(report->arena, option.start, option.length);
         if (option.length > 0 && !text_equal(before, name) && !report_shows(report, column) &&
             selection->varied(selection->asked, name)) {
@@ -425,59 +410,6 @@ void report_lead(struct report *report, const char *one, const char *many)
     if (report->title == NULL) {
         report->title = arena_string(report->arena, text, strlen(text));
     }
-}
-
-bool report_note_values(struct report *report, const void *row)
-{
-    bool all = true;
-    report->has_good_row = true;
-    for (size_t i = 0; i < report->shown_count; i++) {
-        const struct column *column = report->shown[i].column;
-        /* where nothing is doubtful a warning is rightly empty */
-        report->has_value[i] = report->has_value[i] || (column->flags & COLUMN_NOTE) != 0 ||
-                               !row_is_absent(row, column);
-        all = all && report->has_value[i];
-    }
-    return all;
-}
-
-/* "--front or --lens": a list of options, separated by blanks, if none of them is given. */
-static const char *options_in_words(const struct report *report, struct text options)
-{
-    const struct selection *selection = report->selection;
-    const char *words = "";
-    while (options.length > 0) {
-        const struct text word = text_cut(&options, ' ');
-        const char *name = arena_string(report->arena, word.start, word.length);
-        if (name[0] == '+') {
-            continue; /* it only follows from others */
-        }
-        if (selection->given(selection->asked, name)) {
-            return "";
-        }
-        words = ARENA_JOIN(report->arena, words, *words != '\0' ? " or --" : "--", name);
-    }
-    return words;
-}
-
-const char *report_absence(const struct report *report, const struct column *column)
-{
-    const struct text options[] = {report_repeated(column),
-                                   text_of(column->with != NULL ? column->with : ""),
-                                   text_of(column->depends != NULL ? column->depends : "")};
-    if (column->when != NULL) {
-        return ARENA_JOIN(report->arena, "it has one ", column->when);
-    }
-    for (size_t i = 0; i < sizeof options / sizeof options[0]; i++) {
-        const char *words = options_in_words(report, options[i]);
-        if (*words != '\0') {
-            return ARENA_JOIN(report->arena, "it has one with ", words);
-        }
-    }
-    if ((column->flags & COLUMN_NOTE) != 0) {
-        return "it has one where something is doubtful";
-    }
-    return column->help != NULL ? column->help : "no question of this kind has one";
 }
 
 /* Add the value of a column to a line of words, while the line is short enough for a plot. */

@@ -117,9 +117,6 @@ bool report_find_column(const struct sheet *sheet, struct text name, struct aren
 /* A sheet without the columns that were added, COLUMN_ADDED, which lie before its own. */
 struct sheet report_own_columns(const struct sheet *sheet);
 
-/* The option whose value a column has; empty: it repeats none. */
-struct text report_repeated(const struct column *column);
-
 /*
  * Say first what the answer is: where the question has been taken for another one than its options
  * ask, as a value that is assumed without it gives way to a wish.

@@ -84,3 +84,18 @@ char *shown_write_number(char *to, const void *row, const struct shown *shown, i
     }
     return number_write_digits(to, value, digits);
 }
+
+struct text column_repeated(const struct column *column)
+{
+    if (column->repeats != NULL) {
+        return text_of(column->repeats);
+    }
+    const struct text none = {"", 0};
+    bool echo = (column->flags & COLUMN_ECHO) != 0;
+    struct text depends = text_of(column->depends != NULL ? column->depends : "");
+    struct text first = text_cut(&depends, ' ');
+    if (echo && column->with != NULL) {
+        return text_of(column->with);
+    }
+    return echo || text_equal(first, column->name) ? first : none;
+}

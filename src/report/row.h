@@ -3,6 +3,7 @@
 #ifndef LENSCALC_REPORT_ROW_H
 #define LENSCALC_REPORT_ROW_H
 
+#include "base/text.h"
 #include "report/table.h"
 
 #include <stdbool.h>
@@ -15,6 +16,9 @@ struct shown {
     double divisor;          /* own units in this one: near_m is near / 1000; 0 = not one number */
     int inch_places;         /* decimals of inches in feet and inches, plus 1; 0 = as digits say */
 };
+
+/* The option whose value a column has; empty: it repeats none. */
+struct text column_repeated(const struct column *column);
 
 /* The values of a row. Numbers in the program's own unit. */
 double row_number(const void *row, const struct column *column);

@@ -17,7 +17,7 @@ static bool shows_once(const struct report *report, const struct option *option)
 {
     size_t says = 0, same_name = 0;
     for (size_t i = 0; i < report->shown_count; i++) {
-        says += text_equal(report_repeated(report->shown[i].column), option->name);
+        says += text_equal(column_repeated(report->shown[i].column), option->name);
         for (size_t k = 0; k < i; k++) {
             same_name += strcmp(report->shown[i].name, report->shown[k].name) == 0;
         }
