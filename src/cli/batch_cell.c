@@ -192,6 +192,14 @@ bool batch_read_cell(struct batch *batch, struct batch_column *column, struct te
     if (column->has_decimals && !settle_decimals(batch, column, &cell, error)) {
         return false;
     }
-    return column->is_shared ? read_shared(batch, column, cell, member, error)
-                             : option_read(batch->reader, &column->as_read, cell, member, error);
+    if (column->is_shared) {
+        return read_shared(batch, column, cell, member, error);
+    }
+    if (!option_read(batch->reader, &column->as_read, cell, member, error)) {
+        return false;
+    }
+    /* a key that comes later in an object may turn out to say the same */
+    column->filled = batch->rows;
+    column->cell = cell;
+    return true;
 }

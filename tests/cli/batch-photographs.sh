@@ -54,3 +54,7 @@ for words in 'dof -f 50' exposure 'trace' refract; do
 done
 lenscalc dof -f 50 -N 8 -s 3 --batch unknown.csv --csv --columns near --digits 6
 echo "status $?"
+# keys that only later objects have
+printf '{"FNumber":8}\n{"FNumber":4,"Aperture":5.6}\n{"Aperture":5.6}\n{"FNumber":2,"Aperture":2}\n' |
+    lenscalc dof -f 50 -s 3 --batch - --jsonl --columns fnumber
+echo "status $?"
