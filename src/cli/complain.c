@@ -168,6 +168,18 @@ static void write_warning(struct output *output, const char *command, const char
     output_character(output, '\n');
 }
 
+static void write_doubts(struct output *output, const struct report *report)
+{
+    struct doubts *doubts = report->doubts;
+    for (size_t i = 0; i < doubts->count; i++) {
+        write_warning(output, report->command, doubts->texts[i]);
+    }
+    const char *more = doubts_left_out(doubts);
+    if (more != NULL) {
+        write_warning(output, report->command, more);
+    }
+}
+
 /* Columns that were asked for, and have no value in any row. */
 static void write_absent(struct output *output, const struct report *report)
 {
@@ -181,12 +193,11 @@ static void write_absent(struct output *output, const struct report *report)
 
 void print_beside(const struct report *report, bool is_apart, enum color_when color)
 {
-    struct doubts *doubts = report->doubts;
     /* without rows there is neither a format nor an explanation */
     const struct format *format = report->format;
     bool has_place = format == NULL || format == &format_json || format->is_for_people;
     const char *explain = has_place ? NULL : report->explain;
-    size_t warnings = has_place && !is_apart ? 0 : doubts->count;
+    size_t warnings = has_place && !is_apart ? 0 : report->doubts->count;
     const bool is_shown = format != NULL && format->is_for_people && !is_apart;
     const char *lead = is_shown ? NULL : report->title;
     const bool are_looked_at = report->are_named && report->has_good_row && !is_apart;
@@ -205,12 +216,8 @@ void print_beside(const struct report *report, bool is_apart, enum color_when co
     if (are_looked_at) {
         write_absent(output, report);
     }
-    for (size_t i = 0; i < warnings; i++) {
-        write_warning(output, report->command, doubts->texts[i]);
-    }
-    const char *more = warnings > 0 ? doubts_left_out(doubts) : NULL;
-    if (more != NULL) {
-        write_warning(output, report->command, more);
+    if (warnings > 0) {
+        write_doubts(output, report);
     }
     output_flush(output);
 }
