@@ -13,7 +13,7 @@
 
 /* What work gets to notice a signal: so long, of which so much in processors; on a machine that
    others use, too, up to the most. Work that has noticed gets as long as files may take. s */
-static const double time_least = 0.3, busy_least = 0.2, time_most = 4, noticed_most = 30;
+static const double time_least = 0.5, busy_least = 0.5, time_most = 8, noticed_most = 30;
 
 /* C has no other way for a signal's handler to tell anybody: 0, or which (C17 7.14.1.1). */
 static atomic_int came;
@@ -26,7 +26,11 @@ static struct watcher {
     void *context;
 } watcher;
 static atomic_bool is_noticed;
-static pthread_mutex_t answer = PTHREAD_MUTEX_INITIALIZER;
+
+/* Even: the answer is held by who writes it; odd: it is released. Rows come by the million, so that
+   a lock would be felt: see answer_take. */
+static atomic_uint phase;
+static atomic_bool is_taken;
 
 static void note(int signal)
 {
@@ -44,13 +48,18 @@ static double clock_of(clockid_t which)
     return (double)time.tv_sec + 1e-9 * (double)time.tv_nsec;
 }
 
+static void sleep_for(long milliseconds)
+{
+    const struct timespec time = {0, milliseconds * 1000 * 1000};
+    nanosleep(&time, NULL);
+}
+
 /* Until the work has had its time. */
 static void wait_for_work(void)
 {
-    const struct timespec a_while = {0, 20 * 1000 * 1000};
     const double began = clock_of(CLOCK_MONOTONIC), before = clock_of(CLOCK_PROCESS_CPUTIME_ID);
     for (bool is_over = false; !is_over;) {
-        nanosleep(&a_while, NULL);
+        sleep_for(20);
         const double time = clock_of(CLOCK_MONOTONIC) - began;
         const double busy = clock_of(CLOCK_PROCESS_CPUTIME_ID) - before;
         is_over = atomic_load(&is_noticed)
@@ -59,17 +68,33 @@ static void wait_for_work(void)
     }
 }
 
-/* The answer is not being written then, unless nobody reads what is. */
+/*
+ * Take the answer from where it is released: say so, and look whether it stays so while what either
+ * thread has written reaches the other, which takes less than a microsecond. False: it is held for
+ * a second, as where nobody reads it.
+ */
+static bool answer_take(void)
+{
+    enum { ATTEMPTS = 50 };
+    for (int i = 0; i < ATTEMPTS; i++) {
+        const unsigned before = atomic_load(&phase);
+        atomic_store(&is_taken, before % 2 == 1);
+        sleep_for(20);
+        if (before % 2 == 1 && atomic_load(&phase) == before) {
+            return true;
+        }
+        atomic_store(&is_taken, false);
+    }
+    return false;
+}
+
 static void *end_work(void *argument)
 {
     const struct watcher *own = argument;
-    struct timespec until;
     while (sem_wait(&arrived) != 0) {
     }
     wait_for_work();
-    clock_gettime(CLOCK_REALTIME, &until);
-    until.tv_sec++;
-    if (pthread_mutex_timedlock(&answer, &until) == 0) {
+    if (answer_take()) {
         own->break_off(own->context);
     }
     signal(atomic_load(&came), SIG_DFL);
@@ -95,7 +120,6 @@ void interrupt_watch(interrupt_break_off *break_off, void *context)
 {
     static const int signals[] = {SIGINT, SIGTERM};
     watcher = (struct watcher){true, break_off, context};
-    pthread_mutex_lock(&answer);
     watcher.is_there = start_watcher();
     for (size_t i = 0; i < sizeof signals / sizeof signals[0]; i++) {
         struct sigaction before, action = {.sa_handler = note, .sa_flags = (int)SA_RESETHAND};
@@ -106,17 +130,27 @@ void interrupt_watch(interrupt_break_off *break_off, void *context)
     }
 }
 
+/* One thread alone writes it. */
+static void phase_next(void)
+{
+    const unsigned now = atomic_load_explicit(&phase, memory_order_relaxed);
+    atomic_store_explicit(&phase, now + 1, memory_order_release);
+}
+
 void interrupt_release(void)
 {
     if (watcher.is_there) {
-        pthread_mutex_unlock(&answer);
+        phase_next();
     }
 }
 
 void interrupt_hold(void)
 {
     if (watcher.is_there) {
-        pthread_mutex_lock(&answer);
+        phase_next();
+        while (atomic_load_explicit(&is_taken, memory_order_acquire)) {
+            sleep_for(1); /* until the program has ended */
+        }
     }
 }
 

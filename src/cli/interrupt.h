@@ -15,7 +15,7 @@ typedef void interrupt_break_off(void *context);
  * ignored; system calls that wait return.
  *
  * Given     break_off  called by a thread of its own where the work has not noticed a signal in
- *                      0.3 s, on a busy machine of its own time: work that has nothing
+ *                      0.5 s, on a busy machine of its own time: work that has nothing
  *                      to keep need not look. Where that cannot be either, for want of somebody
  *                      who reads the answer, the signal ends the program
  */

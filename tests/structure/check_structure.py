@@ -69,7 +69,7 @@ USED_EXTENSIONS = {"format": None, "noinline": None, "always_inline": None, "tar
 # which is read-only once the program is loaded; nm calls it "d", objdump names the section.
 WRITABLE = {
     # what the handler of a signal notes: C has no other way (C17 7.14.1.1)
-    "cli/interrupt.o": {"came", "arrived", "watcher", "is_noticed", "answer"},
+    "cli/interrupt.o": {"came", "arrived", "watcher", "is_noticed", "phase", "is_taken"},
     # the libraries' own: the constructor of C++'s streams, where an unwinding exception looks, and
     # Eigen's names for the end of an array
     "design/solver/solver_ceres.o": {"_ZStL8__ioinit", "DW.ref.__gxx_personality_v0",

@@ -288,6 +288,17 @@ def wait_for_rows(process):
         time.sleep(0.002)
 
 
+def wait_for_work(process, seconds):
+    """Until it has worked so long, in processors."""
+    wait_for_rows(process)
+    spent = 0
+    while process.poll() is None and spent < seconds:
+        with open(f"/proc/{process.pid}/stat", encoding="ascii") as file:
+            fields = file.read().rsplit(")", 1)[1].split()
+        spent = (int(fields[11]) + int(fields[12])) / os.sysconf("SC_CLK_TCK")
+        time.sleep(0.01)
+
+
 def interrupt_amid(processes):
     """Ctrl-C for all, a while after each has got ready for it; returns when."""
     for process in processes:
@@ -402,7 +413,7 @@ def check_interrupted_lens(checks, program):
                                     "20000", "--iterations", "1000000", "--json", "-o", path],
                                    stdout=subprocess.PIPE, stderr=subprocess.PIPE,
                                    env=program.environment())
-        time.sleep(0.4)
+        wait_for_work(process, 1.2)  # rays are ready by then
         process.send_signal(signal.SIGINT)
         answer, error = process.communicate()
         row = json.loads(answer)["rows"][0]
@@ -421,7 +432,7 @@ def check_interrupted_search(checks, program):
         state = ["--state", os.path.join(folder, "search.state")]
         process = subprocess.Popen(program.command + asked + state, stdout=subprocess.PIPE,
                                    stderr=subprocess.PIPE, env=program.environment())
-        time.sleep(0.3)
+        wait_for_work(process, 0.25)
         process.send_signal(signal.SIGINT)
         answer, error = process.communicate()
         checks.check(process.returncode == 1 and b",interrupted," in answer and
