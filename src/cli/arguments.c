@@ -150,6 +150,7 @@ static bool unknown(const struct arguments *arguments, struct text name, const c
 struct words {
     int count, at;
     char **all;
+    struct arena *arena;
     struct argument *last; /* whose value was read last; null behind flags and operands */
 };
 
@@ -158,12 +159,28 @@ static bool is_flag(const struct argument *argument)
     return argument->option->kind == &kind_flag;
 }
 
+/* One more word behind those that an argument has; they may be many. */
+static void append(struct argument *argument, char between, struct text word, struct arena *arena)
+{
+    const size_t length = argument->text.length + 1 + word.length;
+    char *joined = (char *)argument->text.start;
+    if (length > argument->room) {
+        argument->room = 2 * length;
+        joined = ARENA_ARRAY(arena, argument->room + 1, char);
+        memcpy(joined, argument->text.start, argument->text.length);
+    }
+    joined[argument->text.length] = between;
+    memcpy(joined + argument->text.length + 1, word.start, word.length);
+    argument->text = (struct text){joined, length};
+}
+
 /* Store the text of an option; `text.start` is null where none was attached to its name. */
 static bool take(struct argument *argument, struct text text, struct words *words,
                  struct error *error)
 {
     const char *name = argument->option->name;
-    if (argument->is_given) {
+    const bool is_more = argument->is_given;
+    if (is_more && (argument->option->flags & OPTION_SEVERAL) == 0) {
         return fail(error, ERROR_USAGE, "--%s is given twice", name);
     }
     if (is_flag(argument) && text.start != NULL) {
@@ -176,8 +193,12 @@ static bool take(struct argument *argument, struct text text, struct words *word
         }
         text = text_of(words->all[words->at++]);
     }
+    if (is_more) {
+        append(argument, ',', text, words->arena);
+    } else {
+        argument->text = text;
+    }
     argument->is_given = true;
-    argument->text = text;
     words->last = is_flag(argument) ? NULL : argument;
     return true;
 }
@@ -298,21 +319,6 @@ static bool unexpected(const struct arguments *arguments, const struct words *wo
     return error_hint(error, "see 'lenscalc %s --help'", arguments->command->name);
 }
 
-/* One more word behind those that an operand has; they may be many. */
-static void append(struct argument *argument, char between, struct text word, struct arena *arena)
-{
-    const size_t length = argument->text.length + 1 + word.length;
-    char *joined = (char *)argument->text.start;
-    if (length > argument->room) {
-        argument->room = 2 * length;
-        joined = ARENA_ARRAY(arena, argument->room + 1, char);
-        memcpy(joined, argument->text.start, argument->text.length);
-    }
-    joined[argument->text.length] = between;
-    memcpy(joined + argument->text.length + 1, word.start, word.length);
-    argument->text = (struct text){joined, length};
-}
-
 /* A word that is no option goes to the next operand that is still free. */
 static bool parse_operand(struct arguments *arguments, struct text word, struct words *words,
                           struct arena *arena, struct error *error)
@@ -377,7 +383,7 @@ static enum color_when color_of(int count, char **all)
 bool arguments_parse(struct arguments *arguments, const struct command *command, int count,
                      char **all, struct arena *arena, struct error *error)
 {
-    struct words words = {.count = count, .all = all};
+    struct words words = {.count = count, .all = all, .arena = arena};
     bool options_end = false;
     arguments->command = command;
     arguments->color = color_of(count, all);

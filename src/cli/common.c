@@ -67,8 +67,9 @@ const struct option common_options[] = {
      .help = "write to FILE, which appears only when it is complete"},
     {COMMON(lensdb), .name = "lensdb", .value = "DIR", .flags = OPTION_FILE,
      .help = "folder with your own data, searched first (also the variable LENSCALC_DB)"},
-    {COMMON(agf), .name = "agf", .value = "FILES", .flags = OPTION_FILE,
-     .help = "glass catalogues of your own in the AGF format, searched first"},
+    {COMMON(agf), .name = "agf", .value = "FILES", .flags = OPTION_FILE | OPTION_SEVERAL,
+     .help = "glass catalogues of your own in the AGF format, searched first; may be "
+             "repeated"},
     {COMMON(lossy), .name = "lossy",
      .help =
          "drop what cannot be carried over between file formats, and list it on standard error"},

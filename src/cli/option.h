@@ -148,6 +148,7 @@ enum option_flag {
     OPTION_T_STOP = 4096,        /* an f-number that is a T-stop: T2.2 says nothing odd */
     OPTION_TOGETHER = 8192,      /* an operand that is all words that are left, as one value */
     OPTION_NO_SERIES = 16384,    /* no setting of a camera: it has no labels of a stop series */
+    OPTION_SEVERAL = 65536,      /* may be given several times: its values are one list */
     OPTION_ASIDE = 32768 /* says how work is done, not what comes of it: threads, a part of it */
 };
 

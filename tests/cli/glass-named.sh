@@ -19,6 +19,11 @@ printf 'NM ONE 2 517642 1.5168 64.17\nED 7.8 - 5.2\nCD 1.04 0.006 0.23 0.02 1.01
 printf 'NM TWO 1 0 1.5 0\nCD 2.25 0\n0 0\nLD 0.4\n0.7\n' >> own.agf
 lenscalc glass TWO --agf own.agf -w d --columns glass,catalog,index,from,to
 lenscalc glass ONE --agf own.agf
+printf 'NM THREE 1 0 1.5 0\nCD 2.56 0 0 0 0 0\nLD 0.4 0.7\n' > other.agf
+lenscalc glass TWO --agf own.agf --agf=other.agf -w d --csv --columns glass,catalog,index
+lenscalc glass THREE --agf own.agf --agf other.agf -w d --csv --columns glass,catalog,index
+lenscalc glass THREE --agf own.agf --agf other.agf --agf own.agf
+lenscalc glass THREE --agf other.agf --agf
 echo "status $?"
 # makers without a prefix of their own in .len
 printf 'focus table\naperture epd 5\nsurface 50 4 CDGM:BAF4 12 stop\n' > baf4.lens
