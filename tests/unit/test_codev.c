@@ -123,6 +123,8 @@ static const struct meaning of_surfaces[] = {
      "surface 50 4 1.517/64.2 - k=-1 A3=1e-4 A4=2e-6 stop"},
     {"STO", "STO\nCIR 6", "surface 50 4 1.517/64.2 12 stop"},
     {"STO", "STO\nCIR CLR L'rim' 6;CIR EDG 7", "surface 50 4 1.517/64.2 12 stop"},
+    {"GO", "CIR S1 6;CIR S2 7\nVUY F2 0.1",
+     "note vignetting factors of the fields: the clear diameters limit the beams"},
     {"STO", "STO\nCIR 0", "surface 50 4 1.517/64.2 - stop"},
     {"STO", "STO\nCIR 6;ADX 1;ADY -2",
      "surface 50 4 1.517/64.2 - stop\npass circle 12 decenter=1,-2"},
@@ -274,7 +276,7 @@ static const struct refusal losses[] = {
     {"STO", "STO\n@DIF GRT", "DIF: a diffractive surface", ""},
     {"STO", "STO\nTEM @-300", "a temperature is above -273.15 C", NULL},
     {"STO", "STO\n@INC S1 0.1", "INC: an index that is changed", ""},
-    {"STO", "STO\n@VUY 0 0.1", "VUY: vignetting factors", ""},
+    {"STO", "STO\n@VUY 0 0.1", "VUY: vignetting factors of the fields", ""},
     {"STO", "STO\n@ADY 1", "ADY: an aperture that is not stated whole", "left out"},
     {"STO", "STO\nREX 2;REY 3;@ARO 30", "ARO: a turned aperture", ""},
     {"STO", "STO\n@CUF 0.1", "CUF: a Fresnel surface of this base", ""},
@@ -301,7 +303,7 @@ static const struct refusal losses[] = {
     {"STO", "STO\nADE 10;BDE 5\n@BEN", "a bend with turns about more than one axis",
      "only the first is kept"},
     {"STO", "STO\nCYL;CDE 10\n@DAR", "a cylinder turned about z", "left unturned"},
-    {"GO", "ZOO 2\nZOO @VUY F1 0 0.1", "VUY: vignetting factors", ""},
+    {"GO", "ZOO 2\nZOO @VUY F1 0 0.1", "VUY: vignetting factors of the fields", ""},
     {"GO", "ZOO 2\nZOO THI S1 3 @x", "a solve: it is not known", stands},
 };
 

@@ -202,6 +202,9 @@ static const struct meaning of_environment[] = {
     {PARAXIAL, "ENVD 40 0.5 1\n" GLASS("___BLANK 1 0 1.5 60"), "surface 50 4 1.5/60 - stop"},
     {PARAXIAL, "ENVD 40 0.5 1\n" GLASS("N-BK7"),
      "note line 15: the indices of SCHOTT:N-BK7 at 40 C and 0.5 atmospheres"},
+    /* a wavelength that FTYP does not count */
+    {PARAXIAL, "WAVM 2 200 1\nENVD 40 0.5 1\n" GLASS("N-BK7"),
+     "note line 16: the indices of SCHOTT:N-BK7 at 40 C and 0.5 atmospheres"},
 };
 
 static const struct refusal of_no_data[] = {

@@ -44,6 +44,7 @@ struct codev {
     bool mode_is_given;
     bool has_image;
     struct command_word image_solve; /* PIM */
+    struct command_word vignetting;  /* the first factor that is not 0 */
     struct command_word *wavelengths, *weights;
     size_t wavelength_count, weight_count, weight_room, primary;
     struct figure *fields[CODEV_FIELD_ROWS]; /* x, y, weight */

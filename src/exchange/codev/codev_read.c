@@ -64,6 +64,46 @@ static bool lose(struct codev *codev, const struct word_group *group, struct err
     return commands_lose(&codev->commands, error, "%s%s", group->what, word_group_marks(group));
 }
 
+/* VUX, VLX, VUY, VLY: the first that is not 0 is kept until the diameters are known. */
+static bool read_vignetting(struct codev *codev, int what, struct error *error)
+{
+    struct codev_qualifiers qualifiers;
+    (void)what;
+    if (!codev_qualifiers(codev, 1, &qualifiers, error)) {
+        return false;
+    }
+    if (!codev_is_zero(codev, qualifiers.next) && codev->vignetting.text.length == 0) {
+        codev->vignetting = codev->commands.words[0];
+    }
+    return true;
+}
+
+/* The factors narrow the beams as rims do; where all surfaces have diameters these do it here. */
+static bool check_vignetting(struct codev *codev, struct error *error)
+{
+    const struct lens *lens = codev->build.lens;
+    bool all = true;
+    if (codev->vignetting.text.length == 0) {
+        return true;
+    }
+    for (size_t i = 0; i < lens->surface_count; i++) {
+        const struct surface *one = &lens->surfaces[i];
+        const struct medium *before = i > 0 ? &one[-1].medium : &lens->object_medium;
+        const bool bends = !one->is_plane || one->has_curvature || surface_reflects(one) ||
+                           !medium_is_same(before, &one->medium);
+        all = all && (!bends || one->has_diameter || one->aperture_count > 0);
+    }
+    if (all) {
+        lens_build_note(&codev->build, text_of("vignetting factors of the fields: the clear "
+                                               "diameters limit the beams"));
+        return true;
+    }
+    const struct file_words place = commands_place(&codev->commands, &codev->vignetting);
+    return foreign_loss(codev->job, &place, codev->vignetting.text, error,
+                        "%.3s: vignetting factors of the fields" LOSS_VIGNETTES,
+                        codev->vignetting.text.start);
+}
+
 /* TEM in C, PRE in mm of mercury. */
 static bool read_environment(struct codev *codev, int what, struct error *error)
 {
@@ -149,6 +189,10 @@ static const struct {
     {"TEM", read_environment, 'T', false},
     {"PRE", read_environment, 'P', false},
     {"GO", read_go, 0, false},
+    {"VUX", read_vignetting, 0, false},
+    {"VLX", read_vignetting, 0, false},
+    {"VUY", read_vignetting, 0, false},
+    {"VLY", read_vignetting, 0, false},
 };
 
 /* Of a range of surfaces, S3..5, each gets what the command says; a stop or pick-up has one. */
@@ -291,7 +335,7 @@ static bool finish(struct codev *codev, struct error *error)
         *solve = (struct sequence_solve){.is_set = true, .at = codev->image_solve};
     }
     return codev_finish_system(codev, error) && finish_lens(codev, error) &&
-           codev_check_mode(codev, error);
+           check_vignetting(codev, error) && codev_check_mode(codev, error);
 }
 
 /* What lenscalc itself has written as comments. */
@@ -330,6 +374,7 @@ static bool read_position(void *state, size_t position, struct text content, str
     const struct number_scale scale = codev->commands.scale;
     const char *unit = codev->build.lens->unit;
     codev->position = position;
+    codev->vignetting = (struct command_word){.text = {NULL, 0}};
     lens_build_begin(&codev->build, lens, codev->job->arena);
     lens->unit = unit;
     commands_open(&codev->commands, codev->job, content, &grammar);

@@ -16,7 +16,8 @@ bool zemax_to_environment(struct zemax_file *file, const struct zemax_line *line
     if (zemax_number(stated, 2) == 0) {
         return true;
     }
-    while (environment.wave_count < file->wave_count) {
+    const size_t count = zemax_wave_count(file);
+    while (environment.wave_count < count) {
         environment.waves[environment.wave_count] = file->waves[environment.wave_count].value.hi;
         environment.wave_count++;
     }

@@ -95,7 +95,8 @@ static bool is_visible(const struct zemax_file *file)
 {
     const double shortest = 0.4, longest = 0.8; /* um */
     bool is = true;
-    for (size_t i = 0; i < file->wave_count; i++) {
+    const size_t count = zemax_wave_count(file);
+    for (size_t i = 0; i < count; i++) {
         is = is && file->waves[i].value.hi >= shortest && file->waves[i].value.hi <= longest;
     }
     return is;

@@ -12,6 +12,20 @@ double zemax_number(const struct zemax_line *line, size_t at)
     return line != NULL && at < line->count ? line->numbers[at].value.hi : 0;
 }
 
+size_t zemax_wave_count(const struct zemax_file *file)
+{
+    const double stated = fabs(zemax_number(file->fields, 3));
+    size_t count = file->wave_count;
+    if (stated >= 1 && stated < (double)count) {
+        count = (size_t)stated;
+    }
+    while (!(stated >= 1) && count > 1 &&
+           file->waves[count - 1].value.hi == file->waves[count - 2].value.hi) {
+        count--;
+    }
+    return count;
+}
+
 void zemax_remark(struct zemax_file *file, const char *format, ...)
 {
     char text[200];

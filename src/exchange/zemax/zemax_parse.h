@@ -110,6 +110,12 @@ bool zemax_parse(struct zemax_file *file, struct text content, struct error *err
 /* A number of a line, 0 where it is absent. */
 double zemax_number(const struct zemax_line *line, size_t at);
 
+/*
+ * How many of the wavelengths listed are in use. Without a count, the repeated default at the end
+ * is passed over.
+ */
+size_t zemax_wave_count(const struct zemax_file *file);
+
 /* A parameter after its pick-up: scale x (that of an earlier surface) + offset. */
 struct figure zemax_parameter(const struct zemax_file *file, size_t at, size_t number);
 

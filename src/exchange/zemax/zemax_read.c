@@ -139,18 +139,10 @@ static bool fail_waves(const struct zemax_file *file, struct error *error, const
     return error_locate(error, file->job->source, 0, 0);
 }
 
-/* The primary one first. Without a count, the repeated default at the end is passed over. */
+/* The primary one first. */
 static bool set_waves(struct zemax_file *file, struct error *error)
 {
-    const double stated = fabs(zemax_number(file->fields, 3));
-    size_t count = file->wave_count;
-    if (stated >= 1 && stated < (double)count) {
-        count = (size_t)stated;
-    }
-    while (!(stated >= 1) && count > 1 &&
-           file->waves[count - 1].value.hi == file->waves[count - 2].value.hi) {
-        count--;
-    }
+    const size_t count = zemax_wave_count(file);
     if (count > 0 && file->primary >= count) {
         return fail_waves(file, error,
                           arena_printf(file->job->arena,
