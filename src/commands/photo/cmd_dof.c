@@ -3,7 +3,6 @@
 #include "commands/photo/dof_question.h"
 #include "photo/anamorphic.h"
 #include "photo/dof.h"
-#include "photo/dof_plan.h"
 #include "photo/stops.h"
 #include "report/report.h"
 
@@ -40,7 +39,8 @@ static const struct option options[] = {
      .flags = OPTION_NO_INFINITY | OPTION_GOAL, .value = "RATIO",
      .help = "wanted magnification: 1:2 or 0.5"},
     {OPTION(struct dof_question, stack), .name = "stack",
-     .help = "plan a focus stack from --near to --far, one row a shot"},
+     .help = "plan a focus stack, one row a shot: from --near to --far, or so deep as --dof says; "
+             "-m is the magnification of its first shot"},
     {OPTION(struct dof_question, overlap), .name = "overlap", .wants = "stack",
      .dimension = &dimension_ratio, .lowest = 0, .highest = 0.95, .fallback = "0.2",
      .value = "FRACTION",
@@ -280,47 +280,22 @@ static bool answer_by_rays(const struct dof_question *input, const struct attach
     return found;
 }
 
-/* Near and far of a stack, from wherever they are measured. */
-static bool stack_limits(const struct dof_question *input, const struct photo_lens *lens,
-                         double *near, double *far, struct error *error)
-{
-    const struct dof_targets *t = &input->targets;
-    if (isnan(t->near) || isnan(t->far) || !isnan(input->distance)) {
-        return fail(error, ERROR_USAGE,
-                    "{--stack} needs {--near} and {--far}, and no {--distance} of its own");
-    }
-    if (sharpness_is_airy(&input->sharp)) {
-        return fail(error, ERROR_USAGE,
-                    "{--stack} needs one circle of confusion for all shots: not {--coc} airy");
-    }
-    if (input->lens.from == FROM_SENSOR || input->model != DOF_EXACT) {
-        return fail(error, ERROR_USAGE,
-                    "{--stack} works with exact formulas and distances from the "
-                    "principal plane");
-    }
-    return distance_to_principal(lens->f, lens->P, t->near, &lens->measuring, near, error) &&
-           distance_to_principal(lens->f, lens->P, t->far, &lens->measuring, far, error);
-}
-
 static bool run_stack(const struct dof_question *input, const struct attached_lens *attached,
-                      const struct dof_setting *setting, struct run *run, struct error *error)
+                      const struct dof_plan *plan, const char *criterion, struct run *run,
+                      struct error *error)
 {
-    struct dof_plan plan;
     struct row row;
-    double near, far;
-    if (!stack_limits(input, attached->lens, &near, &far, error) ||
-        !dof_plan_make(setting, near, far, input->overlap, &plan, error)) {
-        return false;
-    }
     row.rays = by_rays_none;
-    for (long i = 0; i < plan.count; i++) {
-        if (!dof_plan_shot(&plan, i, &row.setting, &row.dof, error) ||
+    for (long i = 0; i < plan->count; i++) {
+        if (!dof_plan_shot(plan, i, &row.setting, &row.dof, error) ||
+            !photo_lens_check_subject(attached->lens, row.setting.s, error) ||
             !attached_check_reach(attached, row.setting.s, error) ||
             !fill_row(input, attached, &row, error)) {
             return false;
         }
         row.shot = i + 1;
-        row.shots = plan.count;
+        row.shots = plan->count;
+        row.criterion = criterion;
         if (!fill_other(input, &row, error) || !run_emit(run, &row)) {
             return false;
         }
@@ -338,9 +313,12 @@ static bool wants_coc(const struct dof_question *input, const struct dof_setting
         return false; /* as in most batches */
     }
     const struct dof_targets *t = &input->targets;
-    bool complete = !isnan(setting->f) && !isnan(setting->N) && !isnan(setting->s);
+    bool complete = !isnan(setting->f) && !isnan(setting->N);
+    if (input->stack) {
+        return complete && !isnan(t->hyperfocal);
+    }
     bool wish = !isnan(t->near) || !isnan(t->far) || !isnan(t->total) || !isnan(t->hyperfocal);
-    return complete && wish;
+    return complete && !isnan(setting->s) && wish;
 }
 
 /* The wish that the circle of confusion is to meet stands before the answer, which is not the depth
@@ -392,13 +370,16 @@ static bool answer(const void *data, const struct photo_lens *lens, struct run *
     if (sharpness_in_pixels(&input->sharp)) {
         sharpness_doubt_pitch(&input->sharp, run->doubts);
     }
-    if (input->stack && !input->rays.exact) {
-        return run_stack(input, &attached, setting, run, error);
-    }
     row.rays = by_rays_none;
     bool solves_coc = wants_coc(input, setting);
     if (solves_coc) {
         setting->c = NAN;
+    }
+    const char *criterion = solves_coc ? "solved" : input->sharp.coc.criterion;
+    if (input->stack) {
+        struct dof_plan plan;
+        return dof_question_plan(input, attached.lens, setting, &plan, error) &&
+               run_stack(input, &attached, &plan, criterion, run, error);
     }
     if (!dof_question_solve(input, &attached, setting, error) ||
         !dof_compute(setting, (enum dof_model)input->model, &row.dof, error) ||
@@ -406,11 +387,9 @@ static bool answer(const void *data, const struct photo_lens *lens, struct run *
         !fill_row(input, &attached, &row, error)) {
         return false;
     }
-    if (solves_coc) {
-        row.criterion = "solved";
-        if (run->leads != NULL && run->leads->title == NULL) {
-            say_wish(input, setting, run);
-        }
+    row.criterion = criterion;
+    if (solves_coc && run->leads != NULL && run->leads->title == NULL) {
+        say_wish(input, setting, run);
     }
     row.shot = row.shots = NO_INTEGER;
     return fill_other(input, &row, error) && (run_emit(run, &row), true);
@@ -496,6 +475,7 @@ static const struct example examples[] = {
     {"dof -f 35mm --near 2m --far 10m", "which distance and f-number make 2 m to 10 m sharp"},
     {"dof --lens double-gauss -N 4 -s 2m", "a real lens, with distances from the sensor too"},
     {"dof -f 100mm -N 8 --near 30cm --far 33cm --stack", "a focus stack"},
+    {"dof -f 100mm -N 5.6 -m 1:1 --dof 5mm --stack", "one that begins at life size"},
     {"dof -f 50mm -N 8 --tube 25mm", "with a tube, the lens itself focused at infinity"},
     {"dof -f 200mm -N 4 -s 10m --converter 2x", "with a teleconverter"},
     {"dof -f 50mm -N 2.8 --t-stop 3.1 -s 2m --squeeze 2 --sensor scope", "anamorphic cinema"},

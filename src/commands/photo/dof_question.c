@@ -8,7 +8,7 @@ static bool solves_fnumber(const struct dof_question *input)
     const struct dof_targets *t = &input->targets;
     int wishes = !isnan(t->near) + !isnan(t->far) + !isnan(t->total) + !isnan(t->hyperfocal) +
                  !isnan(t->magnification);
-    return !input->stack && wishes > isnan(input->distance);
+    return wishes > (input->stack ? 2 : isnan(input->distance));
 }
 
 int dof_question_use(const struct dof_question *input)
@@ -113,6 +113,83 @@ bool dof_question_solve(const struct dof_question *input, const struct attached_
     return solve(input, attached->lens, setting, error) &&
            photo_lens_check_subject(attached->lens, setting->s, error) &&
            attached_check_reach(attached, setting->s, error);
+}
+
+/* -------- focus stacks -------- */
+
+static bool stack_check(const struct dof_question *input, struct error *error)
+{
+    const struct dof_targets *t = &input->targets;
+    const int ends = !isnan(t->near) + !isnan(t->far) + !isnan(t->total);
+    if (!isnan(input->distance) || ends + !isnan(t->magnification) < 2) {
+        return fail(error, ERROR_USAGE,
+                    "{--stack} needs two of {--near}, {--far} and {--dof}, or {--far} or {--dof} "
+                    "with the {--magnification} of its first shot, and no {--distance} of its own");
+    }
+    if (ends == 3) {
+        return fail(error, ERROR_USAGE,
+                    "{--stack} needs two of {--near}, {--far} and {--dof}: the third follows");
+    }
+    if (isnan(t->far) && isnan(t->total)) {
+        return fail(error, ERROR_USAGE, "{--stack} has no end: give {--far} or {--dof}");
+    }
+    if (sharpness_is_airy(&input->sharp)) {
+        return fail(error, ERROR_USAGE,
+                    "{--stack} needs one circle of confusion for all shots: not {--coc} airy");
+    }
+    if (input->lens.from == FROM_SENSOR || input->model != DOF_EXACT) {
+        return fail(error, ERROR_USAGE,
+                    "{--stack} works with exact formulas and distances from the "
+                    "principal plane");
+    }
+    return true;
+}
+
+/* Near and far of a stack from the principal plane, once f, N and c are known. */
+static bool stack_limits(const struct dof_targets *t, const struct photo_lens *lens,
+                         const struct dof_setting *setting, double *near, double *far,
+                         struct error *error)
+{
+    const double nearest = isnan(t->near) ? t->far - t->total : t->near;
+    struct dof first;
+    if (!isnan(nearest)) {
+        if (!distance_to_principal(setting->f, setting->P, nearest, &lens->measuring, near,
+                                   error)) {
+            return false;
+        }
+    } else if (dof_compute(setting, DOF_EXACT, &first, error)) {
+        *near = first.near;
+    } else {
+        return false;
+    }
+    *far = *near + t->total;
+    return isnan(t->far) ||
+           distance_to_principal(setting->f, setting->P, t->far, &lens->measuring, far, error);
+}
+
+bool dof_question_plan(const struct dof_question *input, const struct photo_lens *lens,
+                       struct dof_setting *setting, struct dof_plan *plan, struct error *error)
+{
+    const struct dof_targets *t = &input->targets;
+    /* what the first shot shall have; far and depth are those of the whole stack */
+    const struct dof_targets first = {.near = isnan(t->near) ? t->far - t->total : t->near,
+                                      .far = NAN,
+                                      .total = NAN,
+                                      .hyperfocal = t->hyperfocal,
+                                      .magnification = t->magnification};
+    const bool is_known = !isnan(setting->f) && !isnan(setting->N) && !isnan(setting->c) &&
+                          isnan(t->magnification) && isnan(t->hyperfocal);
+    double near, far;
+    if (!stack_check(input, error) ||
+        (!is_known && !distance_solve(setting, &first, &lens->measuring, error)) ||
+        !stack_limits(t, lens, setting, &near, &far, error) ||
+        !dof_plan_make(setting, near, far, input->overlap, plan, error)) {
+        return false;
+    }
+    if (!isnan(t->magnification)) {
+        plan->first = t->magnification + setting->P; /* also where one shot would be enough */
+    }
+    return true;
 }
 
 /* -------- by rays -------- */

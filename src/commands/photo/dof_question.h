@@ -8,6 +8,7 @@
 #include "commands/photo/photo_lens.h"
 #include "commands/photo/sharpness.h"
 #include "photo/dof.h"
+#include "photo/dof_plan.h"
 #include "photo/dof_solve.h"
 
 /* The options of the command fill it; NaN = not given. */
@@ -49,6 +50,18 @@ bool dof_question_open(const struct dof_question *input, const struct photo_lens
  */
 bool dof_question_solve(const struct dof_question *input, const struct attached_lens *attached,
                         struct dof_setting *setting, struct error *error);
+
+/*
+ * The shots of a focus stack: its near end is --near, --far less --dof, or the near limit of a first
+ * shot at the magnification; its far end --far, or --dof behind the near one. What of f, N and c is
+ * NaN follows from the magnification with a near end, and from the hyperfocal distance.
+ *
+ * Given     setting  as dof_question_open has it; receives the rest but s
+ * Errors    ERROR_USAGE: ends that are not given, or said twice; an own distance, the Airy disc,
+ *           another model, distances from the sensor; as distance_solve and dof_plan_make
+ */
+bool dof_question_plan(const struct dof_question *input, const struct photo_lens *lens,
+                       struct dof_setting *setting, struct dof_plan *plan, struct error *error);
 
 /* An answer that formulas gave, to be given by rays. */
 struct dof_traced {
