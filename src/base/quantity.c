@@ -401,7 +401,8 @@ static bool read_usual(struct text text, const struct dimension *dimension, cons
         !read_with_unit(&reading, from, plain, fraction, value)) {
         return false;
     }
-    if (reading.typed != NULL && dimension == &dimension_length && !read_inches(&reading, value)) {
+    if (reading.typed != NULL && dimension->units == dimension_length.units &&
+        !read_inches(&reading, value)) {
         return false;
     }
     skip_blanks(&reading);

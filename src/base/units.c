@@ -28,7 +28,23 @@ static const struct unit number_units[] = {
 #define MI(p) "mi", "mi", {1609344, p}, 1, "mile miles", "mile, 1609.344 m"
 
 static const struct unit length_units[] = {
-    {MM(0)}, {NM(0)}, {UM(0)}, {CM(0)}, {M(0)}, {KM(0)}, {IN(0)}, {FT(0)}, {YD(0)}, {MI(0)},
+    {MM(0)},
+    {NM(0)},
+    {UM(0)},
+    {CM(0)},
+    {M(0)},
+    {KM(0)},
+    {IN(0)},
+    {FT(0)},
+    {YD(0)},
+    {MI(0)},
+    /* the last is of focal lengths alone */
+    {"mm-eq",
+     "mm-eq",
+     {1, 0},
+     1,
+     "mmeq mm-equiv mm-equivalent",
+     "focal length with the same diagonal angle on 36 x 24 mm"},
 };
 
 /* For wavelengths that the program keeps in um. */
@@ -161,7 +177,12 @@ static const struct unit storage_units[] = {
 #define UNITS(array) .units = (array), .unit_count = COUNT(array)
 
 const struct dimension dimension_number = {.name = "number", UNITS(number_units)};
-const struct dimension dimension_length = {.name = "length", .fraction = true, UNITS(length_units)};
+const struct dimension dimension_length = {.name = "length",
+                                           .fraction = true,
+                                           .units = length_units,
+                                           .unit_count = COUNT(length_units) - 1};
+const struct dimension dimension_focal_length = {
+    .name = "length", .fraction = true, UNITS(length_units)};
 const struct dimension dimension_angle = {.name = "angle", UNITS(angle_units)};
 const struct dimension dimension_time = {
     .name = "time", .fraction = true, .series = "shutters.tsv", UNITS(time_units)};
@@ -237,6 +258,11 @@ static double power_of_ten(int n)
     static const double powers[] = {1,   1e1, 1e2, 1e3,  1e4,  1e5, 1e6,
                                     1e7, 1e8, 1e9, 1e10, 1e11, 1e12};
     return powers[n];
+}
+
+bool unit_is_equivalent(const struct unit *unit)
+{
+    return unit == &length_units[COUNT(length_units) - 1];
 }
 
 bool unit_is_own(const struct unit *unit)

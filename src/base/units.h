@@ -42,6 +42,15 @@ extern const struct dimension dimension_number, dimension_length, dimension_angl
  */
 extern const struct dimension dimension_wavelength, dimension_wavelength_um;
 
+/*
+ * A length that may also be one on another format, where it has the same diagonal angle: 26mm-eq.
+ * Its units are those of dimension_length and that one.
+ */
+extern const struct dimension dimension_focal_length;
+
+/* Is it the unit of focal lengths on 36 x 24 mm? */
+bool unit_is_equivalent(const struct unit *unit);
+
 /* All dimensions, for lists and for naming the right one in a message; ends with null. */
 extern const struct dimension *const dimensions[];
 

@@ -166,13 +166,16 @@ static bool check_place(const struct artifacts *artifacts, const struct artifact
 }
 
 /* The inputs of a sweep, one after the other; the input itself where there is only one. */
-static const void *const *inputs_of(const struct artifact_setting *setting, size_t count)
+static const void *const *inputs_of(const struct artifact_setting *setting, size_t count,
+                                    struct error *error)
 {
     size_t size = setting->command->input_size;
     const void **inputs = ARENA_ARRAY(setting->arena, count, const void *);
     for (size_t i = 0; i < count && count > 1; i++) {
         void *copy = arena_array(setting->arena, 1, size);
-        sweep_set(setting->sweep, i, setting->input);
+        if (!sweep_recall(setting->sweep, i, setting->input, error)) {
+            return NULL;
+        }
         inputs[i] = memcpy(copy, setting->input, size);
     }
     inputs[0] = count > 1 ? inputs[0] : setting->input;
@@ -208,7 +211,10 @@ static bool order(struct artifacts *artifacts, const struct artifact_setting *se
     }
     const bool is_each = artifact->scope == ARTIFACT_OF_EACH;
     job.count = is_each || artifact->scope == ARTIFACT_OF_SWEEP ? setting->sweep->total : 1;
-    job.inputs = inputs_of(setting, job.count);
+    job.inputs = inputs_of(setting, job.count, error);
+    if (job.inputs == NULL) {
+        return false;
+    }
     job.asking = setting->asking;
     job.is_forced = setting->common->force;
     job.run = setting->run;

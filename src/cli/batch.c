@@ -189,6 +189,8 @@ static bool take_plain_row(struct batch *batch, void *input)
             coc->coc.value = value;
             coc->criterion = COC_GIVEN;
             coc->is_fallback = false;
+        } else if (plain->is_focal) {
+            *(struct focal_value *)member = (struct focal_value){value, NAN};
         } else {
             *(double *)member = value;
         }
@@ -341,6 +343,7 @@ static void prepare_plain(struct batch *batch)
                                         .highest = column->highest,
                                         .offset = column->offset,
                                         .is_coc = column->is_coc,
+                                        .is_focal = column->is_focal,
                                         .behind = i + 1 < count ? batch->separator : '\n'};
         if (!column->is_plain || !set_factors(&plain[i])) {
             return;

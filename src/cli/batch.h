@@ -19,7 +19,7 @@ struct batch_column {
     double lowest, highest; /* a bare number between these is legal without a closer look */
     size_t offset;
     bool is_plain; /* a number that needs no lensdb, no prefix */
-    bool is_coc;
+    bool is_coc, is_focal;
     bool is_ignored;      /* neither input nor handed through */
     bool is_infinite;     /* a JSON companion: true makes the option infinite */
     bool is_late;         /* in JSON: the first object does not have it */
@@ -41,7 +41,7 @@ struct batch_plain {
     struct number_scale scale;                /* of a longer number */
     double factor, lowest, highest;
     size_t offset; /* of the value in the input */
-    bool is_coc;
+    bool is_coc, is_focal;
     char behind; /* what ends the cell */
 };
 

@@ -129,7 +129,9 @@ static void set_scale(struct batch_column *column, const struct reader *reader)
     column->offset = column->option->offset;
     column->is_coc = column->option->kind == &kind_coc;
     bool labels = reader->nominal && option_has_series(column->option);
-    column->is_plain = (column->option->kind == &kind_quantity && !labels) || column->is_coc;
+    column->is_focal = column->option->kind == &kind_focal;
+    column->is_plain = (column->option->kind == &kind_quantity && !labels) || column->is_coc ||
+                       (column->is_focal && !unit_is_equivalent(unit));
 }
 
 static bool find_column(const struct batch *batch, struct text name, struct batch_column *column,

@@ -150,7 +150,7 @@ const char *axis_machine_value(const struct collection *collection, const struct
                                size_t i)
 {
     char number[NUMBER_LENGTH + 1];
-    if (axis->option->kind != &kind_quantity) {
+    if (axis->option->kind->set_number == NULL) {
         return axis_value(collection, axis, i, false);
     }
     *quantity_write(number, axis_number(axis, i), axis->unit) = '\0';

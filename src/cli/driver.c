@@ -290,7 +290,8 @@ static void choose_sheet(struct driver *driver)
                                            .is_for_people = driver->report.format->is_for_people,
                                            .given = asked_given,
                                            .varied = asked_varied,
-                                           .asked = driver};
+                                           .asked = driver,
+                                           .input = driver->input};
     echo_open(&driver->echo, &question, &driver->arena);
     driver->report.sheet = &driver->echo.sheet;
     if (driver->is_batch && command->takes_blocks != NULL &&

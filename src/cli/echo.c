@@ -135,20 +135,44 @@ static void add(struct echo *echo, const struct echo_question *question,
     echo->sheet.row_size += VALUE;
     echo->sheet.column_count++;
     echo->items[echo->count++] = (struct echo_item){
-        option, offset, option->fallback != NULL || question->given(question->asked, option->name)};
+        option, offset, option->fallback != NULL || question->given(question->asked, option->name),
+        false};
+}
+
+/* What was given as an equivalent focal length stands among the assumptions, beside the sensor. */
+static void add_equivalent(struct echo *echo, const struct option *option, struct column *place,
+                           struct arena *arena)
+{
+    *place = (struct column){
+        .name = arena_printf(arena, "%s_equivalent", column_name(option, arena)),
+        .unit = "mm",
+        .dimension = &dimension_length,
+        .type = COLUMN_NUMBER,
+        .offset = echo->sheet.row_size,
+        .flags = COLUMN_ASSUMED | COLUMN_EXTRA | COLUMN_ECHO,
+        .depends = option->name,
+        .label = "equivalent focal length",
+        .help = "focal length with the same diagonal angle on 36 x 24 mm, as given",
+    };
+    echo->sheet.row_size += VALUE;
+    echo->sheet.column_count++;
+    echo->items[echo->count++] = (struct echo_item){option, place->offset, true, true};
 }
 
 void echo_open(struct echo *echo, const struct echo_question *question, struct arena *arena)
 {
     const struct sheet *own = question->sheet;
-    const size_t most = question->command->option_count;
+    const size_t most = 2 * question->command->option_count;
     struct column *columns = ARENA_ARRAY(arena, most + own->column_count, struct column);
     memcpy(columns + most, own->columns, own->column_count * sizeof *columns);
     *echo = (struct echo){
         .own = own, .sheet = *own, .items = ARENA_ARRAY(arena, most + 1, struct echo_item)};
     echo->sheet.row_size = (own->row_size + VALUE - 1) / VALUE * VALUE;
-    for (size_t i = 0; i < most; i++) {
+    for (size_t i = 0; i < question->command->option_count; i++) {
         const struct option *option = &question->command->options[i];
+        if (question->input != NULL && focal_is_equivalent(option, question->input)) {
+            add_equivalent(echo, option, &columns[echo->count], arena);
+        }
         const bool varies = question->varied(question->asked, option->name);
         const bool is_wanted = varies && (question->is_for_people || !is_told(own, option));
         if (!question->all && !is_wanted) {
@@ -172,7 +196,7 @@ void echo_settle(struct echo *echo, struct report *report)
 {
     bool any = false;
     for (size_t i = 0; i < echo->count && !any; i++) {
-        any = report_shows(report, &echo->sheet.columns[i]);
+        any = echo->items[i].is_equivalent || report_shows(report, &echo->sheet.columns[i]);
     }
     if (!any) {
         /* the columns lie where they lay: they need not be chosen again */
@@ -195,6 +219,10 @@ static void set_value(char *to, const struct echo_item *item, const void *input,
 {
     const struct option *option = item->option;
     const void *member = (const char *)input + option->offset;
+    if (item->is_equivalent) {
+        *(double *)(void *)to = ((const struct focal_value *)member)->equivalent;
+        return;
+    }
     switch (type_of(option)) {
     case COLUMN_NUMBER:
         *(double *)(void *)to = item->has_value ? option->kind->number_of(member) : (double)NAN;

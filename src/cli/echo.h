@@ -10,7 +10,8 @@
 struct echo_item {
     const struct option *option;
     size_t offset;
-    bool has_value; /* false: neither given nor assumed, the column is empty */
+    bool has_value;     /* false: neither given nor assumed, the column is empty */
+    bool is_equivalent; /* it says the equivalent focal length that was given */
 };
 
 /* The columns of a command, behind those that it lacks to tell its rows apart. */
@@ -33,12 +34,16 @@ struct echo_question {
     bool (*given)(const void *asked, const char *option);
     bool (*varied)(const void *asked, const char *option);
     const void *asked;
+    const void
+        *input; /* as options set it, to tell what is given as an equivalent focal length; null:
+                          there is no question */
 };
 
 /*
  * Add a column for each option that varies from row to row and that no column of the command
  * repeats: by the name that the option has for its column, else by its own. A column of that name
- * that comes on request only comes unasked.
+ * that comes on request only comes unasked. An equivalent focal length, of which the command knows
+ * the real one only, becomes an assumption.
  */
 void echo_open(struct echo *echo, const struct echo_question *question, struct arena *arena);
 

@@ -326,12 +326,19 @@ static double quantity_number(const void *member)
     return *(const double *)member;
 }
 
+static void quantity_set_number(void *member, double number, const struct unit *unit)
+{
+    (void)unit;
+    *(double *)member = number;
+}
+
 const struct option_kind kind_quantity = {
     .name = "quantity",
     .size = sizeof(double),
     .is_list = true,
     .read = read_quantity,
     .number_of = quantity_number,
+    .set_number = quantity_set_number,
     .clear = clear_quantity,
 };
 

@@ -8,6 +8,7 @@
 #include "base/file_type.h"
 #include "base/quantity.h"
 #include "cli/option_field.h"
+#include "cli/option_focal.h"
 #include "cli/option_glass.h"
 #include "cli/option_lens.h"
 #include "cli/option_light.h"
@@ -58,21 +59,25 @@ struct option_kind {
     const char *(*words_of)(const struct option *option, const void *member, struct arena *arena);
     /* Its number in its own unit, where ranges of them may be swept; null: it has none. */
     double (*number_of)(const void *member);
+    /* Set it to such a number, typed in this unit; null: it is read from text. */
+    void (*set_number)(void *member, double number, const struct unit *unit);
     unsigned reads; /* enum reads: where its values come from */
     /* Make a member absent whose bytes are zero; null: zero is absent. */
     void (*clear)(void *member);
 };
 
-extern const struct option_kind kind_quantity, kind_choice, kind_flag, kind_text, kind_count,
-    kind_sensor, kind_coc, kind_loss, kind_film, kind_scene, kind_series, kind_glass, kind_interval,
-    kind_lens, kind_lens_text, kind_wavelength, kind_vector, kind_pupil, kind_plane, kind_target,
-    kind_fields, kind_spectrum, kind_print, kind_part;
+extern const struct option_kind kind_quantity, kind_focal, kind_choice, kind_flag, kind_text,
+    kind_count, kind_sensor, kind_coc, kind_loss, kind_film, kind_scene, kind_series, kind_glass,
+    kind_interval, kind_lens, kind_lens_text, kind_wavelength, kind_vector, kind_pupil, kind_plane,
+    kind_target, kind_fields, kind_spectrum, kind_print, kind_part;
 
 /* A sensor as the user named it. */
 struct sensor_value {
     struct sensor size;     /* mm */
     const char *name;       /* as printed: "35mm (36 x 24 mm)" */
     const char *pitch_note; /* what to know of the pixel pitch; null = nothing */
+    bool is_fallback;       /* nobody named it */
+    bool is_wide;           /* of a camera whose lens is fixed and wide: phone, drone, action */
 };
 
 /* A print as the user wrote it, mm; NaN = not given. */
@@ -106,6 +111,7 @@ struct coc_value {
 #define OPTION_KIND(S, member)                                                                     \
     _Generic(((S *)0)->member,                                                                     \
         double: &kind_quantity,                                                                    \
+        struct focal_value: &kind_focal,                                                           \
         int: &kind_choice,                                                                         \
         long: &kind_count,                                                                         \
         bool: &kind_flag,                                                                          \

@@ -72,6 +72,12 @@ static bool read_size(const struct reader *reader, const struct option *option, 
     return true;
 }
 
+/* Cameras with a lens that cannot be changed, and whose main one is wide. */
+static bool is_wide_class(struct text class)
+{
+    return text_equal(class, "phone") || text_equal(class, "drone") || text_equal(class, "action");
+}
+
 static struct sensor_value name_sensor(const struct reader *reader,
                                        const struct lensdb_sensor *found)
 {
@@ -80,6 +86,7 @@ static struct sensor_value name_sensor(const struct reader *reader,
     sensor.name = arena_printf(reader->arena, "%.*s%s%.*s (%s)", (int)found->maker.length,
                                found->maker.start, found->maker.length > 0 ? " " : "",
                                (int)found->name.length, found->name.start, size);
+    sensor.is_wide = is_wide_class(found->class);
     if (text_equal(found->pitch_from, "estimate")) {
         sensor.pitch_note = "worked out from an estimated pixel count, good to about 2 %";
     }
@@ -254,6 +261,7 @@ static bool read_sensor(const struct reader *reader, const struct option *option
     if (read_whole(reader, option, text, &sensor, &begun, error) ||
         (error->code == ERROR_USAGE &&
          read_extraction(reader, option, text_trim(without_size(text)), &sensor))) {
+        sensor.is_fallback = reader->fallback;
         *(struct sensor_value *)member = sensor;
         return true;
     }

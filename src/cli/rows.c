@@ -415,6 +415,11 @@ static bool take_new_keys(struct driver *driver, struct error *error)
 static bool take_row(struct driver *driver, enum batch_result result, struct error *error)
 {
     struct queue *queue = &driver->queue;
+    if (result == BATCH_ROW &&
+        !focal_settle(&driver->sweep.focal, driver->input, &driver->doubts, error)) {
+        error_locate(error, driver->batch.source, driver->batch.line, 0);
+        result = BATCH_BAD_ROW;
+    }
     if (result == BATCH_ROW && queue->capacity > 0) {
         queue_add(queue, driver->input, &driver->batch);
         return queue->count < queue->capacity || flush_queue(driver, error);

@@ -87,7 +87,8 @@ static double as_typed(const struct range *range, double number)
 static bool add_number(struct values *values, const struct range *range, double number,
                        struct error *error)
 {
-    if (values->option->kind != &kind_quantity) {
+    const struct option_kind *kind = values->option->kind;
+    if (kind->set_number == NULL) {
         return add_typed(values, number, error);
     }
     number = as_typed(range, number);
@@ -95,7 +96,7 @@ static bool add_number(struct values *values, const struct range *range, double 
         return false;
     }
     option_doubt(values->reader, values->option, number);
-    ((double *)values->data)[values->count++] = number;
+    kind->set_number(values->data + values->count++ * kind->size, number, range->unit);
     return true;
 }
 
@@ -191,6 +192,10 @@ static bool read_ends(const struct values *values, struct range *range, struct e
         return false;
     }
     range->unit = right != NULL ? right : left != NULL ? left : usual;
+    if (left != NULL && unit_is_equivalent(left) != unit_is_equivalent(range->unit)) {
+        return range_fail(values, range, "one end is an equivalent focal length, the other is none",
+                          error);
+    }
     if (left == NULL &&
         !read_number(values, range->first, range->unit, &range->from, NULL, error)) {
         return false;
@@ -565,33 +570,6 @@ bool sweep_build(struct sweep *sweep, const struct arguments *arguments,
             return false;
         }
     }
+    sweep->focal = focal_options_of(arguments->command->options, arguments->command->option_count);
     return check_size(sweep, arguments->command, force, input, error);
-}
-
-/* Does one of its artifacts have a file for each value of the option? */
-static bool may_vary(const struct command *command, const char *option)
-{
-    for (size_t i = 0; i < command->artifact_count; i++) {
-        struct text rest =
-            text_of(command->artifacts[i].varies != NULL ? command->artifacts[i].varies : "");
-        while (rest.length > 0) {
-            if (text_equal(text_cut(&rest, ' '), option)) {
-                return true;
-            }
-        }
-    }
-    return false;
-}
-
-bool sweep_check_single(const struct sweep *sweep, const struct command *command,
-                        struct error *error)
-{
-    for (size_t i = 0; i < sweep->axis_count; i++) {
-        const char *option = sweep->axes[i].option->name;
-        if (!may_vary(command, option)) {
-            return fail(error, ERROR_USAGE, "--%s has several values: %s takes one", option,
-                        command->name);
-        }
-    }
-    return true;
 }

@@ -18,6 +18,7 @@ struct sweep {
     size_t axis_count;
     size_t total; /* combinations; 1 without axes */
     const struct reader *reader;
+    struct focal_options focal; /* for sweep_recall */
 };
 
 /*
@@ -31,20 +32,18 @@ struct sweep {
 bool sweep_build(struct sweep *sweep, const struct arguments *arguments,
                  const struct reader *reader, bool force, void *input, struct error *error);
 
-/* A text or a drawing is that of one value of each option, but those that an artifact varies. */
-bool sweep_check_single(const struct sweep *sweep, const struct command *command,
-                        struct error *error);
-
 /* -------- cli/sweep_set.c -------- */
 
 /* Put combination `index` (0 .. total - 1) into the input, as the axes have it. */
 void sweep_set(const struct sweep *sweep, size_t index, void *input);
 
 /*
- * The same, and whole: where reader->recalls, an axis may have no more than the name of a value.
+ * The same, and whole: where reader->recalls, an axis may have no more than the name of a value;
+ * focal lengths are settled.
  *
  * Result    what was read again lives until so many have been read as are wanted at once
- * Errors    as option_read: what was good when the sweep was built may have changed
+ * Errors    as option_read: what was good when the sweep was built may have changed; as
+ *           focal_settle
  */
 bool sweep_recall(const struct sweep *sweep, size_t index, void *input, struct error *error);
 
@@ -56,5 +55,9 @@ bool axis_is_number(const struct axis *axis);
 
 /* Value of such an axis, in the program's own unit. */
 double axis_number(const struct axis *axis, size_t index);
+
+/* A text or a drawing is that of one value of each option, but those that an artifact varies. */
+bool sweep_check_single(const struct sweep *sweep, const struct command *command,
+                        struct error *error);
 
 #endif

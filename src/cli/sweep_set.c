@@ -24,7 +24,7 @@ bool sweep_recall(const struct sweep *sweep, size_t index, void *input, struct e
             return false;
         }
     }
-    return true;
+    return focal_settle(&sweep->focal, input, sweep->reader->doubts, error);
 }
 
 const struct axis *sweep_axis(const struct sweep *sweep, const char *option)
@@ -46,4 +46,32 @@ double axis_number(const struct axis *axis, size_t index)
 {
     const struct option_kind *kind = axis->option->kind;
     return kind->number_of(axis->values + index * kind->size);
+}
+
+/* Does one of its artifacts have a file for each value of the option? */
+static bool may_vary(const struct command *command, const char *option)
+{
+    for (size_t i = 0; i < command->artifact_count; i++) {
+        struct text rest =
+            text_of(command->artifacts[i].varies != NULL ? command->artifacts[i].varies : "");
+        while (rest.length > 0) {
+            if (text_equal(text_cut(&rest, ' '), option)) {
+                return true;
+            }
+        }
+    }
+    return false;
+}
+
+bool sweep_check_single(const struct sweep *sweep, const struct command *command,
+                        struct error *error)
+{
+    for (size_t i = 0; i < sweep->axis_count; i++) {
+        const char *option = sweep->axes[i].option->name;
+        if (!may_vary(command, option)) {
+            return fail(error, ERROR_USAGE, "--%s has several values: %s takes one", option,
+                        command->name);
+        }
+    }
+    return true;
 }

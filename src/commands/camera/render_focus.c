@@ -26,7 +26,7 @@ static bool find_object(const struct render_input *input, struct arena *arena, d
 {
     const struct photo_lens_question question = {.lens = input->question.lens,
                                                  .position = input->question.position,
-                                                 .focal = NAN,
+                                                 .focal = {NAN, NAN},
                                                  .wavelength = NAN,
                                                  .fnumber = NAN,
                                                  .pupil = NAN,

@@ -11,7 +11,8 @@
 #include <math.h>
 
 struct input {
-    double focal, distance, magnification, speed, time, angle, height;
+    struct focal_value focal;
+    double distance, magnification, speed, time, angle, height;
     double rotation, track, stabiliser, readout;
     struct coc_value blur;
     struct sharpness sharp;
@@ -136,14 +137,14 @@ static bool limit(const struct input *input, double c, bool wanted, double *blur
 static bool magnify(const struct input *input, double *m, struct error *error)
 {
     *m = input->magnification;
-    if (!is_given(input->focal) || !is_given(input->distance)) {
+    if (!is_given(input->focal.length) || !is_given(input->distance)) {
         return true;
     }
     if (is_given(*m)) {
         return fail(error, ERROR_USAGE,
                     "give {--magnification}, or {--focal-length} and {--distance}");
     }
-    return motion_magnification(input->focal, input->distance, m, error);
+    return motion_magnification(input->focal.length, input->distance, m, error);
 }
 
 /* A moving subject: speed, time, magnification or blur from the other three. */
@@ -218,7 +219,7 @@ static bool run(const void *data, struct run *run, struct error *error)
     struct row row = {
         .motion = {input->speed, input->time, NAN, NAN, input->angle, input->distance,
                    input->height},
-        .focal = input->focal,
+        .focal = input->focal.length,
         .distance = input->distance,
         .pitch = sharpness_pitch(&own.sharp),
         .size = {NAN, NAN},

@@ -11,7 +11,8 @@
 #include <math.h>
 
 struct input {
-    double focal, distance, pupil, hiatus;
+    struct focal_value focal;
+    double distance, pupil, hiatus;
     struct sensor_value sensor;
     bool portrait;
     double horizontal, vertical; /* of a frame, in place of the lens */
@@ -215,9 +216,9 @@ static struct sensor held_sensor(const struct input *input)
 static bool find_frame(const struct input *input, struct row *row, struct error *error)
 {
     struct sensor sensor = held_sensor(input);
-    struct conjugates_given given = {input->focal, input->distance, NAN, NAN, NAN, 0, 0};
+    struct conjugates_given given = {input->focal.length, input->distance, NAN, NAN, NAN, 0, 0};
     struct conjugates c;
-    if (isnan(input->focal)) {
+    if (isnan(input->focal.length)) {
         if (isnan(input->horizontal) || isnan(input->vertical)) {
             return fail(
                 error, ERROR_USAGE,
@@ -265,7 +266,8 @@ static double frame_pixels(const struct input *input)
     if (input->pixels > 0) {
         return (double)input->pixels;
     }
-    return isnan(sensor.pitch) || isnan(input->focal) ? 0 : round(sensor.width / sensor.pitch);
+    return isnan(sensor.pitch) || isnan(input->focal.length) ? 0
+                                                             : round(sensor.width / sensor.pitch);
 }
 
 /* Parallax needs a size in pixels only where it is told in pixels. */
@@ -319,7 +321,7 @@ static bool run(const void *data, struct run *run, struct error *error)
     double pixels = frame_pixels(input);
     struct panorama plan;
     struct row row = {
-        .focal = input->focal,
+        .focal = input->focal.length,
         .distance = input->distance,
         .size = {NAN, NAN, NAN, NAN, NAN},
         .arc = input->arc,
@@ -330,7 +332,7 @@ static bool run(const void *data, struct run *run, struct error *error)
         .nearest = NAN,
         .pupil_distance = NAN,
         .pupil = input->pupil,
-        .sensor = isnan(input->focal) ? NULL : input->sensor.name,
+        .sensor = isnan(input->focal.length) ? NULL : input->sensor.name,
         .held = input->portrait ? "portrait" : "landscape",
     };
     if (!find_frame(input, &row, error) || !panorama_plan(&row.frame, &goal, &plan, error) ||

@@ -13,7 +13,8 @@
 #include <math.h>
 
 struct input {
-    double focal, fnumber, declination, time, rule, accuracy;
+    struct focal_value focal;
+    double fnumber, declination, time, rule, accuracy;
     struct coc_value trail;
     struct sharpness sharp;
 };
@@ -194,7 +195,7 @@ static bool run(const void *data, struct run *run, struct error *error)
     const struct input *input = data;
     const struct sensor *sensor = &input->sharp.sensor.size;
     struct row row = {
-        .focal = input->focal,
+        .focal = input->focal.length,
         .fnumber = input->fnumber,
         .declination = input->declination,
         .pitch = sharpness_pitch(&input->sharp),

@@ -9,7 +9,8 @@
 #include <math.h>
 
 struct input {
-    double focal, fnumber;
+    struct focal_value focal;
+    double fnumber;
     double tilt, hinge;
     double image, distance, angle;
     const char *through; /* two points */
@@ -185,7 +186,7 @@ static bool solve_through(const struct input *input, struct tilt_given *given, s
 static bool solve(const struct input *input, struct tilt *camera, struct error *error)
 {
     struct tilt_given given = {
-        .f = input->focal,
+        .f = input->focal.length,
         .N = input->fnumber,
         .tilt = input->tilt,
         .hinge = input->hinge,

@@ -11,7 +11,8 @@
 
 struct input {
     struct timelapse_given given;
-    double focal, declination, pitch;
+    struct focal_value focal;
+    double declination, pitch;
 };
 
 #define POSITIVE OPTION_POSITIVE, .flags = OPTION_ABOVE_LOWEST | OPTION_NO_INFINITY
@@ -48,8 +49,8 @@ static const struct option options[] = {
      .flags = OPTION_ABOVE_LOWEST, .value = "ANGLE", .wants = "time",
      .help = "angle about the pole that star trails are to span, in place of --event"},
     {OPTION(struct input, focal), .name = "focal-length", .letter = 'f', .column = "focal",
-     .dimension = &dimension_length, .unit = "mm", POSITIVE, .value = "LENGTH", .wants = "time",
-     .help = "focal length: adds the trails of stars"},
+     .dimension = &dimension_focal_length, .unit = "mm", POSITIVE, .value = "LENGTH",
+     .wants = "time", .help = "focal length: adds the trails of stars"},
     OPTION_DECLINATION(struct input, declination, "focal-length",
                        "of the stars; 0 is the celestial equator, where they are fastest"),
     OPTION_PIXELS(struct input, pitch, "focal-length",
@@ -138,7 +139,7 @@ static bool fill_trails(const struct input *input, struct row *row, struct error
 {
     struct star_trail all, shot;
     row->trail = row->shot_trail = row->gap_trail = row->gap_pixels = NAN;
-    if (isnan(input->focal)) {
+    if (isnan(input->focal.length)) {
         return true;
     }
     if (isnan(row->plan.interval)) {
@@ -146,8 +147,8 @@ static bool fill_trails(const struct input *input, struct row *row, struct error
                     "{--focal-length} needs what the interval follows from: {--interval}, or "
                     "{--event}");
     }
-    if (!star_trail(input->focal, input->declination, row->plan.span, &all, error) ||
-        !star_trail(input->focal, input->declination, input->given.time, &shot, error)) {
+    if (!star_trail(input->focal.length, input->declination, row->plan.span, &all, error) ||
+        !star_trail(input->focal.length, input->declination, input->given.time, &shot, error)) {
         return false;
     }
     row->trail = all.linear;
@@ -166,7 +167,7 @@ static bool run(const void *data, struct run *run, struct error *error)
 {
     const struct input *input = data;
     struct row row = {
-        .given = input->given, .focal = input->focal, .declination = input->declination};
+        .given = input->given, .focal = input->focal.length, .declination = input->declination};
     if (!timelapse_solve(&input->given, &row.plan, error) || !fill_trails(input, &row, error)) {
         return false;
     }

@@ -52,9 +52,9 @@ bool dof_question_solve(const struct dof_question *input, const struct attached_
                         struct dof_setting *setting, struct error *error);
 
 /*
- * The shots of a focus stack: its near end is --near, --far less --dof, or the near limit of a first
- * shot at the magnification; its far end --far, or --dof behind the near one. What of f, N and c is
- * NaN follows from the magnification with a near end, and from the hyperfocal distance.
+ * The shots of a focus stack: its near end is --near, --far less --dof, or the near limit of a
+ * first shot at the magnification; its far end --far, or --dof behind the near one. What of f, N
+ * and c is NaN follows from the magnification with a near end, and from the hyperfocal distance.
  *
  * Given     setting  as dof_question_open has it; receives the rest but s
  * Errors    ERROR_USAGE: ends that are not given, or said twice; an own distance, the Airy disc,

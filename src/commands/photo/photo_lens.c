@@ -179,7 +179,7 @@ static bool check_question(const struct photo_lens_question *question, struct er
         return fail(error, ERROR_USAGE, "{--%s} needs {--lens}",
                     question->position != NULL ? "position" : "section");
     }
-    if (question->focal > 0) {
+    if (question->focal.length > 0) {
         return fail(error, ERROR_USAGE,
                     "{--lens} and {--focal-length} exclude each other: the lens has its own");
     }

@@ -21,9 +21,10 @@ struct photo_lens_question {
     struct lens_value lens; /* lens.lens is null: a thin one */
     const char *position;
     int section;
-    double focal, wavelength; /* mm */
-    double fnumber, pupil;    /* in place of those of a real lens */
-    int from;                 /* enum distance_from */
+    struct focal_value focal;
+    double wavelength;     /* mm */
+    double fnumber, pupil; /* in place of those of a real lens */
+    int from;              /* enum distance_from */
 };
 
 /* What the answer makes of it; added up. */
@@ -118,7 +119,7 @@ extern const struct photo_real photo_real_none;
 static inline struct photo_lens photo_lens_thin(const struct photo_lens_question *question)
 {
     return (struct photo_lens){
-        .f = question->focal,
+        .f = question->focal.length,
         .N = question->fnumber,
         .P = question->pupil > 0 ? question->pupil : 1,
         .wavelength = question->wavelength > 0 ? question->wavelength : PHOTO_WAVELENGTH,

@@ -18,9 +18,11 @@ bool coc_is_print(const struct coc_value *coc);
 #define OPTION_FOCAL_LENGTH(S, member, more)                                                       \
     {                                                                                              \
         OPTION(S, member), .name = "focal-length", .letter = 'f', .column = "focal",               \
-                           .dimension = &dimension_length, .unit = "mm", OPTION_POSITIVE,          \
+                           .dimension = &dimension_focal_length, .unit = "mm", OPTION_POSITIVE,    \
                            .flags = OPTION_ABOVE_LOWEST | OPTION_NO_INFINITY | (more),             \
-                           .value = "LENGTH", .help = "focal length"                               \
+                           .value = "LENGTH",                                                      \
+                           .help = "focal length; 26mm-eq is the equivalent on 36 x 24 mm, which " \
+                                   "is converted by the diagonal of --sensor"                      \
     }
 
 #define OPTION_APERTURE(S, member, more)                                                           \
