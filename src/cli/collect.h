@@ -16,6 +16,13 @@ struct collection {
     bool is_ambiguous; /* a combination made several rows: only the first is here */
     char *rows;        /* sweep->total rows of sheet->row_size */
     bool *is_there;    /* one a combination: false = failed or no row */
+    /*
+     * Answer an input that is none of the sweep's, for a curve between its samples: the first row,
+     * which lasts until the next call; null: there is none.
+     */
+    const void *(*answer)(void *asked, void *input);
+    void *asked;
+    void *input; /* of its size, as options set it, to be changed for that */
 };
 
 /*
@@ -75,7 +82,8 @@ bool cross_table_write(const struct collection *collection, const char *specific
 
 /*
  * Draw columns against the swept option that has the most values, one set of curves for each
- * combination of the others.
+ * combination of the others. Between the values of the sweep more are answered, as the curves
+ * want them; the area of the command's `zone` is filled.
  *
  * Errors    ERROR_USAGE: nothing is swept, or columns of different dimensions; as plot_draw
  */

@@ -138,6 +138,9 @@ struct command {
      * run->parts. Given the input; the question lies in run->kept. Null: it answers itself.
      */
     bool (*again)(const void *input, struct run *run, struct again *question, struct error *error);
+    /* The columns between which is what a plot fills, as what is sharp: "near far"; of one alone it
+       is all above. Several such with '|' between; null: a plot fills nothing. */
+    const char *zone;
     bool keeps_best; /* an interrupt ends its work on one input with the best so far, an answer that
                         run->shortfall marks as incomplete */
     bool is_divided; /* it makes parts, and takes them: see cli/division.h */

@@ -121,11 +121,16 @@ static bool set_up_collection(struct driver *driver, struct error *error)
     if (!check_collects(driver, option, error)) {
         return false;
     }
-    driver->collection = (struct collection){.sweep = &driver->sweep,
-                                             .command = driver->command,
-                                             .sheet = driver->report.sheet,
-                                             .arena = &driver->arena,
-                                             .units = driver->report.units};
+    driver->collection =
+        (struct collection){.sweep = &driver->sweep,
+                            .command = driver->command,
+                            .sheet = driver->report.sheet,
+                            .arena = &driver->arena,
+                            .units = driver->report.units,
+                            .answer = rows_answer,
+                            .asked = driver,
+                            .input = arena_array(&driver->arena, 1, driver->command->input_size)};
+    memcpy(driver->collection.input, driver->input, driver->command->input_size);
     return collection_open(&driver->collection, common->table != NULL ? MOST_CELLS : MOST_POINTS,
                            option, error) &&
            (common->table == NULL ||

@@ -68,6 +68,19 @@ struct focal_options focal_options_of(const struct option *options, size_t count
     return found;
 }
 
+bool focal_check_alike(const struct focal_value *values, size_t count, const struct option *option,
+                       struct error *error)
+{
+    for (size_t i = 1; i < count; i++) {
+        if (isnan(values[i].equivalent) != isnan(values[0].equivalent)) {
+            return fail(error, ERROR_USAGE,
+                        "--%s: give all as equivalent focal lengths, 24mm-eq, or none",
+                        option->name);
+        }
+    }
+    return true;
+}
+
 bool focal_is_equivalent(const struct option *option, const void *input)
 {
     const struct focal_value *focal = (const void *)((const char *)input + option->offset);

@@ -25,6 +25,10 @@ struct focal_options {
 
 struct focal_options focal_options_of(const struct option *options, size_t count);
 
+/* Refuse a list in which some are equivalent ones and some are not: one axis has one measure. */
+bool focal_check_alike(const struct focal_value *values, size_t count, const struct option *option,
+                       struct error *error);
+
 /* Is it, in this input, given as an equivalent one? */
 bool focal_is_equivalent(const struct option *option, const void *input);
 

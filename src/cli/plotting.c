@@ -2,6 +2,7 @@
 /* SPDX-License-Identifier: MIT */
 #include "cli/collect.h"
 #include "draw/plot.h"
+#include "draw/plot_sample.h"
 #include "report/row.h"
 
 #include <math.h>
@@ -100,13 +101,41 @@ static const char *column_label(const struct shown *shown)
     return shown->column->label != NULL ? shown->column->label : shown->name;
 }
 
+/* Which of the shown columns has this name? Their count: none. */
+static size_t find_shown(const struct layout *layout, struct text name)
+{
+    size_t k = 0;
+    while (k < layout->shown_count && !text_equal(name, layout->shown[k].column->name)) {
+        k++;
+    }
+    return k;
+}
+
+/* The band that the command's zone makes of the columns; false: it fills nothing. */
+static bool find_zone(const struct collection *collection, const struct layout *layout,
+                      struct plot_band *band)
+{
+    struct text rest = text_of(collection->command->zone != NULL ? collection->command->zone : "");
+    while (rest.length > 0) {
+        struct text pair = text_cut(&rest, '|');
+        const size_t low = find_shown(layout, text_cut(&pair, ' '));
+        const size_t high = pair.start != NULL ? find_shown(layout, pair) : PLOT_UNBOUNDED;
+        if (low < layout->shown_count && high != layout->shown_count) {
+            *band = (struct plot_band){low, high};
+            return true;
+        }
+    }
+    return false;
+}
+
 static void add_curves(const struct collection *collection, const struct layout *layout,
                        struct plot *plot)
 {
     size_t columns = layout->shown_count, groups = layout->groups;
     struct plot_series *series =
         ARENA_ARRAY(collection->arena, groups * columns, struct plot_series);
-    struct plot_band *bands = ARENA_ARRAY(collection->arena, groups, struct plot_band);
+    struct plot_band *bands = ARENA_ARRAY(collection->arena, groups, struct plot_band), zone;
+    const bool fills = groups <= 3 && find_zone(collection, layout, &zone);
     for (size_t g = 0; g < groups; g++) {
         for (size_t k = 0; k < columns; k++) {
             struct plot_series *one = &series[g * columns + k];
@@ -117,12 +146,85 @@ static void add_curves(const struct collection *collection, const struct layout 
                          : k + 1 == columns || columns == 1 ? group_words(collection, layout, g)
                                                             : NULL;
         }
-        bands[g] = (struct plot_band){g * columns, g * columns + 1};
+        if (fills) {
+            const bool open = zone.high == PLOT_UNBOUNDED;
+            bands[g] = (struct plot_band){g * columns + zone.low,
+                                          open ? PLOT_UNBOUNDED : g * columns + zone.high};
+        }
     }
     plot->series = series;
     plot->series_count = groups * columns;
     plot->bands = bands;
-    plot->band_count = columns == 2 && groups <= 3 ? groups : 0;
+    plot->band_count = fills ? groups : 0;
+}
+
+/* -------- between the samples -------- */
+
+/* A group of curves that is asked for more. */
+struct curve_group {
+    const struct collection *collection;
+    const struct layout *layout;
+    size_t group;
+};
+
+static bool curve_group_at(void *context, double x, double *y)
+{
+    const struct curve_group *group = context;
+    const struct collection *collection = group->collection;
+    const struct layout *layout = group->layout;
+    const struct unit *unit = layout->x->unit;
+    const double own = unit != NULL ? unit_to_own(unit, x) : x;
+    sweep_set(collection->sweep, combination(layout, group->group, 0), collection->input);
+    if (!axis_set_number(collection->sweep, layout->x, own, collection->input)) {
+        return false;
+    }
+    const void *row = collection->answer(collection->asked, collection->input);
+    for (size_t k = 0; k < layout->shown_count; k++) {
+        const struct shown *shown = &layout->shown[k];
+        const double value = row != NULL ? column_value(row, shown->column) : NAN;
+        y[k] = shown->unit != NULL ? unit_from_own(shown->unit, value) : value;
+    }
+    return true;
+}
+
+/* Do more answers cost so little that a drawing may ask for them? How many then, together? */
+static size_t most_between(const struct collection *collection)
+{
+    const size_t most = 6000;
+    const struct command *command = collection->command;
+    if (command->needs_ceres != NULL) {
+        return 0;
+    }
+    const double weight = command->weight != NULL ? command->weight(collection->input) : 1;
+    return (size_t)((double)most / fmax(weight, 1));
+}
+
+/* What lies between the samples, where the curves are bent or end. */
+static void refine_curves(const struct collection *collection, const struct layout *layout,
+                          struct plot *plot)
+{
+    const size_t columns = layout->shown_count, most = most_between(collection) / layout->groups;
+    struct plot_series *refined =
+        ARENA_ARRAY(collection->arena, plot->series_count, struct plot_series);
+    const double **y = ARENA_ARRAY(collection->arena, columns, const double *);
+    for (size_t g = 0; g < layout->groups && most > 0; g++) {
+        struct curve_group group = {collection, layout, g};
+        const struct plot_source source = {columns, curve_group_at, &group, most};
+        struct plot_curves curves;
+        for (size_t k = 0; k < columns; k++) {
+            y[k] = plot->series[g * columns + k].y;
+        }
+        plot_sample(plot, plot->x, y, plot->count, &source, &curves, collection->arena);
+        for (size_t k = 0; k < columns; k++) {
+            struct plot_series *one = &refined[g * columns + k];
+            *one = plot->series[g * columns + k];
+            one->x = curves.x;
+            one->y = curves.y[k];
+            one->places = curves.places;
+            one->count = curves.count;
+        }
+    }
+    plot->series = most > 0 ? refined : plot->series;
 }
 
 static const char *with_unit(const struct collection *collection, const char *label,
@@ -238,5 +340,6 @@ bool collection_plot(const struct collection *collection, const char *columns, b
     }
     add_curves(collection, &layout, &plot);
     plot_choose_axes(&plot);
+    refine_curves(collection, &layout, &plot);
     return plot_draw(&plot, svg, error);
 }

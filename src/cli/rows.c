@@ -258,6 +258,45 @@ static bool run_one(struct driver *driver, struct error *error)
     return done;
 }
 
+/* The first row of an input that is none of the question's. */
+struct aside {
+    struct driver *driver;
+    void *input;
+    const void *row;
+};
+
+static bool aside_keep(struct run *run, const void *row)
+{
+    struct aside *aside = run->driver;
+    struct driver *driver = aside->driver;
+    void *copy = arena_array(run->arena, 1, driver->report.sheet->row_size);
+    if (driver->echo.count > 0) {
+        row = echo_row(&driver->echo, row, aside->input, run->arena);
+    }
+    aside->row = memcpy(copy, row, driver->report.sheet->row_size);
+    return false;
+}
+
+const void *rows_answer(void *context, void *input)
+{
+    struct driver *driver = context;
+    const struct command *command = driver->command;
+    struct aside aside = {driver, input, NULL};
+    struct error ignored = {0};
+    struct run run = driver->run;
+    run.emit = aside_keep;
+    run.driver = &aside;
+    run.doubts = NULL;
+    run.report = NULL;
+    if (command->choose_sheet != NULL &&
+        command->choose_sheet(input, &driver->asking) != driver->echo.own) {
+        return NULL;
+    }
+    const bool done = focal_settle(&driver->sweep.focal, input, NULL, &ignored) &&
+                      command->run(input, &run, &ignored);
+    return done ? aside.row : NULL;
+}
+
 /* --fail-fast: the status is that of the rows so far. Returns false. */
 static bool stop_early(struct driver *driver, struct error *error)
 {

@@ -79,6 +79,9 @@ bool rows_emit_amid(struct run *run, const void *row);
 bool rows_of_sweep(struct driver *driver, struct error *error);
 bool rows_of_batch(struct driver *driver, struct error *error);
 
+/* As struct collection has it: `answer` of the driver's command. */
+const void *rows_answer(void *driver, void *input);
+
 /* End an output that has begun, with the failure that ends the work in the place of its row. */
 void rows_break_off(struct driver *driver, struct error *failure);
 

@@ -479,6 +479,10 @@ static bool set_values(struct sweep *sweep, struct values *values, struct text t
         return false;
     }
     memcpy(member, values->data, values->option->kind->size);
+    if (values->option->kind == &kind_focal &&
+        !focal_check_alike((const void *)values->data, values->count, values->option, error)) {
+        return false;
+    }
     if (values->count > 1) {
         sweep->axes[sweep->axis_count++] =
             (struct axis){values->option, values->data, values->count, values->unit};

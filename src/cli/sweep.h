@@ -56,6 +56,10 @@ bool axis_is_number(const struct axis *axis);
 /* Value of such an axis, in the program's own unit. */
 double axis_number(const struct axis *axis, size_t index);
 
+/* Put another number of such an axis into the input; false: its option takes none. */
+bool axis_set_number(const struct sweep *sweep, const struct axis *axis, double number,
+                     void *input);
+
 /* A text or a drawing is that of one value of each option, but those that an artifact varies. */
 bool sweep_check_single(const struct sweep *sweep, const struct command *command,
                         struct error *error);

@@ -48,6 +48,23 @@ double axis_number(const struct axis *axis, size_t index)
     return kind->number_of(axis->values + index * kind->size);
 }
 
+bool axis_set_number(const struct sweep *sweep, const struct axis *axis, double number, void *input)
+{
+    const struct option *option = axis->option;
+    void *member = (char *)input + option->offset;
+    if (option->kind->set_number != NULL) {
+        option->kind->set_number(member, number, axis->unit);
+        return true;
+    }
+    /* what is more than a number, as if it had been typed */
+    char text[NUMBER_LENGTH];
+    struct error ignored;
+    const struct reader plain = {.db = sweep->reader->db, .arena = sweep->reader->arena};
+    const double typed = unit_from_own(option_unit(option), number);
+    return option_read(&plain, option, text_between(text, number_write_shortest(text, typed)),
+                       member, &ignored);
+}
+
 /* Does one of its artifacts have a file for each value of the option? */
 static bool may_vary(const struct command *command, const char *option)
 {

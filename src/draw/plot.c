@@ -8,12 +8,12 @@
 #include "base/arena.h"
 #include "base/error.h"
 #include "draw/palette.h"
+#include "draw/plot_frame.h"
 #include "draw/svg.h"
 #include "draw/ticks.h"
 
 static const double NUMBER_SIZE = 12, LABEL_SIZE = 13, TITLE_SIZE = 17; /* px */
-static const double HUGEST = 1e200, TINIEST = 1e-200;
-static const size_t STRETCHES = 1000; /* about one a pixel */
+static const size_t STRETCHES = 1000;                                   /* about one a pixel */
 static const size_t DOTS_MAX = 30;
 
 #define ARROWS 64
@@ -24,15 +24,8 @@ static const char *const dashes[] = {NULL,        "7 5",      "0.1 4.5",
 
 #define COUNT(array) (sizeof(array) / sizeof((array)[0]))
 
-struct axis {
-    bool log;
-    double low, high;   /* values at the ends */
-    double start, stop; /* px, where they lie */
-    struct ticks ticks;
-};
-
 struct frame {
-    struct axis x, y;
+    struct plot_axis x, y;
     double arrow_x[ARROWS]; /* px, of the infinity signs drawn so far */
     size_t arrow_count;
 };
@@ -42,120 +35,9 @@ struct points {
     size_t count;
 };
 
-/* -------- values and axes -------- */
-
-/* A value as it can be drawn: NaN = gap, +-inf = off the edge. */
-static double drawable(double v, bool log)
-{
-    if (log && !(v > 0)) {
-        return NAN;
-    }
-    if (fabs(v) > HUGEST) {
-        return copysign(INFINITY, v);
-    }
-    return fabs(v) < TINIEST ? (log ? NAN : 0) : v;
-}
-
-static double x_at(const struct plot *plot, size_t i)
-{
-    return drawable(plot->x[i], plot->log_x);
-}
-
-static double y_at(const struct plot *plot, const double *y, size_t i)
-{
-    if (!isfinite(x_at(plot, i))) {
-        return NAN;
-    }
-    bool over = plot->y_limit > 0 && y[i] > plot->y_limit;
-    return over ? INFINITY : drawable(y[i], plot->log_y);
-}
-
-static void include(struct axis *axis, double v)
-{
-    axis->low = fmin(axis->low, v);
-    axis->high = fmax(axis->high, v);
-}
-
-/* The range of all points that can be drawn; false if there is none. */
-static bool find_range(const struct plot *plot, struct axis *x, struct axis *y)
-{
-    x->low = y->low = INFINITY;
-    x->high = y->high = -INFINITY;
-    for (size_t i = 0; i < plot->count; i++) {
-        for (size_t s = 0; s < plot->series_count; s++) {
-            double v = y_at(plot, plot->series[s].y, i);
-            if (!isnan(v)) {
-                include(x, x_at(plot, i));
-            }
-            if (isfinite(v)) {
-                include(y, v);
-            }
-        }
-    }
-    return y->low <= y->high;
-}
-
-void plot_choose_axes(struct plot *plot)
-{
-    struct axis x, y;
-    plot->log_x = plot->log_y = false;
-    bool any = find_range(plot, &x, &y);
-    plot->log_x = any && x.low > 0 && x.high / x.low > 50;
-    plot->log_y = any && y.low > 0 && y.high / y.low > 50;
-}
-
-static double page_at(const struct axis *axis, double v)
-{
-    double part = axis->log ? (log(v) - log(axis->low)) / (log(axis->high) - log(axis->low))
-                            : (v - axis->low) / (axis->high - axis->low);
-    return axis->start + part * (axis->stop - axis->start);
-}
-
-static void choose_ticks(struct axis *axis, double low, double high)
-{
-    if (axis->log) {
-        ticks_log(low, high, &axis->ticks);
-    } else {
-        ticks_linear(low, high, &axis->ticks);
-    }
-}
-
-/* The y axis reaches from tick to tick. */
-static void set_y_axis(struct axis *y)
-{
-    choose_ticks(y, y->low, y->high);
-    y->low = y->ticks.value[0];
-    y->high = y->ticks.value[y->ticks.count - 1];
-}
-
-static void keep_ticks_inside(struct axis *axis)
-{
-    double slack = 1e-9 * (axis->high - axis->low);
-    size_t kept = 0;
-    for (size_t i = 0; i < axis->ticks.count; i++) {
-        double v = axis->ticks.value[i];
-        if (v >= axis->low - slack && v <= axis->high + slack) {
-            axis->ticks.value[kept++] = v;
-        }
-    }
-    axis->ticks.count = kept;
-}
-
-/* The x axis ends where the data end. */
-static void set_x_axis(struct axis *x)
-{
-    ticks_widen(&x->low, &x->high);
-    choose_ticks(x, x->low, x->high);
-    keep_ticks_inside(x);
-    if (x->ticks.count < 3) { /* a short logarithmic axis between two round numbers */
-        ticks_linear(x->low, x->high, &x->ticks);
-        keep_ticks_inside(x);
-    }
-}
-
 /* -------- grid and axes -------- */
 
-static void draw_minor(struct svg *svg, const struct frame *frame, const struct axis *axis)
+static void draw_minor(struct svg *svg, const struct frame *frame, const struct plot_axis *axis)
 {
     double decades = log10(axis->high) - log10(axis->low);
     if (!axis->log || decades > 6) {
@@ -163,7 +45,7 @@ static void draw_minor(struct svg *svg, const struct frame *frame, const struct 
     }
     for (double decade = floor(log10(axis->low)); decade <= log10(axis->high); decade++) {
         for (int digit = 1; digit <= 9; digit++) {
-            double v = digit * pow(10, decade), at = page_at(axis, v);
+            double v = digit * pow(10, decade), at = plot_page_at(axis, v);
             if (v < axis->low || v > axis->high) {
                 continue;
             }
@@ -178,7 +60,7 @@ static void draw_minor(struct svg *svg, const struct frame *frame, const struct 
 
 static void draw_grid(struct svg *svg, const struct plot *plot, const struct frame *frame)
 {
-    const struct axis *x = &frame->x, *y = &frame->y;
+    const struct plot_axis *x = &frame->x, *y = &frame->y;
     svg_group_begin(svg, &(struct svg_style){.stroke = "#eee", .width = 0.7});
     draw_minor(svg, frame, y);
     if (!plot->x_ticks) {
@@ -187,11 +69,11 @@ static void draw_grid(struct svg *svg, const struct plot *plot, const struct fra
     svg_group_end(svg);
     svg_group_begin(svg, &(struct svg_style){.stroke = "#d4d4d4", .width = 0.8});
     for (size_t i = 0; i < y->ticks.count; i++) {
-        double at = page_at(y, y->ticks.value[i]);
+        double at = plot_page_at(y, y->ticks.value[i]);
         svg_line(svg, x->start, at, x->stop, at);
     }
     for (size_t i = 0; !plot->x_ticks && i < x->ticks.count; i++) {
-        double at = page_at(x, x->ticks.value[i]);
+        double at = plot_page_at(x, x->ticks.value[i]);
         svg_line(svg, at, y->start, at, y->stop);
     }
     svg_group_end(svg);
@@ -215,29 +97,29 @@ static void draw_x_tick(struct svg *svg, const struct frame *frame, double at, c
 
 static void draw_x_numbers(struct svg *svg, const struct plot *plot, const struct frame *frame)
 {
-    const struct axis *x = &frame->x;
+    const struct plot_axis *x = &frame->x;
     double clear = 0;
     for (size_t i = 0; !plot->x_ticks && i < x->ticks.count; i++) {
-        draw_x_tick(svg, frame, page_at(x, x->ticks.value[i]), ticks_text(svg->arena, &x->ticks, i),
-                    &clear);
+        draw_x_tick(svg, frame, plot_page_at(x, x->ticks.value[i]),
+                    ticks_text(svg->arena, &x->ticks, i), &clear);
     }
     for (size_t i = 0; plot->x_ticks && i < plot->x_tick_count; i++) {
         double v = plot->x_ticks[i], slack = 1e-9 * (x->high - x->low);
         if (v >= x->low - slack && v <= x->high + slack) {
-            draw_x_tick(svg, frame, page_at(x, v), ticks_fixed(svg->arena, v, 0), &clear);
+            draw_x_tick(svg, frame, plot_page_at(x, v), ticks_fixed(svg->arena, v, 0), &clear);
         }
     }
 }
 
 static void draw_axes(struct svg *svg, const struct plot *plot, const struct frame *frame)
 {
-    const struct axis *x = &frame->x, *y = &frame->y;
+    const struct plot_axis *x = &frame->x, *y = &frame->y;
     svg_group_begin(svg, &(struct svg_style){.stroke = "#333", .width = 1});
     svg_line(svg, x->start, y->start, x->stop, y->start);
     svg_line(svg, x->start, y->start, x->start, y->stop);
     draw_x_numbers(svg, plot, frame);
     for (size_t i = 0; i < y->ticks.count; i++) {
-        double at = page_at(y, y->ticks.value[i]);
+        double at = plot_page_at(y, y->ticks.value[i]);
         svg_line(svg, x->start - 5, at, x->start, at);
         svg_text(svg,
                  &(struct svg_label){
@@ -249,7 +131,7 @@ static void draw_axes(struct svg *svg, const struct plot *plot, const struct fra
 
 static void draw_words(struct svg *svg, const struct plot *plot, const struct frame *frame)
 {
-    const struct axis *x = &frame->x, *y = &frame->y;
+    const struct plot_axis *x = &frame->x, *y = &frame->y;
     double left = x->start, room = PLOT_WIDTH - left - 12;
     struct svg_label title = {.x = left, .y = 32, .size = TITLE_SIZE, .width = room, .bold = true};
     struct svg_label subtitle = {
@@ -277,18 +159,20 @@ static void draw_words(struct svg *svg, const struct plot *plot, const struct fr
  * Which of the points from .. to - 1 are drawn: all, or of each stretch of a long series the least
  * and the greatest value in the order they come, so that no peak is lost.
  */
-static size_t thin(const struct plot *plot, const double *y, size_t from, size_t to, size_t *index)
+static size_t thin(const struct plot *plot, const struct plot_series *series, size_t from,
+                   size_t to, size_t *index)
 {
-    size_t stretch = plot->count > 2 * STRETCHES ? (plot->count + STRETCHES - 1) / STRETCHES : 1;
+    const size_t all = plot_series_count(plot, series);
+    const size_t stretch = all > 2 * STRETCHES ? (all + STRETCHES - 1) / STRETCHES : 1;
     size_t count = 0;
     for (size_t start = from; start < to; start += stretch) {
         size_t end = to - start < stretch ? to : start + stretch, least = start, greatest = start;
         for (size_t i = start; i < end; i++) {
-            double v = y_at(plot, y, i);
-            if (isnan(y_at(plot, y, least)) || v < y_at(plot, y, least)) {
+            double v = plot_y_at(plot, series, i);
+            if (isnan(plot_y_at(plot, series, least)) || v < plot_y_at(plot, series, least)) {
                 least = i;
             }
-            if (isnan(y_at(plot, y, greatest)) || v > y_at(plot, y, greatest)) {
+            if (isnan(plot_y_at(plot, series, greatest)) || v > plot_y_at(plot, series, greatest)) {
                 greatest = i;
             }
         }
@@ -310,17 +194,18 @@ static void add_point(struct points *points, double x, double y)
  * The points of a curve on the page. Between a finite and an infinite value it runs vertically to
  * the edge at the finite one's x, and on along the edge if it is the `edge` of an area.
  */
-static struct points trace(const struct plot *plot, const struct frame *frame, const double *y,
-                           size_t from, size_t to, bool edge, struct arena *arena)
+static struct points trace(const struct plot *plot, const struct frame *frame,
+                           const struct plot_series *series, size_t from, size_t to, bool edge,
+                           struct arena *arena)
 {
     size_t *index = ARENA_ARRAY(arena, 2 * STRETCHES + 2, size_t);
-    size_t count = thin(plot, y, from, to, index);
+    size_t count = thin(plot, series, from, to, index);
     struct points points = {ARENA_ARRAY(arena, 2 * count, double),
                             ARENA_ARRAY(arena, 2 * count, double), 0};
     double before = NAN, before_x = NAN;
     for (size_t i = 0; i < count; i++) {
-        double v = y_at(plot, y, index[i]);
-        double x = page_at(&frame->x, x_at(plot, index[i]));
+        double v = plot_y_at(plot, series, index[i]);
+        double x = plot_page_at(&frame->x, plot_x_at(plot, series, index[i]));
         double off = (isinf(v) ? v : before) > 0 ? frame->y.stop : frame->y.start;
         if (isinf(v) && isfinite(before)) {
             add_point(&points, before_x, off);
@@ -328,7 +213,7 @@ static struct points trace(const struct plot *plot, const struct frame *frame, c
         if (isinf(before) && isfinite(v)) {
             add_point(&points, x, off);
         }
-        double inside = isnan(v) ? NAN : page_at(&frame->y, v);
+        double inside = isnan(v) ? NAN : plot_near_page(&frame->y, plot_page_at(&frame->y, v));
         add_point(&points, x, !isinf(v) ? inside : edge ? off : NAN);
         before = v;
         before_x = x;
@@ -354,15 +239,22 @@ static void draw_area(struct svg *svg, const struct points *low, const struct po
 static void draw_band(struct svg *svg, const struct plot *plot, const struct frame *frame,
                       const struct plot_band *band)
 {
-    const double *low = plot->series[band->low].y, *high = plot->series[band->high].y;
+    const struct plot_series *low = &plot->series[band->low];
+    const size_t count = plot_series_count(plot, low);
+    struct plot_series high = *low;
+    double *infinite = ARENA_ARRAY(svg->arena, count, double);
+    for (size_t i = 0; i < count; i++) {
+        infinite[i] = INFINITY;
+    }
+    high.y = band->high == PLOT_UNBOUNDED ? infinite : plot->series[band->high].y;
     size_t start = 0;
-    for (size_t i = 0; i <= plot->count; i++) {
-        if (i < plot->count && !isnan(y_at(plot, low, i)) && !isnan(y_at(plot, high, i))) {
+    for (size_t i = 0; i <= count; i++) {
+        if (i < count && !isnan(plot_y_at(plot, low, i)) && !isnan(plot_y_at(plot, &high, i))) {
             continue;
         }
-        if (i - start > 1 && i - start > plot->count / STRETCHES) {
+        if (i - start > 1 && i - start > count / STRETCHES) {
             struct points below = trace(plot, frame, low, start, i, true, svg->arena);
-            struct points above = trace(plot, frame, high, start, i, true, svg->arena);
+            struct points above = trace(plot, frame, &high, start, i, true, svg->arena);
             draw_area(svg, &below, &above);
         }
         start = i + 1;
@@ -400,32 +292,39 @@ static void draw_arrow(struct svg *svg, struct frame *frame, double x, bool up)
 }
 
 static void draw_arrows(struct svg *svg, const struct plot *plot, struct frame *frame,
-                        const double *y)
+                        const struct plot_series *series)
 {
-    for (size_t i = 0; i + 1 < plot->count; i++) {
-        double a = y_at(plot, y, i), b = y_at(plot, y, i + 1);
+    for (size_t i = 0; i + 1 < plot_series_count(plot, series); i++) {
+        double a = plot_y_at(plot, series, i), b = plot_y_at(plot, series, i + 1);
         bool leaves = isfinite(a) && isinf(b), returns = isinf(a) && isfinite(b);
         if (leaves || returns) {
-            draw_arrow(svg, frame, page_at(&frame->x, x_at(plot, leaves ? i : i + 1)),
-                       (leaves ? b : a) > 0);
+            const double x = plot_x_at(plot, series, leaves ? i : i + 1);
+            draw_arrow(svg, frame, plot_page_at(&frame->x, x), (leaves ? b : a) > 0);
         }
     }
 }
 
+/* A dot at each sample, where they are few; what was put between them is the curve's alone. */
 static void draw_dots(struct svg *svg, const struct plot *plot, const struct frame *frame,
-                      const double *y)
+                      const struct plot_series *series)
 {
-    for (size_t i = 0; i < plot->count; i++) {
-        double v = y_at(plot, y, i);
-        if (isfinite(v)) {
-            svg_circle(svg, page_at(&frame->x, x_at(plot, i)), page_at(&frame->y, v), 3.2);
+    const size_t count = plot_series_count(plot, series);
+    size_t samples = 0;
+    for (size_t i = 0; i < count; i++) {
+        samples += plot_place_at(series, i) == PLOT_SAMPLE;
+    }
+    for (size_t i = 0; i < count && samples <= DOTS_MAX; i++) {
+        double v = plot_y_at(plot, series, i);
+        if (isfinite(v) && plot_place_at(series, i) == PLOT_SAMPLE) {
+            svg_circle(svg, plot_page_at(&frame->x, plot_x_at(plot, series, i)),
+                       plot_page_at(&frame->y, v), 3.2);
         }
     }
 }
 
 static void draw_curves(struct svg *svg, const struct plot *plot, struct frame *frame)
 {
-    const struct axis *x = &frame->x, *y = &frame->y;
+    const struct plot_axis *x = &frame->x, *y = &frame->y;
     svg_clip_begin(svg, x->start, y->stop - 1, x->stop - x->start + 1, y->start - y->stop + 2);
     for (size_t b = 0; b < plot->band_count; b++) {
         const char *colour = palette_colour(plot->series[plot->bands[b].low].style);
@@ -435,8 +334,8 @@ static void draw_curves(struct svg *svg, const struct plot *plot, struct frame *
     }
     for (size_t s = 0; s < plot->series_count; s++) {
         struct svg_style style = line_of(&plot->series[s]);
-        struct points line =
-            trace(plot, frame, plot->series[s].y, 0, plot->count, false, svg->arena);
+        struct points line = trace(plot, frame, &plot->series[s], 0,
+                                   plot_series_count(plot, &plot->series[s]), false, svg->arena);
         svg_group_begin(svg, &style);
         svg_polyline(svg, line.x, line.y, line.count);
         svg_group_end(svg);
@@ -445,10 +344,8 @@ static void draw_curves(struct svg *svg, const struct plot *plot, struct frame *
     for (size_t s = 0; s < plot->series_count; s++) {
         const char *colour = palette_colour(plot->series[s].style);
         svg_group_begin(svg, &(struct svg_style){.fill = colour, .stroke = "#fff"});
-        draw_arrows(svg, plot, frame, plot->series[s].y);
-        if (plot->count <= DOTS_MAX) {
-            draw_dots(svg, plot, frame, plot->series[s].y);
-        }
+        draw_arrows(svg, plot, frame, &plot->series[s]);
+        draw_dots(svg, plot, frame, &plot->series[s]);
         svg_group_end(svg);
     }
 }
@@ -461,16 +358,17 @@ struct key {
 };
 
 /* Where a curve ends on the page. */
-static double end_of(const struct plot *plot, const struct frame *frame, const double *y)
+static double end_of(const struct plot *plot, const struct frame *frame,
+                     const struct plot_series *series)
 {
-    const struct axis *axis = &frame->y;
-    for (size_t i = plot->count; i-- > 0;) {
-        double v = y_at(plot, y, i);
+    const struct plot_axis *axis = &frame->y;
+    for (size_t i = plot_series_count(plot, series); i-- > 0;) {
+        double v = plot_y_at(plot, series, i);
         if (isinf(v)) {
             return v > 0 ? axis->stop : axis->start;
         }
         if (!isnan(v)) {
-            return page_at(axis, v);
+            return fmin(fmax(plot_page_at(axis, v), axis->stop), axis->start);
         }
     }
     return axis->start;
@@ -484,7 +382,7 @@ static size_t collect_keys(const struct plot *plot, const struct frame *frame, s
         if (!plot->series[s].label) {
             continue;
         }
-        struct key key = {&plot->series[s], end_of(plot, frame, plot->series[s].y)};
+        struct key key = {&plot->series[s], end_of(plot, frame, &plot->series[s])};
         size_t at = count++;
         for (; at > 0 && keys[at - 1].y > key.y; at--) {
             keys[at] = keys[at - 1];
@@ -565,12 +463,12 @@ static void set_frame(struct svg *svg, const struct plot *plot, struct frame *fr
 bool plot_draw(const struct plot *plot, struct svg *svg, struct error *error)
 {
     struct frame frame = {.x.log = plot->log_x, .y.log = plot->log_y};
-    if (!find_range(plot, &frame.x, &frame.y)) {
+    if (!plot_find_range(plot, &frame.x, &frame.y)) {
         return fail(error, ERROR_DOMAIN, "nothing to plot: no value is finite%s",
                     plot->log_x || plot->log_y ? " and positive" : "");
     }
-    set_x_axis(&frame.x);
-    set_y_axis(&frame.y);
+    plot_set_x_axis(&frame.x);
+    plot_set_y_axis(&frame.y);
     set_frame(svg, plot, &frame);
     svg_begin(svg, PLOT_WIDTH, PLOT_HEIGHT, plot->title);
     draw_grid(svg, plot, &frame);

@@ -5,6 +5,7 @@
 
 #include <stdbool.h>
 #include <stddef.h>
+#include <stdint.h>
 
 struct arena;
 struct error;
@@ -20,21 +21,34 @@ struct svg;
  */
 struct plot_series {
     const char *label; /* beside the right end of the curve; null = none */
-    const double *y;   /* plot.count values; NaN = gap, +-inf = off the edge */
+    const double *y;   /* count values; NaN = gap, +-inf = off the edge */
     size_t style;      /* 0, 1, ...; after seven the colours come again with other dashes */
     size_t dash;       /* 1, 2, ...: those dashes in place of the style's; 0 = the style's */
+    const double *x;   /* its own; null: those of the plot */
+    size_t count;      /* of x, where it has its own; else that of the plot */
+    const unsigned char *places; /* enum plot_place of each; null: all are samples */
 };
 
-/* The area between two curves, tinted in the colour of `low`. */
+/* What a point of a series is. */
+enum plot_place {
+    PLOT_SAMPLE,  /* asked for: a dot, where they are few */
+    PLOT_BETWEEN, /* between samples, for the curve */
+    PLOT_BEYOND   /* the same, where the curve runs off the page: the y axis need not reach there */
+};
+
+/* The area between two curves of the same x, tinted in the colour of `low`. */
 struct plot_band {
     size_t low, high; /* indices of series */
 };
+
+/* In place of `high`: the area has no upper bound. */
+#define PLOT_UNBOUNDED SIZE_MAX
 
 struct plot {
     const char *title, *subtitle;  /* null = none */
     const char *x_label, *y_label; /* with units, as "distance (m)"; null = none */
     const double *x;
-    size_t count;          /* of x and of every y */
+    size_t count;          /* of x, and of every y that has no x of its own */
     const double *x_ticks; /* where to mark x, ascending; null = chosen here */
     size_t x_tick_count;
     const struct plot_series *series;
@@ -53,7 +67,7 @@ void plot_choose_axes(struct plot *plot);
  * Draw the plot as a whole SVG document into `svg`, which must be empty.
  *
  * Result    A curve that becomes infinite runs off the edge at its last finite x, with an arrow
- *           and an infinity sign. On a logarithmic axis values <= 0 are gaps. Up to 30 points are
+ *           and an infinity sign. On a logarithmic axis values <= 0 are gaps. Up to 30 samples are
  *           marked with dots. Above 2000 points a curve is thinned to the least and the greatest
  *           value of each of at most 1000 stretches
  * Errors    no point with finite x and y (and positive where logarithmic)

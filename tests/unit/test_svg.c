@@ -320,7 +320,8 @@ static void test_odd_values(struct arena *arena)
     };
     static const double x[] = {1, 2, 4, 8};
     for (size_t i = 0; i < sizeof(values) / sizeof(values[0]); i++) {
-        const struct plot_series series[] = {{"a", values[i], i, 0}, {NULL, values[0], i + 1, 0}};
+        const struct plot_series series[] = {{.label = "a", .y = values[i], .style = i},
+                                             {.y = values[0], .style = i + 1}};
         const struct plot_band band = {0, 1};
         for (int axes = 0; axes < 4; axes++) {
             struct plot plot = {.title = "nan & inf",
@@ -342,7 +343,7 @@ static void test_odd_values(struct arena *arena)
 static void test_nothing(struct arena *arena)
 {
     static const double x[] = {1, 2}, y[] = {NAN, INFINITY};
-    const struct plot_series series = {"far", y, 0, 0};
+    const struct plot_series series = {.label = "far", .y = y};
     struct plot plot = {.x = x, .count = 2, .series = &series, .series_count = 1};
     struct svg svg = {.arena = arena};
     struct error error;
@@ -356,7 +357,7 @@ static void test_nothing(struct arena *arena)
 static void test_infinite(struct arena *arena)
 {
     static const double x[] = {0, 1, 2, 3, 4}, y[] = {1, 2, 4, INFINITY, INFINITY};
-    const struct plot_series series = {"far", y, 0, 0};
+    const struct plot_series series = {.label = "far", .y = y};
     struct plot plot = {.x = x, .count = 5, .series = &series, .series_count = 1};
     struct svg svg = {.arena = arena};
     struct error error;
@@ -381,7 +382,7 @@ static void test_million(struct arena *arena)
         y[i] = i % 2 == 0 ? 0.25 : -0.25;
     }
     y[654321] = 1;
-    const struct plot_series series = {NULL, y, 0, 0};
+    const struct plot_series series = {.y = y};
     struct plot plot = {.x = x, .count = count, .series = &series, .series_count = 1};
     check_plot(arena, &plot);
     struct svg svg = {.arena = arena};
@@ -394,7 +395,7 @@ static void test_million(struct arena *arena)
 static void test_choose_axes(void)
 {
     static const double x[] = {1, 10, 51}, y[] = {1, 49, INFINITY}, z[] = {-1, 60, NAN};
-    struct plot_series series = {"y", y, 0, 0};
+    struct plot_series series = {.label = "y", .y = y};
     struct plot plot = {.x = x, .count = 3, .series = &series, .series_count = 1};
     plot_choose_axes(&plot);
     CHECK(plot.log_x && !plot.log_y);

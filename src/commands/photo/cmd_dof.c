@@ -495,5 +495,6 @@ const struct command command_dof = {
     .varies = varies,
     .weight = weight,
     .plot = "near_m,far_m",
+    .zone = "near far|near_sensor far_sensor",
     .cell = "near_m+far_m",
 };

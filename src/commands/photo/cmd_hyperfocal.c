@@ -251,5 +251,6 @@ const struct command command_hyperfocal = {
     .varies = varies,
     .weight = weight,
     .plot = "hyperfocal_m,near_m",
+    .zone = "near|near_sensor",
     .cell = "hyperfocal_m+near_m",
 };

@@ -342,5 +342,6 @@ const struct command command_tilt = {
     COMMAND_ANSWERS(struct row),
     COMMAND_MAKES(artifacts),
     .plot = "angle_deg,near_angle_deg,far_angle_deg",
+    .zone = "near_angle far_angle",
     .cell = "near_m+far_m",
 };

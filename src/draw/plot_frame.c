@@ -1,0 +1,142 @@
+/* draw/plot_frame.c - the axes of a plot, and its points as they can be drawn. */
+/* SPDX-License-Identifier: MIT */
+#include "draw/plot_frame.h"
+
+#include <math.h>
+
+static const double HUGEST = 1e200, TINIEST = 1e-200;
+
+/* -------- values -------- */
+
+double plot_drawable(double value, bool log)
+{
+    if (log && !(value > 0)) {
+        return NAN;
+    }
+    if (fabs(value) > HUGEST) {
+        return copysign(INFINITY, value);
+    }
+    return fabs(value) < TINIEST ? (log ? NAN : 0) : value;
+}
+
+size_t plot_series_count(const struct plot *plot, const struct plot_series *series)
+{
+    return series->x != NULL ? series->count : plot->count;
+}
+
+double plot_x_at(const struct plot *plot, const struct plot_series *series, size_t i)
+{
+    return plot_drawable(series->x != NULL ? series->x[i] : plot->x[i], plot->log_x);
+}
+
+double plot_y_at(const struct plot *plot, const struct plot_series *series, size_t i)
+{
+    if (!isfinite(plot_x_at(plot, series, i))) {
+        return NAN;
+    }
+    bool over = plot->y_limit > 0 && series->y[i] > plot->y_limit;
+    return over ? INFINITY : plot_drawable(series->y[i], plot->log_y);
+}
+
+enum plot_place plot_place_at(const struct plot_series *series, size_t i)
+{
+    return series->places != NULL ? (enum plot_place)series->places[i] : PLOT_SAMPLE;
+}
+
+/* -------- axes -------- */
+
+static void include(struct plot_axis *axis, double v)
+{
+    axis->low = fmin(axis->low, v);
+    axis->high = fmax(axis->high, v);
+}
+
+bool plot_find_range(const struct plot *plot, struct plot_axis *x, struct plot_axis *y)
+{
+    x->low = y->low = INFINITY;
+    x->high = y->high = -INFINITY;
+    for (size_t s = 0; s < plot->series_count; s++) {
+        const struct plot_series *series = &plot->series[s];
+        for (size_t i = 0; i < plot_series_count(plot, series); i++) {
+            double v = plot_y_at(plot, series, i);
+            if (!isnan(v)) {
+                include(x, plot_x_at(plot, series, i));
+            }
+            if (isfinite(v) && plot_place_at(series, i) != PLOT_BEYOND) {
+                include(y, v);
+            }
+        }
+    }
+    return y->low <= y->high;
+}
+
+void plot_choose_axes(struct plot *plot)
+{
+    struct plot_axis x, y;
+    plot->log_x = plot->log_y = false;
+    bool any = plot_find_range(plot, &x, &y);
+    plot->log_x = any && x.low > 0 && x.high / x.low > 50;
+    plot->log_y = any && y.low > 0 && y.high / y.low > 50;
+}
+
+double plot_page_at(const struct plot_axis *axis, double value)
+{
+    double part = axis->log ? (log(value) - log(axis->low)) / (log(axis->high) - log(axis->low))
+                            : (value - axis->low) / (axis->high - axis->low);
+    return axis->start + part * (axis->stop - axis->start);
+}
+
+double plot_near_page(const struct plot_axis *axis, double at)
+{
+    const double room = 2 * fabs(axis->start - axis->stop);
+    const double low = fmin(axis->start, axis->stop) - room;
+    const double high = fmax(axis->start, axis->stop) + room;
+    return fmin(fmax(at, low), high);
+}
+
+double plot_value_at(const struct plot_axis *axis, double at)
+{
+    const double part = (at - axis->start) / (axis->stop - axis->start);
+    return axis->log ? exp(log(axis->low) + part * (log(axis->high) - log(axis->low)))
+                     : axis->low + part * (axis->high - axis->low);
+}
+
+static void choose_ticks(struct plot_axis *axis, double low, double high)
+{
+    if (axis->log) {
+        ticks_log(low, high, &axis->ticks);
+    } else {
+        ticks_linear(low, high, &axis->ticks);
+    }
+}
+
+void plot_set_y_axis(struct plot_axis *y)
+{
+    choose_ticks(y, y->low, y->high);
+    y->low = y->ticks.value[0];
+    y->high = y->ticks.value[y->ticks.count - 1];
+}
+
+static void keep_ticks_inside(struct plot_axis *axis)
+{
+    double slack = 1e-9 * (axis->high - axis->low);
+    size_t kept = 0;
+    for (size_t i = 0; i < axis->ticks.count; i++) {
+        double v = axis->ticks.value[i];
+        if (v >= axis->low - slack && v <= axis->high + slack) {
+            axis->ticks.value[kept++] = v;
+        }
+    }
+    axis->ticks.count = kept;
+}
+
+void plot_set_x_axis(struct plot_axis *x)
+{
+    ticks_widen(&x->low, &x->high);
+    choose_ticks(x, x->low, x->high);
+    keep_ticks_inside(x);
+    if (x->ticks.count < 3) { /* a short logarithmic axis between two round numbers */
+        ticks_linear(x->low, x->high, &x->ticks);
+        keep_ticks_inside(x);
+    }
+}
