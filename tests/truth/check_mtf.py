@@ -247,17 +247,25 @@ def check_disc(checks, program):
 
 
 def curves(program, words, error):
-    """Contrasts of the curves of --plot, from the drawing."""
+    """Points of the curves of --plot, px and contrast, from the drawing."""
     with tempfile.TemporaryDirectory() as folder:
         path = os.path.join(folder, "mtf.svg")
         subprocess.run(program.command + ["mtf", *words, "--error", error, "--plot", path],
                        stdout=subprocess.DEVNULL, check=True, env=program.environment())
         with open(path, encoding="utf-8") as file:
-            lines = re.findall('<path d="M([-0-9. L]*)"', file.read())
+            lines = re.findall('stroke-width="2"[^>]*>\n<path d="M([-0-9. L]*)"', file.read())
     points = [[float(x) for x in line.replace("L", " ").split()] for line in lines]
     frame = (88, 440)  # y of contrast 1 and 0
-    return [[(frame[1] - y) / (frame[1] - frame[0]) for y in line[1::2]] for line in points
-            if len(line) == 2 * 61]
+    return [[(x, (frame[1] - y) / (frame[1] - frame[0])) for x, y in zip(line[::2], line[1::2])]
+            for line in points if len(line) >= 2 * 17]
+
+
+def between(line, x):
+    """A curve's height at x, by its neighbours; None beyond its ends."""
+    for (a, y), (b, z) in zip(line, line[1:]):
+        if a <= x <= b:
+            return y if a == b else y + (z - y) * (x - a) / (b - a)
+    return None
 
 
 def check_curves(checks, program):
@@ -269,8 +277,11 @@ def check_curves(checks, program):
                   ["laikin48-telescope", "-w", "d"]):
         drawn, exact = curves(program, words, "1e-4"), curves(program, words, "9e-5")
         checks.check(len(drawn) == len(exact) >= 3, f"{words}: {len(drawn)} curves")
-        worst = max(abs(a - b) for x, y in zip(drawn, exact) for a, b in zip(x, y))
-        checks.check(worst < 1e-3, f"{words}: curves are {worst} off")
+        off = [abs(y - between(other, x)) for line, other in zip(drawn, exact) for x, y in line
+               if between(other, x) is not None]
+        # those one by one are drawn where they are bent by a fifth of a pixel, of 352
+        checks.check(len(off) > 3 * 100 and max(off) < 1e-3 + 0.3 / 352,
+                     f"{words}: curves are {max(off, default=None)} off in {len(off)} points")
 
 
 def main():

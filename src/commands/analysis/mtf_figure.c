@@ -6,11 +6,12 @@
 #include "commands/analysis/analysis_words.h"
 #include "commands/analysis/mtf_input.h"
 #include "draw/plot.h"
+#include "draw/plot_sample.h"
 
 #include <stdlib.h>
 #include <string.h>
 
-enum { STEPS = 61, MOST = 4096, CURVES_MOST = 14, FIELDS_MANY = 4, FIELDS_DRAWN = 17 };
+enum { STEPS = 241, FIRST_STEPS = 17, MOST = 16384, CURVES_MOST = 14, FIELDS_MANY = 4 };
 
 /* Colours of curves before they come again, and the dashes of the limit. */
 enum { COLOURS = 7, DOTTED = 3 };
@@ -27,6 +28,7 @@ enum axis { BY_FREQUENCY, BY_FOCUS, BY_FIELD };
 /* A point of the drawing. */
 struct entry {
     double x, contrast[MTF_DIRECTIONS], limit;
+    bool is_between;          /* of what was asked for */
     const char *label, *lens; /* of its curve */
 };
 
@@ -40,7 +42,8 @@ struct painter {
     struct entry *list;
     size_t count;
     const char *subtitle;
-    double off;  /* what contrasts may be off, where that is known */
+    double off; /* what contrasts may be off, where that is known */
+    bool is_between;
     bool is_cut; /* some curve ends where its wave front is too steep for a drawing */
 };
 
@@ -115,6 +118,68 @@ static size_t find_curve(struct painter *painter, const struct mtf_source *sourc
     return 0;
 }
 
+/* Contrasts of one curve that are found one by one, where a drawing wants them. */
+struct contrasts {
+    struct painter *painter;
+    const struct mtf_source *source;
+    struct error *error;
+    bool has_failed;
+};
+
+static bool contrasts_at(void *context, double frequency, double *y)
+{
+    struct contrasts *contrasts = context;
+    struct painter *painter = contrasts->painter;
+    struct mtf mtf;
+    if (!mtf_with_pixels(contrasts->source, painter->input, frequency, painter->arena, &mtf,
+                         contrasts->error)) {
+        contrasts->has_failed = true;
+        return false;
+    }
+    memcpy(y, mtf.contrast, sizeof mtf.contrast);
+    y[MTF_DIRECTIONS] = fmax(mtf.limit[0], mtf.limit[1]);
+    note_off(painter, mtf.error);
+    return true;
+}
+
+static bool add_contrasts(struct painter *painter, const struct mtf_source *source, double highest,
+                          const struct entry *place, struct error *error)
+{
+    enum { KINDS = MTF_DIRECTIONS + 1, SAMPLES = 61, EACH = 1000 };
+    const double ends[] = {0, highest}, page[] = {0, 1};
+    const struct plot_series frame = {.y = page};
+    const struct plot plot = {.x = ends, .count = 2, .series = &frame, .series_count = 1};
+    struct contrasts contrasts = {painter, source, error, false};
+    double x[SAMPLES], values[KINDS][SAMPLES], here[KINDS];
+    const double *y[KINDS];
+    for (size_t i = 0; i < SAMPLES; i++) {
+        x[i] = highest * (double)i / (SAMPLES - 1);
+        if (!contrasts_at(&contrasts, x[i], here)) {
+            return false;
+        }
+        for (size_t k = 0; k < KINDS; k++) {
+            values[k][i] = here[k];
+            y[k] = values[k];
+        }
+    }
+    const struct plot_source from = {KINDS, contrasts_at, &contrasts, EACH};
+    struct plot_curves curves;
+    plot_sample(&plot, x, y, SAMPLES, &from, &curves, painter->arena);
+    for (size_t i = 0; i < curves.count && !contrasts.has_failed; i++) {
+        struct entry *entry = new_entry(painter, place, error);
+        if (entry == NULL) {
+            return false;
+        }
+        entry->x = curves.x[i];
+        entry->is_between = true;
+        memcpy(entry->contrast,
+               (const double[]){curves.y[MTF_TANGENTIAL][i], curves.y[MTF_SAGITTAL][i]},
+               sizeof entry->contrast);
+        entry->limit = curves.y[MTF_DIRECTIONS][i];
+    }
+    return !contrasts.has_failed;
+}
+
 /* Against frequency, at once where nobody asks for more than a drawing shows. */
 static bool add_curve(struct painter *painter, const struct mtf_source *source,
                       const struct entry *place, struct error *error)
@@ -123,23 +188,18 @@ static bool add_curve(struct painter *painter, const struct mtf_source *source,
     double highest = highest_of(painter, source);
     const size_t count = find_curve(painter, source, &highest, &curve);
     painter->highest = highest;
-    if (count > 0) {
-        note_off(painter, fmax(source->off[0], source->off[1]));
+    if (count == 0) {
+        return add_contrasts(painter, source, highest, place, error);
     }
-    for (size_t i = 0; i < (count > 0 ? count : STEPS); i++) {
-        struct entry here = *place;
-        here.x = highest * (double)i / (STEPS - 1);
-        if (count == 0) {
-            if (!add_entry(painter, source, here.x, &here, error)) {
-                return false;
-            }
-            continue;
-        }
-        struct entry *entry = new_entry(painter, &here, error);
+    note_off(painter, fmax(source->off[0], source->off[1]));
+    for (size_t i = 0; i < count; i++) {
+        struct entry *entry = new_entry(painter, place, error);
         if (entry == NULL) {
             return false;
         }
-        const double left = mtf_pixels(painter->input, here.x);
+        entry->x = highest * (double)i / (STEPS - 1);
+        entry->is_between = true;
+        const double left = mtf_pixels(painter->input, entry->x);
         for (size_t k = 0; k < MTF_DIRECTIONS; k++) {
             entry->contrast[k] = left * curve.contrast[k][i];
             entry->limit = fmax(entry->limit, left * curve.limit[k][i]);
@@ -168,7 +228,8 @@ static bool add(const struct analysis_case *one, size_t field, const void *found
     named.question = &question;
     question.defocus = painter->axis == BY_FOCUS ? (double)NAN : question.defocus;
     struct entry place = {.label = analysis_map_title(&named, field, arena),
-                          .lens = one->setup->lens->title};
+                          .lens = one->setup->lens->title,
+                          .is_between = painter->is_between};
     painter->subtitle = arena_printf(arena, "%s; focus %s",
                                      painter->input->method == MTF_BY_RAYS ? "by rays" : "by waves",
                                      one->setup->focus);
@@ -223,37 +284,104 @@ static bool choose_axis(struct painter *painter, struct error *error)
     return true;
 }
 
-/* The field or the height of an input, whichever it has. */
-static double *place_of(struct mtf_input *input)
+/* What the drawing goes along: the defocus of an input, its field or its height. */
+static double *place_of(const struct painter *painter, struct mtf_input *input)
 {
     struct analysis_question *question = &input->question;
+    if (painter->axis == BY_FOCUS) {
+        return &question->defocus;
+    }
     return isnan(question->field) ? &question->height : &question->field;
 }
 
-/* Fields between those that were asked for, so that curves are smooth. */
+static int entry_order(const void *first, const void *second)
+{
+    const struct entry *a = first, *b = second;
+    const int by_label = strcmp(a->label, b->label);
+    return by_label != 0 ? by_label : (a->x > b->x) - (a->x < b->x);
+}
+
+static int by_value(const void *first, const void *second)
+{
+    const double a = *(const double *)first, b = *(const double *)second;
+    return (a > b) - (a < b);
+}
+
+/* Is the curve bent at the second of three entries, as far as is seen? */
+static bool entry_is_bent(const struct entry *three)
+{
+    const double seen = 1e-3; /* of the height of the drawing */
+    const double part = (three[1].x - three[0].x) / (three[2].x - three[0].x);
+    double bend = 0;
+    for (size_t k = 0; k < MTF_DIRECTIONS; k++) {
+        const double y =
+            three[0].contrast[k] + part * (three[2].contrast[k] - three[0].contrast[k]);
+        bend = fmax(bend, fabs(three[1].contrast[k] - y));
+    }
+    return bend > seen; /* no bend where a value is missing */
+}
+
+/*
+ * Middles of the intervals that a drawing shows bent, or that are wide; ascending, each once.
+ *
+ * Given     middles  room for two an entry
+ */
+static size_t middles_find(struct painter *painter, double low, double high, double *middles)
+{
+    const double widest = (high - low) / (FIRST_STEPS - 1), least = (high - low) / 200;
+    size_t count = 0, kept = 0;
+    qsort(painter->list, painter->count, sizeof *painter->list, entry_order);
+    for (size_t i = 0; i + 1 < painter->count; i++) {
+        const struct entry *here = &painter->list[i];
+        const double width = here[1].x - here->x;
+        const bool one = strcmp(here->label, here[1].label) == 0;
+        const bool before = i > 0 && strcmp(here[-1].label, here->label) == 0;
+        const bool behind = i + 2 < painter->count && strcmp(here[1].label, here[2].label) == 0;
+        const bool bent = (before && entry_is_bent(here - 1)) || (behind && entry_is_bent(here));
+        if (one && (width > 1.01 * widest || (bent && width > least))) {
+            middles[count++] = here->x + width / 2;
+        }
+    }
+    qsort(middles, count, sizeof *middles, by_value);
+    for (size_t i = 0; i < count; i++) {
+        if (kept == 0 || middles[i] - middles[kept - 1] > least / 8) {
+            middles[kept++] = middles[i];
+        }
+    }
+    return kept;
+}
+
+/* Points between those that were asked for, so that curves are smooth. */
 static bool collect_between(struct painter *painter, const struct analysis_answers *answers,
                             struct error *error)
 {
+    enum { ROUNDS = 8 };
     const struct artifact_job *job = painter->job;
+    const struct unit *degree = unit_find(&dimension_angle, text_of("deg"));
     struct mtf_input first, here;
     double low = INFINITY, high = -INFINITY;
+    double *middles = ARENA_ARRAY(painter->arena, MOST, double);
     memcpy(&first, job->inputs[0], sizeof first);
-    for (size_t i = 0; i < job->count; i++) {
-        memcpy(&here, job->inputs[i], sizeof here);
-        low = fmin(low, *place_of(&here));
-        high = fmax(high, *place_of(&here));
+    for (size_t i = 0; i < painter->count; i++) {
+        low = fmin(low, painter->list[i].x);
+        high = fmax(high, painter->list[i].x);
     }
-    for (size_t i = 0; i < job->count; i++) {
-        memcpy(&here, job->inputs[i], sizeof here);
-        if (!(fabs(*place_of(&here) - *place_of(&first)) <= 0)) {
-            continue;
-        }
-        painter->input = &here;
-        for (size_t k = 1; k + 1 < FIELDS_DRAWN; k++) {
-            *place_of(&here) = low + (high - low) * (double)k / (FIELDS_DRAWN - 1);
-            if (!analysis_each_field(&here.question, &mtf_policy, job->run, answers, painter,
-                                     error)) {
-                return false;
+    painter->is_between = true;
+    for (int round = 0; round < ROUNDS; round++) {
+        const size_t count = middles_find(painter, low, high, middles);
+        for (size_t i = 0; i < job->count; i++) {
+            memcpy(&here, job->inputs[i], sizeof here);
+            if (!(fabs(*place_of(painter, &here) - *place_of(painter, &first)) <= 0)) {
+                continue;
+            }
+            painter->input = &here;
+            for (size_t k = 0; k < count && painter->count < MOST - CURVES_MOST; k++) {
+                const bool is_angle = painter->axis == BY_FIELD && painter->is_angle;
+                *place_of(painter, &here) = is_angle ? unit_to_own(degree, middles[k]) : middles[k];
+                if (!analysis_each_field(&here.question, &mtf_policy, job->run, answers, painter,
+                                         error)) {
+                    return false;
+                }
             }
         }
     }
@@ -278,7 +406,7 @@ static bool collect(struct painter *painter, struct error *error)
         }
     }
     bool any = false;
-    if (painter->axis == BY_FIELD && !collect_between(painter, &answers, error)) {
+    if (painter->axis != BY_FREQUENCY && !collect_between(painter, &answers, error)) {
         return false;
     }
     for (size_t i = 0; i < painter->count; i++) {
@@ -306,103 +434,104 @@ static const char *name_curves(const struct painter *painter)
     return one ? arena_printf(painter->arena, "Contrast of %s", lens) : "Contrast";
 }
 
-static int by_value(const void *first, const void *second)
-{
-    const double a = *(const double *)first, b = *(const double *)second;
-    return (a > b) - (a < b);
-}
+/* The points of one label in their order. */
+struct figure_curve {
+    const char *label;
+    double *x, *contrast[MTF_DIRECTIONS], *limit;
+    unsigned char *places;
+    size_t count;
+};
 
-/* The different x, ascending. */
-static size_t find_x(const struct painter *painter, double *x)
+/* The curves, by their labels in the order these came; false: they are too many. */
+static bool curves_collect(struct painter *painter, struct figure_curve *curves, size_t *count,
+                           struct error *error)
 {
-    size_t count = 0;
-    for (size_t i = 0; i < painter->count; i++) {
-        x[i] = painter->list[i].x;
-    }
-    qsort(x, painter->count, sizeof *x, by_value);
-    for (size_t i = 0; i < painter->count; i++) {
-        if (count == 0 || x[i] > x[count - 1]) {
-            x[count++] = x[i];
-        }
-    }
-    return count;
-}
-
-/* The different labels in their order. */
-static size_t find_labels(const struct painter *painter, const char **labels, struct error *error)
-{
-    size_t count = 0;
+    struct arena *arena = painter->arena;
+    *count = 0;
     for (size_t i = 0; i < painter->count; i++) {
         size_t k = 0;
-        while (k < count && strcmp(labels[k], painter->list[i].label) != 0) {
+        while (k < *count && strcmp(curves[k].label, painter->list[i].label) != 0) {
             k++;
         }
         if (k == CURVES_MOST) {
-            fail(error, ERROR_USAGE, "{--plot} would draw more than %d pairs of curves",
-                 CURVES_MOST);
-            return 0;
+            return fail(error, ERROR_USAGE, "{--plot} would draw more than %d pairs of curves",
+                        CURVES_MOST);
         }
-        labels[k] = painter->list[i].label;
-        count += k == count;
+        if (k == *count) {
+            curves[k] = (struct figure_curve){.label = painter->list[i].label};
+            (*count)++;
+        }
+        curves[k].count++;
     }
-    return count;
-}
-
-/* The values of all curves in their places; limits: of the first. */
-static void put_values(const struct painter *painter, const double *x, size_t points,
-                       const char *const *labels, double *y, double *limits)
-{
-    for (size_t i = 0; i < painter->count; i++) {
+    for (size_t k = 0; k < *count; k++) {
+        struct figure_curve *curve = &curves[k];
+        curve->x = ARENA_ARRAY(arena, curve->count, double);
+        curve->limit = ARENA_ARRAY(arena, curve->count, double);
+        curve->places = ARENA_ARRAY(arena, curve->count, unsigned char);
+        for (size_t j = 0; j < MTF_DIRECTIONS; j++) {
+            curve->contrast[j] = ARENA_ARRAY(arena, curve->count, double);
+        }
+        curve->count = 0;
+    }
+    qsort(painter->list, painter->count, sizeof *painter->list, entry_order);
+    for (size_t i = 0, k = 0; i < painter->count; i++) {
         const struct entry *entry = &painter->list[i];
-        size_t at = 0, curve = 0;
-        while (x[at] < entry->x) {
-            at++;
+        for (k = 0; strcmp(curves[k].label, entry->label) != 0; k++) {
         }
-        while (strcmp(labels[curve], entry->label) != 0) {
-            curve++;
+        struct figure_curve *curve = &curves[k];
+        for (size_t j = 0; j < MTF_DIRECTIONS; j++) {
+            curve->contrast[j][curve->count] = entry->contrast[j];
         }
-        for (size_t k = 0; k < MTF_DIRECTIONS; k++) {
-            y[(MTF_DIRECTIONS * curve + k) * points + at] = entry->contrast[k];
-        }
-        if (curve == 0) {
-            limits[at] = entry->limit;
-        }
+        curve->limit[curve->count] = entry->limit;
+        curve->places[curve->count] = entry->is_between ? PLOT_BETWEEN : PLOT_SAMPLE;
+        curve->x[curve->count++] = entry->x;
     }
+    return true;
 }
 
 /* On the axis of a lens both directions are one curve. */
-static bool is_one(const double *tangential, const double *sagittal, size_t points)
+static bool curve_is_one(const struct figure_curve *curve)
 {
     double off = 0;
-    for (size_t i = 0; i < points; i++) {
-        off = fmax(off, fabs(tangential[i] - sagittal[i]));
+    for (size_t i = 0; i < curve->count; i++) {
+        off =
+            fmax(off, fabs(curve->contrast[MTF_TANGENTIAL][i] - curve->contrast[MTF_SAGITTAL][i]));
     }
     return off < fine;
 }
 
-/* Series of curves, whose values are y: of a colour for each label, sagittal ones dashed. */
-static size_t put_series(const struct painter *painter, const double *y, size_t points,
-                         const char *const *labels, size_t curves, struct plot_series *series)
+/* Series of curves: of a colour for each label, sagittal ones dashed. */
+static size_t put_series(const struct painter *painter, const struct figure_curve *curves,
+                         size_t count, struct plot_series *series)
 {
-    size_t count = 0;
-    for (size_t k = 0; k < curves; k++) {
-        const double *both[] = {y + MTF_DIRECTIONS * k * points,
-                                y + (MTF_DIRECTIONS * k + MTF_SAGITTAL) * points};
+    size_t put = 0;
+    for (size_t k = 0; k < count; k++) {
+        const struct figure_curve *curve = &curves[k];
         const size_t again = 2 * (k / COLOURS);
-        const bool one = is_one(both[0], both[1], points);
-        series[count++] = (struct plot_series){
-            arena_printf(painter->arena, "%s %s", one ? "T, S" : "T", labels[k]), both[0], k,
-            1 + again};
+        const bool one = curve_is_one(curve);
+        const struct plot_series common = {
+            .x = curve->x, .count = curve->count, .places = curve->places, .style = k};
+        series[put] = common;
+        series[put].label = arena_printf(painter->arena, "%s %s", one ? "T, S" : "T", curve->label);
+        series[put].y = curve->contrast[MTF_TANGENTIAL];
+        series[put++].dash = 1 + again;
         if (!one) {
-            series[count++] = (struct plot_series){arena_printf(painter->arena, "S %s", labels[k]),
-                                                   both[1], k, 2 + again};
+            series[put] = common;
+            series[put].label = arena_printf(painter->arena, "S %s", curve->label);
+            series[put].y = curve->contrast[MTF_SAGITTAL];
+            series[put++].dash = 2 + again;
         }
     }
     if (painter->axis == BY_FREQUENCY) {
-        series[count++] =
-            (struct plot_series){"limit", y + MTF_DIRECTIONS * curves * points, curves, DOTTED};
+        series[put++] = (struct plot_series){.label = "limit",
+                                             .x = curves[0].x,
+                                             .y = curves[0].limit,
+                                             .count = curves[0].count,
+                                             .places = curves[0].places,
+                                             .style = count,
+                                             .dash = DOTTED};
     }
-    return count;
+    return put;
 }
 
 /* What the drawing says below its title, and of its axis. */
@@ -425,27 +554,18 @@ static void say(const struct painter *painter, struct plot *plot)
                                                   : "field (mm)";
 }
 
-static bool draw(const struct painter *painter, struct svg *svg, struct error *error)
+static bool draw(struct painter *painter, struct svg *svg, struct error *error)
 {
-    struct arena *arena = painter->arena;
-    double *x = ARENA_ARRAY(arena, painter->count, double);
-    struct plot plot = {.title = name_curves(painter), .y_label = "contrast", .x = x};
-    const char *labels[CURVES_MOST];
-    const size_t points = find_x(painter, x), curves = find_labels(painter, labels, error);
-    const size_t count = MTF_DIRECTIONS * curves + 1;
-    double *y = ARENA_ARRAY(arena, points * count, double);
-    struct plot_series *series = ARENA_ARRAY(arena, count, struct plot_series);
-    if (curves == 0) {
+    struct plot plot = {.title = name_curves(painter), .y_label = "contrast"};
+    struct figure_curve curves[CURVES_MOST];
+    struct plot_series series[MTF_DIRECTIONS * CURVES_MOST + 1];
+    size_t count;
+    if (!curves_collect(painter, curves, &count, error)) {
         return false;
     }
-    for (size_t i = 0; i < points * count; i++) {
-        y[i] = NAN;
-    }
-    put_values(painter, x, points, labels, y, y + MTF_DIRECTIONS * curves * points);
     say(painter, &plot);
-    plot.count = points;
     plot.series = series;
-    plot.series_count = put_series(painter, y, points, labels, curves, series);
+    plot.series_count = put_series(painter, curves, count, series);
     return plot_draw(&plot, svg, error);
 }
 
