@@ -288,6 +288,7 @@ const void *rows_answer(void *context, void *input)
     run.driver = &aside;
     run.doubts = NULL;
     run.report = NULL;
+    run.leads = NULL;
     if (command->choose_sheet != NULL &&
         command->choose_sheet(input, &driver->asking) != driver->echo.own) {
         return NULL;

@@ -2,7 +2,8 @@
 """tests/robust/check_options.py - every common option with every command: honoured, or refused.
 
 An option that says nothing beside what else is asked is refused, and answered beside what it serves.
-What a command's --help does not show is refused with exit status 2 and the reason. What it shows
+All pairs of options of the photographic commands are tried, with LENSCALC_ALL=1 of others too, as
+pairs.py has them. What a command's --help does not show is refused with exit status 2 and the reason. What it shows
 makes a difference that is tried here: another answer, a file, another failure. A new command needs
 its line in ASKED below, a new common option its function.
 """
@@ -19,6 +20,7 @@ import tempfile
 sys.dont_write_bytecode = True
 sys.path.insert(0, os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
 from harness import Checks, Program
+import pairs
 
 # Command -> a question that every format answers, two options with values to sweep (the first with
 # a number), and a batch of two questions where the question is not two of the same lens.
@@ -471,6 +473,29 @@ def check_fields_apart(checks, program):
     checks.check(set(rows) == {"7", "14"} and len(rows) > 2, f"surfaces --field: {rows}")
 
 
+def check_pairs(checks, program, commands):
+    """An option more is another answer, or a refusal."""
+    photographic = [row["command"] for row in program.rows("list", "commands")
+                    if row["group"] == "photography"]
+    checks.check(set(photographic) == set(pairs.PHOTOGRAPHIC), f"photography: {photographic}")
+    bases = dict(pairs.PHOTOGRAPHIC)
+    if os.environ.get("LENSCALC_ALL"):
+        bases.update(pairs.OTHERS)
+    for command in bases:
+        if command not in commands:
+            continue
+        listed = program.run("list", "options", command, "--csv").stdout.decode()
+        options = [(row["option"][2:], row["value"] != "")
+                   for row in csv.DictReader(io.StringIO(listed)) if row["command"] == command]
+        if command in pairs.PHOTOGRAPHIC:
+            without = pairs.without_value(command, options)
+            checks.check(not without, f"{command}: no value to try for {without}")
+        silent, asked = pairs.silent_pairs(program, command, bases[command], options)
+        checks.passed += asked - len(silent)
+        for question, beside, option in silent:
+            checks.check(False, f"{command} {question} {beside}: {option} says nothing")
+
+
 def main():
     checks, program = Checks(), Program(sys.argv[1])
     rows = program.run("list", "commands", "--columns", "command", "--csv").stdout.decode()
@@ -483,6 +508,7 @@ def main():
         commands.remove("fit")
     check_idle(checks, program, commands)
     check_fields_apart(checks, program)
+    check_pairs(checks, program, commands)
     for command in commands:
         if checks.check(command in ASKED, f"{command} has no question in ASKED"):
             check_command(checks, program, command, options)

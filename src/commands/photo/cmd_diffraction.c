@@ -24,6 +24,7 @@ static const struct option options[] = {
     {NUMBER(frequency), .name = "frequency", .quantity = "spatial frequency", .column = "frequency",
      .dimension = &dimension_frequency, .unit = "per_mm", .lowest = 0, .highest = INFINITY,
      .flags = OPTION_NO_INFINITY, .value = "FREQUENCY",
+     .excludes = "coc print viewing acuity pixels film focus-spread near focal-length",
      .help = "contrast at this spatial frequency on the sensor; 10..100:10 for a table"},
     {NUMBER(magnification), .name = "magnification", .letter = 'm', .column = "magnification",
      .dimension = &dimension_ratio, .lowest = 0, .highest = INFINITY, .flags = OPTION_NO_INFINITY,
@@ -32,7 +33,8 @@ static const struct option options[] = {
     SHARPNESS_OPTIONS_DARK(struct input, sharp, 0, "d/1500", NULL),
     OPTION_WAVELENGTH_OF_LENS(struct input, lens.wavelength, NULL),
     {NUMBER(pixels), .name = "pixels", .dimension = &dimension_number, FINITE, .fallback = "2",
-     .value = "NUMBER", .help = "how many pixels wide the Airy disc may be"},
+     .wants = "aperture|lens", .value = "NUMBER",
+     .help = "how many pixels wide the Airy disc may be"},
     {NUMBER(film), .name = "film", .column = "film", .dimension = &dimension_frequency,
      .unit = "per_mm", FINITE, .value = "FREQUENCY",
      .help = "resolution of the film: gives the f-number at which diffraction equals it"},
@@ -49,7 +51,8 @@ static const struct option options[] = {
      .help = "nearest point that must be sharp, with -f or --lens: the best f-number"},
     {NUMBER(far), .name = "far", .quantity = "farthest point", .column = "far",
      .dimension = &dimension_length, .unit = "m", OPTION_POSITIVE, .flags = OPTION_ABOVE_LOWEST,
-     .fallback = "inf", .value = "LENGTH", .help = "farthest point that must be sharp"},
+     .fallback = "inf", .value = "LENGTH", .wants = "near",
+     .help = "farthest point that must be sharp"},
 };
 
 struct row {
@@ -268,6 +271,22 @@ static bool compute_limits(const struct input *input, struct row *row, struct er
     return true;
 }
 
+/* Without an f-number the answer is the best one, to which what is sharp says nothing. */
+static bool check_best(const struct input *input, const struct sharpness *sharp,
+                       struct error *error)
+{
+    const bool is_best =
+        isnan(input->lens.fnumber) && (!isnan(input->near) || !isnan(input->focus_spread));
+    const char *idle = !input->sharp.coc.is_fallback      ? "coc"
+                       : sharp->coc.coc.kind == COC_PRINT ? "print"
+                       : !isnan(input->film)              ? "film"
+                       : input->defocus > 0               ? "defocus"
+                                                          : NULL;
+    return !is_best || idle == NULL ||
+           fail(error, ERROR_USAGE,
+                "{--%s} says nothing of the best f-number: give {--aperture} too", idle);
+}
+
 static bool compute_optimum(const struct input *input, struct row *row, struct error *error)
 {
     row->spread = input->focus_spread;
@@ -314,7 +333,8 @@ static bool answer(const void *data, const struct photo_lens *lens, struct run *
     struct sharpness implied;
     const struct sharpness *sharp = &implied;
     struct row row = empty;
-    if (!sharpness_imply(&input->sharp, PITCH_FOR_MORE, &implied, error)) {
+    if (!sharpness_imply(&input->sharp, PITCH_FOR_MORE, &implied, error) ||
+        !check_best(input, sharp, error)) {
         return false;
     }
     sharpness_doubt_pitch(sharp, run->doubts);

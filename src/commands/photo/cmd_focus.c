@@ -50,7 +50,7 @@ static const struct option options[] = {
      .dimension = &dimension_length, .unit = "m", OPTION_POSITIVE,
      .flags = OPTION_ABOVE_LOWEST | OPTION_GOAL, .value = "LENGTH",
      .help = "distance from subject to sensor, as lens scales have it"},
-    {OPTION(struct input, enlarged), .name = "enlarged",
+    {OPTION(struct input, enlarged), .name = "enlarged", .wants = "sensor-distance|from=sensor",
      .help = "of the two solutions for --sensor-distance, the one with m above 1"},
     OPTION_APERTURE(struct input, lens.fnumber, 0),
     OPTION_PUPIL_OF_LENS(struct input, lens.pupil, NULL),
@@ -67,15 +67,15 @@ static const struct option options[] = {
     {MILLIMETRES(stacked), .name = "stacked", .quantity = "stacked lens", .column = "stacked",
      POSITIVE, .help = "focal length of a lens reversed before the lens"},
     {OPTION(struct input, stacked_aperture), .name = "stacked-aperture",
-     .quantity = "f-number of the stacked lens", .dimension = &dimension_fnumber, POSITIVE,
-     .value = "NUMBER", .help = "f-number of the stacked lens, where it limits the beam",
-     OPTION_USUAL_FNUMBER},
-    {MILLIMETRES(gap), .name = "gap", NOT_NEGATIVE, .fallback = "0",
+     .quantity = "f-number of the stacked lens", .wants = "stacked",
+     .dimension = &dimension_fnumber, POSITIVE, .value = "NUMBER",
+     .help = "f-number of the stacked lens, where it limits the beam", OPTION_USUAL_FNUMBER},
+    {MILLIMETRES(gap), .name = "gap", NOT_NEGATIVE, .fallback = "0", .wants = "stacked|close-up",
      .help = "from the front of the lens to what is attached there"},
     OPTION_TUBE(struct input, attached.tube),
     OPTION_CONVERTER(struct input, attached.converter),
     {MILLIMETRES(converter_length), .name = "converter-length",
-     .quantity = "length of the converter", NOT_NEGATIVE, .fallback = "0",
+     .quantity = "length of the converter", NOT_NEGATIVE, .fallback = "0", .wants = "converter",
      .help = "how much longer the converter makes the lens"},
     {OPTION(struct input, order), .name = "order", .column = "order", .words = orders,
      .fallback = "tube-converter", .value = "ORDER",
@@ -414,6 +414,10 @@ static bool answer(const void *data, const struct photo_lens *lens, struct run *
 {
     const struct input *input = data;
     struct photo_lens own = *lens;
+    if (input->reversed && lens->lens != NULL && !isnan(input->front)) {
+        return fail(error, ERROR_USAGE,
+                    "{--front} is known of {--lens}, which is {--reversed}: leave it out");
+    }
     /* what is given overrides the lens */
     own.measuring.hiatus = isnan(input->hiatus) ? own.measuring.hiatus : input->hiatus;
     own.measuring.front = isnan(input->front) ? own.measuring.front : input->front;

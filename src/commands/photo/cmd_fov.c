@@ -72,7 +72,7 @@ static const struct option options[] = {
      .help = "in place of the distance: 1:2 or 0.5"},
     {OPTION(struct input, projection), .name = "projection", .column = "projection", .words = ways,
      .fallback = "auto", .value = "KIND", .help = "how the lens maps angles"},
-    OPTION_PUPIL_OF_LENS(struct input, lens.pupil, NULL),
+    OPTION_PUPIL_OF_LENS(struct input, lens.pupil, "distance|magnification|lens"),
     OPTION_SQUEEZE(struct input, squeeze, "1",
                    "anamorphic squeeze: 2 doubles the width that is seen"),
     {ANGLE_GOAL(horizontal), .quantity = "horizontal angle of view",

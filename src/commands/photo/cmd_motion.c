@@ -168,6 +168,10 @@ static bool solve_shake(const struct input *input, struct row *row, struct error
     struct shake *shake = &row->shake;
     bool alone = !is_given(input->speed);
     bool open = alone && !is_given(row->motion.t);
+    if (alone && input->height != 0) {
+        return fail(error, ERROR_USAGE,
+                    "{--height} is of a subject that moves: it needs {--speed}");
+    }
     *shake = (struct shake){row->focal, input->rotation, row->motion.t, NAN,
                             is_given(row->motion.m) ? row->motion.m : 0};
     if (alone && !limit(input, row->c, open, &shake->blur, error)) {

@@ -38,7 +38,7 @@ static const struct option options[] = {
      .fallback = "inf", .value = "LENGTH", .help = "distance the lens is focused at"},
     OPTION_PUPIL(struct input, pupil),
     {OPTION(struct input, hiatus), .name = "hiatus", .dimension = &dimension_length, .unit = "mm",
-     .flags = OPTION_NO_INFINITY, .fallback = "0", .value = "LENGTH",
+     .flags = OPTION_NO_INFINITY, .fallback = "0", .value = "LENGTH", .excludes = "each-row",
      .help = "distance between the principal planes"},
     {ANGLE_OPTION(horizontal), .column = "horizontal", .lowest = 0, .highest = 2 * PI,
      .flags = OPTION_ABOVE_LOWEST | OPTION_GOAL,
@@ -50,7 +50,7 @@ static const struct option options[] = {
     {ANGLE_OPTION(span), .lowest = 0, .highest = PI, .fallback = "0",
      .help = "vertical angle of the panorama; up to that of a frame: one row"},
     {ANGLE_OPTION(elevation), .lowest = -PI / 2, .highest = PI / 2, .fallback = "0",
-     .help = "of the panorama's middle, for --each-row"},
+     .wants = "each-row", .help = "of the panorama's middle, for --each-row"},
     {OPTION(struct input, overlap), .name = "overlap", .dimension = &dimension_ratio, .lowest = 0,
      .highest = 0.95, .fallback = "30%", .value = "FRACTION",
      .help = "least overlap of neighbouring frames: 30% or 0.3"},
@@ -59,7 +59,7 @@ static const struct option options[] = {
     {OPTION(struct input, rows), .name = "rows", .quantity = "number of rows", .lowest = 1,
      .highest = 1e6, .value = "NUMBER",
      .help = "number of rows, in place of that from --span and --overlap"},
-    {OPTION(struct input, each_row), .name = "each-row",
+    {OPTION(struct input, each_row), .name = "each-row", .excludes = "offset near pixels",
      .help = "a line for each row: its elevation, and the fewest frames it needs"},
     {OPTION(struct input, pixels), .name = "pixels", .lowest = 1, .highest = 1e6, .value = "NUMBER",
      .help = "frame width in pixels, as held (default: from the camera's pitch)"},
@@ -72,9 +72,9 @@ static const struct option options[] = {
      .help = "nearest object where frames overlap, for parallax"},
     {OPTION(struct input, far), .name = "far", .quantity = "farthest point",
      .dimension = &dimension_length, .unit = "m", OPTION_POSITIVE, .flags = OPTION_ABOVE_LOWEST,
-     .fallback = "inf", .value = "LENGTH", .help = "farthest object there"},
+     .fallback = "inf", .value = "LENGTH", .wants = "near", .help = "farthest object there"},
     {OPTION(struct input, tolerance), .name = "tolerance", .dimension = &dimension_number, POSITIVE,
-     .fallback = "1", .value = "NUMBER", .help = "allowed parallax in pixels"},
+     .fallback = "1", .value = "NUMBER", .wants = "near", .help = "allowed parallax in pixels"},
 };
 
 struct row {
@@ -276,12 +276,21 @@ static bool find_parallax(const struct input *input, struct row *row, struct err
     double per_radian = row->size.per_degree / RADIANS_PER_DEGREE;
     bool has_offset = !isnan(input->offset), has_near = !isnan(input->near);
     bool moves = row->step > 0;
+    if (isfinite(input->far) && !has_offset) {
+        return fail(error, ERROR_USAGE, "{--far} needs {--offset}: parallax is against it");
+    }
     if (has_offset && has_near && moves) {
         if (!panorama_parallax(input->offset, row->step, input->near, input->far, &row->parallax,
                                error)) {
             return false;
         }
         row->parallax_pixels = row->parallax * per_radian;
+    }
+    if (isnan(per_radian) && has_offset != has_near) {
+        return fail(error, ERROR_USAGE,
+                    "{--%s} alone asks for what stays within {--tolerance}, in pixels: give "
+                    "{--pixels}, or a camera as {--sensor}",
+                    has_near ? "near" : "offset");
     }
     double allowed = input->tolerance / per_radian;
     if (isnan(allowed) || !moves) {

@@ -131,6 +131,10 @@ static bool allow(const struct input *input, struct row *row, struct error *erro
         return false;
     }
     if (is_given(input->trail.coc.value)) {
+        if (coc_is_print(&sharp.coc) && !coc_is_print(&input->trail)) {
+            return fail(error, ERROR_USAGE,
+                        "{--print}, {--viewing} and {--acuity} serve {--trail} print only");
+        }
         sharp.coc = input->trail;
     }
     row->criterion = sharp.coc.criterion;
