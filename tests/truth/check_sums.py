@@ -6,8 +6,8 @@ it; radii that hold a share of the light; light by field over that on the axis. 
 clear_sums.c finds, which traces, finds spheres and sums by other means than lenscalc, as densely as
 phases want. No true error may be larger than the printed one. A few fields of a few lenses; with
 LENSCALC_ALL set lenses of lensdb in an order by LENSCALC_SEED, through focus, as many as a quarter
-of an hour has time for and as far as clear_sums.c takes them, or all that are named behind BUILD; -v
-says what was left out.
+of an hour has time for and as far as clear_sums.c takes them, or all that are named behind BUILD;
+-v says what was left out.
 """
 # SPDX-License-Identifier: MIT
 
