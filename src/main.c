@@ -27,6 +27,29 @@ static int print_version(void)
     return 0;
 }
 
+static bool is_list(const char *name)
+{
+    const struct command *list = command_find(text_of("list"));
+    size_t i = 0;
+    while (option_word(&list->options[0], i) != NULL &&
+           strcmp(option_word(&list->options[0], i)->word, name) != 0) {
+        i++;
+    }
+    return option_word(&list->options[0], i) != NULL;
+}
+
+/* The command that the word goes with: an option of the program, a list, a topic of help. */
+static const char *meant_with(const char *name)
+{
+    if (strcmp(name, "version") == 0) {
+        return "--";
+    }
+    if (is_list(name)) {
+        return "list ";
+    }
+    return help_topic_find(name) != NULL ? "help " : NULL;
+}
+
 static int unknown_command(const char *name)
 {
     struct error error;
@@ -35,7 +58,9 @@ static int unknown_command(const char *name)
         nearest_offer(&nearest, text_of(commands[i]->name));
     }
     fail(&error, ERROR_USAGE, "unknown %s '%.60s'", name[0] == '-' ? "option" : "command", name);
-    if (nearest.best.start != NULL) {
+    if (meant_with(name) != NULL) {
+        error_hint(&error, "see 'lenscalc %s%s'", meant_with(name), name);
+    } else if (nearest.best.start != NULL) {
         error_hint(&error, "did you mean '%.*s'?", (int)nearest.best.length, nearest.best.start);
     } else {
         error_hint(&error, "see 'lenscalc help'");

@@ -129,6 +129,17 @@ bool fail_at(struct error *error, enum error_code code, struct text text, size_t
     return false;
 }
 
+bool error_within(struct error *error, struct text whole, struct text part)
+{
+    const char *from = part.length > 0 ? text_trim(part).start : part.start;
+    if (error->caret > 0 && from >= whole.start && from <= whole.start + whole.length) {
+        const size_t caret = (size_t)(from - whole.start) + (size_t)error->caret;
+        set_excerpt(error, whole.start, whole.length,
+                    caret <= whole.length + 1 ? caret : whole.length + 1);
+    }
+    return false;
+}
+
 bool error_locate(struct error *error, const char *source, long line, size_t column)
 {
     snprintf(error->source, sizeof error->source, "%s", source);

@@ -73,6 +73,14 @@ bool fail(struct error *error, enum error_code code, const char *format, ...)
 bool fail_at(struct error *error, enum error_code code, struct text text, size_t caret,
              const char *format, ...) __attribute__((format(printf, 5, 6)));
 
+/*
+ * The text that the caret stands under is part of a longer one: show that, and the caret where it
+ * was. Returns false.
+ *
+ * Given     part  inside `whole`, as it was read, with or without blanks around it
+ */
+bool error_within(struct error *error, struct text whole, struct text part);
+
 /* Say where in a file the error lies (line and column 1-based, 0 = unknown). Returns false. */
 bool error_locate(struct error *error, const char *source, long line, size_t column);
 

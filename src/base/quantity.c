@@ -153,6 +153,18 @@ static bool unknown_unit(struct reading *reading, struct text name, int shown)
     return false;
 }
 
+/* "8", ".5", "f/8", "ISO400": a number, or letters before one. */
+static bool begins_value(const char *at, const char *end)
+{
+    while (at < end && *at == ' ') {
+        at++;
+    }
+    while (at < end && (is_unit_letter(*at) || *at == '/') && !char_is_digit(*at)) {
+        at++;
+    }
+    return at < end && (char_is_digit(*at) || *at == '.');
+}
+
 /* "f/2.8-f/8", "24 to 70": what stands between two ends, and how long it is; 0 if nothing does. */
 static size_t between_ends(const struct reading *reading)
 {
@@ -160,7 +172,8 @@ static size_t between_ends(const struct reading *reading)
     size_t room = (size_t)(reading->end - reading->at);
     for (size_t i = 0; i < sizeof words / sizeof words[0]; i++) {
         size_t length = strlen(words[i]);
-        if (room > length && memcmp(reading->at, words[i], length) == 0) {
+        if (room > length && memcmp(reading->at, words[i], length) == 0 &&
+            begins_value(reading->at + length, reading->end)) {
             return length;
         }
     }
@@ -357,9 +370,11 @@ static bool read_shutter(struct text text, double *value, struct error *error)
     struct text angle = text_cut(&rate, '@');
     const struct unit *degree = unit_find(&dimension_angle, text_of("deg"));
     double turn, frames;
-    if (!quantity_read(angle, &dimension_angle, degree, &turn, NULL, error) ||
-        !quantity_read(rate, &dimension_rate, NULL, &frames, NULL, error)) {
-        return false;
+    if (!quantity_read(angle, &dimension_angle, degree, &turn, NULL, error)) {
+        return error_within(error, text, angle);
+    }
+    if (!quantity_read(rate, &dimension_rate, NULL, &frames, NULL, error)) {
+        return error_within(error, text, rate);
     }
     double degrees = unit_from_own(degree, turn);
     if (!(degrees > 0 && degrees <= 360) || !(frames > 0) || isinf(frames)) {

@@ -174,9 +174,17 @@ static void append(struct argument *argument, char between, struct text word, st
     argument->text = (struct text){joined, length};
 }
 
+/* Is the word an option, "--seconds=3"? A value that looks like one is written behind '='. */
+static bool names_option(const struct arguments *arguments, const char *word)
+{
+    struct text rest = text_behind(text_of(word), "--");
+    return rest.start != NULL && rest.length > 0 &&
+           arguments_find(arguments, text_cut(&rest, '=')) != NULL;
+}
+
 /* Store the text of an option; `text.start` is null where none was attached to its name. */
-static bool take(struct argument *argument, struct text text, struct words *words,
-                 struct error *error)
+static bool take(const struct arguments *arguments, struct argument *argument, struct text text,
+                 struct words *words, struct error *error)
 {
     const char *name = argument->option->name;
     const bool is_more = argument->is_given;
@@ -187,7 +195,7 @@ static bool take(struct argument *argument, struct text text, struct words *word
         return fail(error, ERROR_USAGE, "--%s takes no value", name);
     }
     if (!is_flag(argument) && text.start == NULL) {
-        if (words->at == words->count) {
+        if (words->at == words->count || names_option(arguments, words->all[words->at])) {
             return fail(error, ERROR_USAGE, "--%s needs a value: %s", name,
                         argument->option->value != NULL ? argument->option->value : "VALUE");
         }
@@ -213,7 +221,7 @@ static bool parse_long(struct arguments *arguments, struct text word, struct wor
     if (argument == NULL) {
         return unknown(arguments, name, "--", error);
     }
-    return take(argument, value, words, error);
+    return take(arguments, argument, value, words, error);
 }
 
 /* -f50mm, -f 50mm, -f=50mm; several flags may share one dash */
@@ -230,9 +238,10 @@ static bool parse_short(struct arguments *arguments, struct text word, struct wo
             if (rest.length > 0 && rest.start[0] == '=') {
                 rest = (struct text){rest.start + 1, rest.length - 1};
             }
-            return take(argument, rest.length > 0 ? rest : (struct text){NULL, 0}, words, error);
+            return take(arguments, argument, rest.length > 0 ? rest : (struct text){NULL, 0}, words,
+                        error);
         }
-        if (!take(argument, (struct text){NULL, 0}, words, error)) {
+        if (!take(arguments, argument, (struct text){NULL, 0}, words, error)) {
             return false;
         }
         word = rest;

@@ -88,6 +88,9 @@ bool option_blame(const struct option *option, struct text text, struct error *e
         what = "unit";
     }
     int shown = text_shown(text);
+    if (option->no_number != NULL && error->hint[0] == '\0') {
+        error_hint(error, "%s", option->no_number);
+    }
     if (error->caret > 0) {
         return error_prefix(error, "bad %s in %s '%.*s' at character %d: ", what, CALLED(option),
                             shown, text.start, error->caret);
@@ -201,7 +204,7 @@ static bool read_flag(const struct reader *reader, const struct option *option, 
 static bool read_text(const struct reader *reader, const struct option *option, struct text text,
                       void *member, struct error *error)
 {
-    if (text.length == 0) {
+    if (text.length == 0 && (option->flags & OPTION_EMPTY) == 0) {
         return fail(error, ERROR_USAGE, "%s is empty", CALLED(option));
     }
     const char *kept = arena_string(reader->arena, text.start, text.length);
@@ -270,6 +273,7 @@ static bool read_coc(const struct reader *reader, const struct option *option, s
     bool length = coc.kind == COC_LENGTH;
     if (!quantity_read(number, length ? &dimension_length : &dimension_number,
                        length ? option_unit(option) : NULL, &coc.value, NULL, error)) {
+        error_within(error, trimmed, number);
         return option_blame(option, text, error);
     }
     if (!(length ? coc.value >= 0 : coc.value > 0) || isinf(coc.value)) {

@@ -155,6 +155,7 @@ enum option_flag {
     OPTION_TOGETHER = 8192,      /* an operand that is all words that are left, as one value */
     OPTION_NO_SERIES = 16384,    /* no setting of a camera: it has no labels of a stop series */
     OPTION_SEVERAL = 65536,      /* may be given several times: its values are one list */
+    OPTION_EMPTY = 131072,       /* a text that may be empty */
     OPTION_ASIDE = 32768 /* says how work is done, not what comes of it: threads, a part of it */
 };
 
@@ -171,6 +172,7 @@ struct option {
     double lowest, highest;            /* in the program's own unit; both 0 = any value */
     double usual[2];                   /* values outside are doubted; both 0 = none is */
     const char *unusual;               /* in which words: "no lens in air is faster than f/0.5" */
+    const char *no_number;             /* said to who types a word for the number; null = nothing */
     unsigned flags;
     /* It says something only beside a value of a circle of confusion for which this holds. */
     bool (*serves)(const struct coc_value *coc);

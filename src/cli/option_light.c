@@ -46,6 +46,7 @@ static bool read_number(const struct option *option, struct text piece, struct t
                         const struct dimension *dimension, double *value, struct error *error)
 {
     return quantity_read(number, dimension, NULL, value, NULL, error) ||
+           error_within(error, piece, number) ||
            error_prefix(error, "bad value in %s '%.*s': ", CALLED(option), text_shown(piece),
                         piece.start);
 }
@@ -63,21 +64,23 @@ static bool read_factor(const struct option *option, struct text piece, struct t
            bad_filter(option, piece, "a filter factor is 1 to 1e30", error);
 }
 
-/* ND with a decimal point is a density, without one a factor. */
-static bool read_neutral(const struct option *option, struct text piece, double *stops,
-                         struct error *error)
+static bool ends_with(struct text text, const char *end)
 {
-    struct text number = text_trim((struct text){piece.start + 2, piece.length - 2});
-    double density;
-    if (memchr(number.start, '.', number.length) == NULL) {
-        return read_factor(option, piece, number, stops, error);
+    const size_t length = strlen(end);
+    return text.length > length &&
+           text_same((struct text){text.start + text.length - length, length}, end);
+}
+
+/* "10-stop ND filter": without the words behind its strength. */
+static struct text without_words(struct text piece)
+{
+    static const char *const words[] = {" filter", " nd", "-nd"};
+    for (size_t i = 0; i < sizeof words / sizeof words[0]; i++) {
+        if (ends_with(piece, words[i])) {
+            piece = text_trim((struct text){piece.start, piece.length - strlen(words[i])});
+        }
     }
-    if (!read_number(option, piece, number, &dimension_number, &density, error)) {
-        return false;
-    }
-    *stops = stops_from_density(density);
-    return (density >= 0 && density <= 30) ||
-           bad_filter(option, piece, "a density is 0 to 30", error);
+    return piece;
 }
 
 static bool read_stops(const struct option *option, struct text piece, double *stops,
@@ -102,6 +105,26 @@ static bool read_stops(const struct option *option, struct text piece, double *s
            bad_filter(option, piece, "a loss of light is 0 to 100 stops", error);
 }
 
+/* ND with a decimal point is a density, without one a factor; "ND 6 stops" says what it is. */
+static bool read_neutral(const struct option *option, struct text piece, double *stops,
+                         struct error *error)
+{
+    struct text number = text_trim((struct text){piece.start + 2, piece.length - 2});
+    double density;
+    if (ends_with(number, "stop") || ends_with(number, "stops")) {
+        return read_stops(option, number, stops, error);
+    }
+    if (memchr(number.start, '.', number.length) == NULL) {
+        return read_factor(option, piece, number, stops, error);
+    }
+    if (!read_number(option, piece, number, &dimension_number, &density, error)) {
+        return false;
+    }
+    *stops = stops_from_density(density);
+    return (density >= 0 && density <= 30) ||
+           bad_filter(option, piece, "a density is 0 to 30", error);
+}
+
 static bool read_named(const struct reader *reader, const struct option *option, struct text piece,
                        struct loss_value *one, struct error *error)
 {
@@ -119,6 +142,9 @@ static bool read_one_filter(const struct reader *reader, const struct option *op
     *one = (struct loss_value){0};
     if (piece.length == 0) {
         return fail(error, ERROR_USAGE, "%s has an empty item", CALLED(option));
+    }
+    if (is_digit(piece.start[0]) || (piece.length > 2 && is_digit(piece.start[2]))) {
+        piece = without_words(piece);
     }
     bool neutral = piece.length > 2 && text_same((struct text){piece.start, 2}, "nd");
     if (neutral && (is_digit(piece.start[2]) || piece.start[2] == ' ')) {

@@ -32,6 +32,7 @@ static bool read_numbers(const struct option *option, struct text text, double *
     for (int i = count; i-- > 0;) {
         if (!quantity_read(parts[i], option->dimension, unit, &at[i],
                            i == count - 1 ? &typed : NULL, error)) {
+            error_within(error, text, parts[i]);
             return blame(option, text, error);
         }
         unit = typed != NULL ? typed : unit;

@@ -43,9 +43,15 @@ bool option_read_size(const struct option *option, struct text text, double side
         !(char_is_digit(width.start[0]) || width.start[0] == '.')) {
         return false;
     }
-    if (!quantity_read(rest, &dimension_length, NULL, &sides[1], &unit, error) ||
-        !quantity_read(width, &dimension_length, unit, &sides[0], &other, error) ||
-        !quantity_read(rest, &dimension_length, other, &sides[1], NULL, error)) {
+    struct text wrong = rest;
+    bool read = quantity_read(rest, &dimension_length, NULL, &sides[1], &unit, error);
+    if (read) {
+        wrong = width;
+        read = quantity_read(width, &dimension_length, unit, &sides[0], &other, error) &&
+               quantity_read(rest, &dimension_length, other, &sides[1], NULL, error);
+    }
+    if (!read) {
+        error_within(error, text, wrong);
         return option_blame(option, text, error);
     }
     *has_unit = unit != NULL || other != NULL;
@@ -104,13 +110,29 @@ static struct text without_size(struct text text)
     return text_trim(text_cut(&rest, '('));
 }
 
-/* The number of inches of "1/1.28\"", "1/1.28 inch", "1\"-type"; its start is null elsewhere. */
+/* "1/1.8", "2/3": fractions of an inch, as makers of cameras for machines write them. */
+static bool is_fraction(struct text text)
+{
+    struct text below = text;
+    const struct text above = text_cut(&below, '/');
+    struct error ignored;
+    double a, b;
+    return below.start != NULL && below.length > 0 && above.length > 0 &&
+           char_is_digit(above.start[0]) && char_is_digit(below.start[0]) &&
+           quantity_read(above, &dimension_number, NULL, &a, NULL, &ignored) &&
+           quantity_read(below, &dimension_number, NULL, &b, NULL, &ignored) && a < b;
+}
+
+/*
+ * The number of inches of "1/1.28\"", "1/1.28 inch", "1\"-type", "1/1.28"; its start is null
+ * elsewhere.
+ */
 static struct text inches_of(struct text text)
 {
     static const char *const ends[] = {"-type", " type", "\"", "\xe2\x80\xb3", "\xe2\x80\x9d", "''",
                                        "-inch", "inch",  "in"};
     struct text rest = text;
-    bool any = false;
+    bool any = is_fraction(text);
     for (size_t i = 0; i < sizeof ends / sizeof ends[0]; i++) {
         size_t length = strlen(ends[i]);
         if (rest.length > length &&
@@ -180,6 +202,29 @@ static bool read_shape(struct text text, double *ratio)
             memchr(text.start, '.', text.length) != NULL);
 }
 
+/* "1.5x", "x1.5", "1.5x crop": how much smaller than 35 mm, which fits several sensors. */
+static bool is_crop_factor(struct text text)
+{
+    struct text number = text;
+    struct error ignored;
+    double factor;
+    const char *const crop = " crop";
+    if (text.length > strlen(crop) &&
+        text_same(text_between(text.start + text.length - strlen(crop), text.start + text.length),
+                  crop)) {
+        number.length -= strlen(crop);
+    }
+    if (number.length > 1 && (*number.start == 'x' || *number.start == 'X')) {
+        number = (struct text){number.start + 1, number.length - 1};
+    } else if (number.length > 1 && strchr("xX", number.start[number.length - 1]) != NULL) {
+        number.length--;
+    } else if (number.length == text.length) {
+        return false;
+    }
+    return char_is_digit(*number.start) &&
+           quantity_read(number, &dimension_number, NULL, &factor, NULL, &ignored) && factor < 10;
+}
+
 static bool refuse(const struct option *option, struct text text, struct error *error)
 {
     double ratio;
@@ -189,6 +234,11 @@ static bool refuse(const struct option *option, struct text text, struct error *
                  kinds[i].message);
             return error_hint(error, "%s", kinds[i].hint);
         }
+    }
+    if (is_crop_factor(text)) {
+        fail(error, ERROR_USAGE, "%s '%.*s' is a crop factor, which sensors of several sizes have",
+             CALLED(option), text_shown(text), text.start);
+        return error_hint(error, "say which: 'aps-c', 'aps-c-canon', 'aps-h', '4/3' or a camera");
     }
     if (read_shape(text, &ratio)) {
         fail(error, ERROR_USAGE, "%s '%.*s' is an aspect ratio without a size", CALLED(option),
@@ -218,7 +268,7 @@ static bool read_whole(const struct reader *reader, const struct option *option,
     }
     bool read =
         own.code == ERROR_NONE && read_optical(reader, option, text_trim(text), sensor, &own);
-    if (own.code != ERROR_NONE) {
+    if (own.code != ERROR_NONE && !is_crop_factor(text_trim(text))) {
         *error = own;
         *begun = !read;
     }

@@ -164,19 +164,20 @@ static bool split_range(const struct option *option, struct text text, struct ra
 }
 
 /* Say which option's range was wrong, before what was wrong with one of its numbers. */
-static bool blame(const struct values *values, struct text text, struct error *error)
+static bool blame(const struct values *values, struct text whole, struct text part,
+                  struct error *error)
 {
-    return error_prefix(error, "bad range in --%s, '%.*s': ", values->option->name,
-                        text_shown(text), text.start);
+    error_within(error, whole, part);
+    return error_prefix(error, "bad range in --%s '%.*s' at character %d: ", values->option->name,
+                        text_shown(whole), whole.start, error->caret);
 }
 
-static bool read_number(const struct values *values, struct text text, const struct unit *unit,
-                        double *number, const struct unit **typed, struct error *error)
+static bool read_number(const struct values *values, struct text whole, struct text text,
+                        const struct unit *unit, double *number, const struct unit **typed,
+                        struct error *error)
 {
-    if (quantity_read(text, values->option->dimension, unit, number, typed, error)) {
-        return true;
-    }
-    return blame(values, text, error);
+    return quantity_read(text, values->option->dimension, unit, number, typed, error) ||
+           blame(values, whole, text, error);
 }
 
 /* Both ends; a bare end takes the unit of the other one. */
@@ -187,8 +188,8 @@ static bool read_ends(const struct values *values, struct range *range, struct e
                           error);
     }
     const struct unit *usual = option_unit(values->option), *left, *right;
-    if (!read_number(values, range->first, usual, &range->from, &left, error) ||
-        !read_number(values, range->last, usual, &range->to, &right, error)) {
+    if (!read_number(values, range->text, range->first, usual, &range->from, &left, error) ||
+        !read_number(values, range->text, range->last, usual, &range->to, &right, error)) {
         return false;
     }
     range->unit = right != NULL ? right : left != NULL ? left : usual;
@@ -197,10 +198,11 @@ static bool read_ends(const struct values *values, struct range *range, struct e
                           error);
     }
     if (left == NULL &&
-        !read_number(values, range->first, range->unit, &range->from, NULL, error)) {
+        !read_number(values, range->text, range->first, range->unit, &range->from, NULL, error)) {
         return false;
     }
-    if (right == NULL && !read_number(values, range->last, range->unit, &range->to, NULL, error)) {
+    if (right == NULL &&
+        !read_number(values, range->text, range->last, range->unit, &range->to, NULL, error)) {
         return false;
     }
     if (isinf(range->from) || isinf(range->to)) {
@@ -212,7 +214,8 @@ static bool read_ends(const struct values *values, struct range *range, struct e
 static bool add_steps(struct values *values, const struct range *range, struct error *error)
 {
     double step = unit_to_own(range->unit, 1);
-    if (range->kind == ':' && !read_number(values, range->tail, range->unit, &step, NULL, error)) {
+    if (range->kind == ':' &&
+        !read_number(values, range->text, range->tail, range->unit, &step, NULL, error)) {
         return false;
     }
     double span = range->to - range->from;
@@ -241,7 +244,7 @@ static bool add_factors(struct values *values, const struct range *range, struct
 {
     double factor;
     if (!quantity_read(range->tail, &dimension_number, NULL, &factor, NULL, error)) {
-        return blame(values, range->text, error);
+        return blame(values, range->text, range->tail, error);
     }
     double ratio = range->to / range->from;
     if (!(range->from > 0 && range->to > 0)) {
@@ -270,7 +273,7 @@ static bool add_points(struct values *values, const struct range *range, struct 
 {
     double count;
     if (!quantity_read(range->tail, &dimension_number, NULL, &count, NULL, error)) {
-        return blame(values, range->text, error);
+        return blame(values, range->text, range->tail, error);
     }
     if (!(count >= 2) || count != floor(count)) {
         return range_fail(values, range, "'#' needs a whole number of points, 2 or more", error);
@@ -311,7 +314,7 @@ static bool add_series(struct values *values, const struct range *range, bool *a
                                          .last = range->to,
                                          .exact = values->reader->nominal};
     if (!nominal_between(values->reader->db, &labels, &stops, &count, error)) {
-        return blame(values, range->text, error);
+        return blame(values, range->text, range->tail, error);
     }
     for (size_t i = 0; i < count; i++) {
         if (!add_number(values, range, stops[i], error)) {

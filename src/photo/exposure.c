@@ -18,7 +18,8 @@ static const double ev_limit = 100;
 
 /* What the light may be given as, in a message. */
 #define ANY_LIGHT                                                                                  \
-    "{exposure value at ISO 100}, {exposure value at the ISO speed}, {luminance} or {illuminance}"
+    "{scene}, {exposure value at ISO 100}, {exposure value at the ISO speed}, {luminance} or "     \
+    "{illuminance}"
 
 static double or_else(double value, double otherwise)
 {

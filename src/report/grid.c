@@ -79,7 +79,7 @@ const char *grid_markdown_text(struct arena *arena, const char *string)
 {
     char *text = arena_array(arena, 2 * strlen(string) + 1, 1), *to = text;
     for (; *string != '\0'; string++) {
-        if (*string == '|' || *string == '\\' || *string == '<') {
+        if (strchr("|\\<[]", *string) != NULL) {
             *to++ = '\\';
         }
         *to++ = *string;

@@ -62,7 +62,7 @@ void grid_write_markdown(const struct grid *grid, struct output *output, bool wi
 void grid_write_html(const struct grid *grid, struct output *output, bool with_head);
 void grid_write_separated(const struct grid *grid, struct output *output, char separator);
 
-/* Text that means nothing but itself in Markdown: no end of a cell, no HTML. */
+/* Text that means nothing but itself in Markdown: no end of a cell, no HTML, no link. */
 const char *grid_markdown_text(struct arena *arena, const char *string);
 
 /* A whole HTML page around tables: written first and last. */

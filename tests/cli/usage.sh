@@ -12,3 +12,9 @@ head -n 1 short
 # a number without its option
 lenscalc dof 50
 echo "status $?"
+# words that mean something else
+lenscalc version; lenscalc lenses; lenscalc ranges
+lenscalc help topics | head -n 5
+# an option is no value of the one before it
+lenscalc optimize double-gauss --global --seconds 3
+lenscalc optimize double-gauss --global --seconds=3

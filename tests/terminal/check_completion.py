@@ -81,6 +81,19 @@ def wait_for(folder, count, ours):
     return lines_of(folder)[count - 1:count]
 
 
+def read_until(ours, word):
+    """What the shell prints, until the word is among it."""
+    end, shown = time.monotonic() + 30, b""
+    while word not in shown and time.monotonic() < end:
+        try:
+            shown += os.read(ours, 65536)
+        except BlockingIOError:
+            time.sleep(0.005)
+        except OSError:
+            break
+    return shown
+
+
 def ask_on_terminal(program, shell):
     """The lines after TAB, one a case; None where the shell did not answer."""
     with tempfile.TemporaryDirectory(prefix="lenscalc-tab-") as folder:
@@ -101,14 +114,33 @@ def ask_on_terminal(program, shell):
         for number, (typed, _) in enumerate(CASES):
             os.write(ours, f"\x15lenscalc {typed}\t\x07".encode())
             answers.append((wait_for(folder, number + 2, ours) or [None])[0])
+        # nothing is typed yet: all commands are shown
+        os.write(ours, b"\x15lenscalc \t\t")
+        shown = read_until(ours, b"wavefront")
         process.kill()
         process.wait()
         os.close(ours)
-        return answers
+        return answers, shown
+
+
+def commands_of(program):
+    rows = program.run("list", "commands", "--columns", "command", "--csv").stdout.decode()
+    return rows.split("\n")[1:-1]
+
+
+def check_nothing_typed(checks, program):
+    """Behind the name of the program: all commands."""
+    offered = program.run("completion", "words", "--", "").stdout.decode()
+    names = [line.split("\t")[0] for line in offered.split("\n")[:-1]]
+    checks.check(sorted(names) == sorted(commands_of(program)) and len(names) > 30,
+                 f"completion words -- '': {names}")
 
 
 def check_on_terminal(checks, program, shell):
-    for (typed, expected), answer in zip(CASES, ask_on_terminal(program, shell)):
+    answers, shown = ask_on_terminal(program, shell)
+    checks.check(b"bracket" in shown and b"hyperfocal" in shown and b"wavefront" in shown,
+                 f"{shell}: 'lenscalc ' TAB TAB shows {shown!r}")
+    for (typed, expected), answer in zip(CASES, answers):
         checks.check(answer == "lenscalc " + expected,
                      f"{shell}: 'lenscalc {typed}' TAB gives {answer!r}, not '{expected}'")
 
@@ -122,13 +154,15 @@ def check_fish(checks, program):
             file.write("lens mine\n")
         asked = "source ./script\n" + "".join(
             "complete -C 'lenscalc " + typed.replace("\\", "\\\\") + "'\necho ==\n"
-            for typed, _ in CASES)
+            for typed, _ in [*CASES, ("", "")])
         result = subprocess.run(["fish", "--no-config", "-c", asked], cwd=folder, timeout=60,
                                 stdout=subprocess.PIPE, stderr=subprocess.PIPE,
                                 env={**program.environment(), "HOME": folder,
                                      "LC_ALL": "C.UTF-8"})
     answers = result.stdout.decode().split("==\n")
-    checks.check(result.stderr == b"" and len(answers) == len(CASES) + 1, f"fish: {result.stderr}")
+    checks.check(result.stderr == b"" and len(answers) == len(CASES) + 2, f"fish: {result.stderr}")
+    offered = {line.split("\t")[0] for line in answers[-2].split("\n")}
+    checks.check(offered >= set(commands_of(program)), f"fish: 'lenscalc ' TAB offers {offered}")
     for (typed, expected), answer in zip(CASES, answers):
         last = expected.rstrip(" ").replace("\\ ", "\0").replace("Pan F Plus\"", "Pan\0F\0Plus")
         last = last.replace("\"Ilford ", "Ilford\0").split(" ")[-1].replace("\0", " ")
@@ -140,6 +174,7 @@ def check_fish(checks, program):
 
 def main():
     checks, program = Checks(), Program(sys.argv[1])
+    check_nothing_typed(checks, program)
     here = [shell for shell in START if shutil.which(shell) and has_terminals()]
     with ThreadPoolExecutor() as pool:
         waiting = [pool.submit(check_on_terminal, checks, program, shell) for shell in here]

@@ -114,7 +114,8 @@ static void test_exposure_parts(void)
     OUTSIDE(exposure_deviation(GIVEN(.N = 8, .t = 1, .ev100 = 101), &stops, &error),
             "exposure value at ISO 100 101 lies outside -100 to 100");
     MISUSED(exposure_deviation(GIVEN(.N = 8, .t = 1), &stops, &error),
-            "give the light: exposure value at ISO 100, exposure value at the ISO speed, luminance "
+            "give the light: scene, exposure value at ISO 100, exposure value at the ISO speed, "
+            "luminance "
             "or illuminance");
     INSIDE(exposure_stops(&good, &good, &stops, &error));
     OUTSIDE(exposure_stops(&(struct camera_setting){0, 1, 1}, &good, &stops, &error),

@@ -34,6 +34,7 @@ static const struct option options[] = {
     {OPTION(struct input, rule), .name = "rule", .quantity = "rule constant",
      .column = "rule_constant", .dimension = &dimension_number, OPTION_POSITIVE,
      .flags = OPTION_ABOVE_LOWEST | OPTION_NO_INFINITY, .fallback = "500", .value = "NUMBER",
+     .no_number = "the NPF rule has no constant: the column npf answers it beside this rule",
      .help = "constant of the rule of thumb: 500, 400, 300 or 600"},
     {OPTION(struct input, accuracy), .name = "accuracy", .column = "accuracy",
      .dimension = &dimension_number, OPTION_POSITIVE,

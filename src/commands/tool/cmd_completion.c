@@ -21,7 +21,7 @@ static const struct option options[] = {
     {OPTION(struct input, shell), .name = "shell", .words = shells, .value = "SHELL",
      .flags = OPTION_OPERAND, .fallback = "bash", .help = "which shell"},
     {OPTION(struct input, words), .name = "words", .value = "WORD",
-     .flags = OPTION_OPERAND | OPTION_TOGETHER,
+     .flags = OPTION_OPERAND | OPTION_TOGETHER | OPTION_EMPTY,
      .help = "a command line behind 'lenscalc', its last word being typed; with 'words --'"},
 };
 

@@ -27,6 +27,8 @@ static bool unknown(const char *topic, struct error *error)
     fail(error, ERROR_USAGE, "there is no command or topic '%.60s'", topic);
     if (nearest.best.start != NULL) {
         error_hint(error, "did you mean '%.*s'?", (int)nearest.best.length, nearest.best.start);
+    } else {
+        error_hint(error, "see 'lenscalc help' and 'lenscalc help topics'");
     }
     return false;
 }
@@ -66,7 +68,7 @@ static const struct artifact artifacts[] = {{ARTIFACT_ANSWER(NULL), .make = expl
 static const struct example examples[] = {
     {"help", "all commands"},
     {"help dof", "one command"},
-    {"help ranges", "a topic: values, units, ranges, output, batch, status or version"},
+    {"help ranges", "a topic: values, units, ranges, output, batch, status, version or topics"},
     {NULL, NULL},
 };
 

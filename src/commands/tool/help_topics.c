@@ -35,6 +35,13 @@ static void list_formats(struct output *output)
     }
 }
 
+static void list_topics(struct output *output)
+{
+    for (const struct topic_text *topic = help_topics; topic->name != NULL; topic++) {
+        output_printf(output, "%-9s %s\n", topic->name, topic->summary);
+    }
+}
+
 const struct topic_text help_topics[] = {
     {"values", "numbers, units and the notations of the trade",
      "A number may carry a unit: 50mm 3m 10ft 5ft6in 2in 550nm 35deg 12arcmin 1/125s 2min. Without "
@@ -86,6 +93,10 @@ const struct topic_text help_topics[] = {
      "added while the first part stays. JSON answers hold it under the key \"version\"; lenscalc "
      "--version prints the first line alone.",
      NULL},
+    {"topics", "what else is explained",
+     "lenscalc help TOPIC explains one of these, lenscalc help COMMAND a command; lenscalc help "
+     "lists the commands.\n",
+     list_topics},
     {NULL, NULL, NULL, NULL},
 };
 
