@@ -3,7 +3,9 @@
 #include "analysis/psf.h"
 
 #include "analysis/psf_light.h"
+#include "analysis/psf_points.h"
 #include "analysis/psf_radius.h"
+#include "analysis/psf_rays.h"
 
 #include <math.h>
 
@@ -175,8 +177,8 @@ struct sums {
     double *values, perfect, total;
 };
 
-static bool add_wavelength(const struct psf_question *question, struct psf_plane *plane,
-                           struct sums *sums, struct error *error)
+static bool add_wavelength(enum psf_method method, struct psf_plane *plane, struct sums *sums,
+                           struct error *error)
 {
     static psf_way *const ways[] = {
         [PSF_PLANE] = psf_by_plane, [PSF_FFT] = psf_by_fft, [PSF_HUYGENS] = psf_by_huygens};
@@ -189,7 +191,7 @@ static bool add_wavelength(const struct psf_question *question, struct psf_plane
     for (size_t i = 0; i < count; i++) {
         plane->re[i] = plane->im[i] = 0;
     }
-    const bool done = ways[question->method](plane, error);
+    const bool done = ways[method](plane, error);
     const double waves = pupil->n * pupil->waves;
     const double weight = exit_pupil_weight(pupil) * waves * waves;
     for (size_t i = 0; i < count && done; i++) {
@@ -199,6 +201,94 @@ static bool add_wavelength(const struct psf_question *question, struct psf_plane
     sums->total += exit_pupil_weight(pupil) * pupil->energy;
     arena_reset(plane->arena, mark);
     return done;
+}
+
+/* The pixels of one wavelength. */
+static struct psf_plane plane_of(const struct psf_question *question, const struct psf *psf,
+                                 const struct exit_pupil *pupil, double spread, struct arena *arena)
+{
+    return (struct psf_plane){.pupil = pupil,
+                              .size = psf->size,
+                              .pitch = psf->pitch,
+                              .spread = spread,
+                              .unit = psf->is_angular ? "mrad" : "um",
+                              .threads = question->threads,
+                              .arena = arena};
+}
+
+static bool is_dark(const struct exit_pupils *pupils, size_t g)
+{
+    return !(pupils->lights.list[g].weight > 0);
+}
+
+static bool add_waves(const struct psf_question *question, const struct exit_pupils *pupils,
+                      const double *spreads, const struct psf *psf, struct sums *sums,
+                      struct arena *arena, struct error *error)
+{
+    for (size_t g = 0; g < pupils->lights.count; g++) {
+        struct psf_plane plane = plane_of(question, psf, &pupils->list[g], spreads[g], arena);
+        if (!is_dark(pupils, g) && !add_wavelength(psf->method, &plane, sums, error)) {
+            return false;
+        }
+    }
+    return true;
+}
+
+/* Without a pitch: the image has room for all rays. No light lies between pixels. */
+static bool add_rays(const struct psf_question *question, const struct exit_pupils *pupils,
+                     struct psf *psf, struct sums *sums, struct arena *arena, struct error *error)
+{
+    struct psf_rays *rays = ARENA_ARRAY(arena, pupils->lights.count, struct psf_rays);
+    double farthest = 0;
+    if (psf->is_angular) {
+        return fail(error, ERROR_DOMAIN,
+                    "rays: the image lies infinitely far away, where there are waves only");
+    }
+    for (size_t g = 0; g < pupils->lights.count; g++) {
+        if (is_dark(pupils, g)) {
+            continue;
+        }
+        if (!psf_rays_trace(&pupils->list[g], arena, &rays[g], error)) {
+            return false;
+        }
+        farthest = fmax(farthest, rays[g].farthest);
+    }
+    psf->pitch = isnan(question->pitch) ? 2 * roomy * farthest / (double)psf->size : psf->pitch;
+    psf->finest = INFINITY;
+    for (size_t g = 0; g < pupils->lights.count; g++) {
+        const struct exit_pupil *pupil = &pupils->list[g];
+        const struct psf_plane plane = plane_of(question, psf, pupil, 0, arena);
+        const double weight = exit_pupil_weight(pupil), waves = pupil->n * pupil->waves;
+        double perfect;
+        if (is_dark(pupils, g)) {
+            continue;
+        }
+        if (!psf_rays_perfect(&plane, &perfect, error)) {
+            return false;
+        }
+        psf_rays_add(&rays[g], &plane, weight * pupil->energy, sums->values);
+        sums->perfect += weight * waves * waves * perfect * perfect;
+        sums->total += weight * pupil->energy;
+    }
+    return true;
+}
+
+/* How it is found; psf->turns says why not by waves. */
+static void choose_method(const struct psf_question *question, const struct exit_pupils *pupils,
+                          const double *spreads, struct psf *psf)
+{
+    double turns = 0;
+    psf->method = question->method;
+    for (size_t g = 0; g < pupils->lights.count; g++) {
+        const struct psf_plane plane = plane_of(question, psf, &pupils->list[g], spreads[g], NULL);
+        turns = is_dark(pupils, g) ? turns : fmax(turns, psf_points_turns(&plane));
+    }
+    if (psf->method == PSF_AUTO) {
+        const bool by_rays =
+            !(turns < PSF_TURNS_MOST) && isnan(question->pitch) && !psf->is_angular;
+        psf->method = by_rays ? PSF_RAYS : PSF_PLANE;
+        psf->turns = by_rays ? turns : 0;
+    }
 }
 
 bool psf_find(const struct psf_question *question, struct arena *arena, struct psf *psf,
@@ -226,17 +316,11 @@ bool psf_find(const struct psf_question *question, struct arena *arena, struct p
     for (size_t i = 0; i < count; i++) {
         sums.values[i] = 0;
     }
-    for (size_t g = 0; g < pupils->lights.count; g++) {
-        struct psf_plane plane = {.pupil = &pupils->list[g],
-                                  .size = psf->size,
-                                  .pitch = psf->pitch,
-                                  .spread = spreads[g],
-                                  .unit = psf->is_angular ? "mrad" : "um",
-                                  .threads = question->threads,
-                                  .arena = arena};
-        if (pupils->lights.list[g].weight > 0 && !add_wavelength(question, &plane, &sums, error)) {
-            return false;
-        }
+    choose_method(question, pupils, spreads, psf);
+    if (!(psf->method == PSF_RAYS
+              ? add_rays(question, pupils, psf, &sums, arena, error)
+              : add_waves(question, pupils, spreads, psf, &sums, arena, error))) {
+        return false;
     }
     for (size_t i = 0; i < count; i++) {
         sums.values[i] /= sums.perfect;

@@ -9,13 +9,16 @@
 #include <stddef.h>
 
 enum psf_method {
+    PSF_AUTO,    /* PSF_PLANE, or PSF_RAYS where the phase turns too often for it */
     PSF_PLANE,   /* plane waves, over points of Gauss between the edges of the pupil */
     PSF_FFT,     /* the same over a grid, by a fast Fourier transform */
     PSF_HUYGENS, /* spherical wavelets from the reference sphere, over Gauss's points */
+    PSF_RAYS,    /* where rays meet the image, as if light had no wavelength */
     PSF_METHODS
 };
 
-enum { PSF_SIZE_MOST = 2048, PSF_TRANSFORM_MOST = 4096 };
+/* PSF_TURNS_MOST: of the phase across the pupil, that sums of waves take */
+enum { PSF_SIZE_MOST = 2048, PSF_TRANSFORM_MOST = 4096, PSF_TURNS_MOST = 600 };
 
 struct psf_question {
     struct bundle_question bundle; /* its wavelength, pattern and weight are not used */
@@ -23,7 +26,7 @@ struct psf_question {
     size_t size; /* pixels along a side */
     int threads; /* that wavelets may take; 0 is 1 */
     /* mm, or of an image infinitely far away the sine of an angle; NaN: a quarter of what the waves
-       resolve, more where rays spread farther */
+       resolve, more where rays spread farther; by rays what has room for all of them */
     double pitch;
 };
 
@@ -45,6 +48,9 @@ struct psf {
     double radius80, radius80_error; /* about the centroid, with 80 % of all light, psf_radius_find;
                                         NaN: the circle is not inside, or pixels are coarse */
     struct islands islands;
+    enum psf_method method; /* not PSF_AUTO */
+    double turns; /* of the phase across the pupil at the edge of the image, for which it is
+                     PSF_RAYS; 0: that was asked for, or it is not */
 };
 
 /*
@@ -55,10 +61,13 @@ struct psf {
  *           light |E|^2/wavelength^2 of all wavelengths by their weights, over that of W = 0 at
  *           the reference. A transform takes the means over cells of a grid, 128 across the pupil
  *           or what the slope of the wave front and the spread of its rays want, and undoes what
- *           they leave of the waves; sums take Gauss's points, see psf_points_put
+ *           they leave of the waves; sums take Gauss's points, see psf_points_put. By rays the
+ *           light of a pixel is that of the rays which meet it, over the same perfect peak: what
+ *           interferes is lost, and the peak is a mean over a pixel
  * Source    [Goodman05] 5.2, [Hopkins55]
  * Errors    as exit_pupils_open; ERROR_DOMAIN: pixels too coarse for the transform, a wave front
- *           too steep for PSF_TRANSFORM_MOST or psf_points_fit, wavelets without a sphere
+ *           too steep for PSF_TRANSFORM_MOST or psf_points_fit, wavelets without a sphere, rays
+ *           of an image infinitely far away
  */
 bool psf_find(const struct psf_question *question, struct arena *arena, struct psf *psf,
               struct error *error);

@@ -12,7 +12,7 @@ enum {
     LEAST = 14,  /* points along a line, and lines */
     EIGHT = 8,   /* numbers of points are multiples of it, so that few rules serve all lines */
     PANEL = 128, /* so many at once */
-    TURNS_MOST = 600,
+    TURNS_MOST = PSF_TURNS_MOST,
     SIZE_LEAST = 8 /* of an image that says something */
 };
 
@@ -69,9 +69,14 @@ static double farthest(const struct psf_plane *plane)
     return 0.5 * (double)plane->size * plane->pitch;
 }
 
+double psf_points_turns(const struct psf_plane *plane)
+{
+    return turns_at(plane, farthest(plane));
+}
+
 bool psf_points_fit(const struct psf_plane *plane, struct error *error)
 {
-    const double turns = turns_at(plane, farthest(plane)), own = turns_at(plane, 0);
+    const double turns = psf_points_turns(plane), own = turns_at(plane, 0);
     const double share = (TURNS_MOST - own) / (turns - own); /* of the image */
     const double size = ceil(share * (double)plane->size) - 1;
     if (turns < TURNS_MOST) {

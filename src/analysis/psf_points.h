@@ -14,6 +14,9 @@ struct psf_points {
     double total; /* of the amplitudes */
 };
 
+/* How often the phase turns across the pupil at the edge of the image. */
+double psf_points_turns(const struct psf_plane *plane);
+
 /* Does the phase turn as rarely as sums take? Errors: ERROR_DOMAIN: it does not, and what would. */
 bool psf_points_fit(const struct psf_plane *plane, struct error *error);
 

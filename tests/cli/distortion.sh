@@ -28,13 +28,14 @@ done
 lenscalc distortion double-gauss --field 0,10,80 --csv --digits 5 --columns field,distortion
 lenscalc distortion double-gauss --field 80
 lenscalc distortion fisheye-16 --field 95
+lenscalc distortion fisheye-16 --field 95 --projection rectilinear
 lenscalc distortion fisheye-16 --field 95 --projection orthographic
 lenscalc distortion double-gauss --object 1500 --projection equidistant --height 5
 printf 'lens telescope\nobject inf\nfield angle 1\nsurface 50 0 1.5 - stop\nsurface - 150 air -\nsurface - 0 1.5 -\nsurface -25 10 air -\n' |
     lenscalc distortion -
 printf 'lens no stop\nobject inf\nfield angle 1\nsurface 50 5 1.5 -\nsurface - 0 air -\n' |
     lenscalc distortion -
-lenscalc distortion edmund-49-847 --calibrated
+lenscalc convert edmund-49-847 | sed "/^field/d" | lenscalc distortion - --calibrated
 lenscalc distortion edmund-49-847 --grid grid.svg --field 0
 lenscalc distortion double-gauss --fit opencv --field 3
 lenscalc distortion double-gauss --fit opencv --projection equidistant

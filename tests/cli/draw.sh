@@ -6,7 +6,7 @@ lenscalc draw nikkor-z-14-24 --position tele --planes -o zoom.svg
 lenscalc draw double-gauss --construction --title "Gauss rays" -o rays.svg
 ls
 grep -o '>[^<]*</text>' rays.svg
-lenscalc draw erfle-eyepiece -o none.svg
+lenscalc convert erfle-eyepiece | sed '/^aperture/d' | lenscalc draw - -o none.svg
 lenscalc draw nikkor-z-14-24 --position all
 lenscalc draw double-gauss --construction --planes
 lenscalc draw schmidt-flat --construction

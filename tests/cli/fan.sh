@@ -26,7 +26,7 @@ for drawing in fan.svg paths.svg; do
     grep -c clipPath $drawing
     grep -o '>[^<>]*</text>' $drawing | sed 's/^>//; s/<.*//' | grep -v '^[−0-9.]*$'
 done
-lenscalc fan fisheye-16 --plot dark.svg > rows
+lenscalc fan fisheye-16 --field 0,54.565deg,77.95deg --plot dark.svg > rows
 grep -c 'no ray arrives' dark.svg
 printf 'lens ideal\nobject inf\naperture stop\nstop - 0 air 10\nthick 50 0 air 12\n' | lenscalc fan - --points 3 --csv --digits 4 --columns pupil_y,opd_waves,warning
 printf 'lens ideal\nobject inf\naperture stop\nstop - 0 air 10\nthick 50 0 air 12\n' | lenscalc fan - --reference best

@@ -13,7 +13,7 @@ lenscalc illumination mirror-tele-us5331467 --csv --digits 4 --columns height,fi
 printf 'lens disc\nobject inf\naperture stop\nstop - 0 air 50\n' | lenscalc illumination - --focus 50 --height 0,40 --error 1e-9 --csv --digits 10 --columns height,irradiance_per_radiance
 printf 'lens telescope\nobject inf\naperture epd 10\nfield angle 0 1\nfocus afocal\nsurface 50 0 1.5 - stop\nsurface - 150 air -\nsurface - 0 1.5 -\nsurface -25 10 air -\n' | lenscalc illumination -
 printf 'lens no stop\nobject inf\naperture epd 4\nfield angle 5\nsurface 50 2 1.5 -\nsurface - 98 air -\n' | lenscalc illumination -
-lenscalc illumination phone-6p
+lenscalc convert phone-6p | sed '/^aperture/d' | lenscalc illumination -
 lenscalc illumination double-gauss --stop-diameter 40 --height 0
 lenscalc illumination double-gauss --stop-diameter 0 --height 0
 lenscalc illumination double-gauss --stop-diameter 10 -N 4

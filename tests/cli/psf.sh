@@ -23,7 +23,9 @@ lenscalc psf double-gauss --field 14 -w d --pitch 900um --size 2048
 lenscalc psf double-gauss --field 0 -w d --pitch 20um
 lenscalc psf double-gauss --field 0 -w d --pitch 20um --size 63 --csv --digits 4 --columns peak,inside,radius80,warning
 lenscalc psf double-gauss --field 14 -w d --method fft --pitch 0.05um --size 16
-lenscalc psf fisheye-270 --field 0 -w d
+lenscalc psf fisheye-270 --field 0 -w d --method plane
+# by rays, where that is not asked for
+lenscalc psf fisheye-270 --field 0 -w d --csv --digits 3 --columns radius80,inside,pitch,method,warning
 lenscalc psf double-gauss --log
 lenscalc psf double-gauss -N 8 --field 0 --size 16 --log --map map.pfm
 lenscalc psf double-gauss --size 4

@@ -23,7 +23,7 @@ lenscalc render --lens double-gauss-50 --rays rays.csv --samples 64 --acceptance
 lenscalc render --lens double-gauss-50 --rays rays.csv --samples 64 --explain 2>&1 | sed 's/^[0-9.]* %/P %/'
 # behind cylinders; an independent quadrature has 0.2077 in the middle of the film
 lenscalc render --lens schneider-anamorphic-31 --rays - -w d --sensor 0.001x0.001mm | awk -F, 'NR > 1 { sum += $10 } END { printf "%.4f\n", sum }'
-lenscalc render --lens phone-6p --rays lost.csv
+lenscalc convert phone-6p | sed '/^aperture/d' | lenscalc render --lens - --rays lost.csv
 lenscalc render --lens laikin48-telescope --focus 0 --rays lost.csv
 printf 'lens afocal\naperture stop\nstop - 1 air 5\nsurface 50 5 1.5 20\nsurface - 100 air 20\nsurface - 5 1.5 20\nsurface -50 0 air 20\n' | lenscalc render --lens - --rays lost.csv
 ls lost.csv
@@ -86,7 +86,7 @@ lenscalc render chart:edge --lens double-gauss-50 -s 1m --bits 16 -o lost.pfm
 lenscalc render chart:edge --lens double-gauss-50 -s 1m --bits 8 --raw -o lost.png
 lenscalc render chart:edge --lens double-gauss-50 -s 1m --noise --pitch 1e-6um -o lost.png
 lenscalc render chart:edge --lens double-gauss-50 -s 4cm -o lost.png
-lenscalc render chart:edge --lens asahi-takumar-100 -s 1m -o lost.png
+lenscalc convert asahi-takumar-100 | sed '/^field/d; s/^stop/surface/' | lenscalc render chart:edge --lens - -s 1m -o lost.png
 lenscalc render chart:edge --lens mirror-tele-us5331467 -s 30m --size 8x8 --samples 1 -o mirror.png 2>&1 | sed 's/^[0-9.]* x [0-9.]*/W x H/'
 # part of a picture
 lenscalc render chart:edge --lens double-gauss-50 -s 1m --size 40x20 --samples 1 --crop 30:10:10x7 -o crop.pfm; head -2 crop.pfm

@@ -44,10 +44,10 @@ lenscalc render --scene words.scene --lens double-gauss-50 -o lost.pfm
 lenscalc exposure -N 8 --scene words.scene
 # lenses
 printf "${sky}light sky uniform luminance=1\\n" > words.scene
-lenscalc render words.scene --lens micro60x-na09 -o lost.pfm
-lenscalc render words.scene --lens asahi-takumar-100 -N 4 -o lost.pfm
-lenscalc render words.scene --lens asahi-takumar-100 --focus table -o lost.pfm
-lenscalc render words.scene --lens asahi-takumar-100 --focus table -N 4 -o lost.pfm
+lenscalc convert micro60x-na09 | sed '/^aperture/d' | lenscalc render words.scene --lens - -o lost.pfm
+lenscalc convert asahi-takumar-100 | sed '/^field/d; s/^stop/surface/' | lenscalc render words.scene --lens - -N 4 -o lost.pfm
+lenscalc convert asahi-takumar-100 | sed '/^field/d; s/^stop/surface/' | lenscalc render words.scene --lens - --focus table -o lost.pfm
+lenscalc convert asahi-takumar-100 | sed '/^field/d; s/^stop/surface/' | lenscalc render words.scene --lens - --focus table -N 4 -o lost.pfm
 ls lost.pfm
 # a clear sky whose sun nobody places: no sun, and two
 photograph 'light sky clear luminance=1000'

@@ -30,5 +30,5 @@ lenscalc spot questar-35 --to 2 --plot feet.svg > /dev/null && grep -o ">[^<]* m
 # no exponents in labels
 lenscalc spot double-gauss -w d --field 0,14 --defocus 20 --plot wide.svg > /dev/null && grep -o ">RMS [^<]*<" wide.svg
 # without a stop the beam is weighed; on the axis nothing is left of aiming
-lenscalc spot asahi-takumar-100 --csv --digits 4 --columns rms,weights
+lenscalc convert asahi-takumar-100 | sed '/^field/d; s/^stop/surface/' | lenscalc spot - --csv --digits 4 --columns rms,weights
 lenscalc spot cooke-anamorphic-bad --csv --digits 4 --columns rms,x,y,chief_x,chief_y

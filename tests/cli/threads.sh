@@ -8,7 +8,7 @@ for question in "spot double-gauss --field 0,5,80,10 -w d,F --json" \
     "spot double-gauss --defocus -0.1..0.1#9 --field 10 --explain --plot spots.svg" \
     "spot double-gauss --field 5,80,10 --fail-fast --csv" \
     "field double-gauss --field 0..14#30 --csv" "color double-gauss -N 2,4 --csv" \
-    "spot fisheye-16 --csv" "spot nikkor-z-14-24 --position all --json" \
+    "spot fisheye-16 --field 0,54.565deg,77.95deg --csv" "spot nikkor-z-14-24 --position all --json" \
     "fan double-gauss --points 5 --csv" "mtf double-gauss -N 8 --csv" \
     "wavefront double-gauss --csv" "wavefront double-gauss --zernike noll --terms 9 --csv" \
     "illumination double-gauss --csv" "illumination questar-35 --plot spots.svg --csv" \

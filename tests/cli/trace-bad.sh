@@ -22,7 +22,7 @@ lenscalc trace double-gauss --field 85deg
 lenscalc trace double-gauss --field 180deg
 lenscalc trace double-gauss --clip --no-clip
 lenscalc trace double-gauss --position wide
-lenscalc trace phone-6p
+lenscalc convert phone-6p | sed '/^aperture/d' | lenscalc trace -
 printf 'lens no stop\nobject inf\nsurface 50 5 1.5 -\nsurface -50 - air -\n' > bare.lens
 lenscalc trace ./bare.lens
 lenscalc trace ./bare.lens --no-clip

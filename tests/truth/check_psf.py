@@ -2,7 +2,7 @@
 """tests/truth/check_psf.py - lenscalc psf against closed forms: check_psf.py BUILD_DIR
 
 Airy's disc and the axis through focus of a slow paraboloid; the three ways of adding up waves
-against each other; and contrasts from the transform of an image against lenscalc mtf.
+against each other; contrasts from the transform of an image against lenscalc mtf; a disc by rays.
 """
 # SPDX-License-Identifier: MIT
 
@@ -171,13 +171,37 @@ def lenses_of(program):
     listed = subprocess.run(program.command + ["list", "lenses", "--csv", "--columns", "lens"],
                             text=True, capture_output=True, env=program.environment()).stdout
     for lens in listed.split()[1:]:
-        result = subprocess.run(program.command + ["psf", lens, "-w", "d", "--csv", "--columns",
+        result = subprocess.run(program.command + ["psf", lens, "-w", "d", "--csv", "--method", "plane", "--columns",
                                                    "field,radius80"], text=True,
                                 capture_output=True, env=program.environment())
         few += [[lens, "-w", "d", "--field", row["field_deg"]]
                 for row in csv.DictReader(io.StringIO(result.stdout))
                 if row["field_deg"] and row["radius80_um"]]
     return few
+
+
+def check_rays(checks, program, folder):
+    """A parabola of 100 mm at f/5, 1 mm beside its focus: a disc whose rays meet the plane at
+    tan t, tan t = h/(f - h^2/4f); where waves turn too often, and nothing says how, it is by rays."""
+    focus, radius = 100, 10
+    text = (f"lens parabola\nwavelength d\nobject inf\naperture epd {2 * radius}\nfocus table\n"
+            f"surface {-2 * focus} {-focus} mirror 22 k=-1 stop\n")
+    height = math.sqrt(0.8) * radius  # 80 % of the light pass within
+    expected = 1000 * height / (focus - height * height / (4 * focus))  # um
+    edge = radius / (focus - radius * radius / (4 * focus))  # mm
+    density = (WAVE * focus / (math.pi * radius * edge)) ** 2  # of a disc, over Airy's peak
+    for words, pixels in ((["--method", "rays"], 128), (["--method", "rays", "--size", "64"], 64)):
+        row, _ = image(program, folder, ["-", *words, "--defocus", "1"], text)
+        checks.check(abs(float(row["radius80_um"]) - expected) < 0.5 * float(row["pitch_um"]),
+                     f"radius80 by rays {row['radius80_um']}, expected {expected}")
+        checks.check(float(row["inside_percent"]) > 99.999, f"inside {row['inside_percent']}")
+        checks.check(abs(float(row["peak"]) / density - 1) < 0.25,
+                     f"density by rays {row['peak']}, expected {density}, of {pixels} pixels")
+    far, _ = image(program, folder, ["-", "--defocus", "20"], text)
+    checks.check(far["method"].startswith("rays") and "by rays" in far["warning"],
+                 f"a disc of 4 mm: {far['method']}, {far['warning']}")
+    near, _ = image(program, folder, ["-", "--defocus", "0.1"], text)
+    checks.check(near["method"].startswith("plane"), f"a disc of 20 um: {near['method']}")
 
 
 def main():
@@ -189,6 +213,7 @@ def main():
         check_focus(checks, program, folder)
         check_methods(checks, program, folder)
         check_contrast(checks, program, folder)
+        check_rays(checks, program, folder)
     checks.finish()
 
 

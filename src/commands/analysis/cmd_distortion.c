@@ -7,8 +7,8 @@
 /* "auto", then those of photo/fov.h. */
 static const struct word *projection_word_at(size_t i)
 {
-    static const struct word automatic = {"auto",
-                                          "equidistant for --fit fisheye, else rectilinear"};
+    static const struct word automatic = {
+        "auto", "equidistant for --fit fisheye and fields from 90 degrees, else rectilinear"};
     return i == 0 ? &automatic : i <= PROJECTIONS ? &projections[i - 1] : NULL;
 }
 

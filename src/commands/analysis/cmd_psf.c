@@ -7,9 +7,11 @@
 #include <string.h>
 
 static const struct word methods[] = {
+    [PSF_AUTO] = {"auto", "plane, or rays where the phase turns too often for it"},
     [PSF_PLANE] = {"plane", "plane waves, between the edges of the pupil"},
     [PSF_FFT] = {"fft", "the same on a grid, by a fast Fourier transform"},
     [PSF_HUYGENS] = {"huygens", "spherical wavelets from the reference sphere"},
+    [PSF_RAYS] = {"rays", "where rays meet the pixels, as if light had no wavelength"},
     {NULL, NULL},
 };
 
@@ -18,7 +20,7 @@ static const struct option options[] = {
                      ", or the fields of one question and the pixels of wavelets"),
     ANALYSIS_FIELD_OPTIONS(struct psf_input, question),
     ANALYSIS_SPECTRUM_OPTION(struct psf_input, question),
-    {OPTION(struct psf_input, method), .name = "method", .words = methods, .fallback = "plane",
+    {OPTION(struct psf_input, method), .name = "method", .words = methods, .fallback = "auto",
      .value = "METHOD", .help = "how the waves are added up"},
     {OPTION(struct psf_input, size), .name = "size", .lowest = 8, .highest = PSF_SIZE_MOST,
      .fallback = "128", .value = "COUNT", .help = "pixels along a side of the image"},
@@ -152,7 +154,17 @@ static bool take(const struct analysis_case *one, size_t field, const void *foun
     analysis_begin_row(asked, one, field, &row);
     fill(psf, &row);
     if (psf->is_angular) {
-        row.method = angular_words[((const struct psf_input *)asked->input)->method];
+        row.method = angular_words[psf->method];
+    }
+    if (psf->method == PSF_RAYS) {
+        row.method = "rays as if light had no wavelength: densities of energy over the pixels";
+    }
+    if (psf->turns > 0) {
+        analysis_warn(asked, &row.point,
+                      arena_printf(asked->run->arena,
+                                   "the phase turns %.0f times across the pupil, and sums of waves "
+                                   "take %d: by rays, without diffraction",
+                                   psf->turns, PSF_TURNS_MOST));
     }
     if (!(psf->pitch < psf->finest)) {
         analysis_warn(
@@ -169,6 +181,8 @@ static bool take(const struct analysis_case *one, size_t field, const void *foun
 static void repeat(const void *data, void *row)
 {
     static const char *const words[PSF_METHODS] = {
+        [PSF_AUTO] = "plane waves, amplitude squared = energy per area of direction cosines in "
+                     "the image space, phase on the reference sphere",
         [PSF_PLANE] = "plane waves, amplitude squared = energy per area of direction cosines in "
                       "the image space, phase on the reference sphere",
         [PSF_FFT] = "fast Fourier transform, amplitude squared = energy per area of direction "

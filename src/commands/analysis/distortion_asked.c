@@ -37,12 +37,27 @@ static struct field_point edge_of(const struct setup *setup)
     return lens->field_count > 0 && edge.value[1] > 0 ? edge : setup->edge;
 }
 
-static enum projection projection_of(const struct distortion_input *input)
+/* Is there a field that no plane shows: of those asked for, or of the lens? */
+static bool has_half_space(const struct setup *setup)
 {
-    const bool is_fisheye = input->fit == 1 + MODEL_FISHEYE;
-    return input->projection > 0 ? (enum projection)(input->projection - 1)
-           : is_fisheye          ? EQUIDISTANT
-                                 : RECTILINEAR;
+    const struct field_point edge = edge_of(setup);
+    bool has = edge.kind == FIELD_ANGLE && edge.value[1] >= PI / 2;
+    for (size_t i = 0; i < setup->field_count; i++) {
+        const struct field_point *field = &setup->fields[i].point;
+        has = has || (field->kind == FIELD_ANGLE &&
+                      fmax(fabs(field->value[0]), fabs(field->value[1])) >= PI / 2);
+    }
+    return has;
+}
+
+static enum projection projection_of(const struct distortion_input *input,
+                                     const struct setup *setup)
+{
+    if (input->projection > 0) {
+        return (enum projection)(input->projection - 1);
+    }
+    const bool is_wide = input->fit == 0 && has_half_space(setup);
+    return input->fit == 1 + MODEL_FISHEYE || is_wide ? EQUIDISTANT : RECTILINEAR;
 }
 
 static struct calibrated_case case_of(const struct distortion_input *input,
@@ -51,7 +66,7 @@ static struct calibrated_case case_of(const struct distortion_input *input,
     return (struct calibrated_case){
         .lens = input->question.lens.serial,
         .position = setup->position,
-        .projection = projection_of(input),
+        .projection = projection_of(input, setup),
         .edge_kind = edge->kind,
         .numbers = {edge->value[0], edge->value[1], setup->wavelengths[0].wavelength, setup->image,
                     setup->object.is_infinite ? INFINITY : setup->object.distance.hi,
@@ -124,7 +139,7 @@ bool distortion_ready(const struct distortion_input *input, const struct analysi
                       struct error *error)
 {
     const struct setup *setup = one->setup;
-    const enum projection projection = projection_of(input);
+    const enum projection projection = projection_of(input, setup);
     *ready = (struct distortion_case){.focal = NAN,
                                       .magnification = NAN,
                                       .calibrated = NAN,
