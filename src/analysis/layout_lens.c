@@ -238,13 +238,13 @@ static void widen_cemented(struct layout *layout)
 static size_t find_glass(struct layout *layout, struct text written)
 {
     const char *name = arena_string(layout->arena, written.start, written.length);
-    for (size_t i = 0; i < layout->glass_count; i++) {
-        if (text_same(written, layout->glasses[i])) {
-            return i;
-        }
+    const struct text kept = {name, written.length};
+    const size_t known = name_index_find(&layout->glass_names, kept);
+    if (known != NAME_NONE) {
+        return known;
     }
-    layout->glasses[layout->glass_count] = name;
-    return layout->glass_count++;
+    layout->glasses[layout->glass_count++] = name;
+    return name_index_add(&layout->glass_names, kept, layout->arena);
 }
 
 static void reach(struct layout *layout, double z)

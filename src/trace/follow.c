@@ -15,20 +15,18 @@ static void turn(const struct surface_frame *frame, const double from[3], double
     }
 }
 
-/* Directions of different frames are compared in the frame of the first vertex. */
-static struct ray_angles angles_at(const struct system *system, size_t place,
-                                   const double before[3], const struct ray *after)
+/* Directions of different frames are compared in the frame of the first vertex, to which `frame`
+   leads. */
+static struct ray_angles angles_at(const struct system *system, size_t surface,
+                                   const struct surface_frame *frame, const double before[3],
+                                   const struct ray *after)
 {
-    size_t surface = system_surface(system, place);
-    bool is_image = surface >= system->lens->surface_count;
-    struct surface_frame frame =
-        system_to_first(system, is_image ? system->lens->surface_count - 1 : surface);
     double normal[3] = {0, 0, 1}, normal_first[3], behind[3];
-    if (!is_image) {
+    if (surface < system->lens->surface_count) {
         system_normal(system, surface, after->point, normal);
     }
-    turn(&frame, normal, normal_first);
-    turn(&frame, after->cosine, behind);
+    turn(frame, normal, normal_first);
+    turn(frame, after->cosine, behind);
     return ray_angles(normal_first, before, behind);
 }
 
@@ -45,6 +43,8 @@ void ray_follow(const struct system *system, const struct ray *start, struct are
 {
     struct rays rays = rays_new(arena, 1);
     double before[3] = {start->cosine[0], start->cosine[1], start->cosine[2]};
+    const struct surface_frame *frames = system_frames(system, arena);
+    const size_t last = system->lens->surface_count - 1;
     rays_set(&rays, 0, system->index_first, start);
     for (size_t place = 0; place < system->places; place++) {
         struct ray_meeting *meeting = &meetings[place];
@@ -55,11 +55,10 @@ void ray_follow(const struct system *system, const struct ray *start, struct are
             lose(&meeting->ray);
             continue;
         }
-        meeting->angles = angles_at(system, place, before, &meeting->ray);
-        size_t surface = system_surface(system, place);
-        size_t last = system->lens->surface_count - 1;
-        struct surface_frame frame = system_to_first(system, surface < last ? surface : last);
-        turn(&frame, meeting->ray.cosine, before);
+        const size_t surface = system_surface(system, place);
+        const struct surface_frame *frame = &frames[surface < last ? surface : last];
+        meeting->angles = angles_at(system, surface, frame, before, &meeting->ray);
+        turn(frame, meeting->ray.cosine, before);
     }
 }
 

@@ -136,32 +136,63 @@ void frame_directions(const struct lens *lens, double *direction)
     direction[lens->surface_count] = ray.axis[2] < 0 ? -1 : 1;
 }
 
+static const struct surface_frame unmoved = {{1, 0, 0, 0, 1, 0, 0, 0, 1}, {0, 0, 0}};
+
+/*
+ * On to the vertex of a surface from the one before: of X in its frame all->turn^-1 X + all->shift,
+ * with turn the rows of its axes.
+ */
+static void go_on(const struct lens *lens, size_t surface, struct surface_frame *all)
+{
+    const struct displacement *coordinate_break = lens->surfaces[surface].coordinate_break;
+    double way[3] = {0, 0, surface > 0 ? surface_advance(&lens->surfaces[surface - 1]).hi : 0};
+    double moved[3];
+    struct surface_frame frame;
+    if (coordinate_break != NULL) {
+        frame = frame_of(coordinate_break, way[2]);
+        way[0] = frame.shift[0];
+        way[1] = frame.shift[1];
+    }
+    turn_back(all->turn, way, moved);
+    for (int j = 0; j < 3; j++) {
+        all->shift[j] += moved[j];
+    }
+    for (int column = 0; column < 3 && coordinate_break != NULL; column++) {
+        double v[3] = {all->turn[column], all->turn[3 + column], all->turn[6 + column]};
+        turn(frame.turn, v, v);
+        for (int row = 0; row < 3; row++) {
+            all->turn[3 * row + column] = v[row];
+        }
+    }
+}
+
+static struct surface_frame turned_back(const struct surface_frame *all)
+{
+    struct surface_frame result = *all;
+    for (int i = 0; i < 9; i++) {
+        result.turn[i] = all->turn[3 * (i % 3) + i / 3];
+    }
+    return result;
+}
+
+struct surface_frame *system_frames(const struct system *system, struct arena *arena)
+{
+    const size_t count = system->lens->surface_count;
+    struct surface_frame *frames = ARENA_ARRAY(arena, count, struct surface_frame), all = unmoved;
+    for (size_t i = 0; i < count; i++) {
+        go_on(system->lens, i, &all);
+        frames[i] = turned_back(&all);
+    }
+    return frames;
+}
+
 struct surface_frame system_to_first(const struct system *system, size_t surface)
 {
     const struct lens *lens = system->lens;
-    struct surface_frame all = {{1, 0, 0, 0, 1, 0, 0, 0, 1}, {0, 0, 0}};
+    struct surface_frame all = unmoved;
     size_t last = surface < lens->surface_count ? surface : lens->surface_count - 1;
-    /* of X in this frame: all.turn^-1 X + all.shift, with turn the rows of its axes */
     for (size_t i = 0; i <= last; i++) {
-        double way[3] = {0, 0, i > 0 ? surface_advance(&lens->surfaces[i - 1]).hi : 0}, moved[3];
-        const struct displacement *coordinate_break = lens->surfaces[i].coordinate_break;
-        struct surface_frame frame;
-        if (coordinate_break != NULL) {
-            frame = frame_of(coordinate_break, way[2]);
-            way[0] = frame.shift[0];
-            way[1] = frame.shift[1];
-        }
-        turn_back(all.turn, way, moved);
-        for (int j = 0; j < 3; j++) {
-            all.shift[j] += moved[j];
-        }
-        for (int column = 0; column < 3 && coordinate_break != NULL; column++) {
-            double v[3] = {all.turn[column], all.turn[3 + column], all.turn[6 + column]};
-            turn(frame.turn, v, v);
-            for (int row = 0; row < 3; row++) {
-                all.turn[3 * row + column] = v[row];
-            }
-        }
+        go_on(lens, i, &all);
     }
     if (surface >= lens->surface_count) {
         /* counted from the last vertex, of a thick lens from H' */
@@ -172,11 +203,7 @@ struct surface_frame system_to_first(const struct system *system, size_t surface
             all.shift[j] += moved[j];
         }
     }
-    struct surface_frame result = all;
-    for (int i = 0; i < 9; i++) {
-        result.turn[i] = all.turn[3 * (i % 3) + i / 3];
-    }
-    return result;
+    return turned_back(&all);
 }
 
 void system_to_own(const struct system *system, size_t surface, double point[3])

@@ -151,6 +151,9 @@ struct surface_frame {
 };
 struct surface_frame system_to_first(const struct system *system, size_t surface);
 
+/* Those of all surfaces, as many as the lens has. */
+struct surface_frame *system_frames(const struct system *system, struct arena *arena);
+
 /*
  * A point in the frame of the axis at a surface, as rays are given there, into the surface's own:
  * about its shifted vertex, turned with its tilt. Surfaces that are not moved leave it as it is.
