@@ -21,7 +21,7 @@ from harness import ROOT, Checks, Program
 # spherical lenses of lensdb whose media are numbers at the d line
 NAMES = ("fisheye-16", "cs348b-dgauss-50", "cs348b-wide-22", "cs348b-telephoto-250",
          "cs348b-fisheye-10", "double-gauss", "wide-35", "telephoto-200")
-SENSORS = {"fisheye-16": (36, 24), "cs348b-fisheye-10": (16, 12)}
+SENSORS = {"fisheye-16": (35, 24), "cs348b-fisheye-10": (16, 12)}
 
 
 def read(name):
