@@ -177,33 +177,23 @@ static struct surface_frame turned_back(const struct surface_frame *all)
 
 struct surface_frame *system_frames(const struct system *system, struct arena *arena)
 {
-    const size_t count = system->lens->surface_count;
-    struct surface_frame *frames = ARENA_ARRAY(arena, count, struct surface_frame), all = unmoved;
+    const struct lens *lens = system->lens;
+    const size_t count = lens->surface_count;
+    struct surface_frame *frames = ARENA_ARRAY(arena, count + 1, struct surface_frame);
+    struct surface_frame all = unmoved;
     for (size_t i = 0; i < count; i++) {
-        go_on(system->lens, i, &all);
+        go_on(lens, i, &all);
         frames[i] = turned_back(&all);
     }
+    /* counted from the last vertex, of a thick lens from H' */
+    const double behind = surface_hiatus(&lens->surfaces[count - 1]).hi;
+    double way[3] = {0, 0, system->options.image + behind}, moved[3];
+    turn_back(all.turn, way, moved);
+    for (int j = 0; j < 3 && !isnan(way[2]) && !system->options.reverse; j++) {
+        all.shift[j] += moved[j];
+    }
+    frames[count] = turned_back(&all);
     return frames;
-}
-
-struct surface_frame system_to_first(const struct system *system, size_t surface)
-{
-    const struct lens *lens = system->lens;
-    struct surface_frame all = unmoved;
-    size_t last = surface < lens->surface_count ? surface : lens->surface_count - 1;
-    for (size_t i = 0; i <= last; i++) {
-        go_on(lens, i, &all);
-    }
-    if (surface >= lens->surface_count) {
-        /* counted from the last vertex, of a thick lens from H' */
-        double behind = surface_hiatus(&lens->surfaces[last]).hi;
-        double way[3] = {0, 0, system->options.image + behind}, moved[3];
-        turn_back(all.turn, way, moved);
-        for (int j = 0; j < 3 && !isnan(way[2]) && !system->options.reverse; j++) {
-            all.shift[j] += moved[j];
-        }
-    }
-    return turned_back(&all);
 }
 
 void system_to_own(const struct system *system, size_t surface, double point[3])

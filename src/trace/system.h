@@ -34,7 +34,7 @@
  * first vertex (z from it); the first surface is found from far away too, to the last digit.
  * After the trace they are in the frame of the surface met last: origin in its vertex, axes along
  * the optical axis there (turned by every coordinate break so far; a surface's own decentre and
- * tilt do not turn the frame). `system_to_first` leads from there back to the frame of the first
+ * tilt do not turn the frame). `system_frames` lead from there back to the frame of the first
  * vertex.
  *
  * Surfaces count from 0 in the order of the lens, the stop counted; the image plane, if there is
@@ -140,7 +140,7 @@ double system_index_after(const struct system *system, size_t place);
 double system_clear_radius(const struct system *system, size_t surface);
 
 /*
- * The frame of a surface's vertex, seen from the first vertex.
+ * The frames of the vertices of all surfaces, and behind them that of the image, seen from the first.
  *
  * Result    a point X in the frame of `surface` lies at turn X + shift in that of the first
  *           vertex; turn is row by row; directions turn without the shift
@@ -149,9 +149,6 @@ struct surface_frame {
     double turn[9];
     double shift[3]; /* mm */
 };
-struct surface_frame system_to_first(const struct system *system, size_t surface);
-
-/* Those of all surfaces, as many as the lens has. */
 struct surface_frame *system_frames(const struct system *system, struct arena *arena);
 
 /*

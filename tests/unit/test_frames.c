@@ -118,7 +118,7 @@ static void check_chain(const struct link *links, size_t count)
         if (i < count && link->has_break) {
             turned(m, link->before_tilt);
         }
-        struct surface_frame frame = system_to_first(&system, i);
+        struct surface_frame frame = system_frames(&system, &arena)[i];
         for (int k = 0; k < 3; k++) {
             CHECK_NEAR(frame.shift[k], origin[k], 1e-12, "origin");
             for (int j = 0; j < 3; j++) {
@@ -255,7 +255,7 @@ static void test_flat(void)
     double normal[3] = {9, 9, 9}, point[3] = {3, -4, 0.5};
     /* the image counts from H' */
     compile("surface - 7 air -\nthick 50 50 air 20 hiatus=-4\n", &arena, &lens, &system, 50);
-    const struct surface_frame image = system_to_first(&system, 2);
+    const struct surface_frame image = system_frames(&system, &arena)[2];
     CHECK(image.shift[2] == 53 && image.shift[0] == 0 && image.turn[8] == 1);
     compile("thick 50 50 air 20\n", &arena, &lens, &system, 50);
     for (size_t i = 0; i < 2; i++) {

@@ -274,7 +274,7 @@ static void check_tilts(void)
     CHECK(compile("surface 50 5 1.5 -\nbend decenter=1,2 tilt=10,0,0\nsurface - 0 1.5 -\n"
                   "bend tilt=-10,0,0\nsurface -40 0 air -\n",
                   NAN, false, &arena, &system));
-    struct surface_frame frame = system_to_first(&system, 2);
+    struct surface_frame frame = system_frames(&system, &arena)[2];
     CHECK_NEAR(frame.shift[0], 1, 1e-15, "frame");
     CHECK_NEAR(frame.shift[1], 2, 1e-15, "frame");
     CHECK_NEAR(frame.shift[2], 5, 1e-15, "frame");
