@@ -140,7 +140,8 @@ double system_index_after(const struct system *system, size_t place);
 double system_clear_radius(const struct system *system, size_t surface);
 
 /*
- * The frames of the vertices of all surfaces, and behind them that of the image, seen from the first.
+ * The frames of the vertices of all surfaces, and behind them that of the image, seen from the
+ * first.
  *
  * Result    a point X in the frame of `surface` lies at turn X + shift in that of the first
  *           vertex; turn is row by row; directions turn without the shift
