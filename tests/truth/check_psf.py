@@ -171,8 +171,8 @@ def lenses_of(program):
     listed = subprocess.run(program.command + ["list", "lenses", "--csv", "--columns", "lens"],
                             text=True, capture_output=True, env=program.environment()).stdout
     for lens in listed.split()[1:]:
-        result = subprocess.run(program.command + ["psf", lens, "-w", "d", "--csv", "--method", "plane", "--columns",
-                                                   "field,radius80"], text=True,
+        result = subprocess.run(program.command + ["psf", lens, "-w", "d", "--csv", "--method",
+                                                   "plane", "--columns", "field,radius80"], text=True,
                                 capture_output=True, env=program.environment())
         few += [[lens, "-w", "d", "--field", row["field_deg"]]
                 for row in csv.DictReader(io.StringIO(result.stdout))
