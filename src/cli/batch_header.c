@@ -314,6 +314,25 @@ bool batch_settle_columns(struct batch *batch, struct error *error)
     return true;
 }
 
+void batch_ignore(struct batch *batch, const char *name)
+{
+    for (size_t i = 0; i < batch->column_count; i++) {
+        struct batch_column *gone = &batch->columns[i];
+        if (gone->option != NULL || gone->is_ignored || !text_equal(gone->name, name)) {
+            continue;
+        }
+        gone->is_ignored = true;
+        batch->passed_count--;
+        for (size_t k = gone->passed; k < batch->passed_count; k++) {
+            batch->passed_names[k] = batch->passed_names[k + 1];
+        }
+        for (size_t k = 0; k < batch->column_count; k++) {
+            struct batch_column *other = &batch->columns[k];
+            other->passed -= other->passed > gone->passed ? 1 : 0;
+        }
+    }
+}
+
 /* Rows may have either of two keys for one option, or both with the same value. */
 static void share_late(struct batch *batch, struct batch_column *column)
 {

@@ -69,8 +69,6 @@ static bool set_up_report(struct driver *driver, struct error *error)
     report->many = report->many || driver->is_batch || driver->sweep.total > 1;
     report->has_error_column = (driver->is_batch || driver->sweep.total > 1) &&
                                driver->common.columns == NULL && report->format->separator != '\0';
-    report->passed_names = driver->batch.passed_names;
-    report->passed_count = driver->batch.passed_count;
     driver->selection = (struct selection){.columns = driver->common.columns,
                                            .many = driver->is_batch || driver->sweep.total > 1,
                                            .layout = !report->format->is_for_people ? SELECT_ALL
@@ -83,6 +81,11 @@ static bool set_up_report(struct driver *driver, struct error *error)
         return false;
     }
     echo_settle(&driver->echo, report);
+    for (size_t i = 0; i < report->shown_count; i++) {
+        batch_ignore(&driver->batch, report->shown[i].name);
+    }
+    report->passed_names = driver->batch.passed_names;
+    report->passed_count = driver->batch.passed_count;
     return true;
 }
 
