@@ -147,8 +147,8 @@ bool batch_open(struct batch *batch, const struct batch_source *source, struct e
 bool batch_settle(struct batch *batch, const struct sheet *sheet, bool hands_late,
                   struct error *error);
 
-/* Of a column that the rows have themselves nothing is handed through: it is computed anew. */
-void batch_ignore(struct batch *batch, const char *name);
+/* Of columns that the rows have themselves nothing is handed through: they are computed anew. */
+void batch_ignore(struct batch *batch, const struct shown *shown, size_t count);
 
 /*
  * Read the next row into the input.

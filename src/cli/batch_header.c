@@ -314,7 +314,7 @@ bool batch_settle_columns(struct batch *batch, struct error *error)
     return true;
 }
 
-void batch_ignore(struct batch *batch, const char *name)
+static void ignore_column(struct batch *batch, const char *name)
 {
     for (size_t i = 0; i < batch->column_count; i++) {
         struct batch_column *gone = &batch->columns[i];
@@ -330,6 +330,13 @@ void batch_ignore(struct batch *batch, const char *name)
             struct batch_column *other = &batch->columns[k];
             other->passed -= other->passed > gone->passed ? 1 : 0;
         }
+    }
+}
+
+void batch_ignore(struct batch *batch, const struct shown *shown, size_t count)
+{
+    for (size_t i = 0; i < count; i++) {
+        ignore_column(batch, shown[i].name);
     }
 }
 

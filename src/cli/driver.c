@@ -81,9 +81,7 @@ static bool set_up_report(struct driver *driver, struct error *error)
         return false;
     }
     echo_settle(&driver->echo, report);
-    for (size_t i = 0; i < report->shown_count; i++) {
-        batch_ignore(&driver->batch, report->shown[i].name);
-    }
+    batch_ignore(&driver->batch, report->shown, report->shown_count);
     report->passed_names = driver->batch.passed_names;
     report->passed_count = driver->batch.passed_count;
     return true;
@@ -250,8 +248,8 @@ static bool prepare(struct driver *driver, int count, char **words, struct error
 static const struct sheet *asked_sheet(const struct driver *driver)
 {
     const struct command *command = driver->command;
-    return command->choose_sheet != NULL ? command->choose_sheet(driver->input, &driver->asking)
-                                         : &command->sheet;
+    const bool chooses = command->choose_sheet != NULL;
+    return chooses ? command->choose_sheet(driver->input, &driver->asking) : &command->sheet;
 }
 
 static bool open_batch(struct driver *driver, struct error *error)
