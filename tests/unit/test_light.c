@@ -436,6 +436,73 @@ static void test_stars(void)
     CHECK_RELATIVE(illuminant_star(5), 2.54e-8, 1e-14, "magnitude 5");
 }
 
+/*
+ * Of all changes that give the colour, the one with the smallest sum (y - a)^2/2 w: there
+ * (y - a)/w = c.m with one m for all bands that have light.
+ */
+static void test_match_is_least(void)
+{
+    struct bands bands;
+    double of[BANDS_MOST], y[BANDS_MOST], a[BANDS_MOST], c[BANDS_MOST][3], w[BANDS_MOST];
+    CHECK(bands_many(16, &bands, &(struct error){0}));
+    double all = 0, unmatched[BANDS_MOST];
+    for (size_t k = 0; k < bands.count; k++) {
+        unmatched[k] = 0.2 + (double)(k * 7 % 5);
+        of[k] = unmatched[k];
+    }
+    const struct spectrum light = named("F11");
+    bands_match(&bands, &light, of);
+    double sum = 0;
+    for (size_t k = 0; k < bands.count; k++) {
+        const struct colour rgb = {{bands.rgb[k][0], bands.rgb[k][1], bands.rgb[k][2]}};
+        const struct colour xyz = colour_turned(&colour_xyz_of_srgb, rgb);
+        const double unit = xyz.part[0] + xyz.part[1] + xyz.part[2];
+        a[k] = unmatched[k] * unit;
+        y[k] = of[k] * unit;
+        all += a[k];
+        sum += y[k];
+        for (int i = 0; i < 3; i++) {
+            c[k][i] = xyz.part[i] / unit;
+        }
+    }
+    double normal[3][4] = {{0}};
+    for (size_t k = 0; k < bands.count; k++) {
+        a[k] /= all;
+        y[k] /= sum;
+    }
+    for (size_t k = 0; k < bands.count; k++) {
+        const double last = k > 0 ? a[k - 1] : 0, next = k + 1 < bands.count ? a[k + 1] : 0;
+        w[k] = a[k] / 2 + (last + next) / 4;
+        for (int i = 0; i < 3 && y[k] > 0; i++) {
+            for (int j = 0; j < 3; j++) {
+                normal[i][j] += c[k][i] * c[k][j];
+            }
+            normal[i][3] += c[k][i] * (y[k] - a[k]) / w[k];
+        }
+    }
+    for (int i = 0; i < 3; i++) { /* Gauss and Jordan */
+        for (int j = 0; j < 3; j++) {
+            const double factor = j == i ? 0 : normal[j][i] / normal[i][i];
+            for (int n = 0; n < 4; n++) {
+                normal[j][n] -= factor * normal[i][n];
+            }
+        }
+    }
+    size_t lit = 0;
+    for (size_t k = 0; k < bands.count; k++) {
+        double expected = 0;
+        for (int i = 0; i < 3; i++) {
+            expected += c[k][i] * normal[i][3] / normal[i][i];
+        }
+        lit += y[k] > 0;
+        if (y[k] > 0) {
+            /* the sum of shares is 1 within the penalty of 1e-10 */
+            CHECK_NEAR((y[k] - a[k]) / w[k], expected, 1e-6, "one multiplier for all bands");
+        }
+    }
+    CHECK(lit > 8);
+}
+
 int main(void)
 {
     test_chromaticities();
@@ -450,5 +517,6 @@ int main(void)
     test_needed();
     test_refused();
     test_stars();
+    test_match_is_least();
     return check_report();
 }

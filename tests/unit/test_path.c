@@ -114,6 +114,51 @@ static void test_mesh(void)
     check_lamp(mesh, 30, 2 * by_corner(60, 40, 50), "mesh, above its edge");
 }
 
+/* Each band by itself: a coloured lamp over a coloured ground. */
+static void test_bands(void)
+{
+    static const double lamp_rgb[3] = {1, 0.4, 0.1}, ground_rgb[3] = {0.2, 0.5, 0.7};
+    const double luminance = 0.2126 * 1 + 0.7152 * 0.4 + 0.0722 * 0.1;
+    static struct scene_material coloured[] = {
+        {.name = "ground",
+         .kind = MATERIAL_LAMBERT,
+         .colour = {SPECTRUM_RGB, {0.2, 0.5, 0.7}, 0, 0, NULL, NULL}},
+        {.name = "lamp",
+         .kind = MATERIAL_BLACK,
+         .emission = {SPECTRUM_RGB, {1, 0.4, 0.1}, 0, 0, NULL, NULL},
+         .luminance = L},
+    };
+    struct scene_thing things[] = {ground,
+                                   {.shape = SHAPE_DISC,
+                                    .where = LOOKED_PLACE(LOOKED_DOWN, 0, 100, 0),
+                                    .radius = 40,
+                                    .material = 1}};
+    struct scene scene = {
+        .materials = coloured, .material_count = 2, .things = things, .thing_count = 2};
+    static const struct lanes lanes = {3, {0, 1, 2}};
+    const struct world_ray ray = looked_ray((struct vector){-30, 20, 15}, (struct vector){0, 0, 0});
+    struct looked looked;
+    double mean[3] = {0};
+    enum { COUNT = 8192 };
+    looked_open(&scene, 1, &looked);
+    struct sampler_sequence sequence;
+    sampler_sequence_open(looked.table, 1, 0, &sequence);
+    for (uint32_t i = 0; i < COUNT; i++) {
+        struct sampler sampler = sampler_of(&sequence, i, 0);
+        struct radiance light;
+        path_radiance(&looked.path, &ray, &lanes, &sampler, &light);
+        for (int k = 0; k < 3; k++) {
+            mean[k] += light.of[k] / COUNT;
+        }
+    }
+    for (int k = 0; k < 3; k++) {
+        /* 0.2 %: a net of 8192 points over a smooth integrand; the luminance has four digits */
+        CHECK_RELATIVE(mean[k], ground_rgb[k] * lamp_rgb[k] / luminance * by_disc(40, 100, 0) / PI,
+                       2e-3, "a band");
+    }
+    arena_free(&looked.arena);
+}
+
 /* Lamps themselves; the ground without a single bounce. */
 static void test_emission(void)
 {
@@ -361,6 +406,7 @@ int main(void)
 {
     test_lamps();
     test_mesh();
+    test_bands();
     test_emission();
     test_furnace();
     test_mirror();

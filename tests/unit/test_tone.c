@@ -77,6 +77,31 @@ static void test_merge(void)
     CHECK(!merge_frames(frames, 2, &noise, arena, &merged, &error) && error.code == ERROR_DOMAIN);
 }
 
+/* The mean that weights are made of is of the frames that keep the value, not of all frames. */
+static void test_weights_of_kept(void)
+{
+    const uint8_t codes[3][2] = {{60, 110}, {80, 160}, {120, 255}};
+    const double t[3] = {1, 2, 4};
+    const struct merge_noise noise = {200, 2};
+    struct tone_frame frames[3];
+    struct merged merged;
+    for (int f = 0; f < 3; f++) {
+        frames[f] = frame_of(codes[f], 2, 1, t[f]);
+    }
+    CHECK(merge_frames(frames, 3, &noise, arena, &merged, &error));
+    double v[2], above = 0, below = 0;
+    for (int f = 0; f < 2; f++) {
+        v[f] = codes[f][1] / 255.0 * (codes[f][1] / 255.0);
+    }
+    for (int f = 0; f < 2; f++) {
+        const double step = 2 * codes[f][1] / (255.0 * 255), x0 = (v[0] + v[1]) / (t[0] + t[1]);
+        const double variance = step * step / 12 + 2.0 * 2 / (200 * 200) + x0 * t[f] / 200;
+        above += t[f] * v[f] / variance;
+        below += t[f] * t[f] / variance;
+    }
+    CHECK_RELATIVE((double)merged.image.pixels[4], above / below, 1e-5, "full in the longest");
+}
+
 /* Shifted by one: what the second frame does not have comes from the first. */
 static void test_shifted(void)
 {
@@ -420,10 +445,39 @@ static void test_align(void)
     CHECK(frames[1].right == 0 && frames[1].down == 0 && !steps[1].is_told);
 }
 
+/*
+ * Squares of 2 x 2 pixels of 104 and 105 are 105 when halved, clear of the median of 100, as their
+ * mean of 104.5 is rounded; cut off they would be 104, and nothing of the halved picture would tell
+ * of a shift by 2 pixels.
+ */
+static void test_align_rounds(void)
+{
+    enum { SIDE = 48, ROOM = 4, CELLS = (SIDE + ROOM) / 2 };
+    uint8_t cell[CELLS][CELLS], first[SIDE * SIDE], second[SIDE * SIDE];
+    struct align_step steps[2];
+    uint32_t word = 1;
+    for (int i = 0; i < CELLS * CELLS; i++) {
+        word = word * 1664525U + 1013904223U;
+        cell[i / CELLS][i % CELLS] = (uint8_t)((word >> 24) % 5);
+    }
+    for (int i = 0; i < SIDE * SIDE; i++) {
+        const int x = i % SIDE, y = i / SIDE;
+        for (int shift = 0; shift < 2; shift++) {
+            const int kind = cell[y / 2][(x + 2 * shift) / 2];
+            const int bright = x % 2 == y % 2 ? 104 : 105;
+            (shift == 0 ? first : second)[i] = (uint8_t)(kind < 2 ? bright : kind < 4 ? 90 : 100);
+        }
+    }
+    struct tone_frame frames[] = {frame_of(first, SIDE, SIDE, 1), frame_of(second, SIDE, SIDE, 1)};
+    align_frames(frames, 2, steps);
+    CHECK(frames[1].right == -2 && frames[1].down == 0 && steps[1].is_told);
+}
+
 int main(void)
 {
     test_levels();
     test_merge();
+    test_weights_of_kept();
     test_shifted();
     test_edge();
     test_full_channel();
@@ -437,6 +491,7 @@ int main(void)
     test_strips();
     test_colours();
     test_align();
+    test_align_rounds();
     arena_free(arena);
     return check_report();
 }
