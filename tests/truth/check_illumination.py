@@ -95,6 +95,29 @@ def check_disc(checks, program):
                     disc(0.25, 0.2), 1e-12)
 
 
+def check_lune(checks, program):
+    """
+    A stop of radius 5 and an opening of radius 4.1, 20 mm behind it and 80 mm before the image:
+    from a point h beside the axis a circle of radius 4 about 0.2 h looks through one about 0. What
+    is lost grows from 0 at h = 0.5, and what is less than the rounding of two integrals is 0.
+    """
+    lens = ("lens two circles\nobject inf\nfield angle 0 1\naperture stop\n"
+            "stop - 20 air 10\nsurface - 80 air 8.2\n")
+    table = program.rows("illumination", "-", "--focus", "table", "--error", "1e-9", "--height",
+                         "0,0.3,0.499,0.5,1,2", text=lens)
+    if checks.check(isinstance(table, list), f"two circles: {table}"):
+        for row in table[:4]:
+            checks.check(row["vignetted_fraction"] == "0",
+                         f"two circles: {row['vignetted_fraction']} at {row['height_mm']}")
+        for row in table[4:]:
+            checks.check(float(row["vignetted_fraction"]) > 0.01,
+                         f"two circles: {row['vignetted_fraction']} at {row['height_mm']}")
+    for name in ("canon-rf50-f12", "nikkor-z-58-f095", "zeiss-biotar-100", "phone-80deg"):
+        axis = program.rows("illumination", name, "--height", "0")
+        checks.check(isinstance(axis, list) and axis[0]["vignetted_fraction"] == "0",
+                     f"{name}: something is vignetted on the axis: {axis}")
+
+
 def main():
     program, checks = Program(sys.argv[1]), Checks()
     with open("tests/truth/check.json", encoding="utf-8") as file:
@@ -105,6 +128,7 @@ def main():
         check_relative(checks, program, lenses[truth["name"]], truth)
     check_irradiance(checks, program)
     check_disc(checks, program)
+    check_lune(checks, program)
     if os.environ.get("SHOW"):
         for kind, (share, name) in sorted(checks.worst.items()):
             print(f"{kind}: {share:.3g} of what is allowed, {name}")
