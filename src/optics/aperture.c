@@ -60,13 +60,18 @@ static double from_side(const struct aperture_form *form, size_t i, double x, do
     return ex * ex + ey * ey;
 }
 
+static bool is_seam(const struct aperture_form *form, size_t side)
+{
+    return form->seams != NULL && form->seams[side];
+}
+
 static size_t polygon_part(const struct aperture_form *form, double x, double y)
 {
     size_t best = 0;
     double least = INFINITY;
     for (size_t i = 0; i < form->point_count; i++) {
         double distance = from_side(form, i, x, y);
-        if (distance < least) {
+        if (distance < least && !is_seam(form, i)) {
             least = distance;
             best = i;
         }
@@ -82,7 +87,7 @@ static double polygon_excess(const struct aperture_form *form, double x, double 
     for (size_t i = 0; i < form->point_count; i++) {
         const double *p = form->points[i], *q = form->points[(i + 1) % form->point_count];
         double distance = from_side(form, i, x, y);
-        least = distance < least ? distance : least;
+        least = distance < least && !is_seam(form, i) ? distance : least;
         if ((p[1] > y) != (q[1] > y)) {
             double cross = (q[0] - p[0]) * (y - p[1]) - (x - p[0]) * (q[1] - p[1]);
             inside = inside != (q[1] > p[1] ? cross > 0 : cross < 0);
@@ -342,6 +347,52 @@ double aperture_reach(const struct surface *surface)
     return reach;
 }
 
+/* A side of a polygon, whichever way it is gone along. */
+struct polygon_side {
+    double low[2], high[2]; /* its ends in the order of compare_points */
+    size_t number;
+};
+
+static int compare_points(const void *a, const void *b)
+{
+    const double *p = a, *q = b;
+    int by_x = (p[0] > q[0]) - (p[0] < q[0]);
+    return by_x != 0 ? by_x : (p[1] > q[1]) - (p[1] < q[1]);
+}
+
+static int compare_sides(const void *a, const void *b)
+{
+    const struct polygon_side *p = a, *q = b;
+    const int by_low = compare_points(p->low, q->low);
+    return by_low != 0 ? by_low : compare_points(p->high, q->high);
+}
+
+/* Sides that are gone along an even number of times: both sides of them are inside, or outside. */
+static const bool *seams_of(const struct aperture_form *form, struct arena *arena)
+{
+    const size_t count = form->point_count;
+    struct polygon_side *sides = ARENA_ARRAY(arena, count, struct polygon_side);
+    bool *seams = NULL;
+    for (size_t i = 0; i < count; i++) {
+        const double *p = form->points[i], *q = form->points[(i + 1) % count];
+        const bool upwards = compare_points(p, q) <= 0;
+        const double *low = upwards ? p : q, *high = upwards ? q : p;
+        sides[i] = (struct polygon_side){{low[0], low[1]}, {high[0], high[1]}, i};
+    }
+    qsort(sides, count, sizeof sides[0], compare_sides);
+    for (size_t i = 0, end; i < count; i = end) {
+        for (end = i + 1; end < count && compare_sides(&sides[i], &sides[end]) == 0; end++) {
+        }
+        if ((end - i) % 2 == 0) {
+            seams = seams != NULL ? seams : ARENA_ARRAY(arena, count, bool);
+            for (size_t k = i; k < end; k++) {
+                seams[sides[k].number] = true;
+            }
+        }
+    }
+    return seams;
+}
+
 struct aperture_form aperture_form_of(const struct aperture *aperture, struct arena *arena)
 {
     struct aperture_form form = {.shape = aperture->shape, .blocks = aperture->blocks};
@@ -364,19 +415,13 @@ struct aperture_form aperture_form_of(const struct aperture *aperture, struct ar
             points[i][0] = aperture->points[i][0].value.hi;
             points[i][1] = aperture->points[i][1].value.hi;
         }
+        form.seams = seams_of(&form, arena);
         /* a little less and more: what is as near to an edge as rounding is decided by the edge */
         const double depth = -polygon_excess(&form, 0, 0);
         form.within2 = depth > 0 ? pow(depth * form.radius, 2) * (1 - 1e-9) : 0;
         form.beyond2 = form.radius * form.radius * (1 + 1e-9);
     }
     return form;
-}
-
-static int compare_points(const void *a, const void *b)
-{
-    const double *p = a, *q = b;
-    int by_x = (p[0] > q[0]) - (p[0] < q[0]);
-    return by_x != 0 ? by_x : (p[1] > q[1]) - (p[1] < q[1]);
 }
 
 /* Is q no corner between p and r, going round counterclockwise? */
@@ -419,6 +464,7 @@ struct aperture_form aperture_hull(const struct aperture *aperture, struct arena
         form.point_count =
             add_chain((const double(*)[2])points, form.point_count, true, hull, count);
         form.points = (const double(*)[2])hull;
+        form.seams = NULL;
     }
     return form;
 }

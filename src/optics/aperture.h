@@ -29,11 +29,15 @@ enum aperture_shape {
 struct aperture {
     enum aperture_shape shape;
     bool blocks;
-    struct figure size[2];            /* full: diameters (inner, outer), widths along x, y, mm */
-    unsigned arms;                    /* of a spider; the first one along x */
-    struct figure decenter[2];        /* of its centre from the vertex, x, y, mm */
-    struct figure turn;               /* about its centre, from x towards y, rad */
-    const struct figure (*points)[2]; /* of a polygon: x, y from its centre, mm */
+    struct figure size[2];     /* full: diameters (inner, outer), widths along x, y, mm */
+    unsigned arms;             /* of a spider; the first one along x */
+    struct figure decenter[2]; /* of its centre from the vertex, x, y, mm */
+    struct figure turn;        /* about its centre, from x towards y, rad */
+    /*
+     * Of a polygon: x, y from its centre, mm. A side that it goes along twice, there and back,
+     * bounds nothing and is no edge: one polygon may have several parts, and holes.
+     */
+    const struct figure (*points)[2];
     size_t point_count;
 };
 
@@ -46,6 +50,7 @@ struct aperture_form {
     double radius;             /* no point of it is farther from its centre, mm; may be infinite */
     const double (*points)[2]; /* of a polygon its corners; of a spider where its arms point to */
     size_t point_count;
+    const bool *seams; /* of a polygon: the sides that are no edge; null = there are none */
     /* squared: nearer to the centre than the first all is inside, farther than the second outside;
        0 where that is not known */
     double within2, beyond2;

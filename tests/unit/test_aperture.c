@@ -4,6 +4,7 @@
 #include "base/constants.h"
 #include "check.h"
 #include "file/lens_file.h"
+#include "optics/aperture.h"
 #include "trace/dispatch.h"
 
 #include <string.h>
@@ -61,6 +62,55 @@ static void test_bits(void)
     arena_free(&arena);
 }
 
+/*
+ * Two squares of 2 mm, 4 mm apart, and a square with a hole: what joins their parts is no edge, and
+ * lets no light pass. Distances from the edges are those of the parts.
+ */
+static void test_seams(void)
+{
+    static const double corners[][10][2] = {
+        {{-3, -1}, {-1, -1}, {-1, 1}, {-3, 1}, {-3, -1}, {1, -1}, {3, -1}, {3, 1}, {1, 1}, {1, -1}},
+        {{-3, -3},
+         {3, -3},
+         {3, 3},
+         {-3, 3},
+         {-3, -3},
+         {-1, -1},
+         {-1, 1},
+         {1, 1},
+         {1, -1},
+         {-1, -1}}};
+    static const struct {
+        int polygon;
+        double x, y;
+        double beyond; /* mm from the edge of a part; below 0 within it */
+    } cases[] = {{0, 0, -1, 1},      {0, 0.5, -1, 0.5},
+                 {0, 0, 0, 1},       {0, 2, 0, -1},
+                 {0, -1.5, 0, -0.5}, {0, 2, -0.75, -0.25},
+                 {0, 1, -1, 0},      {0, 0, -2, 1.4142135623730951},
+                 {1, -2, -2, -1},    {1, 0, 0, 1},
+                 {1, 2, 0, -1},      {1, -1.5, -1.5, -0.7071067811865476}};
+    struct arena arena = {0};
+    for (size_t i = 0; i < sizeof cases / sizeof cases[0]; i++) {
+        struct figure points[10][2] = {0};
+        struct error error = {0};
+        struct aperture aperture = aperture_of(SHAPE_POLYGON, false);
+        for (size_t k = 0; k < 20; k++) {
+            points[k / 2][k % 2].value.hi = corners[cases[i].polygon][k / 2][k % 2];
+        }
+        aperture.points = (const struct figure(*)[2])points;
+        aperture.point_count = 10;
+        CHECK(aperture_check(&aperture, &error));
+        const struct aperture_form form = aperture_form_of(&aperture, &arena);
+        CHECK_NEAR(aperture_excess(&form, cases[i].x, cases[i].y) * form.radius, cases[i].beyond,
+                   1e-15, "beyond the edge of a part");
+        CHECK(aperture_passes(&form, cases[i].x, cases[i].y) == (cases[i].beyond <= 0));
+        CHECK(aperture_part(&form, cases[i].x, cases[i].y) != 4);
+        CHECK(aperture_part(&form, cases[i].x, cases[i].y) != 9);
+    }
+    arena_free(&arena);
+}
+
 /* The weights add up to the clear share of the stop, and r^2 has its mean over it. */
 static void test_quadrature(void)
 {
@@ -105,6 +155,7 @@ static void test_quadrature(void)
 int main(void)
 {
     test_bits();
+    test_seams();
     test_quadrature();
     return check_report();
 }
