@@ -13,7 +13,12 @@ lens '  UDAD 0 "slit.uda" 1'
 lens '  USAP 0 0 0' '  UDAD 0 0 "C:\apertures\SLIT.UDA"' '  OBDC 1 2'
 lens '  USAP "old.uda"'
 lens '  USOB 0 0 0 "two.uda"' '  OBDC 1 0'
+rows() { echo "$1" | tr ';' '\n' | sed 's/^/  UDAD /'; }
+square='1 1 1 0;2 3 1 0;3 3 3 0;4 1 3 0;5 0 0 0'
+lens '  USOB 0 0 0' '  UDAD 0 gone.uda 1.0' "$(rows "$square")"
+lens '  USAP 0 0 0' '  UDAD 0 gone.uda 1.0' "$(rows "$square;6 -3 0 0;7 -1 0 0;8 -2 2 0;9 0 0 0")"
 echo '-- losses'
+lens '  USAP 0 0 0' "$(rows "$square;6 2 2 0;7 4 2 0;8 3 5 0")"
 lens '  USAP 0 0 0 "two.uda"'
 lens '  USAP 0 0 0 "none.uda"'
 lens '  USAP 0 0 0 "other.uda"'

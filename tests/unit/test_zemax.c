@@ -4,6 +4,7 @@
 #include "exchange/lens_formats.h"
 #include "exchange/zemax/zemax.h"
 #include "file/lens_change.h"
+#include "optics/aperture.h"
 #include "optics/first_order.h"
 
 #include <stdlib.h>
@@ -11,6 +12,7 @@
 #define HEAD     "MODE SEQ\nUNIT MM X W X CM MR CPMM\n"
 #define OBJECT   "SURF 0\n  TYPE STANDARD\n  CURV 0\n  DISZ INFINITY\n"
 #define IMAGE(n) "SURF " n "\n  TYPE STANDARD\n  CURV 0\n  DISZ 0\n"
+#define ROW(row) "  UDAD " row "\n"
 #define SINGLET                                                                                    \
     OBJECT "SURF 1\n  STOP\n  TYPE STANDARD\n  CURV 0.02\n  DISZ 4\n"                              \
            "  GLAS ___BLANK 1 0 1.5 0\n  DIAM 10 1 0 0 1 \"\"\n"                                   \
@@ -66,6 +68,19 @@ static void check_errors(void)
         {HEAD OBJECT "SURF 1\n  TYPE BINARY_2\n  PARM 1 50\n" IMAGE("2"), 8, 8, "type BINARY_2"},
         {HEAD OBJECT "SURF 1\n  UDAD 0 \"slit.uda\" 1\n" IMAGE("2"), 8, 3,
          "the aperture of the file 'slit.uda' (files beside it are not read)"},
+        {HEAD OBJECT "SURF 1\n  UDAD 0 x.uda 1\n" ROW("1 -1 -1 0") ROW("2 1 -1 90") IMAGE("2"), 8,
+         3, "a user-defined aperture (row 2 is not x, y and 0)"},
+        {HEAD OBJECT "SURF 1\n  UDAD 0 x.uda 1\n" ROW("1 LIN 1 1 0") IMAGE("2"), 8, 3,
+         "(row 1 is not x, y and 0)"},
+        {HEAD OBJECT "SURF 1\n  UDAD 0 x.uda 1\n" ROW("1 -1 -1 0") ROW("3 1 -1 0") IMAGE("2"), 8, 3,
+         "(row 2 of it is missing)"},
+        {HEAD OBJECT "SURF 1\n  UDAD 0 x.uda 2\n" ROW("1 -1 -1 0") IMAGE("2"), 8, 3,
+         "numbers beside its name"},
+        {HEAD OBJECT "SURF 1\n" ROW("1 0 0 0") IMAGE("2"), 8, 3, "(it has no shape)"},
+        {HEAD "FTYP 0 0 13 1\nYFLN 0 1 2 3 4 5 6 7 8 9 10 11\n" SINGLET, 3, 1,
+         "FTYP counts 13 fields, XFLN and YFLN have 12"},
+        {HEAD "FENF 1 0\n" SINGLET, 3, 6, "FENF: fields beyond the twelfth"},
+        {HEAD "FEFD 1 0 5\n" SINGLET, 3, 6, "FEFD: fields beyond the twelfth"},
         {HEAD OBJECT "SURF 1\n  FLAP 1 2 0\n" IMAGE("2"), 8, 3, "a hole"},
         {HEAD OBJECT "SURF 1\n  DISZ INFINITY\n" IMAGE("2"), 8, 8, "infinite distance"},
         {HEAD OBJECT "SURF 1\n  STOP\nSURF 2\n  STOP\n" IMAGE("3"), 9, 1, "second stop"},
@@ -85,6 +100,60 @@ static void check_errors(void)
         CHECK(same);
         forget(reading);
     }
+}
+
+/*
+ * A slit and a triangle that block, the file that UDAD 0 names row by row: in inches, shifted, with
+ * and without the zeros behind the last one.
+ */
+static void check_inline_polygons(void)
+{
+    struct reading *reading =
+        read_text("MODE SEQ\nUNIT IN\n" OBJECT
+                  "SURF 1\n  USOB 0 0 0\n  OBDC 1 0\n  UDAD 0 slit.uda 1.0\n" ROW("1 -2 -1 0")
+                      ROW("2 2 -1 0") ROW("3 2 1 0") ROW("4 -2 1 0") ROW("5 0 0 0") ROW("6 0 3 0")
+                          ROW("7 1 3 0") ROW("8 0 4 0") IMAGE("2"),
+                  false);
+    const struct surface *surface = &reading->lens.surfaces[0];
+    CHECK(reading->done && surface->aperture_count == 2);
+    if (reading->done && surface->aperture_count == 2) {
+        const struct aperture *slit = &surface->apertures[0], *triangle = &surface->apertures[1];
+        CHECK(slit->shape == SHAPE_POLYGON && slit->blocks && slit->point_count == 4);
+        CHECK(slit->points[2][0].value.hi == 2 * 25.4 && slit->points[3][1].value.hi == 25.4);
+        CHECK(slit->decenter[0].value.hi == 25.4 && slit->decenter[1].value.hi == 0);
+        CHECK(triangle->blocks && triangle->point_count == 3);
+        CHECK(triangle->points[2][1].value.hi == 4 * 25.4);
+    }
+    forget(reading);
+}
+
+/* Light passes any of three slits, two of them apart in x, the third below: one polygon is all. */
+static void check_slits(void)
+{
+    struct reading *reading = read_text(
+        HEAD OBJECT "SURF 1\n" ROW("1 -3 -1 0") ROW("2 -1 -1 0") ROW("3 -1 1 0") ROW("4 -3 1 0")
+            ROW("5 0 0 0") ROW("6 1 -1 0") ROW("7 1 1 0") ROW("8 3 1 0") ROW("9 3 -1 0")
+                ROW("10 0 0 0") ROW("11 -2 -4 0") ROW("12 2 -4 0") ROW("13 0 -2 0") IMAGE("2"),
+        false);
+    const struct surface *surface = &reading->lens.surfaces[0];
+    CHECK(reading->done && surface->aperture_count == 1 && !surface->apertures[0].blocks);
+    if (reading->done && surface->aperture_count == 1) {
+        const struct aperture_form form = aperture_form_of(&surface->apertures[0], &reading->arena);
+        CHECK(aperture_passes(&form, -2, 0) && aperture_passes(&form, 2, 0));
+        CHECK(aperture_passes(&form, 2, 0.99) && aperture_passes(&form, 0, -3));
+        for (double t = 0.01; t < 1; t += 0.01) { /* between the slits, along what joins them */
+            CHECK(!aperture_passes(&form, -1 + 2 * t, -1) &&
+                  !aperture_passes(&form, -1 + 2 * t, 1));
+            CHECK(!aperture_passes(&form, 0, -2 + 3 * t) && !aperture_passes(&form, -3, -1 - t));
+        }
+    }
+    forget(reading);
+    reading =
+        read_text(HEAD OBJECT "SURF 1\n" ROW("1 -3 -1 0") ROW("2 1 -1 0") ROW("3 1 1 0")
+                      ROW("4 0 0 0") ROW("5 0 -1 0") ROW("6 3 -1 0") ROW("7 3 1 0") IMAGE("2"),
+                  false);
+    CHECK(!reading->done && strstr(reading->error.message, "not polygons apart in x or y") != NULL);
+    forget(reading);
 }
 
 /* What was refused above is listed with its line, and the rest is read. */
@@ -429,6 +498,8 @@ static void check_virtual_object(void)
 int main(void)
 {
     check_errors();
+    check_inline_polygons();
+    check_slits();
     check_lossy();
     check_singlet();
     check_encodings();

@@ -113,6 +113,21 @@ static bool read_aperture_shift(struct zemax_file *file, struct text keyword, st
     return zemax_all_numbers(line, error);
 }
 
+/* UDAD 1 x y 0: the file that UDAD 0 names, row by row, as it was when the lens was saved. */
+static void add_user_row(struct zemax_file *file, const struct zemax_line *line)
+{
+    struct zemax_surface *surface = surface_of(file);
+    if (surface->has_lost_aperture) {
+        return; /* its numbers would be scaled */
+    }
+    surface->user_rows = arena_grow(file->job->arena, surface->user_rows, surface->user_row_count,
+                                    &surface->user_row_room, sizeof surface->user_rows[0]);
+    surface->user_rows[surface->user_row_count++] = line;
+    if (surface->user_aperture == NULL) {
+        surface->user_aperture = line;
+    }
+}
+
 /*
  * USAP passes, USOB blocks; they or UDAD have the name of the file, among numbers of which one may
  * be a scale: others than 0 and 1 are not known.
@@ -120,7 +135,11 @@ static bool read_aperture_shift(struct zemax_file *file, struct text keyword, st
 static bool read_user_aperture(struct zemax_file *file, struct text keyword, struct error *error)
 {
     struct zemax_surface *surface = surface_of(file);
-    const struct zemax_line *line = zemax_line_of(file, keyword, NUMBER_UNSCALED);
+    const struct zemax_line *line = zemax_line_of(file, keyword, file->words.scale);
+    if (text_same(keyword, "UDAD") && zemax_number(line, 0) != 0) {
+        add_user_row(file, line);
+        return true;
+    }
     bool known = true;
     surface->user_aperture = line;
     surface->user_blocks = surface->user_blocks || text_same(keyword, "USOB");
@@ -137,6 +156,7 @@ static bool read_user_aperture(struct zemax_file *file, struct text keyword, str
         return true;
     }
     surface->user_aperture = NULL;
+    surface->user_row_count = 0;
     surface->has_lost_aperture = true;
     return zemax_loss(
         file, line, error,

@@ -41,6 +41,8 @@ struct zemax_surface {
     const struct zemax_line *shift_before, *shift_behind; /* SCBD 1, SCBD 2 */
     const struct zemax_line *user_aperture;               /* USAP, USOB, UDAD; it names the file */
     struct text user_file;
+    const struct zemax_line **user_rows; /* UDAD 1 .. in the order of the file: its shapes inline */
+    size_t user_row_count, user_row_room;
     bool user_blocks;
     struct text comment;
     size_t planes_behind; /* in the lens, for SCBD 2; the last has the distance of the surface */

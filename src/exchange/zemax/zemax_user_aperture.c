@@ -1,7 +1,8 @@
-/* exchange/zemax/zemax_user_aperture.c - apertures of .zmx files that stand in .uda files. */
+/* exchange/zemax/zemax_user_aperture.c - polygons and circles of .zmx and .uda files. */
 /* SPDX-License-Identifier: MIT */
 #include "exchange/zemax/zemax_user_aperture.h"
 
+#include "base/number.h"
 #include "data/encoding.h"
 #include "data/whole_file.h"
 #include "file/lens_unit.h"
@@ -112,6 +113,16 @@ static size_t read_numbers(struct shapes *shapes, struct text rest, struct figur
     return count;
 }
 
+/* x and y without a word: a corner, or 0 0 behind the last one of a polygon. */
+static void add_plain_corner(struct shapes *shapes, const struct figure *numbers, size_t count)
+{
+    if (count == 2 && numbers[0].value.hi == 0 && numbers[1].value.hi == 0) {
+        end_polygon(shapes);
+    } else {
+        add_corner(shapes, numbers, count);
+    }
+}
+
 static void read_line(struct shapes *shapes, struct text line)
 {
     struct text rest = line;
@@ -128,10 +139,8 @@ static void read_line(struct shapes *shapes, struct text line)
         end_polygon(shapes);
     } else {
         size_t count = read_numbers(shapes, line, numbers);
-        if (count == 2 && numbers[0].value.hi == 0 && numbers[1].value.hi == 0) {
-            end_polygon(shapes); /* of old files */
-        } else if (count > 0) {
-            add_corner(shapes, numbers, count);
+        if (count > 0) {
+            add_plain_corner(shapes, numbers, count); /* of old files */
         } else {
             shapes->wrong = arena_printf(shapes->arena, "'%.*s' is neither LIN, CIR nor BRK",
                                          text_shown(word), word.start);
@@ -180,24 +189,142 @@ static bool read_beside(const struct foreign_job *job, struct text name, struct 
     return false;
 }
 
-static void read_shapes(struct shapes *shapes, struct text content)
+static void check_room(struct shapes *shapes)
+{
+    if (shapes->count > MOST_SHAPES || shapes->corner_count > MOST_CORNERS) {
+        shapes->wrong = "more shapes or corners than lenscalc reads";
+    }
+}
+
+static void read_content(struct shapes *shapes, struct text content)
 {
     for (struct text rest = content; rest.start != NULL && shapes->wrong == NULL;) {
         read_line(shapes, text_cut(&rest, '\n'));
-        if (shapes->count > MOST_SHAPES || shapes->corner_count > MOST_CORNERS) {
-            shapes->wrong = "more shapes or corners than lenscalc reads";
+        check_room(shapes);
+    }
+}
+
+/* Rows 1, 2 .. of number, x, y and a 0, whose meaning otherwise is not known. */
+static void read_rows(struct shapes *shapes, const struct zemax_surface *from)
+{
+    for (size_t i = 0; i < from->user_row_count && shapes->wrong == NULL; i++) {
+        const struct zemax_line *row = from->user_rows[i];
+        const struct text number = row->first;
+        double value = 0;
+        number_read(number.start, number.start + number.length, NUMBER_UNSCALED, &value);
+        if (value != (double)(i + 1)) {
+            shapes->wrong = arena_printf(shapes->arena, "row %zu of it is missing", i + 1);
+        } else if (row->count != 4 || row->stray.start != NULL || row->numbers[3].value.hi != 0) {
+            shapes->wrong = arena_printf(shapes->arena, "row %zu is not x, y and 0", i + 1);
+        } else {
+            add_plain_corner(shapes, &row->numbers[1], 2);
+            check_room(shapes);
         }
     }
+}
+
+/* From where to where a polygon reaches along an axis. */
+static void range_of(const struct aperture *polygon, int axis, double range[2])
+{
+    range[0] = INFINITY;
+    range[1] = -INFINITY;
+    for (size_t i = 0; i < polygon->point_count; i++) {
+        range[0] = fmin(range[0], polygon->points[i][axis].value.hi);
+        range[1] = fmax(range[1], polygon->points[i][axis].value.hi);
+    }
+}
+
+/* Does a line along x or y lie between them? */
+static bool are_apart(const struct aperture *a, const struct aperture *b)
+{
+    bool apart = false;
+    for (int axis = 0; axis < 2; axis++) {
+        double one[2], other[2];
+        range_of(a, axis, one);
+        range_of(b, axis, other);
+        apart = apart || one[1] <= other[0] || other[1] <= one[0];
+    }
+    return apart;
+}
+
+static bool are_polygons_apart(const struct shapes *shapes)
+{
+    for (size_t i = 0; i < shapes->count; i++) {
+        if (shapes->all[i].shape != SHAPE_POLYGON) {
+            return false;
+        }
+        for (size_t k = 0; k < i; k++) {
+            if (!are_apart(&shapes->all[i], &shapes->all[k])) {
+                return false;
+            }
+        }
+    }
+    return true;
+}
+
+static bool is_clockwise(const struct aperture *polygon)
+{
+    double sum = 0;
+    for (size_t i = 0; i < polygon->point_count; i++) {
+        const struct figure *p = polygon->points[i];
+        const struct figure *q = polygon->points[(i + 1) % polygon->point_count];
+        sum += p[0].value.hi * q[1].value.hi - q[0].value.hi * p[1].value.hi;
+    }
+    return sum < 0;
+}
+
+/*
+ * Light passes within any of several polygons that are apart: one that goes round each of them, and
+ * between them there and back along sides that are no edge. All are gone round the same way, as the
+ * area of the whole has to be theirs.
+ */
+static void join_polygons(struct shapes *shapes)
+{
+    size_t room = 2 * shapes->count, used = 0;
+    for (size_t k = 0; k < shapes->count; k++) {
+        room += shapes->all[k].point_count;
+    }
+    struct figure(*corners)[2] = arena_array(shapes->arena, room, sizeof corners[0]);
+    for (size_t k = 0; k < shapes->count; k++) {
+        const struct aperture *polygon = &shapes->all[k];
+        const size_t count = polygon->point_count;
+        const bool backwards = is_clockwise(polygon);
+        for (size_t i = 0; i <= count; i++, used++) {
+            const struct figure *corner = polygon->points[(backwards ? count - i : i) % count];
+            corners[used][0] = corner[0];
+            corners[used][1] = corner[1];
+        }
+    }
+    for (size_t k = shapes->count - 1; k-- > 1; used++) {
+        corners[used][0] = shapes->all[k].points[0][0];
+        corners[used][1] = shapes->all[k].points[0][1];
+    }
+    shapes->all[0].points = (const struct figure(*)[2])corners;
+    shapes->all[0].point_count = used;
+    shapes->count = 1;
+}
+
+/* All have been read: are they shapes that a surface of a lens can have? */
+static void check_shapes(struct shapes *shapes)
+{
     end_polygon(shapes);
     if (shapes->wrong == NULL && shapes->count == 0) {
         shapes->wrong = "it has no shape";
     }
-    if (shapes->wrong == NULL && shapes->count > 1 && !shapes->blocks) {
-        shapes->wrong = "light passes several shapes";
+    const bool is_joined = shapes->wrong == NULL && shapes->count > 1 && !shapes->blocks;
+    if (is_joined && !are_polygons_apart(shapes)) {
+        shapes->wrong = "light passes several shapes, which are not polygons apart in x or y";
     }
     for (size_t i = 0; i < shapes->count && shapes->wrong == NULL; i++) {
         struct error wrong;
         if (!aperture_check(&shapes->all[i], &wrong)) {
+            shapes->wrong = arena_printf(shapes->arena, "%s", wrong.message);
+        }
+    }
+    if (is_joined && shapes->wrong == NULL) {
+        join_polygons(shapes);
+        struct error wrong;
+        if (!aperture_check(&shapes->all[0], &wrong)) {
             shapes->wrong = arena_printf(shapes->arena, "%s", wrong.message);
         }
     }
@@ -207,26 +334,31 @@ bool zemax_user_apertures(struct zemax_file *file, const struct zemax_surface *f
                           struct aperture **apertures, size_t *count, struct error *error)
 {
     const struct zemax_line *line = from->user_aperture;
-    const struct text name = name_of(from->user_file);
+    const bool is_inline = from->user_row_count > 0;
+    const struct text name = is_inline ? text_of("") : name_of(from->user_file);
     struct shapes shapes = {.arena = file->job->arena,
                             .unit = lens_unit_scale(file->build.lens->unit),
                             .blocks = from->user_blocks};
     struct text content;
     struct error why = {.code = ERROR_NONE};
-    if (name.length == 0) {
+    if (is_inline) {
+        read_rows(&shapes, from);
+    } else if (name.length == 0) {
         return !zemax_loss(
             file, line, error,
             "%.4s: an aperture of a file that is not named" LOSS_VIGNETTES LOSS_INSTEAD "left out",
             line->keyword.start);
-    }
-    if (!read_beside(file->job, name, &content, &why)) {
+    } else if (!read_beside(file->job, name, &content, &why)) {
         shapes.wrong = why.code != ERROR_NONE    ? why.message
                        : file->job->reads_beside ? "there is no such file beside the lens file"
                                                  : "files beside it are not read";
     } else if (!encoding_to_utf8(file->job->source, content, file->job->arena, &content, &why)) {
         shapes.wrong = why.message;
     } else {
-        read_shapes(&shapes, content);
+        read_content(&shapes, content);
+    }
+    if (shapes.wrong == NULL) {
+        check_shapes(&shapes);
     }
     *apertures = shapes.all;
     *count = shapes.count;
@@ -234,6 +366,12 @@ bool zemax_user_apertures(struct zemax_file *file, const struct zemax_surface *f
         return true;
     }
     error->code = ERROR_NONE;
+    if (is_inline) {
+        return !zemax_loss(file, line, error,
+                           "%.4s: a user-defined aperture (%s)" LOSS_VIGNETTES LOSS_INSTEAD
+                           "left out",
+                           line->keyword.start, shapes.wrong);
+    }
     return !zemax_loss(file, line, error,
                        "%.4s: the aperture of the file '%.*s' (%s)" LOSS_VIGNETTES LOSS_INSTEAD
                        "left out",
