@@ -120,7 +120,12 @@ static bool set_fields(struct zemax_file *file, struct error *error)
             return false;
         }
     }
-    return true;
+    /* some versions list twelve, and have the others in lines of another form */
+    return !(stated > (double)listed && stated > 12) ||
+           zemax_loss(file, file->fields, error,
+                      "FTYP counts %g fields, XFLN and YFLN have %zu" LOSS_INSTEAD
+                      "the others are left out",
+                      stated, listed);
 }
 
 static struct text after_um(struct zemax_file *file, struct text number)
