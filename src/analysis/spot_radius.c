@@ -19,6 +19,9 @@ static const double doubtful = 0.02, hopeful = 0.002;
 /* Twins: peaks as high as each other, on both sides of a symmetry. */
 static const double alike = 1e-9;
 
+/* What edges are met to, which the farthest ray often lies on, as a share of its distance. */
+static const double met = 1e-8;
+
 /* Rays short of the edge are not clipped by rounding; those on it are not clipped at all. */
 static const double within = 1 - 1e-9;
 
@@ -347,24 +350,36 @@ static double vertex_of(const double at[3], const double f[3], double *rise)
     return peaks ? x : at[1];
 }
 
+/* Is the farthest ray on the last line of directions (k = 0) or rings, and pupil beyond it? */
+static bool is_at_end(const struct net *net, int k)
+{
+    const size_t best = net->best[k], last = (k == 0 ? net->wide : FINE) - 1;
+    return (best == 0 || best == last) &&
+           (k == 0 || (net->shares[best] > 0 && net->shares[best] < 1));
+}
+
 /*
  * Where to look next, along directions (k = 0) or rings: about the vertex of the parabola through
- * the farthest ray and its neighbours, as wide as a share of the step between them. Result: how
- * much farther off rays there may be.
+ * the farthest ray and its neighbours, as wide as a share of the step between them; no closer than
+ * now where `wide`. Result: how much farther off rays there may be.
  */
-static double narrow(const struct net *net, int k, double share, struct peak *peak)
+static double narrow(const struct net *net, int k, double share, bool wide, struct peak *peak)
 {
     const double *lines = k == 0 ? net->angles : net->shares;
     const size_t count = k == 0 ? net->wide : FINE, stride = k == 0 ? 1 : net->wide;
     const size_t best = net->best[k], low = best > 0 ? best - 1 : 0;
     const size_t high = best + 1 < count ? best + 1 : best;
     const double *here = &net->distances[net->best[1] * net->wide + net->best[0]];
+    const double whole = lines[count - 1] - lines[0];
     double middle = lines[best], rise = 0, half = lines[high] - lines[low];
     if (low < best && high > best) {
         const double at[3] = {lines[low], lines[best], lines[high]};
         const double f[3] = {*(here - stride), *here, *(here + stride)};
         middle = vertex_of(at, f, &rise);
         half = share * fmax(at[2] - at[1], at[1] - at[0]);
+    }
+    if (wide) {
+        half = fmin(is_at_end(net, k) ? whole : whole / 2, PI);
     }
     peak->low[k] = middle - half;
     peak->high[k] = middle + half;
@@ -378,29 +393,33 @@ static double narrow(const struct net *net, int k, double share, struct peak *pe
 static double climb(const struct spot_radius_question *question, double farthest, struct peak *peak,
                     struct arena *arena)
 {
-    enum { TURNS = 16 };
+    enum { TURNS = 24 };
     static const double shares[] = {1, 0.15, 0.02};
     const struct star *star = peak->source->region->star;
     struct net nets[2];
-    double change = INFINITY;
+    double change = 0, before = peak->distance;
+    bool stands = false;
     nets[0].is_known = nets[1].is_known = false;
-    for (int turn = 0; turn < TURNS && change > 1e-12 * peak->distance; turn++) {
+    for (int turn = 0; turn < TURNS && !stands; turn++) {
         const struct arena_mark mark = arena_mark(arena);
-        const double before = peak->distance, share = shares[turn < 2 ? turn : 2];
+        const double share = shares[turn < 2 ? turn : 2];
         struct net *net = &nets[turn % 2];
         set_lines(star, peak, net);
         fill_net(question, peak, &nets[1 - turn % 2], arena, net);
         const double here = net->distances[net->best[1] * net->wide + net->best[0]];
-        const double rise = narrow(net, 0, share, peak) + narrow(net, 1, share, peak);
+        const bool wide = is_at_end(net, 0) || is_at_end(net, 1);
+        const double rise = narrow(net, 0, share, wide, peak) + narrow(net, 1, share, wide, peak);
         peak->low[1] = fmax(peak->low[1], 0);
         peak->high[1] = fmin(peak->high[1], 1);
-        peak->distance = fmax(before, here);
+        peak->distance = fmax(peak->distance, here);
         arena_reset(arena, mark);
-        if (turn == 0 && peak->distance + 2 * rise < (1 - hopeful) * farthest) {
+        if (turn == 0 && !wide && peak->distance + 2 * rise < (1 - hopeful) * farthest) {
             break;
         }
         /* a first look may hit the very ray that was best, and be no nearer to the peak */
-        change = turn > 1 ? peak->distance - before : (double)INFINITY;
+        change = fabs(here - before);
+        stands = turn > 1 && !wide && change <= 1e-12 * peak->distance;
+        before = here;
     }
     return change;
 }
@@ -430,6 +449,7 @@ double spot_radius_find(const struct spot_radius_question *question, struct aren
             *error = change;
         }
     }
+    *error += met * farthest;
     arena_reset(arena, mark);
     return farthest;
 }
