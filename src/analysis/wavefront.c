@@ -172,7 +172,7 @@ static bool measure(const struct wavefront_source *source, size_t rays, struct a
 
 /* -------- extremes -------- */
 
-enum { DIRECTIONS = 64, RINGS = 12, BESIDE = 5, LOOKS = 12 };
+enum { DIRECTIONS = 64, RINGS = 12, INNER = 3, BESIDE = 5, LOOKS = 12, MOST_LOOKS = 48 };
 
 /* A place of the clear part: an angle of its star and a share of the way to the edge. */
 struct place {
@@ -213,7 +213,7 @@ static void look(const struct wavefront_source *source, const double *angles, si
 static double find_extremes(const struct wavefront_source *source, struct arena *arena)
 {
     const struct star *star = quadrature_star(source->lights.list[0].source.region, arena);
-    double angles[DIRECTIONS + STAR_CORNERS], shares[RINGS];
+    double angles[DIRECTIONS + STAR_CORNERS], shares[RINGS + INNER];
     size_t count = 0;
     struct place extremes[2] = {{.wave = -INFINITY}, {.wave = INFINITY}};
     if (star == NULL) {
@@ -228,10 +228,14 @@ static double find_extremes(const struct wavefront_source *source, struct arena 
     for (size_t k = 0; k < RINGS; k++) {
         shares[k] = (double)k / (RINGS - 1);
     }
-    look(source, angles, count, shares, RINGS, arena, extremes);
+    /* closer to the middle, from which no single direction leads to a place beside it */
+    for (size_t k = 0; k < INNER; k++) {
+        shares[RINGS + k] = shares[1] * (double)(k + 1) / (INNER + 1);
+    }
+    look(source, angles, count, shares, RINGS + INNER, arena, extremes);
     for (size_t k = 0; k < 2; k++) {
         double turn = PI / DIRECTIONS, way = 0.5 / (RINGS - 1);
-        for (size_t i = 0; i < LOOKS; i++, turn /= 2, way /= 2) {
+        for (size_t i = 0, halved = 0; i < MOST_LOOKS && halved < LOOKS; i++) {
             const struct place at = extremes[k];
             for (size_t j = 0; j < BESIDE; j++) {
                 const double off = (double)j - BESIDE / 2;
@@ -239,6 +243,13 @@ static double find_extremes(const struct wavefront_source *source, struct arena 
                 shares[j] = fmin(at.share + way * off, 1);
             }
             look(source, angles, BESIDE, shares, BESIDE, arena, extremes);
+            /* at the margin of what was looked at: it may rise further beyond */
+            if (fabs(extremes[k].angle - at.angle) < 1.5 * turn &&
+                fabs(extremes[k].share - at.share) < 1.5 * way) {
+                turn /= 2;
+                way /= 2;
+                halved++;
+            }
         }
     }
     return extremes[0].wave - extremes[1].wave;

@@ -54,7 +54,7 @@ bool wavefront_open(const struct wavefront_question *question, struct arena *are
  *
  * Given     wants_pv  the extremes too; else they are NaN
  * Formula   means weighted as the bundle weighs; extremes over 64 directions and all corners times
- *           12 rings to the edge, then by ever closer looks about the highest and the lowest.
+ *           15 rings to the edge, then by ever closer looks about the highest and the lowest.
  *           Errors: twice what twice the rays change; of the Strehl ratio as much as light can add
  *           whose phase differs by more than 0.3 wavelengths from ray to ray
  * Source    Strehl ratios: [BornWolf99] 9.1.3, [Mahajan83]

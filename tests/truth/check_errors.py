@@ -145,20 +145,35 @@ def check_plain(checks, program, lens):
                      f"{name}: radius {largest}, but a ray of a plain pattern is at {least}")
 
 
-def check_turned(checks, program, lens, field):
-    """The same field in other directions, of a lens that is round: spots turn with them."""
+def turned(program, command, lens, field, *words):
+    """The same field in other directions, of a lens that is round."""
     tangent, rows = math.tan(math.radians(field)), []
     for turn in 90, 63, 45, 37, 22, 0:
         angles = [math.degrees(math.atan(tangent * of(math.radians(turn))))
                   for of in (math.sin, math.cos)]
-        rows += rows_of(program, "spot", lens, "-w", "d", "--field", repr(angles[0]), "--field-x",
-                        repr(angles[1]), "--columns", "radius,radius_error")
+        rows += rows_of(program, command, lens, "-w", "d", "--field", repr(angles[0]), "--field-x",
+                        repr(angles[1]), *words)
+    return rows
+
+
+def check_turned_spot(checks, program, lens, field):
+    """Spots turn with their fields."""
+    rows = turned(program, "spot", lens, field, "--columns", "radius,radius_error")
     low, high = (choose(rows, key=lambda row: float(row["radius_um"])) for choose in (min, max))
     between = float(high["radius_um"]) - float(low["radius_um"])
     errors = float(high["radius_error_um"]) + float(low["radius_error_um"])
     checks.check(between <= errors <= 1e-4 * float(low["radius_um"]),
                  f"spot {lens} {field}: radii of {low['radius_um']} to {high['radius_um']} as the "
                  f"field turns, with errors of {errors} together")
+
+
+def check_turned_wave(checks, program, lens, field):
+    """Wave fronts turn, too."""
+    rows = turned(program, "wavefront", lens, field, "--defocus", "0.1", "--columns", "pv_waves")
+    waves = [float(row["pv_waves"]) for row in rows]
+    checks.check(max(waves) - min(waves) <= 1e-6 * min(waves),
+                 f"wavefront {lens} {field}: from {min(waves)} to {max(waves)} waves as the field "
+                 "turns")
 
 
 def check_mirror(checks, program):
@@ -203,7 +218,9 @@ def main():
         check_sums(checks, program, outside, lens, None if every else QUICK[lens])
     check_mirror(checks, program)
     for lens, field in ("wide-35", 4.56), ("laikin75-petzval", 4.48), ("cs348b-fisheye-10", 2.59):
-        check_turned(checks, program, lens, field)
+        check_turned_spot(checks, program, lens, field)
+    for lens, field in ("fisheye-16", 14.3), ("canon-rf50-f18", 12.8):
+        check_turned_wave(checks, program, lens, field)
     check_gap(checks, program, outside)
     for lens in lenses:
         check_plain(checks, program, lens)
