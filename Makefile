@@ -7,6 +7,7 @@
 #   fuzz       long fuzzing: SECONDS=600 JOBS=2      clean      remove build/
 #   faults     memory, reading and writing fail call by call: every command
 #   stress     the worst errors where arithmetic is hardest: SECONDS=60 SEED=1
+#   survey     printed errors of every lens and field of lensdb against outside sums: an hour
 #   coverage   lines and branches that the fast tests reach, by folder
 #   mutate     is a changed sign noticed? COUNT=60 SEED=1,2,3
 #   cluster    parts of pictures, searches and trials as arrays of Slurm, a task killed
@@ -256,6 +257,9 @@ faults: deps
 stress: all
 	@tests/stress/run $(SECONDS) $(BUILD) $(SEED)
 
+survey: deps all
+	@tests/truth/survey $(BUILD)
+
 coverage: deps
 	@tests/deps gcovr
 	@tests/coverage/run $(BUILD)
@@ -310,4 +314,4 @@ dist:
 clean:
 	rm -rf $(BUILD)
 
-.PHONY: FORCE all programs deps demo check check-all accept bench fuzz faults stress coverage mutate cluster cross format install uninstall dist clean
+.PHONY: FORCE all programs deps demo check check-all accept bench fuzz faults stress survey coverage mutate cluster cross format install uninstall dist clean

@@ -1,8 +1,9 @@
 #!/usr/bin/env python3
-"""tests/truth/check_lensdb_fields.py BUILD - every lens of lensdb has a field and an aperture, its chief
-rays pass, and the analyses answer for it with nothing but its name.
+"""tests/truth/check_lensdb_fields.py BUILD - every lens of lensdb can be asked by its name alone:
+it has a field and an aperture, its chief rays pass, and the analyses answer.
 
-Psf, mtf and report take seconds: of every so many lenses, of all with LENSCALC_ALL set.
+Psf, mtf and report take seconds: of every so many lenses, of all with LENSCALC_SURVEY set, as make
+survey does.
 """
 # SPDX-License-Identifier: MIT
 
@@ -69,7 +70,7 @@ def main():
     paths = sorted(glob.glob(os.path.join(ROOT, "lensdb", "lenses", "*.lens")))
     texts = {os.path.basename(path)[:-5]: open(path, encoding="utf-8").read() for path in paths}
     checks.check(len(texts) > 60, f"lensdb has {len(texts)} lenses")
-    every, first = (1, 0) if os.environ.get("LENSCALC_ALL") else (EVERY, FIRST)
+    every, first = (1, 0) if os.environ.get("LENSCALC_SURVEY") else (EVERY, FIRST)
     asked = [(name, command) for place, name in enumerate(texts)
              for command in QUICK + (SLOW if place % every == first else ())]
     for name, text in texts.items():

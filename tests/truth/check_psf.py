@@ -164,9 +164,9 @@ def check_contrast(checks, program, folder):
 
 
 def lenses_of(program):
-    """Questions: a few, with LENSCALC_ALL set all fields of lensdb."""
+    """Questions: a few, with LENSCALC_SURVEY set all fields of lensdb."""
     few = [["double-gauss", "-N", "8", "--field", field, "-w", "d"] for field in ("0", "14")]
-    if not os.environ.get("LENSCALC_ALL"):
+    if not os.environ.get("LENSCALC_SURVEY"):
         return few
     listed = subprocess.run(program.command + ["list", "lenses", "--csv", "--columns", "lens"],
                             text=True, capture_output=True, env=program.environment()).stdout

@@ -5,9 +5,9 @@ Strehl ratios and RMS wave fronts, about the chief ray and the best sphere, in f
 it; radii that hold a share of the light; light by field over that on the axis. The truth is what
 clear_sums.c finds, which traces, finds spheres and sums by other means than lenscalc, as densely as
 phases want. No true error may be larger than the printed one. A few fields of a few lenses; with
-LENSCALC_ALL set lenses of lensdb in an order by LENSCALC_SEED, through focus, as many as a quarter
-of an hour has time for and as far as clear_sums.c takes them, or all that are named behind BUILD;
--v says what was left out.
+LENSCALC_SURVEY set (make survey) lenses of lensdb in an order by LENSCALC_SEED, through focus, as
+many as a quarter of an hour has time for and as far as clear_sums.c takes them, or all that are
+named behind BUILD; -v says what was left out.
 """
 # SPDX-License-Identifier: MIT
 
@@ -171,7 +171,7 @@ def check_lens(checks, program, outside, one):
 def main():
     checks, program = Checks(), Program(sys.argv[1])
     outside = Outside(program)
-    if os.environ.get("LENSCALC_ALL"):
+    if os.environ.get("LENSCALC_SURVEY"):
         lenses = [row["lens"] for row in rows_of(program, "list", "lenses")]
         named = [word for word in sys.argv[2:] if word != "-v"]
         began = time.monotonic()
