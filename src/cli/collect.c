@@ -125,6 +125,11 @@ bool collection_columns(const struct collection *collection, const struct column
             }
             return false;
         }
+        for (size_t k = 0; k < *count; k++) {
+            if (strcmp((*shown)[k].name, found.name) == 0) {
+                return fail(error, ERROR_USAGE, "column %s is named twice", found.name);
+            }
+        }
         (*shown)[(*count)++] = wanted->convert ? in_system(collection, found) : found;
     }
     return *count > 0 || fail(error, ERROR_USAGE, "no column is named");

@@ -93,12 +93,38 @@ static bool check_format(const struct report *report, struct error *error)
            fail(error, ERROR_USAGE, "--table is for %s", able);
 }
 
+static int compare_names(const void *a, const void *b)
+{
+    return strcmp(*(const char *const *)a, *(const char *const *)b);
+}
+
+/* Programs find a column by its name: values that are written alike would give one name twice. */
+static bool check_heads(const struct collection *collection, const struct axis *across,
+                        struct error *error)
+{
+    const char **values = ARENA_ARRAY(collection->arena, across->count, const char *);
+    for (size_t j = 0; j < across->count; j++) {
+        values[j] = axis_machine_value(collection, across, j);
+    }
+    qsort(values, across->count, sizeof *values, compare_names);
+    for (size_t j = 1; j < across->count; j++) {
+        if (strcmp(values[j - 1], values[j]) == 0) {
+            return fail(error, ERROR_USAGE,
+                        "--table: --%s has the value %s twice: two columns "
+                        "would have one name",
+                        across->option->name, values[j]);
+        }
+    }
+    return true;
+}
+
 bool cross_table_check(const struct collection *collection, const char *specification,
                        const struct report *report, struct error *error)
 {
     struct cross cross;
     return check_format(report, error) &&
-           read_specification(collection, specification, report, &cross, error);
+           read_specification(collection, specification, report, &cross, error) &&
+           (!is_machine(report) || check_heads(collection, cross.across, error));
 }
 
 /* The row at a place of the table; null if it failed. */
@@ -170,6 +196,28 @@ static void choose_units(const struct collection *collection, const struct repor
     }
 }
 
+/* A value as the csv of rows has it; "" where there is none. */
+static const char *machine_value(const struct collection *collection, const void *row,
+                                 const struct shown *shown, int digits)
+{
+    if (row == NULL || row_is_absent(row, shown->column)) {
+        return "";
+    }
+    char number[NUMBER_LENGTH + 1];
+    switch (shown->column->type) {
+    case COLUMN_NUMBER:
+        *shown_write_number(number, row, shown, digits) = '\0';
+        return arena_string(collection->arena, number, strlen(number));
+    case COLUMN_INTEGER:
+        return arena_printf(collection->arena, "%ld", row_integer(row, shown->column));
+    case COLUMN_FLAG:
+        return row_flag(row, shown->column) ? "true" : "false";
+    case COLUMN_TEXT:
+        break;
+    }
+    return row_text(row, shown->column);
+}
+
 static void write_cell(const struct collection *collection, const struct cross *cross,
                        const struct report *report, const void *row, struct grid *grid, size_t j)
 {
@@ -177,17 +225,16 @@ static void write_cell(const struct collection *collection, const struct cross *
     for (size_t k = 0; k < cross->value_count; k++) {
         char value[256] = "-";
         const struct shown *shown = &cross->values[k];
-        if (row != NULL && is_machine(report) && shown->column->type == COLUMN_NUMBER) {
-            *shown_write_number(value, row, shown, report->digits) = '\0';
-        } else if (row != NULL && (is_machine(report) || !row_is_absent(row, shown->column))) {
+        if (is_machine(report)) {
+            grid_set(grid, 1 + j * cross->value_count + k,
+                     machine_value(collection, row, shown, report->digits));
+            continue;
+        }
+        if (row != NULL && !row_is_absent(row, shown->column)) {
             readable_value(value, sizeof value, row, shown, cross->units[k],
                            digits_of(report, shown->column));
         }
-        if (is_machine(report)) {
-            grid_set(grid, 1 + j * cross->value_count + k, row != NULL ? value : "");
-        } else {
-            words = arena_printf(collection->arena, "%s%s%s", words, k > 0 ? " - " : "", value);
-        }
+        words = arena_printf(collection->arena, "%s%s%s", words, k > 0 ? " - " : "", value);
     }
     if (!is_machine(report)) {
         grid_set(grid, 1 + j, words);

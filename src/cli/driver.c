@@ -114,6 +114,11 @@ static bool set_up_collection(struct driver *driver, struct error *error)
                     "--plot needs an option with several values, such as a "
                     "range");
     }
+    if (common->table != NULL && common->columns != NULL && common->plot == NULL) {
+        return fail(error, ERROR_USAGE,
+                    "--columns does nothing beside --table: what its cells show stands behind a "
+                    "colon there, ROW,COL:VALUE");
+    }
     driver->collects = common->table != NULL || common->plot != NULL;
     if (!driver->collects) {
         return true;

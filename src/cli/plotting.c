@@ -33,7 +33,7 @@ static bool choose_x(const struct collection *collection, struct layout *layout,
     }
     if (layout->x == NULL) {
         return fail(error, ERROR_USAGE,
-                    "--plot needs an option with several values, such as a "
+                    "--plot needs an option with several numbers, such as a "
                     "range");
     }
     layout->groups = sweep->total / layout->x->count;
