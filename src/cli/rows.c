@@ -475,6 +475,7 @@ static bool take_row(struct driver *driver, enum batch_result result, struct err
         *error = earlier;
         return false;
     }
+    driver->answered = driver->input; /* this one, not those that waited before it */
     return take_failure(driver, error);
 }
 
