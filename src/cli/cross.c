@@ -339,6 +339,27 @@ static void doubt_absent(const struct collection *collection, const struct cross
     }
 }
 
+/* What is doubtful about a lens stands in a column of its rows, which a table has not. */
+static void doubt_warnings(const struct collection *collection, const struct cross *cross,
+                           const struct report *report)
+{
+    for (size_t k = 0; k < report->sheet->column_count; k++) {
+        const struct column *column = &report->sheet->columns[k];
+        if ((column->flags & COLUMN_NOTE) == 0 || !text_equal(text_of(column->name), "warning")) {
+            continue;
+        }
+        for (size_t i = 0; i < cross->down->count; i++) {
+            for (size_t j = 0; j < cross->across->count; j++) {
+                const void *row = row_at(collection, cross, i, j);
+                const char *warning = row != NULL ? row_text(row, column) : NULL;
+                if (warning != NULL) {
+                    doubts_add(report->doubts, "%s", warning);
+                }
+            }
+        }
+    }
+}
+
 bool cross_table_write(const struct collection *collection, const char *specification,
                        struct report *report, struct error *error)
 {
@@ -358,6 +379,7 @@ bool cross_table_write(const struct collection *collection, const char *specific
     }
     choose_units(collection, report, &cross);
     doubt_absent(collection, &cross, report);
+    doubt_warnings(collection, &cross, report);
     struct grid grid = build(collection, &cross, report);
     if (!is_machine(report)) {
         const void *row = collection_first_row(collection);

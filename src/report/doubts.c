@@ -8,7 +8,7 @@
 
 void doubts_add(struct doubts *doubts, const char *format, ...)
 {
-    enum { LONGEST = 400 };
+    enum { LONGEST = 4000 }; /* a lens file may have much that is doubtful */
     char text[LONGEST];
     va_list values;
     if (doubts == NULL) {
