@@ -71,12 +71,13 @@ bool collection_check_units(const struct shown *shown, size_t count, const char 
  * Print the cross-table that --table asks for.
  *
  * Given     specification  "ROW,COL" or "ROW,COL:VALUE", VALUE one column or several joined by '+'
+ *           columns        what --columns says that a table does not obey; null: nothing
  *           report         format and output
- * Errors    ERROR_USAGE: it names no swept option or no column; a third option is swept; the format
- *           has no tables
+ * Errors    ERROR_USAGE: it names no swept option or no column, or one twice; a third option is
+ *           swept; the format has no tables; two columns of a csv would have one name
  */
 bool cross_table_check(const struct collection *collection, const char *specification,
-                       const struct report *report, struct error *error);
+                       const char *columns, const struct report *report, struct error *error);
 bool cross_table_write(const struct collection *collection, const char *specification,
                        struct report *report, struct error *error);
 

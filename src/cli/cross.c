@@ -119,9 +119,14 @@ static bool check_heads(const struct collection *collection, const struct axis *
 }
 
 bool cross_table_check(const struct collection *collection, const char *specification,
-                       const struct report *report, struct error *error)
+                       const char *columns, const struct report *report, struct error *error)
 {
     struct cross cross;
+    if (columns != NULL) {
+        return fail(error, ERROR_USAGE,
+                    "--columns does nothing beside --table: what its cells show stands behind a "
+                    "colon there, ROW,COL:VALUE");
+    }
     return check_format(report, error) &&
            read_specification(collection, specification, report, &cross, error) &&
            (!is_machine(report) || check_heads(collection, cross.across, error));

@@ -111,13 +111,7 @@ static bool set_up_collection(struct driver *driver, struct error *error)
     const struct common *common = &driver->common;
     if (common->plot != NULL && driver->sweep.total == 1 && !driver->is_batch) {
         return fail(error, ERROR_USAGE,
-                    "--plot needs an option with several values, such as a "
-                    "range");
-    }
-    if (common->table != NULL && common->columns != NULL && common->plot == NULL) {
-        return fail(error, ERROR_USAGE,
-                    "--columns does nothing beside --table: what its cells show stands behind a "
-                    "colon there, ROW,COL:VALUE");
+                    "--plot needs an option with several values, such as a range");
     }
     driver->collects = common->table != NULL || common->plot != NULL;
     if (!driver->collects) {
@@ -140,7 +134,9 @@ static bool set_up_collection(struct driver *driver, struct error *error)
     return collection_open(&driver->collection, common->table != NULL ? MOST_CELLS : MOST_POINTS,
                            option, error) &&
            (common->table == NULL ||
-            cross_table_check(&driver->collection, driver->common.table, &driver->report, error)) &&
+            cross_table_check(&driver->collection, common->table,
+                              common->plot == NULL ? common->columns : NULL, &driver->report,
+                              error)) &&
            (common->plot == NULL || collection_plot_check(&driver->collection, plot_columns(driver),
                                                           common->columns != NULL, error));
 }
