@@ -98,11 +98,9 @@ static bool check_collects(const struct driver *driver, const char *option, stru
     if (driver->is_batch) {
         return fail(error, ERROR_USAGE, "--%s works with swept options, not with --batch", option);
     }
-    if (driver->command->makes_many != NULL && driver->command->makes_many(driver->input)) {
-        return fail(error, ERROR_USAGE,
-                    "--%s needs one row per combination, but this question has several", option);
-    }
-    return true;
+    return driver->command->makes_many == NULL || !driver->command->makes_many(driver->input) ||
+           fail(error, ERROR_USAGE,
+                "--%s needs one row per combination, but this question has several", option);
 }
 
 /* Rows of a sweep are kept for --table and --plot. */
