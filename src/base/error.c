@@ -100,12 +100,24 @@ bool fail(struct error *error, enum error_code code, const char *format, ...)
     return false;
 }
 
+/* Does this byte of UTF-8 continue a character? */
+static bool is_continued(char byte)
+{
+    return ((unsigned char)byte & 0xc0) == 0x80;
+}
+
 /* A window of the text that contains the caret and fits. */
 static void set_excerpt(struct error *error, const char *text, size_t length, size_t caret)
 {
     size_t room = sizeof error->text - 1;
     size_t from = caret > room / 2 && length > room ? caret - room / 2 : 0;
+    while (from > 0 && from < length && from + 1 < caret && is_continued(text[from])) {
+        from++; /* no half characters */
+    }
     size_t kept = length - from < room ? length - from : room;
+    while (kept > 0 && from + kept < length && is_continued(text[from + kept])) {
+        kept--;
+    }
     for (size_t i = 0; i < kept; i++) {
         /* a NUL would end the text before the caret */
         error->text[i] = text[from + i] != '\0' ? text[from + i] : '?';
@@ -146,6 +158,14 @@ bool error_locate(struct error *error, const char *source, long line, size_t col
     text_make_printable(error->source, "");
     error->line = line;
     error->column = column < 1000000000 ? (int)column : 1000000000;
+    return false;
+}
+
+bool error_count_characters(struct error *error, struct text line)
+{
+    if (error->column > 0) {
+        error->column = (int)text_column(line, (size_t)error->column - 1);
+    }
     return false;
 }
 

@@ -43,7 +43,7 @@ struct error {
     enum error_code code;
     long line;         /* in `source`, 1-based; 0 = none */
     int column;        /* character in that line, 1-based; 0 = none */
-    int caret;         /* character of `text` that is wrong, 1-based; 0 = none */
+    int caret;         /* byte of `text` where what is wrong begins, 1-based; 0 = none */
     char source[256];  /* file name; "" = the command line */
     char message[512]; /* lower case, one line, no full stop */
     char text[128];    /* the offending text, shown above the caret */
@@ -68,7 +68,7 @@ bool fail(struct error *error, enum error_code code, const char *format, ...)
  * is cut to a window around the caret; control characters are shown as '?'.
  *
  * Given     text   the offending one
- *           caret  the wrong character, 1-based
+ *           caret  the byte where the wrong character begins, 1-based
  */
 bool fail_at(struct error *error, enum error_code code, struct text text, size_t caret,
              const char *format, ...) __attribute__((format(printf, 5, 6)));
@@ -83,6 +83,9 @@ bool error_within(struct error *error, struct text whole, struct text part);
 
 /* Say where in a file the error lies (line and column 1-based, 0 = unknown). Returns false. */
 bool error_locate(struct error *error, const char *source, long line, size_t column);
+
+/* The column is that of a byte: make it that of the character of the line. Returns false. */
+bool error_count_characters(struct error *error, struct text line);
 
 /* Add the line "did you mean '...'?" or any other advice. Returns false. */
 bool error_hint(struct error *error, const char *format, ...) __attribute__((format(printf, 2, 3)));

@@ -240,6 +240,53 @@ size_t text_utf8_length(const char *start, size_t room)
     return forms[form].length;
 }
 
+size_t text_column(struct text line, size_t byte)
+{
+    size_t column = 1;
+    for (size_t at = 0; at < byte; column++) {
+        const size_t length =
+            at < line.length ? text_utf8_length(line.start + at, line.length - at) : 1;
+        at += length > 0 ? length : 1;
+    }
+    return column;
+}
+
+/* The code of a well-formed sequence. */
+static unsigned long code_of(const char *start, size_t length)
+{
+    const unsigned char *byte = (const unsigned char *)start;
+    unsigned long code = length < 2 ? byte[0] : byte[0] & (0x7fu >> length);
+    for (size_t i = 1; i < length; i++) {
+        code = code << 6 | (byte[i] & 0x3f);
+    }
+    return code;
+}
+
+size_t text_cells(struct text text)
+{
+    static const struct {
+        unsigned long first, last;
+        size_t cells;
+    } ranges[] = {
+        {0x300, 0x36f, 0},   {0x1100, 0x115f, 2},   {0x1ab0, 0x1aff, 0},   {0x1dc0, 0x1dff, 0},
+        {0x200b, 0x200f, 0}, {0x20d0, 0x20ff, 0},   {0x2e80, 0x303e, 2},   {0x3041, 0x3098, 2},
+        {0x3099, 0x309a, 0}, {0x309b, 0xa4cf, 2},   {0xac00, 0xd7a3, 2},   {0xf900, 0xfaff, 2},
+        {0xfe00, 0xfe0f, 0}, {0xfe20, 0xfe2f, 0},   {0xfe30, 0xfe6f, 2},   {0xff00, 0xff60, 2},
+        {0xffe0, 0xffe6, 2}, {0x1f300, 0x1f64f, 2}, {0x1f900, 0x1f9ff, 2}, {0x20000, 0x3fffd, 2}};
+    size_t cells = 0;
+    for (size_t at = 0; at < text.length;) {
+        const size_t length = text_utf8_length(text.start + at, text.length - at);
+        const unsigned long code = length > 1 ? code_of(text.start + at, length) : 0;
+        size_t own = 1;
+        for (size_t i = 0; i < sizeof ranges / sizeof ranges[0] && code >= ranges[i].first; i++) {
+            own = code <= ranges[i].last ? ranges[i].cells : own;
+        }
+        cells += own;
+        at += length > 0 ? length : 1;
+    }
+    return cells;
+}
+
 /* The same of a character that XML can hold (XML 1.0, production 2), else 0. */
 static size_t text_xml_length(const char *start, size_t room)
 {

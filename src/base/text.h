@@ -27,10 +27,20 @@ struct typed_place {
 struct text text_of(const char *string);
 struct text text_between(const char *start, const char *end);
 
-/* How many of its characters a message shows. */
+/* How many bytes of it a message shows, up to `most`: whole characters. */
+static inline int text_shown_up_to(struct text text, int most)
+{
+    int shown = text.length < (size_t)most ? (int)text.length : most;
+    while (shown > 0 && (size_t)shown < text.length &&
+           ((unsigned char)text.start[shown] & 0xc0) == 0x80) {
+        shown--;
+    }
+    return shown;
+}
+
 static inline int text_shown(struct text text)
 {
-    return text.length < 60 ? (int)text.length : 60;
+    return text_shown_up_to(text, 60);
 }
 
 static inline bool char_is_digit(char c)
@@ -87,6 +97,18 @@ int text_distance(struct text a, struct text b, int limit);
 
 /* Length of the UTF-8 sequence that begins here, 0 if it is none (RFC 3629). */
 size_t text_utf8_length(const char *start, size_t room);
+
+/*
+ * The character of a line that begins at a byte, both counted from the start: characters from 1,
+ * bytes from 0. What is no UTF-8 counts as one each.
+ */
+size_t text_column(struct text line, size_t byte);
+
+/*
+ * Columns that a text takes on a terminal: two of a wide character (Unicode 11, East Asian Width W
+ * and F), none of a mark that stands over another, one of all others.
+ */
+size_t text_cells(struct text text);
 
 /*
  * What begins a text, as XML and HTML have it.

@@ -78,7 +78,9 @@ static bool object_fail(struct batch *batch, struct text object, struct error *e
         }
     }
     batch->line = line;
-    return row_fail(batch, error, column > begin ? column - begin : 0);
+    row_fail(batch, error, column > begin ? column - begin : 0);
+    return error_count_characters(error,
+                                  (struct text){object.start + begin, object.length - begin});
 }
 
 static bool wrong_count(struct batch *batch, size_t cells, struct error *error)
@@ -120,7 +122,8 @@ static bool read_row(struct batch *batch, struct text line, void *input, struct 
         struct cell cell;
         if (!cut_cell(batch, &rest, &cell)) {
             fail(error, ERROR_DATA, "a quoted cell is not closed, or text follows it");
-            return row_fail(batch, error, at);
+            row_fail(batch, error, at);
+            return error_count_characters(error, line);
         }
         if (cells < batch->column_count &&
             !set_cell(batch, &batch->columns[cells], cell.text, at, input, good ? error : &later)) {
@@ -128,7 +131,10 @@ static bool read_row(struct batch *batch, struct text line, void *input, struct 
         }
         cells++;
     }
-    if (!good || (cells != batch->column_count && !wrong_count(batch, cells, error))) {
+    if (!good) {
+        return error_count_characters(error, line);
+    }
+    if (cells != batch->column_count && !wrong_count(batch, cells, error)) {
         return false;
     }
     batch->decimals = batch->row_decimals;

@@ -109,8 +109,8 @@ static bool wrong_unit(const struct batch_column *column, struct error *error)
 {
     struct text name = column->name, typed = column->typed_unit;
     return fail(error, ERROR_DATA, "column '%.*s': '%.*s' is not a unit of --%s (a %s)",
-                text_shown(name), name.start, (int)(typed.length < 20 ? typed.length : 20),
-                typed.start, column->doubtful->name, column->doubtful->dimension->name);
+                text_shown(name), name.start, text_shown_up_to(typed, 20), typed.start,
+                column->doubtful->name, column->doubtful->dimension->name);
 }
 
 static void set_scale(struct batch_column *column, const struct reader *reader)

@@ -20,17 +20,18 @@ static struct output *begin(struct voice *voice, enum color_when color)
     return &voice->output;
 }
 
-/* Lines from outside; what must not reach a terminal is '?'. */
+/* Lines from outside; what must not reach a terminal, or is no UTF-8, is '?'. */
 static void write_lines(struct output *output, const char *start, size_t length)
 {
     for (size_t i = 0; i < length;) {
-        size_t bad = start[i] == '\n' ? 0 : text_unprintable(start + i, length - i);
-        if (bad > 0) {
+        const size_t whole = text_utf8_length(start + i, length - i);
+        const size_t bad = start[i] == '\n' ? 0 : text_unprintable(start + i, length - i);
+        if (bad > 0 || whole == 0) {
             output_character(output, '?');
-            i += bad;
         } else {
-            output_character(output, start[i++]);
+            output_text(output, start + i, whole);
         }
+        i += whole > 0 ? whole : 1;
     }
 }
 
@@ -58,14 +59,12 @@ static void write_place(struct output *output, const struct error *error)
 /* The text, and a caret under its wrong character. */
 static void write_caret(struct output *output, const struct error *error)
 {
-    size_t before = 0;
-    for (int i = 0; i + 1 < error->caret && error->text[i] != '\0'; i++) {
-        before += ((unsigned char)error->text[i] & 0xc0) != 0x80;
-    }
+    const size_t length = strlen(error->text), behind = (size_t)error->caret - 1;
+    const struct text before = {error->text, behind < length ? behind : length};
     output_string(output, "    ");
     write_string(output, error->text);
     output_string(output, "\n    ");
-    output_spaces(output, before);
+    output_spaces(output, text_cells(before));
     output_styled(output, STYLE_ERROR, "^");
     output_character(output, '\n');
 }

@@ -42,7 +42,7 @@ static bool read_axis(const struct collection *collection, struct text name,
     *axis = find_axis(collection, name);
     if (*axis == NULL) {
         return fail(error, ERROR_USAGE, "--table: '%.*s' is not an option with several values here",
-                    (int)(name.length < 40 ? name.length : 40), name.start);
+                    text_shown_up_to(name, 40), name.start);
     }
     return true;
 }

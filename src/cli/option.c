@@ -93,7 +93,7 @@ bool option_blame(const struct option *option, struct text text, struct error *e
     }
     if (error->caret > 0) {
         return error_prefix(error, "bad %s in %s '%.*s' at character %d: ", what, CALLED(option),
-                            shown, text.start, error->caret);
+                            shown, text.start, (int)text_column(text, (size_t)error->caret - 1));
     }
     return error_prefix(error, "bad %s in %s '%.*s': ", what, CALLED(option), shown, text.start);
 }

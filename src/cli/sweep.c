@@ -169,7 +169,8 @@ static bool blame(const struct values *values, struct text whole, struct text pa
 {
     error_within(error, whole, part);
     return error_prefix(error, "bad range in --%s '%.*s' at character %d: ", values->option->name,
-                        text_shown(whole), whole.start, error->caret);
+                        text_shown(whole), whole.start,
+                        (int)text_column(whole, (size_t)error->caret - 1));
 }
 
 static bool read_number(const struct values *values, struct text whole, struct text text,

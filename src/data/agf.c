@@ -456,8 +456,8 @@ static bool read_line(struct reader *reader, struct error *error)
         }
     }
     warn(reader, arena_printf(reader->arena, "%s: '%.*s' is not known and not used",
-                              place(reader, reader->words.number),
-                              (int)(keyword.length < 20 ? keyword.length : 20), keyword.start));
+                              place(reader, reader->words.number), text_shown_up_to(keyword, 20),
+                              keyword.start));
     return true;
 }
 

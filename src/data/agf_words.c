@@ -75,8 +75,8 @@ bool agf_words_fail(const struct agf_words *words, struct text word, struct erro
                     const char *what)
 {
     size_t column = (size_t)(word.start - words->line.start) + 1;
-    fail_at(error, ERROR_DATA, words->line, column, "'%.*s' %s",
-            (int)(word.length < 60 ? word.length : 60), word.start, what);
+    fail_at(error, ERROR_DATA, words->line, column, "'%.*s' %s", text_shown_up_to(word, 60),
+            word.start, what);
     return error_locate(error, words->source, words->number, column);
 }
 

@@ -119,8 +119,8 @@ bool tsv_next(struct tsv *tsv, struct error *error)
 bool tsv_fail(const struct tsv *tsv, size_t column, struct error *error, const char *what)
 {
     struct text cell = tsv->cells[column], name = tsv->names[column];
-    fail(error, ERROR_DATA, "%.*s '%.*s' %s", (int)(name.length < 40 ? name.length : 40),
-         name.start, text_shown(cell), cell.start, what);
+    fail(error, ERROR_DATA, "%.*s '%.*s' %s", text_shown_up_to(name, 40), name.start,
+         text_shown(cell), cell.start, what);
     return error_locate(error, tsv->source, tsv->line,
                         (size_t)(cell.start - tsv->cells[0].start) + 1);
 }

@@ -237,7 +237,7 @@ bool commands_end(const struct commands *commands, size_t word, struct error *er
     }
     const struct text text = commands->words[word].text;
     return commands_fail(commands, &commands->words[word], error, "'%.*s' does not belong here",
-                         (int)(text.length < 40 ? text.length : 40), text.start);
+                         text_shown_up_to(text, 40), text.start);
 }
 
 bool commands_count(const struct commands *commands, const struct command_word *word,

@@ -118,7 +118,7 @@ struct text file_words_rest(struct file_words *words)
 struct typed_place file_words_place(const struct file_words *words, struct text word)
 {
     return (struct typed_place){words->source, words->number,
-                                (size_t)(word.start - words->line.start) + 1};
+                                text_column(words->line, (size_t)(word.start - words->line.start))};
 }
 
 bool file_words_fail(const struct file_words *words, struct text word, struct error *error,
@@ -131,15 +131,15 @@ bool file_words_fail(const struct file_words *words, struct text word, struct er
     vsnprintf(message, sizeof message, format, arguments);
     va_end(arguments);
     fail_at(error, ERROR_DATA, words->line, column, "%s", message);
-    return error_locate(error, words->source, words->number, column);
+    error_locate(error, words->source, words->number, column);
+    return error_count_characters(error, words->line);
 }
 
 bool file_words_end(struct file_words *words, struct error *error)
 {
     struct text word = file_words_next(words);
-    return word.length == 0 ||
-           file_words_fail(words, word, error, "'%.*s' does not belong here",
-                           (int)(word.length < 40 ? word.length : 40), word.start);
+    return word.length == 0 || file_words_fail(words, word, error, "'%.*s' does not belong here",
+                                               text_shown_up_to(word, 40), word.start);
 }
 
 bool file_words_plain(const char *source, struct text content, struct error *error)

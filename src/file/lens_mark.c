@@ -153,11 +153,11 @@ bool lens_goal_read(struct file_words *words, struct lens *lens, struct error *e
     for (size_t i = 0; i < lens->goal_count; i++) {
         all[i] = lens->goals[i];
     }
-    all[lens->goal_count++] =
-        (struct lens_goal){.text = text_of(arena_string(words->arena, text.start, text.length)),
-                           .source = words->source,
-                           .line = words->number,
-                           .column = (size_t)(text.start - words->line.start) + 1};
+    all[lens->goal_count++] = (struct lens_goal){
+        .text = text_of(arena_string(words->arena, text.start, text.length)),
+        .source = words->source,
+        .line = words->number,
+        .column = text_column(words->line, (size_t)(text.start - words->line.start))};
     lens->goals = all;
     return true;
 }

@@ -202,7 +202,7 @@ static bool read_vary(struct reading *reading, struct text what, struct text bou
     if (!parameter_name_read(what, &vary.kind, &vary.order) ||
         !parameter_is_mark(vary.kind, surface)) {
         return file_words_fail(words, what, error, "'%.*s~' cannot vary: %s",
-                               (int)(what.length < 20 ? what.length : 20), what.start,
+                               text_shown_up_to(what, 20), what.start,
                                parameter_marks(surface, words->arena));
     }
     if (parameter_is_marked(vary.kind, vary.order, surface)) {
@@ -233,7 +233,7 @@ static bool refuse_extra(struct reading *reading, struct text word, struct text 
         }
     }
     file_words_fail(reading->words, word, error, "unknown word '%.*s' after the diameter",
-                    (int)(word.length < 40 ? word.length : 40), word.start);
+                    text_shown_up_to(word, 40), word.start);
     if (nearest.best.start != NULL) {
         error_hint(error, "did you mean '%.*s='?", (int)nearest.best.length, nearest.best.start);
     }

@@ -215,5 +215,5 @@ bool reciprocity_parse(struct text model, struct text parameters, double onset, 
     }
     return fail(error, ERROR_DATA,
                 "reciprocity model '%.*s' is none of power table stops gainer none",
-                (int)(model.length < 40 ? model.length : 40), model.start);
+                text_shown_up_to(model, 40), model.start);
 }

@@ -4,6 +4,8 @@
 
 #include "check.h"
 
+#include <string.h>
+
 /* The distance was given, the focal length may be; nobody knows of others. */
 static const char *name_of(void *context, struct text quantity, bool asked)
 {
@@ -54,6 +56,52 @@ static void test_braces(void)
     CHECK_TEXT(named(&error), "{} { {distance column 's' }");
     fail(&error, ERROR_DATA, "a \x01 b %s", "\n");
     CHECK_TEXT(error.message, "a ? b ?");
+}
+
+/* The window of a long text begins and ends between characters, wherever the caret stands. */
+static void test_excerpt(void)
+{
+    char text[401] = "a";
+    for (int i = 0; i < 200; i++) {
+        text[2 * i + 1] = '\xc3';
+        text[2 * i + 2] = '\xb6';
+    }
+    for (size_t shift = 0; shift < 2; shift++) {
+        const struct text whole = {text + 1 - shift, 400 + shift};
+        for (size_t caret = 1 + shift; caret < 400; caret += 2) {
+            struct error error;
+            fail_at(&error, ERROR_DATA, whole, caret, "wrong");
+            const size_t length = strlen(error.text);
+            for (size_t i = 0; i < length;) {
+                const size_t step = text_utf8_length(error.text + i, length - i);
+                CHECK(step > 0);
+                i += step > 0 ? step : 1;
+            }
+            CHECK(error.caret >= 1 && (size_t)error.caret <= length);
+            CHECK(((unsigned char)error.text[error.caret - 1] & 0xc0) != 0x80);
+        }
+    }
+}
+
+static void test_characters(void)
+{
+    static const struct {
+        const char *text;
+        size_t byte, column, cells; /* cells of the whole */
+    } cases[] = {{"abc", 2, 3, 3},
+                 {"\xc3\xb6 x", 3, 3, 3},
+                 {"\xe6\xbc\xa2\xe5\xad\x97 x", 7, 4, 6},
+                 {"e\xcc\x81 x", 4, 4, 3}, /* an accent over the e */
+                 {"\xf6\xdf x", 3, 4, 4},  /* Latin-1 */
+                 {"\xf0\x9f\x98\x80 x", 5, 3, 4},
+                 {"ab", 4, 5, 2}};
+    for (size_t i = 0; i < sizeof cases / sizeof cases[0]; i++) {
+        const struct text text = text_of(cases[i].text);
+        CHECK(text_column(text, cases[i].byte) == cases[i].column);
+        CHECK(text_cells(text) == cases[i].cells);
+    }
+    const struct text odd = text_of("a\xc3\xb6");
+    CHECK(text_shown_up_to(odd, 2) == 1 && text_shown_up_to(odd, 3) == 3);
 }
 
 static void test_prefix(void)
@@ -113,6 +161,8 @@ int main(void)
 {
     test_message();
     test_braces();
+    test_excerpt();
+    test_characters();
     test_prefix();
     test_hint();
     test_room();

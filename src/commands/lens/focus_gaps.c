@@ -67,7 +67,7 @@ static bool unknown(const struct lens *lens, struct text name, struct error *err
          "{--gap} '%.*s' is not a gap: it must be a variable of the lens, the number (1 to %zu) or "
          "name "
          "of the surface before it, or 'last'",
-         (int)(name.length < 40 ? name.length : 40), name.start, lens->surface_count);
+         text_shown_up_to(name, 40), name.start, lens->surface_count);
     return nearest.best.start != NULL &&
            error_hint(error, "did you mean '%.*s'?", (int)nearest.best.length, nearest.best.start);
 }
@@ -87,7 +87,7 @@ bool focus_gaps_read(struct text text, const struct lens *lens, struct named_gap
         }
         if (!(gap.gap.weight != 0) || isinf(gap.gap.weight)) {
             return fail(error, ERROR_USAGE, "{--gap} '%.*s': the weight must be finite and not 0",
-                        (int)(item.length < 40 ? item.length : 40), item.start);
+                        text_shown_up_to(item, 40), item.start);
         }
         if (!add_variable(lens, gap, gaps, count, &found, error)) {
             return false;

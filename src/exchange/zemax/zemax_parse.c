@@ -201,10 +201,10 @@ static bool read_coating(struct zemax_file *file, struct text keyword, struct er
     struct text rest = file_words_rest(&file->words);
     (void)keyword;
     (void)error;
-    lens_build_note(&file->build,
-                    text_of(arena_printf(
-                        file->job->arena, "coating of surface %zu: %.*s", file->surface_count - 1,
-                        (int)(rest.length < 200 ? rest.length : 200), rest.start)));
+    lens_build_note(
+        &file->build,
+        text_of(arena_printf(file->job->arena, "coating of surface %zu: %.*s",
+                             file->surface_count - 1, text_shown_up_to(rest, 200), rest.start)));
     return true;
 }
 
@@ -354,7 +354,7 @@ static bool read_unknown(struct zemax_file *file, struct text word, bool behind,
                          struct error *error)
 {
     const struct zemax_line *line = zemax_line_of(file, word, NUMBER_UNSCALED);
-    int length = (int)(word.length < 40 ? word.length : 40);
+    int length = text_shown_up_to(word, 40);
     struct text at;
     if (behind && is_like_setting(file, line)) {
         return zemax_read_setting(file, word, error);
@@ -382,7 +382,7 @@ static bool pass_zeros(struct zemax_file *file, struct error *error)
     for (size_t i = 0; i < file->zero_count && done; i++) {
         const struct zemax_line *line = file->zeros[i];
         struct text word = line->keyword;
-        int length = (int)(word.length < 40 ? word.length : 40);
+        int length = text_shown_up_to(word, 40);
         if (file->configurations > 1) {
             done = zemax_loss(file, line, error, "unknown word '%.*s'", length, word.start);
         } else {

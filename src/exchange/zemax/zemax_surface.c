@@ -233,7 +233,7 @@ static bool set_type(struct zemax_file *file, size_t at, struct surface *to, str
     return foreign_loss(file->job, &from->type->words, type, error,
                         "a surface of the type %.*s" LOSS_OF_POWER LOSS_INSTEAD
                         "its standard form with curvature and conic is used instead",
-                        (int)(type.length < 20 ? type.length : 20), type.start);
+                        text_shown_up_to(type, 20), type.start);
 }
 
 /* Is a pick-up's number a surface before this one, in the same configuration? */
