@@ -59,6 +59,9 @@ static bool field_asked(const struct analysis_question *question, struct setup_f
     return is_given(question->field, question->field_x);
 }
 
+/* Beyond it squares of distances overflow; the lens has the same limit. */
+static const double farthest_image = 1e100;
+
 static bool place(const struct analysis_question *question, const struct analysis_policy *policy,
                   struct setup *setup, struct error *error)
 {
@@ -68,13 +71,20 @@ static bool place(const struct analysis_question *question, const struct analysi
     if (!lens_place_image(setup, &question->focus, error)) {
         return false;
     }
-    if (isnan(question->defocus)) {
-        return true;
-    }
-    setup->image += question->defocus;
-    return !isnan(setup->image) ||
-           fail(error, ERROR_DOMAIN,
+    if (!isnan(question->defocus)) {
+        setup->image += question->defocus;
+        if (isnan(setup->image)) {
+            return fail(
+                error, ERROR_DOMAIN,
                 "{--defocus}: there is no image plane to move, the image is infinitely far away");
+        }
+    }
+    if (fabs(setup->image) > farthest_image) {
+        return fail(error, ERROR_DOMAIN,
+                    "the image plane lies %.4g mm from the last vertex: at most 1e100 mm",
+                    setup->image);
+    }
+    return true;
 }
 
 static const char *warning_of(const struct analysis_question *question, const struct setup *setup)
