@@ -62,6 +62,7 @@ struct row {
     struct blur_size size;
     double image_speed, handheld;
     struct shake shake;
+    double shake_pixels;
     double track;
     struct panning_blur pan;
     struct rolling_skew skew;
@@ -102,6 +103,9 @@ static const struct column columns[] = {
      .label = "camera rotation", .help = "of the camera"},
     {LENGTH(shake.blur, "um"), .name = "shake", BRIEF_WITH("rotation"), .symbol = "bs",
      .label = "blur from camera shake", .help = "of everything that stands still"},
+    {NUMBER(shake_pixels), .name = "shake_pixels", .flags = COLUMN_EXTRA, .with = "rotation",
+     .when = "with --pitch, or a camera of known pixels", .label = "shake in pixels",
+     .help = "blur from camera shake over pixel pitch"},
     {NUMBER(track), .name = "track", .flags = COLUMN_EXTRA | COLUMN_ECHO, .with = "track",
      .symbol = "k", .label = "tracking", .help = "pan rate over the right one"},
     {NUMBER(pan.rate), .dimension = &dimension_rotation, .unit = "deg_s", .name = "pan_rate",
@@ -182,6 +186,7 @@ static bool solve_shake(const struct input *input, struct row *row, struct error
     }
     row->focal = shake->f;
     row->motion.t = shake->t;
+    row->shake_pixels = shake->blur / row->pitch;
     return true;
 }
 
@@ -230,6 +235,7 @@ static bool run(const void *data, struct run *run, struct error *error)
         .image_speed = NAN,
         .handheld = NAN,
         .shake = {NAN, NAN, NAN, NAN, NAN},
+        .shake_pixels = NAN,
         .track = NAN,
         .pan = {NAN, NAN, NAN},
         .skew = {NAN, NAN},
