@@ -93,7 +93,11 @@ static bool focal_refuse(const struct option *option, const struct focal_value *
     fail(error, ERROR_USAGE, "{--%s} %.6gmm-eq needs {--sensor}", option->name, focal->equivalent);
     return has_sensor ? error_hint(error, "name the camera, or 'list formats': the real focal "
                                           "length follows from the sensor's diagonal")
-                      : error_hint(error, "give the focal length that is engraved on the lens");
+                      : error_hint(error,
+                                   "this command has none: give the focal length that is engraved "
+                                   "on the lens, or that 'lenscalc fov -f %.6gmm-eq --sensor "
+                                   "CAMERA' prints",
+                                   focal->equivalent);
 }
 
 /* A maker's equivalent where the real length is meant? */

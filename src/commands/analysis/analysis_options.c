@@ -220,6 +220,18 @@ int analysis_threads(const void *input)
     return parallel_threads(((const struct analysis_question *)input)->threads);
 }
 
+void analysis_doubt_aperture(const struct analysis_question *question, struct doubts *doubts)
+{
+    const struct lens *lens = question->lens.lens;
+    const bool is_best =
+        question->focus.kind == PLANE_BEST ||
+        (question->focus.kind == PLANE_OF_LENS && lens != NULL && lens->focus == FOCUS_BEST);
+    if (!isnan(question->fnumber) && !is_best) {
+        doubts_add(doubts, "--aperture changes nothing here: chief rays and what is next to them "
+                           "are the same at any f-number");
+    }
+}
+
 bool analysis_makes_many(const struct analysis_question *question,
                          const struct analysis_policy *policy)
 {

@@ -75,7 +75,10 @@ extern const struct word analysis_aims[], analysis_weights[];
 
 /* `wavelengths`: which a command takes without -w; `parts`: ", or ..." that threads share */
 #define ANALYSIS_OPTIONS(S, member, wavelengths, parts)                                            \
-    ANALYSIS_LENS_OPTIONS(S, member, wavelengths),                                                 \
+    ANALYSIS_OPTIONS_FOR(S, member, wavelengths, parts, NULL)
+/* `plane_use`: what the image plane needs, as `wants` of an option has it */
+#define ANALYSIS_OPTIONS_FOR(S, member, wavelengths, parts, plane_use)                             \
+    ANALYSIS_LENS_OPTIONS(S, member, wavelengths, plane_use),                                      \
     {                                                                                              \
         OPTION(S, member.threads),                                                                 \
             .name = "threads", .lowest = 0, .highest = PARALLEL_MOST, .value = "N",                \
@@ -83,14 +86,16 @@ extern const struct word analysis_aims[], analysis_weights[];
             .help = "threads that share the combinations of a sweep" parts "; 0 = one a core"      \
     }
 
-#define ANALYSIS_LENS_OPTIONS(S, member, wavelengths)                                              \
+#define ANALYSIS_LENS_OPTIONS(S, member, wavelengths, plane_use)                                   \
     LENS_OPTION(S, member), LENS_WAVELENGTH_OPTION(S, member, wavelengths),                        \
         LENS_FNUMBER_OPTION(S, member), LENS_POSITION_OPTION(S, member),                           \
-        ANALYSIS_PLANE_OPTIONS(S, member), ANALYSIS_OBJECT_OPTION(S, member)
+        ANALYSIS_PLANE_OPTIONS_FOR(S, member, plane_use), ANALYSIS_OBJECT_OPTION(S, member)
 
 /* Where the image is caught. */
-#define ANALYSIS_PLANE_OPTIONS(S, member)                                                          \
+#define ANALYSIS_PLANE_OPTIONS(S, member) ANALYSIS_PLANE_OPTIONS_FOR(S, member, NULL)
+#define ANALYSIS_PLANE_OPTIONS_FOR(S, member, use)                                                 \
     {OPTION(S, member.focus),                                                                      \
+     .wants = (use),                                                                               \
      .name = "focus",                                                                              \
      .dimension = &dimension_length,                                                               \
      .unit = "mm",                                                                                 \
@@ -99,27 +104,42 @@ extern const struct word analysis_aims[], analysis_weights[];
              "that of the lens"},                                                                  \
     {                                                                                              \
         ANALYSIS_LENGTH(S, member.defocus), .name = "defocus", .column = "defocus",                \
-                                            .flags = OPTION_NO_INFINITY,                           \
+                                            .wants = (use), .flags = OPTION_NO_INFINITY,           \
                                             .help = "defocus behind that plane; a list goes "      \
                                                     "through focus"                                \
     }
 
 /* Of commands that ask field by field; and of those that ask for the edge of the field alone. */
 #define ANALYSIS_FIELD_OPTIONS(S, member)                                                          \
-    ANALYSIS_FIELDS_BY(S, member, "default all fields of the lens")
-#define ANALYSIS_EDGE_OPTIONS(S, member)                                                           \
-    ANALYSIS_FIELDS_BY(S, member, "default the largest of the lens; without one 5 deg")
-#define ANALYSIS_FIELDS_BY(S, member, without)                                                     \
-    {OPTION(S, member.field), .name = "field",                                                     \
-     .column = "field",       .dimension = &dimension_angle,                                       \
-     .unit = "deg",           .lowest = -PI,                                                       \
-     .highest = PI,           .flags = OPTION_FIELD | OPTION_ABOVE_LOWEST | OPTION_BELOW_HIGHEST,  \
-     .value = "ANGLE",        .help = "field angle in object space, a list is swept; " without},   \
-        LENS_FIELD_X_OPTION(S, member.field_x),                                                    \
-        {ANALYSIS_LENGTH(S, member.height), .name = "height", .column = "height",                  \
-         .flags = OPTION_NO_INFINITY, .help = "field by the height of its paraxial image"},        \
-        {ANALYSIS_LENGTH(S, member.height_x), .name = "height-x", .column = "height_x",            \
-         .flags = OPTION_NO_INFINITY, .help = "offset from the axis in x"},                        \
+    ANALYSIS_FIELDS_BY(S, member, "default all fields of the lens", NULL), ANALYSIS_REAL(S, member)
+#define ANALYSIS_EDGE_OPTIONS(S, member, use)                                                      \
+    ANALYSIS_FIELDS_BY(S, member, "default the largest of the lens; without one 5 deg", use)
+#define ANALYSIS_FIELDS_BY(S, member, without, use)                                                \
+    {OPTION(S, member.field),                                                                      \
+     .name = "field",                                                                              \
+     .wants = (use),                                                                               \
+     .column = "field",                                                                            \
+     .dimension = &dimension_angle,                                                                \
+     .unit = "deg",                                                                                \
+     .lowest = -PI,                                                                                \
+     .highest = PI,                                                                                \
+     .flags = OPTION_FIELD | OPTION_ABOVE_LOWEST | OPTION_BELOW_HIGHEST,                           \
+     .value = "ANGLE",                                                                             \
+     .help = "field angle in object space, a list is swept; " without},                            \
+        LENS_FIELD_X_OPTION_FOR(S, member.field_x, use),                                           \
+        {ANALYSIS_LENGTH(S, member.height),                                                        \
+         .name = "height",                                                                         \
+         .column = "height",                                                                       \
+         .wants = (use),                                                                           \
+         .flags = OPTION_NO_INFINITY,                                                              \
+         .help = "field by the height of its paraxial image"},                                     \
+    {                                                                                              \
+        ANALYSIS_LENGTH(S, member.height_x), .name = "height-x", .column = "height_x",             \
+                                             .wants = (use), .flags = OPTION_NO_INFINITY,          \
+                                             .help = "offset from the axis in x"                   \
+    }
+/* Of heights in the image of real rays. */
+#define ANALYSIS_REAL(S, member)                                                                   \
     {                                                                                              \
         OPTION(S, member.real), .name = "real", .wants = "height|height-x",                        \
                                 .help = "the height is that of the real image: where the chief "   \
@@ -272,6 +292,9 @@ struct bundle_question analysis_bundle(const struct analysis_case *one, size_t f
 
 /* What the rays count by, in words. */
 const char *analysis_weight_words(const struct analysis_question *question);
+
+/* Doubt an f-number where only chief rays and what is next to them are asked. */
+void analysis_doubt_aperture(const struct analysis_question *question, struct doubts *doubts);
 
 /* Does the question have several rows? */
 bool analysis_makes_many(const struct analysis_question *question,

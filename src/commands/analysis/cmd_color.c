@@ -11,9 +11,13 @@ static const struct word shows[] = {
     {NULL, NULL},
 };
 
+/* Zones are of the axis, where their rays cross it; a plot has fields too. */
+#define FOR_FIELDS "show!=zone|plot"
+
 static const struct option options[] = {
-    ANALYSIS_OPTIONS(struct color_input, question, "all of the lens", ""),
-    ANALYSIS_EDGE_OPTIONS(struct color_input, question),
+    ANALYSIS_OPTIONS_FOR(struct color_input, question, "all of the lens", "", FOR_FIELDS),
+    ANALYSIS_EDGE_OPTIONS(struct color_input, question, FOR_FIELDS),
+    ANALYSIS_REAL(struct color_input, question),
     ANALYSIS_SPECTRUM_OPTION(struct color_input, question),
     {OPTION(struct color_input, show), .name = "show", .words = shows, .fallback = "wavelength",
      .value = "WHAT", .help = "what each row stands for"},

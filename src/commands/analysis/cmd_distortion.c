@@ -147,6 +147,7 @@ static const struct analysis_rows rows = {
 static bool run(const void *data, struct run *run, struct error *error)
 {
     const struct distortion_input *input = data;
+    analysis_doubt_aperture(&input->question, run->doubts);
     return input->fit > 0 ? distortion_fit_run(input, run, error)
                           : analysis_answer_rows(input, &rows, run, error);
 }

@@ -107,6 +107,7 @@ static const struct analysis_rows rows = {&policy, &sheet, NULL, {.answer = answ
 
 static bool run(const void *data, struct run *run, struct error *error)
 {
+    analysis_doubt_aperture(&((const struct input *)data)->question, run->doubts);
     return analysis_answer_rows(data, &rows, run, error);
 }
 

@@ -20,7 +20,7 @@ static const struct option options[] = {
     LENS_OPTION(struct seidel_input, question),
     LENS_WAVELENGTH_OPTION(struct seidel_input, question, LENS_PRIMARY_WAVELENGTH),
     LENS_FNUMBER_OPTION(struct seidel_input, question),
-    ANALYSIS_EDGE_OPTIONS(struct seidel_input, question),
+    ANALYSIS_EDGE_OPTIONS(struct seidel_input, question, NULL),
     LENS_POSITION_OPTION(struct seidel_input, question),
     LENS_SECTION_OPTION(struct seidel_input, question),
     ANALYSIS_OBJECT_OPTION(struct seidel_input, question),

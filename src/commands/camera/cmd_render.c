@@ -202,6 +202,11 @@ static bool check_lens(const struct artifact_job *job, struct error *error)
 
 static bool check_picture(const struct artifact_job *job, struct error *error)
 {
+    const struct render_input *input = job->inputs[0];
+    if (asking_given(job->asking, "focus-at") && input->model != MODEL_EXACT) {
+        return fail(error, ERROR_USAGE,
+                    "{--focus-at} is of the {--model} exact: the images of others are one");
+    }
     return check_lens(job, error) && render_check_shutter(job, error) &&
            render_check_picture(job, error);
 }
@@ -228,6 +233,12 @@ static bool check_rays(const struct artifact_job *job, struct error *error)
                             lists[k][i]);
             }
         }
+    }
+    if (!also_picture && !isnan(input->distance) &&
+        (input->question.focus.kind == PLANE_AT || input->question.focus.kind == PLANE_TABLE)) {
+        return fail(error, ERROR_USAGE,
+                    "{--distance} and a fixed {--focus} exclude each other for {--rays}: each says "
+                    "where the film stands");
     }
     if (render_is_world(input) && isnan(input->distance) &&
         input->question.focus.kind == PLANE_OF_LENS) {

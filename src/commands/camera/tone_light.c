@@ -100,8 +100,11 @@ static bool unit_of(const struct tone_input *input, struct tone_frames *frames,
 static void say_shifts(const struct tone_input *input, const struct tone_frames *frames,
                        const struct align_step *steps, struct growing *remarks)
 {
+    bool is_silent = input->align;
     for (size_t i = 0; i < frames->count; i++) {
         const struct tone_frame *frame = &frames->frames[i];
+        is_silent = is_silent && frame->right == 0 && frame->down == 0 && !steps[i].is_beyond &&
+                    steps[i].is_told;
         if (frame->right != 0 || frame->down != 0) {
             growing_format(remarks, "%s%s lies %ld pixels to the right of %s and %ld below it%s\n",
                            input->align ? "" : "warning: the camera has moved: ", frame->name,
@@ -120,6 +123,9 @@ static void say_shifts(const struct tone_input *input, const struct tone_frames 
                            "that is next longer\n",
                            frame->name);
         }
+    }
+    if (is_silent) {
+        growing_format(remarks, "the frames lie on one another: none is shifted\n");
     }
 }
 

@@ -147,6 +147,7 @@ struct sheet_of_points {
     struct arena *arena;
     struct lensdb *db;
     struct glass_record *labelled;
+    bool *is_drawn; /* of those */
     size_t labelled_count;
     struct abbe_point *points;
     size_t count;
@@ -159,6 +160,7 @@ static bool is_labelled(const struct sheet_of_points *sheet, const struct glass_
     bool found = false;
     for (size_t i = 0; i < sheet->labelled_count && !found; i++) {
         found = is_same_record(record, &sheet->labelled[i]);
+        sheet->is_drawn[i] = sheet->is_drawn[i] || found;
     }
     return found;
 }
@@ -218,11 +220,25 @@ static bool find_labelled(struct sheet_of_points *sheet, const char *names, stru
         most += rest.start[i] == ',';
     }
     sheet->labelled = ARENA_ARRAY(sheet->arena, most, struct glass_record);
+    sheet->is_drawn = ARENA_ARRAY(sheet->arena, most, bool);
     while (names != NULL && rest.start != NULL) {
         struct text name = text_cut(&rest, ',');
         if (!glass_find(sheet->db, name, GLASS_ALIASES, sheet->arena,
                         &sheet->labelled[sheet->labelled_count++], error)) {
             return error_prefix(error, "{--label}: ");
+        }
+    }
+    return true;
+}
+
+/* A glass that is not found has no place to be emphasised. */
+static bool check_labelled(const struct sheet_of_points *sheet, struct error *error)
+{
+    for (size_t i = 0; i < sheet->labelled_count; i++) {
+        if (!sheet->is_drawn[i]) {
+            const struct text name = sheet->labelled[i].glass.name;
+            return fail(error, ERROR_USAGE, "{--label} %.*s: it is none of the glasses drawn",
+                        text_shown(name), name.start);
         }
     }
     return true;
@@ -245,6 +261,9 @@ bool glass_diagram(const struct glass_wishes *wishes, const char *labelled, stru
                                    .summary = glass_summary(&wishes->like->glass)};
         add_point(&like, sheet);
         sheet->points[sheet->count - (sheet->count > 0)].chosen = true;
+    }
+    if (!check_labelled(sheet, error)) {
+        return false;
     }
     add_wanted(sheet, wishes);
     const struct abbe abbe = {"Abbe diagram", sheet->points, sheet->count, sheet->groups,

@@ -42,7 +42,7 @@ static const struct option options[] = {
      .lowest = 0, .highest = 3, .value = "TERMS",
      .help = "terms of distortion to fit; usually half as many as there are fields off the axis, "
              "at most 3; with 0 the focal length absorbs it"},
-    {OPTION(struct fit_input, chromatic), .name = "chromatic",
+    {OPTION(struct fit_input, chromatic), .name = "chromatic", .excludes = "wavelength",
      .help = "f, H and H' of each wavelength instead of one lens for all"},
     {OPTION(struct fit_input, match), .name = "match", .words = matches, .fallback = "image",
      .value = "WHAT", .help = "what is minimised"},
@@ -58,7 +58,7 @@ static const struct option options[] = {
     {OPTION(struct fit_input, no_clip), .name = "no-clip",
      .help = "do not clip rays at clear apertures"},
     {OPTION(struct fit_input, goals), .name = "prescription", .value = "GOALS",
-     .excludes = "glass " OF_RAYS,
+     .excludes = "glass aperture object section " OF_RAYS,
      .help = "adjust the lens until it has the measured values: efl=50.2,bfl@F=38.1:0.02, ffl, "
              "length, height@10deg=8.8; the standard deviation stands behind a colon, otherwise "
              "0.01 mm"},
@@ -206,7 +206,7 @@ static bool check_saved(const struct artifact_job *job, struct error *error)
     if (input->chromatic && input->goals == NULL) {
         return fail(error, ERROR_USAGE,
                     "a .lens holds one thick lens for all wavelengths: {--output} without "
-                    "{--chromatic}, or with one {--wavelength}");
+                    "{--chromatic}");
     }
     if (!check_lens(job, error)) {
         return false;

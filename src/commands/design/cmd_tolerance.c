@@ -57,7 +57,7 @@ static const struct option options[] = {
      .fallback = "spot",
      .help = "spot, wavefront, mtf@40/mm, efl, bfl, distortion, boresight or color"},
     {OPTION(struct tolerance_input, of), .name = "of", .words = ofs, .fallback = "worst",
-     .value = "WHICH", .help = "of which fields and positions"},
+     .value = "WHICH", .wants = "show!=sensitivity", .help = "of which fields and positions"},
     {OPTION(struct tolerance_input, limit), .name = "limit", .value = "FIGURE",
      .help = "what passes: up to so much, of mtf at least, of efl and bfl so far off; in the unit "
              "of the criterion, or with one: 12um"},

@@ -256,6 +256,22 @@ static bool ask_criterion(struct tolerance_job *job, struct error *error)
 
 /* -------- the view -------- */
 
+/* Focal lengths are of the axis and the primary wavelength; what is adjusted looks at all. */
+static bool check_focal(const struct tolerance_job *job, struct error *error)
+{
+    const struct tolerance_input *input = job->input;
+    const enum criterion_kind kind = job->question.criterion.kind;
+    const bool has_fields = input->question.fields.count > 0, has_waves = input->waves.count > 0;
+    if ((kind != CRITERION_EFL && kind != CRITERION_BFL) || input->gap != NULL ||
+        input->adjust != NULL || !(has_fields || has_waves)) {
+        return true;
+    }
+    return fail(error, ERROR_USAGE,
+                has_waves ? "{--criterion} %s is of the primary wavelength of the lens: no {--%s}"
+                          : "{--criterion} %s is of the axis: no {--%s}",
+                criterion_type(kind)->name, has_waves ? "wavelength" : "field");
+}
+
 static bool ask_view(struct tolerance_job *job, struct error *error)
 {
     const struct tolerance_input *input = job->input;
@@ -264,6 +280,9 @@ static bool ask_view(struct tolerance_job *job, struct error *error)
     struct merit_question *view = &job->question.view;
     const char *names = question->position != NULL ? question->position : "all";
     struct setup_field *fields = ARENA_ARRAY(arena, question->fields.count + 1, struct setup_field);
+    if (!check_focal(job, error)) {
+        return false;
+    }
     /* the transfer function of a pupil that is cut is not there */
     const bool is_contrast = job->question.criterion.kind == CRITERION_MTF;
     if (is_contrast && input->clip) {

@@ -18,9 +18,10 @@ static const struct option options[] = {
     LENS_SECTION_OPTION(struct input, question),
     {OPTION(struct input, planes), .name = "planes",
      .help = "principal planes, focal points and pupils"},
-    {OPTION(struct input, construction), .name = "construction",
+    {OPTION(struct input, construction), .name = "construction", .excludes = "field field-x",
      .help = "the three Gauss rays of the equivalent lens in place of the bundles"},
-    {OPTION(struct input, no_rays), .name = "no-rays", .help = "the lens alone"},
+    {OPTION(struct input, no_rays), .name = "no-rays", .excludes = "field field-x",
+     .help = "the lens alone"},
     {OPTION(struct input, title), .name = "title", .value = "TEXT",
      .help = "title in place of the lens's own"},
 };

@@ -32,7 +32,7 @@ static const struct option options[] = {
      .dimension = &dimension_length, .unit = "mm", .flags = OPTION_NO_INFINITY, .value = "LENGTH",
      .help = "its offset in x"},
     {OPTION(struct pupil_input, focus), .name = "focus", .dimension = &dimension_length,
-     .unit = "mm", .value = "PLANE",
+     .unit = "mm", .value = "PLANE", .wants = "height|height-x",
      .help = "position of the film: paraxial, table, best, or a distance behind the last vertex"},
     LENS_POSITION_OPTION(struct pupil_input, question),
     {OPTION(struct pupil_input, side), .name = "side", .column = "side_wanted", .words = sides,

@@ -84,12 +84,13 @@ extern const struct word section_words[];
         LENS_FIELD_X_OPTION(S, member.field_x)
 
 /* Beside --field, which is then the angle in the y-z plane. */
-#define LENS_FIELD_X_OPTION(S, member)                                                             \
+#define LENS_FIELD_X_OPTION(S, member) LENS_FIELD_X_OPTION_FOR(S, member, NULL)
+#define LENS_FIELD_X_OPTION_FOR(S, member, use)                                                    \
     {                                                                                              \
         OPTION(S, member), .name = "field-x", .column = "field_x", .dimension = &dimension_angle,  \
                            .unit = "deg", .lowest = -PI, .highest = PI,                            \
                            .flags = OPTION_FIELD | OPTION_ABOVE_LOWEST | OPTION_BELOW_HIGHEST,     \
-                           .value = "ANGLE",                                                       \
+                           .value = "ANGLE", .wants = (use),                                       \
                            .help = "its angle in the x-z plane; the light goes along "             \
                                    "(tan x, tan y, 1)"                                             \
     }

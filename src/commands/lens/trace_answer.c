@@ -533,6 +533,10 @@ static bool check(const struct trace_input *input, struct error *error)
             error, ERROR_USAGE,
             "a ray that starts at a point goes its way: no {--pupil-point}, no {--pattern}");
     }
+    if (ray && input->question.no_clip && !isnan(input->question.fnumber)) {
+        return fail(error, ERROR_USAGE,
+                    "a ray that starts at a point meets no stop with {--no-clip}: no {--aperture}");
+    }
     if (trace_has_pupil(input) && input->pattern != TRACE_FEW) {
         return fail(error, ERROR_USAGE, "{--pupil-point} is one ray, {--pattern} many");
     }
