@@ -128,6 +128,17 @@ IDLE = (
     ("fov -f 50", "--pitch 4um", "--pitch needs --altitude or --gsd", "--altitude 50m"),
     ("stars -f 24 -N 2.8", "--trail 10um --coc 0.02", "--trail and --coc exclude", None),
     ("stars -f 24 -N 2.8", "-w 500", "--wavelength needs", "--trail airy"),
+    ("draw double-gauss --no-rays", "--field 5", "--no-rays and --field exclude", None),
+    ("draw double-gauss", "--construction --field-x 5", "--construction and --field-x", None),
+    ("trace double-gauss --point 0:5:-20", "-N 4 --no-clip", "no --aperture", None),
+    ("pupil double-gauss", "--focus best", "--focus needs --height", "--height 5"),
+    ("color double-gauss --show zone", "--field 5", "--field needs --show", None),
+    ("tolerance double-gauss --grade high --criterion efl --trials 2", "-w 500",
+     "no --wavelength", "--gap last"),
+    ("glass --catalog OHARA --abbe /dev/null", "--label SCHOTT:N-BK7", "none of the glasses", None),
+    ("wavefront double-gauss --zernike noll", "--error 1e-3", "--zernike and --error", None),
+    ("focus -s 3", "-f 26mm-eq", "this command has none", None),
+    ("timelapse --shots 9 --interval 5 -t 2", "-f 24mm-eq", "this command has none", None),
     ("flash -g 36 -N 8", "--sync 1/200", "--sync needs --time", "-t 1/125 --ev 12"),
 )
 
@@ -478,18 +489,21 @@ def check_pairs(checks, program, commands):
     photographic = [row["command"] for row in program.rows("list", "commands")
                     if row["group"] == "photography"]
     checks.check(set(photographic) == set(pairs.PHOTOGRAPHIC), f"photography: {photographic}")
+    missing = set(commands) - set(pairs.PHOTOGRAPHIC) - set(pairs.OTHERS) - pairs.WITHOUT
+    checks.check(not missing, f"no questions for the pairs of {missing}")
     bases = dict(pairs.PHOTOGRAPHIC)
     if os.environ.get("LENSCALC_ALL"):
         bases.update(pairs.OTHERS)
+        for command, questions in pairs.EXACT.items():
+            bases[command] += questions
     for command in bases:
         if command not in commands:
             continue
         listed = program.run("list", "options", command, "--csv").stdout.decode()
         options = [(row["option"][2:], row["value"] != "")
                    for row in csv.DictReader(io.StringIO(listed)) if row["command"] == command]
-        if command in pairs.PHOTOGRAPHIC:
-            without = pairs.without_value(command, options)
-            checks.check(not without, f"{command}: no value to try for {without}")
+        without = pairs.without_value(command, options)
+        checks.check(not without, f"{command}: no value to try for {without}")
         silent, asked = pairs.silent_pairs(program, command, bases[command], options)
         checks.passed += asked - len(silent)
         for question, beside, option in silent:

@@ -1,7 +1,8 @@
 """tests/robust/pairs.py - all pairs of options of a command: each changes the answer, or is refused.
 
 A question is asked with one option more, and with two; the second must show: in the answer, in what
-is said beside it, or in a refusal. BASES has the questions, VALUES what options are given, EXEMPT
+is said beside it, in the files that are written, or in a refusal. PHOTOGRAPHIC, EXACT and OTHERS have
+the questions, which take about three minutes of one processor together; VALUES what options are given, EXEMPT
 the pairs that are to say nothing, with their reason.
 """
 # SPDX-License-Identifier: MIT
@@ -29,30 +30,70 @@ PHOTOGRAPHIC = {
     "panorama": ("-f 24", "-f 24 --pixels 6000", "-f 24 --distance 3"),
     "timelapse": ("--event 1h --clip 10s -t 1/60", "--event 1h --interval 5s"),
 }
+SINGLET = "../singlet.lens --vary R1"
+# pixels of 4 um
+SMALL = " --lens ../singlet.lens --sensor 0.064x0.048mm --size 16x12 --samples 4"
+# by exact rays, which take longer
+EXACT = {
+    "dof": ("--lens double-gauss -N 8 -s 3 --exact",),
+    "hyperfocal": ("--lens double-gauss -N 8 --exact",),
+    "fov": ("--lens double-gauss -s 3 --exact",),
+    "focus": ("--lens double-gauss -s 3 --exact",),
+    "exposure": ("--lens double-gauss -N 5.6 -t 1/60 --iso 200 --exact",),
+}
 # and of the others, small
 OTHERS = {
     "refract": ("--after 1.5168 -R 50 -z -200",),
-    "lensmaker": ("--r1 50 --r2 -50 -n 1.5168 -d 5",),
+    "lensmaker": ("--r1 50 --r2 -50 -n 1.5168 -d 5", "-f 100 --r1 60 -n 1.5168 -d 6",
+                  "-f 100 --shape 1 -n 1.5168", "--ball -d 10 -n 1.5168"),
     "lens": ("double-gauss -N 5.6",),
     "surfaces": ("double-gauss",),
     "matrix": ("double-gauss",),
     "conjugate": ("double-gauss --object 1m",),
-    "trace": ("double-gauss --field 5",),
+    "trace": ("double-gauss --field 5", "double-gauss --field 5 --pattern gauss --rays 9",
+              "double-gauss --field 5 --pupil-point 0.3:0.4", "double-gauss --point 0:14:-20",
+              "double-gauss --x 0 --y 14 --z -20"),
     "check": ("double-gauss --steps 2",),
-    "pupil": ("double-gauss --field 0,14",),
-    "seidel": ("double-gauss",),
-    "spot": ("double-gauss --field 5 --rays 20",),
+    "draw": ("double-gauss", "double-gauss --construction", "double-gauss --no-rays"),
+    "report": ("../singlet.lens -N 8",),
+    "pupil": ("double-gauss --field 0,14", "double-gauss --height 5", "double-gauss --field 5 --outline 4"),
+    "seidel": ("../singlet.lens", "../singlet.lens --form waves"),
+    "spot": ("double-gauss --field 5 --rays 20", "double-gauss --field 5 --rays 20 --to 3",
+             "double-gauss --field 5 --pattern gauss"),
     "field": ("double-gauss --field 5",),
-    "distortion": ("double-gauss --field 10",),
+    "distortion": ("double-gauss --field 10", "double-gauss --fit poly3",
+                   "double-gauss --field 10 --grid out.svg"),
     "illumination": ("double-gauss --height 5",),
-    "wavefront": ("double-gauss -N 8 --field 5 -w d",),
-    "mtf": ("double-gauss -N 8 --field 5 -w d --frequency 40",),
-    "psf": ("double-gauss -N 8 --field 0 -w d --size 32",),
-    "fan": ("double-gauss --field 5 -w d --points 3",),
-    "color": ("double-gauss -N 5.6 --field 5 --spectrum F,d,C",),
-    "glass": ("N-BK7 -w 500",),
+    "wavefront": ("double-gauss -N 8 --field 5 -w d", "double-gauss -N 8 --field 5 -w d --map out.pfm --size 16",
+                  "double-gauss -N 8 --field 5 -w d --zernike fringe --terms 9"),
+    "mtf": ("double-gauss -N 8 --field 5 -w d --frequency 40",
+            "double-gauss -N 8 --field 5 -w d --frequency 40 --method geometric"),
+    "psf": ("double-gauss -N 8 --field 0 -w d --size 32",
+            "double-gauss -N 8 --field 0 -w d --size 32 --plot out.svg"),
+    "fan": ("double-gauss --field 5 -w d --points 3", "double-gauss --field 5 -w d --points 3 --show opd"),
+    "color": ("double-gauss -N 5.6 --field 5 --spectrum F,d,C", "double-gauss -N 5.6 --show zone",
+              "double-gauss -N 5.6 --show field"),
+    "glass": ("N-BK7 -w 500", "--nd 1.517 --vd 64", "--nd 1.5..1.52 --vd 64..66", "--like N-BK7",
+              "--catalog SCHOTT --abbe out.svg"),
     "convert": ("double-gauss",),
+    "list": ("formats", "lenses", "glasses", "options"),
+    "merge": ("../one.part -o out.png",),
+    "fit": ("double-gauss --rays 8", "double-gauss --rays 8 --show parameters",
+            "double-gauss --prescription efl=101 --vary R1", "--glass ../indices.csv"),
+    "optimize": (SINGLET + " --goals spot --iterations 2", SINGLET + " --goals asbuilt --iterations 2",
+                 SINGLET + " --goals spot --iterations 2 --global 2"),
+    "tolerance": ("../singlet.lens --grade precision --trials 4",
+                  "../singlet.lens --grade precision --show sensitivity",
+                  "../singlet.lens --grade precision --show inverse --drop 10um"),
+    "tone": ("../short.png ../long.png --fov 2deg", "../short.png ../long.png --glare --fov 2deg -o out.hdr",
+             "../short.png --glare --fov 2deg --falsecolor", "../short.png --fov 2deg --operator linear",
+             "../short.png --fov 2deg --operator gamma"),
+    "render": ("chart:checker -s 1" + SMALL, "chart:checker -s 1 --noise -t 1/60" + SMALL,
+               "../short.png -s 2 --depth-map ../depth.png --depth 1..4" + SMALL,
+               "chart:checker -s 1 --film sfx" + SMALL, "../tiny.scene -s 1 -t 1/60" + SMALL, "--lens ../singlet.lens --rays out.csv --samples 4"),
 }
+
+WITHOUT = {"help", "completion"}  # whose answers are not of options
 
 VALUES = {
     "focal-length": "35mm", "lens": "double-gauss", "position": "wide", "section": "x", "aperture": "4",
@@ -91,22 +132,64 @@ VALUES = {
     "object-medium": "1.33", "image-medium": "1.33", "steps": "3", "height": "6mm",
     "height/motion": "0.5m", "temperature": "30C", "pressure": "900hPa", "method": "geometric",
     "size": "48", "size/psf": "48", "rays": "30", "points": "5", "energy": "80%", "aim": "entrance",
-    "pattern": "hexapolar", "scale/convert": "2", "pitch/psf": "1um", "stop-diameter": "9mm",
+    "pattern": "hexapolar", "scale/convert": "2", "pitch/psf": "1um", "pitch/render": "3um", "stop-diameter": "9mm",
     "pitch/stars": "5um", "time/bracket": "1/30", "shots/timelapse": "300",
+    "solution": "second", "lens-file": "single.lens", "pupil-point": "0.3:0.5", "pupil-x": "0.3",
+    "pupil-y": "0.5", "point": "0:6:-20", "direction": "0:0.1:1", "x": "1mm", "y": "2mm",
+    "z": "-20mm", "cos-x": "0.1", "cos-y": "0.1", "cos-z": "0.9", "side": "exit", "outline": "5",
+    "title": "Other", "form": "waves", "chromatic": "lens", "spectrum": "d:1,F:0.5",
+    "reference": "centroid", "reference/spot": "chief", "weight": "beam", "error": "1e-9", "error/mtf": "1e-7", "error/illumination": "1e-9", "map": "map.pfm", "glass": "N-SF6", "zernike": "noll", "terms": "5",
+    "show/fan": "opd", "show/color": "zone", "pitch-angle": "0.1mrad", "fit": "brown",
+    "grid": "grid.svg", "plot": "plot.svg", "air": "ciddor", "nd": "1.52", "vd": "60", "pgf": "0.5355..0.55",
+    "catalog": "OHARA", "status": "obsolete", "like": "N-SF6", "count": "3", "label": "N-BK7",
+    "abbe": "abbe.svg", "unit": "cm", "search": "b", "kind": "dof",
+    "show/fit": "residuals", "distortion": "0", "match": "rays", "prescription": "efl=99",
+    "vary": "R2", "glass/fit": "../indices.csv", "formula": "cauchy", "name": "OTHER",
+    "map/fit": "map.svg", "object/fit": "2m", "field/fit": "0,5,10", "hold": "R1", "goals": "efl=99",
+    "grade": "commercial", "tolerances": "../tolerances.txt", "glasses": "SCHOTT",
+    "solver": "ceres", "iterations": "3", "seconds": "100", "global": "2", "keep": "2",
+    "escapes": "1", "spread": "0.5", "part": "1/2", "show/optimize": "variables",
+    "state": "search.state", "of": "mean", "limit": "20um", "refocus": "none", "adjust": "t1",
+    "trials": "5", "show/tolerance": "trials", "drop": "20um", "criterion/tolerance": "efl",
+    "method/tolerance": "differential", "gap/tolerance": "last", "field/tolerance": "0,1deg",
+    "field/optimize": "0,1deg", "rays/optimize": "12", "rays/tolerance": "12",
+    "depth-map": "../depth.png", "hidden": "nearby", "band": "20nm", "blades": "6",
+    "blade-turn": "10deg", "blade-rounding": "0.5", "focus-at": "sharpest", "autofocus": "0.3:0.4",
+    "shutter": "rolling", "travel-time": "5ms", "curtain-distance": "2mm", "curtain-overrun": "1mm",
+    "opening-time": "2ms", "closing-time": "3ms", "shutter-direction": "left", "crop": "2:2:8x6",
+    "samples": "8", "bounces": "0", "bands": "16", "bits": "16", "packing": "none",
+    "read-noise": "9", "full-well": "3000", "dark-current": "90000", "fill": "0.7",
+    "efficiency": "0.8", "response": "mono", "gain": "0.3", "black": "64", "adc": "12",
+    "acceptance": "2", "mosaic": "rggb", "white": "tungsten", "grain": "17", "no-skip": "all",
+    "error/render": "20%", "focus/render": "98", "size/render": "20x15", "depth/render": "1m..3m",
+    "scene/render": "sunny-16", "gap/render": "1", "model/render": "thin", "rays/render": "rays.csv",
+    "sensor/render": "4/3", "field-width/render": "0.5mm", "film/render": "HP5 Plus",
+    "output/render": "own.pfm", "seed": "7", "readout/render": "1/100", "criterion": "energy80",
+    "times": "1/30,1/2", "response/tone": "debevec", "calibrate": "100", "fov": "20deg",
+    "operator": "filmic", "ceiling/tone": "human", "white/tone": "0.01", "gamma": "1.8",
+    "display": "5,80", "scale/tone": "1,1000", "curves": "curves.csv",
 }
-# options of speed, form and files, which change no answer, and those of pictures; of form is the
-# stop series whose labels stand beside exact values; positions and sections are of few lenses
-FORM = {"threads", "position", "section", "scale", "wedge", "plot", "map", "save", "output", "seed",
-        "series", "focus-by"}
+# options of speed, form and files, which change no answer; of form is the stop series whose labels
+# stand beside exact values; positions and sections are of few lenses, and what is no option but
+# stands by itself is in the questions
+FORM = {"threads", "position", "section", "scale", "wedge", "save", "output", "series", "focus-by",
+        "seconds", "resume", "state", "shell", "words", "subject", "frames", "parts", "files", "topic"}
 # command (None: any), option, what it says nothing beside (None: anything), and why that is right
 EXEMPT = (
     (None, "clip", None, "the default, said"),
     (None, "no-clip", None, "stopped down, nothing else limits a lens's rays"),
-    ("pupil", "focus", None, "pupils stand where they stand; the image plane is of all analyses"),
-    ("seidel", "real", "height", "heights are real ones already"),
-    ("seidel", "real", "height-x", "heights are real ones already"),
-    ("field", "aperture", None, "rays next to the chief ray; -N is of all analyses alike"),
-    ("distortion", "aperture", None, "chief rays alone; -N is of all analyses alike"),
+    (None, "error", None, "what is reached anyway is better than that"),
+    ("fan", "show", None, "of text and drawings: rows have both"),
+    ("fit", "show", None, "what is left of goals stands beside them"),
+    ("tolerance", "refocus", "gap", "the gap is that of the image plane"),
+    ("tone", "acuity", "calibrate", "so much light leaves the eye all it can see"),
+    ("render", "black", None, "development takes it off again, but for rounding"),
+    ("render", "noise", "full-well", "where light comes pixels are full"),
+    ("glass", "pgf", "vd", "the nearest may all have it"),
+    ("optimize", "escapes", "show", "the best of two starts may be the same"),
+    ("optimize", "spread", "show", "the best of two starts may be the same"),
+    ("render", "bits", "raw", "raw numbers have 16"),
+    ("render", "noise", "read-noise", "noise of reading brings that of photons along"),
     ("flash", "sync", "time", "the time is within what the shutter synchronises"),
     ("panorama", "overlap", "per-row", "it may still be that of the rows"),
     ("panorama", "per-row", "overlap", "so many frames overlap by that much"),
@@ -114,7 +197,6 @@ EXEMPT = (
     ("panorama", "pupil", "each-row", "frames focused at infinity do not depend on it"),
     ("panorama", "tolerance", "near", "an angle alone where pixels are not known, with --offset"),
     ("focus", "converter-length", "converter", "it shows in distances, where these are known"),
-    ("motion", "pitch", "rotation", "what is implied by it is a limit that a time given overrules"),
 )
 
 
@@ -133,18 +215,55 @@ def is_given(name, words):
     return any(LETTERS.get(word) == name for word in words)
 
 
+# the small files that questions read, which stand beside the folder of each
+FILES = {
+    "singlet.lens": "lens Singlet\naperture f/8\nfield angle 0 3\nwavelength d g C\n"
+                    "surface 102 5 N-BK7 26 stop\nsurface -103 97 air 26\n",
+    "indices.csv": "wavelength_nm,index\n706.5,1.51289\n656.3,1.51432\n589.3,1.51673\n"
+                   "546.1,1.51872\n486.1,1.52238\n435.8,1.52668\n404.7,1.53024\n",
+    "tolerances.txt": "tolerance t1 0.2mm normal\n",
+    "tiny.scene": "scene Tiny\ncamera at=0,0,1 look=0,0,0 focus=1\n"
+                  "material lamp black emission=1 luminance=1000\nmaterial grey lambert colour=0.5\n"
+                  "sphere radius=0.2 at=0.6,0,0.8 material=lamp\n"
+                  "card size=1,1 at=0,0,-0.1 material=grey\n"
+                  "sphere radius=0.05 at=0,0,0 material=grey move=0.01,0,0\n",
+}
+# and what makes others of them
+MAKING = tuple(f"render {words} --lens ../singlet.lens --size 16x12 --samples 4" for words in (
+    "chart:wedge -s 1 --luminance 0.05 -t 100 -o ../short.png", "chart:wedge -s 1 --luminance 0.05 -t 1000 -o ../long.png",
+    "chart:bars -s 2 --response mono --raw -o ../depth.png", "chart:star -s 1 --part 1/2 -o ../one.part",
+    "chart:star -s 1 --part 2/2 -o ../two.part"))
+
+
 class Asker:
-    """One command, asked often: the same question only once, several at a time."""
+    """One command, asked often, several at a time, each in an empty folder of its own."""
 
     def __init__(self, program, command, folder):
         self.program, self.command, self.folder = program, command, folder
         self.environment = program.environment()
+        has_format = "--format" in program.run(command, "--help").stdout.decode()
+        self.format = ["--json"] if has_format else []
+        for name, text in FILES.items():
+            with open(os.path.join(folder, name), "w") as file:
+                file.write(text)
+        for words in MAKING:
+            status, _, said, _ = self.run(words.split())
+            assert status == 0, (words, said)
+
+    def run(self, words):
+        """(status, answer, what is said, the files that are written)"""
+        with tempfile.TemporaryDirectory(dir=self.folder) as own:
+            result = subprocess.run([*self.program.command, *words],
+                                    cwd=own, env=self.environment, stdin=subprocess.DEVNULL,
+                                    stdout=subprocess.PIPE, stderr=subprocess.PIPE, timeout=120)
+            written = []
+            for name in sorted(os.listdir(own)):
+                with open(os.path.join(own, name), "rb") as file:
+                    written.append((name, file.read()))
+        return result.returncode, result.stdout, result.stderr, tuple(written)
 
     def answer(self, words):
-        result = subprocess.run([*self.program.command, self.command, *words, "--json"],
-                                cwd=self.folder, env=self.environment, stdin=subprocess.DEVNULL,
-                                stdout=subprocess.PIPE, stderr=subprocess.PIPE, timeout=120)
-        return result.returncode, result.stdout, result.stderr
+        return self.run([self.command, *words, *self.format])
 
 
 def is_exempt(command, option, beside):
