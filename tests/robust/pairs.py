@@ -1,9 +1,9 @@
 """tests/robust/pairs.py - all pairs of options of a command: each changes the answer, or is refused.
 
 A question is asked with one option more, and with two; the second must show: in the answer, in what
-is said beside it, in the files that are written, or in a refusal. PHOTOGRAPHIC, EXACT and OTHERS have
-the questions, which take about three minutes of one processor together; VALUES what options are given, EXEMPT
-the pairs that are to say nothing, with their reason.
+is said beside it, in the files that are written, or in a refusal. PHOTOGRAPHIC, EXACT and OTHERS
+have the questions, which take about three minutes of one processor together; VALUES what options
+are given, EXEMPT the pairs that are to say nothing, with their reason.
 """
 # SPDX-License-Identifier: MIT
 
