@@ -231,3 +231,41 @@ void linear_normal_inverse(const struct linear_factors *factors, double *inverse
         }
     }
 }
+
+/* Four sums side by side: one alone waits for each addition. */
+static double column_product(const double *a, const double *b, size_t count)
+{
+    double sums[4] = {0};
+    size_t i = 0;
+    for (; i + 4 <= count; i += 4) {
+        for (size_t k = 0; k < 4; k++) {
+            sums[k] += a[i + k] * b[i + k];
+        }
+    }
+    for (; i < count; i++) {
+        sums[i % 4] += a[i] * b[i];
+    }
+    return (sums[0] + sums[1]) + (sums[2] + sums[3]);
+}
+
+void linear_fold(double *r, size_t columns, double *a, size_t rows)
+{
+    for (size_t j = 0; j < columns; j++) {
+        const double *below = a + j * rows;
+        double squares = column_product(below, below, rows), head = r[j * columns + j];
+        if (!(squares > 0)) {
+            continue;
+        }
+        /* the reflector is (u, below), whose square is 2 length u */
+        double length = copysign(sqrt(head * head + squares), head), u = head + length;
+        r[j * columns + j] = -length;
+        for (size_t k = j + 1; k < columns; k++) {
+            double *to = a + k * rows, *top = &r[j * columns + k];
+            double share = (u * *top + column_product(below, to, rows)) / (length * u);
+            *top -= share * u;
+            for (size_t i = 0; i < rows; i++) {
+                to[i] -= share * below[i];
+            }
+        }
+    }
+}

@@ -53,4 +53,15 @@ void linear_substitute(const struct linear_factors *factors, double *b, double *
 void linear_normal_inverse(const struct linear_factors *factors, double *inverse,
                            struct arena *arena);
 
+/*
+ * Take more rows into the R of those before, so that none of them need be kept: R^T R grows by
+ * A^T A, at the accuracy of orthogonal factors.
+ *
+ * Given     r  columns x columns, row by row, 0 below the diagonal; at first all 0
+ *           a  the rows, column by column; overwritten
+ * Limits    squares of the numbers must not overflow
+ * Source    [Golub13] 6.5.4
+ */
+void linear_fold(double *r, size_t columns, double *a, size_t rows);
+
 #endif

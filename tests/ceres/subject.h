@@ -13,6 +13,11 @@ struct subject {
     struct setup setup;
     struct first_order first; /* with the aperture of the rays */
     struct ray_data ray_data;
+    struct thick_rays rays; /* all of them */
+    size_t *field;          /* of each */
+    double *weight;
+    size_t lost_count;
+    struct thick_sums sums;
     struct thick_task task;
 };
 
@@ -25,6 +30,56 @@ struct subject_rays {
     size_t rays;
     bool no_clip, is_white; /* d; white: all wavelengths of the lens, three at most */
 };
+
+/* All parts in one. */
+static inline void subject_gather(struct subject *subject, struct arena *arena)
+{
+    struct ray_data *ray_data = &subject->ray_data;
+    const struct ray_part *part;
+    double *columns[11];
+    while (ray_data_next(ray_data) != NULL) {
+    }
+    size_t most = ray_data->count, *group = ARENA_ARRAY(arena, most, size_t), count = 0;
+    subject->field = ARENA_ARRAY(arena, most, size_t);
+    subject->lost_count = 0;
+    for (int k = 0; k < 11; k++) {
+        columns[k] = ARENA_ARRAY(arena, most, double);
+    }
+    while ((part = ray_data_next(ray_data)) != NULL) {
+        for (size_t i = 0; i < part->rays.count; i++, count++) {
+            for (int k = 0; k < 11; k++) {
+                columns[k][count] = part->columns[k][i];
+            }
+            group[count] = part->rays.group[i];
+            subject->field[count] = part->rays.field[i];
+        }
+        subject->lost_count += part->lost_count;
+    }
+    subject->weight = columns[8];
+    subject->rays = (struct thick_rays){count,
+                                        columns[0],
+                                        columns[1],
+                                        columns[2],
+                                        columns[3],
+                                        columns[4],
+                                        columns[5],
+                                        columns[6],
+                                        columns[7],
+                                        columns[8],
+                                        group,
+                                        subject->field,
+                                        subject->setup.field_count,
+                                        columns[9],
+                                        columns[10]};
+}
+
+/* What the fit takes, of the rays as they are now. */
+static inline bool subject_sum(struct subject *subject, struct arena *arena, struct error *error)
+{
+    subject->sums = thick_sums_open(subject->setup.field_count, subject->setup.wavelength_count,
+                                    INFINITY, arena);
+    return thick_sums_add(&subject->sums, &subject->rays, error);
+}
 
 static inline bool subject_trace(const struct subject_rays *wanted, struct arena *arena,
                                  struct subject *subject, struct error *error)
@@ -40,7 +95,11 @@ static inline bool subject_trace(const struct subject_rays *wanted, struct arena
                                              .pattern = wanted->pattern,
                                              .ray_count = wanted->rays,
                                              .no_clip = wanted->no_clip};
-    return ray_data_trace(&request, arena, &subject->ray_data, error);
+    if (!ray_data_open(&request, arena, &subject->ray_data, error)) {
+        return false;
+    }
+    subject_gather(subject, arena);
+    return ray_data_check(&subject->ray_data, error) && subject_sum(subject, arena, error);
 }
 
 /* The lens at its aperture, its rays, and the fit that lenscalc makes of them. */
@@ -67,7 +126,7 @@ static inline bool subject_open(const char *name, const struct subject_rays *wan
     if (!subject_trace(wanted, arena, subject, error)) {
         return false;
     }
-    subject->task = (struct thick_task){.rays = subject->ray_data.rays,
+    subject->task = (struct thick_task){.sums = &subject->sums,
                                         .group_count = subject->setup.wavelength_count,
                                         .index_object = subject->ray_data.index_object,
                                         .index_image = subject->ray_data.index_image,

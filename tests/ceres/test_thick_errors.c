@@ -65,8 +65,8 @@ static void redraw(const struct subject *subject, const double *own, uint64_t *s
     for (int i = 0; i < FIELDS; i++) {
         times[(size_t)(draw(state) * FIELDS)]++;
     }
-    for (size_t i = 0; i < subject->ray_data.rays.count; i++) {
-        weights[i] = own[i] * (double)times[subject->ray_data.field[i]];
+    for (size_t i = 0; i < subject->rays.count; i++) {
+        weights[i] = own[i] * (double)times[subject->field[i]];
     }
 }
 
@@ -87,14 +87,15 @@ static void test_bootstrap(const char *name, double fnumber, double field, size_
     const struct subject_rays wanted = {
         .aperture = {APERTURE_FNUMBER, fnumber}, .field = field, .field_count = FIELDS, .rays = 18};
     CHECK(subject_open(name, &wanted, &arena, &subject, &error));
-    const double *own = subject.ray_data.rays.weight;
+    const double *own = subject.weight;
     subject.task.distortions = terms;
     CHECK(thick_fit(&subject.task, &arena, &fit, &error));
-    double *weights = ARENA_ARRAY(&arena, subject.ray_data.rays.count, double);
-    subject.task.rays.weight = weights;
+    double *weights = ARENA_ARRAY(&arena, subject.rays.count, double);
+    subject.rays.weight = weights;
     for (int k = 0; k < DRAWS; k++) {
         struct arena_mark mark = arena_mark(&arena);
         redraw(&subject, own, &state, weights);
+        CHECK(subject_sum(&subject, &arena, &error));
         CHECK(thick_fit(&subject.task, &arena, &other, &error));
         for (int j = 0; j < 3; j++) {
             double off = other.parameters[j] - fit.parameters[j];

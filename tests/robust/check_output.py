@@ -272,9 +272,16 @@ def check_memory(checks, program):
             checks.check((one.returncode, one.stdout) == (four.returncode, four.stdout),
                          f"{script}: {one.returncode}, {four.returncode}: {four.stderr!r}")
         if program.has_solver():  # which takes its memory itself
-            result = program.shell("ulimit -v 250000; lenscalc fit double-gauss --rays 20000",
-                                   folder)
-            check_failed(checks, "fit in 250 MB", result, "out of memory")
+            result = program.shell("ulimit -v 120000; lenscalc fit double-gauss -w d --rays 1e5 "
+                                   "--csv --columns efl,rays", folder)
+            checks.check(result.returncode == 0 and b",9" in result.stdout,
+                         f"fit --rays 1e5 in 120 MB: {result.stdout!r}, {result.stderr[:80]!r}")
+            with open(os.path.join(folder, "many.csv"), "w") as file:
+                file.write("wavelength_nm,index\n")
+                file.writelines(f"{400 + i / 500},{1.5 + 1e-6 * (i % 7) + 4e3 / (400 + i / 500)**2}"
+                                "\n" for i in range(200_000))
+            result = program.shell("ulimit -v 120000; lenscalc fit --glass many.csv", folder)
+            check_failed(checks, "fit --glass in 120 MB", result, "out of memory")
 
 
 def check_full_disk(checks, program):

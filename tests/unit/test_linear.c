@@ -108,6 +108,37 @@ static void test_edges(void)
     arena_free(&arena);
 }
 
+/* Rows that come one, two or all at once have the same R^T R = A^T A, in whole numbers. */
+static void test_fold(void)
+{
+    enum { ROWS = 5, COLUMNS = 3 };
+    static const double rows[ROWS][COLUMNS] = {
+        {-3, 1, 2}, {-1, -4, 1}, {-2, 2, -5}, {1, 1, 1}, {4, -2, 3}};
+    for (size_t step = 1; step <= ROWS; step++) {
+        double r[COLUMNS * COLUMNS] = {0}, a[COLUMNS * ROWS];
+        for (size_t first = 0; first < ROWS; first += step) {
+            size_t count = ROWS - first < step ? ROWS - first : step;
+            for (size_t k = 0; k < count * COLUMNS; k++) {
+                a[k] = rows[first + k % count][k / count];
+            }
+            linear_fold(r, COLUMNS, a, count);
+        }
+        for (size_t i = 0; i < COLUMNS; i++) {
+            for (size_t j = 0; j < COLUMNS; j++) {
+                double sum = 0, expected = 0;
+                for (size_t k = 0; k < COLUMNS; k++) {
+                    sum += r[k * COLUMNS + i] * r[k * COLUMNS + j];
+                }
+                for (size_t k = 0; k < ROWS; k++) {
+                    expected += rows[k][i] * rows[k][j];
+                }
+                CHECK_NEAR(sum, expected, 1e-13, "R^T R");
+                CHECK(i <= j || !(fabs(r[i * COLUMNS + j]) > 0));
+            }
+        }
+    }
+}
+
 int main(void)
 {
     for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
@@ -119,5 +150,6 @@ int main(void)
     }
     test_dependent();
     test_edges();
+    test_fold();
     return check_report();
 }

@@ -52,7 +52,9 @@ static void check_fit(bool exit, bool aberration)
                                    .stop_y = column[5],
                                    .weight = column[6]};
     const double *e = expected[aberration], k = exit ? 1 : 3;
-    CHECK(thick_fit_pupil(&all, exit, aberration, &arena, &pupil, &error));
+    struct thick_pupil_sums sums = {.rows = 0};
+    thick_pupil_add(&all, exit, &sums);
+    CHECK(thick_fit_pupil(&sums, exit, aberration, &arena, &pupil, &error));
     CHECK_NEAR(pupil.place, k * e[0], 1e-12, "place");
     CHECK_NEAR(pupil.radius, k * e[1], 1e-12, "radius");
     CHECK_NEAR(pupil.spherical_aberration, e[2], 1e-12, "spherical aberration");
@@ -72,7 +74,9 @@ static void test_open(void)
     struct arena arena = {0};
     struct thick_pupil pupil;
     struct error error = {0};
-    CHECK(!thick_fit_pupil(&all, false, false, &arena, &pupil, &error));
+    struct thick_pupil_sums sums = {.rows = 0};
+    thick_pupil_add(&all, false, &sums);
+    CHECK(!thick_fit_pupil(&sums, false, false, &arena, &pupil, &error));
     CHECK(strstr(error.message, "entrance pupil") != NULL);
     arena_free(&arena);
 }

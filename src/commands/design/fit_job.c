@@ -33,30 +33,24 @@ static void set_rivals(struct fit_job *job)
 static void set_pupils(struct fit_job *job)
 {
     const struct thick_pupil none = {NAN, NAN, NAN, NAN, NAN, NAN, NAN};
+    struct thick_pupil *const pupils[2] = {&job->entrance, &job->exit};
     struct error ignored;
-    job->entrance = job->exit = none;
-    if (job->setup->lens->stop == LENS_NONE ||
-        !thick_fit_pupil(&job->ray_data.rays, false, true, job->run->arena, &job->entrance,
-                         &ignored)) {
-        job->entrance = none;
-    }
-    if (job->setup->lens->stop == LENS_NONE ||
-        !thick_fit_pupil(&job->ray_data.rays, true, true, job->run->arena, &job->exit, &ignored)) {
-        job->exit = none;
+    for (int k = 0; k < 2; k++) {
+        if (job->setup->lens->stop == LENS_NONE ||
+            !thick_fit_pupil(&job->pupils[k], k == 1, true, job->run->arena, pupils[k], &ignored)) {
+            *pupils[k] = none;
+        }
     }
 }
+
 const char *fit_missing_fields(const struct fit_job *job)
 {
     struct arena *arena = job->run->arena;
     const char *list = NULL;
     for (size_t f = 0; f < job->setup->field_count; f++) {
-        bool found = false;
-        for (size_t i = 0; i < job->ray_data.rays.count && !found; i++) {
-            found = job->ray_data.field[i] == f;
-        }
         double field = fit_field(job, f);
         double shown = job->setup->object.is_infinite ? field * DEGREES_PER_RADIAN : field;
-        if (!found) {
+        if (job->ray_data.through[f] == 0) {
             list = arena_printf(arena, "%s%s%.6g", list != NULL ? list : "",
                                 list != NULL ? ", " : "", shown);
         }
@@ -85,8 +79,8 @@ static size_t distortion_terms(const struct fit_job *job)
     return off_axis / 2 < THICK_DISTORTIONS ? off_axis / 2 : THICK_DISTORTIONS;
 }
 
-static bool trace_rays(const struct fit_job *job, size_t rays, struct ray_data *ray_data,
-                       struct error *error)
+static bool open_rays(const struct fit_job *job, size_t rays, struct ray_data *ray_data,
+                      struct error *error)
 {
     const struct fit_input *input = job->input;
     const struct ray_data_request request = {.setup = job->setup,
@@ -94,7 +88,27 @@ static bool trace_rays(const struct fit_job *job, size_t rays, struct ray_data *
                                              .ray_count = rays,
                                              .seed = (uint64_t)input->seed,
                                              .no_clip = input->no_clip};
-    return ray_data_trace(&request, job->run->arena, ray_data, error);
+    return ray_data_open(&request, job->run->arena, ray_data, error);
+}
+
+/* Trace all rays and add them up; also for the pupils unless that is null. */
+static bool add_rays(const struct fit_job *job, struct ray_data *ray_data, struct thick_sums *sums,
+                     struct thick_pupil_sums *pupils, struct error *error)
+{
+    const struct setup *setup = job->setup;
+    const struct ray_part *part;
+    *sums = thick_sums_open(setup->field_count, setup->wavelength_count,
+                            thick_of(&job->light.first, setup->lens).object, job->run->arena);
+    while ((part = ray_data_next(ray_data)) != NULL) {
+        if (!thick_sums_add(sums, &part->rays, error)) {
+            ray_data_rewind(ray_data);
+            return false;
+        }
+        for (int k = 0; k < 2 && pupils != NULL; k++) {
+            thick_pupil_add(&part->rays, k == 1, &pupils[k]);
+        }
+    }
+    return ray_data_check(ray_data, error);
 }
 
 static void set_task(struct fit_job *job)
@@ -103,7 +117,7 @@ static void set_task(struct fit_job *job)
     const struct first_order *first = &job->light.first;
     bool image = input->match == FIT_IMAGE;
     job->task = (struct thick_task){
-        .rays = job->ray_data.rays,
+        .sums = &job->sums,
         .group_count = job->setup->wavelength_count,
         .index_object = job->ray_data.index_object,
         .index_image = job->ray_data.index_image,
@@ -124,13 +138,16 @@ static void set_sampling(struct fit_job *job)
     struct arena *arena = job->run->arena;
     struct thick_task task = job->task;
     struct ray_data ray_data;
+    struct thick_sums sums;
     struct thick_fit fit;
     struct error ignored;
     job->sampling = ARENA_ARRAY(arena, job->setup->wavelength_count, struct fit_sampling);
-    bool found = trace_rays(job, 2 * (size_t)job->input->rays, &ray_data, &ignored);
-    task.rays = ray_data.rays;
+    struct arena_mark mark = arena_mark(arena);
+    task.sums = &sums;
     task.start = job->fit.lenses[0];
-    found = found && thick_fit(&task, arena, &fit, &ignored);
+    bool found = open_rays(job, 2 * (size_t)job->input->rays, &ray_data, &ignored) &&
+                 add_rays(job, &ray_data, &sums, NULL, &ignored) &&
+                 thick_fit(&task, arena, &fit, &ignored);
     for (size_t g = 0; g < job->setup->wavelength_count; g++) {
         const struct thick_lens *one = &job->fit.lenses[g], *other = found ? &fit.lenses[g] : one;
         job->sampling[g] = (struct fit_sampling){NAN, NAN, NAN, NAN};
@@ -140,6 +157,7 @@ static void set_sampling(struct fit_job *job)
                 fabs(other->rear - one->rear), fabs(fit.rms - job->fit.rms)};
         }
     }
+    arena_reset(arena, mark);
 }
 
 bool fit_job_run(struct fit_job *job, struct error *error)
@@ -151,7 +169,8 @@ bool fit_job_run(struct fit_job *job, struct error *error)
         return fail(error, ERROR_DOMAIN,
                     "an afocal lens has no principal planes: no thick lens equals it");
     }
-    if (!trace_rays(job, (size_t)job->input->rays, &job->ray_data, error)) {
+    if (!open_rays(job, (size_t)job->input->rays, &job->ray_data, error) ||
+        !add_rays(job, &job->ray_data, &job->sums, job->pupils, error)) {
         return false;
     }
     set_task(job);

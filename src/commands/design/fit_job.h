@@ -22,6 +22,8 @@ struct fit_job {
     struct setup_light light; /* at its first wavelength */
     const char *warning;
     struct ray_data ray_data;
+    struct thick_sums sums;
+    struct thick_pupil_sums pupils[2]; /* before and behind the lens */
     struct thick_task task;
     struct thick_fit fit;
     struct fit_sampling *sampling;      /* one a lens that was fitted */
@@ -46,8 +48,8 @@ const char *fit_missing_fields(const struct fit_job *job);
 
 /* -------- commands/design/fit_view.c: rows and files of what was found -------- */
 
-void fit_show_rays(const struct fit_job *job);
-void fit_show_models(const struct fit_job *job);
-void fit_show_matrix(const struct fit_job *job);
+void fit_show_rays(struct fit_job *job);
+void fit_show_models(struct fit_job *job);
+void fit_show_matrix(struct fit_job *job);
 
 #endif

@@ -121,16 +121,26 @@ static const struct column columns[] = {
 const struct sheet fit_lens_sheet = {columns, sizeof columns / sizeof columns[0],
                                      sizeof(struct lens_row)};
 
-/* Height of the exact image, in the plane where rays are compared, mm. */
-static double image_height(const struct fit_job *job)
+/* What takes every ray once more. */
+struct ray_extremes {
+    double largest; /* error of the fitted lens in the image, mm */
+    double height;  /* of the exact image, in the plane where rays are compared, mm */
+};
+
+static struct ray_extremes find_extremes(struct fit_job *job)
 {
-    const struct thick_rays *rays = &job->ray_data.rays;
-    double z = job->task.planes[0], largest = 0;
-    for (size_t i = 0; i < rays->count; i++) {
-        largest = fmax(largest, hypot(rays->x_out[i] + z * rays->p_out[i],
-                                      rays->y_out[i] + z * rays->q_out[i]));
+    struct thick_score score = {.largest = 0};
+    double z = job->task.planes[0], height = 0;
+    const struct ray_part *part;
+    while ((part = ray_data_next(&job->ray_data)) != NULL) {
+        const struct thick_rays *rays = &part->rays;
+        thick_score_add(rays, job->fit.lenses, job->task.planes, &score);
+        for (size_t i = 0; i < rays->count; i++) {
+            height = fmax(height, hypot(rays->x_out[i] + z * rays->p_out[i],
+                                        rays->y_out[i] + z * rays->q_out[i]));
+        }
     }
-    return largest;
+    return (struct ray_extremes){score.largest, height};
 }
 
 /* What clear apertures leave of the stop, percent, over all fields. */
@@ -144,9 +154,9 @@ static double clear_percent(const struct fit_job *job)
 }
 
 /* Where a user must not trust the equivalent; the scale is that of a picture, not of a point. */
-static const char *misfit(const struct fit_job *job)
+static const char *misfit(const struct fit_job *job, double height)
 {
-    double height = image_height(job), scale = fmax(height, fabs(job->light.first.efl) / 5);
+    double scale = fmax(height, fabs(job->light.first.efl) / 5);
     return job->fit.rms > 0.01 * scale
                ? arena_printf(job->run->arena,
                               "no thick lens equals these rays: they are off by %.3g %% of the "
@@ -156,13 +166,12 @@ static const char *misfit(const struct fit_job *job)
 }
 
 /* Of group g, or of all rays. */
-static void emit_answer(const struct fit_job *job, size_t g)
+static void emit_answer(const struct fit_job *job, const struct ray_extremes *extremes, size_t g)
 {
     const struct thick_fit *fit = &job->fit;
     const struct solver_summary *summary = &fit->summary;
     size_t base = job->task.separate ? 3 * g : 0;
     double plane = job->task.planes[0];
-    const struct thick_rays *rays = &job->ray_data.rays;
     bool one = job->task.separate || job->input->question.wavelength.name != NULL;
     struct lens_row row = {
         .position = job->setup->position,
@@ -171,7 +180,7 @@ static void emit_answer(const struct fit_job *job, size_t g)
                                                   : job->input->question.fields.text,
         .status = fit_status(summary),
         .warning = fit_join(fit_join(job->warning, fit_missing_fields(job), job->run->arena),
-                            misfit(job), job->run->arena),
+                            misfit(job, extremes->height), job->run->arena),
         .wavelength = one ? job->setup->wavelengths[g].wavelength : NAN,
         .fnumber = job->light.first.fnumber,
         .object = job->task.object,
@@ -182,16 +191,16 @@ static void emit_answer(const struct fit_job *job, size_t g)
         .front_error = summary->standard_error[base + 1],
         .rear_error = summary->standard_error[base + 2],
         .rms = fit->rms,
-        .largest = fit->largest,
-        .rms_percent = 100 * fit->rms / image_height(job),
+        .largest = extremes->largest,
+        .rms_percent = 100 * fit->rms / extremes->height,
         .rms_pupil = fit->rms_second,
-        .rms_paraxial = thick_errors(rays, job->paraxial, plane, NULL, NULL),
-        .rms_thin = thick_errors(rays, job->thin, plane, NULL, NULL),
+        .rms_paraxial = thick_sums_rms(&job->sums, job->paraxial, plane),
+        .rms_thin = thick_sums_rms(&job->sums, job->thin, plane),
         .paraxial_efl = job->light.first.efl,
         .paraxial_front = job->light.first.front_principal,
         .paraxial_rear = job->light.first.rear_principal,
-        .rays = (long)rays->count,
-        .lost = (long)(job->ray_data.wanted - rays->count),
+        .rays = (long)job->ray_data.count,
+        .lost = (long)(job->ray_data.wanted - job->ray_data.count),
         .clear_percent = clear_percent(job),
         .terms = (long)job->task.distortions,
         .sampling = job->sampling[g],
@@ -207,21 +216,22 @@ static void emit_answer(const struct fit_job *job, size_t g)
     run_emit(job->run, &row);
 }
 
-static void show_answers(const struct fit_job *job)
+static void show_answers(struct fit_job *job)
 {
+    const struct ray_extremes extremes = find_extremes(job);
     for (size_t g = 0; g < (job->input->chromatic ? job->setup->wavelength_count : 1); g++) {
-        emit_answer(job, g);
+        emit_answer(job, &extremes, g);
     }
 }
 
-static void show_found(const struct fit_job *job)
+static void show_found(struct fit_job *job)
 {
     const struct fit_found found = {job->setup->position, job->fit.parameter_count, job->fit.names,
                                     job->fit.parameters, &job->fit.summary};
     fit_emit(&found, (enum fit_show)job->input->show, job->run);
 }
 
-static void (*const views[FIT_SHOWS])(const struct fit_job *job) = {
+static void (*const views[FIT_SHOWS])(struct fit_job *job) = {
     [FIT_ANSWER] = show_answers,     [FIT_PARAMETERS] = show_found,
     [FIT_CORRELATIONS] = show_found, [FIT_RESIDUALS] = fit_show_rays,
     [FIT_MODELS] = fit_show_models,  [FIT_MATRIX] = fit_show_matrix,

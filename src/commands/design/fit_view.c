@@ -97,52 +97,69 @@ static const struct column matrix_columns[] = {
 
 const struct sheet fit_matrix_sheet = {
     matrix_columns, sizeof matrix_columns / sizeof matrix_columns[0], sizeof(struct matrix_row)};
-void fit_show_rays(const struct fit_job *job)
+/* What the fitted lens makes of the rays of a part, less what they are, in the image. */
+static void find_errors(const struct fit_job *job, const struct ray_part *part, double *dx,
+                        double *dy)
 {
-    const struct thick_rays *rays = &job->ray_data.rays;
-    struct arena *arena = job->run->arena;
-    double *dx = ARENA_ARRAY(arena, rays->count, double);
-    double *dy = ARENA_ARRAY(arena, rays->count, double);
-    thick_errors(rays, job->fit.lenses, job->task.planes[0], dx, dy);
-    for (size_t i = 0; i < rays->count; i++) {
-        double field = fit_field(job, job->ray_data.field[i]);
-        bool angle = job->setup->lens->object_is_infinite;
-        const struct ray_row row = {.position = job->setup->position,
-                                    .wavelength =
-                                        job->setup->wavelengths[rays->group[i]].wavelength,
-                                    .field = angle ? field : NAN,
-                                    .object_height = angle ? NAN : field,
-                                    .stop_x = rays->stop_x[i],
-                                    .stop_y = rays->stop_y[i],
-                                    .dx = dx[i],
-                                    .dy = dy[i],
-                                    .distance = hypot(dx[i], dy[i])};
-        if (!run_emit(job->run, &row)) {
-            return;
+    thick_errors(&part->rays, job->fit.lenses, job->task.planes[0], dx, dy);
+}
+
+static bool emit_ray(const struct fit_job *job, const struct thick_rays *rays, size_t i, double dx,
+                     double dy)
+{
+    double field = fit_field(job, rays->field[i]);
+    bool angle = job->setup->lens->object_is_infinite;
+    const struct ray_row row = {.position = job->setup->position,
+                                .wavelength = job->setup->wavelengths[rays->group[i]].wavelength,
+                                .field = angle ? field : NAN,
+                                .object_height = angle ? NAN : field,
+                                .stop_x = rays->stop_x[i],
+                                .stop_y = rays->stop_y[i],
+                                .dx = dx,
+                                .dy = dy,
+                                .distance = hypot(dx, dy)};
+    return run_emit(job->run, &row);
+}
+
+void fit_show_rays(struct fit_job *job)
+{
+    const struct ray_part *part;
+    double dx[RAY_PART], dy[RAY_PART];
+    while ((part = ray_data_next(&job->ray_data)) != NULL) {
+        find_errors(job, part, dx, dy);
+        for (size_t i = 0; i < part->rays.count; i++) {
+            if (!emit_ray(job, &part->rays, i, dx[i], dy[i])) {
+                ray_data_rewind(&job->ray_data);
+                return;
+            }
         }
     }
 }
 
 /* Fitted, paraxial and thin beside each other. */
-void fit_show_models(const struct fit_job *job)
+void fit_show_models(struct fit_job *job)
 {
-    const struct {
-        const char *name;
-        const struct thick_lens *lenses;
-    } models[] = {{"fitted", job->fit.lenses}, {"paraxial", job->paraxial}, {"thin", job->thin}};
-    for (size_t i = 0; i < sizeof models / sizeof models[0]; i++) {
-        const struct thick_lens *lens = &models[i].lenses[0];
-        struct thick_score score =
-            thick_score(&job->ray_data.rays, models[i].lenses, job->task.planes);
+    enum { MODELS = 3 };
+    const char *const names[MODELS] = {"fitted", "paraxial", "thin"};
+    const struct thick_lens *const lenses[MODELS] = {job->fit.lenses, job->paraxial, job->thin};
+    struct thick_score scores[MODELS] = {{.largest = 0}};
+    const struct ray_part *part;
+    while ((part = ray_data_next(&job->ray_data)) != NULL) {
+        for (size_t i = 0; i < MODELS; i++) {
+            thick_score_add(&part->rays, lenses[i], job->task.planes, &scores[i]);
+        }
+    }
+    for (size_t i = 0; i < MODELS; i++) {
+        const struct thick_lens *lens = &lenses[i][0];
         const struct model_row row = {.position = job->setup->position,
-                                      .model = models[i].name,
+                                      .model = names[i],
                                       .efl = lens->focal,
                                       .front = lens->front,
                                       .rear = lens->rear,
-                                      .rms = score.rms[0],
-                                      .largest = score.largest,
-                                      .rms_pupil = score.rms[1],
-                                      .rms_direction = score.direction};
+                                      .rms = scores[i].rms[0],
+                                      .largest = scores[i].largest,
+                                      .rms_pupil = scores[i].rms[1],
+                                      .rms_direction = scores[i].direction};
         if (!run_emit(job->run, &row)) {
             return;
         }
@@ -150,7 +167,7 @@ void fit_show_models(const struct fit_job *job)
 }
 
 /* As of lenscalc matrix --perspective: z from H before and behind. */
-void fit_show_matrix(const struct fit_job *job)
+void fit_show_matrix(struct fit_job *job)
 {
     const struct thick_lens *lens = &job->fit.lenses[0];
     double n = lens->index_object, m = lens->index_image, power = 1 / lens->focal;
@@ -185,53 +202,58 @@ static void label_map(const struct fit_job *job, struct ray_map *map)
     map->row_count = job->setup->wavelength_count;
 }
 
-static void place_points(const struct fit_job *job, struct ray_map *map)
+/* The points of all rays; those that came through first. Result: the largest error, mm. */
+static double place_points(struct fit_job *job, struct ray_map *map)
 {
     const struct ray_data *ray_data = &job->ray_data;
-    const struct thick_rays *rays = &ray_data->rays;
-    struct arena *arena = job->run->arena;
-    size_t count = rays->count + ray_data->lost_count;
-    struct ray_map_point *points = ARENA_ARRAY(arena, count, struct ray_map_point);
-    double *dx = ARENA_ARRAY(arena, rays->count, double);
-    double *dy = ARENA_ARRAY(arena, rays->count, double);
-    thick_errors(rays, job->fit.lenses, job->task.planes[0], dx, dy);
-    for (size_t i = 0; i < rays->count; i++) {
-        points[i] = (struct ray_map_point){ray_data->field[i], rays->group[i], rays->stop_x[i],
-                                           rays->stop_y[i],    1000 * dx[i],   1000 * dy[i]};
-    }
-    for (size_t i = 0; i < ray_data->lost_count; i++) {
-        const struct ray_data_loss *lost = &ray_data->lost[i];
-        points[rays->count + i] =
-            (struct ray_map_point){lost->field, lost->group, lost->stop_x, lost->stop_y, NAN, NAN};
+    const struct ray_part *part;
+    struct ray_map_point *points =
+        ARENA_ARRAY(job->run->arena, ray_data->wanted, struct ray_map_point);
+    double dx[RAY_PART], dy[RAY_PART], largest = 0;
+    size_t count = 0, lost = ray_data->count;
+    while ((part = ray_data_next(&job->ray_data)) != NULL) {
+        const struct thick_rays *rays = &part->rays;
+        find_errors(job, part, dx, dy);
+        for (size_t i = 0; i < rays->count; i++) {
+            points[count++] =
+                (struct ray_map_point){rays->field[i],  rays->group[i], rays->stop_x[i],
+                                       rays->stop_y[i], 1000 * dx[i],   1000 * dy[i]};
+            largest = fmax(largest, hypot(dx[i], dy[i]));
+        }
+        for (size_t i = 0; i < part->lost_count; i++) {
+            const struct ray_data_loss *at = &part->lost[i];
+            points[lost++] =
+                (struct ray_map_point){at->field, at->group, at->stop_x, at->stop_y, NAN, NAN};
+        }
     }
     map->points = points;
-    map->count = count;
+    map->count = lost;
+    return largest;
 }
 
 bool fit_draw_map(const struct artifact_job *wanted, struct output *sink, struct error *error)
 {
-    const struct fit_job *job = wanted->run->state;
+    struct fit_job *job = wanted->run->state;
     struct arena *arena = job->run->arena;
     const struct thick_lens *lens = &job->fit.lenses[0];
     const char *title = job->setup->lens->title != NULL ? job->setup->lens->title : "lens";
-    struct ray_map map = {
-        .title = arena_printf(arena, "%s%s%s: exact rays against the fitted thick lens", title,
-                              job->setup->position != NULL ? ", " : "",
-                              job->setup->position != NULL ? job->setup->position : ""),
-        .subtitle = job->task.separate
-                        ? arena_printf(arena,
-                                       "a thick lens for each wavelength; rms %.4g um, "
-                                       "largest %.4g um",
-                                       1000 * job->fit.rms, 1000 * job->fit.largest)
-                        : arena_printf(arena,
-                                       "f %.7g mm, H %.6g mm, H' %.6g mm; rms %.4g um, "
-                                       "largest %.4g um",
-                                       lens->focal, lens->front, lens->rear, 1000 * job->fit.rms,
-                                       1000 * job->fit.largest),
-        .unit = "um"};
+    struct ray_map map = {.unit = "um"};
     struct svg svg = {.arena = arena};
     label_map(job, &map);
-    place_points(job, &map);
+    const double largest = place_points(job, &map);
+    map.title = arena_printf(arena, "%s%s%s: exact rays against the fitted thick lens", title,
+                             job->setup->position != NULL ? ", " : "",
+                             job->setup->position != NULL ? job->setup->position : "");
+    map.subtitle = job->task.separate
+                       ? arena_printf(arena,
+                                      "a thick lens for each wavelength; rms %.4g um, "
+                                      "largest %.4g um",
+                                      1000 * job->fit.rms, 1000 * largest)
+                       : arena_printf(arena,
+                                      "f %.7g mm, H %.6g mm, H' %.6g mm; rms %.4g um, "
+                                      "largest %.4g um",
+                                      lens->focal, lens->front, lens->rear, 1000 * job->fit.rms,
+                                      1000 * largest);
     return ray_map_draw(&map, &svg, error) && drawing_write(wanted, &svg, sink, error);
 }
 
@@ -251,7 +273,7 @@ struct lens fit_equal_lens(const struct fit_job *job)
                               job->setup->position != NULL ? job->setup->position : ""),
         .note =
             arena_printf(arena, "fitted by lenscalc to %zu exact rays, rms %.4g um in the image",
-                         job->ray_data.rays.count, 1000 * job->fit.rms),
+                         job->ray_data.count, 1000 * job->fit.rms),
     };
     return thick_element_lens(job->setup->lens, &stand_in, arena);
 }

@@ -9,16 +9,21 @@
 #include "trace/system.h"
 
 #include <math.h>
+#include <string.h>
 
 /* The lens at one wavelength: with its clear apertures, if they count, and without for aiming. */
 struct ways {
     const struct system *clipped, *open;
 };
 
+/* So many rays are kept rather than traced again. */
+enum { MOST_KEPT = 32768 };
+
 /* Points of the pupil, of the stop where there is one; and whence rays to them start. */
-struct tracing {
-    const struct ray_data_request *request;
+struct ray_tracing {
+    struct ray_data_request request;
     struct arena *arena;
+    struct arena scratch; /* of the present field and wavelength: large, and given back */
     struct sample sample; /* of the whole stop */
     bool has_stop;
     double radius;    /* of the beam at the first vertex of a lens without a stop, mm */
@@ -26,8 +31,20 @@ struct tracing {
     /* of the present field and wavelength */
     const struct ways *ways;
     struct beam beam;
-    struct aim aim;    /* where there is a stop */
-    struct error last; /* why a field has no chief ray */
+    struct aim aim;          /* where there is a stop */
+    struct quadrature pupil; /* its rays */
+    size_t place;            /* of these are done */
+    size_t bundle;           /* which it is */
+    struct error last;       /* why a field has no chief ray */
+    bool is_open;            /* they are those of `bundle` */
+    struct ray_part part;    /* of them, now handed out */
+    struct ray_part shared;  /* room for those that are not kept */
+    struct rays rays;        /* room to trace them */
+    /* of all */
+    size_t bundles;
+    struct ray_part *kept; /* all parts so far, unless there are too many rays */
+    size_t kept_count, kept_room, kept_rays, next_kept;
+    bool keeps, is_counted; /* all were there once */
 };
 
 static double field_of(const struct setup *setup, size_t i)
@@ -36,10 +53,10 @@ static double field_of(const struct setup *setup, size_t i)
 }
 
 /* The systems of each wavelength, in the light's own order. */
-static bool open_ways(struct tracing *tracing, struct ray_data *ray_data, struct error *error)
+static bool open_ways(struct ray_tracing *tracing, struct ray_data *ray_data, struct error *error)
 {
-    const struct setup *setup = tracing->request->setup;
-    unsigned which = tracing->request->no_clip ? SETUP_OPEN : SETUP_CLIPPED;
+    const struct setup *setup = tracing->request.setup;
+    unsigned which = tracing->request.no_clip ? SETUP_OPEN : SETUP_CLIPPED;
     tracing->all = ARENA_ARRAY(tracing->arena, setup->wavelength_count, struct ways);
     ray_data->index_object = ARENA_ARRAY(tracing->arena, setup->wavelength_count, double);
     ray_data->index_image = ARENA_ARRAY(tracing->arena, setup->wavelength_count, double);
@@ -56,9 +73,10 @@ static bool open_ways(struct tracing *tracing, struct ray_data *ray_data, struct
     return true;
 }
 
-static bool open_tracing(struct tracing *tracing, struct ray_data *ray_data, struct error *error)
+static bool open_tracing(struct ray_tracing *tracing, struct ray_data *ray_data,
+                         struct error *error)
 {
-    const struct ray_data_request *request = tracing->request;
+    const struct ray_data_request *request = &tracing->request;
     const struct setup *setup = request->setup;
     const struct first_order *first = &setup->first;
     if (!open_ways(tracing, ray_data, error) ||
@@ -85,10 +103,10 @@ static bool open_tracing(struct tracing *tracing, struct ray_data *ray_data, str
     return true;
 }
 
-static bool open_beam(const struct tracing *tracing, double field, struct beam *beam,
+static bool open_beam(const struct ray_tracing *tracing, double field, struct beam *beam,
                       struct error *error)
 {
-    const struct lens *lens = tracing->request->setup->lens;
+    const struct lens *lens = tracing->request.setup->lens;
     double n = tracing->ways->open->index_first;
     if (lens->object_is_infinite) {
         const double angle[2] = {0, field};
@@ -100,16 +118,16 @@ static bool open_beam(const struct tracing *tracing, double field, struct beam *
 }
 
 /* Each colour by its own rays: what one leaves dark of the stop another may fill. */
-static bool open_field(struct tracing *tracing, size_t field, size_t group, struct error *error)
+static bool open_field(struct ray_tracing *tracing, size_t field, size_t group, struct error *error)
 {
     tracing->ways = &tracing->all[group];
-    return open_beam(tracing, field_of(tracing->request->setup, field), &tracing->beam, error) &&
+    return open_beam(tracing, field_of(tracing->request.setup, field), &tracing->beam, error) &&
            (!tracing->has_stop ||
-            aim_open(tracing->ways->open, &tracing->beam, tracing->arena, &tracing->aim, error));
+            aim_open(tracing->ways->open, &tracing->beam, &tracing->scratch, &tracing->aim, error));
 }
 
 /* Rays to the points of the sample; those that reach no point of the stop are lost. */
-static void start_rays(const struct tracing *tracing, const struct rays *rays)
+static void start_rays(const struct ray_tracing *tracing, const struct rays *rays)
 {
     const struct sample *sample = &tracing->sample;
     if (tracing->has_stop) {
@@ -127,32 +145,30 @@ static void start_rays(const struct tracing *tracing, const struct rays *rays)
     }
 }
 
-static void open_ray_data(const struct ray_data_request *request, size_t most, struct arena *arena,
-                          struct ray_data *ray_data)
+static struct ray_part part_new(struct arena *arena, size_t most, size_t fields)
 {
-    ray_data->clear = ARENA_ARRAY(arena, request->setup->field_count, double);
+    struct ray_part part = {.groups = ARENA_ARRAY(arena, most, size_t),
+                            .fields = ARENA_ARRAY(arena, most, size_t),
+                            .lost = ARENA_ARRAY(arena, most, struct ray_data_loss)};
     for (size_t i = 0; i < 11; i++) {
-        ray_data->columns[i] = ARENA_ARRAY(arena, most, double);
+        part.columns[i] = ARENA_ARRAY(arena, most, double);
     }
-    ray_data->groups = ARENA_ARRAY(arena, most, size_t);
-    ray_data->field = ARENA_ARRAY(arena, most, size_t);
-    ray_data->lost = ARENA_ARRAY(arena, most, struct ray_data_loss);
-    ray_data->wanted = 0;
-    double *const *all = ray_data->columns;
-    ray_data->rays = (struct thick_rays){.x = all[0],
-                                         .y = all[1],
-                                         .p = all[2],
-                                         .q = all[3],
-                                         .x_out = all[4],
-                                         .y_out = all[5],
-                                         .p_out = all[6],
-                                         .q_out = all[7],
-                                         .weight = all[8],
-                                         .stop_x = all[9],
-                                         .stop_y = all[10],
-                                         .group = ray_data->groups,
-                                         .field = ray_data->field,
-                                         .field_count = request->setup->field_count};
+    double *const *all = part.columns;
+    part.rays = (struct thick_rays){.x = all[0],
+                                    .y = all[1],
+                                    .p = all[2],
+                                    .q = all[3],
+                                    .x_out = all[4],
+                                    .y_out = all[5],
+                                    .p_out = all[6],
+                                    .q_out = all[7],
+                                    .weight = all[8],
+                                    .stop_x = all[9],
+                                    .stop_y = all[10],
+                                    .group = part.groups,
+                                    .field = part.fields,
+                                    .field_count = fields};
+    return part;
 }
 
 /* A ray that came through, from the plane it is in to the plane of the vertex. */
@@ -166,10 +182,10 @@ static void store(double *const *to, size_t i, const struct ray *ray)
 }
 
 /* The points of the stop, or of a disc about the first vertex that takes its place. */
-static bool open_pupil(const struct tracing *tracing, struct stop_beam *pupil)
+static bool open_pupil(const struct ray_tracing *tracing, struct stop_beam *pupil)
 {
     const struct system *clear = tracing->ways->clipped;
-    struct first_order first = tracing->request->setup->first;
+    struct first_order first = tracing->request.setup->first;
     struct error ignored;
     if (tracing->has_stop) {
         *pupil = stop_beam_of_stop(&tracing->aim, clear, WEIGHT_PUPIL);
@@ -185,104 +201,162 @@ static bool open_pupil(const struct tracing *tracing, struct stop_beam *pupil)
  * Rays of the present field and wavelength. Gauss's rule is that of what is clear of the stop:
  * without the rays that are lost it would integrate nothing. Equal points may lose some.
  */
-static struct quadrature choose_rays(struct tracing *tracing)
+static struct quadrature choose_rays(struct ray_tracing *tracing)
 {
     struct quadrature all = {.is_empty = true};
     struct stop_beam pupil;
-    if (tracing->request->pattern == PATTERN_GAUSS && open_pupil(tracing, &pupil)) {
-        all = quadrature_make(&pupil, tracing->request->ray_count, tracing->arena);
+    if (tracing->request.pattern == PATTERN_GAUSS && open_pupil(tracing, &pupil)) {
+        all = quadrature_make(&pupil, tracing->request.ray_count, &tracing->scratch);
     }
     if (all.is_empty) {
         all.sample = tracing->sample;
-        all.rays = rays_new(tracing->arena, all.sample.count);
+        all.rays = rays_new(&tracing->scratch, all.sample.count);
         start_rays(tracing, &all.rays);
     }
     return all;
 }
 
-/* All rays of one field at one wavelength. */
-static void trace_pupil(struct tracing *tracing, const struct quadrature *all, size_t field,
-                        size_t group, struct ray_data *ray_data)
+/* The next `count` rays from where they start to where they end, in tracing->rays. */
+static struct rays follow_part(const struct ray_tracing *tracing, size_t count)
+{
+    const struct rays starts = {tracing->pupil.rays.blocks + tracing->place / RAYS_BLOCK, count};
+    const struct rays rays = {tracing->rays.blocks, count};
+    for (size_t b = 0; b < rays_blocks(&rays); b++) {
+        rays.blocks[b] = starts.blocks[b];
+        memset(rays.blocks[b].lost, 0, sizeof rays.blocks[b].lost);
+    }
+    rays_trace(tracing->ways->clipped, &rays, NULL);
+    return starts;
+}
+
+/* The next rays of the present field and wavelength; those that came through are put in. */
+static void trace_part(struct ray_tracing *tracing, size_t count, struct ray_data *ray_data)
 {
     const struct system *system = tracing->ways->clipped;
-    const struct sample *sample = &all->sample;
-    struct rays rays = rays_new(tracing->arena, sample->count);
-    double *const *to = ray_data->columns;
-    const struct setup *setup = tracing->request->setup;
-    double weight = setup->fields[field].weight * setup->wavelengths[group].weight;
-    ray_data->wanted += sample->count;
-    for (size_t k = 0; k < sample->count; k++) {
-        struct ray ray = rays_get(&all->rays, k, system->index_first);
-        ray.status = RAY_OK;
-        rays_set(&rays, k, system->index_first, &ray);
-    }
+    const struct setup *setup = tracing->request.setup;
+    const size_t groups = setup->wavelength_count;
+    const size_t field = tracing->bundle / groups, group = tracing->bundle % groups;
+    const struct pupil_point *points = tracing->pupil.sample.points + tracing->place;
+    const double weight = setup->fields[field].weight * setup->wavelengths[group].weight;
+    const struct rays starts = follow_part(tracing, count);
+    struct ray_part *part = &tracing->part;
+    double *const *to = part->columns;
+    size_t unreachable = 0;
     /* places behind a thick lens that comes last count from its H' */
     const struct surface *last = &system->lens->surfaces[system->lens->surface_count - 1];
-    double behind = surface_hiatus(last).hi;
-    rays_trace(system, &rays, NULL);
-    for (size_t k = 0; k < sample->count; k++) {
-        struct ray start = rays_get(&all->rays, k, system->index_first);
-        struct ray ray = rays_get(&rays, k, system->index_last);
+    double behind = surface_hiatus(last).hi, clear = 0;
+    part->rays.count = part->lost_count = 0;
+    for (size_t k = 0; k < count; k++) {
+        struct ray start = rays_get(&starts, k, system->index_first);
+        struct ray ray = rays_get(&tracing->rays, k, system->index_last);
         bool reached = start.status == RAY_OK;
         if (!reached || ray.status != RAY_OK || !(fabs(ray.cosine[2]) > 1e-6)) {
-            ray_data->unreachable += !reached;
-            ray_data->clipped += reached;
-            ray_data->lost[ray_data->lost_count++] =
-                (struct ray_data_loss){sample->points[k].x, sample->points[k].y, field, group};
+            unreachable += !reached;
+            part->lost[part->lost_count++] =
+                (struct ray_data_loss){points[k].x, points[k].y, field, group};
             continue;
         }
-        size_t i = ray_data->rays.count++;
+        size_t i = part->rays.count++;
         ray.point[2] -= behind;
         store(to, i, &start);
         store(to + 4, i, &ray);
-        to[8][i] = weight * sample->points[k].weight;
-        to[9][i] = sample->points[k].x;
-        to[10][i] = sample->points[k].y;
-        ray_data->groups[i] = group;
-        ray_data->field[i] = field;
-        ray_data->clear[field] += sample->points[k].weight / (double)setup->wavelength_count;
+        to[8][i] = weight * points[k].weight;
+        to[9][i] = points[k].x;
+        to[10][i] = points[k].y;
+        part->groups[i] = group;
+        part->fields[i] = field;
+        clear += points[k].weight / (double)groups;
+    }
+    if (!tracing->is_counted) {
+        ray_data->count += part->rays.count;
+        ray_data->through[field] += part->rays.count;
+        ray_data->clear[field] += clear;
+        ray_data->wanted += count;
+        ray_data->unreachable += unreachable;
+        ray_data->clipped += part->lost_count - unreachable;
     }
 }
 
-/* The rays of all fields at all wavelengths, one quadrature each; empty: no chief ray. */
-static struct quadrature *choose_all(struct tracing *tracing, size_t *count)
+/* The rays of a field at a wavelength; none where it has no chief ray. */
+static void open_bundle(struct ray_tracing *tracing, struct ray_data *ray_data)
 {
-    const struct setup *setup = tracing->request->setup;
-    const size_t groups = setup->wavelength_count;
-    struct quadrature *all =
-        ARENA_ARRAY(tracing->arena, setup->field_count * groups, struct quadrature);
-    *count = 0;
-    for (size_t i = 0; i < setup->field_count * groups; i++) {
-        bool found = open_field(tracing, i / groups, i % groups, &tracing->last);
-        all[i] = found ? choose_rays(tracing) : (struct quadrature){.is_empty = true};
-        *count += all[i].sample.count;
+    const size_t groups = tracing->request.setup->wavelength_count;
+    arena_reset(&tracing->scratch, (struct arena_mark){0});
+    tracing->place = 0;
+    tracing->pupil = (struct quadrature){.is_empty = true};
+    if (open_field(tracing, tracing->bundle / groups, tracing->bundle % groups, &tracing->last)) {
+        tracing->pupil = choose_rays(tracing);
+    } else if (!tracing->is_counted) {
+        ray_data->wanted += tracing->sample.count;
+        ray_data->unreachable += tracing->sample.count;
     }
-    return all;
 }
 
-/* All rays of one field. */
-static void trace_field(struct tracing *tracing, size_t field, const struct quadrature *all,
-                        struct ray_data *ray_data)
+/* A part that is kept has room of its own. */
+static void keep_part(struct ray_tracing *tracing, size_t count)
 {
-    const size_t groups = tracing->request->setup->wavelength_count;
-    for (size_t g = 0; g < groups; g++) {
-        const struct quadrature *one = &all[field * groups + g];
-        struct arena_mark mark = arena_mark(tracing->arena);
-        tracing->ways = &tracing->all[g];
-        if (one->sample.count > 0) {
-            trace_pupil(tracing, one, field, g, ray_data);
-        } else {
-            ray_data->wanted += tracing->sample.count;
-            ray_data->unreachable += tracing->sample.count;
+    const size_t fields = tracing->request.setup->field_count;
+    tracing->keeps = tracing->keeps && tracing->kept_rays + count <= MOST_KEPT;
+    if (tracing->keeps) {
+        tracing->part = part_new(tracing->arena, count, fields);
+        tracing->kept_rays += count;
+        return;
+    }
+    if (tracing->shared.columns[0] == NULL) {
+        tracing->shared = part_new(tracing->arena, RAY_PART, fields);
+    }
+    tracing->part = tracing->shared;
+}
+
+void ray_data_rewind(struct ray_data *ray_data)
+{
+    struct ray_tracing *tracing = ray_data->tracing;
+    tracing->bundle = tracing->place = tracing->next_kept = 0;
+    tracing->pupil = (struct quadrature){.is_empty = true};
+    tracing->is_open = false;
+    arena_free(&tracing->scratch);
+}
+
+/* That was the last. */
+static const struct ray_part *end_parts(struct ray_data *ray_data)
+{
+    ray_data_rewind(ray_data);
+    ray_data->tracing->is_counted = true;
+    return NULL;
+}
+
+const struct ray_part *ray_data_next(struct ray_data *ray_data)
+{
+    struct ray_tracing *tracing = ray_data->tracing;
+    if (tracing->keeps && tracing->is_counted) {
+        return tracing->next_kept < tracing->kept_count ? &tracing->kept[tracing->next_kept++]
+                                                        : end_parts(ray_data);
+    }
+    while (tracing->place == tracing->pupil.sample.count) {
+        tracing->bundle += tracing->is_open;
+        tracing->is_open = true;
+        if (tracing->bundle == tracing->bundles) {
+            return end_parts(ray_data);
         }
-        arena_reset(tracing->arena, mark);
+        open_bundle(tracing, ray_data);
     }
+    size_t left = tracing->pupil.sample.count - tracing->place,
+           count = left < RAY_PART ? left : RAY_PART;
+    keep_part(tracing, count);
+    trace_part(tracing, count, ray_data);
+    tracing->place += count;
+    if (tracing->keeps) {
+        tracing->kept = arena_grow(tracing->arena, tracing->kept, tracing->kept_count,
+                                   &tracing->kept_room, sizeof *tracing->kept);
+        tracing->kept[tracing->kept_count++] = tracing->part;
+    }
+    return &tracing->part;
 }
 
-static bool check_left(const struct tracing *tracing, const struct ray_data *ray_data,
-                       struct error *error)
+bool ray_data_check(const struct ray_data *ray_data, struct error *error)
 {
-    if (ray_data->rays.count > 0) {
+    const struct ray_tracing *tracing = ray_data->tracing;
+    if (ray_data->count > 0) {
         return true;
     }
     if (ray_data->clipped == 0 && tracing->last.code != ERROR_NONE) {
@@ -296,22 +370,20 @@ static bool check_left(const struct tracing *tracing, const struct ray_data *ray
                 ray_data->wanted, ray_data->clipped, ray_data->unreachable);
 }
 
-bool ray_data_trace(const struct ray_data_request *request, struct arena *arena,
-                    struct ray_data *ray_data, struct error *error)
+bool ray_data_open(const struct ray_data_request *request, struct arena *arena,
+                   struct ray_data *ray_data, struct error *error)
 {
-    struct tracing tracing = {.request = request, .arena = arena};
-    *ray_data = (struct ray_data){0};
-    if (request->setup->field_count == 0) {
+    const struct setup *setup = request->setup;
+    struct ray_tracing *tracing = ARENA_NEW(arena, struct ray_tracing);
+    *tracing = (struct ray_tracing){
+        .request = *request, .arena = arena, .pupil = {.is_empty = true}, .keeps = true};
+    *ray_data = (struct ray_data){.tracing = tracing};
+    if (setup->field_count == 0) {
         return fail(error, ERROR_DOMAIN, "there is no field: give {field}");
     }
-    if (!open_tracing(&tracing, ray_data, error)) {
-        return false;
-    }
-    size_t most;
-    const struct quadrature *all = choose_all(&tracing, &most);
-    open_ray_data(request, most, arena, ray_data);
-    for (size_t f = 0; f < request->setup->field_count; f++) {
-        trace_field(&tracing, f, all, ray_data);
-    }
-    return check_left(&tracing, ray_data, error);
+    tracing->bundles = setup->field_count * setup->wavelength_count;
+    tracing->rays = rays_new(arena, RAY_PART);
+    ray_data->clear = ARENA_ARRAY(arena, setup->field_count, double);
+    ray_data->through = ARENA_ARRAY(arena, setup->field_count, size_t);
+    return open_tracing(tracing, ray_data, error);
 }

@@ -5,31 +5,20 @@
 
 #include "base/arena.h"
 #include "base/error.h"
+#include "design/fit/thick_sums.h"
 #include "design/solver/solver.h"
 #include "optics/thick_lens.h"
 
 #include <stdbool.h>
 #include <stddef.h>
 
-/* Rays of a lens, before and behind it, one array a coordinate. Slopes are tangents. */
-struct thick_rays {
-    size_t count;
-    const double *x, *y, *p, *q;                 /* at the front reference plane */
-    const double *x_out, *y_out, *p_out, *q_out; /* at the rear reference plane */
-    const double *weight;                        /* 0 or more; null = 1 */
-    const size_t *group;                         /* wavelength of each, 0 ..; null = all 0 */
-    const size_t *field;                         /* object point, 0 ..; null = each its own */
-    size_t field_count;
-    const double *stop_x, *stop_y; /* share of the stop's radius; for pupils only */
-};
-
 enum { THICK_GROUPS = 32 };
 
 /* What is to be fitted. */
 struct thick_task {
-    struct thick_rays rays;
-    size_t group_count;         /* 1 .. THICK_GROUPS */
-    const double *index_object; /* of each group */
+    const struct thick_sums *sums; /* of the rays that came through */
+    size_t group_count;            /* 1 .. THICK_GROUPS */
+    const double *index_object;    /* of each group */
     const double *index_image;
     bool separate;           /* each group has its own f, H, H'; else all have the same */
     double planes[2];        /* where rays are compared, from the rear reference plane:
@@ -51,7 +40,6 @@ struct thick_fit {
     const char **names; /* "f", "H", "H'", "f 2" .. "d1" */
     struct solver_summary summary;
     double rms;        /* distance in the image plane, over all rays, mm */
-    double largest;    /* of those distances, mm */
     double rms_second; /* the same in the second plane */
 };
 
@@ -65,7 +53,6 @@ struct thick_fit {
 /*
  * Fit a thick lens to rays.
  *
- * Given     task  the rays: the ones that came through
  * Result    fit, in the arena
  * Formula   smallest sum over rays of weight times the squared distance e between the ray and
  *           what thick_lens_map makes of it, in the image plane and, with its own weight, in the
@@ -79,19 +66,21 @@ struct thick_fit {
  *           small fields at any small aperture; derivatives in closed form.
  *           Standard errors by leaving out one field at a time (jackknife_covariance), or one ray
  *           where there are no fields: rays of one field err alike
- * Errors    ERROR_DOMAIN: no rays, rays that are no numbers, weights below 0 or all 0, a start
- *           without focal length, planes that are not finite or that are one, object in H; with a
- *           focus_weight, one ray a field; parameters that the rays leave open (named, with what
- *           would fix them)
+ * Errors    ERROR_DOMAIN: no rays, weights that are all 0, a start without focal length, planes
+ *           that are not finite or that are one, object in H; with a focus_weight, one ray a field;
+ *           parameters that the rays leave open (named, with what would fix them)
  */
 bool thick_fit(const struct thick_task *task, struct arena *arena, struct thick_fit *fit,
                struct error *error);
 
 /*
- * Four numbers a ray, e in x and y in the first plane, then in the second, with the weights of ray
- * and plane; and their derivatives by the parameters of thick_fit.
+ * Residuals whose squares add up to those of all rays, and their derivatives by the parameters of
+ * thick_fit.
  *
  * Given     context  a struct thick_task
+ * Result    of each bundle that has rays: e of their mean in x and y
+ *           in the first plane, then in the second, with the weights of bundle and plane; of two
+ *           rays and more what deviates from it, THICK_COLUMNS in each plane
  */
 solver_function thick_residuals;
 
@@ -107,6 +96,7 @@ double thick_errors(const struct thick_rays *rays, const struct thick_lens *lens
 
 /* How far a thick lens is off. */
 struct thick_score {
+    double weight;    /* of all rays */
     double rms[2];    /* in each of the two planes, mm */
     double largest;   /* in the first, mm */
     double direction; /* angle between the rays behind the lens, rms, rad */
@@ -116,9 +106,10 @@ struct thick_score {
  * Compare a thick lens with rays in two planes, and by direction.
  *
  * Given     planes  from the rear reference plane, mm
+ *           score   of the rays so far, of none if all is 0; receives that of these too
  */
-struct thick_score thick_score(const struct thick_rays *rays, const struct thick_lens *lenses,
-                               const double planes[2]);
+void thick_score_add(const struct thick_rays *rays, const struct thick_lens *lenses,
+                     const double planes[2], struct thick_score *score);
 
 /* A pupil: the picture of the stop from one side. */
 struct thick_pupil {
@@ -129,16 +120,28 @@ struct thick_pupil {
     double rms;                     /* distance of the rays from where they should cross, mm */
 };
 
+/* Rays whose place in the stop is known, added up and forgotten. */
+struct thick_pupil_sums {
+    double r[16]; /* of place, radius, radius times a, and what they are to make */
+    double weight;
+    size_t rows;
+};
+
 /*
- * Fit a pupil to rays whose place in the stop is known.
+ * Given     exit  behind the lens; else before it
+ */
+void thick_pupil_add(const struct thick_rays *rays, bool exit, struct thick_pupil_sums *sums);
+
+/*
+ * Fit a pupil to such rays.
  *
- * Given     exit    behind the lens; else before it
+ * Given     exit    the side, for the error
  *           spherical_aberration  whether the pupil may have it; else a is 0
  * Formula   x + place p = radius stop_x (1 + a s), the same for y: linear in place, radius and
  *           radius times a
  * Errors    ERROR_DOMAIN: rays that leave place or radius open
  */
-bool thick_fit_pupil(const struct thick_rays *rays, bool exit, bool spherical_aberration,
+bool thick_fit_pupil(const struct thick_pupil_sums *sums, bool exit, bool spherical_aberration,
                      struct arena *arena, struct thick_pupil *pupil, struct error *error);
 
 #endif
