@@ -7,15 +7,6 @@ enum { BAND_WAVES = 8 };
 
 bool render_check_colours(const struct render_input *input, struct error *error)
 {
-    if (lens_model_replaces((enum lens_model)input->model) &&
-        (render_is_grey(input) || !isnan(input->band))) {
-        return fail(error, ERROR_USAGE,
-                    "{--model} %s has one focal length for all light: no {--%s}",
-                    lens_models[input->model].word,
-                    !isnan(input->band)                  ? "band"
-                    : input->question.spectrum.count > 0 ? "spectrum"
-                                                         : "wavelength");
-    }
     return isnan(input->band) || !render_is_grey(input) ||
            fail(error, ERROR_USAGE, "{--band} and {--%s} exclude each other",
                 input->question.spectrum.count > 0 ? "spectrum" : "wavelength");
