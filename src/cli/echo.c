@@ -84,7 +84,8 @@ static void bring(struct column *column, const struct option *option)
 
 static bool is_number(const struct option *option)
 {
-    return option->kind == &kind_quantity || option->kind == &kind_wavelength;
+    return option->kind == &kind_quantity || option->kind == &kind_wavelength ||
+           option->kind == &kind_focal;
 }
 
 static enum column_type type_of(const struct option *option)
@@ -214,6 +215,15 @@ static const char *words_of(const struct option *option, const void *member, str
     return name == NULL && kind->words_of != NULL ? kind->words_of(option, member, arena) : name;
 }
 
+/* Of an equivalent focal length none: what it is for the sensor only the command knows. */
+static double number_of(const struct echo_item *item, const void *member)
+{
+    if (item->option->kind == &kind_focal) {
+        return ((const struct focal_value *)member)->length;
+    }
+    return item->has_value ? item->option->kind->number_of(member) : (double)NAN;
+}
+
 static void set_value(char *to, const struct echo_item *item, const void *input,
                       struct arena *arena)
 {
@@ -225,7 +235,7 @@ static void set_value(char *to, const struct echo_item *item, const void *input,
     }
     switch (type_of(option)) {
     case COLUMN_NUMBER:
-        *(double *)(void *)to = item->has_value ? option->kind->number_of(member) : (double)NAN;
+        *(double *)(void *)to = number_of(item, member);
         break;
     case COLUMN_INTEGER:
         *(long *)(void *)to = item->has_value ? *(const long *)member : NO_INTEGER;

@@ -32,13 +32,15 @@ struct asked {
     struct reader reader;
     char *constants, *input;
     const struct option *option;
+    const struct sheet *sheet;
 };
 
 static struct asked ask(const struct command *command, const struct option *option,
                         const char *value)
 {
     struct asked asked = {.reader = {.db = &db, .arena = &arena, .lenses = &lenses},
-                          .option = option};
+                          .option = option,
+                          .sheet = &command->sheet};
     struct error error;
     char word[80];
     snprintf(word, sizeof word, "--%s%s%s", option->name, option->kind == &kind_flag ? "" : "=",
@@ -67,6 +69,7 @@ static bool open_rows(struct asked *asked, const char *text, struct batch *batch
     const struct batch_source source = {.path = path,
                                         .arguments = &asked->arguments,
                                         .reader = &asked->reader,
+                                        .arena = &arena,
                                         .constants = asked->constants};
     const bool is_open = batch_open(batch, &source, error);
     close(ends[0]);
@@ -86,7 +89,8 @@ static bool fills(struct asked *asked, const char *name, const char *cell)
     struct batch batch = {0};
     struct error error;
     const char *text = arena_printf(&arena, "\"%s\",x y\n%s,1\n,1\n%s,1\n,2\n", name, cell, cell);
-    bool good = open_rows(asked, text, &batch, &error) && batch_has(&batch, asked->option->name);
+    bool good = open_rows(asked, text, &batch, &error) && batch_has(&batch, asked->option->name) &&
+                batch_settle(&batch, asked->sheet, false, &error);
     for (int i = 0; i < 4 && good; i++) {
         good = batch_next(&batch, asked->input, &error) == BATCH_ROW &&
                is_constant(asked) == (i % 2 == 1);
