@@ -23,14 +23,13 @@ static void need(bool good, const struct error *error)
 }
 
 /* ns a ray by a thick lens's map; the thin lens is the same map with H and H' in one plane. */
-static double time_map(const struct ray_data *ray_data, const struct thick_lens *lens)
+static double time_map(const struct thick_rays *rays, const struct thick_lens *lens)
 {
     double best = INFINITY, sum = 0;
     for (int turn = 0; turn < TURNS; turn++) {
         double start = clock_time();
-        for (size_t i = 0; i < ray_data->rays.count; i++) {
-            const struct slope_ray in = {ray_data->rays.x[i], ray_data->rays.y[i],
-                                         ray_data->rays.p[i], ray_data->rays.q[i]};
+        for (size_t i = 0; i < rays->count; i++) {
+            const struct slope_ray in = {rays->x[i], rays->y[i], rays->p[i], rays->q[i]};
             const struct slope_ray out = thick_lens_map(lens, in);
             sum += out.x + out.y + out.p + out.q;
         }
@@ -39,7 +38,7 @@ static double time_map(const struct ray_data *ray_data, const struct thick_lens 
     if (!isfinite(sum)) {
         puts("not finite");
     }
-    return 1e9 * best / (double)ray_data->rays.count;
+    return 1e9 * best / (double)rays->count;
 }
 
 /* ns a ray by exact tracing, with clear apertures. */
@@ -74,7 +73,8 @@ struct subject {
     struct lens lens;
     struct setup setup;
     struct ray_data_request request;
-    struct ray_data ray_data;
+    size_t count;           /* of rays */
+    struct thick_rays part; /* the last that were traced */
     struct thick_fit fit;
     double trace_time, fit_time; /* s */
 };
@@ -106,24 +106,35 @@ static void run_once(struct subject *subject, struct arena *work)
 {
     const struct first_order *first = &subject->setup.first;
     struct error error;
-    double start = clock_time();
-    need(ray_data_trace(&subject->request, work, &subject->ray_data, &error), &error);
-    subject->trace_time = fmin(subject->trace_time, clock_time() - start);
-    struct thick_task task = {
-        .rays = subject->ray_data.rays,
+    struct ray_data ray_data;
+    const struct ray_part *part;
+    struct thick_sums sums = thick_sums_open(subject->setup.field_count,
+                                             subject->setup.wavelength_count, INFINITY, work);
+    double trace_time = 0, fit_time = 0, start = clock_time();
+    need(ray_data_open(&subject->request, work, &ray_data, &error), &error);
+    while ((part = ray_data_next(&ray_data)) != NULL) {
+        trace_time += clock_time() - start;
+        start = clock_time();
+        need(thick_sums_add(&sums, &part->rays, &error), &error);
+        fit_time += clock_time() - start;
+        subject->part = part->rays;
+        start = clock_time();
+    }
+    subject->trace_time = fmin(subject->trace_time, trace_time + clock_time() - start);
+    subject->count = sums.count;
+    const struct thick_task task = {
+        .sums = &sums,
         .group_count = 1,
-        .index_object = subject->ray_data.index_object,
-        .index_image = subject->ray_data.index_image,
+        .index_object = ray_data.index_object,
+        .index_image = ray_data.index_image,
         .planes = {first->image, first->exit_pupil},
         .plane_weights = {1, THICK_PUPIL_WEIGHT},
         .focus_weight = THICK_FOCUS_WEIGHT,
         .object = INFINITY,
         .start = {first->efl, first->front_principal, first->rear_principal, 1, 1, {0}, INFINITY}};
-    task.rays.count = (size_t)fmin((double)task.rays.count, 1000);
     start = clock_time();
     need(thick_fit(&task, work, &subject->fit, &error), &error);
-    subject->fit_time = fmin(subject->fit_time, clock_time() - start);
-    subject->ray_data.rays.count = task.rays.count;
+    subject->fit_time = fmin(subject->fit_time, fit_time + clock_time() - start);
 }
 
 int main(void)
@@ -138,11 +149,10 @@ int main(void)
     const struct thick_lens *thick = &subject.fit.lenses[0];
     struct thick_lens thin = *thick;
     thin.front = subject.setup.first.length + thin.rear;
-    printf("rays %zu\niterations %ld\n", subject.ray_data.rays.count,
-           subject.fit.summary.iterations);
+    printf("count %zu\niterations %ld\n", subject.count, subject.fit.summary.iterations);
     printf("fit %.1f\nrays %.1f\n", 1e6 * subject.fit_time, 1e6 * subject.trace_time);
     printf("exact %.2f\n", time_exact(&subject.lens, &subject.setup.first, &arena));
-    printf("thick %.2f\nthin %.2f\n", time_map(&subject.ray_data, thick),
-           time_map(&subject.ray_data, &thin));
+    printf("thick %.2f\nthin %.2f\n", time_map(&subject.part, thick),
+           time_map(&subject.part, &thin));
     return 0;
 }

@@ -7,7 +7,7 @@ from common import printed
 
 # Names that tests/bench/fit.c prints: what they are, and the unit.
 FIT = {
-    "rays": ("fit: rays", ""),
+    "count": ("fit: rays", ""),
     "iterations": ("fit: iterations", ""),
     "fit": ("fit: a thick lens to them", "us"),
     "rays": ("fit: aiming and tracing them", "us"),
