@@ -154,7 +154,8 @@ static struct falloff_point look(const struct falloff *falloff, const double hei
     struct beam beam;
     double chief[2], inside[2];
     struct error ignored;
-    bool found = find_chief(falloff, &at, &beam, chief, &ignored);
+    bool found = !(hypot(height[0], height[1]) > falloff->chief_end) &&
+                 find_chief(falloff, &at, &beam, chief, &ignored);
     *field = no_light;
     if (found) {
         const struct ray behind = chief_behind(falloff, &beam, chief);
@@ -192,6 +193,40 @@ struct falloff falloff_apart(const struct falloff *falloff, struct arena *arena)
     apart.near = ARENA_NEW(arena, struct setup_near);
     *apart.near = *falloff->near;
     return apart;
+}
+
+/* Does a chief ray come to a height? What is remembered of the last is left alone. */
+static bool chief_comes(const struct falloff *falloff, const double height[2])
+{
+    const struct arena_mark mark = arena_mark(falloff->setup.arena);
+    const struct field_point at = {FIELD_REAL, {height[0], height[1]}};
+    struct falloff apart = *falloff;
+    struct setup_near near = *falloff->near;
+    struct beam beam;
+    double chief[2];
+    struct error ignored;
+    apart.near = &near;
+    const bool comes = find_chief(&apart, &at, &beam, chief, &ignored);
+    arena_reset(falloff->setup.arena, mark);
+    return comes;
+}
+
+double falloff_chief_end(const struct falloff *falloff, const double end[2], size_t count)
+{
+    if (chief_comes(falloff, end)) {
+        return INFINITY;
+    }
+    size_t comes = 0, fails = count;
+    while (fails - comes > 1) {
+        const size_t middle = (comes + fails) / 2;
+        const double share = (double)middle / (double)count;
+        if (chief_comes(falloff, (double[2]){share * end[0], share * end[1]})) {
+            comes = middle;
+        } else {
+            fails = middle;
+        }
+    }
+    return comes == 0 ? 0 : ((double)comes + 0.5) / (double)count * hypot(end[0], end[1]);
 }
 
 struct falloff_point falloff_at(const struct falloff *falloff, const double height[2])
@@ -244,6 +279,7 @@ bool falloff_open(const struct falloff_question *question, struct falloff *fallo
         .near = ARENA_NEW(setup->arena, struct setup_near),
         .error = question->error,
         .clip = question->clip,
+        .chief_end = INFINITY,
         .no_field = question->no_field,
         .no_vignetting = question->no_vignetting,
     };

@@ -13,6 +13,7 @@ struct falloff {
     struct setup_near *near; /* the height looked at last; internal */
     double error;
     bool clip, no_field, no_vignetting;
+    double chief_end; /* mm from the axis: chief rays of heights beyond are not searched */
     /* reversed: all apertures, none, the stop alone; forward: all, none */
     const struct system *film, *film_open, *film_stop, *field, *field_open;
     struct first_order first;       /* at that wavelength */
@@ -44,6 +45,17 @@ void falloff_begin(const struct falloff *falloff, const double height[2]);
 /* The same for another thread, which remembers no height but that of falloff_begin: its memory is
    `arena`. */
 struct falloff falloff_apart(const struct falloff *falloff, struct arena *arena);
+
+/*
+ * How far chief rays come, for heights of one drawing: a search that fails takes long, and farther
+ * out it fails again.
+ *
+ * Given     end    the last of the heights, mm; count of even parts from the axis to it
+ * Result    to be kept in chief_end: infinite if the last has one, else midway between a height
+ *           that has and the next that has none, found by halving; 0 where none is found
+ * Limits    a chief ray that comes back farther out is not seen
+ */
+double falloff_chief_end(const struct falloff *falloff, const double end[2], size_t count);
 
 /* A point of the image. */
 struct falloff_point {

@@ -371,11 +371,14 @@ static size_t add_series(const struct curve *curve, bool alone, const char *labe
     const double beyond = reach / curve->reach; /* others have points there */
     const size_t count = curve->reach > 0 ? 1 + (size_t)((POINTS - 1) * (1 + 1e-9) / beyond) : 0;
     struct falloff_point found[POINTS];
-    struct points points = {&curve->falloff,
-                            {beyond * curve->farthest[0], beyond * curve->farthest[1]},
-                            0,
-                            POINTS - 1,
-                            found};
+    struct falloff falloff = curve->falloff;
+    if (count > 1) {
+        const double share = (double)(count - 1) / (POINTS - 1) * beyond;
+        const double last[2] = {share * curve->farthest[0], share * curve->farthest[1]};
+        falloff.chief_end = falloff_chief_end(&falloff, last, count - 1);
+    }
+    struct points points = {
+        &falloff, {beyond * curve->farthest[0], beyond * curve->farthest[1]}, 0, POINTS - 1, found};
     analysis_divide(curve->one, count, find_light, &points);
     for (size_t i = 0; i < POINTS; i++) {
         const struct falloff_point none = {
