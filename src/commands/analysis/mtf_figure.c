@@ -19,8 +19,8 @@ enum { COLOURS = 7, DOTTED = 3 };
 /* The default of --error; below it a drawing is made of exact points too. */
 static const double usual_error = 1e-4;
 
-/* Of what a drawing shows. */
-static const double fine = 1e-3;
+/* Of what a drawing shows, and what nobody sees in it: a sixth of a pixel. */
+static const double fine = 1e-3, unseen = 5e-4;
 
 /* What contrast is drawn against. */
 enum axis { BY_FREQUENCY, BY_FOCUS, BY_FIELD };
@@ -145,11 +145,16 @@ static bool contrasts_at(void *context, double frequency, double *y)
 static bool add_contrasts(struct painter *painter, const struct mtf_source *source, double highest,
                           const struct entry *place, struct error *error)
 {
-    enum { KINDS = MTF_DIRECTIONS + 1, SAMPLES = 61, EACH = 1000 };
+    enum { KINDS = MTF_DIRECTIONS + 1, SAMPLES = 21, EACH = 1000 };
     const double ends[] = {0, highest}, page[] = {0, 1};
     const struct plot_series frame = {.y = page};
     const struct plot plot = {.x = ends, .count = 2, .series = &frame, .series_count = 1};
-    struct contrasts contrasts = {painter, source, error, false};
+    /* the default is an error of numbers, for which steep wave fronts take many more points */
+    struct mtf_question question = *source->question;
+    question.error = question.error < usual_error ? question.error : fmax(question.error, unseen);
+    struct mtf_source drawn = *source;
+    drawn.question = &question;
+    struct contrasts contrasts = {painter, &drawn, error, false};
     double x[SAMPLES], values[KINDS][SAMPLES], here[KINDS];
     const double *y[KINDS];
     for (size_t i = 0; i < SAMPLES; i++) {
