@@ -61,7 +61,7 @@ SURF 1
  STOP
  CURV 0.02
  DISZ 3
- GLAS foo\x1b[31m 1 0 1.5 60
+ GLAS foo\x1b[31m 0 0 1.5 60
  DIAM 5
 SURF 2
  CURV -0.02
@@ -69,6 +69,7 @@ SURF 2
  DIAM 5
 SURF 3
  CURV 0
+ DISZ 0
 """
 
 

@@ -141,7 +141,7 @@ def check_files(tester):
         ("a column too few", HEADER + b"50,4\n", (1,), "standard input:2:"),
         ("a column too many", HEADER + b"50,4,3,2\n", (1,), "standard input:2:"),
         ("missing columns", b"f,N\n50,4\n", (1,), "standard input:2:", "--distance"),
-        ("no column", b"a,b\n1,2\n", (1,), "standard input:2:"),
+        ("no column", b"a,b\n1,2\n", (4,), "standard input:1:"),
         ("empty name", b"f,N,s,\n50,4,3,x\n", (0, 4)),
         ("a name twice", b"f,N,s,f\n1,2,3,4\n", (4,), "standard input:1:7"),
         ("an option twice", b"f,N,s,focal_mm\n1,2,3,4\n", (4,), "standard input:1:7"),

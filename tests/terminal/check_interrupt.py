@@ -52,7 +52,6 @@ CASES = [
     [*TOLERANCE, "--show", "offenders"],
     ["tolerance", "stack.lens", "--grade", "precision"],
     ["report", "stack.lens", "-o", "stack.html"],
-    ["draw", "stack.lens", "-o", "stack.svg"],
     ["render", "ball.scene", *CARD[4:], "--size", "64x64", "-t", "1", "--samples", "1048576", "-o",
      "ball.png"],
     ["render", "ball.scene", *CARD[4:], "--size", "64x64", "-t", "1", "--samples", "1048576", "-o",

@@ -102,31 +102,55 @@ def solve(a, b):
     return [row[n] for row in m]
 
 
-def fit_sphere(rays, radius):
+def to_sphere(ray, centre, crossing):
+    """The optical path of a ray to the sphere about a centre that goes through `crossing`."""
+    point, e, path, _ = ray
+    d = [p - c for p, c in zip(point, centre)]
+    along = sum(u * v for u, v in zip(d, e))
+    q = sum(u * u for u in d) - along * along
+    return path - along - math.sqrt(sum((a - c) ** 2 for a, c in zip(crossing, centre)) - q)
+
+
+def fit_sphere(rays, crossing):
     """The centre from which the weighted spread of the paths is least, from (0, 0, 0) on."""
-    centre = [0.0, 0.0, 0.0]
+    centre, step = [0.0, 0.0, 0.0], 1e-3
     for _ in range(12):
         normal = [[0.0] * 4 for _ in range(4)]
         right = [0.0] * 4
-        for point, e, path, weight in rays:
-            d = [p - c for p, c in zip(point, centre)]
-            along = sum(u * v for u, v in zip(d, e))
-            q = sum(u * u for u in d) - along * along
-            way = path - along - math.sqrt(radius * radius - q)
-            line = [*e, 1.0]
+        for ray in rays:
+            line = []
+            for axis in range(3):
+                sides = [to_sphere(ray, [c + (step * sign if i == axis else 0)
+                                         for i, c in enumerate(centre)], crossing)
+                         for sign in (1, -1)]
+                line.append((sides[0] - sides[1]) / (2 * step))
+            line.append(1.0)
+            way = to_sphere(ray, centre, crossing)
             for i in range(4):
-                right[i] -= weight * line[i] * way
+                right[i] -= ray[3] * line[i] * way
                 for k in range(4):
-                    normal[i][k] += weight * line[i] * line[k]
+                    normal[i][k] += ray[3] * line[i] * line[k]
         centre = [c + s for c, s in zip(centre, solve(normal, right))]
     return centre
+
+
+def chief_crossing(program, words, mean, image):
+    """Where the chief ray crosses the paraxial exit pupil, in the frame of the rays; z of the
+    image plane is from the last vertex. The sphere about the chief ray's image point tells how
+    far off it is, the rays on which side."""
+    chief = rows(program, ["fan", *words, "--reference", "chief", "--points", "3"])[0]
+    pupil = rows(program, ["lens", words[0], "-w", "d"])[0]
+    z = float(pupil["exit_pupil_mm"]) - image
+    y = math.sqrt(max(float(chief["sphere_mm"]) ** 2 - z * z, 0))
+    height = float(chief["reference_y_mm"])
+    return 0.0, height - math.copysign(y, height) - mean, z
 
 
 def check_best(checks, program, lens, field):
     words = [lens, "--field", field, "-w", "d", "--no-clip"]
     table = rows(program, ["fan", *words, "--reference", "best", "--points", "3"])
     rays = rows(program, ["trace", *words, "--pattern", "gauss", "--rays", "800", "--columns",
-                          "x_out,y_out,cos_x_out,cos_y_out,cos_z_out,path,weight"])
+                          "x_out,y_out,z_out,cos_x_out,cos_y_out,cos_z_out,path,weight"])
     if not checks.check(isinstance(table, list) and isinstance(rays, list), f"{lens}: {table}"):
         return
     mean = sum(float(ray["y_out_mm"]) for ray in rays) / len(rays)
@@ -134,9 +158,9 @@ def check_best(checks, program, lens, field):
     bundle = [((float(ray["x_out_mm"]), float(ray["y_out_mm"]) - mean, 0.0),
                tuple(float(ray[f"cos_{axis}_out"]) for axis in "xyz"),
                float(ray["path_mm"]) - start, float(ray["weight"])) for ray in rays]
-    radius = float(table[0]["sphere_mm"])
-    x, y, z = fit_sphere(bundle, radius)
-    scale = 1e-6 * radius
+    crossing = chief_crossing(program, words, mean, float(rays[0]["z_out_mm"]))
+    x, y, z = fit_sphere(bundle, crossing)
+    scale = 1e-6 * float(table[0]["sphere_mm"])
     for name, expected in (("reference_x_mm", x), ("reference_y_mm", y + mean),
                            ("reference_z_mm", z)):
         near(checks, f"best: {lens} {field} {name}", table[0][name], expected, scale)
