@@ -77,6 +77,69 @@ static void check_derivatives(void)
     check_lens(mangin, "R2 n2 t2", &stop, OPERAND_SPOT);
 }
 
+static const char *const far_image = "wavelength d F\nfield image 0 5,3\naperture stop\n"
+                                     "focus table\nsurface 50 6 1.6/55 -\nsurface -80 3 air -\n"
+                                     "surface -40 2 1.7/30 -\nstop - 5 air 7\n"
+                                     "surface 70 4 1.5 -\nsurface -35 40 air -\n";
+
+/*
+ * Rays that begin where those of a lens before it ended are of its own field: of an image height,
+ * whose object is another one in every lens.
+ */
+static void check_settled(enum operand_kind kind, bool from_entrance)
+{
+    static struct under_test test;
+    const struct merit_question question = {
+        .fnumber = NAN, .pattern = PATTERN_GAUSS, .rays = 3, .from_entrance = from_entrance};
+    struct error error = {0};
+    const bool opens = open_test(&test, far_image, "R1 t2 R5", &question, kind, &error);
+    CHECK(opens);
+    if (opens) {
+        double *residuals = ARENA_ARRAY(&test.arena, test.merit.residual_count, double);
+        CHECK(merit_evaluate(&test.merit, test.v, residuals, NULL));
+        merit_rays_settle(&test.merit.slots[0], false);
+        test.v[0] *= 1.02;
+        test.v[1] += 0.1;
+        CHECK(check_all(&test));
+    }
+    arena_free(&test.arena);
+}
+
+/* Rays that are held stay whatever their field: a slope is that of what they do, by differences. */
+static void check_held(enum operand_kind kind)
+{
+    enum { SIDES = 2 };
+    static const double steps[SIDES] = {-1e-4, 1e-4};
+    static struct under_test test;
+    const struct merit_question question = {.fnumber = NAN, .pattern = PATTERN_GAUSS, .rays = 3};
+    struct error error = {0};
+    const bool opens = open_test(&test, far_image, "t2", &question, kind, &error);
+    CHECK(opens);
+    if (opens) {
+        const size_t rows = test.merit.residual_count;
+        double *residuals = ARENA_ARRAY(&test.arena, rows, double);
+        double *jacobian = ARENA_ARRAY(&test.arena, rows, double);
+        double *slopes = ARENA_ARRAY(&test.arena, rows, double), largest = 0;
+        CHECK(merit_evaluate(&test.merit, test.v, residuals, NULL));
+        merit_rays_settle(&test.merit.slots[0], true);
+        for (int k = 0; k < SIDES; k++) {
+            const double moved = test.v[0] + steps[k];
+            CHECK(merit_evaluate(&test.merit, &moved, residuals, NULL));
+            for (size_t i = 0; i < rows; i++) {
+                slopes[i] += residuals[i] / (SIDES * steps[k]);
+            }
+        }
+        CHECK(merit_evaluate(&test.merit, test.v, residuals, jacobian));
+        for (size_t i = 0; i < rows; i++) {
+            largest = fmax(largest, fabs(slopes[i]));
+        }
+        for (size_t i = 0; i < rows; i++) {
+            CHECK_NEAR(jacobian[i], slopes[i], 1e-6 * largest, "a slope of rays that are held");
+        }
+    }
+    arena_free(&test.arena);
+}
+
 /*
  * The sum of squares of nine spots of the lecture's double Gauss and of what its focal length is
  * off from 100 mm, by a program of its own: 127 rays in rings, and Gauss's 36.
@@ -124,5 +187,10 @@ int main(void)
     }
     check_starts();
     check_derivatives();
+    check_settled(OPERAND_SPOT, false);
+    check_settled(OPERAND_POLY, true);
+    check_settled(OPERAND_OPD, false);
+    check_held(OPERAND_SPOT);
+    check_held(OPERAND_OPD);
     return check_report();
 }

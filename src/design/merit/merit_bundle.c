@@ -417,10 +417,13 @@ static void settle(struct merit_bundle *bundle, struct bundle_block *block)
     block->settled->beams = beams;
 }
 
+/* But for the beams themselves: of image heights they are those of the lens as it is now. */
 static void go_back(struct bundle_block *block)
 {
     struct aimed_beam *beams = block->aimed.beams;
-    memcpy(beams, block->settled->beams, block->aimed.beam_count * sizeof *beams);
+    for (size_t g = 0; g < block->aimed.beam_count; g++) {
+        beams[g].near = block->settled->beams[g].near;
+    }
     block->aimed = *block->settled;
     block->aimed.beams = beams;
 }

@@ -16,7 +16,7 @@ struct bundle_rate merit_bundle_rate(const struct merit_bundle *bundle,
     const struct dual field =
         far ? dual_divide(first->power, n) : dual_divide(dual_of(1), first->magnification);
     bool moves = false;
-    for (size_t i = 0; i < bundle->wish.field_count; i++) {
+    for (size_t i = 0; i < bundle->wish.field_count && !bundle->is_held; i++) {
         moves = moves || merit_bundle_moves(bundle, i);
     }
     const bool at_pupil = bundle->wish.from_entrance && !bundle->first.is_telecentric;
