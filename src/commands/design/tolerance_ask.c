@@ -272,6 +272,19 @@ static bool check_focal(const struct tolerance_job *job, struct error *error)
                 criterion_type(kind)->name, has_waves ? "wavelength" : "field");
 }
 
+/* Trials look for no object of a real image: rays would be aimed from another one than spot has. */
+static bool check_aim(const struct tolerance_job *job, struct error *error)
+{
+    const struct lens_question *asked = &job->input->question;
+    if (!job->question.aims || asked->fields.count > 0 || job->lens->field_kind != FIELD_REAL) {
+        return true;
+    }
+    fail(error, ERROR_DOMAIN,
+         "{--aim} stop: the fields are heights of the real image, and trials have the directions "
+         "of those from the nominal lens");
+    return error_hint(error, "{--aim} nominal, or angles by {--field}");
+}
+
 static bool ask_view(struct tolerance_job *job, struct error *error)
 {
     const struct tolerance_input *input = job->input;
@@ -280,7 +293,7 @@ static bool ask_view(struct tolerance_job *job, struct error *error)
     struct merit_question *view = &job->question.view;
     const char *names = question->position != NULL ? question->position : "all";
     struct setup_field *fields = ARENA_ARRAY(arena, question->fields.count + 1, struct setup_field);
-    if (!check_focal(job, error)) {
+    if (!check_focal(job, error) || !check_aim(job, error)) {
         return false;
     }
     /* the transfer function of a pupil that is cut is not there */
