@@ -87,35 +87,46 @@ static double highest_of(const struct painter *painter, const struct mtf_source 
     return isnan(painter->highest) ? fmin(cutoff, 160) : painter->highest;
 }
 
+/* What find_curve has found: contrasts at 0, highest/(steps - 1) ... */
+struct even_curve {
+    struct mtf_curve at;
+    size_t count, steps;
+    double highest;
+};
+
 /*
  * Contrasts at once, up to where the wave front is not too steep: a first curve says how far the
- * drawing goes, others may end before.
+ * drawing goes, others may end before. Wider steps, which want a coarser grid, would show corners:
+ * they come last.
  *
- * Result    how many of the STEPS; 0: each has to be found by itself
+ * Result    false: each has to be found by itself
  */
-static size_t find_curve(struct painter *painter, const struct mtf_source *source, double *highest,
-                         struct mtf_curve *curve)
+static bool find_curve(struct painter *painter, const struct mtf_source *source,
+                       struct even_curve *curve)
 {
-    enum { LEAST = 8, TRIES = 24 };
+    enum { LEAST = 8, TRIES = 24, STEPS_LEAST = 61 };
     const struct mtf_input *input = painter->input;
-    double end = *highest;
-    size_t count = STEPS;
-    if (input->method != MTF_BY_WAVES || input->question.error < usual_error || !(*highest > 0)) {
-        return 0;
+    const bool may_cut = painter->count == 0 && isnan(input->frequency);
+    if (input->method != MTF_BY_WAVES || input->question.error < usual_error ||
+        !(curve->highest > 0)) {
+        return false;
     }
-    for (int i = 0; i < TRIES && count >= LEAST; i++) {
-        if (mtf_curve_find(source, end / (STEPS - 1), count, painter->arena, curve)) {
-            painter->is_cut = painter->is_cut || i > 0;
-            *highest = end;
-            return count;
-        }
-        if (painter->count == 0 && isnan(input->frequency)) {
-            end *= 0.8;
-        } else {
-            count = count * 4 / 5;
+    for (size_t steps = STEPS; steps >= STEPS_LEAST; steps = steps / 2 + 1) {
+        double part = 1;
+        for (int i = 0; i < TRIES; i++, part *= 0.8) {
+            const double end = curve->highest * (may_cut ? part : 1);
+            const size_t count = may_cut ? steps : (size_t)((double)steps * part);
+            if (count >= LEAST && mtf_curve_find(source, end / (double)(steps - 1), count,
+                                                 painter->arena, &curve->at)) {
+                painter->is_cut = painter->is_cut || i > 0;
+                curve->count = count;
+                curve->steps = steps;
+                curve->highest = end;
+                return true;
+            }
         }
     }
-    return 0;
+    return false;
 }
 
 /* Contrasts of one curve that are found one by one, where a drawing wants them. */
@@ -189,25 +200,24 @@ static bool add_contrasts(struct painter *painter, const struct mtf_source *sour
 static bool add_curve(struct painter *painter, const struct mtf_source *source,
                       const struct entry *place, struct error *error)
 {
-    struct mtf_curve curve;
-    double highest = highest_of(painter, source);
-    const size_t count = find_curve(painter, source, &highest, &curve);
-    painter->highest = highest;
-    if (count == 0) {
-        return add_contrasts(painter, source, highest, place, error);
+    struct even_curve curve = {.highest = highest_of(painter, source)};
+    const bool found = find_curve(painter, source, &curve);
+    painter->highest = curve.highest;
+    if (!found) {
+        return add_contrasts(painter, source, curve.highest, place, error);
     }
     note_off(painter, fmax(source->off[0], source->off[1]));
-    for (size_t i = 0; i < count; i++) {
+    for (size_t i = 0; i < curve.count; i++) {
         struct entry *entry = new_entry(painter, place, error);
         if (entry == NULL) {
             return false;
         }
-        entry->x = highest * (double)i / (STEPS - 1);
+        entry->x = curve.highest * (double)i / (double)(curve.steps - 1);
         entry->is_between = true;
         const double left = mtf_pixels(painter->input, entry->x);
         for (size_t k = 0; k < MTF_DIRECTIONS; k++) {
-            entry->contrast[k] = left * curve.contrast[k][i];
-            entry->limit = fmax(entry->limit, left * curve.limit[k][i]);
+            entry->contrast[k] = left * curve.at.contrast[k][i];
+            entry->limit = fmax(entry->limit, left * curve.at.limit[k][i]);
         }
     }
     return true;
