@@ -276,7 +276,7 @@ def check_curves(checks, program):
                   ["laikin75-petzval", "-w", "d", "--field", "7"],
                   ["laikin48-telescope", "-w", "d", "--field", "0"]):
         drawn, exact = curves(program, words, "1e-4"), curves(program, words, "9e-5")
-        checks.check(len(drawn) == len(exact) >= 3, f"{words}: {len(drawn)} curves")
+        checks.check(len(drawn) == len(exact) >= 2, f"{words}: {len(drawn)} curves")
         off = [abs(y - between(other, x)) for line, other in zip(drawn, exact) for x, y in line
                if between(other, x) is not None]
         # those one by one are drawn where they are bent by a fifth of a pixel, of 352
