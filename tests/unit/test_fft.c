@@ -100,7 +100,7 @@ static void test_sets(struct arena *arena)
         }
         const struct fft_lines lines = {re[set], im[set], LINES, LENGTH, 1};
         if (has[set]) {
-            fft_transform(&fft, false, &lines, SET_SSE2 + set, arena);
+            fft_transform(&fft, false, &lines, (enum instruction_set)(SET_SSE2 + set), arena);
             CHECK(memcmp(re[set], re[0], sizeof re[0]) == 0);
             CHECK(memcmp(im[set], im[0], sizeof im[0]) == 0);
         }
