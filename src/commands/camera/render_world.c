@@ -282,7 +282,8 @@ static bool focus_from_camera(const struct artifact_job *job, double distance,
 static bool focus_on_said(const struct artifact_job *job, const struct scene_camera *camera,
                           struct render_input *focused, struct error *error)
 {
-    static const enum distance_from froms[SCENE_FROMS] = {
+    static const int froms[SCENE_FROMS] = {
+        /* enum distance_from, as options have it */
         [SCENE_FROM_ENTRANCE] = FROM_ENTRANCE,
         [SCENE_FROM_PRINCIPAL] = FROM_PRINCIPAL,
         [SCENE_FROM_SENSOR] = FROM_SENSOR,
