@@ -2,9 +2,9 @@
 """tests/robust/check_options.py - every common option with every command: honoured, or refused.
 
 An option that says nothing beside what else is asked is refused, and answered beside what it serves.
-All pairs of options of the photographic commands are tried, with LENSCALC_ALL=1 of others too, as
-pairs.py has them. What a command's --help does not show is refused with exit status 2 and the reason. What it shows
-makes a difference that is tried here: another answer, a file, another failure. A new command needs
+All pairs of options of the photographic commands are tried, with LENSCALC_PAIRS=1 of others too, as
+pairs.py has them. What a command's --help does not show is refused with exit status 2 and the
+reason. What it shows makes a difference that is tried here: another answer, a file, another failure. A new command needs
 its line in ASKED below, a new common option its function.
 """
 # SPDX-License-Identifier: MIT
@@ -492,7 +492,7 @@ def check_pairs(checks, program, commands):
     missing = set(commands) - set(pairs.PHOTOGRAPHIC) - set(pairs.OTHERS) - pairs.WITHOUT
     checks.check(not missing, f"no questions for the pairs of {missing}")
     bases = dict(pairs.PHOTOGRAPHIC)
-    if os.environ.get("LENSCALC_ALL"):
+    if os.environ.get("LENSCALC_PAIRS"):
         bases.update(pairs.OTHERS)
         for command, questions in pairs.EXACT.items():
             bases[command] += questions
