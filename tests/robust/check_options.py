@@ -4,8 +4,8 @@
 An option that says nothing beside what else is asked is refused, and answered beside what it serves.
 All pairs of options of the photographic commands are tried, with LENSCALC_PAIRS=1 of others too, as
 pairs.py has them. What a command's --help does not show is refused with exit status 2 and the
-reason. What it shows makes a difference that is tried here: another answer, a file, another failure. A new command needs
-its line in ASKED below, a new common option its function.
+reason. What it shows makes a difference that is tried here: another answer, a file, another
+failure. A new command needs its line in ASKED below, a new common option its function.
 """
 # SPDX-License-Identifier: MIT
 
