@@ -262,7 +262,10 @@ static void set_format(struct batch *batch, enum batch_format format, struct tex
     const bool semicolons =
         format == BATCH_CSV && !has_separator(first, ',') && has_separator(first, ';');
     batch->format = format;
-    batch->separator = format == BATCH_TSV ? '\t' : semicolons ? ';' : ',';
+    batch->separator = semicolons ? ';' : ',';
+    if (format == BATCH_TSV) {
+        batch->separator = '\t';
+    }
 }
 
 /* Does a line begin behind a carriage return that is outside quotes and before no line break? */

@@ -148,7 +148,12 @@ static bool match_brackets(const struct batch *batch, struct text name,
                            struct batch_meaning *meaning)
 {
     const char last = name.length > 0 ? name.start[name.length - 1] : '\0';
-    const char opening = last == ')' ? '(' : last == ']' ? '[' : '\0';
+    char opening = '\0';
+    if (last == ')') {
+        opening = '(';
+    } else if (last == ']') {
+        opening = '[';
+    }
     size_t at = opening != '\0' ? name.length - 1 : 0;
     while (at > 0 && name.start[at] != opening) {
         at--;

@@ -43,7 +43,10 @@ static enum state state_of(const struct sampler *sampler, double y)
     if (isfinite(v)) {
         return STATE_FINITE;
     }
-    return isnan(v) ? STATE_NONE : v < 0 ? STATE_BELOW : STATE_ABOVE;
+    if (isnan(v)) {
+        return STATE_NONE;
+    }
+    return v < 0 ? STATE_BELOW : STATE_ABOVE;
 }
 
 /* Where a finite value lies, px from the lower edge, hardly beyond what is seen. */
