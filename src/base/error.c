@@ -111,11 +111,12 @@ static void set_excerpt(struct error *error, const char *text, size_t length, si
 {
     size_t room = sizeof error->text - 1;
     size_t from = caret > room / 2 && length > room ? caret - room / 2 : 0;
-    while (from > 0 && from < length && from + 1 < caret && is_continued(text[from])) {
-        from++; /* no half characters */
+    /* no half characters, which lack three bytes at the most: more are none */
+    for (int i = 0; i < 3 && from > 0 && from < length && is_continued(text[from]); i++) {
+        from++;
     }
     size_t kept = length - from < room ? length - from : room;
-    while (kept > 0 && from + kept < length && is_continued(text[from + kept])) {
+    for (int i = 0; i < 3 && from + kept < length && is_continued(text[from + kept]); i++) {
         kept--;
     }
     for (size_t i = 0; i < kept; i++) {

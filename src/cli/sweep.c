@@ -168,9 +168,10 @@ static bool blame(const struct values *values, struct text whole, struct text pa
                   struct error *error)
 {
     error_within(error, whole, part);
-    return error_prefix(error, "bad range in --%s '%.*s' at character %d: ", values->option->name,
-                        text_shown(whole), whole.start,
-                        (int)text_column(whole, (size_t)error->caret - 1));
+    const size_t at =
+        error->caret > 0 ? (size_t)error->caret - 1 : (size_t)(part.start - whole.start);
+    return error_prefix(error, "bad range in --%s '%.*s' at character %zu: ", values->option->name,
+                        text_shown(whole), whole.start, text_column(whole, at));
 }
 
 static bool read_number(const struct values *values, struct text whole, struct text text,

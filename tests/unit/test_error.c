@@ -83,6 +83,18 @@ static void test_excerpt(void)
     }
 }
 
+/* Bytes that continue nothing are characters of their own: the caret stays in its window. */
+static void test_excerpt_of_continued_bytes(void)
+{
+    char text[400];
+    memset(text, 0x9c, sizeof text);
+    for (size_t caret = 1; caret <= sizeof text + 1; caret++) {
+        struct error error;
+        fail_at(&error, ERROR_DATA, (struct text){text, sizeof text}, caret, "wrong");
+        CHECK(error.caret >= 1 && (size_t)error.caret <= strlen(error.text) + 1);
+    }
+}
+
 static void test_characters(void)
 {
     static const struct {
@@ -162,6 +174,7 @@ int main(void)
     test_message();
     test_braces();
     test_excerpt();
+    test_excerpt_of_continued_bytes();
     test_characters();
     test_prefix();
     test_hint();
