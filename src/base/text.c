@@ -243,12 +243,12 @@ size_t text_utf8_length(const char *start, size_t room)
 size_t text_column(struct text line, size_t byte)
 {
     size_t column = 1;
-    for (size_t at = 0; at < byte; column++) {
-        const size_t length =
-            at < line.length ? text_utf8_length(line.start + at, line.length - at) : 1;
+    size_t at = 0;
+    for (; at < byte && at < line.length; column++) {
+        const size_t length = text_utf8_length(line.start + at, line.length - at);
         at += length > 0 ? length : 1;
     }
-    return column;
+    return at < byte ? column + (byte - at) : column;
 }
 
 /* The code of a well-formed sequence. */

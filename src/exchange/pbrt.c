@@ -144,10 +144,12 @@ static bool read_words(struct lens_build *build, struct file_words *words, struc
     struct row row;
     int cell = RADIUS;
     struct text last = {words->rest.start, 0};
+    struct file_words there = *words; /* in the line of the last word */
     while (file_words_line(words)) {
         for (struct text word = file_words_next(words); word.length > 0;
              word = file_words_next(words)) {
             row.words[cell] = last = word;
+            there = *words;
             if (!lens_words_figure(words, word, NUMBER_UNSCALED, names[cell], &row.figures[cell],
                                    error)) {
                 return false;
@@ -165,7 +167,7 @@ static bool read_words(struct lens_build *build, struct file_words *words, struc
         }
     }
     if (cell != RADIUS) {
-        return file_words_fail(words, last, error, "the last surface has no %s", names[cell]);
+        return file_words_fail(&there, last, error, "the last surface has no %s", names[cell]);
     }
     return build->lens->surface_count > 0 ||
            (fail(error, ERROR_DATA, "no surface: a line is radius, thickness, index, diameter") ||

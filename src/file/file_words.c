@@ -115,17 +115,25 @@ struct text file_words_rest(struct file_words *words)
     return rest;
 }
 
+/* In its line, in bytes from 0: a word of a line before stands at the line's end. */
+static size_t file_word_byte(const struct file_words *words, struct text word)
+{
+    const struct text line = words->line;
+    const bool is_here = word.start >= line.start && word.start <= line.start + line.length;
+    return is_here ? (size_t)(word.start - line.start) : line.length;
+}
+
 struct typed_place file_words_place(const struct file_words *words, struct text word)
 {
     return (struct typed_place){words->source, words->number,
-                                text_column(words->line, (size_t)(word.start - words->line.start))};
+                                text_column(words->line, file_word_byte(words, word))};
 }
 
 bool file_words_fail(const struct file_words *words, struct text word, struct error *error,
                      const char *format, ...)
 {
     char message[sizeof error->message];
-    size_t column = (size_t)(word.start - words->line.start) + 1;
+    const size_t column = file_word_byte(words, word) + 1;
     va_list arguments;
     va_start(arguments, format);
     vsnprintf(message, sizeof message, format, arguments);

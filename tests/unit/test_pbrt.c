@@ -23,6 +23,7 @@ static const struct refusal refusals[] = {
      "radius 0 is the stop, which does not refract, but the index changes here", NULL},
     {"-50 90 1 12", "@0 90 0 12", "a second stop: surface 2 is one already", NULL},
     {"-50 90 1 12", "-50 90 @1", "the last surface has no diameter", NULL},
+    {"-50 90 1 12", "-50 90 @1\n\n# end", "the last surface has no diameter", NULL},
     {"-50 90 1 12", "-50 90 1@x 12", "the index '1x' is not a number", NULL},
     {"50 4 1.5 12\n0 2 0 10\n-50 90 1 12\n", "",
      "no surface: a line is radius, thickness, index, diameter", NULL},
