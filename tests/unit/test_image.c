@@ -179,6 +179,33 @@ static void test_bytes(struct arena *arena)
     CHECK(crc_of("123456789", 9) == 0xcbf43926 && crc_of("", 0) == 0);
 }
 
+/* The definition, bit by bit. */
+static uint32_t plain_crc(const unsigned char *data, size_t count)
+{
+    uint32_t crc = 0xffffffffU;
+    for (size_t i = 0; i < count; i++) {
+        crc ^= data[i];
+        for (int bit = 0; bit < 8; bit++) {
+            crc = (crc & 1) != 0 ? crc >> 1 ^ 0xedb88320U : crc >> 1;
+        }
+    }
+    return ~crc;
+}
+
+/* Of much data it is found several bytes at once. */
+static void test_long_crc(struct arena *arena)
+{
+    enum { MOST = 40003 };
+    unsigned char *data = ARENA_ARRAY(arena, MOST, unsigned char);
+    for (size_t i = 0; i < MOST; i++) {
+        data[i] = (unsigned char)(i * i >> 3 ^ i);
+    }
+    for (size_t from = 0; from < 9; from++) {
+        CHECK(crc_of(data + from, MOST - 2 * from) == plain_crc(data + from, MOST - 2 * from));
+        CHECK(crc_of(data, 16380 + from) == plain_crc(data, 16380 + from));
+    }
+}
+
 /* Packed and unpacked; damage, and another length than was said, is seen. */
 static void test_packing(struct arena *arena)
 {
@@ -236,6 +263,7 @@ int main(void)
     test_borders(65535);
     test_half();
     test_bytes(&arena);
+    test_long_crc(&arena);
     test_packing(&arena);
     arena_free(&arena);
     return check_report();

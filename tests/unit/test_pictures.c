@@ -58,6 +58,13 @@ static const struct kind {
     {"color8.png", {.bits = 8, .values = IMAGE_LIGHT}, 3, 0.0045, 0, true},
     {"alpha16.png", {.bits = 16, .values = IMAGE_LIGHT}, 4, 2e-5, 0, true},
     {"color16.png", {.bits = 16, .values = IMAGE_CODES}, 3, 0.5 / 65535, 0, true},
+    {"stored8.png", {.bits = 8, .values = IMAGE_LIGHT, .stored = true}, 3, 0.0045, 0, true},
+    {"stored16.png",
+     {.bits = 16, .values = IMAGE_CODES, .stored = true, .threads = 3},
+     4,
+     0.5 / 65535,
+     0,
+     true},
     {"grey16.png", {.bits = 16, .values = IMAGE_CODES}, 1, 0.5 / 65535, 0, true},
     {"color.pfm", {.bits = 0}, 3, 0, 0, false},
     {"grey.pfm", {.bits = 0}, 1, 0, 0, false},
@@ -110,6 +117,23 @@ static void test_round_trips(struct arena *arena)
         CHECK(image_file_parse("x", bytes, &(struct image_wish){.values = kind->way.values}, arena,
                                &back, &error));
         CHECK(back.width == 1 && back.height == 1);
+    }
+}
+
+/* What is not packed has as many bytes as it has; blocks of them end at 65535. */
+static void test_stored(struct arena *arena)
+{
+    enum { ROWS = 4369 }; /* so many of 15 bytes are one block, of 30 two */
+    const struct image_way way = {.bits = 8, .values = IMAGE_CODES, .stored = true};
+    const size_t widths[] = {14, 29, 30, 100};
+    for (size_t i = 0; i < sizeof widths / sizeof *widths; i++) {
+        struct error error = {0};
+        struct image back, image = make(widths[i], ROWS, 1, arena);
+        const struct text bytes = encode(&image, "x.png", way, arena);
+        const size_t plain = (widths[i] + 1) * ROWS, blocks = (plain + 65534) / 65535;
+        CHECK(bytes.length > plain + 5 * blocks && bytes.length < plain + 5 * blocks + 300);
+        CHECK(image_file_parse("x", bytes, &as_codes, arena, &back, &error));
+        check_same(&image, &back, &kinds[0]);
     }
 }
 
@@ -453,6 +477,7 @@ int main(void)
     } else {
         test_wished(&arena);
         test_round_trips(&arena);
+        test_stored(&arena);
         test_truncated(&arena);
         test_damaged(&arena);
         test_refused();

@@ -31,10 +31,7 @@ void bytes_put_string(struct bytes *bytes, const char *string)
 
 void bytes_put_little(struct bytes *bytes, uint64_t value, int count)
 {
-    unsigned char *at = bytes_room(bytes, (size_t)count);
-    for (int i = 0; i < count; i++) {
-        at[i] = (unsigned char)(value >> 8 * i);
-    }
+    bytes_store_little(bytes_room(bytes, (size_t)count), value, count);
     bytes->used += (size_t)count;
 }
 

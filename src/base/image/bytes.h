@@ -42,6 +42,13 @@ static inline uint32_t bytes_bits(float value)
     return bits;
 }
 
+static inline void bytes_store_little(unsigned char *to, uint64_t value, int count)
+{
+    for (int i = 0; i < count; i++) {
+        to[i] = (unsigned char)(value >> 8 * i);
+    }
+}
+
 /* What is being written; begins with {arena}. */
 struct bytes {
     struct arena *arena;

@@ -105,15 +105,22 @@ static void put_head(struct bytes *to, const struct image *image, const struct c
 static void put_rows(struct bytes *to, const struct image *image, const struct channel *channels,
                      bool half, const size_t rows[2])
 {
+    const size_t all = (rows[1] - rows[0]) * image->width * image->channels * (half ? 2 : 4);
+    unsigned char *at = bytes_room(to, all);
     for (size_t y = rows[0]; y < rows[1]; y++) {
-        const float *row = image_row(image, y);
         for (size_t k = 0; k < image->channels; k++) {
-            for (size_t x = 0; x < image->width; x++) {
-                const float value = row[x * image->channels + channels[k].number];
-                bytes_put_little(to, half ? half_of_float(value) : bytes_bits(value), half ? 2 : 4);
+            const float *value = image_row(image, y) + channels[k].number;
+            for (size_t x = 0; x < image->width; x++, value += image->channels) {
+                if (half) {
+                    bytes_store_little(at, half_of_float(*value), 2);
+                } else {
+                    bytes_store_little(at, bytes_bits(*value), 4);
+                }
+                at += half ? 2 : 4;
             }
         }
     }
+    to->used += all;
 }
 
 /* Even bytes before odd ones, each as its difference from the one before, and 128. */
@@ -161,6 +168,9 @@ bool openexr_write(const struct image *image, const struct image_way *way, struc
     if (!check_values(image, way->half, error)) {
         return false;
     }
+    /* what is not packed goes to its place at once */
+    const size_t most = image->width * image->height * image->channels * (way->half ? 2 : 4);
+    bytes_room(&to, (way->packed ? 0 : most) + 16 * blocks);
     put_head(&to, image, channels, way);
     const size_t table = to.used;
     bytes_room(&to, 8 * blocks);

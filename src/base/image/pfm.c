@@ -101,13 +101,14 @@ bool pfm_write(const struct image *image, struct arena *arena, struct text *file
     bytes_put_string(&to,
                      arena_printf(arena, "P%c\n%zu %zu\n-1.0\n", image->channels == 3 ? 'F' : 'f',
                                   image->width, image->height));
-    bytes_room(&to, 4 * values * image->height);
+    unsigned char *at = bytes_room(&to, 4 * values * image->height);
     for (size_t y = image->height; y-- > 0;) {
         const float *row = image_row(image, y);
-        for (size_t i = 0; i < values; i++) {
-            bytes_put_little(&to, bytes_bits(row[i]), 4);
+        for (size_t i = 0; i < values; i++, at += 4) {
+            bytes_store_little(at, bytes_bits(row[i]), 4);
         }
     }
+    to.used += 4 * values * image->height;
     *file = bytes_text(&to);
     return true;
 }

@@ -6,6 +6,7 @@
 #include "base/image/crc.h"
 #include "base/image/srgb.h"
 #include "base/image/stb.h"
+#include "base/parallel.h"
 
 #include <assert.h>
 #include <math.h>
@@ -115,6 +116,8 @@ static size_t filter_row(int filter, const unsigned char *row, const unsigned ch
     return sum;
 }
 
+enum { ROWS_AT_ONCE = 8 };
+
 static void encode_row(const struct image *image, const struct image_way *way, size_t y,
                        unsigned char *to)
 {
@@ -158,11 +161,44 @@ static unsigned char *filter_all(const struct image *image, const struct image_w
     return all;
 }
 
+struct png_rows {
+    const struct image *image;
+    const struct image_way *way;
+    unsigned char *all;
+    size_t stride;
+};
+
+static void png_rows_encode(void *context, size_t begin, size_t end)
+{
+    const struct png_rows *rows = context;
+    for (size_t y = begin; y < end; y++) {
+        unsigned char *row = rows->all + y * rows->stride;
+        row[0] = 0; /* no filter */
+        encode_row(rows->image, rows->way, y, row + 1);
+    }
+}
+
+static void put_pixels(struct bytes *to, const struct image *image, const struct image_way *way,
+                       size_t stride)
+{
+    struct bytes packed = {.arena = to->arena};
+    if (way->stored) {
+        struct png_rows rows = {image, way, NULL, stride};
+        rows.all = ARENA_ARRAY(to->arena, image->height * stride, unsigned char);
+        parallel_for(way->threads, image->height, ROWS_AT_ONCE, png_rows_encode, &rows);
+        stb_store(&packed, rows.all, stride * image->height);
+    } else {
+        stb_pack(&packed, filter_all(image, way, to->arena), stride * image->height);
+    }
+    bytes_room(to, packed.used + 2 * PNG_FRAME);
+    put_chunk(to, "IDAT", packed.data, packed.used);
+}
+
 bool png_write(const struct image *image, const struct image_way *way, struct arena *arena,
                struct text *file, struct error *error)
 {
     const size_t stride = 1 + image->width * image->channels * (size_t)way->bits / 8;
-    struct bytes to = {.arena = arena}, packed = {.arena = arena};
+    struct bytes to = {.arena = arena};
     assert(way->bits == 8 || way->bits == 16);
     if (image->channels > 4) {
         return fail(error, ERROR_DATA, "a PNG has 1 to 4 channels, not %zu", image->channels);
@@ -183,8 +219,7 @@ bool png_write(const struct image *image, const struct image_way *way, struct ar
     for (size_t i = 0; i < image->note_count; i++) {
         put_note(&to, &image->notes[i]);
     }
-    stb_pack(&packed, filter_all(image, way, arena), stride * image->height);
-    put_chunk(&to, "IDAT", packed.data, packed.used);
+    put_pixels(&to, image, way, stride);
     put_chunk(&to, "IEND", "", 0);
     *file = bytes_text(&to);
     return true;

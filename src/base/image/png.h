@@ -25,8 +25,9 @@ bool png_read(struct text file, const struct image_wish *wish, struct arena *are
 /*
  * Write one of 1 to 4 channels, Y, YA, RGB, RGBA.
  *
- * Given     way    its bits and values: IMAGE_LIGHT is encoded as sRGB and rounded to the nearest
- *                  code; IMAGE_CODES are rounded, and a gAMA of 1 says so. 0 to 1, cut to that
+ * Given     way    its bits, values, threads and whether it is stored: IMAGE_LIGHT is encoded as
+ *                  sRGB and rounded to the nearest code; IMAGE_CODES are rounded, and a gAMA of 1
+ *                  says so. 0 to 1, cut to that
  *           file   receives it, in the arena
  * Errors    ERROR_DATA: a value that is not a number, more than 4 channels, more than 512 MiB
  */

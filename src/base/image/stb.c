@@ -87,6 +87,23 @@ void stb_pack(struct bytes *to, const void *data, size_t count)
     free(packed);
 }
 
+void stb_store(struct bytes *to, const void *data, size_t count)
+{
+    enum { BLOCK_MOST = 65535, BLOCK_HEAD = 5 };
+    const unsigned char *from = data;
+    bytes_room(to, count + BLOCK_HEAD * (count / BLOCK_MOST + 1) + 6);
+    bytes_put_big(to, 0x7801, 2);
+    size_t done = 0;
+    do {
+        const size_t left = count - done, length = left < BLOCK_MOST ? left : BLOCK_MOST;
+        bytes_put_little(to, length == left ? 1 : 0, 1); /* the last one */
+        bytes_put_little(to, length | (uint64_t)(~length & 0xffff) << 16, 4);
+        bytes_put(to, from + done, length);
+        done += length;
+    } while (done < count);
+    bytes_put_big(to, adler32(from, count), 4);
+}
+
 bool stb_unpack(struct text packed, unsigned char *data, size_t count)
 {
     if (packed.length < 6 || packed.length > INT_MAX || count > INT_MAX ||

@@ -15,6 +15,9 @@ enum { STB_PACKED_MOST = 1 << 29 }; /* bytes that can be packed at once; its cou
 /* Append bytes as a zlib stream (RFC 1950). Given: at most STB_PACKED_MOST. */
 void stb_pack(struct bytes *to, const void *data, size_t count);
 
+/* The same, as blocks that hold the bytes as they are. */
+void stb_store(struct bytes *to, const void *data, size_t count);
+
 /*
  * Unpack a zlib stream.
  *

@@ -9,21 +9,22 @@
 
 struct render_clipping render_clipping_of(const struct image *image, double unit, double limit)
 {
-    struct render_clipping clipping = {.least = (double)INFINITY};
+    double least = (double)INFINITY, most = 0;
     const size_t pixels = image->width * image->height, channels = image->channels;
     size_t above = 0; /* of which some channel is */
     for (size_t i = 0; i < pixels; i++) {
-        double brightest = 0;
+        double darkest = (double)INFINITY, brightest = 0;
         for (size_t k = 0; k < channels; k++) {
             const double share = unit * (double)image->pixels[i * channels + k];
-            clipping.least = fmin(clipping.least, share);
-            brightest = fmax(brightest, share);
+            darkest = share < darkest ? share : darkest;
+            brightest = share > brightest ? share : brightest;
         }
-        clipping.most = fmax(clipping.most, brightest);
+        least = darkest < least ? darkest : least;
+        most = brightest > most ? brightest : most;
         above += brightest > limit ? 1 : 0;
     }
-    clipping.share = pixels > 0 ? (double)above / (double)pixels : 0;
-    return clipping;
+    return (struct render_clipping){
+        .share = pixels > 0 ? (double)above / (double)pixels : 0, .most = most, .least = least};
 }
 
 void render_say_clipping(const struct render_clipping *clipping, struct growing *remarks)
@@ -60,9 +61,10 @@ bool render_check_dark(const struct image *image, double unit, const struct rend
     for (size_t i = 0; i < pixels; i++) {
         double brightest = 0;
         for (size_t k = 0; k < channels; k++) {
-            brightest = fmax(brightest, unit * (double)image->pixels[i * channels + k]);
+            const double light = unit * (double)image->pixels[i * channels + k];
+            brightest = light > brightest ? light : brightest;
         }
-        most = fmax(most, brightest);
+        most = brightest > most ? brightest : most;
         lost += brightest > 0 && brightest < floor->black ? 1 : 0;
         coarse += brightest >= floor->black && brightest < floor->full ? 1 : 0;
     }

@@ -288,10 +288,13 @@ static bool expose(const struct render_input *input, const struct render_shot *s
 {
     const struct photograph *photograph = &shot->photograph;
     const bool is_png = is_a(type, ".png"), is_film = render_is_film(input);
+    const bool is_hasty = shot->aside != NULL; /* somebody waits for the end */
     const struct image_way way = {.bits = bits_of(input, type),
                                   .half = bits_of(input, type) == 16,
                                   .values = input->raw ? IMAGE_CODES : IMAGE_LIGHT,
-                                  .packed = input->packing == 0};
+                                  .packed = input->packing == 0 && !is_hasty,
+                                  .stored = is_hasty,
+                                  .threads = parallel_threads(input->threads)};
     struct exposure exposure;
     struct image image;
     if (!exposure_of(input, shot, remarks->arena, &exposure, error)) {
