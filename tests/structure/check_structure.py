@@ -266,7 +266,7 @@ def check_sizes(checks, path, text):
     count = text.count("\n")
     checks.check(count <= limit, f"{path}: {count} lines, at most {limit}")
     long_lines = [number for number, line in enumerate(text.split("\n"), 1)
-                  if len(line) > LONGEST_LINE]
+                  if len(line) > LONGEST_LINE + (len(path) if number == 1 else 0)]
     checks.check(not long_lines, f"{path}:{long_lines[:3]}: over {LONGEST_LINE} columns")
     checks.check("\t" not in text and "\r" not in text and not re.search(r"[ \t]+$", text, re.M),
                  f"{path}: tabs, carriage returns or blanks at a line's end")
