@@ -44,6 +44,19 @@ static bool is_going(const struct driver *driver)
     return driver->output.failure == 0 && !atomic_load(&driver->progress.watch.is_ended);
 }
 
+/* Where rows have their warnings, if nobody reads them there: people do, below the rows. */
+static const struct column *find_hidden_warning(const struct driver *driver)
+{
+    const struct report *report = &driver->report;
+    for (size_t i = 0; i < report->sheet->column_count && !report->format->is_for_people; i++) {
+        const struct column *column = &report->sheet->columns[i];
+        if ((column->flags & COLUMN_NOTE) != 0 && text_equal(text_of(column->name), "warning")) {
+            return driver->begun && !report_shows(report, column) ? column : NULL;
+        }
+    }
+    return NULL;
+}
+
 /* The first row, and every one that is kept or looked at for something else too. */
 static void emit_first(struct driver *driver, const void *row)
 {
@@ -63,6 +76,16 @@ static void emit_first(struct driver *driver, const void *row)
     const bool has_all =
         !report->are_named || report->format->is_for_people || report_note_values(report, row);
     driver->only_prints = driver->begun && !driver->collects && has_all;
+    driver->hidden_warning = find_hidden_warning(driver);
+}
+
+/* Columns were chosen, and the warning was not: it is told beside the answer. */
+static void tell_warning(struct driver *driver, const void *row)
+{
+    const char *warning = row_text(row, driver->hidden_warning);
+    if (warning != NULL) {
+        doubts_add(&driver->doubts, "%s", warning);
+    }
 }
 
 bool rows_emit(struct run *run, const void *row)
@@ -74,6 +97,9 @@ bool rows_emit(struct run *run, const void *row)
     }
     if (!driver->only_prints) {
         emit_first(driver, row);
+    }
+    if (driver->hidden_warning != NULL) {
+        tell_warning(driver, row);
     }
     if (driver->begun) {
         report->format->row(report, row, driver->passed, NULL);

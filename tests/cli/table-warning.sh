@@ -1,4 +1,4 @@
-# what is doubtful about a lens is told beside a cross-table, too
+# what is doubtful about a lens is told beside a cross-table, and columns that were chosen, too
 cat >model.zmx <<'END'
 VERS 140124 258 36214
 MODE SEQ
@@ -33,4 +33,8 @@ TOL TOFF 0 0 0 0 0 0 0
 END
 lenscalc dof --lens model.zmx -N 4,5 -s 2,3 --table s,N:near --digits 4
 lenscalc dof --lens model.zmx -N 4,5 -s 2,3 --table s,N:near --digits 4 --csv
+lenscalc lens model.zmx --columns efl --csv
+lenscalc lens model.zmx --columns efl --json
+lenscalc dof --lens model.zmx -N 4,5 -s 2,3 --columns near --tsv --digits 4
+lenscalc dof --lens model.zmx -N 4 -s 2 --columns near,warning --tsv --digits 4
 rm model.zmx

@@ -1,8 +1,8 @@
 #!/usr/bin/env python3
-"""tests/robust/check_columns.py - no machine format has two columns of one name.
+"""tests/robust/check_columns.py - no machine format has two columns of one name or loses a warning.
 
 Every command is asked for all its columns, alone, swept, with rows that fail, and with its own rows
-and those of other commands as a batch.
+and those of other commands as a batch; and for one column of a lens that is doubtful.
 """
 # SPDX-License-Identifier: MIT
 
@@ -65,12 +65,48 @@ def check_command(checks, asked):
                 check_heads(checks, name, form, ask(form, *more))
 
 
+DOUBTFUL = ("lens doubtful\nobject inf\nwavelength d F C\naperture epd 2\nfield angle 0 2\n"
+            "surface 10 2 1.5/60 5\nsurface -10 -1 air 5\nstop - 0 air 2\nsurface 20 2 1.5/60 5\n"
+            "surface inf 2 air 5\n")
+MORE = {"conjugate": ["-s", "1m"], "fov": ["-s", "1m"], "dof": ["-s", "1m"], "focus": ["-s", "1m"],
+        "check": ["--field", "3deg"]}
+LEAST = 18  # commands whose rows have the warning of their lens
+
+
+def check_warnings(checks, program):
+    """What no column has is said beside the answer, once."""
+    rows = program.run("list", "commands", "--columns", "command", "--csv").stdout.decode()
+    told = 0
+    with tempfile.TemporaryDirectory(prefix="lenscalc-columns-") as folder:
+        path = os.path.join(folder, "doubtful.lens")
+        with open(path, "w", encoding="ascii") as file:
+            file.write(DOUBTFUL)
+        for command in rows.split("\n")[1:-1]:
+            words = [command, "--lens", path, *MORE.get(command, [])]
+            own = program.run(*words, "--csv", "--columns", "warning")
+            if own.returncode != 0 or b"negative" not in own.stdout:
+                continue
+            told += 1
+            names = all_columns(program, command).split(",")
+            other = next(name for name in names if name != "warning" and
+                         program.run(*words, "--csv", "--columns", name).returncode == 0)
+            for form in ("--csv", "--tsv", "--jsonl", "--json"):
+                found = program.run(*words, form, "--columns", other)
+                where = found.stdout if form == "--json" else found.stderr
+                checks.check(where.count(b"is negative") == 1 and
+                             (form == "--json" or b"negative" not in found.stdout),
+                             f"{command} {form} --columns {other}: {where[:300]!r}")
+            checks.check(b"negative" not in own.stderr, f"{command}: twice: {own.stderr!r}")
+    checks.check(told >= LEAST, f"only {told} commands tell the warning of a lens")
+
+
 def main():
     checks, program = Checks(), Program(sys.argv[1])
     rows = program.run("list", "commands", "--columns", "command", "--csv").stdout.decode()
     for command in rows.split("\n")[1:-1]:
         with tempfile.TemporaryDirectory(prefix="lenscalc-columns-") as folder:
             check_command(checks, Asked(program, command, folder))
+    check_warnings(checks, program)
     checks.finish()
 
 
