@@ -9,7 +9,7 @@
 #   stress     the worst errors where arithmetic is hardest: SECONDS=60 SEED=1
 #   survey     printed errors of every lens and field of lensdb against outside sums: an hour
 #   coverage   lines and branches that the fast tests reach, by folder
-#   mutate     is a changed sign noticed? COUNT=60 SEED=1,2,3
+#   mutate     is a changed sign noticed? COUNT=60 SEED=1,2,3 FOLDERS=light,scene
 #   cluster    parts of pictures, searches and trials as arrays of Slurm, a task killed
 #   cross      build for aarch64, run the command-line tests under qemu
 
@@ -265,7 +265,7 @@ coverage: deps
 	@tests/coverage/run $(BUILD)
 
 mutate: deps
-	@tests/mutate/run $(BUILD) $(COUNT) $(SEED)
+	@tests/mutate/run $(BUILD) $(COUNT) $(SEED) $(FOLDERS)
 
 # a picture divided over a Slurm, one of this machine if none answers
 cluster:
