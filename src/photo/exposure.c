@@ -50,17 +50,6 @@ static bool check_ranges(const struct exposure_given *g, struct error *error)
                           error);
 }
 
-static bool count_lights(const struct exposure_given *g, int *lights, struct error *error)
-{
-    *lights = is_given(g->ev100) + is_given(g->ev) + is_given(g->L) + is_given(g->E);
-    if (*lights > 1) {
-        return fail(error, ERROR_USAGE,
-                    "give only one of {exposure value at ISO 100}, {exposure value at the ISO "
-                    "speed}, {luminance} and {illuminance}");
-    }
-    return true;
-}
-
 /* The light as EV100; an EV at ISO needs the speed. */
 static double light_ev100(const struct exposure_given *g)
 {
@@ -74,6 +63,37 @@ static double light_ev100(const struct exposure_given *g)
         return log2(100 * (g->E / g->C));
     }
     return g->ev - (log2(g->S) - log2_of_100);
+}
+
+/* Stops. Of less no meter knows, and an answer that is printed to five digits is that exact. */
+static const double same_light = 0.005;
+
+/* A light may be given in several units, as the rows of an answer have it, if all say the same. */
+static bool count_lights(const struct exposure_given *g, int *lights, struct error *error)
+{
+    const struct {
+        const char *name;
+        double value, ev100;
+    } all[] = {
+        {"exposure value at ISO 100", g->ev100, g->ev100},
+        {"luminance", g->L, log2(100 * (g->L / g->K))},
+        {"illuminance", g->E, log2(100 * (g->E / g->C))},
+        {"exposure value at the ISO speed", g->ev, g->ev - (log2(g->S) - log2_of_100)},
+    };
+    *lights = is_given(g->ev100) + is_given(g->ev) + is_given(g->L) + is_given(g->E);
+    const double light = *lights > 1 ? light_ev100(g) : (double)NAN;
+    for (size_t i = 0; i<sizeof all / sizeof *all && * lights> 1; i++) {
+        if (is_given(all[i].value) && !(fabs(all[i].ev100 - light) <= same_light)) {
+            fail(error, ERROR_USAGE,
+                 "give only one of {exposure value at ISO 100}, {exposure value at the ISO "
+                 "speed}, {luminance} and {illuminance}");
+            return error_hint(error,
+                              "they may stand together where all say the same light, but {%s} "
+                              "%.6g is not that of EV %.6g at ISO 100",
+                              all[i].name, all[i].value, light);
+        }
+    }
+    return true;
 }
 
 /*

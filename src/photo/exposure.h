@@ -48,8 +48,9 @@ struct exposure {
  *           EV100 = log2(100 L/K) = log2(100 E/C), EV = EV100 + log2(S/100);
  *           Av = 2 log2 N, Tv = -log2 t, Sv = log2(S/3.125), Bv = EV100 - 5
  * Source    ISO 2720:1974 (K, C); ASA PH2.5-1960 (APEX, as in Wikipedia "APEX system")
- * Errors    too few or too many numbers, two lights, a speed asked from an EV at that speed
- *           (ERROR_USAGE); a number outside its range, an answer that is not finite (ERROR_DOMAIN)
+ * Errors    too few or too many numbers, lights that differ by over 0.005 stop, a speed asked from
+ *           an EV at that speed (ERROR_USAGE); a number outside its range, an answer that is not
+ *           finite (ERROR_DOMAIN)
  * Limits    K and C describe the meter; two meters may differ by log2(14/12.5) = 0.16 stop. No
  *           reciprocity failure (photo/reciprocity.h)
  */

@@ -29,6 +29,22 @@ static void assume(double *value, double usual)
     }
 }
 
+/* Of the light: as good as the same. */
+static const double same_flash = 0.003;
+
+/* By how much light a full flash at ISO 100 must be multiplied. */
+static double gain(const struct flash_setting *s)
+{
+    return s->flashes * (s->S / 100) * s->power * exp2(-s->loss);
+}
+
+/* Do numbers of which none is missing, as in the rows of an answer, keep the equation? */
+static bool is_solved(const struct flash_setting *s)
+{
+    const double needed = s->N * s->d / s->GN;
+    return fabs(needed * needed / gain(s) - 1) <= same_flash;
+}
+
 /* Decide what is asked and fill in what may be assumed. */
 static bool find_unknown(struct flash_setting *s, enum flash_unknown *unknown, struct error *error)
 {
@@ -47,6 +63,8 @@ static bool find_unknown(struct flash_setting *s, enum flash_unknown *unknown, s
         *unknown = FLASH_S;
     } else if (!is_given(s->flashes)) {
         *unknown = FLASH_FLASHES;
+    } else if (is_solved(s)) {
+        *unknown = FLASH_N;
     } else {
         return fail(error, ERROR_USAGE,
                     "nothing is left to solve for: leave out one of {guide number}, {f-number}, "
@@ -59,12 +77,6 @@ static bool find_unknown(struct flash_setting *s, enum flash_unknown *unknown, s
         assume(&s->flashes, 1);
     }
     return true;
-}
-
-/* By how much light a full flash at ISO 100 must be multiplied. */
-static double gain(const struct flash_setting *s)
-{
-    return s->flashes * (s->S / 100) * s->power * exp2(-s->loss);
 }
 
 static bool check_power(double power, struct error *error)
@@ -82,6 +94,9 @@ bool flash_solve(struct flash_setting *s, enum flash_unknown *unknown, struct er
     assume(&s->loss, 0);
     if (!check_setting(s, error) || !find_unknown(s, unknown, error)) {
         return false;
+    }
+    if (is_solved(s)) {
+        return true;
     }
     double needed = s->N * s->d / s->GN; /* NaN while GN, N or d is the unknown */
     double lost = exp2(s->loss);

@@ -25,13 +25,14 @@ enum flash_unknown { FLASH_GN, FLASH_N, FLASH_D, FLASH_S, FLASH_POWER, FLASH_FLA
  * Given     setting  all but one of its members (loss aside). Where GN, N or d is the unknown,
  *                    missing S, power and flashes are taken as 100, 1 and 1; where all three are
  *                    given, the unknown is the first missing of power, S, flashes, and the others
- *                    are taken so
+ *                    are taken so; all of them, if they agree within 0.3 % of the light, as an
+ *                    answer's do: they stay
  * Result    setting  is complete; unknown says what was solved for
  * Formula   N d = GN sqrt(flashes (S/100) power 2^-loss)
  * Source    definition of the guide number (ISO 1230); flashes add in squares because light adds:
  *           Wikipedia "Guide number"
- * Errors    two of GN, N, d missing, or nothing (ERROR_USAGE); a number outside its range; a power
- *           over full: says how many stops are lacking (ERROR_DOMAIN)
+ * Errors    two of GN, N, d missing, or nothing and they disagree (ERROR_USAGE); a number outside
+ *           its range; a power over full: says how many stops are lacking (ERROR_DOMAIN)
  * Limits    a point source in a normal room: outdoors or in a dark hall 0.5 to 1 stop less; wrong
  *           nearer than about five times the reflector's width
  */

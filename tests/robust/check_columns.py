@@ -65,6 +65,34 @@ def check_command(checks, asked):
                 check_heads(checks, name, form, ask(form, *more))
 
 
+# Commands whose rows are questions with the same answer, and options that no column has; a bracket
+# is another thing: each of its shots, as a row, begins one.
+FED = {"dof": [], "hyperfocal": [], "fov": [], "focus": [], "exposure": [], "flash": [],
+       "motion": [], "stars": ["--pitch", "4um"], "diffraction": ["-f", "50"],
+       "equivalent": ["--sensor", "4/3"], "panorama": []}
+
+
+def check_fed(checks, asked):
+    """What is printed is read."""
+    own = asked.run("--csv")
+    fed = asked.run("--csv", "--batch", "-", question=FED[asked.command],
+                    stdin=own.stdout.decode())
+    rows, again = (list(csv.DictReader(io.StringIO(found.stdout.decode())))
+                   for found in (own, fed))
+    checks.check(fed.returncode == 0 and rows, f"{asked.command}: {fed.stderr[:300]!r}")
+    for row, other in zip(rows, again):
+        for name, cell in row.items():
+            checks.check(cell == "" or same_cell(cell, other.get(name, "")),
+                         f"{asked.command}: {name} {cell} becomes {other.get(name)}")
+
+
+def same_cell(one, other):
+    try:
+        return abs(float(one) - float(other)) <= 1e-9 * max(abs(float(one)), 1e-6)
+    except ValueError:
+        return one == other
+
+
 DOUBTFUL = ("lens doubtful\nobject inf\nwavelength d F C\naperture epd 2\nfield angle 0 2\n"
             "surface 10 2 1.5/60 5\nsurface -10 -1 air 5\nstop - 0 air 2\nsurface 20 2 1.5/60 5\n"
             "surface inf 2 air 5\n")
@@ -105,7 +133,10 @@ def main():
     rows = program.run("list", "commands", "--columns", "command", "--csv").stdout.decode()
     for command in rows.split("\n")[1:-1]:
         with tempfile.TemporaryDirectory(prefix="lenscalc-columns-") as folder:
-            check_command(checks, Asked(program, command, folder))
+            asked = Asked(program, command, folder)
+            check_command(checks, asked)
+            if command in FED:
+                check_fed(checks, asked)
     check_warnings(checks, program)
     checks.finish()
 

@@ -186,6 +186,8 @@ EXEMPT = (
     ("render", "black", None, "development takes it off again, but for rounding"),
     ("render", "noise", "full-well", "where light comes pixels are full"),
     ("glass", "pgf", "vd", "the nearest may all have it"),
+    ("exposure", "ev", "ev-at-iso", "the same light, as the rows of an answer name it"),
+    ("exposure", "ev-at-iso", "ev", "the same light, as the rows of an answer name it"),
     ("optimize", "escapes", "show", "the best of two starts may be the same"),
     ("optimize", "spread", "show", "the best of two starts may be the same"),
     ("render", "wavelength", "model", "these have one focal length, and the chart is grey"),

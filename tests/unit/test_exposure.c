@@ -454,8 +454,34 @@ static void test_white(void)
     CHECK_NEAR(0.65 * exposure_white(15) / 125 / 256 / 0.78, 0.7071, 0.03, "[IsoSpeed06]");
 }
 
+/* EV 12, 2^12 K/100 = 512 cd/m2 and 2^12 C/100 = 10240 lx of ISO 2720 are one light. */
+static void test_same_light(void)
+{
+    struct exposure x;
+    struct exposure_given all = NOTHING;
+    all.N = 8;
+    all.S = 200;
+    all.ev100 = 12;
+    all.ev = 13;
+    all.L = 512;
+    all.E = 10240;
+    CHECK(exposure_solve(&all, &x, &error));
+    CHECK_NEAR(x.t, 64.0 / 8192, 1e-15, "four names of a light");
+    all.ev100 = NAN;
+    all.L = 512.3; /* 0.001 stop */
+    CHECK(exposure_solve(&all, &x, &error));
+    all.E = 10400; /* 0.02 stop */
+    CHECK(!exposure_solve(&all, &x, &error) && error.code == ERROR_USAGE);
+    CHECK(strstr(error.hint, "illuminance 10400") != NULL);
+    all.E = NAN;
+    all.S = NAN; /* whatever light the exposure value then is */
+    all.t = 0.01;
+    CHECK(!exposure_solve(&all, &x, &error));
+}
+
 int main(void)
 {
+    test_same_light();
     test_white();
     test_exact_rule();
     test_light();

@@ -81,6 +81,12 @@ static void test_round_trips(void)
             CHECK(solved && unknown == (enum flash_unknown)k);
             CHECK_RELATIVE(*members[k], values[k], 1e-13, "solved back");
         }
+        /* a whole answer stands; one with another number does not */
+        s = all;
+        CHECK(flash_solve(&s, &unknown, &error));
+        CHECK_NEAR(s.N, all.N, 0, "an answer");
+        s.d *= 1.01;
+        CHECK(!flash_solve(&s, &unknown, &error) && error.code == ERROR_USAGE);
     }
 }
 
