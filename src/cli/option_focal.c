@@ -2,9 +2,11 @@
 /* SPDX-License-Identifier: MIT */
 #include "cli/option_focal.h"
 
+#include "base/number.h"
 #include "cli/option.h"
 
 #include <math.h>
+#include <string.h>
 
 /* mm: the longest equivalent of a main lens; and cameras of larger sensors have other lenses too */
 static const double LONGEST_MAIN = 40, LARGEST_DIAGONAL = 21;
@@ -16,13 +18,28 @@ static void focal_set_number(void *member, double number, const struct unit *uni
                                                          is_equivalent ? number : (double)NAN};
 }
 
+/* "26-eq", "26 eq." and the like: an equivalent whose unit is not whole. Returns false. */
+static bool focal_hint_equivalent(struct text text, struct error *error)
+{
+    const char *const end = text.start + text.length;
+    double number;
+    const char *rest = number_read(text.start, end, NUMBER_UNSCALED, &number);
+    const int digits = rest != NULL ? (int)(rest - text.start) : 0;
+    while (digits > 0 && rest < end && (*rest == ' ' || *rest == '-' || *rest == 'm')) {
+        rest++;
+    }
+    return digits > 0 && end - rest >= 2 && memcmp(rest, "eq", 2) == 0 &&
+           error_hint(error, "did you mean '%.*smm-eq'?", digits, text.start);
+}
+
 static bool focal_read(const struct reader *reader, const struct option *option, struct text text,
                        void *member, struct error *error)
 {
     double value;
     const struct unit *typed;
     if (!quantity_read(text, option->dimension, option_unit(option), &value, &typed, error)) {
-        return option_blame(option, text, error);
+        option_blame(option, text, error);
+        return focal_hint_equivalent(text, error);
     }
     if (!option_check_range(option, value, error)) {
         return false;

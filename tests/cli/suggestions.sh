@@ -15,3 +15,5 @@ lenscalc help dfo
 echo "status $?"
 lenscalc dof -Q 3
 echo "status $?"
+# an equivalent focal length whose unit is not whole
+for focal in 26-eq 26eq "24 mm eq"; do lenscalc dof -f "$focal" -N 2 -s 2m; done
