@@ -65,6 +65,7 @@ struct artifact {
     const char *gathers; /* ARTIFACT_OF_EACH: the ending of files that hold all inputs; or null */
     bool is_kept;        /* a file that is there already is replaced with --force only */
     bool is_binary;      /* bytes that are not shown on a terminal */
+    bool needs_no_rows;  /* `make` finds, and says, all that is wrong with the question by itself */
     /* The type that the input asks for, whatever the file is called; null: its name decides. */
     const struct file_type *(*choose)(const void *input);
     const char *chooser; /* the option that does that */

@@ -498,11 +498,29 @@ static void free_driver(struct driver *driver)
     arena_free(&driver->arena);
 }
 
+/* Rows that nobody reads are not asked for where the drawing needs none of them. */
+static bool draw_inside(struct driver *driver, struct error *error)
+{
+    const struct command *command = driver->command;
+    driver->run.threads = command->threads != NULL ? command->threads(driver->input) : 1;
+    driver->run.shortfall.code = ERROR_NONE;
+    const bool done = artifacts_make(&driver->artifacts, error);
+    if (!done && driver->run.shortfall.code != ERROR_NONE) {
+        *error = driver->run.shortfall; /* why there is nothing to draw */
+    }
+    return done;
+}
+
 /* The answer in memory: a drawing if there is one, else the rows. */
 static bool answer_inside(struct driver *driver, struct text *answered, struct error *error)
 {
+    const struct artifacts *artifacts = &driver->artifacts;
     if (driver->command->run != NULL) {
-        if (!ask(driver, error) || !answer(driver, error)) {
+        if (!ask(driver, error)) {
+            return false;
+        }
+        const bool needs_rows = artifacts->count == 0 || !artifacts->jobs[0].artifact->needs_no_rows;
+        if (!(needs_rows ? answer(driver, error) : draw_inside(driver, error))) {
             return false;
         }
     } else if (!sweep_build(&driver->sweep, &driver->arguments, &driver->reader, false,
@@ -510,8 +528,7 @@ static bool answer_inside(struct driver *driver, struct text *answered, struct e
                !order_artifacts(driver, error) || !artifacts_make(&driver->artifacts, error)) {
         return false;
     }
-    *answered =
-        output_kept(driver->artifacts.count > 0 ? &driver->artifacts.sinks[0] : &driver->output);
+    *answered = output_kept(artifacts->count > 0 ? &artifacts->sinks[0] : &driver->output);
     return true;
 }
 

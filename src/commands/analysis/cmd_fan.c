@@ -190,7 +190,7 @@ static bool run(const void *data, struct run *run, struct error *error)
 
 static const struct artifact artifacts[] = {
     {ARTIFACT_OPTION("plot", drawing_types, "draw the fans: two panels a field"),
-     .scope = ARTIFACT_OF_SWEEP, .make = fan_figure},
+     .scope = ARTIFACT_OF_SWEEP, .needs_no_rows = true, .make = fan_figure},
 };
 
 static const struct explanation explanations[] = {

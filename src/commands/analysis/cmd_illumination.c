@@ -355,8 +355,6 @@ static bool add_point(const struct analysis_case *one, size_t field, void *conte
     return true;
 }
 
-static const struct analysis_answers collecting = {.answer = add_point, .lost = analysis_skip};
-
 /* All there is to say of one case, or beside others its light alone. */
 static size_t add_series(const struct curve *curve, bool alone, const char *label, double reach,
                          struct arena *arena, struct plot_series *series)
@@ -454,6 +452,9 @@ static bool draw(const struct artifact_job *job, struct output *sink, struct err
         const struct analysis_policy policy = policy_of(job->inputs[i]);
         *input = with_real_heights(job->inputs[i]);
         painter.input = input;
+        const bool has_others = job->count > 1 || analysis_makes_many(&input->question, &policy);
+        const struct analysis_answers collecting = {.answer = add_point,
+                                                    .lost = has_others ? analysis_skip : NULL};
         if (!analysis_each_field(&input->question, &policy, job->run, &collecting, &painter,
                                  error)) {
             return false;
@@ -468,7 +469,7 @@ static bool draw(const struct artifact_job *job, struct output *sink, struct err
 
 static const struct artifact artifacts[] = {
     {ARTIFACT_OPTION("plot", drawing_types, "draw the light over the height in the image"),
-     .scope = ARTIFACT_OF_SWEEP, .make = draw},
+     .scope = ARTIFACT_OF_SWEEP, .needs_no_rows = true, .make = draw},
 };
 
 static const struct explanation explanations[] = {

@@ -182,7 +182,7 @@ static const struct artifact artifacts[] = {
     {ARTIFACT_OPTION("plot", drawing_types,
                      "draw contrast against frequency; against focus or field where these are "
                      "lists and --frequency is given"),
-     .scope = ARTIFACT_OF_SWEEP, .make = mtf_figure},
+     .scope = ARTIFACT_OF_SWEEP, .needs_no_rows = true, .make = mtf_figure},
 };
 
 static const struct explanation explanations[] = {

@@ -219,7 +219,7 @@ static bool check_map(const struct artifact_job *job, struct error *error)
 
 static const struct artifact artifacts[] = {
     {ARTIFACT_OPTION("plot", drawing_types, "draw the images, by field and through focus"),
-     .scope = ARTIFACT_OF_SWEEP, .make = psf_page},
+     .scope = ARTIFACT_OF_SWEEP, .needs_no_rows = true, .make = psf_page},
     {ARTIFACT_OPTION("map", map_types,
                      "write the image of one field: colours, or numbers, 1 = a perfect peak"),
      .scope = ARTIFACT_OF_ANSWER, .is_binary = true, .check = check_map, .make = psf_file},

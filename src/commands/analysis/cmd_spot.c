@@ -202,7 +202,7 @@ static bool makes_many(const void *data)
 static const struct artifact artifacts[] = {
     {ARTIFACT_OPTION("plot", drawing_types,
                      "draw the spots, by field and through focus; of many their RMS radius"),
-     .scope = ARTIFACT_OF_SWEEP, .make = spot_diagram},
+     .scope = ARTIFACT_OF_SWEEP, .needs_no_rows = true, .make = spot_diagram},
 };
 
 static const struct explanation explanations[] = {

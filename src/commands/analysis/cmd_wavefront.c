@@ -218,7 +218,7 @@ static bool makes_many(const void *data)
 
 static const struct artifact artifacts[] = {
     {ARTIFACT_OPTION("plot", drawing_types, "draw the wave fronts over the pupil, by field"),
-     .scope = ARTIFACT_OF_SWEEP, .make = wavefront_page},
+     .scope = ARTIFACT_OF_SWEEP, .needs_no_rows = true, .make = wavefront_page},
     {ARTIFACT_OPTION("map", map_types,
                      "write the map of one field: colours, or numbers in wavelengths"),
      .scope = ARTIFACT_OF_ANSWER, .is_binary = true, .make = wavefront_file},
