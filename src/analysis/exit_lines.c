@@ -249,6 +249,65 @@ static void fill_piece(const struct seeking *seeking, double low, double high,
     }
 }
 
+/* Are two places the same on either side of 0, as well as breaks are found? */
+static bool is_opposite(double low, double high, double size)
+{
+    return fabs(low + high) <= 1e-5 * size;
+}
+
+/* The edges of a line's spans, and those of another one that lies on its other side. */
+static bool has_edges_of(const double *edges, const double *others, size_t count, bool along,
+                         double size)
+{
+    bool has = true;
+    for (size_t k = 0; k < 2 * count; k++) {
+        const double other = along ? others[2 * count - 1 - k] : -others[k];
+        has = has && is_opposite(edges[k], other, size);
+    }
+    return has;
+}
+
+static bool is_mirrored_across(const struct exit_lines *lines, double size)
+{
+    bool is_mirrored = true;
+    for (size_t i = 0; i < lines->count && is_mirrored; i++) {
+        const struct exit_piece *piece = &lines->pieces[i];
+        const struct exit_piece *other = &lines->pieces[lines->count - 1 - i];
+        is_mirrored = piece->count == other->count &&
+                      is_opposite(piece->low, other->high, piece->high - piece->low) &&
+                      is_opposite(piece->high, other->low, piece->high - piece->low);
+        for (size_t k = 0; k < EXIT_NODES && is_mirrored; k++) {
+            is_mirrored = has_edges_of(piece->edges[k], other->edges[EXIT_NODES - 1 - k],
+                                       piece->count, false, size);
+        }
+    }
+    return is_mirrored;
+}
+
+static bool is_mirrored_along(const struct exit_lines *lines, double size)
+{
+    bool is_mirrored = true;
+    for (size_t i = 0; i < lines->count; i++) {
+        const struct exit_piece *piece = &lines->pieces[i];
+        for (size_t k = 0; k < EXIT_NODES && is_mirrored; k++) {
+            is_mirrored =
+                has_edges_of(piece->edges[k], piece->edges[k], piece->count, true, size);
+        }
+    }
+    return is_mirrored;
+}
+
+/* What mirrors leave of the pupil, of lines along one of its axes. */
+static void find_mirrors(const struct exit_pupil *pupil, double size, struct exit_lines *lines)
+{
+    for (size_t k = 0; k < 2; k++) {
+        if (fabs(lines->along[k]) >= 1) {
+            lines->is_mirrored_across = pupil->is_mirrored[1 - k] && is_mirrored_across(lines, size);
+            lines->is_mirrored_along = pupil->is_mirrored[k] && is_mirrored_along(lines, size);
+        }
+    }
+}
+
 void exit_lines_find(const struct exit_pupil *pupil, const double along[2], struct arena *arena,
                      struct exit_lines *lines)
 {
@@ -270,6 +329,7 @@ void exit_lines_find(const struct exit_pupil *pupil, const double along[2], stru
         fill_piece(&seeking, low, breaks[i], &lines->pieces[lines->count]);
         lines->count += lines->pieces[lines->count].count > 0;
     }
+    find_mirrors(pupil, seeking.size, lines);
 }
 
 double exit_piece_at(const struct exit_piece *piece, double angle, double *slope,

@@ -403,7 +403,7 @@ static void find_map(struct exit_pupil *pupil, const struct pairs *rim,
     }
     struct fitting fitting = {.pupil = pupil, .all = &both, .arena = arena};
     for (int k = 0; k < 2; k++) {
-        fitting.is_mirrored[k] = is_mirrored(pupil, &both, k, arena);
+        fitting.is_mirrored[k] = pupil->is_mirrored[k] = is_mirrored(pupil, &both, k, arena);
     }
     /* as many rays again as terms */
     size_t order = first;

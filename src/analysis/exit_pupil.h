@@ -34,6 +34,7 @@ struct exit_pupil {
     size_t order;
     double *map[2], *form[2];
     bool is_blocked; /* something may stand within */
+    bool is_mirrored[2]; /* its rays, W and amplitude are the same at -a, and at -b */
 };
 
 /* A field at all wavelengths of its setup, about the first chief ray. */

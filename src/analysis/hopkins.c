@@ -60,6 +60,8 @@ struct turns {
 struct range {
     size_t piece, parts;
     double low, high;           /* rad */
+    double times;               /* that it counts: for its mirror image too, or once */
+    bool is_mirrored;           /* its own mirror image: one half counts twice */
     struct turns along, across; /* of the phase: along a part, and across the lines */
 };
 
@@ -148,14 +150,22 @@ static double rule_weight(const struct rule *rule, size_t i)
     return rule->w[i % rule->each] / (double)rule->panels;
 }
 
+/* Does the half of a part say all? In the other one the phase is the opposite. */
+static bool halves_part(const struct summing *summing, double low, double high)
+{
+    return summing->front->lines->is_mirrored_along && fabs(low + high) <= 1e-5 * (high - low);
+}
+
 /* Add up a part of a line; phases: receives those of its points, or null. */
 static void add_part(const struct summing *summing, const struct exit_line *line,
                      const struct parts *parts, size_t p, const struct rule *along, double weight,
                      struct exit_series_lanes *lanes, double *phases)
 {
     kernel_exit_overlap *add = KERNEL_FOR(SET_BEST, kernel_exit_overlap);
-    const size_t count = along->each * along->panels;
     const double low = parts->low[p], length = parts->high[p] - low;
+    const bool is_half = halves_part(summing, low, parts->high[p]) && phases == NULL;
+    const size_t count = along->each * along->panels / (is_half ? 2 : 1);
+    const double times = (is_half ? 2 : 1) * weight;
     struct exit_series series[2];
     double middle[2], scale[2];
     for (int k = 0; k < 2; k++) {
@@ -173,7 +183,7 @@ static void add_part(const struct summing *summing, const struct exit_line *line
             const double s = from + panel * along->x[i];
             lanes->x[0][l] = (s - middle[0]) * scale[0];
             lanes->x[1][l] = (s - middle[1]) * scale[1];
-            lanes->weight[l] = weight * panel * along->w[i];
+            lanes->weight[l] = times * panel * along->w[i];
             if (++i == along->each) {
                 i = 0;
                 from += panel;
@@ -195,13 +205,15 @@ static void add_lines(const struct summing *summing, const struct range *range,
 {
     const size_t row = range->parts * along->each * along->panels;
     const double wide = range->high - range->low;
-    for (size_t i = 0; i < across->each * across->panels; i++) {
+    const bool is_half = range->is_mirrored && phases == NULL;
+    const double times = (is_half ? 2 : 1) * range->times;
+    for (size_t i = 0; i < across->each * across->panels / (is_half ? 2 : 1); i++) {
         struct exit_line line;
         struct parts parts;
         exit_front_line(summing->front, range->piece, range->low + wide * rule_at(across, i),
                         &line);
         find_parts(&line.spans, summing->shift, &parts);
-        const double weight = wide * rule_weight(across, i) * line.slope;
+        const double weight = times * wide * rule_weight(across, i) * line.slope;
         /* rounding at an end of the range may lose a part, which is empty there */
         for (size_t p = 0; p < parts.count && p < range->parts; p++) {
             add_part(summing, &line, &parts, p, along, weight, lanes,
@@ -238,13 +250,28 @@ static void find_turns(const struct summing *summing, struct range *range)
     }
 }
 
+/* Are the ranges between breaks mirror images of each other? */
+static bool breaks_are_mirrored(const double *breaks, size_t count)
+{
+    bool are = true;
+    for (size_t k = 0; k <= count; k++) {
+        are = are && fabs(breaks[k] + breaks[count - k]) <= 1e-5;
+    }
+    return are;
+}
+
+/* Of ranges that are mirror images of each other the first counts twice. */
 static void find_ranges(struct summing *summing)
 {
     const struct exit_lines *lines = summing->front->lines;
-    for (size_t i = 0; i < lines->count; i++) {
+    const size_t pieces = lines->is_mirrored_across ? (lines->count + 1) / 2 : lines->count;
+    for (size_t i = 0; i < pieces; i++) {
         double breaks[BREAKS];
         const size_t count = find_breaks(&lines->pieces[i], summing->shift, breaks);
-        for (size_t k = 0; k < count; k++) {
+        const bool has_image = lines->is_mirrored_across && 2 * i + 1 < lines->count;
+        const bool is_mirrored = lines->is_mirrored_across && 2 * i + 1 == lines->count &&
+                                 breaks_are_mirrored(breaks, count);
+        for (size_t k = 0; k < (is_mirrored ? (count + 1) / 2 : count); k++) {
             struct exit_spans spans;
             struct parts parts;
             double slope;
@@ -252,7 +279,14 @@ static void find_ranges(struct summing *summing)
             find_parts(&spans, summing->shift, &parts);
             if (parts.count > 0) {
                 struct range *range = &summing->ranges[summing->count++];
-                *range = (struct range){i, parts.count, breaks[k], breaks[k + 1], {0, 0}, {0, 0}};
+                const bool is_middle = is_mirrored && 2 * k + 1 == count;
+                *range = (struct range){
+                    .piece = i,
+                    .parts = parts.count,
+                    .low = breaks[k],
+                    .high = breaks[k + 1],
+                    .times = has_image || (is_mirrored && !is_middle) ? 2 : 1,
+                    .is_mirrored = is_middle};
                 find_turns(summing, range);
             }
         }
@@ -282,7 +316,7 @@ static double points_of(const struct summing *summing)
     double points = 0, across, along;
     for (size_t i = 0; i < summing->count; i++) {
         find_points(summing, &summing->ranges[i], &across, &along);
-        points += across * along * (double)summing->ranges[i].parts;
+        points += summing->ranges[i].times * across * along * (double)summing->ranges[i].parts;
     }
     return points;
 }
@@ -302,6 +336,9 @@ static struct overlap sum_up(const struct summing *summing)
         sum.re += lanes.re[l];
         sum.im += lanes.im[l];
         sum.perfect += lanes.perfect[l];
+    }
+    if (summing->front->lines->is_mirrored_along) {
+        sum.im = 0; /* as the halves of parts have opposite ones */
     }
     return sum;
 }

@@ -40,6 +40,12 @@ static void find_fronts(struct mtf_source *source, struct arena *arena)
         const struct exit_pupil *pupil = &source->pupils.list[i / MTF_DIRECTIONS];
         const size_t k = i % MTF_DIRECTIONS;
         double range[2];
+        if (k >= source->directions) {
+            source->fronts[i] = source->fronts[i - 1];
+            source->off[k] = source->off[k - 1];
+            source->cutoff[k] = source->cutoff[k - 1];
+            continue;
+        }
         exit_lines_find(pupil, source->along[k], arena, &source->lines[i]);
         exit_front_find(pupil, &source->lines[i], source->question->error, arena,
                         &source->fronts[i]);
@@ -53,6 +59,13 @@ static void find_fronts(struct mtf_source *source, struct arena *arena)
     }
 }
 
+/* Is the image of a field the same in all directions? */
+static bool is_alike_about(const struct lens *lens, const struct field_point *field)
+{
+    return lens_is_round(lens) &&
+           (field->kind == FIELD_NONE || !(hypot(field->value[0], field->value[1]) > 0));
+}
+
 bool mtf_open(const struct mtf_question *question, struct arena *arena, struct mtf_source *source,
               struct error *error)
 {
@@ -60,6 +73,9 @@ bool mtf_open(const struct mtf_question *question, struct arena *arena, struct m
     if (!open_pupils(source, arena, error)) {
         return false;
     }
+    source->directions = is_alike_about(question->bundle.setup->lens, question->bundle.field)
+                             ? MTF_TANGENTIAL + 1
+                             : MTF_DIRECTIONS;
     wave_section(question->bundle.field, source->along[MTF_TANGENTIAL]);
     source->along[MTF_SAGITTAL][0] = source->along[MTF_TANGENTIAL][1];
     source->along[MTF_SAGITTAL][1] = 0.0 - source->along[MTF_TANGENTIAL][0];
@@ -86,7 +102,7 @@ static void add_waves(const struct mtf_source *source, size_t g, double frequenc
                                         .error = source->question->error};
     const double weight = exit_pupil_weight(pupil);
     sums->light += weight * pupil->energy;
-    for (size_t k = 0; k < MTF_DIRECTIONS; k++) {
+    for (size_t k = 0; k < source->directions; k++) {
         if (!overlap_is_known(source->off[k])) {
             sums->re[k] = sums->im[k] = sums->perfect[k] = NAN;
             mtf->error = INFINITY;
@@ -135,6 +151,11 @@ bool mtf_find(const struct mtf_source *source, double frequency, struct arena *a
         if (source->pupils.lights.list[g].weight > 0) {
             add_waves(source, g, frequency, &waves, mtf);
         }
+    }
+    for (size_t k = source->directions; k < MTF_DIRECTIONS; k++) {
+        waves.re[k] = waves.re[0];
+        waves.im[k] = waves.im[0];
+        waves.perfect[k] = waves.perfect[0];
     }
     struct sums sums = waves;
     if (source->rays != NULL && !find_by_rays(source, frequency, arena, &sums, mtf, error)) {

@@ -22,11 +22,6 @@ enum {
 };
 enum { LANES = EXIT_SERIES_LANES };
 
-/* Of the lines that are transformed side by side those with wave fronts are so many; two of their
-   perfect ones make one of the others. */
-enum { WAVES = 5, PERFECT = 3 };
-_Static_assert(WAVES + PERFECT == FFT_LANES && 2 * PERFECT >= WAVES, "room for all");
-
 /* Turns that W1 - W2 may make from cell to cell of CELLS: what cells at an edge get wrong goes with
    the square of them, and with the size of a cell; and of any number. */
 static const double steep = 0.15, steepest = 0.4;
@@ -42,23 +37,33 @@ static double beyond(const struct exit_series *series)
     return 1 + 12.5 / (n * n);
 }
 
-/* The overlap of one pupil in one direction. */
+/*
+ * Turns that W1 - W2 makes: the most from place to place along lines, and of all of them across if
+ * they were as steep as the steepest, to Gauss's points of the angle and to even ones.
+ */
+struct turns {
+    double along, across, even;
+};
+
+/* The overlap of one pupil in one direction, or of the same pupil with a perfect wave front, which
+   wants fewer cells and lines. */
 struct overlapping {
     const struct exit_front *front;
+    bool is_perfect;
     double middle[2], wide[2]; /* along and across */
     double step;               /* of cells */
-    size_t lag, cells, across; /* cells of one frequency, and of the pupil; lines of it */
+    size_t lag, cells; /* cells of one frequency, and of the pupil */
+    struct turns turns;
     struct fft fft;
-    double *power[2]; /* with the wave front, and with a perfect one */
+    double *power;
     struct arena *arena;
 };
 
-/* Turns of W1 - W2 in a coarse grid, for shifts up to so many of its places: the most from place to
-   place along lines, and of all of them across if they were as steep as the steepest to Gauss's
-   points of the angle. NaN stands where nothing is clear. */
-static void find_turns(const double (*waves)[LOOKS], size_t most, double *along, double *across)
+/* The turns in a coarse grid, for shifts up to so many of its places. NaN stands where nothing is
+   clear. */
+static struct turns find_turns(const double (*waves)[LOOKS], size_t most)
 {
-    *along = *across = 0;
+    struct turns turns = {0, 0, 0};
     for (size_t shift = 1; shift <= most; shift++) {
         double rows[LOOKS][LOOKS];
         for (size_t i = 0; i < LOOKS; i++) {
@@ -71,11 +76,13 @@ static void find_turns(const double (*waves)[LOOKS], size_t most, double *along,
                 const double next = j + shift + 1 < LOOKS ? fabs(rows[i][j + 1] - rows[i][j]) : 0;
                 const double beside = i + 1 < LOOKS ? fabs(rows[i + 1][j] - rows[i][j]) : 0;
                 const double sine = 2 * ((double)i + 1) / LOOKS - 1;
-                *along = fmax(*along, next); /* not of NaN */
-                *across = fmax(*across, PI / 2 * LOOKS * sqrt(1 - sine * sine) * beside);
+                turns.along = fmax(turns.along, next); /* not of NaN */
+                turns.across = fmax(turns.across, PI / 2 * LOOKS * sqrt(1 - sine * sine) * beside);
+                turns.even = fmax(turns.even, PI / 2 * LOOKS * beside);
             }
         }
     }
+    return turns;
 }
 
 /* W of a line at even places along the pupil, NaN where it is not clear. */
@@ -98,8 +105,8 @@ static void look_along(const struct overlapping *one, const struct exit_line *li
     }
 }
 
-/* Turns for shifts up to the most: of W1 - W2 from cell to cell of the grid along, and across. */
-static void look(const struct overlapping *one, double most, double *along, double *across)
+/* Turns for shifts up to the most. */
+static struct turns look(const struct overlapping *one, double most)
 {
     const struct exit_lines *lines = one->front->lines;
     double waves[LOOKS][LOOKS];
@@ -118,31 +125,35 @@ static void look(const struct overlapping *one, double most, double *along, doub
     }
     const double places = most * LOOKS / one->wide[0];
     const double whole = fmin(fmax(ceil(places), 1), LOOKS - 1);
-    find_turns((const double(*)[LOOKS])waves, (size_t)whole, along, across);
-    *along *= fmin(places, 1); /* less than a place */
-    *across *= fmin(places, 1);
+    const struct turns turns = find_turns((const double(*)[LOOKS])waves, (size_t)whole);
+    const double part = fmin(places, 1); /* of a place */
+    return (struct turns){part * turns.along, part * turns.across, part * turns.even};
+}
+
+/* Lines that a share of the pupil across wants. */
+static double lines_for(const struct turns *turns, double share)
+{
+    const double most = (1 + share) / 2, across = fmin(most * turns->across, share * turns->even);
+    return fmax(most * LINES_LEAST, most * LINES_STILL + a_turn * across);
 }
 
 /* Cells and lines for a step of the shift; false: too many. */
 static bool set_grid(struct overlapping *one, double shift, size_t count)
 {
-    double along, across;
-    look(one, shift * (double)count, &along, &across);
-    const double turns = 1.3 * LOOKS * along;
+    one->turns = one->is_perfect ? (struct turns){0, 0, 0} : look(one, shift * (double)count);
+    const double turns = 1.3 * LOOKS * one->turns.along;
     const double cells =
         fmax(fmax(CELLS, turns / steepest), cbrt(CELLS * turns * turns / (steep * steep)));
     const double lag = ceil(shift * cells / one->wide[0]);
-    const double lines = fmax(LINES_LEAST, LINES_STILL + a_turn * across);
     one->step = shift / lag;
     one->lag = (size_t)fmin(lag, CELLS_MOST);
     one->cells = (size_t)(1.02 * fmin(one->wide[0] / one->step, CELLS_MOST)) + 2;
-    one->across = (size_t)fmin(lines, LINES_MOST);
-    return one->wide[0] / one->step < CELLS_MOST && lines < LINES_MOST;
+    return one->wide[0] / one->step < CELLS_MOST && lines_for(&one->turns, 1) < LINES_MOST;
 }
 
-/* A line's cells from the first that is clear: complex with the wave front, and real without. */
+/* A line's cells from the first that is clear: complex, or real of a perfect wave front. */
 static void put_line(const struct overlapping *one, const struct exit_line *line, double weight,
-                     double *re, double *im, double *perfect)
+                     double *re, double *im)
 {
     kernel_exit_wave *find = KERNEL_FOR(SET_BEST, kernel_exit_wave);
     const double first = line->spans.edges[0], cells = (double)one->cells;
@@ -165,56 +176,75 @@ static void put_line(const struct overlapping *one, const struct exit_line *line
                 const double low = first + one->step * (double)(i + l);
                 const double clear = fmin(edges[1], low + one->step) - fmax(edges[0], low);
                 const double share = weight * fmax(0, clear) / one->step;
-                re[i + l] += share * lanes.re[l];
-                im[i + l] += share * lanes.im[l];
-                perfect[i + l] += share * lanes.amplitudes[l];
+                re[i + l] += share * (one->is_perfect ? lanes.amplitudes[l] : lanes.re[l]);
+                if (!one->is_perfect) {
+                    im[i + l] += share * lanes.im[l];
+                }
             }
         }
     }
 }
 
-/* The power of lines that were transformed: of the first with wave fronts, and of perfect ones. Two
-   of these are a complex line, in whose power what they have in common is odd, so that it does not
-   come back in the real part. */
+/* Add the power of lines that were transformed. */
 static void add_power(const struct overlapping *one, const double *re, const double *im)
 {
     const size_t length = one->fft.length;
     for (size_t k = 0; k < FFT_LANES; k++) {
         const double *x = re + k * length, *y = im + k * length;
-        double *power = one->power[k < WAVES ? 0 : 1];
         for (size_t j = 0; j < length; j++) {
-            power[j] += x[j] * x[j] + y[j] * y[j];
+            one->power[j] += x[j] * x[j] + y[j] * y[j];
         }
     }
 }
 
-/* Lines of one piece, each with and without its wave front. */
-static void add_piece(const struct overlapping *one, size_t p)
+/*
+ * Lines of one piece. Two of a perfect wave front are a complex line, in whose power what they have
+ * in common is odd, so that it does not come back in the real part.
+ *
+ * Given     times  that the piece counts: for its mirror image too
+ *           halves  of a piece that is its own mirror image half the lines do
+ */
+static void add_piece(const struct overlapping *one, size_t p, double times, bool halves)
 {
     const struct arena_mark mark = arena_mark(one->arena);
     const struct exit_piece *piece = &one->front->lines->pieces[p];
-    const size_t length = one->fft.length;
+    const size_t length = one->fft.length, abreast = (one->is_perfect ? 2 : 1) * FFT_LANES;
     const double share = fmin((piece->high - piece->low) / one->wide[1], 1);
-    const size_t count = (size_t)((double)one->across * (1 + share) / 2);
+    const size_t count = (size_t)lines_for(&one->turns, share);
+    const size_t some = halves ? (count + 1) / 2 : count;
     double *x = ARENA_ARRAY(one->arena, count, double), *w = ARENA_ARRAY(one->arena, count, double);
     double *re = ARENA_ARRAY(one->arena, FFT_LANES * length, double);
     double *im = ARENA_ARRAY(one->arena, FFT_LANES * length, double);
     gauss_rule(count, x, w);
-    for (size_t done = 0; done < count; done += WAVES) {
+    for (size_t done = 0; done < some; done += abreast) {
         memset(re, 0, FFT_LANES * length * sizeof *re);
         memset(im, 0, FFT_LANES * length * sizeof *im);
-        for (size_t i = 0; i < WAVES && done + i < count; i++) {
+        for (size_t i = 0; i < abreast && done + i < some; i++) {
             struct exit_line line;
-            exit_front_line(one->front, p, PI * (x[done + i] - 0.5), &line);
-            double *perfect = (i % 2 == 0 ? re : im) + (WAVES + i / 2) * length;
-            put_line(one, &line, sqrt(PI * w[done + i] * line.slope), re + i * length,
-                     im + i * length, perfect);
+            const size_t at = done + i;
+            const double counts = halves && 2 * at + 1 != count ? 2 * times : times;
+            exit_front_line(one->front, p, PI * (x[at] - 0.5), &line);
+            double *real = i < FFT_LANES ? re + i * length : im + (i - FFT_LANES) * length;
+            put_line(one, &line, sqrt(PI * counts * w[at] * line.slope), real,
+                     one->is_perfect ? NULL : im + i * length);
         }
         const struct fft_lines lines = {re, im, FFT_LANES, length, 1};
         fft_transform(&one->fft, false, &lines, SET_BEST, one->arena);
         add_power(one, re, im);
     }
     arena_reset(one->arena, mark);
+}
+
+/* Of pieces that are mirror images of each other the first counts twice. */
+static void add_pieces(const struct overlapping *one)
+{
+    const struct exit_lines *lines = one->front->lines;
+    const size_t count = lines->count;
+    for (size_t i = 0; i < (lines->is_mirrored_across ? (count + 1) / 2 : count); i++) {
+        const bool is_middle = 2 * i + 1 == count;
+        add_piece(one, i, lines->is_mirrored_across && !is_middle ? 2 : 1,
+                  lines->is_mirrored_across && is_middle);
+    }
 }
 
 /* What a direction has at the frequencies, of all wavelengths. */
@@ -226,29 +256,27 @@ static void add_overlaps(const struct overlapping *one, size_t count, double wei
                          struct sums *sums)
 {
     const size_t length = one->fft.length;
-    double *zero = ARENA_ARRAY(one->arena, 2 * length, double);
-    for (size_t k = 0; k < 2; k++) {
-        const struct fft_lines line = {one->power[k], zero + k * length, 1, length, 1};
-        fft_transform(&one->fft, true, &line, SET_BEST, one->arena);
-    }
+    double *zero = ARENA_ARRAY(one->arena, length, double);
+    const struct fft_lines line = {one->power, zero, 1, length, 1};
+    fft_transform(&one->fft, true, &line, SET_BEST, one->arena);
     const double unit = weight * one->step / (double)length;
+    double *real = one->is_perfect ? sums->perfect : sums->re;
     /* cells that are clear in part say too little of themselves, but not of others */
-    sums->re[0] += weight * one->front->pupil->energy;
-    sums->perfect[0] += weight * one->front->pupil->energy;
+    real[0] += weight * one->front->pupil->energy;
     for (size_t i = 1; i < count && i * one->lag < one->cells; i++) {
-        sums->re[i] += unit * one->power[0][i * one->lag];
-        sums->im[i] += unit * zero[i * one->lag];
-        sums->perfect[i] += unit * one->power[1][i * one->lag];
+        real[i] += unit * one->power[i * one->lag];
+        if (!one->is_perfect) {
+            sums->im[i] += unit * zero[i * one->lag];
+        }
     }
 }
 
-/* Plan one wavelength in one direction; false: it cannot be drawn. */
-static bool plan(const struct mtf_source *source, size_t g, size_t direction, double step,
-                 size_t count, struct overlapping *one)
+/* Plan the overlap of one front; false: it cannot be drawn. */
+static bool plan(const struct exit_front *front, bool is_perfect, double step, size_t count,
+                 struct overlapping *one)
 {
-    const struct exit_pupil *pupil = &source->pupils.list[g];
-    const struct exit_front *front = &source->fronts[g * MTF_DIRECTIONS + direction];
-    *one = (struct overlapping){.front = front};
+    const struct exit_pupil *pupil = front->pupil;
+    *one = (struct overlapping){.front = front, .is_perfect = is_perfect};
     for (int k = 0; k < 2; k++) {
         double range[2];
         exit_pupil_range(pupil, k == 0 ? front->lines->along : front->lines->across, range);
@@ -260,43 +288,43 @@ static bool plan(const struct mtf_source *source, size_t g, size_t direction, do
 
 static void add_pupil(struct overlapping *one, size_t count, struct arena *arena, struct sums *sums)
 {
-    const struct exit_pupil *pupil = one->front->pupil;
     const struct arena_mark mark = arena_mark(arena);
-    const double weight = exit_pupil_weight(pupil);
     one->arena = arena;
     /* empty cells behind a line, so that it does not meet its other end up to the last shift */
     const size_t last = (count - 1) * one->lag;
     one->fft =
         fft_open(fft_length_from(one->cells + (last < one->cells ? last : one->cells)), arena);
-    for (int k = 0; k < 2; k++) {
-        one->power[k] = ARENA_ARRAY(arena, one->fft.length, double);
-    }
-    for (size_t i = 0; i < one->front->lines->count; i++) {
-        add_piece(one, i);
-    }
-    add_overlaps(one, count, weight, sums);
-    sums->light += weight * pupil->energy;
+    one->power = ARENA_ARRAY(arena, one->fft.length, double);
+    add_pieces(one);
+    add_overlaps(one, count, exit_pupil_weight(one->front->pupil), sums);
     arena_reset(arena, mark);
 }
 
 bool mtf_curve_find(const struct mtf_source *source, double step, size_t count, struct arena *arena,
                     struct mtf_curve *curve)
 {
-    const size_t lights = source->pupils.lights.count;
+    enum { BOTH = 2 }; /* with the wave front, and with a perfect one */
+    const size_t lights = source->pupils.lights.count, each = lights * BOTH;
     struct overlapping *plans =
-        arena_array(arena, lights * MTF_DIRECTIONS, sizeof(struct overlapping));
-    for (size_t i = 0; i < lights * MTF_DIRECTIONS; i++) {
-        if (!plan(source, i / MTF_DIRECTIONS, i % MTF_DIRECTIONS, step, count, &plans[i])) {
+        arena_array(arena, source->directions * each, sizeof(struct overlapping));
+    for (size_t i = 0; i < source->directions * each; i++) {
+        const size_t front = i % each / BOTH * MTF_DIRECTIONS + i / each;
+        if (!plan(&source->fronts[front], i % BOTH == 1, step, count, &plans[i])) {
             return false;
         }
     }
-    for (size_t k = 0; k < MTF_DIRECTIONS; k++) {
+    for (size_t k = 0; k < source->directions; k++) {
         struct sums sums = {ARENA_ARRAY(arena, count, double), ARENA_ARRAY(arena, count, double),
                             ARENA_ARRAY(arena, count, double), 0};
-        for (size_t g = 0; g < lights; g++) {
-            if (source->pupils.lights.list[g].weight > 0) {
-                add_pupil(&plans[g * MTF_DIRECTIONS + k], count, arena, &sums);
+        for (size_t i = 0; i < each; i++) {
+            const struct wave_light *light = &source->pupils.lights.list[i / BOTH];
+            if (light->weight > 0) {
+                add_pupil(&plans[k * each + i], count, arena, &sums);
             }
+        }
+        for (size_t g = 0; g < lights; g++) {
+            const struct exit_pupil *pupil = &source->pupils.list[g];
+            sums.light += pupil->light->weight > 0 ? exit_pupil_weight(pupil) * pupil->energy : 0;
         }
         curve->contrast[k] = sums.re;
         curve->limit[k] = sums.perfect;
@@ -304,6 +332,10 @@ bool mtf_curve_find(const struct mtf_source *source, double step, size_t count, 
             curve->contrast[k][i] = fmin(hypot(sums.re[i], sums.im[i]) / sums.light, 1);
             curve->limit[k][i] = fmin(sums.perfect[i] / sums.light, 1);
         }
+    }
+    for (size_t k = source->directions; k < MTF_DIRECTIONS; k++) {
+        curve->contrast[k] = curve->contrast[0];
+        curve->limit[k] = curve->limit[0];
     }
     return true;
 }
