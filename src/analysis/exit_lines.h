@@ -31,8 +31,8 @@ struct exit_lines {
     double along[2], across[2];
     struct exit_piece pieces[EXIT_PIECES];
     size_t count;
-    bool is_mirrored_across; /* all that is known at t is so at -t: piece i is count - 1 - i */
-    bool is_mirrored_along;  /* the same of s and -s on every line */
+    bool is_mirrored_across; /* all is the same at t and -t: pieces i and count - 1 - i are alike */
+    bool is_mirrored_along;  /* all is the same at s and -s */
 };
 
 /*

@@ -228,6 +228,10 @@ static void set_term(struct exit_pupil *pupil, const struct shape *term)
         }
     }
     pupil->off_waves = 0;
+    /* at one place no term is 0: it stays or turns its sign on the other side of a mirror */
+    const double here = shape_value(term, 0.31, 0.47);
+    pupil->is_mirrored[0] = fabs(shape_value(term, -0.31, 0.47) - here) < 1e-9;
+    pupil->is_mirrored[1] = fabs(shape_value(term, 0.31, -0.47) - here) < 1e-9;
 }
 
 /* The overlap of two discs of radius 1 at x = -shift/2 and shift/2, or y, by Gauss's rule. */
