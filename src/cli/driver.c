@@ -519,7 +519,8 @@ static bool answer_inside(struct driver *driver, struct text *answered, struct e
         if (!ask(driver, error)) {
             return false;
         }
-        const bool needs_rows = artifacts->count == 0 || !artifacts->jobs[0].artifact->needs_no_rows;
+        const bool needs_rows =
+            artifacts->count == 0 || !artifacts->jobs[0].artifact->needs_no_rows;
         if (!(needs_rows ? answer(driver, error) : draw_inside(driver, error))) {
             return false;
         }

@@ -27,12 +27,13 @@ struct drawn {
 };
 
 struct drawing {
+    struct run *run;
     struct arena *arena;
     const struct spot_input *input;
     bool with_points;
     struct drawn *all;
     size_t count, room;
-    const char *title, *focus, *failure;
+    const char *title, *focus;
     double airy; /* radius of the Airy disc, um or mrad; NaN = not known */
     bool is_angular, is_footprint;
     const double *wavelengths; /* of the keys, ascending, um */
@@ -161,7 +162,9 @@ static bool add(const struct analysis_case *one, size_t field, void *context, st
     question.no_radius = true;
     if (!spot_find(&question, drawing->arena, &spot, error)) {
         drawn->panel.note = "no rays";
-        drawing->failure = arena_printf(drawing->arena, "%s", error->message);
+        drawing->run->shortfall = *error;
+        error_prefix(&drawing->run->shortfall,
+                     "%s: ", lens_field_words(&setup->fields[field].point, drawing->arena));
         error->code = ERROR_NONE;
         return true;
     }
@@ -358,7 +361,7 @@ static bool collect(const struct artifact_job *job, bool with_points, struct dra
 bool spot_diagram(const struct artifact_job *job, struct output *sink, struct error *error)
 {
     struct svg svg = {.arena = job->run->arena};
-    struct drawing drawing = {.arena = svg.arena, .airy = NAN};
+    struct drawing drawing = {.run = job->run, .arena = svg.arena, .airy = NAN};
     if (!collect(job, job->count <= MOST_ROWS * MOST_COLUMNS, &drawing, error)) {
         return false;
     }
