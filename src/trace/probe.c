@@ -74,7 +74,7 @@ static bool is_limited(const struct system *system, size_t surface, double clear
 void probe_excess(const struct probe *probe, const size_t *surfaces, const double (*at)[2],
                   size_t count, double *excess)
 {
-    size_t from = 0;
+    size_t from = 0, lost = 0;
     const struct system *system = probe->system;
     const struct ray_block *block = probe->work.blocks;
     const struct rays rays = {probe->work.blocks, count};
@@ -82,7 +82,7 @@ void probe_excess(const struct probe *probe, const size_t *surfaces, const doubl
     for (size_t i = 0; i < count; i++) {
         excess[i] = -1;
     }
-    for (size_t place = 0; place < system->places; place++) {
+    for (size_t place = 0; place < system->places && lost < count; place++) {
         const size_t surface = system_surface(system, place);
         bool looks = surface < system->lens->surface_count && is_listed(surfaces, surface);
         if (surfaces != NULL && !looks && place + 1 < system->places) {
@@ -96,6 +96,7 @@ void probe_excess(const struct probe *probe, const size_t *surfaces, const doubl
                 continue;
             }
             if (!isfinite(block->x[i]) || !isfinite(block->y[i])) {
+                lost++;
                 excess[i] = PROBE_LOST * (double)(system->places - place) +
                             PROBE_LOST * 0.5 * (1 - 1 / (2 + excess[i]));
             } else if (looks && is_limited(system, surface, clear)) {
@@ -161,9 +162,16 @@ static struct patch look_wide(const struct probe *probe, const double centre[2],
     return best;
 }
 
+/* Of so many surfaces each ray takes long. */
+static bool has_many(const struct probe *probe)
+{
+    return probe->system->places > 100;
+}
+
 /*
  * Downhill from a patch: about its best ray, narrower unless that lies on the rim. Below 0 a few
- * more steps lead towards the middle.
+ * more steps lead towards the middle. Of many surfaces it is given up where a step brings lost
+ * rays not one of them farther.
  */
 static bool descend(const struct probe *probe, struct patch *patch)
 {
@@ -188,6 +196,9 @@ static bool descend(const struct probe *probe, struct patch *patch)
             patch->best = best;
             patch->at[0] = at[0];
             patch->at[1] = at[1];
+        }
+        if (has_many(probe) && patch->best > fmax(best - PROBE_LOST, PROBE_LOST)) {
+            return false;
         }
         inwards += patch->best <= 0 ? 1 : 0;
     }
@@ -252,7 +263,7 @@ static bool look_closely(const struct probe *probe, const struct clear_guess *gu
     double half = first.half > 0 && isfinite(first.half) ? first.half : 6 * guess->radius;
     const double *centre = first.half > 0 ? first.centre : guess->centre;
     /* 12 x 12 blocks: of a hundred surfaces as long as of ten */
-    *patch = look_wide(probe, centre, half, probe->system->places > 100 ? 4 : 12);
+    *patch = look_wide(probe, centre, half, has_many(probe) ? 4 : 12);
     return patch->best < PROBE_LOST;
 }
 
