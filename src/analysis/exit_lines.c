@@ -290,8 +290,7 @@ static bool is_mirrored_along(const struct exit_lines *lines, double size)
     for (size_t i = 0; i < lines->count; i++) {
         const struct exit_piece *piece = &lines->pieces[i];
         for (size_t k = 0; k < EXIT_NODES && is_mirrored; k++) {
-            is_mirrored =
-                has_edges_of(piece->edges[k], piece->edges[k], piece->count, true, size);
+            is_mirrored = has_edges_of(piece->edges[k], piece->edges[k], piece->count, true, size);
         }
     }
     return is_mirrored;
@@ -302,7 +301,8 @@ static void find_mirrors(const struct exit_pupil *pupil, double size, struct exi
 {
     for (size_t k = 0; k < 2; k++) {
         if (fabs(lines->along[k]) >= 1) {
-            lines->is_mirrored_across = pupil->is_mirrored[1 - k] && is_mirrored_across(lines, size);
+            lines->is_mirrored_across =
+                pupil->is_mirrored[1 - k] && is_mirrored_across(lines, size);
             lines->is_mirrored_along = pupil->is_mirrored[k] && is_mirrored_along(lines, size);
         }
     }

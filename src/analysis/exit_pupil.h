@@ -33,7 +33,7 @@ struct exit_pupil {
     /* internal: as polynomials u and v of the beam, and W and the amplitude */
     size_t order;
     double *map[2], *form[2];
-    bool is_blocked; /* something may stand within */
+    bool is_blocked;     /* something may stand within */
     bool is_mirrored[2]; /* its rays, W and amplitude are the same at -a, and at -b */
 };
 

@@ -280,13 +280,12 @@ static void find_ranges(struct summing *summing)
             if (parts.count > 0) {
                 struct range *range = &summing->ranges[summing->count++];
                 const bool is_middle = is_mirrored && 2 * k + 1 == count;
-                *range = (struct range){
-                    .piece = i,
-                    .parts = parts.count,
-                    .low = breaks[k],
-                    .high = breaks[k + 1],
-                    .times = has_image || (is_mirrored && !is_middle) ? 2 : 1,
-                    .is_mirrored = is_middle};
+                *range = (struct range){.piece = i,
+                                        .parts = parts.count,
+                                        .low = breaks[k],
+                                        .high = breaks[k + 1],
+                                        .times = has_image || (is_mirrored && !is_middle) ? 2 : 1,
+                                        .is_mirrored = is_middle};
                 find_turns(summing, range);
             }
         }

@@ -28,7 +28,7 @@ struct mtf_source {
     struct mtf_rays *rays;           /* null: by waves */
     double along[MTF_DIRECTIONS][2]; /* in the image plane, of unit length */
     double cutoff[MTF_DIRECTIONS];   /* 1/mm: no wavelength has contrast beyond it; NaN: no paths */
-    size_t directions; /* that differ: one of a round lens on its axis, else both */
+    size_t directions;               /* that differ: one of a round lens on its axis, else both */
 };
 
 struct mtf {

@@ -52,7 +52,7 @@ struct overlapping {
     bool is_perfect;
     double middle[2], wide[2]; /* along and across */
     double step;               /* of cells */
-    size_t lag, cells; /* cells of one frequency, and of the pupil */
+    size_t lag, cells;         /* cells of one frequency, and of the pupil */
     struct turns turns;
     struct fft fft;
     double *power;
