@@ -460,32 +460,6 @@ static int compute(struct driver *driver, const struct error *missing)
     return status_of(driver);
 }
 
-/* Is the word one of the list's? */
-static bool lists(struct text list, const char *word)
-{
-    const char *const end = list.start + list.length;
-    for (const char *at = list.start; at != NULL;) {
-        const char *comma = memchr(at, ',', (size_t)(end - at));
-        if (text_same(text_between(at, comma != NULL ? comma : end), word)) {
-            return true;
-        }
-        at = comma != NULL ? comma + 1 : NULL;
-    }
-    return false;
-}
-
-/* Does the question need the solver, as far as words tell before anything is read? */
-static bool needs_solver(const struct driver *driver)
-{
-    const char *when = driver->command->needs_ceres;
-    if (when == NULL || *when == '\0') {
-        return when != NULL;
-    }
-    const char *word = strchr(when, '=');
-    const struct argument *argument = arguments_find(&driver->arguments, text_between(when, word));
-    return argument->is_given && lists(argument->text, word + 1);
-}
-
 static void free_driver(struct driver *driver)
 {
     if (driver->is_batch) {
@@ -584,7 +558,8 @@ static int answer_question(struct driver *driver, char **argv)
     if (command->again != NULL) {
         return ask_again(driver, argv);
     }
-    const bool lacks = needs_solver(driver) && !relay_to_ceres(argv, &driver->arena, &missing);
+    const bool lacks = relay_is_wanted(command, &driver->arguments) &&
+                       !relay_to_ceres(argv, &driver->arena, &missing);
     driver->run.no_solver = lacks ? &missing : NULL;
     const int status = command->run == NULL ? answer_without_rows(driver)
                                             : compute(driver, lacks ? &missing : NULL);

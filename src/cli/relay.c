@@ -2,6 +2,8 @@
 /* SPDX-License-Identifier: MIT */
 #include "cli/relay.h"
 
+#include "cli/arguments.h"
+#include "cli/command.h"
 #include "design/solver/solver.h"
 #include "report/version.h"
 
@@ -103,4 +105,29 @@ bool relay_to_ceres(char **argv, struct arena *arena, struct error *error)
     return fail(error, ERROR_DOMAIN,
                 "this needs the solver Ceres, which this lenscalc is built without: install "
                 "libceres-dev and g++ (as 'make deps' does), then 'make' and 'make install' again");
+}
+
+/* Is the word one of the list's? */
+static bool lists(struct text list, const char *word)
+{
+    const char *const end = list.start + list.length;
+    for (const char *at = list.start; at != NULL;) {
+        const char *comma = memchr(at, ',', (size_t)(end - at));
+        if (text_same(text_between(at, comma != NULL ? comma : end), word)) {
+            return true;
+        }
+        at = comma != NULL ? comma + 1 : NULL;
+    }
+    return false;
+}
+
+bool relay_is_wanted(const struct command *command, const struct arguments *arguments)
+{
+    const char *when = command->needs_ceres;
+    if (when == NULL || *when == '\0') {
+        return when != NULL;
+    }
+    const char *word = strchr(when, '=');
+    const struct argument *argument = arguments_find(arguments, text_between(when, word));
+    return argument->is_given && lists(argument->text, word + 1);
 }

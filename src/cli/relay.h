@@ -8,6 +8,9 @@
 
 #include <stdbool.h>
 
+struct command;
+struct arguments;
+
 /*
  * Become lenscalc-ceres, with the same arguments. It is looked for beside this program, then in
  * ../libexec/lenscalc from there. Nothing may have been read or written before. Whether it starts
@@ -19,5 +22,8 @@
  *           it was started by one of another version. ERROR_IO: it does not start
  */
 bool relay_to_ceres(char **argv, struct arena *arena, struct error *error);
+
+/* Does a question need the solver, as far as its words tell before anything is read? */
+bool relay_is_wanted(const struct command *command, const struct arguments *arguments);
 
 #endif

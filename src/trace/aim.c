@@ -87,18 +87,6 @@ struct search {
 
 enum { STEPS = 60, HALVINGS = 40 };
 
-static double determinant(const double m[4])
-{
-    return m[0] * m[3] - m[1] * m[2];
-}
-
-/* Rounding of a start beside the axis moves its ray in the stop by so much, mm: of a stop that is
-   not far larger no ray comes nearer to where it is meant to. */
-static double rounding_of(const struct aim *aim)
-{
-    return 1e-14 * hypot(aim->chief[0], aim->chief[1]) * sqrt(fabs(determinant(aim->slope)));
-}
-
 static void multiply(const double m[4], const double v[2], double out[2])
 {
     double x = m[0] * v[0] + m[1] * v[1], y = m[2] * v[0] + m[3] * v[1];
@@ -167,7 +155,7 @@ static void judge(const struct aim *aim, const struct pupil_point *point, size_t
         search->status = status;
         search->surface = ray_block_surface(block, lane);
     }
-    bool near = before <= fmax(1e-12 * aim->stop_radius, rounding_of(aim));
+    bool near = before <= chief_rounding(aim);
     search->halvings++;
     search->is_rough = search->is_rough || !near;
     if (near || search->halvings > HALVINGS) {
@@ -209,7 +197,7 @@ static double left_of(const struct search *search)
 
 static bool has_reached(const struct aim *aim, const struct search *search)
 {
-    return left_of(search) <= fmax(lead_reached * aim->stop_radius, rounding_of(aim));
+    return left_of(search) <= fmax(lead_reached * aim->stop_radius, chief_rounding(aim));
 }
 
 /* The Jacobian at where a search stands, for one that got stuck. */
@@ -281,6 +269,11 @@ static void retry(const struct aim *aim, const struct pupil_point *points, size_
     }
 }
 
+static double determinant(const double m[4])
+{
+    return m[0] * m[3] - m[1] * m[2];
+}
+
 static bool finish(const struct aim *aim, const struct search *search, struct ray *ray)
 {
     *ray = beam_ray(&aim->beam, search->at[0], search->at[1]);
@@ -332,8 +325,7 @@ static void start_block(const struct aim *aim, const struct pupil_point *points,
 static void steer_block(const struct aim *aim, size_t count, struct aim_block *block)
 {
     enum { ALL = 16 };
-    const double reached = 1e-15 * aim->stop_radius;
-    const double near = fmax(1e-12 * aim->stop_radius, rounding_of(aim));
+    const double reached = 1e-15 * aim->stop_radius, near = chief_rounding(aim);
     kernel_aim *kernel = KERNEL_FOR(SET_BEST, kernel_aim);
     bool busy = true;
     for (int step = 0; step < ALL && busy; step++) {

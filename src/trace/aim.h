@@ -81,12 +81,12 @@ bool aim_open_at(struct aim *aim, const double at[2]);
  *           the point is not reached): it stays as far as the search has come
  * Formula   Newton's method for all rays at once, the Jacobian kept by Broyden's rank-one
  *           correction; a step that loses the ray or leads away is halved. It ends when no step
- *           brings the ray closer, which is at rounding: 1e-9 of the radius counts as reached, or
- *           1e-14 of the chief ray's height where the stop is as tiny, 1e-14 is usual. Where the pupil is folded a point has several rays; the one that is
- *           meant is joined to the chief ray by those of the line between them in the stop, with
- *           the chief ray's sign of the Jacobian. Where the search ends with the other sign, has
- *           led away on its way or fails, the ray is followed along that line in small steps; if
- *           these end at the fold it is not converged
+ *           brings the ray closer, which is at rounding: 1e-9 of the radius counts as reached, of
+ *           a tiny stop what rounding of the start is there; 1e-14 is usual. Where the pupil is
+ *           folded a point has several rays; the one that is meant is joined to the chief ray by
+ *           those of the line between them in the stop, with the chief ray's sign of the Jacobian.
+ *           Where the search ends with the other sign, has led away on its way or fails, the ray is
+ *           followed along that line in small steps; if these end at the fold it is not converged
  * Source    [Broyden65]
  */
 size_t aim_rays(const struct aim *aim, const struct pupil_point *points, size_t count,

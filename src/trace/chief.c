@@ -525,3 +525,10 @@ bool chief_find_near(struct aim *aim, const struct aim_near *near)
     return before <= 1e-12 * aim->stop_radius && chief_slope(aim, aim->chief, aim->slope) &&
            sheet * (aim->slope[0] * aim->slope[3] - aim->slope[1] * aim->slope[2]) > 0;
 }
+
+double chief_rounding(const struct aim *aim)
+{
+    const double *m = aim->slope;
+    const double slope = sqrt(fabs(m[0] * m[3] - m[1] * m[2]));
+    return fmax(1e-12 * aim->stop_radius, 1e-14 * hypot(aim->chief[0], aim->chief[1]) * slope);
+}
