@@ -41,8 +41,8 @@ void chief_to_stop(const struct aim *aim, size_t count);
 /* Take `count` rays of the beam (1 to RAYS_BLOCK) to the stop; their fate is in aim->work. */
 void chief_trace(const struct aim *aim, const double (*at)[2], size_t count);
 
-/* How near rays come at least to where they are meant to cross the stop, mm: 1e-12 of its radius, or
-   of a tiny one as far as rounding of where they start beside the axis moves them there. */
+/* How near rays come at least to where they are meant to cross the stop, mm: 1e-12 of its radius,
+   or of a tiny one as far as rounding of where they start beside the axis moves them there. */
 double chief_rounding(const struct aim *aim);
 
 #endif
