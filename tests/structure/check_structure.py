@@ -8,6 +8,7 @@ belong into the repository. check_rules.py shows of each rule that it fails wher
 """
 # SPDX-License-Identifier: MIT
 
+import functools
 import glob
 import os
 import re
@@ -120,9 +121,11 @@ FOR_TESTS = {
 }
 # Sources that are one table or one idea and may be longer, with the reason.
 LONG_FILES = {}
-FORBIDDEN_WORDS = re.compile(
-    r"\bsessions?\b|\bissue #?\d|\bissue #|/work/|/tmp/|\.\./shared|"
-    r"deb\.debian\.org|pypi\.org|pythonhosted|crates\.io|npmjs|proxy\.golang", re.I)
+# What a text is to hold before a pattern, which is slow, is tried on it: the pattern, None for itself.
+FORBIDDEN_WORDS = {mark: re.compile(pattern or re.escape(mark), re.I) for mark, pattern in {
+    "session": r"\bsessions?\b", "issue ": r"\bissue #?\d|\bissue #", "/work/": None, "/tmp/": None,
+    "../shared": None, "deb.debian.org": None, "pypi.org": None, "pythonhosted": None,
+    "crates.io": None, "npmjs": None, "proxy.golang": None}.items()}
 # Where a word has another meaning, or is needed.
 WORDS_ALLOWED = {
     "tests": re.compile(r"/tmp/|\.\./shared"),
@@ -137,6 +140,7 @@ def read(path):
         return file.read()
 
 
+@functools.lru_cache(2)  # several rules look at each text in turn
 def blank_comments(text):
     """The text with comments and the content of literals blanked, lines kept."""
     token = re.compile(r"/\*.*?\*/|//[^\n]*|\"(?:\\.|[^\"\\\n])*\"|'(?:\\.|[^'\\\n])*'", re.S)
@@ -204,23 +208,23 @@ def check_calls(checks, path, text):
     inside = os.path.relpath(path, "src")
     if layer_of(inside) not in NUMERIC:
         return
-    found = []
-    for number, line in enumerate(blank_comments(text).split("\n"), 1):
-        for match in FORBIDDEN_CALLS.finditer(line):
-            word = match[1] or match[2]
-            if word not in ALLOWED_CALLS.get(inside, ()):
-                found.append(f"{path}:{number}: '{word}' in a numeric folder")
+    found, plain = [], blank_comments(text)
+    for match in FORBIDDEN_CALLS.finditer(plain):
+        word = match[1] or match[2]
+        if word not in ALLOWED_CALLS.get(inside, ()):
+            number = plain.count("\n", 0, match.start()) + 1
+            found.append(f"{path}:{number}: '{word}' in a numeric folder")
     checks.check(not found, "; ".join(found[:5]))
 
 
 def check_extensions(checks, path, text):
-    inside = os.path.relpath(path, "src")
-    for number, line in enumerate(blank_comments(text).split("\n"), 1):
-        for match in EXTENSIONS.finditer(line):
-            word = match[1] or match[2]
-            place = USED_EXTENSIONS.get(word, "nowhere")
-            checks.check(place is None or inside.startswith(place),
-                         f"{path}:{number}: {word} is no C17, and not used here")
+    inside, plain = os.path.relpath(path, "src"), blank_comments(text)
+    for match in EXTENSIONS.finditer(plain):
+        word = match[1] or match[2]
+        place = USED_EXTENSIONS.get(word, "nowhere")
+        checks.check(place is None or inside.startswith(place),
+                     f"{path}:{plain.count(chr(10), 0, match.start()) + 1}: {word} is no C17, "
+                     "and not used here")
 
 
 def check_options(checks, sources):
@@ -360,6 +364,13 @@ def check_links(checks, build):
                      (" but tests" if symbol in tested else ""))
 
 
+def compiled_first(sources):
+    """The headers that a source includes before all else: the build has compiled them alone."""
+    plain = (re.sub(r"/\*.*?\*/", "", read(path), flags=re.S) for path in sources)
+    first = (re.match(r'\s*#include "([^"]+)"', text) for text in plain)
+    return {"src/" + match[1] for match in first if match}
+
+
 def check_headers(checks, headers):
     def compile_alone(header):
         compiler = os.environ.get("CC", "cc").split()
@@ -415,9 +426,10 @@ def check_words(checks):
                 path.endswith((".pyc", ".out", "check_structure.py", "check_lensdb.py")):
             continue
         text = read(path)
-        spared = WORDS_ALLOWED.get(path.split("/")[0])
+        spared, lower = WORDS_ALLOWED.get(path.split("/")[0]), text.lower()
         found = [f"{path}:{text.count(chr(10), 0, match.start()) + 1}: '{match.group()}'"
-                 for match in FORBIDDEN_WORDS.finditer(text)
+                 for mark, pattern in FORBIDDEN_WORDS.items() if mark in lower
+                 for match in pattern.finditer(text)
                  if not (spared and spared.fullmatch(match.group()))]
         checks.check(not found, f"word that does not belong here: {'; '.join(found[:4])}")
 
@@ -440,7 +452,8 @@ def check_tree(checks, build):
     check_options(checks, sources)
     check_complexity(checks, [path for path in sources if path.endswith(".c")])
     check_names(checks, sources)
-    check_headers(checks, [path for path in sources if path.endswith(".h")])
+    alone = compiled_first(path for path in sources if path.endswith(".c"))
+    check_headers(checks, [path for path in sources if path.endswith(".h") and path not in alone])
     check_objects(checks, build)
     check_links(checks, build)
     check_words(checks)
