@@ -7,7 +7,8 @@ Conventions of README and man/*.[157]:
   command finds an earlier one's files) with lenscalc first in PATH; the lines up to the next "$ "
   or the end of the block are its exact standard output. A command that ends in " \\" goes on in
   the next line ("> " in front of it is taken away). A block without "$ " is not run. Exit status
-  and standard error are not compared: show them with `; echo $?` and `2>&1`.
+  and standard error are not compared: show them with `; echo $?` and `2>&1`. The same commands
+  from an empty folder on are run once, wherever they stand.
 - A command that starts with "make" or "sudo" is shown, never run.
 - Options: in a page's section OPTIONS each option is a .TP followed by a line that names it:
   .BR \\-f ", " \\-\\-focal\\-length ... or \\fB\\-f\\fR, \\fB\\-\\-focal\\-length\\fR .... They must
@@ -36,10 +37,11 @@ sys.dont_write_bytecode = True
 sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
 sys.path.insert(0, os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
 import keyword_tables
-from harness import ROOT, Checks, Program
+from harness import EVERYTHING, ROOT, Checks, Program
 
 KEY = re.compile(r"\[([A-Z][A-Za-z]*[0-9]{2}[a-z]?)\]")
 NOT_RUN = ("make", "sudo")
+LONG = re.compile(r"lenscalc render chart:(?!.*--size)")
 
 
 def unescape(line):
@@ -112,28 +114,58 @@ def runs_here(program, command):
         os.path.exists(os.path.join(program.build, "lenscalc-ceres"))
 
 
-def check_examples(checks, program, path, blocks):
-    count = 0
+class Examples:
+    """Runs examples; of each series of commands from an empty folder on the last result is kept."""
+
+    def __init__(self, program, room):
+        self.program, self.room, self.known = program, room, {}
+
+    def run(self, commands):
+        """(the result of the last command, did it make a file), each after those before it."""
+        commands = tuple(commands)
+        if commands not in self.known:
+            if commands[:-1]:
+                self.run(commands[:-1])
+            folder = os.path.join(self.room, str(len(self.known)))
+            if commands[:-1]:
+                shutil.copytree(self.known[commands[:-1]][2], folder, symlinks=True)
+            else:
+                os.mkdir(folder)
+            before = set(os.listdir(folder))
+            result = self.program.shell(commands[-1], folder)
+            self.known[commands] = result, set(os.listdir(folder)) != before, folder
+        return self.known[commands][:2]
+
+
+def is_left_out(command):
+    return LONG.match(command) and not EVERYTHING
+
+
+def check_examples(checks, examples, path, blocks):
+    count, program = 0, examples.program
     for start, block in blocks:
-        with tempfile.TemporaryDirectory(prefix="lenscalc-doc-") as folder:
-            for number, command, expected in examples_of(start, block):
-                if command.split()[0] in NOT_RUN:
-                    continue
-                if not runs_here(program, command):
-                    print(f"{path}:{number}: $ {command}: skipped, CERES=0")
-                    break
-                count += 1
-                result = program.shell(command, folder)
-                actual = result.stdout.decode("utf-8", "replace").rstrip("\n").split("\n")
-                actual = [] if actual == [""] else actual
-                wanted = "\n".join(expected)
-                difference = "" if "\n".join(actual) == wanted else "\n    ".join(
-                    list(difflib.unified_diff(expected, actual, "page", "program", lineterm="",
-                                              n=0))[2:14])
-                checks.check(difference == "" and "\n".join(actual) == wanted and
-                             b"yntax error" not in result.stderr,
-                             f"{path}:{number}: $ {command}\n    {difference}"
-                             f"{result.stderr.decode('utf-8', 'replace')[:300]}")
+        commands = []
+        for number, command, expected in examples_of(start, block):
+            if command.split()[0] in NOT_RUN:
+                continue
+            if not runs_here(program, command):
+                print(f"{path}:{number}: $ {command}: skipped, CERES=0")
+                break
+            count += 1
+            if is_left_out(command):
+                break
+            commands.append(command)
+            result = examples.run(commands)[0]
+            actual = result.stdout.decode("utf-8", "replace").rstrip("\n").split("\n")
+            actual = [] if actual == [""] else actual
+            wanted = "\n".join(expected)
+            difference = "" if "\n".join(actual) == wanted else "\n    ".join(
+                list(difflib.unified_diff(expected, actual, "page", "program", lineterm="",
+                                          n=0))[2:14])
+            checks.check(difference == "" and "\n".join(actual) == wanted and
+                         b"yntax error" not in result.stderr,
+                         f"{path}:{number}: $ {command}\n    {difference}"
+                         f"{result.stderr.decode('utf-8', 'replace')[:300]}")
     return count
 
 
@@ -223,22 +255,23 @@ def check_words(checks, program, commands):
         checks.check(not missing, f"{path}: lacks the endings {missing} of lens files")
 
 
-def check_help(checks, program, commands):
+def check_help(checks, examples, commands):
     """The examples that --help shows run with status 0, and print or make something."""
-    with tempfile.TemporaryDirectory(prefix="lenscalc-doc-") as folder:
-        for command in commands:
-            text = program.run(command, "--help").stdout.decode()
-            block = text.partition("Examples:\n")[2].partition("\n\n")[0]
-            block = re.sub(r" \\\n +", " ", block)  # a long one goes on in the next line
-            found = [line.strip() for line in block.split("\n") if line.startswith("  lenscalc ")]
-            checks.check(found, f"{command} --help has no examples")
-            for example in [one for one in found if runs_here(program, one)]:
-                before = set(os.listdir(folder))
-                result = program.shell(example, folder)
-                made = result.stdout != b"" or set(os.listdir(folder)) != before
-                checks.check(result.returncode == 0 and made,
-                             f"{command} --help: '{example}' ends with {result.returncode}: "
-                             f"{result.stderr.decode()[:200]}")
+    program = examples.program
+    for command in commands:
+        text = program.run(command, "--help").stdout.decode()
+        block = text.partition("Examples:\n")[2].partition("\n\n")[0]
+        block = re.sub(r" \\\n +", " ", block)  # a long one goes on in the next line
+        found = [line.strip() for line in block.split("\n") if line.startswith("  lenscalc ")]
+        checks.check(found, f"{command} --help has no examples")
+        found = [one for one in found if runs_here(program, one) and not is_left_out(one)]
+        for number, example in enumerate(found):
+            result, made = examples.run([example])
+            if result.returncode != 0:  # it reads what an earlier one made
+                result, made = examples.run(found[:number + 1])
+            checks.check(result.returncode == 0 and (made or result.stdout != b""),
+                         f"{command} --help: '{example}' ends with {result.returncode}: "
+                         f"{result.stderr.decode()[:200]}")
 
 
 def check_keys(checks):
@@ -300,17 +333,19 @@ def main():
     commands = [row["command"] for row in csv.DictReader(rows)]
     tools = {row["command"] for row in csv.DictReader(rows) if row["group"] == "tool"}
     checks.check("dof" in commands, f"lenscalc list commands: {commands}")
-    if checks.check(os.path.exists("README"), "README does not exist"):
-        with open("README", encoding="utf-8") as file:
-            count = check_examples(checks, program, "README", readme_blocks(file.read()))
-        checks.check(count > 0, "README has no example")
-    for path in sorted(glob.glob("man/*.[157]")):
-        with open(path, encoding="utf-8") as file:
-            count = check_examples(checks, program, path, page_blocks(file.read()))
-        checks.check(count > 0 or not path.endswith(".1"), f"{path} has no example")
+    with tempfile.TemporaryDirectory(prefix="lenscalc-doc-") as room:
+        examples = Examples(program, room)
+        if checks.check(os.path.exists("README"), "README does not exist"):
+            with open("README", encoding="utf-8") as file:
+                count = check_examples(checks, examples, "README", readme_blocks(file.read()))
+            checks.check(count > 0, "README has no example")
+        for path in sorted(glob.glob("man/*.[157]")):
+            with open(path, encoding="utf-8") as file:
+                count = check_examples(checks, examples, path, page_blocks(file.read()))
+            checks.check(count > 0 or not path.endswith(".1"), f"{path} has no example")
+        check_help(checks, examples, commands)
     check_options(checks, program, commands, tools)
     check_words(checks, program, commands)
-    check_help(checks, program, commands)
     check_keys(checks)
     check_keywords(checks, program)
     check_pages(checks)
