@@ -80,7 +80,9 @@ $(eval $(call stamp,objects,$(objects:$(BUILD)/%=%)))
 $(eval $(call stamp,embedded,$(lensdb)))
 # what is installed is what was built: the flags of 'make STATIC=0' need not be said again
 installs := $(if $(filter install,$(MAKECMDGOALS)),test -f $(BUILD)/flags ||)
-$(eval $(call stamp,flags,$(CC) $(CXX) $(LINK_$(STATIC)) $(LDFLAGS) $(ALL_CFLAGS) $(CXX_FLAGS),$(installs)))
+$(eval $(call stamp,flags,$(CC) $(CXX) $(ALL_CFLAGS) $(CXX_FLAGS),$(installs)))
+# and linking, which objects do not depend on: another link takes over the same ones
+$(eval $(call stamp,linked,$(CC) $(CXX) $(LINK_$(STATIC)) $(LDFLAGS),$(installs)))
 FORCE:
 
 # V=1 shows the commands
@@ -89,7 +91,7 @@ Q_  = @
 Q   = $(Q_$(V))
 
 # the linker writes in pieces, which lie scattered in the page cache: a copy starts a tenth faster
-$(BUILD)/lenscalc: $(BUILD)/main.o $(objects) $(alone) $(BUILD)/objects
+$(BUILD)/lenscalc: $(BUILD)/main.o $(objects) $(alone) $(BUILD)/objects $(BUILD)/linked
 	@echo link $@
 	$(Q)$(CC) $(ALL_CFLAGS) $(LINK_$(STATIC)) $(LDFLAGS) -o $@.linked $(filter %.o,$^) -lm
 	$(Q)cp $@.linked $@.copy && mv $@.copy $@ && rm $@.linked
@@ -105,7 +107,7 @@ $(foreach set,sse2 avx2 avx512,$(BUILD)/camera/kernel_film_$(set).o): FLOATING +
 $(BUILD)/base/image/stb.o: FLOATING += -Wno-unused-function -fwrapv
 
 # the same program with Ceres, which lenscalc becomes when a command needs it
-$(BUILD)/lenscalc-ceres: $(BUILD)/main.o $(objects) $(ceres) $(BUILD)/objects
+$(BUILD)/lenscalc-ceres: $(BUILD)/main.o $(objects) $(ceres) $(BUILD)/objects $(BUILD)/linked
 	@echo link $@
 	$(Q)$(CXX) $(CXX_FLAGS) $(LDFLAGS) -o $@.linked $(filter %.o,$^) -lceres -lglog -lm
 	$(Q)mv $@.linked $@
@@ -138,11 +140,13 @@ SET_avx2   = -mavx2
 SET_avx512 = -mavx512f -mavx512vl -mavx512dq -mprefer-vector-width=512
 endif
 SET_few    = -O2 -DKERNEL_FEW
+# gcc takes a minute a kernel with those of the sanitizers' checks that addresses do not need
+SET_checked = -fno-sanitize=null,alignment,object-size,pointer-overflow
 define kernel
 $(BUILD)/%_$(1).o: src/%.c $(BUILD)/flags
 	@mkdir -p $$(@D)
 	@echo cc $$< for $(1)
-	$$(Q)$$(CC) $$(ALL_CFLAGS) $(if $(findstring -fsanitize,$(CFLAGS)),,-O3) $$(SET_$(1)) \
+	$$(Q)$$(CC) $$(ALL_CFLAGS) $(if $(findstring -fsanitize,$(CFLAGS)),$(SET_checked),-O3) $$(SET_$(1)) \
 	    -DKERNEL=$(1) -MMD -MP -c -o $$@ $$<
 endef
 $(foreach set,sse2 avx2 avx512 few,$(eval $(call kernel,$(set))))
@@ -169,7 +173,7 @@ $(BUILD)/$(1)/test_%.o: tests/$(1)/test_%.c $(BUILD)/flags
 $(BUILD)/$(1)/all.o: tests/unit/all.c $(BUILD)/$(1)/tests.list $(BUILD)/flags
 	$$(Q)$$(CC) $$(ALL_CFLAGS) -I$(BUILD)/$(1) -c -o $$@ $$<
 
-$(BUILD)/$(1)/all: $(BUILD)/$(1)/all.o $(addsuffix .o,$(2)) $(objects) $(3) $(BUILD)/objects
+$(BUILD)/$(1)/all: $(BUILD)/$(1)/all.o $(addsuffix .o,$(2)) $(objects) $(3) $(BUILD)/objects $(BUILD)/linked
 	@echo link $$@
 	$$(Q)$(4) $$(LDFLAGS) -o $$@ $$(filter %.o,$$^) $(5) -lm
 
@@ -192,7 +196,7 @@ $(BUILD)/fuzz/replay_%.o: tests/fuzz/fuzz_%.c $(BUILD)/flags
 	@mkdir -p $(@D)
 	$(Q)$(CC) $(ALL_CFLAGS) -Itests/fuzz -DLLVMFuzzerTestOneInput=replay_$* -MMD -MP -c -o $@ $<
 
-$(BUILD)/replay: tests/fuzz/replay.c $(targets) $(objects) $(solver_$(CERES)) $(BUILD)/objects
+$(BUILD)/replay: tests/fuzz/replay.c $(targets) $(objects) $(solver_$(CERES)) $(BUILD)/objects $(BUILD)/linked
 	@echo link $@
 	$(Q)$(CC) $(ALL_CFLAGS) -Itests/fuzz -c -o $(BUILD)/fuzz/replay.o $<
 	$(Q)$(link_$(CERES)) $(LDFLAGS) -o $@ $(BUILD)/fuzz/replay.o $(filter %.o,$^) $(libs_$(CERES)) -lm
