@@ -1,4 +1,4 @@
-# --exact: limits, focus and light by the rays of a lens
+# long: --exact: limits, focus and light by the rays of a lens
 lens=double-gauss
 lenscalc dof --lens $lens -N 8 -s 2m --exact --columns near_m,far_m,depth_of_focus_mm,least_blur_um
 lenscalc dof --lens $lens -N 8 -s 2m --exact --criterion energy80 --columns near_m,far_m

@@ -1,4 +1,4 @@
-# a triplet from plane plates: the same bytes whatever the number of threads is
+# long: a triplet from plane plates: the same bytes whatever the number of threads is
 cat > plates.lens << 'END'
 lens        Triplet from plates
 wavelength  d F C

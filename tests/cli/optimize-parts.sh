@@ -1,4 +1,4 @@
-# parts of a search are the bytes of one run, whichever they are; so is a state that is gone on from
+# long: parts of a search are the bytes of one run, whichever they are; so is a state that is gone on from
 cat > plates.lens << 'END'
 lens        Triplet from plates
 wavelength  d F C

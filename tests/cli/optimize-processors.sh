@@ -1,4 +1,4 @@
-# the same steps with every instruction set: glibc tells the program of fewer than there are
+# long: the same steps with every instruction set: glibc tells the program of fewer than there are
 cat > triplet.lens <<'EOF'
 lens        Fast triplet
 wavelength  d F C

@@ -1,4 +1,4 @@
-# what single errors cost, which tolerances cost the same, trials to second order
+# long: what single errors cost, which tolerances cost the same, trials to second order
 try() { lenscalc tolerance double-gauss "$@"; }
 # both signs against lenses whose file has the error: RMS of spot in the same plane
 cat > plain.lens << 'END'

@@ -15,7 +15,7 @@ import tempfile
 
 sys.dont_write_bytecode = True
 sys.path.insert(0, os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
-from harness import ROOT, Checks
+from harness import EVERYTHING, ROOT, Checks
 
 FORMATS = ("lens", "zmx", "seq", "len", "json")
 MOST = 300  # surfaces of one lens
@@ -80,16 +80,17 @@ def check_homonyms(checks, program, folder, found):
             by_key.setdefault(key, []).append((f"{catalog}:{name}", wave))
     several = [group for group in by_key.values() if len(group) > 1]
     checks.check(len(several) > 100, f"{len(several)} names of several glasses")
-    refused = 0
-    for group in several:
+    refused = asked = 0
+    for number, group in enumerate(several):
         names = [name for name, _ in group]
         wave = max(wave for _, wave in group)
-        for form in FORMATS:
+        for form in FORMATS if EVERYTHING else FORMATS[number % 3::3]:
+            asked += 1
             back = through(program, folder, form, names, wave)
             said = isinstance(back, str) and ("would be read with" in back or "range of" in back)
             refused += said
             checks.check(back == names or said, f"{names} through {form}: {back}")
-    print(f"{len(several)} names of several glasses, {refused} files of {5 * len(several)} refused")
+    print(f"{len(several)} names of several glasses, {refused} files of {asked} refused")
 
 
 def main():
@@ -97,7 +98,8 @@ def main():
     checks, found = Checks(), catalogues()
     checks.check(len(found) == 16 and sum(map(len, found.values())) == 2862, "16 catalogues")
     with tempfile.TemporaryDirectory() as folder:
-        for catalog, glasses in found.items():
+        # check_glass_names sends them through as lenscalc lists them
+        for catalog, glasses in found.items() if EVERYTHING else ():
             check_catalogue(checks, program, folder, catalog, glasses)
         check_homonyms(checks, program, folder, found)
     checks.finish()

@@ -84,7 +84,7 @@ int main(void)
     for (size_t i = 0; i < sizeof strengths / sizeof strengths[0]; i++) {
         struct asphere_tally tally = {0};
         unsigned long long state = 1 + i;
-        for (int k = 0; k < 60; k++) {
+        for (int k = 0; k < 20; k++) {
             CHECK(try_asphere(&state, &strengths[i], 600, ASPHERE_RAYS, &tally));
         }
         CHECK(tally.lost == 0 && tally.wrong == 0 && tally.unconverged == 0);
