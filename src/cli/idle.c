@@ -140,13 +140,45 @@ static bool check_option(const struct idle *idle, const struct option *option, s
                 option->served);
 }
 
+/* Is anything asked for that reads such data? */
+static bool reads_any(const struct idle *idle, unsigned data)
+{
+    const struct command *command = idle->arguments->command;
+    unsigned found = command->reads;
+    for (size_t i = 0; i < command->option_count; i++) {
+        const struct option *option = &command->options[i];
+        const bool counts = option->fallback != NULL || asking_given(idle->asking, option->name);
+        found |= counts ? option->kind->reads : 0;
+    }
+    return (found & data) != 0;
+}
+
+/* Common options that say how data are read. */
+static bool check_reading(const struct idle *idle, const struct option *option, struct error *error)
+{
+    static const struct {
+        const char *name, *what;
+        unsigned data;
+    } readings[] = {{"lossy", "lens", READS_LENSES},
+                    {"glass-numbers", "lens", READS_LENSES},
+                    {"agf", "lens or glass", READS_GLASSES}};
+    for (size_t i = 0; i < sizeof readings / sizeof readings[0]; i++) {
+        if (strcmp(option->name, readings[i].name) == 0 && !reads_any(idle, readings[i].data)) {
+            return fail(error, ERROR_USAGE, "{--%s} does nothing here: no %s is read", option->name,
+                        readings[i].what);
+        }
+    }
+    return true;
+}
+
 bool idle_check(const struct sweep *sweep, const struct arguments *arguments,
                 const struct asking *asking, const void *input, struct error *error)
 {
     const struct idle idle = {sweep, arguments, asking, input};
     for (size_t i = 0; i < arguments->count; i++) {
         const struct option *option = arguments->all[i].option;
-        if (arguments->all[i].is_given && !check_option(&idle, option, error)) {
+        if (arguments->all[i].is_given &&
+            !(check_option(&idle, option, error) && check_reading(&idle, option, error))) {
             return false;
         }
     }

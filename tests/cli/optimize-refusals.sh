@@ -64,3 +64,7 @@ surface     - 2 1.5/64 20
 surface     - 60 air 20
 EOF
 ask zoom.lens --vary c1,c2,c3,c4 --position tele
+# wavelengths and fields that no goal is of
+lenscalc optimize singlet.lens --vary R1 --goals efl=50 -w 400
+lenscalc optimize singlet.lens --vary R1 --goals efl=50,spot@550nm -w 400
+lenscalc optimize singlet.lens --vary R1 --goals efl=50,spot@5deg --field 3deg

@@ -403,6 +403,8 @@ static const struct refusal losses[] = {
      "the deviation 0.01 of the partial dispersion PgF", ""},
     {"GLAS ___BLANK 1 0 1.5 0", "GLAS @N-BK7 4 0 1.5168 64.17 0 0 0 0 0.001",
      "a glass with an offset of its index or dispersion", ""},
+    {"GLAS ___BLANK 1 0 1.5 0", "GLAS @N-BK7 9 0 1.5168 64.17", "a glass of the type 9",
+     "its name is looked up"},
     /* what a solve gives is not what the program has stored */
     {"DISZ 90", "DISZ 12\n  @PZUP 1 2.5",
      "a solve contradicts the lens that is read: the thickness of surface 2 is 10 by it, and 12 in "

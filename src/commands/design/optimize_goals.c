@@ -155,10 +155,29 @@ static bool read_goals(struct optimize_job *job, const struct merit_question *qu
     return goals_read(&reader, text_of(job->goals), goals, error);
 }
 
+/* Wavelengths and fields that are asked for count for goals alone that name none. */
+static bool check_used(const struct merit_question *question, const struct goals *goals,
+                       struct error *error)
+{
+    bool of_wavelengths = false, of_fields = false;
+    for (size_t i = 0; i < goals->count; i++) {
+        const struct operand *goal = &goals->list[i];
+        const unsigned is = operand_type(goal->kind)->is;
+        of_wavelengths |= (is & OPERAND_OF_WAVELENGTHS) != 0 && isnan(goal->wavelength);
+        of_fields |= (is & OPERAND_AT_FIELD) != 0 && goal->field == NULL;
+    }
+    if (question->wavelength_count > 0 && !of_wavelengths) {
+        fail(error, ERROR_USAGE, "{--wavelength} does nothing here: no goal is of all wavelengths");
+        return error_hint(error, "a goal may name its own: efl@550nm = 100");
+    }
+    return question->field_count == 0 || of_fields ||
+           fail(error, ERROR_USAGE, "{--field} does nothing here: no goal is of these fields");
+}
+
 bool optimize_goals(struct optimize_job *job, const struct merit_question *question,
                     struct goals *goals, struct error *error)
 {
-    if (!read_goals(job, question, goals, error)) {
+    if (!read_goals(job, question, goals, error) || !check_used(question, goals, error)) {
         return false;
     }
     add_grazing(job, goals);

@@ -9,9 +9,10 @@ enum {
     F = OPERAND_AT_FIELD,
     SURFACES = OPERAND_AT_SURFACES,
     TARGET = OPERAND_NEEDS_TARGET,
-    RAYS = OPERAND_OF_RAYS | OPERAND_TRACES,
+    ALL_W = W | OPERAND_OF_WAVELENGTHS,
+    RAYS = ALL_W | F | OPERAND_OF_RAYS | OPERAND_TRACES,
     CONTRAST =
-        W | F | TARGET | OPERAND_AT_FREQUENCY | OPERAND_NEEDS_FREQUENCY | OPERAND_HAS_ORIENTATION
+        ALL_W | F | TARGET | OPERAND_AT_FREQUENCY | OPERAND_NEEDS_FREQUENCY | OPERAND_HAS_ORIENTATION
 };
 
 #define LENGTH &dimension_length, "mm"
@@ -27,7 +28,7 @@ static const struct operand_type types[OPERAND_KINDS] = {
     [OPERAND_MAGNIFICATION] = {"magnification", "of a near object", NUMBER, W | TARGET},
     [OPERAND_FNUMBER] = {"fnumber", "focal length over entrance pupil", NUMBER, W | TARGET},
     [OPERAND_PETZVAL] = {"petzval", "Petzval radius", LENGTH, W | TARGET},
-    [OPERAND_AXIAL] = {"axial", "axial colour", LENGTH, W},
+    [OPERAND_AXIAL] = {"axial", "axial colour", LENGTH, ALL_W},
     [OPERAND_S1] = {"S1", "Seidel sum of spherical aberration", LENGTH, W | F},
     [OPERAND_S2] = {"S2", "Seidel sum of coma", LENGTH, W | F},
     [OPERAND_S3] = {"S3", "Seidel sum of astigmatism", LENGTH, W | F},
@@ -36,7 +37,7 @@ static const struct operand_type types[OPERAND_KINDS] = {
     [OPERAND_HEIGHT] = {"height", "of the chief ray in the image", LENGTH,
                         W | F | OPERAND_NEEDS_FIELD | TARGET},
     [OPERAND_DISTORTION] = {"distortion", "of the chief ray, percent", NUMBER, W | F},
-    [OPERAND_LATERAL] = {"lateral", "lateral colour in the image", LENGTH, W | F},
+    [OPERAND_LATERAL] = {"lateral", "lateral colour in the image", LENGTH, ALL_W | F},
     [OPERAND_TELECENTRIC] = {"telecentric", "angle of the chief ray behind the lens", ANGLE, W | F},
     [OPERAND_INCIDENCE] = {"incidence", "largest angle of incidence", ANGLE,
                            W | F | SURFACES | TARGET},
@@ -44,11 +45,11 @@ static const struct operand_type types[OPERAND_KINDS] = {
     [OPERAND_CENTER] = {"center", "thickness of glass on the axis", LENGTH, SURFACES | TARGET},
     [OPERAND_AIR] = {"air", "thickness of air, on the axis and at the edge", LENGTH,
                      SURFACES | TARGET},
-    [OPERAND_SPOT] = {"spot", "spots, each about its own centroid", LENGTH, W | F | RAYS},
-    [OPERAND_POLY] = {"poly", "spots, of all wavelengths about one centroid", LENGTH, W | F | RAYS},
+    [OPERAND_SPOT] = {"spot", "spots, each about its own centroid", LENGTH, RAYS},
+    [OPERAND_POLY] = {"poly", "spots, of all wavelengths about one centroid", LENGTH, RAYS},
     [OPERAND_ASBUILT] = {"asbuilt", "the same, with what errors of a lens that is made add", LENGTH,
-                         W | F | RAYS},
-    [OPERAND_OPD] = {"opd", "optical path differences, wavelengths", NUMBER, W | F | RAYS},
+                         RAYS},
+    [OPERAND_OPD] = {"opd", "optical path differences, wavelengths", NUMBER, RAYS},
     [OPERAND_GRAZING] = {"grazing", "largest angle of a ray at a surface, near loss", ANGLE,
                          TARGET},
     [OPERAND_MTF] = {"mtf", "contrast at a spatial frequency, by waves", NUMBER, CONTRAST},

@@ -97,7 +97,8 @@ enum {
     OPERAND_NEEDS_FREQUENCY = 64,
     OPERAND_NEEDS_TARGET = 128, /* others have the target 0, and may be written without one */
     OPERAND_OF_RAYS = 256, /* its residuals are those of rays, without a meaning of their own */
-    OPERAND_TRACES = 512   /* many rays, which OPERAND_GRAZING looks at */
+    OPERAND_TRACES = 512,  /* many rays, which OPERAND_GRAZING looks at */
+    OPERAND_OF_WAVELENGTHS = 1024 /* all of the question, where it names none */
 };
 
 /* A kind of operand, as goals are written and rows are printed. */

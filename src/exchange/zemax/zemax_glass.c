@@ -7,7 +7,7 @@
 #include <string.h>
 
 /* The types of a glass: GLAS NAME type .. */
-enum { GLASS_NAMED = 0, GLASS_MODEL = 1, GLASS_OFFSET = 4 };
+enum { GLASS_NAMED = 0, GLASS_MODEL = 1, GLASS_OFFSET = 4 }; /* 2: picked up, 3: may be replaced */
 
 /* nd/Vd, of a model glass or one of which only they are known. */
 static struct medium model_of(struct zemax_file *file, struct figure nd, struct figure Vd)
@@ -256,6 +256,12 @@ bool zemax_glass(struct zemax_file *file, const struct zemax_line *line, struct 
     const double type = zemax_number(line, 0);
     if (text_same(line->keyword, "___BLANK")) {
         return model_medium(file, line, medium, error);
+    }
+    if (!(type >= GLASS_NAMED && type <= GLASS_OFFSET && type == rint(type)) &&
+        !zemax_loss(file, line, error,
+                    "a glass of the type %g" LOSS_OF_POWER LOSS_INSTEAD "its name is looked up",
+                    type)) {
+        return false;
     }
     for (size_t i = 8; type == GLASS_OFFSET && i < line->count; i++) {
         if (line->numbers[i].value.hi != 0 &&
