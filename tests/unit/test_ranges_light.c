@@ -83,11 +83,11 @@ static void test_exposure(void)
             "meter constant C inf must be above 0 and finite");
 }
 
-/* Any two lights at once are refused, whichever they are. */
+/* Two lights at once that differ are refused, whichever they are. */
 static void test_lights(void)
 {
     const struct exposure_given *pairs[] = {
-        GIVEN(.N = 8, .ev100 = 5, .ev = 5), GIVEN(.N = 8, .ev100 = 5, .L = 5),
+        GIVEN(.N = 8, .ev100 = 5, .ev = 6), GIVEN(.N = 8, .ev100 = 5, .L = 5),
         GIVEN(.N = 8, .ev100 = 5, .E = 5),  GIVEN(.N = 8, .ev = 5, .L = 5),
         GIVEN(.N = 8, .ev = 5, .E = 5),     GIVEN(.N = 8, .L = 5, .E = 5)};
     for (size_t i = 0; i < sizeof pairs / sizeof *pairs; i++) {
