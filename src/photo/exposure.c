@@ -82,7 +82,8 @@ static bool count_lights(const struct exposure_given *g, int *lights, struct err
     };
     *lights = is_given(g->ev100) + is_given(g->ev) + is_given(g->L) + is_given(g->E);
     const double light = *lights > 1 ? light_ev100(g) : (double)NAN;
-    for (size_t i = 0; i<sizeof all / sizeof *all && * lights> 1; i++) {
+    const size_t compared = *lights > 1 ? sizeof all / sizeof all[0] : 0;
+    for (size_t i = 0; i < compared; i++) {
         if (is_given(all[i].value) && !(fabs(all[i].ev100 - light) <= same_light)) {
             fail(error, ERROR_USAGE,
                  "give only one of {exposure value at ISO 100}, {exposure value at the ISO "
