@@ -86,28 +86,44 @@ static void keep_half(struct arms *arms)
     arms->count = kept;
 }
 
-static void make_arms(const struct quadrature_region *region, size_t wanted, struct arena *arena,
+/* Their edges, in the star's frame. */
+static void find_ends(const struct quadrature_region *region, struct arena *arena,
                       struct arms *arms)
 {
-    const struct margins *margins = &region->margins;
     const struct star *star = region->star;
-    spread(star, wanted, arena, arms);
-    if (region->in_half && margins->is_mirrored && star->frame.centre[0] == 0) {
-        keep_half(arms);
-    }
     double *near = ARENA_ARRAY(arena, arms->count, double);
     for (size_t i = 0; i < arms->count; i++) {
         near[i] = star_near(star, arms->angles[i]);
+    }
+    arms->edges = ARENA_ARRAY(arena, arms->count, struct edge);
+    const struct edge_directions directions = {star->frame, arms->angles, near, arms->count, 0};
+    edges_find(&region->margins, &directions, finely, arms->edges);
+}
+
+/* Arms that show corners which the star has missed are made anew. */
+static void make_arms(const struct quadrature_region *region, size_t wanted, struct arena *arena,
+                      struct arms *arms)
+{
+    enum { LESSONS = 3 };
+    const struct margins *margins = &region->margins;
+    struct star *star = region->star;
+    bool learns = true;
+    for (int lesson = 0; lesson <= LESSONS && learns; lesson++) {
+        spread(star, wanted, arena, arms);
+        if (region->in_half && margins->is_mirrored && star->frame.centre[0] == 0) {
+            keep_half(arms);
+        }
+        find_ends(region, arena, arms);
+        const struct edge_directions ends = {star->frame, arms->angles, NULL, arms->count, 0};
+        learns = lesson < LESSONS && star_learn(margins, &region->probe, &ends, arms->edges, star);
     }
     arms->ways = arena_array(arena, arms->count, sizeof *arms->ways);
     for (size_t i = 0; i < arms->count; i++) {
         arms->ways[i][0] = sin(arms->angles[i]);
         arms->ways[i][1] = cos(arms->angles[i]);
     }
-    arms->edges = ARENA_ARRAY(arena, arms->count, struct edge);
     arms->spans = ARENA_ARRAY(arena, arms->count, struct spans);
-    const struct edge_directions directions = {star->frame, arms->angles, near, arms->count, 0};
-    edges_find(margins, &directions, finely, arms->edges);
+    const struct edge_directions directions = {star->frame, arms->angles, NULL, arms->count, 0};
     star_spans(margins, &region->probe, &directions, arms->edges, arms->spans);
 }
 

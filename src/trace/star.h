@@ -20,8 +20,9 @@ struct star {
     /* both, by star_join */
     double knots[STAR_DIRECTIONS + STAR_CORNERS], knot_radii[STAR_DIRECTIONS + STAR_CORNERS];
     size_t knot_count;
-    bool is_whole; /* the stop or the disc alone ends it, or its edge is even */
-    bool is_plain; /* only margins end it: neither lists of apertures nor rays lost otherwise */
+    double tolerance; /* of the excess at edges */
+    bool is_whole;    /* the stop or the disc alone ends it, or its edge is even */
+    bool is_plain;    /* only margins end it: neither lists of apertures nor rays lost otherwise */
 };
 
 /*
@@ -54,6 +55,18 @@ bool star_find(const struct margins *margins, const struct probe *probe, struct 
  */
 bool star_follow(const struct margins *margins, const struct probe *probe,
                  const struct star *before, struct star *star);
+
+/*
+ * Corners that were missed, by edges in other directions that end at what the star does not know
+ * there.
+ *
+ * Given     edges  in the star's frame, found to rounding
+ * Result    true: the star has more corners than before
+ * Limits    none where apertures are listed
+ */
+bool star_learn(const struct margins *margins, const struct probe *probe,
+                const struct edge_directions *directions, const struct edge *edges,
+                struct star *star);
 
 /* Corners on one side of u = 0, with those on the other that mirror them. */
 void star_mirror_corners(struct star *star);

@@ -96,6 +96,57 @@ static void test_two_holes(size_t rays)
     }
 }
 
+/* Of a star that knows one of two rims alone edges show the corners: those of two circles. */
+static void test_learning(void)
+{
+    enum { WAYS = 24 };
+    const double shift = 6;
+    struct arena arena = {0};
+    struct opened opened;
+    struct aim aim;
+    struct error error;
+    open_text("object inf\naperture stop\nsurface - 20 air 16\nstop - 10 air 10\n", &arena,
+              &opened);
+    const struct beam beam = beam_from_infinity((double[2]){0, atan(shift / GAP)}, 1);
+    CHECK(aim_open(&opened.open, &beam, &arena, &aim, &error));
+    const struct stop_beam stop = stop_beam_of_stop(&aim, &opened.clipped, WEIGHT_PUPIL);
+    struct quadrature_region region = quadrature_open(&stop, &arena);
+    const struct star *found = quadrature_star(&region, &arena);
+    struct star star = *found;
+    double angles[WAYS];
+    struct edge edges[WAYS];
+    size_t rim = found->edges[0].limit;
+    star.count = star.corner_count = 0;
+    for (size_t i = 0; i < found->count; i++) {
+        if (found->edges[i].limit == rim) {
+            star.angles[star.count] = found->angles[i];
+            star.edges[star.count++] = found->edges[i];
+        }
+    }
+    star_join(&star);
+    CHECK(star.count > 0 && star.count < found->count);
+    for (size_t i = 0; i < WAYS; i++) {
+        angles[i] = 2 * PI * (double)i / WAYS;
+    }
+    const struct edge_directions ways = {star.frame, angles, NULL, WAYS, 0};
+    edges_find(&region.margins, &ways, 1e-13, edges);
+    CHECK(star_learn(&region.margins, &region.probe, &ways, edges, &star));
+    CHECK(!star_learn(&region.margins, &region.probe, &ways, edges, &star));
+    CHECK(star.corner_count == 2);
+    /* of the circles x^2 + y^2 = 25 and x^2 + (y - 6)^2 = 64 in the stop: y = -1/4 */
+    for (size_t k = 0; k < star.corner_count; k++) {
+        double at[2], place[2];
+        edge_point(&star.frame, star.corners[k], star.radii[k], at);
+        stop_beam_place(&stop, at[0], at[1], place);
+        const struct ray ray = beam_ray(&beam, place[0], place[1]);
+        const double t = (GAP - ray.point[2]) / ray.cosine[2];
+        CHECK_NEAR(fabs(ray.point[0] + t * ray.cosine[0]), sqrt(25 - 1. / 16), 1e-9,
+                   "x of a corner");
+        CHECK_NEAR(ray.point[1] + t * ray.cosine[1], -0.25, 1e-9, "y of a corner");
+    }
+    arena_free(&arena);
+}
+
 /* Without a stop the disc of u and v counts: here 6 or 10 mm wide, of which a hole leaves 8. */
 static void test_no_stop(void)
 {
@@ -270,6 +321,7 @@ int main(void)
 {
     test_two_holes(300);
     test_two_holes(9000); /* more directions than a block of rays has */
+    test_learning();
     test_no_stop();
     test_projection();
     test_spots();
