@@ -14,8 +14,14 @@
 /* Rays of the first value that may do; how often they are doubled at most. */
 enum { RAYS_FIRST = 100, DOUBLINGS = 9 };
 
-/* A change that vanishes by chance is not believed: the share of the one before that counts. */
-static const double doubted = 0.002;
+/*
+ * A change that vanishes by chance is not believed: the share of the one before that counts. Areas
+ * behind a lens are less smooth than those of beams.
+ */
+static const double doubted_film = 0.002, doubted_field = 0.05;
+
+/* Changes that fall to more than this share do not fall as those of Gauss's rule in the end do. */
+static const double slow = 0.1;
 
 /* What sums of this many terms may be off by rounding. */
 static const double least = 5e-14;
@@ -169,26 +175,39 @@ static double sum_once(const struct illumination_question *question, sum_bundle 
 }
 
 /*
+ * What the third of four values is off by, each of twice the rays of the one before: twice its
+ * change. Where changes do not fall as Gauss's rule makes them, the last may be small by chance.
+ */
+static double error_of(const double values[4], double doubted)
+{
+    const double first = fabs(values[1] - values[0]), last = fabs(values[2] - values[1]);
+    const double change = fabs(values[3] - values[2]);
+    if (change > slow * last || last > slow * first) {
+        return 4 * fmax(change, last / 8);
+    }
+    return 2 * fmax(change, doubted * last);
+}
+
+/*
  * The value before the last one: what the last changes of it is what it is off by. Of the last
  * one nothing is known but that it is off by much less.
  */
 static struct illumination converge(const struct illumination_question *question, sum_bundle *sum,
-                                    struct arena *arena)
+                                    double doubted, struct arena *arena)
 {
     struct bundle_part *part = ARENA_NEW(arena, struct bundle_part);
     open_part(question, arena, part);
     size_t rays = RAYS_FIRST;
-    double before = sum(question, part, rays / 2, arena);
-    double finer = sum_once(question, sum, part, rays, arena);
-    struct illumination light = {.value = finer};
+    double values[4] = {NAN, NAN, sum(question, part, rays / 2, arena),
+                        sum_once(question, sum, part, rays, arena)};
+    struct illumination light = {.value = values[3]};
     for (int doubled = 1; doubled <= DOUBLINGS && !light.is_met; doubled++) {
-        light.value = finer;
         rays *= 2;
-        finer = sum_once(question, sum, part, rays, arena);
-        const double change = fmax(fabs(finer - light.value), doubted * fabs(light.value - before));
-        light.error = fmax(2 * change, least * light.value);
+        memmove(values, values + 1, 3 * sizeof *values);
+        values[3] = sum_once(question, sum, part, rays, arena);
+        light.value = values[2];
+        light.error = fmax(error_of(values, doubted), least * light.value);
         light.is_met = light.error <= question->error * light.value;
-        before = light.value;
     }
     if (question->islands != NULL) {
         *question->islands = quadrature_islands(&part->region, arena);
@@ -199,13 +218,13 @@ static struct illumination converge(const struct illumination_question *question
 struct illumination illumination_of_film(const struct illumination_question *question,
                                          struct arena *arena)
 {
-    return converge(question, sum_film, arena);
+    return converge(question, sum_film, doubted_film, arena);
 }
 
 struct illumination illumination_of_field(const struct illumination_question *question,
                                           struct arena *arena)
 {
-    return converge(question, sum_field, arena);
+    return converge(question, sum_field, doubted_field, arena);
 }
 
 /* The shapes of the stop that pass light, without what blocks. */

@@ -35,8 +35,8 @@ struct illumination {
  * Formula   E/L = (n'/n)^2 integral of cos(theta) dw over all rays from that point that pass
  *           every aperture, theta from the normal of the film; in the plane of the beam
  *           dw = d/rho^3 dA, by analysis/quadrature.h. Rays are doubled until the last two values
- *           differ by less than `error`; the first of the two is given, and twice that difference
- *           as its error, 5e-14 at least
+ *           differ by less than `error`; the first of the two is given, and as its error twice that
+ *           difference, more where it fell by chance or hardly, 5e-14 at least
  * Source    [Welford86] (illumination in the image); derived here: dw = d/rho^3 dA. Closed forms
  *           of a disc and an independent program's values pin it
  * Limits    as analysis/quadrature.h
