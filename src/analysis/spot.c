@@ -313,6 +313,7 @@ static bool converge(const struct seeking *seeking, struct arena *arena, struct 
         !measure(seeking, rays, arena, &here, error)) {
         return false;
     }
+    double energy_change = fabs(here.energy_radius - before.energy_radius);
     for (bool done = false; !done; rays *= 2) {
         if (!measure(seeking, 2 * rays, arena, &finer, error)) {
             return false;
@@ -320,14 +321,16 @@ static bool converge(const struct seeking *seeking, struct arena *arena, struct 
         *spot = here;
         spot->error = fmax(rms_error(&before, &here, &finer, is_plain), least);
         spot->energy_radius = question->rays > 0 ? here.energy_radius : finer.energy_radius;
+        const double energy[] = {fabs(finer.energy_radius - here.energy_radius),
+                                 fabs(here.energy_radius - before.energy_radius), energy_change};
         /* light comes and goes at edges, so that changes are not as regular as those of means */
-        spot->energy_error = 6 * fmax(fabs(finer.energy_radius - here.energy_radius),
-                                      0.5 * fabs(here.energy_radius - before.energy_radius)) +
-                             least;
+        const double energy_error = 6 * fmax(energy[0], 0.5 * energy[1]) + least;
         spot->has_converged =
             (spot->error <= question->error * here.rms || !(spot->error > least)) &&
-            !(spot->energy_error > question->error * here.energy_radius &&
-              spot->energy_error > least);
+            !(energy_error > question->error * here.energy_radius && energy_error > least);
+        /* two may be small by chance */
+        spot->energy_error = fmax(energy_error, 1.5 * energy[2] + least);
+        energy_change = energy[1];
         done = question->rays > 0 || spot->has_converged || 2 * rays >= MOST_RAYS;
         if (done && question->no_radius) {
             spot->radius = spot->radius_error = NAN;

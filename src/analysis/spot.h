@@ -42,8 +42,8 @@ struct spot {
  *           first wavelength. Means about the chief ray first, so that no digits are lost far off
  *           the axis. `error`: thrice the difference from a sample with twice the rays, at least
  *           rounding. The energy radius, the weighted quantile of distances, is that of twice
- *           the rays, unless their number is asked for; its error is six times what the last
- *           doubling changes, three times what the one before does.
+ *           the rays, unless their number is asked for; its error is the largest of six times what
+ *           the last doubling changes, three times the change before and 1.5 times the one before
  *           Largest distance: spot_radius_find; of other patterns than PATTERN_GAUSS that of their
  *           rays. Its error: of the search, and what twice the rays move the centroid
  *           Angular: components of the direction along two axes across that of the chief ray, the
