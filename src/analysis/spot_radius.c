@@ -22,6 +22,9 @@ static const double alike = 1e-9;
 /* What edges are met to, which the farthest ray often lies on, as a share of its distance. */
 static const double met = 1e-8;
 
+/* A share of the way back from an edge: see graze_error. */
+static const double beside = 1e-12;
+
 /* Rays short of the edge are not clipped by rounding; those on it are not clipped at all. */
 static const double within = 1 - 1e-9;
 
@@ -68,6 +71,7 @@ struct peak {
     const struct bundle_source *source;
     double low[2], high[2]; /* angle, share */
     double distance;        /* the largest seen */
+    double at[2];           /* where the last look found it: angle, share */
     double height;          /* about, by parabolas */
 };
 
@@ -412,6 +416,8 @@ static double climb(const struct spot_radius_question *question, double farthest
         peak->low[1] = fmax(peak->low[1], 0);
         peak->high[1] = fmin(peak->high[1], 1);
         peak->distance = fmax(peak->distance, here);
+        peak->at[0] = net->angles[net->best[0]];
+        peak->at[1] = net->shares[net->best[1]];
         arena_reset(arena, mark);
         if (turn == 0 && !wide && peak->distance + 2 * rise < (1 - hopeful) * farthest) {
             break;
@@ -422,6 +428,28 @@ static double climb(const struct spot_radius_question *question, double farthest
         before = here;
     }
     return change;
+}
+
+/*
+ * How much farther rays may come between an edge that was found and the true one: where rays graze
+ * a surface, they go as the root of their distance from it. Edges of rays that are lost are found
+ * to 1e-13, and a ray ten times that within falls short by more than that one does.
+ */
+static double graze_error(const struct spot_radius_question *question, const struct peak *peak,
+                          struct arena *arena)
+{
+    const struct arena_mark mark = arena_mark(arena);
+    const double shares[2] = {1 - beside, 1};
+    const struct edge_directions directions = {.angles = peak->at, .count = 1};
+    double distances[2] = {0, 0};
+    if (peak->at[1] < within) {
+        return 0;
+    }
+    const struct quadrature_rim edge = quadrature_edge(peak->source->region, &directions, arena);
+    measure_with(question, peak->source, peak->source->open, &(struct rings){&edge, shares, 2},
+                 arena, distances);
+    arena_reset(arena, mark);
+    return distances[0] >= 0 ? fmax(distances[1] - distances[0], 0) : 0;
 }
 
 double spot_radius_find(const struct spot_radius_question *question, struct arena *arena,
@@ -446,7 +474,7 @@ double spot_radius_find(const struct spot_radius_question *question, struct aren
         last = height;
         if (peaks[k].distance > farthest) {
             farthest = peaks[k].distance;
-            *error = change;
+            *error = change + graze_error(question, &peaks[k], arena);
         }
     }
     *error += met * farthest;
