@@ -7,7 +7,7 @@
 #   fuzz       long fuzzing: SECONDS=600 JOBS=2      clean      remove build/
 #   faults     memory, reading and writing fail call by call: every command
 #   stress     the worst errors where arithmetic is hardest: SECONDS=60 SEED=1
-#   survey     printed errors of every lens and field of lensdb against outside sums: an hour
+#   survey     printed errors of every lens and field of lensdb against outside sums: an hour or two
 #   coverage   lines and branches that the fast tests reach, by folder
 #   mutate     is a changed sign noticed? COUNT=60 SEED=1,2,3 FOLDERS=light,scene
 #   cluster    parts of pictures, searches and trials as arrays of Slurm, a task killed

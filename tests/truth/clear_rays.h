@@ -11,7 +11,7 @@ enum { SURFACES = 64, WAVES = 8, TERMS = 8 };
 struct surface {
     double c, k, z, clear, blocked, terms[TERMS], n[WAVES];
     double bends[2]; /* 1: curved along x, along y; 0: a cylinder is straight there */
-    bool is_mirror;
+    bool is_mirror, has_terms;
 };
 
 static struct surface surfaces[SURFACES];
@@ -34,21 +34,12 @@ static double sag_of(const struct surface *s, double r2, double *slope)
     const double root = sqrt(1 - (1 + s->k) * s->c * s->c * r2);
     double z = s->c * r2 / (1 + root), power = 1;
     *slope = s->c / (2 * root); /* d sag/d(r^2) */
-    for (int i = 0; i < TERMS; i++) {
+    for (int i = 0; i < TERMS && s->has_terms; i++) {
         *slope += (i + 1) * s->terms[i] * power;
         power *= r2;
         z += s->terms[i] * power;
     }
     return z;
-}
-
-static bool has_terms(const struct surface *s)
-{
-    bool has = false;
-    for (int i = 0; i < TERMS; i++) {
-        has = has || s->terms[i] != 0;
-    }
-    return has;
 }
 
 static void advance(struct ray *ray, double t)
@@ -77,7 +68,7 @@ static bool meet_conic(const struct surface *s, double c, int way, struct ray *r
 
 static bool meet(const struct surface *s, int way, struct ray *ray)
 {
-    if (!has_terms(s)) {
+    if (!s->has_terms) {
         return meet_conic(s, s->c, way, ray);
     }
     struct ray start = *ray;

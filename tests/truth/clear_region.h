@@ -153,7 +153,8 @@ static bool choose(const struct beam *beam, struct region *region)
             own++;
         }
     }
-    region->middle[0] = sum[0] / own;
+    /* what mirrors itself is seen so but for single cells */
+    region->middle[0] = fabs(sum[0] / own) < 2 * region->cell[0] ? 0 : sum[0] / own;
     region->middle[1] = sum[1] / own;
     region->islands = (double)(all - own) / all;
     region->farthest = 0;
@@ -182,8 +183,7 @@ static bool begin(const struct beam *beam, double width, struct region *region)
             }
             /* a tile about what passes of this one: it may go on beyond its sides */
             for (int k = 0; k < 2 && tiles > 1; k++) {
-                region->low[k] += ((box[k] + box[2 + k] + 1) / 2.0 - SIDE) * region->cell[k];
-                region->cell[k] *= 2;
+                region->low[k] += ((box[k] + box[2 + k] + 1) / 2.0 - SIDE / 2.0) * region->cell[k];
             }
             return true;
         }
@@ -198,10 +198,20 @@ static bool find_region(const struct beam *beam, double width, struct region *re
     if (!begin(beam, width, region)) {
         return false;
     }
-    for (int turns = 0; turns < 12; turns++) {
+    for (int turns = 0; turns < 24; turns++) {
         int box[4];
         if (fill_grid(beam, region, box) == 0) {
             return false;
+        }
+        bool is_cut = false;
+        for (int k = 0; k < 2; k++) {
+            const bool is_below = box[k] == 0, is_above = box[2 + k] == SIDE - 1;
+            region->low[k] -= is_below ? SIDE / 2 * region->cell[k] : 0;
+            region->cell[k] *= 1 + (is_below ? 0.5 : 0) + (is_above ? 0.5 : 0);
+            is_cut = is_cut || is_below || is_above;
+        }
+        if (is_cut) {
+            continue;
         }
         if (box[2] - box[0] > SIDE / 2 && box[3] - box[1] > SIDE / 2) {
             break;

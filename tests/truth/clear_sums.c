@@ -13,100 +13,25 @@
  *   field TOLERANCE ANGLE  area in direction cosines behind the lens, times n^2, primary only
  *   wave TOLERANCE ANGLE WAVELENGTH PUPIL BEST  rms, Strehl ratio and rms about the chief ray's
  *       image; wavelength in mm, the exit pupil's z or inf, BEST 1: about the sphere that fits best
- *   energy TOLERANCE ANGLE RADIUS RADIUS  shares of the light within these of the centroid
+ *   energy TOLERANCE ANGLE COUNT RADIUS...  shares of the light within these, up to six, of the
+ *       centroid
  *
  * Each question is answered by a line: the values, what they may be off (relative), and the share
  * of what passes that is not joined to the part that was summed; or "none".
  *
  * Nothing here is like lenscalc: rays start where they come nearest to a vertex; what is clear is
  * known as yes or no alone; a grid finds what is joined; in polar coordinates about its middle
- * edges are bisected and Gauss and Kronrod's rules halve intervals of the angle until they agree.
+ * edges are bisected, and Gauss and Kronrod's rules halve intervals of the radius and of the angle
+ * until they agree.
  * Equal areas of the stop are Jacobians by differences of fourth order; irradiance is an area of
  * direction cosines.
  */
-#include "clear_region.h"
-#include "clear_waves.h"
+#include "clear_fits.h"
 
 #include <stdio.h>
 #include <stdlib.h>
 
-enum { RADIAL = 32, NODES = 20, SUMS = 6, SHEAF = 1 << 20 };
-static const double pi = 3.14159265358979323846;
-
-struct job {
-    const struct beam *beam;
-    const struct region *region;
-    const struct sphere *sphere; /* of wave fronts */
-    bool is_field;               /* areas behind the lens */
-    struct sheaf *sheaf;         /* rays are kept: `panels` pieces of a line and one that is cut */
-    int panels;
-    double cut;             /* where, so that no two lines have the same radii */
-    double disc, middle[2]; /* where above 0, light beyond so far from there is left out */
-    int finer;              /* looks then: a circle may be met in a narrow band of the pupil */
-    double origin[2];       /* where distances are from, mm */
-    double scale[SUMS];     /* what sums are of the order of */
-    double tolerance, doubt[SUMS];
-};
-
-static void gauss(int n, double *x, double *w)
-{
-    for (int i = 0; i < n; i++) {
-        double t = cos(pi * (i + 0.75) / (n + 0.5)), slope = 1;
-        for (int turns = 0; turns < 60; turns++) {
-            double a = 1, b = t;
-            for (int k = 2; k <= n; k++) {
-                const double c = ((2 * k - 1) * t * b - (k - 1) * a) / k;
-                a = b;
-                b = c;
-            }
-            slope = n * (t * b - a) / (t * t - 1);
-            t -= b / slope;
-        }
-        x[i] = t;
-        w[i] = 2 / ((1 - t * t) * slope * slope);
-    }
-}
-
-/* |d(stop)/d(u, v)| in units of the stop, or of the direction behind the lens. */
-static double area_of(const struct job *job, double u, double v)
-{
-    const double h = 2e-3 * job->region->farthest;
-    double m[4];
-    for (int k = 0; k < 2; k++) {
-        static const double at[4] = {-2, -1, 1, 2};
-        static const double share[4] = {1. / 12, -8. / 12, 8. / 12, -1. / 12};
-        double sum[2] = {0, 0};
-        for (int i = 0; i < 4; i++) {
-            const double step = at[i] * h;
-            const struct passage ray =
-                look(job->beam, u + (k == 0 ? step : 0), v + (k == 1 ? step : 0), !job->is_field);
-            const double *of = job->is_field ? ray.ray.d : ray.at_stop;
-            sum[0] += share[i] * (job->is_field && !ray.arrives ? NAN : of[0]);
-            sum[1] += share[i] * of[1];
-        }
-        m[k] = sum[0] / h;
-        m[2 + k] = sum[1] / h;
-    }
-    return fabs(m[0] * m[3] - m[1] * m[2]) / (job->is_field ? 1 : stop_radius * stop_radius);
-}
-
 /* -------- along a line -------- */
-
-/* Pieces of it so short that a rule of NODES points follows the phase. */
-static int panels_of(const struct job *job, const double way[2], double low, double high)
-{
-    enum { LOOKS = 64 };
-    double turns = 0, last = 0;
-    for (int i = 0; i <= LOOKS && job->sphere != NULL; i++) {
-        const double r = low + (high - low) * i / LOOKS, *middle = job->region->middle;
-        const struct passage all =
-            look(job->beam, middle[0] + r * way[0], middle[1] + r * way[1], false);
-        const double wave = all.arrives ? wave_of(job->sphere, &all.ray) : last;
-        turns += i > 0 ? fabs(wave - last) : 0;
-        last = wave;
-    }
-    return 1 + (int)turns;
-}
 
 /* A ray of a line and its weight: what it adds. */
 static void add_ray(const struct job *job, const struct passage *all, double weight, double *sums)
@@ -115,47 +40,74 @@ static void add_ray(const struct job *job, const struct passage *all, double wei
         sums[0] += isfinite(weight) ? weight : 0;
         return;
     }
-    if (job->sheaf != NULL) {
-        struct sheaf *sheaf = job->sheaf;
-        if (sheaf->count == SHEAF) {
-            exit(3);
+    if (job->is_moved) {
+        const double wave = wave_of(job->sphere, &all->ray);
+        const double y = slope_of(job->sphere, &all->ray, 1);
+        const double z = slope_of(job->sphere, &all->ray, 2);
+        const double squares[SUMS] = {1, wave, y, z, wave * y, wave * z, y * y, y * z, z * z};
+        for (int k = 0; k < SUMS && isfinite(weight * (wave + y + z)); k++) {
+            sums[k] += weight * squares[k];
         }
-        sheaf->rays[sheaf->count] = all->ray;
-        sheaf->weights[sheaf->count++] = weight;
+        return;
     }
     double at[3];
     at_image(&all->ray, at);
     const double a = at[0] - job->origin[0], b = at[1] - job->origin[1];
-    const double wave = job->sphere != NULL ? wave_of(job->sphere, &all->ray) : 0;
-    const double moments[SUMS] = {1, a, b, a * a, b * b, 0};
-    const double waves[SUMS] = {1, wave, wave * wave, cos(2 * pi * wave), sin(2 * pi * wave), 0};
-    const double *add = job->sphere != NULL ? waves : moments;
-    for (int k = 0; k < SUMS && isfinite(weight * (a * a + b * b + wave)); k++) {
-        sums[k] += weight * add[k];
+    const double moments[SUMS] = {1, a, b, a * a, b * b};
+    for (int k = 0; k < SUMS && isfinite(weight * (a * a + b * b)); k++) {
+        sums[k] += weight * moments[k];
     }
 }
 
-/* From one edge to the next along a line. */
-static void add_piece(const struct job *job, const double way[2], double low, double high,
-                      double *sums)
+/*
+ * A stretch of a line, halved until its sums stand: where rays come to graze a surface its end is
+ * steep. Before the order of the sums is known it is not halved.
+ */
+static void add_stretch(struct job *job, const double way[2], double low, double high, int depth,
+                        double *sums)
 {
-    static double x[NODES], w[NODES];
-    if (w[0] == 0) {
-        gauss(NODES, x, w);
+    enum { DEEPEST = 40 };
+    double fine[SUMS] = {0}, rough[SUMS] = {0};
+    const double half = (high - low) / 2, *middle = job->region->middle;
+    for (int i = 0; i < 15; i++) {
+        const int k = i < 8 ? i : 14 - i;
+        const double r = (low + high) / 2 + (i < 8 ? -half : half) * nodes[k];
+        const double u = middle[0] + r * way[0], v = middle[1] + r * way[1];
+        double here[SUMS] = {0};
+        const struct passage all = look(job->beam, u, v, false);
+        add_ray(job, &all, kronrod[k] * half * r * area_of(job, u, v), here);
+        for (int m = 0; m < SUMS; m++) {
+            fine[m] += here[m];
+            rough[m] += k % 2 == 1 ? here[m] * seven[k / 2] / kronrod[k] : 0;
+        }
     }
-    if (job->beam->is_film) {
-        sums[0] += (high - low) * (high + low) / 2;
+    bool good = true;
+    for (int m = 0; m < SUMS && job->is_scaled; m++) {
+        const double off = 2 * pi * fabs(fine[m] - rough[m]) / job->scale[m];
+        good = good && !(pow(200 * off, 1.5) > fmax(job->tolerance / 20, noise));
+    }
+    if (!good && depth < DEEPEST) {
+        add_stretch(job, way, low, (low + high) / 2, depth + 1, sums);
+        add_stretch(job, way, (low + high) / 2, high, depth + 1, sums);
         return;
     }
-    const int panels = panels_of(job, way, low, high);
-    const double half = (high - low) / panels / 2;
-    for (int i = 0; i < panels * NODES; i++) {
-        const double r = low + (2 * (i / NODES) + 1 + x[i % NODES]) * half;
-        const double *middle = job->region->middle;
-        const double u = middle[0] + r * way[0], v = middle[1] + r * way[1];
-        const struct passage all = look(job->beam, u, v, false);
-        add_ray(job, &all, w[i % NODES] * half * r * area_of(job, u, v), sums);
+    for (int m = 0; m < SUMS; m++) {
+        sums[m] += fine[m];
     }
+}
+
+/* From one edge to the next along a line. Result: how often discs are crossed; null: no more. */
+static long add_piece(struct job *job, const double way[2], double low, double high, double *sums)
+{
+    if (job->disc_count > 0 || (job->sphere != NULL && !job->is_moved && sums != NULL)) {
+        return add_fitted(job, way, low, high, 0, sums);
+    }
+    if (sums != NULL && job->beam->is_film) {
+        sums[0] += (high - low) * (high + low) / 2;
+    } else if (sums != NULL) {
+        add_stretch(job, way, low, high, 0, sums);
+    }
+    return 0;
 }
 
 /* Is a place within the part, or beside it? */
@@ -180,30 +132,22 @@ static int ending(const struct job *job, const double way[2], double r)
     if (!is_own(job->region, at)) {
         return SURFACES + 1;
     }
-    double image[3];
-    const struct passage all = look(job->beam, at[0], at[1], false);
-    if (all.limit != 0 || !(job->disc > 0)) {
-        return all.limit;
-    }
-    at_image(&all.ray, image);
-    return hypot(image[0] - job->middle[0], image[1] - job->middle[1]) > job->disc ? SURFACES + 2
-                                                                                   : 0;
+    return look(job->beam, at[0], at[1], false).limit;
 }
 
 /*
  * All that passes in one direction from the middle; null: it is not wanted. Result: a number for
  * the edges that it meets, in their order: it changes where the edge has a corner.
  */
-static long sum_line(const struct job *job, double angle, double *sums)
+static long sum_line(struct job *job, double angle, double *sums)
 {
     const double way[2] = {cos(angle), sin(angle)}, far = job->region->farthest;
     int here = ending(job, way, 0);
     long edges = 0;
     double from = 0;
-    const int looks = job->disc > 0 ? job->finer * RADIAL : RADIAL;
-    for (int i = 1; i <= looks; i++) {
-        double low = far * (i - 1) / looks, high = far * i / looks;
-        int beyond = i < looks ? ending(job, way, high) : SURFACES + 1;
+    for (int i = 1; i <= RADIAL; i++) {
+        double low = far * (i - 1) / RADIAL, high = far * i / RADIAL;
+        int beyond = i < RADIAL ? ending(job, way, high) : SURFACES + 1;
         const int next = beyond;
         if ((here == 0) == (next == 0)) {
             continue;
@@ -220,8 +164,8 @@ static long sum_line(const struct job *job, double angle, double *sums)
                 beyond = limit;
             }
         }
-        if (here == 0 && sums != NULL) {
-            add_piece(job, way, from, low, sums);
+        if (here == 0) {
+            edges = 1009 * edges + add_piece(job, way, from, low, sums);
         }
         edges = edges * (SURFACES + 3) + (here == 0 ? beyond : before);
         from = high;
@@ -230,25 +174,15 @@ static long sum_line(const struct job *job, double angle, double *sums)
     return edges;
 }
 
-/* Kronrod's rule of 15 points and Gauss's of 7 among them: QUADPACK's qk15. */
-static const double nodes[8] = {0.99145537112081263, 0.94910791234275852, 0.86486442335976907,
-                                0.74153118559939443, 0.58608723546769113, 0.40584515137739716,
-                                0.20778495500789846, 0.00000000000000000};
-static const double kronrod[8] = {0.02293532201052922, 0.06309209262997855, 0.10479001032225018,
-                                  0.14065325971552591, 0.16900472663926790, 0.19035057806478540,
-                                  0.20443294007529889, 0.20948214108472782};
-static const double seven[4] = {0.12948496616886969, 0.27970539148927666, 0.38183005050511894,
-                                0.41795918367346938};
-
 /* A corner of the edge between two angles; `high` if there is none. */
-static double corner(const struct job *job, double low, double high)
+static double corner(struct job *job, double low, double high)
 {
     const long first = sum_line(job, low, NULL);
     double from = low, to = high;
     if (first == sum_line(job, high, NULL)) {
         return high;
     }
-    for (int turns = 0; turns < 60 && to - from > 1e-15; turns++) {
+    for (int turns = 0; turns < 60 && to - from > 1e-13; turns++) {
         const double middle = (from + to) / 2;
         if (sum_line(job, middle, NULL) == first) {
             from = middle;
@@ -259,25 +193,32 @@ static double corner(const struct job *job, double low, double high)
     return (from + to) / 2;
 }
 
+/* Both rules agree, too, where a corner lies between an end and the node next to it: what ends
+   edges counts. */
 static void integrate(struct job *job, double low, double high, int depth, double *sums)
 {
+    enum { DEEPEST = 40 };
+    const double narrow = 1e-5; /* rad: a corner changes less than what is asked for */
     double fine[SUMS] = {0}, rough[SUMS] = {0}, here[SUMS];
-    const double half = (high - low) / 2;
+    const double half = (high - low) / 2, beside = 1e-7 * (high - low);
+    const long first = sum_line(job, low + beside, NULL);
+    bool is_smooth = sum_line(job, high - beside, NULL) == first;
     for (int i = 0; i < 15; i++) {
         const int k = i < 8 ? i : 14 - i;
         memset(here, 0, sizeof here);
-        sum_line(job, (low + high) / 2 + (i < 8 ? -half : half) * nodes[k], here);
+        const double angle = (low + high) / 2 + (i < 8 ? -half : half) * nodes[k];
+        is_smooth = sum_line(job, angle, here) == first && is_smooth;
         for (int m = 0; m < SUMS; m++) {
             fine[m] += half * kronrod[k] * here[m];
             rough[m] += k % 2 == 1 ? half * seven[k / 2] * here[m] : 0;
         }
     }
-    bool good = true;
+    bool good = is_smooth || high - low < narrow;
     for (int m = 0; m < SUMS; m++) {
         const double off = fabs(fine[m] - rough[m]) / job->scale[m];
         good = good && !(pow(200 * off, 1.5) > job->tolerance / 20);
     }
-    if (!good && depth < 40) {
+    if (!good && depth < DEEPEST) {
         const double least = 1e-9 * (high - low), found = corner(job, low, high);
         const bool is_between = found > low + least && found < high - least;
         const double middle = is_between ? found : (low + high) / 2;
@@ -293,10 +234,39 @@ static void integrate(struct job *job, double low, double high, int depth, doubl
     }
 }
 
+/* What each sum may be at most by the others: roots of products of squares. */
+static void set_scales(struct job *job)
+{
+    double *scale = job->scale;
+    const double light = scale[0];
+    if (job->is_moved) {
+        for (int m = 1; m < 4; m++) {
+            scale[m] = scale[m] > 0 ? scale[m] : light;
+        }
+        for (int m = 4; m < SUMS; m++) {
+            static const int of[SUMS][2] = {[4] = {1, 2}, {1, 3}, {2, 2}, {2, 3}, {3, 3}};
+            scale[m] = scale[of[m][0]] * scale[of[m][1]] / light;
+        }
+        return;
+    }
+    const double size = job->sphere != NULL ? scale[2] : scale[3] + scale[4];
+    for (int m = 1; m < SUMS; m++) {
+        scale[m] = m < 3 ? sqrt(size * light) : size;
+        scale[m] = job->disc_count > 0 ? light : scale[m];
+        if (job->sphere != NULL) {
+            scale[m] = m == 2 ? size : m > 2 ? light : scale[m];
+        }
+        scale[m] = scale[m] > 0 ? scale[m] : 1;
+    }
+}
+
 static double sum_all(struct job *job, double *sums)
 {
     enum { PIECES = 40 };
+    const double *middle = job->region->middle;
     double doubt = 0;
+    /* fields lie in y, and what is summed is one half of what mirrors itself */
+    const int halves = middle[0] == 0 ? 2 : 1;
     /* the order of the sums first, by few lines */
     memset(job->scale, 0, sizeof job->scale);
     for (int i = 0; i < 4 * PIECES; i++) {
@@ -306,19 +276,18 @@ static double sum_all(struct job *job, double *sums)
             job->scale[m] += 2 * pi / (4 * PIECES) * fabs(here[m]);
         }
     }
-    const double size = job->sphere != NULL ? job->scale[2] : job->scale[3] + job->scale[4];
-    for (int m = 1; m < SUMS; m++) {
-        job->scale[m] = m < 3 ? sqrt(size * job->scale[0]) : size;
-        if (job->sphere != NULL) {
-            job->scale[m] = m == 2 ? size : m > 2 ? job->scale[0] : job->scale[m];
-        }
-        job->scale[m] = job->scale[m] > 0 ? job->scale[m] : 1;
-    }
-    for (int i = 0; i < PIECES; i++) {
-        integrate(job, 2 * pi * (i + 0.3) / PIECES, 2 * pi * (i + 1.3) / PIECES, 0, sums);
+    set_scales(job);
+    job->is_scaled = true;
+    const double first = halves == 2 ? -pi / 2 : 0.6 * pi / PIECES;
+    for (int i = 0; i < PIECES / halves; i++) {
+        integrate(job, first + 2 * pi * i / PIECES, first + 2 * pi * (i + 1) / PIECES, 0, sums);
     }
     for (int m = 0; m < SUMS; m++) {
-        doubt = fmax(doubt, job->doubt[m]);
+        sums[m] *= halves;
+        doubt = fmax(doubt, halves * job->doubt[m]);
+    }
+    if (halves == 2 && job->sphere == NULL && job->disc_count == 0) {
+        sums[1] = 0; /* of x */
     }
     return doubt;
 }
@@ -326,7 +295,6 @@ static double sum_all(struct job *job, double *sums)
 /* -------- questions -------- */
 
 static struct region region;
-static bool is_new_lens;
 
 static double widest(void)
 {
@@ -413,27 +381,40 @@ static struct sphere sphere_of(const struct beam *beam, double wavelength, doubl
     return sphere;
 }
 
-/* Rays over all of the part, along lines between corners that are not looked for. */
-static void fill_sheaf(struct job *job, struct sheaf *sheaf)
+/*
+ * Gauss and Newton's steps to the least mean square in y and z of the centre; fields lie in y.
+ * False: they do not end.
+ */
+static bool fit_sphere(const struct beam *beam, double tolerance, struct sphere *sphere)
 {
-    enum { LINES = 720 };
-    double sums[SUMS] = {0};
-    sheaf->count = 0;
-    job->sheaf = sheaf;
-    for (int i = 0; i < LINES; i++) {
-        sum_line(job, 2 * pi * (i + 0.5) / LINES, sums);
+    enum { STEPS = 30 };
+    double rough = fmax(tolerance, 1e-4); /* while it is far from there */
+    for (int turns = 0; turns < STEPS; turns++) {
+        struct job job = {.beam = beam,
+                          .region = &region,
+                          .sphere = sphere,
+                          .is_moved = true,
+                          .tolerance = rough};
+        double s[SUMS] = {0};
+        sum_all(&job, s);
+        const double w = s[1] / s[0], y = s[2] / s[0], z = s[3] / s[0];
+        const double wy = s[4] / s[0] - w * y, wz = s[5] / s[0] - w * z;
+        const double yy = s[6] / s[0] - y * y, yz = s[7] / s[0] - y * z, zz = s[8] / s[0] - z * z;
+        const double det = yy * zz - yz * yz;
+        if (!(det > 0)) {
+            return false;
+        }
+        const double dy = -(zz * wy - yz * wz) / det, dz = -(yy * wz - yz * wy) / det;
+        sphere->centre[1] += dy;
+        sphere->centre[2] += dz;
+        /* what that changes of the waves */
+        const double change = sqrt(yy * dy * dy + 2 * yz * dy * dz + zz * dz * dz);
+        if (change < 1e-8 && rough <= tolerance) {
+            return true;
+        }
+        rough = change < 1e-4 ? tolerance : rough;
     }
-    job->sheaf = NULL;
-}
-
-static struct sheaf sheaf;
-
-static void open_sheaf(void)
-{
-    if (sheaf.rays == NULL) {
-        sheaf.rays = malloc(SHEAF * sizeof *sheaf.rays);
-        sheaf.weights = malloc(SHEAF * sizeof *sheaf.weights);
-    }
+    return false;
 }
 
 static void answer_wave(double tolerance, double angle, double wavelength, double pupil, bool best)
@@ -448,9 +429,7 @@ static void answer_wave(double tolerance, double angle, double wavelength, doubl
     struct sphere sphere = sphere_of(&beam, wavelength, pupil);
     struct job job = {.beam = &beam, .region = &region, .tolerance = tolerance};
     if (best) {
-        open_sheaf();
-        fill_sheaf(&job, &sheaf);
-        if (!find_best(&sheaf, &sphere)) {
+        if (!fit_sphere(&beam, tolerance, &sphere)) {
             puts("none");
             return;
         }
@@ -463,9 +442,10 @@ static void answer_wave(double tolerance, double angle, double wavelength, doubl
            (sums[3] * sums[3] + sums[4] * sums[4]) / (sums[0] * sums[0]), doubt, region.islands);
 }
 
-/* Moments of all wavelengths about the first one's chief ray; false: there is none. */
-static bool add_moments(double tolerance, double angle, double disc, int finer,
-                        const double *middle, double *sums, double *doubt)
+/* Of all wavelengths moments about the first one's chief ray, or the light within discs about
+   `middle`; false: there is none. */
+static bool add_waves(double tolerance, double angle, const double *middle, const double *discs,
+                      int disc_count, double *sums, double *doubt)
 {
     double origin[2] = {0, 0};
     memset(sums, 0, SUMS * sizeof *sums);
@@ -486,46 +466,37 @@ static bool add_moments(double tolerance, double angle, double disc, int finer,
         struct job job = {.beam = &beam,
                           .region = &region,
                           .origin = {origin[0], origin[1]},
-                          .disc = disc,
-                          .finer = finer,
+                          .disc_count = disc_count,
                           .tolerance = tolerance};
-        if (disc > 0) {
+        if (disc_count > 0) {
             memcpy(job.middle, middle, sizeof job.middle);
+            memcpy(job.discs, discs, (size_t)disc_count * sizeof *discs);
         }
         *doubt = fmax(*doubt, sum_all(&job, own));
         for (int m = 0; m < SUMS; m++) {
             sums[m] += weights[g] * own[m];
         }
     }
-    sums[1] += sums[0] * origin[0];
-    sums[2] += sums[0] * origin[1];
+    if (disc_count == 0) {
+        sums[1] += sums[0] * origin[0];
+        sums[2] += sums[0] * origin[1];
+    }
     return true;
 }
 
-static void answer_energy(double tolerance, double angle, const double radii[2])
+static void answer_energy(double tolerance, double angle, const double *radii, int count)
 {
-    static double lens_angle = NAN, lens_middle[2], all[SUMS], known;
-    double shares[2];
-    if (is_new_lens || !(lens_angle == angle)) {
-        known = 0;
-        if (!add_moments(tolerance, angle, 0, 1, NULL, all, &known)) {
-            puts("none");
-            return;
-        }
-        lens_middle[0] = all[1] / all[0];
-        lens_middle[1] = all[2] / all[0];
-        lens_angle = angle;
-        is_new_lens = false;
+    double all[SUMS], sums[SUMS], doubt = 0;
+    if (!add_waves(tolerance, angle, NULL, NULL, 0, all, &doubt)) {
+        puts("none");
+        return;
     }
-    double doubt = known;
-    for (int i = 0; i < 2; i++) {
-        double sums[SUMS], few[SUMS];
-        add_moments(tolerance, angle, radii[i], 4, lens_middle, few, &doubt);
-        add_moments(tolerance, angle, radii[i], 12, lens_middle, sums, &doubt);
-        shares[i] = sums[0] / all[0];
-        doubt = fmax(doubt, fabs(sums[0] - few[0]) / all[0]);
+    const double middle[2] = {all[1] / all[0], all[2] / all[0]};
+    add_waves(tolerance, angle, middle, radii, count, sums, &doubt);
+    for (int i = 0; i < count; i++) {
+        printf("%.17g ", sums[1 + i] / sums[0]);
     }
-    printf("%.17g %.17g %.3g\n", shares[0], shares[1], doubt);
+    printf("%.3g\n", doubt);
 }
 
 static double number(void)
@@ -549,7 +520,7 @@ static void read_lens(void)
     }
     for (int i = 0; i < surface_count; i++) {
         struct surface *s = &surfaces[i];
-        s->c = number();
+        *s = (struct surface){.c = number()};
         s->k = number();
         s->z = number();
         s->clear = number();
@@ -559,6 +530,7 @@ static void read_lens(void)
         s->bends[1] = number();
         for (int k = 0; k < TERMS; k++) {
             s->terms[k] = number();
+            s->has_terms = s->has_terms || s->terms[k] != 0;
         }
         for (int g = 0; g < wave_count; g++) {
             s->n[g] = number();
@@ -572,7 +544,6 @@ int main(void)
     while (scanf("%63s", word) == 1) {
         if (strcmp(word, "lens") == 0) {
             read_lens();
-            is_new_lens = true;
             continue;
         }
         const double tolerance = number(), value = number();
@@ -583,8 +554,12 @@ int main(void)
         } else if (strcmp(word, "field") == 0) {
             answer_field(tolerance, value);
         } else if (strcmp(word, "energy") == 0) {
-            const double first = number();
-            answer_energy(tolerance, value, (double[2]){first, number()});
+            double radii[RADII];
+            const int count = (int)number();
+            for (int i = 0; i < count && i < RADII; i++) {
+                radii[i] = number();
+            }
+            answer_energy(tolerance, value, radii, count < RADII ? count : RADII);
         } else if (strcmp(word, "wave") == 0) {
             const double wavelength = number(), pupil = number();
             answer_wave(tolerance, value, wavelength, pupil, number() != 0);

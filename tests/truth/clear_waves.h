@@ -1,4 +1,4 @@
-/* tests/truth/clear_waves.h - for clear_sums.c: wave fronts, and the sphere that fits one best. */
+/* tests/truth/clear_waves.h - for clear_sums.c: wave fronts. */
 /* SPDX-License-Identifier: MIT */
 #ifndef CLEAR_WAVES_H
 #define CLEAR_WAVES_H
@@ -9,13 +9,6 @@
 struct sphere {
     double wavelength, centre[3], crossing[3], n, zero;
     bool is_plane; /* the pupil is infinitely far away: the sphere's radius is infinite */
-};
-
-/* Rays that are kept, with what each counts. */
-struct sheaf {
-    struct ray *rays;
-    double *weights;
-    int count;
 };
 
 /* Where a ray meets the image plane. */
@@ -50,54 +43,17 @@ static double wave_of(const struct sphere *sphere, const struct ray *ray)
     return (sphere->zero - path_to(sphere, ray)) / sphere->wavelength;
 }
 
-static double sheaf_square(const struct sheaf *sheaf, const struct sphere *sphere)
+/* How it changes as the centre moves along an axis, per mm. */
+static double slope_of(const struct sphere *sphere, const struct ray *ray, int axis)
 {
-    double all = 0, mean = 0, square = 0;
-    for (int i = 0; i < sheaf->count; i++) {
-        all += sheaf->weights[i];
-        mean += sheaf->weights[i] * wave_of(sphere, &sheaf->rays[i]);
+    const double step = axis == 2 ? 1e-2 : 1e-3;
+    double wave[2];
+    for (int i = 0; i < 2; i++) {
+        struct sphere moved = *sphere;
+        moved.centre[axis] += (i == 0 ? -1 : 1) * step;
+        wave[i] = wave_of(&moved, ray);
     }
-    for (int i = 0; i < sheaf->count; i++) {
-        const double off = wave_of(sphere, &sheaf->rays[i]) - mean / all;
-        square += sheaf->weights[i] * off * off;
-    }
-    return square / all;
-}
-
-/*
- * Newton's steps to the least mean square in y and z of the centre, by differences; fields lie in
- * y. False: there is no least one close by.
- */
-static bool find_best(const struct sheaf *sheaf, struct sphere *sphere)
-{
-    double step[2] = {1e-3, 1e-2};
-    for (int turns = 0; turns < 60; turns++) {
-        double f[3][3], move[2];
-        for (int i = 0; i < 9; i++) {
-            struct sphere moved = *sphere;
-            moved.centre[1] += (i / 3 - 1) * step[0];
-            moved.centre[2] += (i % 3 - 1) * step[1];
-            f[i / 3][i % 3] = sheaf_square(sheaf, &moved);
-        }
-        const double gy = (f[2][1] - f[0][1]) / 2, gz = (f[1][2] - f[1][0]) / 2;
-        const double yy = f[2][1] - 2 * f[1][1] + f[0][1], zz = f[1][2] - 2 * f[1][1] + f[1][0];
-        const double yz = (f[2][2] - f[2][0] - f[0][2] + f[0][0]) / 4, det = yy * zz - yz * yz;
-        if (!(det > 0 && yy > 0)) {
-            return false;
-        }
-        move[0] = -(zz * gy - yz * gz) / det;
-        move[1] = -(yy * gz - yz * gy) / det;
-        sphere->centre[1] += move[0] * step[0];
-        sphere->centre[2] += move[1] * step[1];
-        if (hypot(move[0], move[1]) < 1e-5) {
-            if (step[0] < 1e-4) {
-                return true;
-            }
-            step[0] /= 16;
-            step[1] /= 16;
-        }
-    }
-    return false;
+    return (wave[1] - wave[0]) / (2 * step);
 }
 
 #endif

@@ -110,7 +110,7 @@ class Outside:
     def __init__(self, program):
         self.binary = os.path.join(program.holder.name, "clear_sums")
         compiler = shlex.split(os.environ.get("CC", "cc"))
-        subprocess.run([*compiler, "-std=c17", "-D_DEFAULT_SOURCE", "-O2", "-o", self.binary,
+        subprocess.run([*compiler, "-std=c17", "-D_DEFAULT_SOURCE", "-O3", "-o", self.binary,
                         SOURCE, "-lm"], check=True)
 
     def ask(self, lens, questions, wave=None):
