@@ -25,8 +25,8 @@ struct from_film {
     double at[2];
 };
 
-static void start(const struct outlook *outlook, size_t lane, const double film[2],
-                  const double at[2])
+static void angle_of_view_start(const struct outlook *outlook, size_t lane, const double film[2],
+                                const double at[2])
 {
     double way[3] = {at[0] - film[0], at[1] - film[1], -outlook->question->film};
     double length = sqrt(way[0] * way[0] + way[1] * way[1] + way[2] * way[2]);
@@ -55,13 +55,13 @@ static double miss_of(const double point[2])
 }
 
 /* Newton's step towards the centre of the stop, the slopes by differences; false: rays are lost. */
-static bool newton_step(const struct outlook *outlook, const struct from_film *ray, double *miss,
-                        double step[2])
+static bool angle_of_view_newton_step(const struct outlook *outlook, const struct from_film *ray,
+                                      double *miss, double step[2])
 {
     double h = 1e-6 * outlook->question->film, points[3][2];
-    start(outlook, 0, ray->film, ray->at);
-    start(outlook, 1, ray->film, (double[2]){ray->at[0] + h, ray->at[1]});
-    start(outlook, 2, ray->film, (double[2]){ray->at[0], ray->at[1] + h});
+    angle_of_view_start(outlook, 0, ray->film, ray->at);
+    angle_of_view_start(outlook, 1, ray->film, (double[2]){ray->at[0] + h, ray->at[1]});
+    angle_of_view_start(outlook, 2, ray->film, (double[2]){ray->at[0], ray->at[1] + h});
     to_stop(outlook, 3, points);
     const double *here = points[0];
     *miss = miss_of(here);
@@ -82,7 +82,7 @@ static bool take_step(const struct outlook *outlook, struct from_film *ray, doub
     for (size_t i = 0; i < HALVINGS; i++, scale /= 2) {
         tried[i][0] = ray->at[0] + scale * step[0];
         tried[i][1] = ray->at[1] + scale * step[1];
-        start(outlook, i, ray->film, tried[i]);
+        angle_of_view_start(outlook, i, ray->film, tried[i]);
     }
     to_stop(outlook, HALVINGS, points);
     for (size_t i = 0; i < HALVINGS; i++) {
@@ -96,11 +96,11 @@ static bool take_step(const struct outlook *outlook, struct from_film *ray, doub
 }
 
 /* From a guess to the chief ray. It ends when no step brings it closer, which is at rounding. */
-static bool find_chief(const struct outlook *outlook, struct from_film *ray)
+static bool angle_of_view_find_chief(const struct outlook *outlook, struct from_film *ray)
 {
     double miss = INFINITY, step[2];
     for (int turn = 0; turn < 60; turn++) {
-        if (!newton_step(outlook, ray, &miss, step)) {
+        if (!angle_of_view_newton_step(outlook, ray, &miss, step)) {
             return false;
         }
         if (!take_step(outlook, ray, miss, step)) {
@@ -151,7 +151,7 @@ static bool any_arrives(const struct outlook *outlook, const struct beam *beam,
  * Does any light come through to a film point? 256 rays in the plane of the axis, where the last of
  * it is in a round lens, then a disc of 1024, in 1.5 radii of the pupil about the chief ray.
  */
-static bool is_lit(const struct outlook *outlook, const struct from_film *chief)
+static bool angle_of_view_is_lit(const struct outlook *outlook, const struct from_film *chief)
 {
     enum { BLOCKS = 10 };
     const struct system *system = outlook->system;
@@ -180,16 +180,16 @@ static bool is_stated(const struct outlook *outlook, const double film[2], const
 }
 
 /* Take the chief ray out of the lens; false where it does not get there. */
-static bool leave(const struct outlook *outlook, const struct from_film *ray, enum reach reach,
-                  struct end *end)
+static bool angle_of_view_leave(const struct outlook *outlook, const struct from_film *ray,
+                                enum reach reach, struct end *end)
 {
-    start(outlook, 0, ray->film, ray->at);
+    angle_of_view_start(outlook, 0, ray->film, ray->at);
     rays_trace(outlook->system, &outlook->work, NULL);
     const struct ray out = rays_get(&outlook->work, 0, outlook->system->index_last);
     bool goes_on = out.status == RAY_CLIPPED && isfinite(out.cosine[2]);
-    bool counts =
-        out.status == RAY_OK || (reach == REACH_LIGHT && goes_on &&
-                                 (is_stated(outlook, ray->film, &out) || is_lit(outlook, ray)));
+    bool counts = out.status == RAY_OK ||
+                  (reach == REACH_LIGHT && goes_on &&
+                   (is_stated(outlook, ray->film, &out) || angle_of_view_is_lit(outlook, ray)));
     if (!counts) {
         return false;
     }
@@ -201,8 +201,8 @@ static bool leave(const struct outlook *outlook, const struct from_film *ray, en
 }
 
 /* Continue the chief ray from the sensor's centre to `corner`, or as far as there is one. */
-static bool find_end(const struct outlook *outlook, const double corner[2], enum reach reach,
-                     struct end *end, struct error *error)
+static bool angle_of_view_find_end(const struct outlook *outlook, const double corner[2],
+                                   enum reach reach, struct end *end, struct error *error)
 {
     double zp = outlook->question->first->exit_pupil, z = outlook->question->film;
     double lean = isinf(zp) ? 1 : zp / (zp - z); /* of the paraxial chief ray at the last vertex */
@@ -210,7 +210,8 @@ static bool find_end(const struct outlook *outlook, const double corner[2], enum
     double film[2] = {0, 0}, step = 0.25;
     struct from_film ray = {.film = film};
     end->part = 0;
-    if (!find_chief(outlook, &ray) || !leave(outlook, &ray, reach, end)) {
+    if (!angle_of_view_find_chief(outlook, &ray) ||
+        !angle_of_view_leave(outlook, &ray, reach, end)) {
         return fail(error, ERROR_DOMAIN, "the chief ray of the sensor's centre is lost");
     }
     offset[0] = ray.at[0];
@@ -221,7 +222,8 @@ static bool find_end(const struct outlook *outlook, const double corner[2], enum
             film[i] = part * corner[i];
             ray.at[i] = lean * film[i] + offset[i];
         }
-        if (!find_chief(outlook, &ray) || !leave(outlook, &ray, reach, end)) {
+        if (!angle_of_view_find_chief(outlook, &ray) ||
+            !angle_of_view_leave(outlook, &ray, reach, end)) {
             step /= 2;
             continue;
         }
@@ -248,7 +250,7 @@ static bool unsqueeze(double squeeze, struct end *end, struct error *error)
 }
 
 /* Where the ray meets the plane of the subject; NaN where it does not. */
-static void meet(const struct end *end, double plane, double place[2])
+static void angle_of_view_meet(const struct end *end, double plane, double place[2])
 {
     double t = (plane - end->point[2]) / end->cosine[2];
     bool meets = end->cosine[2] < 0 && t > 0;
@@ -257,14 +259,14 @@ static void meet(const struct end *end, double plane, double place[2])
     }
 }
 
-static double tilt_of(const struct end *end)
+static double angle_of_view_tilt_of(const struct end *end)
 {
     return atan2(hypot(end->cosine[0], end->cosine[1]), -end->cosine[2]);
 }
 
 static struct view_span span_of(const struct end *a, const struct end *b, double subject)
 {
-    double tilts[2] = {tilt_of(a), tilt_of(b)}, places[2][2];
+    double tilts[2] = {angle_of_view_tilt_of(a), angle_of_view_tilt_of(b)}, places[2][2];
     bool same_side = a->cosine[0] * b->cosine[0] + a->cosine[1] * b->cosine[1] > 0;
     struct view_span span = {.angle = same_side ? fabs(tilts[0] - tilts[1]) : tilts[0] + tilts[1],
                              .part = fmin(a->part, b->part)};
@@ -273,19 +275,19 @@ static struct view_span span_of(const struct end *a, const struct end *b, double
         span.size = all_meet ? INFINITY : (double)NAN;
         return span;
     }
-    meet(a, subject, places[0]);
-    meet(b, subject, places[1]);
+    angle_of_view_meet(a, subject, places[0]);
+    angle_of_view_meet(b, subject, places[1]);
     span.size = hypot(places[0][0] - places[1][0], places[0][1] - places[1][1]);
     return span;
 }
 
 /* Both ends of a dimension; a round lens is the same on both sides. */
-static bool look_across(const struct outlook *outlook, double x, double y, struct view_span *span,
-                        struct error *error)
+static bool angle_of_view_look_across(const struct outlook *outlook, double x, double y,
+                                      struct view_span *span, struct error *error)
 {
     const struct view_question *question = outlook->question;
     struct end a, b;
-    if (!find_end(outlook, (double[2]){x, y}, REACH_LIGHT, &a, error) ||
+    if (!angle_of_view_find_end(outlook, (double[2]){x, y}, REACH_LIGHT, &a, error) ||
         !unsqueeze(question->squeeze, &a, error)) {
         return false;
     }
@@ -295,7 +297,7 @@ static bool look_across(const struct outlook *outlook, double x, double y, struc
             b.cosine[i] = -a.cosine[i];
             b.point[i] = -a.point[i];
         }
-    } else if (!find_end(outlook, (double[2]){-x, -y}, REACH_LIGHT, &b, error) ||
+    } else if (!angle_of_view_find_end(outlook, (double[2]){-x, -y}, REACH_LIGHT, &b, error) ||
                !unsqueeze(question->squeeze, &b, error)) {
         return false;
     }
@@ -335,7 +337,7 @@ static bool find_dark(const struct outlook *outlook, double x, double y, struct 
 {
     struct end end;
     double diagonal = 2 * hypot(x, y);
-    if (!find_end(outlook, (double[2]){x, y}, REACH_CHIEF, &end, error)) {
+    if (!angle_of_view_find_end(outlook, (double[2]){x, y}, REACH_CHIEF, &end, error)) {
         return false;
     }
     view->circle = view->diagonal.part < 1 ? view->diagonal.part * diagonal : (double)NAN;
@@ -349,8 +351,8 @@ bool view_of_lens(const struct view_question *question, struct arena *arena, str
     struct outlook outlook;
     double x = question->sensor.width / 2, y = question->sensor.height / 2;
     return open_outlook(question, arena, &outlook, error) &&
-           look_across(&outlook, x, 0, &view->horizontal, error) &&
-           look_across(&outlook, 0, y, &view->vertical, error) &&
-           look_across(&outlook, x, y, &view->diagonal, error) &&
+           angle_of_view_look_across(&outlook, x, 0, &view->horizontal, error) &&
+           angle_of_view_look_across(&outlook, 0, y, &view->vertical, error) &&
+           angle_of_view_look_across(&outlook, x, y, &view->diagonal, error) &&
            find_dark(&outlook, x, y, view, error);
 }

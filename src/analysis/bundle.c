@@ -25,7 +25,7 @@ bool bundle_prepare(const struct bundle_question *question, struct error *error)
            system_of(question, false, error) != NULL;
 }
 
-static bool open_systems(struct bundle_source *source, struct error *error)
+static bool bundle_open_systems(struct bundle_source *source, struct error *error)
 {
     const struct bundle_question *question = source->question;
     source->system = system_of(question, question->clip, error);
@@ -94,7 +94,7 @@ static bool open_entrance(struct bundle_source *source, bool has_stop, struct ar
 }
 
 /* A lens without a stop: its aperture is a disc in the plane of the first vertex. */
-static bool open_disc(struct bundle_source *source, struct error *error)
+static bool bundle_open_disc(struct bundle_source *source, struct error *error)
 {
     double radius = source->question->setup->first.entrance_diameter / 2, place[2];
     if (!(radius > 0 && isfinite(radius))) {
@@ -121,7 +121,8 @@ bool bundle_open(const struct bundle_question *question, struct arena *arena,
 {
     const struct setup *setup = question->setup;
     *source = (struct bundle_source){.question = question};
-    if (!open_systems(source, error) || !setup_beam(setup, question->field, &source->beam, error)) {
+    if (!bundle_open_systems(source, error) ||
+        !setup_beam(setup, question->field, &source->beam, error)) {
         return false;
     }
     bool has_stop = source->open->stop != LENS_NONE && source->open->stop_radius > 0;
@@ -129,7 +130,7 @@ bool bundle_open(const struct bundle_question *question, struct arena *arena,
     bool opened = question->from_entrance || setup->first.is_telecentric
                       ? open_entrance(source, has_stop, arena, error)
                   : has_stop ? open_stop(source, arena, error)
-                             : open_disc(source, error);
+                             : bundle_open_disc(source, error);
     if (opened && question->pattern == PATTERN_GAUSS) {
         source->region = ARENA_NEW(arena, struct quadrature_region);
         *source->region = quadrature_open(&source->pupil, arena);
@@ -189,8 +190,8 @@ static bool fill_pattern(const struct bundle_source *source, size_t rays, struct
     return true;
 }
 
-static bool fill(const struct bundle_source *source, size_t rays, struct arena *arena,
-                 struct bundle *bundle, struct error *error)
+static bool bundle_fill(const struct bundle_source *source, size_t rays, struct arena *arena,
+                        struct bundle *bundle, struct error *error)
 {
     if (source->question->pattern != PATTERN_GAUSS) {
         return fill_pattern(source, rays, arena, bundle, error);
@@ -230,7 +231,7 @@ bool bundle_trace(const struct bundle_source *source, size_t rays, size_t to, st
                   struct bundle *bundle, struct error *error)
 {
     *bundle = (struct bundle){.count = 0};
-    if (!fill(source, rays, arena, bundle, error)) {
+    if (!bundle_fill(source, rays, arena, bundle, error)) {
         return false;
     }
     rays_trace_part(source->through, 0, to, &bundle->rays, NULL);
@@ -252,10 +253,10 @@ struct ray bundle_chief(const struct bundle_source *source, size_t to, struct ar
                     to == 0 ? source->open->index_first : system_index_after(source->open, to - 1));
 }
 
-struct islands bundle_islands(const struct bundle_source *source, struct arena *arena)
+struct pupil_islands bundle_islands(const struct bundle_source *source, struct arena *arena)
 {
     if (!source->question->clip) {
-        return (struct islands){0};
+        return (struct pupil_islands){0};
     }
     if (source->region != NULL) {
         return quadrature_islands(source->region, arena);

@@ -114,6 +114,6 @@ bool bundle_fail_dark(const struct bundle_source *source, size_t count, struct a
 struct ray bundle_chief(const struct bundle_source *source, size_t to, struct arena *arena);
 
 /* Light that passes beyond a gap: a quadrature leaves it out, other patterns do not reach it. */
-struct islands bundle_islands(const struct bundle_source *source, struct arena *arena);
+struct pupil_islands bundle_islands(const struct bundle_source *source, struct arena *arena);
 
 #endif

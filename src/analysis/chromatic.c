@@ -48,8 +48,8 @@ struct chromatic_axial chromatic_axial(const struct chromatic_focus *shortest,
 }
 
 /* A ray from its start to the image plane, or behind the last surface. */
-static bool follow(const struct setup *one, const struct ray *start, bool to_image, struct ray *end,
-                   struct error *error)
+static bool chromatic_follow(const struct setup *one, const struct ray *start, bool to_image,
+                             struct ray *end, struct error *error)
 {
     const struct system *system =
         setup_system(one, 0, SETUP_OPEN | (to_image ? SETUP_IMAGE : 0), error);
@@ -64,8 +64,8 @@ static bool follow(const struct setup *one, const struct ray *start, bool to_ima
 }
 
 /* A ray at a height of the pupil, in the section of the setup. */
-static bool aim(const struct setup *one, const struct beam *beam, double zone, bool entrance,
-                struct ray *ray, struct error *error)
+static bool chromatic_aim(const struct setup *one, const struct beam *beam, double zone,
+                          bool entrance, struct ray *ray, struct error *error)
 {
     struct aim aimed;
     double at[2] = {0, 0};
@@ -93,10 +93,11 @@ bool chromatic_zone(const struct setup *setup, double wavelength, double zone, b
     if (zone == 0) {
         return chromatic_focus(setup, wavelength, focus, error);
     }
-    if (!setup_beam(&one, &axis, &beam, error) || !aim(&one, &beam, zone, entrance, &ray, error)) {
+    if (!setup_beam(&one, &axis, &beam, error) ||
+        !chromatic_aim(&one, &beam, zone, entrance, &ray, error)) {
         return false;
     }
-    if (ray.status == RAY_OK && !follow(&one, &ray, false, &ray, error)) {
+    if (ray.status == RAY_OK && !chromatic_follow(&one, &ray, false, &ray, error)) {
         return false;
     }
     focus->status = ray.status;
@@ -117,10 +118,11 @@ bool chromatic_chief(const struct setup *setup, const struct field_point *field,
     struct beam beam;
     struct ray ray;
     *chief = (struct chromatic_chief){{NAN, NAN}, {NAN, NAN}, RAY_MISS};
-    if (!setup_beam(&one, field, &beam, error) || !aim(&one, &beam, 0, false, &ray, error)) {
+    if (!setup_beam(&one, field, &beam, error) ||
+        !chromatic_aim(&one, &beam, 0, false, &ray, error)) {
         return false;
     }
-    if (ray.status == RAY_OK && !follow(&one, &ray, !isnan(one.image), &ray, error)) {
+    if (ray.status == RAY_OK && !chromatic_follow(&one, &ray, !isnan(one.image), &ray, error)) {
         return false;
     }
     chief->status = ray.status;

@@ -11,7 +11,7 @@
 /* Below this sine a ray counts as parallel to the axis. */
 static const double PARALLEL = 1e-9;
 
-static double dot(const double a[3], const double b[3])
+static double coddington_dot(const double a[3], const double b[3])
 {
     return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
 }
@@ -30,7 +30,7 @@ static void seed(const struct beam *beam, const double at[2], int k, struct ray_
 }
 
 /* Unit vectors across the ray: in the plane of ray and axis, and at right angles to it. */
-static void set_frame(const struct ray *ray, double tangential[3], double sagittal[3])
+static void coddington_set_frame(const struct ray *ray, double tangential[3], double sagittal[3])
 {
     const double *d = ray->cosine, *x = ray->point;
     double side = hypot(d[0], d[1]), up[2] = {d[0], d[1]}, away = hypot(x[0], x[1]);
@@ -51,29 +51,29 @@ static void set_frame(const struct ray *ray, double tangential[3], double sagitt
 }
 
 /* Derivatives across the ray, by rows: tangential, sagittal; by columns: those of the start. */
-struct spreading {
+struct beam_spread {
     double A[2][2], B[2][2];
 };
 
-static struct spreading spreading_of(const struct ray *ray, double n,
-                                     const struct ray_block *tangents)
+static struct beam_spread spreading_of(const struct ray *ray, double n,
+                                       const struct ray_block *tangents)
 {
     double across[2][3];
-    struct spreading all;
-    set_frame(ray, across[0], across[1]);
+    struct beam_spread all;
+    coddington_set_frame(ray, across[0], across[1]);
     for (int k = 0; k < 2; k++) {
         const struct ray_block *of = &tangents[k];
         const double point[3] = {of->x[0], of->y[0], of->z[0]};
         const double direction[3] = {of->p[0] / n, of->q[0] / n, of->r[0] / n};
         for (int i = 0; i < 2; i++) {
-            all.A[i][1 - k] = dot(across[i], point);
-            all.B[i][1 - k] = dot(across[i], direction);
+            all.A[i][1 - k] = coddington_dot(across[i], point);
+            all.B[i][1 - k] = coddington_dot(across[i], direction);
         }
     }
     return all;
 }
 
-static double size_of(const double m[2][2])
+static double coddington_size_of(const double m[2][2])
 {
     return hypot(hypot(m[0][0], m[0][1]), hypot(m[1][0], m[1][1]));
 }
@@ -81,7 +81,7 @@ static double size_of(const double m[2][2])
 /* Are the two sections independent of each other, but for rounding? */
 static bool is_decoupled(const double m[2][2])
 {
-    return fabs(m[0][1]) + fabs(m[1][0]) <= 8 * DBL_EPSILON * size_of(m);
+    return fabs(m[0][1]) + fabs(m[1][0]) <= 8 * DBL_EPSILON * coddington_size_of(m);
 }
 
 /*
@@ -106,14 +106,14 @@ static void eigenvalues(const double P[2][2], const double Q[2][2], double value
     *turn = -atan(tangent);
 }
 
-static double inverse(double value)
+static double coddington_inverse(double value)
 {
     return value != 0 ? 1 / value : (double)INFINITY;
 }
 
-static void find_foci(const struct spreading *all, struct narrow_beam *narrow)
+static void find_foci(const struct beam_spread *all, struct narrow_beam *narrow)
 {
-    double foci[2], size = size_of(all->B);
+    double foci[2], size = coddington_size_of(all->B);
     double det = all->B[0][0] * all->B[1][1] - all->B[0][1] * all->B[1][0];
     narrow->turn = 0;
     if (is_decoupled(all->A) && is_decoupled(all->B)) {
@@ -124,14 +124,14 @@ static void find_foci(const struct spreading *all, struct narrow_beam *narrow)
         eigenvalues(all->A, all->B, foci, &narrow->turn);
     } else {
         eigenvalues(all->B, all->A, foci, &narrow->turn);
-        foci[0] = inverse(foci[0]);
-        foci[1] = inverse(foci[1]);
+        foci[0] = coddington_inverse(foci[0]);
+        foci[1] = coddington_inverse(foci[1]);
     }
     narrow->tangential = foci[0];
     narrow->sagittal = foci[1];
 }
 
-static double place_of(const struct ray *ray, double distance)
+static double coddington_place_of(const struct ray *ray, double distance)
 {
     return isinf(distance) ? (double)INFINITY : ray->point[2] + distance * ray->cosine[2];
 }
@@ -150,10 +150,10 @@ static bool find_narrow(const struct system *system, const struct beam *beam, co
     if (narrow->chief.status != RAY_OK) {
         return false;
     }
-    const struct spreading all = spreading_of(&narrow->chief, system->index_last, tangents);
+    const struct beam_spread all = spreading_of(&narrow->chief, system->index_last, tangents);
     find_foci(&all, narrow);
-    narrow->tangential_z = place_of(&narrow->chief, narrow->tangential);
-    narrow->sagittal_z = place_of(&narrow->chief, narrow->sagittal);
+    narrow->tangential_z = coddington_place_of(&narrow->chief, narrow->tangential);
+    narrow->sagittal_z = coddington_place_of(&narrow->chief, narrow->sagittal);
     return true;
 }
 

@@ -80,13 +80,13 @@ static void end_of_arc(const struct nodes *nodes, const double (*points)[2], dou
 }
 
 /* Twice the area, and three halves of its first moments, about one point of the curve. */
-struct sums {
+struct contour_sums {
     const double *about;
     double twice, moment[2];
 };
 
 /* A bit of the curve at a point, in a direction. */
-static void add(struct sums *sums, const double at[2], const double along[2])
+static void contour_add(struct contour_sums *sums, const double at[2], const double along[2])
 {
     double x = at[0] - sums->about[0], y = at[1] - sums->about[1];
     double cross = x * along[1] - y * along[0];
@@ -95,18 +95,19 @@ static void add(struct sums *sums, const double at[2], const double along[2])
     sums->moment[1] += y * cross;
 }
 
-static void add_circle(const double (*points)[2], size_t count, struct sums *sums)
+static void contour_add_circle(const double (*points)[2], size_t count, struct contour_sums *sums)
 {
     const double dt = 2 * PI / (double)count;
     for (size_t i = 0; i < count; i++) {
         double slope[2];
         slope_on_circle(points, count, i, slope);
-        add(sums, points[i], (double[2]){slope[0] * dt, slope[1] * dt});
+        contour_add(sums, points[i], (double[2]){slope[0] * dt, slope[1] * dt});
     }
 }
 
 /* Corners are known to some 1e-8: straight to the next piece, so that the curve is closed. */
-static void add_arcs(const struct clear_pupil *clear, const double (*points)[2], struct sums *sums)
+static void add_arcs(const struct clear_pupil *clear, const double (*points)[2],
+                     struct contour_sums *sums)
 {
     struct nodes nodes;
     set_nodes(clear, &nodes);
@@ -117,20 +118,20 @@ static void add_arcs(const struct clear_pupil *clear, const double (*points)[2],
         for (size_t k = 0; k < CLEAR_ARC; k++) {
             double dt = nodes.gauss[k] * width;
             slope_on_arc(&nodes, here, k, width, slope);
-            add(sums, here[k], (double[2]){slope[0] * dt, slope[1] * dt});
+            contour_add(sums, here[k], (double[2]){slope[0] * dt, slope[1] * dt});
         }
         end_of_arc(&nodes, here, 1, from);
         end_of_arc(&nodes, next, 0, to);
-        add(sums, (double[2]){(from[0] + to[0]) / 2, (from[1] + to[1]) / 2},
-            (double[2]){to[0] - from[0], to[1] - from[1]});
+        contour_add(sums, (double[2]){(from[0] + to[0]) / 2, (from[1] + to[1]) / 2},
+                    (double[2]){to[0] - from[0], to[1] - from[1]});
     }
 }
 
 double contour_area(const struct clear_pupil *clear, const double (*points)[2], double centre[2])
 {
-    struct sums sums = {.about = points[0]};
+    struct contour_sums sums = {.about = points[0]};
     if (clear->arcs == 0) {
-        add_circle(points, clear->arm_count, &sums);
+        contour_add_circle(points, clear->arm_count, &sums);
     } else {
         add_arcs(clear, points, &sums);
     }

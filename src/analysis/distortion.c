@@ -11,14 +11,14 @@
 /* -------- one chief ray -------- */
 
 /* An object point, seen from the axis. */
-struct place {
+struct distortion_place {
     double towards[2]; /* of unit length; upwards on the axis */
     double amount;     /* rad, or mm */
 };
 
-static struct place place_of(const struct beam *beam)
+static struct distortion_place distortion_place_of(const struct beam *beam)
 {
-    struct place place = {.towards = {0, 1}};
+    struct distortion_place place = {.towards = {0, 1}};
     const bool far = isinf(beam->distance);
     const double from_axis = far ? 1 : -beam->distance;
     const double x = from_axis * beam->axis[0], y = from_axis * beam->axis[1];
@@ -50,8 +50,8 @@ static bool beam_towards(const struct distortion_map *map, const double towards[
     return true;
 }
 
-static bool find_chief(const struct distortion_map *map, const struct beam *beam,
-                       struct arena *arena, struct ray *chief, struct error *error)
+static bool distortion_find_chief(const struct distortion_map *map, const struct beam *beam,
+                                  struct arena *arena, struct ray *chief, struct error *error)
 {
     struct aim aim;
     if (map->setup.first.is_telecentric) {
@@ -64,7 +64,8 @@ static bool find_chief(const struct distortion_map *map, const struct beam *beam
     return true;
 }
 
-static struct ray take(const struct system *system, const struct ray *from, struct arena *arena)
+static struct ray distortion_take(const struct system *system, const struct ray *from,
+                                  struct arena *arena)
 {
     const struct rays rays = rays_new(arena, 1);
     rays_set(&rays, 0, system->index_first, from);
@@ -73,21 +74,21 @@ static struct ray take(const struct system *system, const struct ray *from, stru
 }
 
 /* Where the chief ray meets the image plane. */
-static bool follow(const struct distortion_map *map, const struct beam *beam,
-                   struct distortion_point *point, struct error *error)
+static bool distortion_follow(const struct distortion_map *map, const struct beam *beam,
+                              struct distortion_point *point, struct error *error)
 {
     struct arena *arena = map->setup.arena;
     const struct arena_mark mark = arena_mark(arena);
     struct ray chief;
-    bool found = find_chief(map, beam, arena, &chief, error);
+    bool found = distortion_find_chief(map, beam, arena, &chief, error);
     if (found) {
-        const struct ray end = take(map->image, &chief, arena);
+        const struct ray end = distortion_take(map->image, &chief, arena);
         found = end.status == RAY_OK ||
                 fail(error, ERROR_DOMAIN, "the chief ray is lost at surface %zu: %s", end.surface,
                      ray_status_name(end.status));
         point->image[0] = end.point[0];
         point->image[1] = end.point[1];
-        point->is_lit = found && take(map->lit, &chief, arena).status == RAY_OK;
+        point->is_lit = found && distortion_take(map->lit, &chief, arena).status == RAY_OK;
     }
     arena_reset(arena, mark);
     return found;
@@ -111,11 +112,13 @@ static double along_field(const double towards[2], const double at[2])
     return down ? -height : height;
 }
 
-static bool compare(const struct distortion_map *map, const struct beam *beam,
-                    const struct place *place, struct distortion_point *point, struct error *error)
+static bool distortion_compare(const struct distortion_map *map, const struct beam *beam,
+                               const struct distortion_place *place, struct distortion_point *point,
+                               struct error *error)
 {
     double ideal;
-    if (!project(map, place->amount, &ideal, error) || !follow(map, beam, point, error)) {
+    if (!project(map, place->amount, &ideal, error) ||
+        !distortion_follow(map, beam, point, error)) {
         return false;
     }
     const double at[2] = {map->squeeze * place->towards[0], place->towards[1]};
@@ -133,9 +136,9 @@ bool distortion_towards(const struct distortion_map *map, const double towards[2
                         struct distortion_point *point, struct error *error)
 {
     struct beam beam;
-    const struct place place = {{towards[0], towards[1]}, amount};
+    const struct distortion_place place = {{towards[0], towards[1]}, amount};
     return beam_towards(map, towards, amount, &beam, error) &&
-           compare(map, &beam, &place, point, error);
+           distortion_compare(map, &beam, &place, point, error);
 }
 
 bool distortion_direction(const struct distortion_map *map, const struct field_point *field,
@@ -145,7 +148,7 @@ bool distortion_direction(const struct distortion_map *map, const struct field_p
     if (!setup_beam(&map->setup, field, &beam, error)) {
         return false;
     }
-    const struct place place = place_of(&beam);
+    const struct distortion_place place = distortion_place_of(&beam);
     towards[0] = place.towards[0];
     towards[1] = place.towards[1];
     *amount = place.amount;
@@ -159,8 +162,8 @@ bool distortion_at(const struct distortion_map *map, const struct field_point *f
     if (!setup_beam(&map->setup, field, &beam, error)) {
         return false;
     }
-    const struct place place = place_of(&beam);
-    return compare(map, &beam, &place, point, error);
+    const struct distortion_place place = distortion_place_of(&beam);
+    return distortion_compare(map, &beam, &place, point, error);
 }
 
 bool distortion_of_ideal(const struct distortion_map *map, const double ideal[2], double image[2],
@@ -190,8 +193,8 @@ bool distortion_of_ideal(const struct distortion_map *map, const double ideal[2]
 /* -------- the lens -------- */
 
 /* What there is to compare with, at all wavelengths alike. */
-static bool find_scale(const struct setup *setup, enum projection projection, double *scale,
-                       struct error *error)
+static bool distortion_find_scale(const struct setup *setup, enum projection projection,
+                                  double *scale, struct error *error)
 {
     const struct first_order *first = &setup->first;
     if (setup->object.is_infinite) {
@@ -241,7 +244,7 @@ bool distortion_open(const struct setup *setup, size_t wavelength, enum projecti
                      struct arena *arena, struct distortion_map *map, struct error *error)
 {
     *map = (struct distortion_map){.projection = projection};
-    if (!find_scale(setup, projection, &map->scale, error) ||
+    if (!distortion_find_scale(setup, projection, &map->scale, error) ||
         !find_squeeze(setup, &map->squeeze, error)) {
         return false;
     }

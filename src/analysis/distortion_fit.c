@@ -15,7 +15,7 @@ enum { FIELDS = 128, STEPS = 24, HALVINGS = 40 };
 static const double UP[2] = {0, 1};
 
 /* A walk along the radius of the image. */
-struct walk {
+struct distortion_fit_walk {
     const struct distortion_map *map;
     double radius; /* goal, mm */
     double stated; /* as far as the lens says that it is made for */
@@ -24,7 +24,8 @@ struct walk {
     struct error *error;
 };
 
-static bool look(const struct walk *walk, double amount, struct distortion_point *point)
+static bool distortion_fit_look(const struct distortion_fit_walk *walk, double amount,
+                                struct distortion_point *point)
 {
     if (!distortion_towards(walk->map, UP, amount, point, walk->error)) {
         return false;
@@ -38,20 +39,22 @@ static bool look(const struct walk *walk, double amount, struct distortion_point
             fail(walk->error, ERROR_DOMAIN, "it is beyond the field of the lens"));
 }
 
-static double beyond(double amount, const void *context)
+static double distortion_fit_beyond(double amount, const void *context)
 {
-    const struct walk *walk = context;
+    const struct distortion_fit_walk *walk = context;
     struct distortion_point point;
-    return look(walk, amount, &point) ? walk->sign * point.height - walk->radius : (double)NAN;
+    return distortion_fit_look(walk, amount, &point) ? walk->sign * point.height - walk->radius
+                                                     : (double)NAN;
 }
 
 /* The last field between one that is seen and one that is not. */
-static double last_between(const struct walk *walk, double seen, double lost, double height)
+static double last_between(const struct distortion_fit_walk *walk, double seen, double lost,
+                           double height)
 {
     for (int i = 0; i < HALVINGS; i++) {
         const double middle = (seen + lost) / 2;
         struct distortion_point point;
-        bool good = look(walk, middle, &point) && walk->sign * point.height > height;
+        bool good = distortion_fit_look(walk, middle, &point) && walk->sign * point.height > height;
         if (good) {
             seen = middle;
             height = walk->sign * point.height;
@@ -63,23 +66,25 @@ static double last_between(const struct walk *walk, double seen, double lost, do
 }
 
 /* The field at the goal, or the last before it. 0: there is none. */
-static double walk_out(const struct walk *walk, double step)
+static double walk_out(const struct distortion_fit_walk *walk, double step)
 {
     double amount = 0, height = 0, edge;
     bool ended = false;
     while (!ended) {
         struct distortion_point point;
         double next = amount + step;
-        ended = !look(walk, next, &point) || !(walk->sign * point.height > height);
+        ended = !distortion_fit_look(walk, next, &point) || !(walk->sign * point.height > height);
         if (ended) {
             next = last_between(walk, amount, next, height);
         }
-        if (!look(walk, next, &point)) {
+        if (!distortion_fit_look(walk, next, &point)) {
             return amount;
         }
         height = walk->sign * point.height;
         if (height >= walk->radius) {
-            return root_find(beyond, walk, amount, next, &edge, walk->error) ? edge : amount;
+            return root_find(distortion_fit_beyond, walk, amount, next, &edge, walk->error)
+                       ? edge
+                       : amount;
         }
         amount = next;
     }
@@ -87,7 +92,8 @@ static double walk_out(const struct walk *walk, double step)
 }
 
 /* From where a near object is seen: the distance to the entrance pupil. */
-static bool find_reach(const struct distortion_map *map, double *distance, struct error *error)
+static bool distortion_fit_find_reach(const struct distortion_map *map, double *distance,
+                                      struct error *error)
 {
     const struct setup *setup = &map->setup;
     *distance = 1;
@@ -101,7 +107,7 @@ static bool find_reach(const struct distortion_map *map, double *distance, struc
                 "object into angles");
 }
 
-static void weigh(struct distortion_profile *profile)
+static void distortion_fit_weigh(struct distortion_profile *profile)
 {
     const double *r = profile->real;
     const size_t last = profile->count - 1;
@@ -112,8 +118,9 @@ static void weigh(struct distortion_profile *profile)
 }
 
 /* Fields evenly spaced as far as `edge`. */
-static bool sample(const struct walk *walk, double edge, double distance,
-                   struct distortion_profile *profile, struct error *error)
+static bool distortion_fit_sample(const struct distortion_fit_walk *walk, double edge,
+                                  double distance, struct distortion_profile *profile,
+                                  struct error *error)
 {
     struct distortion_point point;
     if (!distortion_towards(walk->map, UP, 1e-4 * edge, &point, error)) {
@@ -131,7 +138,7 @@ static bool sample(const struct walk *walk, double edge, double distance,
     }
     profile->count = FIELDS;
     profile->reached = profile->real[FIELDS - 1];
-    weigh(profile);
+    distortion_fit_weigh(profile);
     return true;
 }
 
@@ -149,7 +156,7 @@ static bool check_width(const struct distortion_map *map, const struct distortio
 }
 
 /* Has no surface but the stop a clear aperture? */
-static bool is_open(const struct lens *lens)
+static bool distortion_fit_is_open(const struct lens *lens)
 {
     for (size_t i = 0; i < lens->surface_count; i++) {
         const struct surface *surface = &lens->surfaces[i];
@@ -175,7 +182,7 @@ static double stated_field(const struct distortion_map *map)
 bool distortion_trace(const struct distortion_map *map, double radius, struct arena *arena,
                       struct distortion_profile *profile, struct error *error)
 {
-    struct walk walk = {
+    struct distortion_fit_walk walk = {
         .map = map, .radius = radius, .sign = map->scale < 0 ? -1 : 1, .error = error};
     const bool far = map->setup.object.is_infinite;
     double first = radius / fabs(map->scale), distance;
@@ -186,22 +193,23 @@ bool distortion_trace(const struct distortion_map *map, double radius, struct ar
         return fail(error, ERROR_DOMAIN,
                     "the lens is not the same all about its axis, as models of distortion are");
     }
-    if (!find_reach(map, &distance, error)) {
+    if (!distortion_fit_find_reach(map, &distance, error)) {
         return false;
     }
     walk.stated = stated_field(map);
-    walk.is_open = is_open(map->setup.lens);
+    walk.is_open = distortion_fit_is_open(map->setup.lens);
     const double edge = walk_out(&walk, (far ? atan(first) : first) / STEPS);
     if (!(edge > 1e-6 * first)) {
         return error_prefix(error, "no field off the axis is imaged: ");
     }
-    return sample(&walk, edge, distance, profile, error) && check_width(map, profile, edge, error);
+    return distortion_fit_sample(&walk, edge, distance, profile, error) &&
+           check_width(map, profile, edge, error);
 }
 
 /* -------- the fit -------- */
 
 /* One way: out = (slope in + sum c_j in^p_j)/(1 + sum c_j in^p_j), the last terms below. */
-struct equations {
+struct distortion_fit_equations {
     const struct distortion_profile *profile;
     const struct model_facts *facts;
     const double *in, *out;
@@ -210,7 +218,7 @@ struct equations {
     double c[MODEL_TERMS];
 };
 
-static double power_of(double x, int power)
+static double distortion_fit_power_of(double x, int power)
 {
     double product = 1;
     for (int i = 0; i < power; i++) {
@@ -226,23 +234,26 @@ static bool is_below(const struct model_facts *facts, size_t j)
 }
 
 /* What the coefficients make of a height, and what of it stands below the line. */
-static double make(const struct equations *equations, double in, double *below)
+static double distortion_fit_make(const struct distortion_fit_equations *equations, double in,
+                                  double *below)
 {
     const struct model_facts *facts = equations->facts;
     double above = equations->slope * in;
     *below = 1;
     for (size_t j = 0; j < facts->terms; j++) {
-        *(is_below(facts, j) ? below : &above) += equations->c[j] * power_of(in, facts->powers[j]);
+        *(is_below(facts, j) ? below : &above) +=
+            equations->c[j] * distortion_fit_power_of(in, facts->powers[j]);
     }
     return above / *below;
 }
 
 /* The square of what is left; infinite with a pole among the heights. */
-static double left_over(const struct equations *equations)
+static double distortion_fit_left_over(const struct distortion_fit_equations *equations)
 {
     double sum = 0, below;
     for (size_t i = 0; i < equations->profile->count; i++) {
-        const double off = equations->out[i] - make(equations, equations->in[i], &below);
+        const double off =
+            equations->out[i] - distortion_fit_make(equations, equations->in[i], &below);
         sum += below > 0 ? equations->profile->weight[i] * off * off : (double)INFINITY;
     }
     return sum;
@@ -252,8 +263,8 @@ static double left_over(const struct equations *equations)
  * Least squares of the equations times what stands below the line, with that of the coefficients
  * before; is_step: of their differences.
  */
-static void solve_linear(const struct equations *equations, bool is_step, struct arena *arena,
-                         double *x)
+static void distortion_fit_solve_linear(const struct distortion_fit_equations *equations,
+                                        bool is_step, struct arena *arena, double *x)
 {
     const struct arena_mark mark = arena_mark(arena);
     const struct model_facts *facts = equations->facts;
@@ -262,11 +273,11 @@ static void solve_linear(const struct equations *equations, bool is_step, struct
     double *a = ARENA_ARRAY(arena, rows * columns, double), *b = ARENA_ARRAY(arena, rows, double);
     for (size_t i = 0; i < rows; i++) {
         const double in = equations->in[i], out = equations->out[i];
-        double below, made = make(equations, in, &below);
+        double below, made = distortion_fit_make(equations, in, &below);
         const double root = sqrt(equations->profile->weight[i]), over = root / below;
         for (size_t j = 0; j < terms; j++) {
             const double factor = is_below(facts, j) ? -(is_step ? made : out) : 1;
-            a[i * columns + j] = over * factor * power_of(in, facts->powers[j]);
+            a[i * columns + j] = over * factor * distortion_fit_power_of(in, facts->powers[j]);
         }
         if (equations->is_free) {
             a[i * columns + terms] = over * in;
@@ -281,9 +292,11 @@ static void solve_linear(const struct equations *equations, bool is_step, struct
 }
 
 /* Coefficients and slope by so much of a step more. */
-static struct equations moved(const struct equations *equations, const double *step, double share)
+static struct distortion_fit_equations
+distortion_fit_moved(const struct distortion_fit_equations *equations, const double *step,
+                     double share)
 {
-    struct equations next = *equations;
+    struct distortion_fit_equations next = *equations;
     const size_t terms = equations->facts->terms;
     for (size_t j = 0; j < terms; j++) {
         next.c[j] += share * step[j];
@@ -293,11 +306,12 @@ static struct equations moved(const struct equations *equations, const double *s
 }
 
 /* Solved as linear ones, with what stood below the line before. */
-static struct equations solved(const struct equations *equations, struct arena *arena)
+static struct distortion_fit_equations solved(const struct distortion_fit_equations *equations,
+                                              struct arena *arena)
 {
-    struct equations next = *equations;
+    struct distortion_fit_equations next = *equations;
     double x[MODEL_TERMS + 1];
-    solve_linear(equations, false, arena, x);
+    distortion_fit_solve_linear(equations, false, arena, x);
     for (size_t j = 0; j < equations->facts->terms; j++) {
         next.c[j] = x[j];
     }
@@ -306,14 +320,14 @@ static struct equations solved(const struct equations *equations, struct arena *
 }
 
 /* A step of Gauss and Newton, halved until it leaves less; false: none does. */
-static bool improve(struct equations *equations, struct arena *arena)
+static bool distortion_fit_improve(struct distortion_fit_equations *equations, struct arena *arena)
 {
-    const double before = left_over(equations);
+    const double before = distortion_fit_left_over(equations);
     double step[MODEL_TERMS + 1];
-    solve_linear(equations, true, arena, step);
+    distortion_fit_solve_linear(equations, true, arena, step);
     for (double share = 1; share > 1e-4; share /= 2) {
-        const struct equations next = moved(equations, step, share);
-        const double after = left_over(&next);
+        const struct distortion_fit_equations next = distortion_fit_moved(equations, step, share);
+        const double after = distortion_fit_left_over(&next);
         if (after < before) {
             *equations = next;
             return after < before * (1 - 1e-9);
@@ -323,25 +337,26 @@ static bool improve(struct equations *equations, struct arena *arena)
 }
 
 /* Polynomials at once; quotients from there, and from linear equations made from them. */
-static void solve(struct equations *equations, struct arena *arena)
+static void distortion_fit_solve(struct distortion_fit_equations *equations, struct arena *arena)
 {
     enum { ROUNDS = 8, MOST = 200 };
     if (equations->facts->below == 0) {
         *equations = solved(equations, arena);
         return;
     }
-    struct equations next = *equations;
+    struct distortion_fit_equations next = *equations;
     for (int round = 0; round < ROUNDS; round++) {
         next = solved(&next, arena);
-        if (left_over(&next) < left_over(equations)) {
+        if (distortion_fit_left_over(&next) < distortion_fit_left_over(equations)) {
             *equations = next;
         }
     }
-    for (int step = 0; step < MOST && improve(equations, arena); step++) {
+    for (int step = 0; step < MOST && distortion_fit_improve(equations, arena); step++) {
     }
 }
 
-static const double *scaled(const double *x, size_t count, double factor, struct arena *arena)
+static const double *distortion_fit_scaled(const double *x, size_t count, double factor,
+                                           struct arena *arena)
 {
     double *product = ARENA_ARRAY(arena, count, double);
     for (size_t i = 0; i < count; i++) {
@@ -351,8 +366,9 @@ static const double *scaled(const double *x, size_t count, double factor, struct
 }
 
 /* What the polynomial leaves of the heights it makes. */
-static void measure(const struct distortion_profile *profile, const struct distortion_fit *fit,
-                    enum distortion_way way, struct distortion_polynomial *polynomial)
+static void distortion_fit_measure(const struct distortion_profile *profile,
+                                   const struct distortion_fit *fit, enum distortion_way way,
+                                   struct distortion_polynomial *polynomial)
 {
     double sum = 0, weight = 0;
     polynomial->largest = 0;
@@ -370,7 +386,7 @@ static void measure(const struct distortion_profile *profile, const struct disto
 }
 
 /* The length of r = 1, mm. */
-static double unit_of(const struct distortion_fit *fit, const struct sensor *sensor)
+static double distortion_fit_unit_of(const struct distortion_fit *fit, const struct sensor *sensor)
 {
     const double units[] = {[UNIT_MILLIMETRE] = 1,
                             [UNIT_FOCAL] = fit->focal,
@@ -385,33 +401,35 @@ static bool fit_way(const struct distortion_profile *profile, const struct senso
 {
     const struct model_facts *facts = &distortion_models[fit->model];
     const bool is_free = isnan(fit->focal), distorts = way == WAY_DISTORT;
-    const double *ideal = scaled(profile->ideal, profile->count, is_free ? 1 : fit->focal, arena);
-    struct equations equations = {.profile = profile,
-                                  .facts = facts,
-                                  .in = distorts ? ideal : profile->real,
-                                  .out = distorts ? profile->real : ideal,
-                                  .is_free = is_free,
-                                  .slope = 1};
+    const double *ideal =
+        distortion_fit_scaled(profile->ideal, profile->count, is_free ? 1 : fit->focal, arena);
+    struct distortion_fit_equations equations = {.profile = profile,
+                                                 .facts = facts,
+                                                 .in = distorts ? ideal : profile->real,
+                                                 .out = distorts ? profile->real : ideal,
+                                                 .is_free = is_free,
+                                                 .slope = 1};
     if (is_free) {
         equations.slope = equations.out[0] / equations.in[0];
     }
     struct distortion_polynomial *polynomial = &fit->ways[way];
-    solve(&equations, arena);
+    distortion_fit_solve(&equations, arena);
     if (is_free) {
         fit->focal = distorts ? equations.slope : 1 / equations.slope;
     }
-    fit->unit = unit_of(fit, sensor);
+    fit->unit = distortion_fit_unit_of(fit, sensor);
     for (size_t j = 0; j < facts->terms; j++) {
         /* what was found of a focal length of 1 becomes mm */
         const bool below = is_below(facts, j);
         const double mm = !is_free   ? 1
-                          : distorts ? 1 / power_of(fit->focal, facts->powers[j])
+                          : distorts ? 1 / distortion_fit_power_of(fit->focal, facts->powers[j])
                           : below    ? 1
                                      : fit->focal;
         polynomial->reduced[j] =
-            equations.c[j] * mm * power_of(fit->unit, facts->powers[j] - (below ? 0 : 1));
+            equations.c[j] * mm *
+            distortion_fit_power_of(fit->unit, facts->powers[j] - (below ? 0 : 1));
     }
-    measure(profile, fit, way, polynomial);
+    distortion_fit_measure(profile, fit, way, polynomial);
     return distortion_publish(fit->model, polynomial->reduced, polynomial->published) ||
            fail(error, ERROR_DOMAIN,
                 "the distortion is too strong for {the fit} %s, which keeps the middle of the "

@@ -14,7 +14,7 @@ enum { LINES_FIRST = 24, POINTS_FIRST = 16, LAST = 3, HOPELESS = 54 * 36 };
 static const double finest = 2e-9;
 
 /* A sheet in the making. */
-struct making {
+struct sheet_builder {
     const struct exit_pupil *pupil;
     const struct exit_lines *lines;
     const struct exit_piece *piece;
@@ -24,14 +24,14 @@ struct making {
     struct arena *arena;
 };
 
-static double worst_of(const struct exit_pupil *pupil)
+static double exit_front_worst_of(const struct exit_pupil *pupil)
 {
     /* of the mean of exp(2 pi i (W1 - W2)) A1 A2 */
     return 4 * PI * pupil->off_waves + 2 * pupil->off_amplitude;
 }
 
 /* Chebyshev's point i of n. */
-static double point_of(size_t i, size_t n)
+static double exit_front_point_of(size_t i, size_t n)
 {
     double c, s;
     turns_of_ratio(2 * i + 1, 4 * n, &c, &s);
@@ -39,8 +39,8 @@ static double point_of(size_t i, size_t n)
 }
 
 /* Values at points of both directions. */
-static void sample(struct making *making, size_t lines, size_t points, double *waves,
-                   double *amplitudes)
+static void exit_front_sample(struct sheet_builder *making, size_t lines, size_t points,
+                              double *waves, double *amplitudes)
 {
     const struct exit_lines *of = making->lines;
     const size_t count = lines * points;
@@ -49,11 +49,12 @@ static void sample(struct making *making, size_t lines, size_t points, double *w
     for (size_t i = 0; i < lines; i++) {
         struct exit_spans spans;
         double slope;
-        const double t = exit_piece_at(making->piece, PI / 2 * point_of(i, lines), &slope, &spans);
+        const double t =
+            exit_piece_at(making->piece, PI / 2 * exit_front_point_of(i, lines), &slope, &spans);
         const double *edges = spans.edges + 2 * making->span;
         const double middle = (edges[0] + edges[1]) / 2, half = (edges[1] - edges[0]) / 2;
         for (size_t j = 0; j < points; j++) {
-            const double s = middle + half * point_of(j, points);
+            const double s = middle + half * exit_front_point_of(j, points);
             for (int k = 0; k < 2; k++) {
                 at[i * points + j][k] = s * of->along[k] + t * of->across[k];
             }
@@ -65,7 +66,7 @@ static void sample(struct making *making, size_t lines, size_t points, double *w
         if (!isfinite(waves[i]) || !isfinite(amplitudes[i])) {
             exit_pupil_form(making->pupil, (const double(*)[2])at + i, 1, waves + i,
                             amplitudes + i);
-            making->off = worst_of(making->pupil);
+            making->off = exit_front_worst_of(making->pupil);
         }
     }
     arena_reset(making->arena, mark);
@@ -111,7 +112,7 @@ static void find_tails(const double *c, size_t lines, size_t points, double tail
 }
 
 /* Drop the last terms along lines that are all below `least`; returns how many are left. */
-static size_t shorten(double *c, size_t lines, size_t points, double least)
+static size_t exit_front_shorten(double *c, size_t lines, size_t points, double least)
 {
     size_t left = 2;
     for (size_t i = 0; i < lines; i++) {
@@ -128,14 +129,14 @@ static size_t shorten(double *c, size_t lines, size_t points, double least)
 }
 
 /* Series of both from so many points: c receives them; off: what they leave, across and along. */
-static void find_series(struct making *making, size_t lines, size_t points, double *c[2],
+static void find_series(struct sheet_builder *making, size_t lines, size_t points, double *c[2],
                         double off[2])
 {
     struct arena *arena = making->arena;
     double tails[2][2];
     c[0] = ARENA_ARRAY(arena, lines * points, double);
     c[1] = ARENA_ARRAY(arena, lines * points, double);
-    sample(making, lines, points, c[0], c[1]);
+    exit_front_sample(making, lines, points, c[0], c[1]);
     const double *across = cosines_of(lines, arena), *along = cosines_of(points, arena);
     for (int k = 0; k < 2; k++) {
         for (size_t i = 0; i < lines; i++) {
@@ -163,7 +164,7 @@ static bool more(double off, double error, size_t *count)
 }
 
 /* One sheet; returns what its series leave of contrast. */
-static double make_sheet(struct making *making, double error, struct exit_sheet *sheet)
+static double make_sheet(struct sheet_builder *making, double error, struct exit_sheet *sheet)
 {
     size_t lines = LINES_FIRST, points = POINTS_FIRST;
     const double least = error / 200;
@@ -176,8 +177,9 @@ static double make_sheet(struct making *making, double error, struct exit_sheet 
         const bool again[2] = {more(off[0], error, &lines), more(off[1], error, &points)};
         if (hopeless || (!again[0] && !again[1])) {
             *sheet = (struct exit_sheet){
-                tried[0], shorten(c[0], tried[0], tried[1], fmax(least / (4 * PI), finest)),
-                shorten(c[1], tried[0], tried[1], least * c[1][0] / 2), c[0], c[1]};
+                tried[0],
+                exit_front_shorten(c[0], tried[0], tried[1], fmax(least / (4 * PI), finest)),
+                exit_front_shorten(c[1], tried[0], tried[1], least * c[1][0] / 2), c[0], c[1]};
             return off[0] + off[1];
         }
         arena_reset(making->arena, mark);
@@ -187,9 +189,11 @@ static double make_sheet(struct making *making, double error, struct exit_sheet 
 void exit_front_find(const struct exit_pupil *pupil, const struct exit_lines *lines, double error,
                      struct arena *arena, struct exit_front *front)
 {
-    struct making making = {
-        .pupil = pupil, .lines = lines, .by_form = worst_of(pupil) <= error / 2, .arena = arena};
-    making.off = making.by_form ? worst_of(pupil) : 0;
+    struct sheet_builder making = {.pupil = pupil,
+                                   .lines = lines,
+                                   .by_form = exit_front_worst_of(pupil) <= error / 2,
+                                   .arena = arena};
+    making.off = making.by_form ? exit_front_worst_of(pupil) : 0;
     *front = (struct exit_front){
         pupil, lines, ARENA_ARRAY(arena, lines->count * EXIT_SPANS, struct exit_sheet), 0};
     for (size_t p = 0; p < lines->count; p++) {

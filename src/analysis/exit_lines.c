@@ -14,27 +14,27 @@ enum { SAMPLES = 96, LINES = 24, ROUNDS = 30, COARSE_ROUNDS = 10, BREAK_ROUNDS =
 static const double beyond = 0.03;
 
 /* A line with what ends its spans. */
-struct line {
+struct exit_lines_line {
     double t;
     struct exit_spans spans;
     size_t limits[2 * EXIT_SPANS];
 };
 
 /* A place between a clear and a dark point of a line. */
-struct change {
+struct exit_lines_change {
     double clear, dark;
     size_t line, edge, limit;
 };
 
 /* Lines at work. */
-struct seeking {
+struct line_search {
     const struct exit_pupil *pupil;
     struct exit_lines *lines;
     struct arena *arena;
     double size; /* of the pupil along them */
 };
 
-static void point_of(const struct exit_lines *lines, double s, double t, double at[2])
+static void exit_lines_point_of(const struct exit_lines *lines, double s, double t, double at[2])
 {
     for (int k = 0; k < 2; k++) {
         at[k] = s * lines->along[k] + t * lines->across[k];
@@ -47,7 +47,8 @@ static double along_of(const double direction[2], const double at[2])
 }
 
 /* Where the polygon of the rim crosses a line, ascending; at most so many. */
-static size_t crossings(const struct seeking *seeking, double t, double *places, size_t most)
+static size_t exit_lines_crossings(const struct line_search *seeking, double t, double *places,
+                                   size_t most)
 {
     const struct exit_pupil *pupil = seeking->pupil;
     const struct exit_lines *lines = seeking->lines;
@@ -74,20 +75,20 @@ static size_t crossings(const struct seeking *seeking, double t, double *places,
  *
  * Result    false: they do not, and the line has to be sampled
  */
-static bool cross_rim(const struct seeking *seeking, double t, size_t line, struct change *changes,
-                      size_t *found)
+static bool cross_rim(const struct line_search *seeking, double t, size_t line,
+                      struct exit_lines_change *changes, size_t *found)
 {
     static const double inside[] = {0.5, 0.08, 0.01, 0.001}, outside[] = {1e-4, 1e-3, 1e-2, 0.03};
     enum { IN = sizeof inside / sizeof inside[0], OUT = sizeof outside / sizeof outside[0] };
     double places[2 * EXIT_SPANS], at[IN + OUT][2], s[IN + OUT];
-    const size_t count = crossings(seeking, t, places, 2 * EXIT_SPANS);
+    const size_t count = exit_lines_crossings(seeking, t, places, 2 * EXIT_SPANS);
     for (size_t i = 0; i < count; i++) {
         const double sign = i % 2 == 0 ? -1 : 1, length = places[i | 1] - places[i & ~(size_t)1];
         size_t limits[IN + OUT], k = 1;
         for (size_t p = 0; p < IN + OUT; p++) {
             s[p] =
                 places[i] + sign * (p < IN ? -inside[p] * length : outside[p - IN] * seeking->size);
-            point_of(seeking->lines, s[p], t, at[p]);
+            exit_lines_point_of(seeking->lines, s[p], t, at[p]);
         }
         exit_pupil_look(seeking->pupil, (const double(*)[2])at, IN + OUT, limits);
         while (k < IN + OUT && limits[k] == EXIT_PUPIL_CLEAR) {
@@ -96,7 +97,7 @@ static bool cross_rim(const struct seeking *seeking, double t, size_t line, stru
         if (limits[0] != EXIT_PUPIL_CLEAR || k == IN + OUT) {
             return false;
         }
-        changes[i] = (struct change){s[k - 1], s[k], line, i, limits[k]};
+        changes[i] = (struct exit_lines_change){s[k - 1], s[k], line, i, limits[k]};
     }
     *found = count;
     return count % 2 == 0;
@@ -104,7 +105,7 @@ static bool cross_rim(const struct seeking *seeking, double t, size_t line, stru
 
 /* Changes along one line between neighbours of its samples. */
 static size_t find_changes(const size_t *limits, const double range[2], size_t line,
-                           struct change *changes)
+                           struct exit_lines_change *changes)
 {
     size_t count = 0;
     for (size_t i = 0; i + 1 < SAMPLES && count < 2 * EXIT_SPANS; i++) {
@@ -112,24 +113,25 @@ static size_t find_changes(const size_t *limits, const double range[2], size_t l
         if (here != next) {
             const double step = (range[1] - range[0]) / (SAMPLES - 1);
             const double s = range[0] + step * (double)i;
-            changes[count] = (struct change){here ? s : s + step, here ? s + step : s, line, count,
-                                             here ? limits[i + 1] : limits[i]};
+            changes[count] =
+                (struct exit_lines_change){here ? s : s + step, here ? s + step : s, line, count,
+                                           here ? limits[i + 1] : limits[i]};
             count++;
         }
     }
     return count / 2 * 2;
 }
 
-static void bisect(const struct seeking *seeking, const struct line *list, struct change *changes,
-                   size_t count, int rounds)
+static void bisect(const struct line_search *seeking, const struct exit_lines_line *list,
+                   struct exit_lines_change *changes, size_t count, int rounds)
 {
     const struct arena_mark mark = arena_mark(seeking->arena);
     double(*at)[2] = arena_array(seeking->arena, count, sizeof *at);
     size_t *limits = ARENA_ARRAY(seeking->arena, count, size_t);
     for (int round = 0; round < rounds; round++) {
         for (size_t i = 0; i < count; i++) {
-            point_of(seeking->lines, (changes[i].clear + changes[i].dark) / 2,
-                     list[changes[i].line].t, at[i]);
+            exit_lines_point_of(seeking->lines, (changes[i].clear + changes[i].dark) / 2,
+                                list[changes[i].line].t, at[i]);
         }
         exit_pupil_look(seeking->pupil, (const double(*)[2])at, count, limits);
         for (size_t i = 0; i < count; i++) {
@@ -146,12 +148,12 @@ static void bisect(const struct seeking *seeking, const struct line *list, struc
 }
 
 /* Changes along one line, from points all along it; they lie a little beyond the rim too. */
-static size_t sample_line(const struct seeking *seeking, double t, size_t line,
-                          struct change *changes)
+static size_t sample_line(const struct line_search *seeking, double t, size_t line,
+                          struct exit_lines_change *changes)
 {
     double places[EXIT_PUPIL_RIM], at[SAMPLES][2];
     size_t limits[SAMPLES];
-    const size_t count = crossings(seeking, t, places, EXIT_PUPIL_RIM);
+    const size_t count = exit_lines_crossings(seeking, t, places, EXIT_PUPIL_RIM);
     if (count == 0) {
         return 0;
     }
@@ -159,17 +161,19 @@ static size_t sample_line(const struct seeking *seeking, double t, size_t line,
     const double range[2] = {places[0] - more, places[count - 1] + more};
     for (size_t k = 0; k < SAMPLES; k++) {
         const double share = (double)k / (SAMPLES - 1);
-        point_of(seeking->lines, range[0] + share * (range[1] - range[0]), t, at[k]);
+        exit_lines_point_of(seeking->lines, range[0] + share * (range[1] - range[0]), t, at[k]);
     }
     exit_pupil_look(seeking->pupil, (const double(*)[2])at, SAMPLES, limits);
     return find_changes(limits, range, line, changes);
 }
 
 /* The spans of lines whose t is set. */
-static void find_spans(const struct seeking *seeking, struct line *list, size_t count, int rounds)
+static void find_spans(const struct line_search *seeking, struct exit_lines_line *list,
+                       size_t count, int rounds)
 {
     const struct arena_mark mark = arena_mark(seeking->arena);
-    struct change *changes = ARENA_ARRAY(seeking->arena, count * 2 * EXIT_SPANS, struct change);
+    struct exit_lines_change *changes =
+        ARENA_ARRAY(seeking->arena, count * 2 * EXIT_SPANS, struct exit_lines_change);
     size_t found = 0;
     for (size_t i = 0; i < count; i++) {
         size_t changed;
@@ -182,24 +186,25 @@ static void find_spans(const struct seeking *seeking, struct line *list, size_t 
     }
     bisect(seeking, list, changes, found, rounds);
     for (size_t i = 0; i < found; i++) {
-        struct line *line = &list[changes[i].line];
+        struct exit_lines_line *line = &list[changes[i].line];
         line->spans.edges[changes[i].edge] = changes[i].clear;
         line->limits[changes[i].edge] = changes[i].limit;
     }
     arena_reset(seeking->arena, mark);
 }
 
-static bool alike(const struct line *a, const struct line *b)
+static bool alike(const struct exit_lines_line *a, const struct exit_lines_line *b)
 {
     return a->spans.count == b->spans.count &&
            memcmp(a->limits, b->limits, 2 * a->spans.count * sizeof a->limits[0]) == 0;
 }
 
 /* Between lines that are not alike, where they become so. */
-static size_t find_breaks(const struct seeking *seeking, const struct line *list, size_t count,
-                          double *breaks)
+static size_t exit_lines_find_breaks(const struct line_search *seeking,
+                                     const struct exit_lines_line *list, size_t count,
+                                     double *breaks)
 {
-    struct line low[LINES], high[LINES], middle[LINES];
+    struct exit_lines_line low[LINES], high[LINES], middle[LINES];
     size_t found = 0;
     for (size_t i = 0; i + 1 < count; i++) {
         if (!alike(&list[i], &list[i + 1])) {
@@ -226,10 +231,10 @@ static size_t find_breaks(const struct seeking *seeking, const struct line *list
 }
 
 /* One with as many spans on all of its lines; the most frequent number where rounding differs. */
-static void fill_piece(const struct seeking *seeking, double low, double high,
+static void fill_piece(const struct line_search *seeking, double low, double high,
                        struct exit_piece *piece)
 {
-    struct line list[EXIT_NODES];
+    struct exit_lines_line list[EXIT_NODES];
     *piece = (struct exit_piece){.low = low, .high = high};
     gauss_rule(EXIT_NODES, piece->nodes, piece->weights);
     for (size_t i = 0; i < EXIT_NODES; i++) {
@@ -311,18 +316,18 @@ static void find_mirrors(const struct exit_pupil *pupil, double size, struct exi
 void exit_lines_find(const struct exit_pupil *pupil, const double along[2], struct arena *arena,
                      struct exit_lines *lines)
 {
-    struct line list[LINES];
+    struct exit_lines_line list[LINES];
     double range[2], breaks[LINES + 1];
     *lines = (struct exit_lines){{along[0], along[1]}, {-along[1], along[0]}, .count = 0};
     exit_pupil_range(pupil, along, range);
-    const struct seeking seeking = {pupil, lines, arena, range[1] - range[0]};
+    const struct line_search seeking = {pupil, lines, arena, range[1] - range[0]};
     exit_pupil_range(pupil, lines->across, range);
     for (size_t i = 0; i < LINES; i++) {
         const double angle = PI * (((double)i + 0.5) / LINES - 0.5);
         list[i].t = (range[0] + range[1]) / 2 + (range[1] - range[0]) / 2 * sin(angle);
     }
     find_spans(&seeking, list, LINES, COARSE_ROUNDS);
-    size_t count = find_breaks(&seeking, list, LINES, breaks);
+    size_t count = exit_lines_find_breaks(&seeking, list, LINES, breaks);
     breaks[count++] = range[1];
     double low = range[0];
     for (size_t i = 0; i < count; low = breaks[i++]) {

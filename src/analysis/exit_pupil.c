@@ -21,15 +21,15 @@ enum {
 static const double fine = 1e-7, fine_waves = 3e-6, within = 1 - 1e-12;
 
 /* A ray on the reference sphere. */
-struct meeting {
+struct sphere_point {
     double at[2];    /* a, b */
     double slope[2]; /* dW/da, dW/db, mm; of a plane a number */
     double path;     /* mm; NaN: lost */
 };
 
 /* Lane i of a block behind the lens, on the reference plane of an afocal image. */
-static struct meeting meet_plane(const struct exit_pupil *pupil, const struct ray_block *block,
-                                 size_t i)
+static struct sphere_point meet_plane(const struct exit_pupil *pupil, const struct ray_block *block,
+                                      size_t i)
 {
     const struct opd_reference *plane = &pupil->reference->opd;
     const double n = pupil->n, *d = plane->normal;
@@ -44,7 +44,7 @@ static struct meeting meet_plane(const struct exit_pupil *pupil, const struct ra
         straight += d[k] * e[k];
     }
     const double way = (plane->plane_way * turned / 2 - ahead) / straight; /* less plane_way */
-    struct meeting meeting = {{0, 0}, {0, 0}, block->path[i] + n * way};
+    struct sphere_point meeting = {{0, 0}, {0, 0}, block->path[i] + n * way};
     for (int axis = 0; axis < 2; axis++) {
         for (int k = 0; k < 3; k++) {
             const double across = pupil->reference->across[axis][k];
@@ -56,7 +56,8 @@ static struct meeting meet_plane(const struct exit_pupil *pupil, const struct ra
 }
 
 /* Lane i of a block behind the lens. */
-static struct meeting meet(const struct exit_pupil *pupil, const struct ray_block *block, size_t i)
+static struct sphere_point exit_pupil_meet(const struct exit_pupil *pupil,
+                                           const struct ray_block *block, size_t i)
 {
     const struct opd_reference *sphere = &pupil->reference->opd;
     const double n = pupil->n, *c = sphere->centre;
@@ -77,7 +78,7 @@ static struct meeting meet(const struct exit_pupil *pupil, const struct ray_bloc
         d[k] = root * e[k] - over * m[k];
     }
     const double bulge = q / (R * (1 + root)); /* R - sqrt(R^2 - q); 0 of an infinite one */
-    return (struct meeting){
+    return (struct sphere_point){
         {d[0], d[1]},
         {n * (e[2] * m[0] - e[0] * m[2]) / d[2], n * (e[2] * m[1] - e[1] * m[2]) / d[2]},
         block->path[i] - n * (along - sphere->side * bulge)};
@@ -86,7 +87,7 @@ static struct meeting meet(const struct exit_pupil *pupil, const struct ray_bloc
 /* -------- polynomials -------- */
 
 /* T_0 .. T_order of x. */
-static void chebyshev(double x, size_t order, double *values)
+static void exit_pupil_chebyshev(double x, size_t order, double *values)
 {
     values[0] = 1;
     values[1] = x;
@@ -148,24 +149,24 @@ void exit_pupil_form(const struct exit_pupil *pupil, const double (*at)[2], size
 /* -------- opening -------- */
 
 /* Points of u and v, where their rays go, and their W, wavelengths. */
-struct pairs {
+struct exit_pupil_pairs {
     double (*from)[2], (*to)[2], *waves;
     size_t count;
 };
 
-static struct pairs trace_pairs(const struct exit_pupil *pupil, const double (*from)[2],
-                                size_t count, struct arena *arena)
+static struct exit_pupil_pairs trace_pairs(const struct exit_pupil *pupil, const double (*from)[2],
+                                           size_t count, struct arena *arena)
 {
     const struct wave_light *light = pupil->light;
-    struct pairs pairs = {arena_array(arena, count, sizeof *pairs.from),
-                          arena_array(arena, count, sizeof *pairs.to),
-                          ARENA_ARRAY(arena, count, double), 0};
+    struct exit_pupil_pairs pairs = {arena_array(arena, count, sizeof *pairs.from),
+                                     arena_array(arena, count, sizeof *pairs.to),
+                                     ARENA_ARRAY(arena, count, double), 0};
     const struct rays rays = rays_new(arena, count);
-    margins_start(&light->source.region->margins, from, &rays);
+    clearances_start(&light->source.region->margins, from, &rays);
     rays_trace(light->open, &rays, NULL);
     for (size_t i = 0; i < count; i++) {
         const struct ray_block *block = &rays.blocks[i / RAYS_BLOCK];
-        const struct meeting meeting = meet(pupil, block, i % RAYS_BLOCK);
+        const struct sphere_point meeting = exit_pupil_meet(pupil, block, i % RAYS_BLOCK);
         if (isfinite(meeting.path)) {
             for (int k = 0; k < 2; k++) {
                 pairs.from[pairs.count][k] = from[i][k];
@@ -178,11 +179,12 @@ static struct pairs trace_pairs(const struct exit_pupil *pupil, const double (*f
 }
 
 /* Points on the rim, and between its corners evenly about the middle of the star. */
-static bool find_rim(struct exit_pupil *pupil, struct arena *arena, struct pairs *rim)
+static bool exit_pupil_find_rim(struct exit_pupil *pupil, struct arena *arena,
+                                struct exit_pupil_pairs *rim)
 {
     struct quadrature_region *region = pupil->light->source.region;
-    const struct star *star = quadrature_star(region, arena);
-    enum { EVEN = EXIT_PUPIL_RIM - STAR_CORNERS };
+    const struct pupil_boundary *star = quadrature_star(region, arena);
+    enum { EVEN = EXIT_PUPIL_RIM - PUPIL_BOUNDARY_CORNERS };
     double angles[EXIT_PUPIL_RIM];
     size_t count = 0, corner = 0;
     if (star == NULL) {
@@ -211,7 +213,7 @@ static bool find_rim(struct exit_pupil *pupil, struct arena *arena, struct pairs
     return rim->count > 8;
 }
 
-static void set_box(struct exit_pupil *pupil, const struct pairs *rim)
+static void set_box(struct exit_pupil *pupil, const struct exit_pupil_pairs *rim)
 {
     double low[2] = {INFINITY, INFINITY}, high[2] = {-INFINITY, -INFINITY};
     pupil->rim_count = rim->count;
@@ -232,9 +234,9 @@ static void set_box(struct exit_pupil *pupil, const struct pairs *rim)
 enum parity { ANY, EVEN, ODD };
 
 /* Least squares of an order, by the terms that mirrors leave. */
-struct fitting {
+struct exit_pupil_pupil_fit {
     struct exit_pupil *pupil;
-    const struct pairs *all;
+    const struct exit_pupil_pairs *all;
     bool is_mirrored[2]; /* a to -a, b to -b */
     struct arena *arena;
 };
@@ -245,19 +247,19 @@ static bool has_term(size_t k, enum parity parity)
 }
 
 /* Rows on one side of each mirror say all. */
-static bool has_row(const struct fitting *fitting, size_t row)
+static bool has_row(const struct exit_pupil_pupil_fit *fitting, size_t row)
 {
     const double *to = fitting->all->to[row];
     return (!fitting->is_mirrored[0] || to[0] >= 0) && (!fitting->is_mirrored[1] || to[1] >= 0);
 }
 
 /* Fit functions of the same parities: values, one a pair, to coefficients of all terms. */
-static void fit_alike(const struct fitting *fitting, const enum parity parities[2],
+static void fit_alike(const struct exit_pupil_pupil_fit *fitting, const enum parity parities[2],
                       const double *const *values, size_t count, double *const *forms)
 {
     const struct arena_mark mark = arena_mark(fitting->arena);
     const struct exit_pupil *pupil = fitting->pupil;
-    const struct pairs *all = fitting->all;
+    const struct exit_pupil_pairs *all = fitting->all;
     const size_t order = pupil->order;
     double *a = ARENA_ARRAY(fitting->arena, all->count * TERMS_MOST, double);
     double *b = ARENA_ARRAY(fitting->arena, all->count, double);
@@ -267,8 +269,8 @@ static void fit_alike(const struct fitting *fitting, const enum parity parities[
         if (!has_row(fitting, row)) {
             continue;
         }
-        chebyshev((all->to[row][0] - pupil->middle[0]) / pupil->half[0], order, x);
-        chebyshev((all->to[row][1] - pupil->middle[1]) / pupil->half[1], order, y);
+        exit_pupil_chebyshev((all->to[row][0] - pupil->middle[0]) / pupil->half[0], order, x);
+        exit_pupil_chebyshev((all->to[row][1] - pupil->middle[1]) / pupil->half[1], order, y);
         for (size_t i = 0; i <= order; i++) {
             for (size_t j = 0; i + j <= order; j++) {
                 if (has_term(i, parities[0]) && has_term(j, parities[1])) {
@@ -298,10 +300,10 @@ static void fit_alike(const struct fitting *fitting, const enum parity parities[
 }
 
 /* The polynomials of one order; the worst that their u and v are off. */
-static double fit(const struct fitting *fitting, size_t order)
+static double exit_pupil_fit(const struct exit_pupil_pupil_fit *fitting, size_t order)
 {
     struct exit_pupil *pupil = fitting->pupil;
-    const struct pairs *all = fitting->all;
+    const struct exit_pupil_pairs *all = fitting->all;
     struct arena *arena = fitting->arena;
     enum parity even[2], odd[2];
     const double *extent = pupil->light->source.region->star->frame.stretch;
@@ -350,8 +352,8 @@ static double fit(const struct fitting *fitting, size_t order)
 }
 
 /* Do rays on the other side of a mirror go there too? */
-static bool is_mirrored(const struct exit_pupil *pupil, const struct pairs *all, int k,
-                        struct arena *arena)
+static bool exit_pupil_is_mirrored(const struct exit_pupil *pupil,
+                                   const struct exit_pupil_pairs *all, int k, struct arena *arena)
 {
     enum { TRIED = 24 };
     double from[TRIED][2];
@@ -362,7 +364,8 @@ static bool is_mirrored(const struct exit_pupil *pupil, const struct pairs *all,
         memcpy(from[i], all->from[i * all->count / TRIED], sizeof from[i]);
         from[i][k] = -from[i][k];
     }
-    const struct pairs other = trace_pairs(pupil, (const double(*)[2])from, TRIED, arena);
+    const struct exit_pupil_pairs other =
+        trace_pairs(pupil, (const double(*)[2])from, TRIED, arena);
     bool alike = other.count == TRIED;
     for (size_t i = 0; i < TRIED && alike; i++) {
         const size_t row = i * all->count / TRIED;
@@ -375,7 +378,7 @@ static bool is_mirrored(const struct exit_pupil *pupil, const struct pairs *all,
     return alike;
 }
 
-static void find_map(struct exit_pupil *pupil, const struct pairs *rim,
+static void find_map(struct exit_pupil *pupil, const struct exit_pupil_pairs *rim,
                      const struct quadrature *inside, size_t first, struct arena *arena)
 {
     const size_t count = inside->sample.count;
@@ -384,12 +387,12 @@ static void find_map(struct exit_pupil *pupil, const struct pairs *rim,
         from[i][0] = inside->sample.points[i].x;
         from[i][1] = inside->sample.points[i].y;
     }
-    struct pairs all = trace_pairs(pupil, (const double(*)[2])from, count, arena);
-    struct pairs both = {arena_array(arena, all.count + rim->count, sizeof *both.from),
-                         arena_array(arena, all.count + rim->count, sizeof *both.to),
-                         ARENA_ARRAY(arena, all.count + rim->count, double), 0};
+    struct exit_pupil_pairs all = trace_pairs(pupil, (const double(*)[2])from, count, arena);
+    struct exit_pupil_pairs both = {arena_array(arena, all.count + rim->count, sizeof *both.from),
+                                    arena_array(arena, all.count + rim->count, sizeof *both.to),
+                                    ARENA_ARRAY(arena, all.count + rim->count, double), 0};
     for (size_t i = 0; i < all.count + rim->count; i += i < all.count ? 1 : 4, both.count++) {
-        const struct pairs *of = i < all.count ? &all : rim;
+        const struct exit_pupil_pairs *of = i < all.count ? &all : rim;
         const size_t at = i < all.count ? i : i - all.count;
         for (int k = 0; k < 2; k++) {
             both.from[both.count][k] = of->from[at][k];
@@ -401,32 +404,33 @@ static void find_map(struct exit_pupil *pupil, const struct pairs *rim,
         pupil->map[k] = ARENA_ARRAY(arena, TERMS_MOST, double);
         pupil->form[k] = ARENA_ARRAY(arena, TERMS_MOST, double);
     }
-    struct fitting fitting = {.pupil = pupil, .all = &both, .arena = arena};
+    struct exit_pupil_pupil_fit fitting = {.pupil = pupil, .all = &both, .arena = arena};
     for (int k = 0; k < 2; k++) {
-        fitting.is_mirrored[k] = pupil->is_mirrored[k] = is_mirrored(pupil, &both, k, arena);
+        fitting.is_mirrored[k] = pupil->is_mirrored[k] =
+            exit_pupil_is_mirrored(pupil, &both, k, arena);
     }
     /* as many rays again as terms */
     size_t order = first;
     while (order > 1 && (order + 1) * (order + 2) > both.count) {
         order--;
     }
-    pupil->off = fit(&fitting, order);
+    pupil->off = exit_pupil_fit(&fitting, order);
     while ((pupil->off > fine || pupil->off_waves > fine_waves) && order + 3 <= ORDER_MOST &&
            (order + 4) * (order + 5) <= both.count) {
         order += 3;
-        pupil->off = fit(&fitting, order);
+        pupil->off = exit_pupil_fit(&fitting, order);
     }
 }
 
-static bool open_pupil(const struct exit_pupils *pupils, size_t g, struct arena *arena,
-                       struct error *error)
+static bool exit_pupil_open_pupil(const struct exit_pupils *pupils, size_t g, struct arena *arena,
+                                  struct error *error)
 {
     enum { RAYS = 2 * TERMS_MOST };
     const struct wave_light *light = &pupils->lights.list[g];
     const struct wave_reference *reference = &pupils->reference;
     struct exit_pupil *pupil = &pupils->list[g];
     const struct bundle_source *source = &light->source;
-    struct pairs rim;
+    struct exit_pupil_pairs rim;
     *pupil = (struct exit_pupil){.light = light,
                                  .reference = reference,
                                  .n = light->open->index_last,
@@ -435,7 +439,7 @@ static bool open_pupil(const struct exit_pupils *pupils, size_t g, struct arena 
                                  .is_blocked = source->region->probe.full != NULL};
     source->region->in_beam = true;
     const struct quadrature inside = quadrature_fill(source->region, RAYS, arena);
-    if (inside.is_empty || !find_rim(pupil, arena, &rim)) {
+    if (inside.is_empty || !exit_pupil_find_rim(pupil, arena, &rim)) {
         return bundle_fail_dark(source, 0, arena, error);
     }
     for (size_t i = 0; i < inside.sample.count; i++) {
@@ -468,7 +472,7 @@ bool exit_pupils_open(const struct bundle_question *bundle, struct arena *arena,
     pupils->list = ARENA_ARRAY(arena, count, struct exit_pupil);
     pupils->islands = bundle_islands(&pupils->lights.list[0].source, arena);
     for (size_t g = 0; g < count; g++) {
-        if (!open_pupil(pupils, g, arena, error)) {
+        if (!exit_pupil_open_pupil(pupils, g, arena, error)) {
             return false;
         }
     }
@@ -482,24 +486,24 @@ double exit_pupil_weight(const struct exit_pupil *pupil)
 
 /* -------- asking -------- */
 
-static void look_block(const struct exit_pupil *pupil, const double (*at)[2], size_t count,
-                       size_t *limits)
+static void exit_pupil_look_block(const struct exit_pupil *pupil, const double (*at)[2],
+                                  size_t count, size_t *limits)
 {
-    const struct margins *margins = &pupil->light->source.region->margins;
+    const struct clearances *margins = &pupil->light->source.region->margins;
     double places[RAYS_BLOCK][2];
     way_back(pupil, at, count, places, NULL);
-    margins_look(margins, (const double(*)[2])places, count);
+    clearances_look(margins, (const double(*)[2])places, count);
     for (size_t i = 0; i < count; i++) {
         limits[i] = margins->excess[i] <= 0 ? EXIT_PUPIL_CLEAR : 1 + margins->limit[i];
     }
     if (pupil->is_blocked && pupil->light->question.clip) {
         struct rays rays = {margins->work.blocks, count};
-        margins_start(margins, (const double(*)[2])places, &rays);
+        clearances_start(margins, (const double(*)[2])places, &rays);
         rays_trace(pupil->light->system, &rays, NULL);
         for (size_t i = 0; i < count; i++) {
             const size_t surface = ray_block_surface(rays.blocks, i);
             if (limits[i] == EXIT_PUPIL_CLEAR && ray_block_status(rays.blocks, i) != RAY_OK) {
-                limits[i] = margins_missed(surface) + RAY_CLIPPED;
+                limits[i] = clearances_missed(surface) + RAY_CLIPPED;
             }
         }
     }
@@ -510,7 +514,7 @@ void exit_pupil_look(const struct exit_pupil *pupil, const double (*at)[2], size
 {
     for (size_t done = 0; done < count; done += RAYS_BLOCK) {
         const size_t here = count - done < RAYS_BLOCK ? count - done : RAYS_BLOCK;
-        look_block(pupil, at + done, here, limits + done);
+        exit_pupil_look_block(pupil, at + done, here, limits + done);
     }
 }
 
@@ -518,7 +522,7 @@ static void value_block(const struct exit_pupil *pupil, const double (*at)[2], s
                         double *waves, double *amplitudes)
 {
     const struct bundle_source *source = &pupil->light->source;
-    const struct margins *margins = &source->region->margins;
+    const struct clearances *margins = &source->region->margins;
     double places[RAYS_BLOCK][2];
     way_back(pupil, at, count, places, amplitudes);
     for (size_t i = 0; i < count; i++) {
@@ -526,10 +530,10 @@ static void value_block(const struct exit_pupil *pupil, const double (*at)[2], s
             sqrt(amplitudes[i] * stop_beam_density(&source->pupil, places[i][0], places[i][1]));
     }
     struct rays rays = {margins->work.blocks, count};
-    margins_start(margins, (const double(*)[2])places, &rays);
+    clearances_start(margins, (const double(*)[2])places, &rays);
     rays_trace(pupil->light->open, &rays, NULL);
     for (size_t i = 0; i < count; i++) {
-        const struct meeting meeting = meet(pupil, rays.blocks, i);
+        const struct sphere_point meeting = exit_pupil_meet(pupil, rays.blocks, i);
         double wave = pupil->zero - meeting.path;
         for (int k = 0; k < 2; k++) {
             wave += meeting.slope[k] * (at[i][k] - meeting.at[k]);

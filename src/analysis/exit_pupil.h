@@ -9,7 +9,7 @@
 #include <stdbool.h>
 #include <stddef.h>
 
-enum { EXIT_PUPIL_RIM = 256 + STAR_CORNERS };
+enum { EXIT_PUPIL_RIM = 256 + PUPIL_BOUNDARY_CORNERS };
 
 /*
  * What passes the pupil of one field at one wavelength. Its points are named by a and b, the
@@ -41,8 +41,8 @@ struct exit_pupil {
 struct exit_pupils {
     struct wave_lights lights;
     struct wave_reference reference;
-    struct exit_pupil *list; /* lights.count */
-    struct islands islands;  /* light that they leave out, of the first wavelength */
+    struct exit_pupil *list;      /* lights.count */
+    struct pupil_islands islands; /* light that they leave out, of the first wavelength */
 };
 
 /*

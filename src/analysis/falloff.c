@@ -8,7 +8,8 @@
 
 #include <math.h>
 
-static bool check(const struct falloff_question *question, struct error *error)
+static bool falloff_check(const struct relative_illumination_question *question,
+                          struct error *error)
 {
     const struct setup *setup = question->setup;
     const struct lens *lens = setup->lens;
@@ -39,7 +40,7 @@ static bool check(const struct falloff_question *question, struct error *error)
     return true;
 }
 
-static bool open_systems(struct falloff *falloff, struct error *error)
+static bool falloff_open_systems(struct relative_illumination *falloff, struct error *error)
 {
     const struct setup *setup = &falloff->setup;
     const struct lens *bare = illumination_stop_only(setup->lens, setup->arena);
@@ -67,8 +68,9 @@ static bool open_systems(struct falloff *falloff, struct error *error)
 /* -------- both sides of one point -------- */
 
 /* The beam of an object point and its chief ray; false: there is none. */
-static bool find_chief(const struct falloff *falloff, const struct field_point *field,
-                       struct beam *beam, double chief[2], struct error *error)
+static bool falloff_find_chief(const struct relative_illumination *falloff,
+                               const struct field_point *field, struct beam *beam, double chief[2],
+                               struct error *error)
 {
     struct setup_near *near = falloff->near;
     struct aim aim;
@@ -86,7 +88,7 @@ static bool find_chief(const struct falloff *falloff, const struct field_point *
 }
 
 /* The chief ray behind the lens. */
-static struct ray chief_behind(const struct falloff *falloff, const struct beam *beam,
+static struct ray chief_behind(const struct relative_illumination *falloff, const struct beam *beam,
                                const double chief[2])
 {
     const struct rays rays = rays_new(falloff->setup.arena, 1);
@@ -96,9 +98,9 @@ static struct ray chief_behind(const struct falloff *falloff, const struct beam 
     return rays_get(&rays, 0, falloff->field_open->index_last);
 }
 
-static struct illumination from_film(const struct falloff *falloff, const struct system *clipped,
-                                     const struct beam *beam, const double *inside,
-                                     struct islands *islands)
+static struct illumination from_film(const struct relative_illumination *falloff,
+                                     const struct system *clipped, const struct beam *beam,
+                                     const double *inside, struct pupil_islands *islands)
 {
     const struct illumination_question question = {.clipped = clipped,
                                                    .open = falloff->film_open,
@@ -110,8 +112,8 @@ static struct illumination from_film(const struct falloff *falloff, const struct
     return illumination_of_film(&question, falloff->setup.arena);
 }
 
-static struct illumination from_field(const struct falloff *falloff, const struct beam *beam,
-                                      const double chief[2])
+static struct illumination from_field(const struct relative_illumination *falloff,
+                                      const struct beam *beam, const double chief[2])
 {
     const struct illumination_question question = {.clipped = falloff->field,
                                                    .open = falloff->field_open,
@@ -141,8 +143,9 @@ static double vignetted_of(const struct illumination *light, const struct illumi
 }
 
 /* Without ratios to the axis; is_row: with islands, and what is vignetted. */
-static struct falloff_point look(const struct falloff *falloff, const double height[2], bool is_row,
-                                 struct illumination *field)
+static struct relative_illumination_point falloff_look(const struct relative_illumination *falloff,
+                                                       const double height[2], bool is_row,
+                                                       struct illumination *field)
 {
     static const struct illumination no_light = {NAN, NAN, true};
     const struct setup *setup = &falloff->setup;
@@ -150,12 +153,13 @@ static struct falloff_point look(const struct falloff *falloff, const double hei
     const struct beam film =
         beam_to_pupil((double[3]){height[0], height[1], setup->image}, falloff->first.exit_pupil,
                       falloff->film_open->index_first);
-    struct falloff_point point = {.height = {height[0], height[1]}, .angle = NAN, .cos4 = NAN};
+    struct relative_illumination_point point = {
+        .height = {height[0], height[1]}, .angle = NAN, .cos4 = NAN};
     struct beam beam;
     double chief[2], inside[2];
     struct error ignored;
     bool found = !(hypot(height[0], height[1]) > falloff->chief_end) &&
-                 find_chief(falloff, &at, &beam, chief, &ignored);
+                 falloff_find_chief(falloff, &at, &beam, chief, &ignored);
     *field = no_light;
     if (found) {
         const struct ray behind = chief_behind(falloff, &beam, chief);
@@ -176,7 +180,8 @@ static struct falloff_point look(const struct falloff *falloff, const double hei
     return point;
 }
 
-void falloff_begin(const struct falloff *falloff, const double height[2])
+void relative_illumination_begin(const struct relative_illumination *falloff,
+                                 const double height[2])
 {
     const struct field_point at = {FIELD_REAL, {height[0], height[1]}};
     struct beam beam;
@@ -186,9 +191,10 @@ void falloff_begin(const struct falloff *falloff, const double height[2])
     }
 }
 
-struct falloff falloff_apart(const struct falloff *falloff, struct arena *arena)
+struct relative_illumination
+relative_illumination_apart(const struct relative_illumination *falloff, struct arena *arena)
 {
-    struct falloff apart = *falloff;
+    struct relative_illumination apart = *falloff;
     apart.setup = setup_apart(&falloff->setup, arena);
     apart.near = ARENA_NEW(arena, struct setup_near);
     *apart.near = *falloff->near;
@@ -196,22 +202,23 @@ struct falloff falloff_apart(const struct falloff *falloff, struct arena *arena)
 }
 
 /* Does a chief ray come to a height? What is remembered of the last is left alone. */
-static bool chief_comes(const struct falloff *falloff, const double height[2])
+static bool chief_comes(const struct relative_illumination *falloff, const double height[2])
 {
     const struct arena_mark mark = arena_mark(falloff->setup.arena);
     const struct field_point at = {FIELD_REAL, {height[0], height[1]}};
-    struct falloff apart = *falloff;
+    struct relative_illumination apart = *falloff;
     struct setup_near near = *falloff->near;
     struct beam beam;
     double chief[2];
     struct error ignored;
     apart.near = &near;
-    const bool comes = find_chief(&apart, &at, &beam, chief, &ignored);
+    const bool comes = falloff_find_chief(&apart, &at, &beam, chief, &ignored);
     arena_reset(falloff->setup.arena, mark);
     return comes;
 }
 
-double falloff_chief_end(const struct falloff *falloff, const double end[2], size_t count)
+double relative_illumination_chief_end(const struct relative_illumination *falloff,
+                                       const double end[2], size_t count)
 {
     if (chief_comes(falloff, end)) {
         return INFINITY;
@@ -229,11 +236,12 @@ double falloff_chief_end(const struct falloff *falloff, const double end[2], siz
     return comes == 0 ? 0 : ((double)comes + 0.5) / (double)count * hypot(end[0], end[1]);
 }
 
-struct falloff_point falloff_at(const struct falloff *falloff, const double height[2])
+struct relative_illumination_point
+relative_illumination_at(const struct relative_illumination *falloff, const double height[2])
 {
     const struct arena_mark mark = arena_mark(falloff->setup.arena);
     struct illumination field;
-    struct falloff_point point = look(falloff, height, true, &field);
+    struct relative_illumination_point point = falloff_look(falloff, height, true, &field);
     arena_reset(falloff->setup.arena, mark);
     point.relative_point = quotient_of(&point.light, &falloff->axis, &point.point_error);
     point.relative_field = quotient_of(&field, &falloff->axis_field, &point.field_error);
@@ -241,12 +249,13 @@ struct falloff_point falloff_at(const struct falloff *falloff, const double heig
     return point;
 }
 
-bool falloff_height(const struct falloff *falloff, const struct field_point *field,
-                    double height[2], struct error *error)
+bool relative_illumination_height(const struct relative_illumination *falloff,
+                                  const struct field_point *field, double height[2],
+                                  struct error *error)
 {
     struct beam beam;
     double chief[2];
-    if (!find_chief(falloff, field, &beam, chief, error)) {
+    if (!falloff_find_chief(falloff, field, &beam, chief, error)) {
         return false;
     }
     const struct ray behind = chief_behind(falloff, &beam, chief);
@@ -265,15 +274,15 @@ bool falloff_height(const struct falloff *falloff, const struct field_point *fie
     return true;
 }
 
-bool falloff_open(const struct falloff_question *question, struct falloff *falloff,
-                  struct error *error)
+bool relative_illumination_open(const struct relative_illumination_question *question,
+                                struct relative_illumination *falloff, struct error *error)
 {
     const struct setup *setup = question->setup;
     struct setup_light light;
-    if (!check(question, error)) {
+    if (!falloff_check(question, error)) {
         return false;
     }
-    *falloff = (struct falloff){
+    *falloff = (struct relative_illumination){
         .setup = setup_at_wavelength(setup, setup->wavelengths[question->wavelength].wavelength,
                                      setup->arena),
         .near = ARENA_NEW(setup->arena, struct setup_near),
@@ -293,10 +302,10 @@ bool falloff_open(const struct falloff_question *question, struct falloff *fallo
         return false;
     }
     falloff->first = light.first;
-    if (!open_systems(falloff, error)) {
+    if (!falloff_open_systems(falloff, error)) {
         return false;
     }
-    falloff->axis = look(falloff, (double[2]){0, 0}, false, &falloff->axis_field).light;
+    falloff->axis = falloff_look(falloff, (double[2]){0, 0}, false, &falloff->axis_field).light;
     const double behind = copysign(own->image, own->image * falloff->first.index_image);
     if (!(falloff->axis.value > 0) && behind < 0) {
         fail(error, ERROR_DOMAIN,

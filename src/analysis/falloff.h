@@ -8,7 +8,7 @@
 #include "trace/islands.h"
 
 /* A lens at one wavelength, with the light in the middle of its image. */
-struct falloff {
+struct relative_illumination {
     struct setup setup;      /* with the stop that was asked for */
     struct setup_near *near; /* the height looked at last; internal */
     double error;
@@ -21,7 +21,7 @@ struct falloff {
     struct illumination axis_field; /* by the rays of the object point there; NaN: none */
 };
 
-struct falloff_question {
+struct relative_illumination_question {
     const struct setup *setup;    /* with its image plane; must outlive the falloff */
     size_t wavelength;            /* its place in the list */
     double stop_diameter;         /* mm, in place of that of the setup; NaN = that */
@@ -36,15 +36,18 @@ struct falloff_question {
  * Errors    ERROR_DOMAIN: no stop, no diameter of it, one beyond its own; a telecentric object
  *           space; no image plane, one in the last vertex, or one before it that no light reaches
  */
-bool falloff_open(const struct falloff_question *question, struct falloff *falloff,
-                  struct error *error);
+bool relative_illumination_open(const struct relative_illumination_question *question,
+                                struct relative_illumination *falloff, struct error *error);
 
 /* Search for the chief rays of heights from that of this one on, mm: all as if it was the last. */
-void falloff_begin(const struct falloff *falloff, const double height[2]);
+void relative_illumination_begin(const struct relative_illumination *falloff,
+                                 const double height[2]);
 
-/* The same for another thread, which remembers no height but that of falloff_begin: its memory is
+/* The same for another thread, which remembers no height but that of relative_illumination_begin:
+   its memory is
    `arena`. */
-struct falloff falloff_apart(const struct falloff *falloff, struct arena *arena);
+struct relative_illumination
+relative_illumination_apart(const struct relative_illumination *falloff, struct arena *arena);
 
 /*
  * How far chief rays come, for heights of one drawing: a search that fails takes long, and farther
@@ -55,10 +58,11 @@ struct falloff falloff_apart(const struct falloff *falloff, struct arena *arena)
  *           that has and the next that has none, found by halving; 0 where none is found
  * Limits    a chief ray that comes back farther out is not seen
  */
-double falloff_chief_end(const struct falloff *falloff, const double end[2], size_t count);
+double relative_illumination_chief_end(const struct relative_illumination *falloff,
+                                       const double end[2], size_t count);
 
 /* A point of the image. */
-struct falloff_point {
+struct relative_illumination_point {
     double height[2];          /* x, y in the image plane, mm */
     double angle;              /* of the light before the lens from the axis, of the chief ray that
                                   comes here, rad; NaN: there is none */
@@ -67,9 +71,10 @@ struct falloff_point {
     double relative_field;     /* the same by the rays of the object point; NaN: no chief ray */
     double vignetted;          /* share of what the stop alone would let pass that apertures take */
     double point_error, field_error, vignetted_error; /* of these three */
-    bool is_field_met;      /* the light by the rays of the object point is what was asked for */
-    double cos4;            /* cos^4 of the angle; NaN without one */
-    struct islands islands; /* light beyond a gap in the exit pupil, that `light` leaves out */
+    bool is_field_met; /* the light by the rays of the object point is what was asked for */
+    double cos4;       /* cos^4 of the angle; NaN without one */
+    struct pupil_islands
+        islands; /* light beyond a gap in the exit pupil, that `light` leaves out */
 };
 
 /*
@@ -78,14 +83,16 @@ struct falloff_point {
  * Formula   analysis/illumination.h; the chief ray by setup_beam. Errors of quotients: the sum of
  *           the relative errors of both
  */
-struct falloff_point falloff_at(const struct falloff *falloff, const double height[2]);
+struct relative_illumination_point
+relative_illumination_at(const struct relative_illumination *falloff, const double height[2]);
 
 /*
  * Where the chief ray of a field meets the image plane.
  *
  * Errors    as setup_beam and aim_open; ERROR_DOMAIN: the chief ray is lost
  */
-bool falloff_height(const struct falloff *falloff, const struct field_point *field,
-                    double height[2], struct error *error);
+bool relative_illumination_height(const struct relative_illumination *falloff,
+                                  const struct field_point *field, double height[2],
+                                  struct error *error);
 
 #endif

@@ -32,7 +32,7 @@ static void find_off(const struct fan *fan, const struct wave_reference *origin,
 }
 
 /* A place in a section, from -1 to 1. */
-struct place {
+struct fan_place {
     size_t section;
     double h;
 };
@@ -46,7 +46,8 @@ struct tracer {
     double zero; /* path of the chief ray, mm */
 };
 
-static struct pupil_point point_of(const struct fan *fan, const struct place *place, double scale)
+static struct pupil_point fan_point_of(const struct fan *fan, const struct fan_place *place,
+                                       double scale)
 {
     double h = scale * place->h;
     double x = h * fan->along[0] + 0.0, y = h * fan->along[1] + 0.0;
@@ -54,8 +55,8 @@ static struct pupil_point point_of(const struct fan *fan, const struct place *pl
                                             : (struct pupil_point){y, 0.0 - x, 0};
 }
 
-static void trace_places(const struct tracer *tracer, const struct place *places, size_t count,
-                         struct fan_ray *list)
+static void fan_trace_places(const struct tracer *tracer, const struct fan_place *places,
+                             size_t count, struct fan_ray *list)
 {
     const struct arena_mark mark = arena_mark(tracer->arena);
     const struct fan *fan = tracer->fan;
@@ -63,13 +64,13 @@ static void trace_places(const struct tracer *tracer, const struct place *places
     struct pupil_point *points = ARENA_ARRAY(tracer->arena, count, struct pupil_point);
     struct rays rays = rays_room(tracer->arena, count);
     for (size_t i = 0; i < count; i++) {
-        points[i] = point_of(fan, &places[i], light->question.clip ? edge : 1);
+        points[i] = fan_point_of(fan, &places[i], light->question.clip ? edge : 1);
     }
     bundle_aim(&light->source, points, count, &rays);
     rays_trace(light->system, &rays, NULL);
     for (size_t i = 0; i < count; i++) {
         const struct ray ray = rays_get(&rays, i, light->system->index_last);
-        const struct pupil_point point = point_of(fan, &places[i], 1);
+        const struct pupil_point point = fan_point_of(fan, &places[i], 1);
         list[i] = (struct fan_ray){.pupil = {point.x, point.y},
                                    .off = {NAN, NAN},
                                    .opd = NAN,
@@ -85,36 +86,36 @@ static void trace_places(const struct tracer *tracer, const struct place *places
     arena_reset(tracer->arena, mark);
 }
 
-static struct place place_of(const struct fan *fan, size_t i)
+static struct fan_place fan_place_of(const struct fan *fan, size_t i)
 {
     const double last = (double)(fan->points - 1);
-    return (struct place){i / fan->points, (2 * (double)(i % fan->points) - last) / last};
+    return (struct fan_place){i / fan->points, (2 * (double)(i % fan->points) - last) / last};
 }
 
 /* -------- the ends -------- */
 
 /* Between a place whose ray arrives and one whose ray is lost. */
-struct gap {
-    struct place clear, dark;
+struct fan_gap {
+    struct fan_place clear, dark;
     struct fan_ray *last; /* that arrives */
     size_t surface;       /* where the one behind it is lost */
 };
 
 /* Cut gaps in four until they are as narrow as wanted: four of them trace as fast as one. */
-static void close_gaps(const struct tracer *tracer, struct gap *gaps, size_t count)
+static void fan_close_gaps(const struct tracer *tracer, struct fan_gap *gaps, size_t count)
 {
     enum { PARTS = 4, MOST = FAN_SECTIONS * FAN_ENDS * (PARTS - 1) };
-    struct place places[MOST];
+    struct fan_place places[MOST];
     struct fan_ray rays[MOST];
     double width = 2 / (double)(tracer->fan->points - 1);
     for (; width > narrow && count > 0; width /= PARTS) {
         for (size_t i = 0; i < count * (PARTS - 1); i++) {
-            const struct gap *gap = &gaps[i / (PARTS - 1)];
+            const struct fan_gap *gap = &gaps[i / (PARTS - 1)];
             double share = (double)(i % (PARTS - 1) + 1) / PARTS;
             places[i] = gap->clear;
             places[i].h += share * (gap->dark.h - gap->clear.h);
         }
-        trace_places(tracer, places, count * (PARTS - 1), rays);
+        fan_trace_places(tracer, places, count * (PARTS - 1), rays);
         for (size_t i = 0; i < count; i++) {
             const size_t first = i * (PARTS - 1);
             size_t k = first;
@@ -131,31 +132,32 @@ static void close_gaps(const struct tracer *tracer, struct gap *gaps, size_t cou
 }
 
 /* Gaps about edges that are known already become as narrow as wanted. */
-static size_t jump_to_edges(const struct tracer *tracer, struct gap *gaps, size_t count)
+static size_t jump_to_edges(const struct tracer *tracer, struct fan_gap *gaps, size_t count)
 {
     enum { MOST = FAN_SECTIONS * FAN_ENDS };
     struct fan_edge edges[MOST];
-    struct place places[2 * MOST];
+    struct fan_place places[2 * MOST];
     struct fan_ray rays[2 * MOST];
     size_t left = 0;
     for (size_t i = 0; i < count; i++) {
         const struct pupil_point unit =
-            point_of(tracer->fan, &(struct place){gaps[i].clear.section, 1}, 1);
+            fan_point_of(tracer->fan, &(struct fan_place){gaps[i].clear.section, 1}, 1);
         edges[i] =
             (struct fan_edge){{unit.x, unit.y}, (gaps[i].clear.h + gaps[i].dark.h) / 2, false};
     }
     fan_edges_find(&tracer->light->source, edges, count, tracer->arena);
     for (size_t i = 0; i < count; i++) {
-        const struct gap *gap = &gaps[i];
+        const struct fan_gap *gap = &gaps[i];
         const double side = gap->dark.h > gap->clear.h ? narrow / 2 : -narrow / 2;
         const double low = edges[i].h - side, high = edges[i].h + side;
         edges[i].is_found =
             edges[i].is_found && (low - gap->clear.h) * side > 0 && (gap->dark.h - high) * side > 0;
-        places[2 * i] = edges[i].is_found ? (struct place){gap->clear.section, low} : gap->clear;
+        places[2 * i] =
+            edges[i].is_found ? (struct fan_place){gap->clear.section, low} : gap->clear;
         places[2 * i + 1] =
-            edges[i].is_found ? (struct place){gap->clear.section, high} : gap->dark;
+            edges[i].is_found ? (struct fan_place){gap->clear.section, high} : gap->dark;
     }
-    trace_places(tracer, places, 2 * count, rays);
+    fan_trace_places(tracer, places, 2 * count, rays);
     for (size_t i = 0; i < count; i++) {
         const struct fan_ray *last = &rays[2 * i], *lost = last + 1;
         if (edges[i].is_found && last->status == RAY_OK && lost->status != RAY_OK) {
@@ -168,11 +170,11 @@ static size_t jump_to_edges(const struct tracer *tracer, struct gap *gaps, size_
     return left;
 }
 
-static void find_ends(const struct tracer *tracer, const struct fan_ray *list,
-                      struct fan_ends *ends)
+static void fan_find_ends(const struct tracer *tracer, const struct fan_ray *list,
+                          struct fan_ends *ends)
 {
     const struct fan *fan = tracer->fan;
-    struct gap gaps[FAN_SECTIONS * FAN_ENDS];
+    struct fan_gap gaps[FAN_SECTIONS * FAN_ENDS];
     size_t count = 0;
     for (size_t i = 0; i < FAN_SECTIONS * fan->points; i++) {
         struct fan_ends *here = &ends[i / fan->points];
@@ -186,13 +188,13 @@ static void find_ends(const struct tracer *tracer, const struct fan_ray *list,
         }
         here->rays[here->count] = list[arrives ? i : i + 1];
         here->behind[here->count] = i % fan->points;
-        gaps[count++] =
-            (struct gap){place_of(fan, arrives ? i : i + 1), place_of(fan, arrives ? i + 1 : i),
-                         &here->rays[here->count], list[arrives ? i + 1 : i].surface};
+        gaps[count++] = (struct fan_gap){
+            fan_place_of(fan, arrives ? i : i + 1), fan_place_of(fan, arrives ? i + 1 : i),
+            &here->rays[here->count], list[arrives ? i + 1 : i].surface};
         here->count++;
     }
     count = jump_to_edges(tracer, gaps, count);
-    close_gaps(tracer, gaps, count);
+    fan_close_gaps(tracer, gaps, count);
     for (size_t i = 0; i < count; i++) {
         gaps[i].last->surface = gaps[i].surface;
     }
@@ -216,17 +218,17 @@ size_t fan_line(const struct fan *fan, size_t wavelength, enum fan_section secti
 static void trace_light(const struct tracer *tracer, struct fan_ray *list, struct fan_ends *ends)
 {
     const size_t count = FAN_SECTIONS * tracer->fan->points;
-    struct place *places = ARENA_ARRAY(tracer->arena, count, struct place);
+    struct fan_place *places = ARENA_ARRAY(tracer->arena, count, struct fan_place);
     for (size_t i = 0; i < count; i++) {
-        places[i] = place_of(tracer->fan, i);
+        places[i] = fan_place_of(tracer->fan, i);
     }
-    trace_places(tracer, places, count, list);
-    find_ends(tracer, list, ends);
+    fan_trace_places(tracer, places, count, list);
+    fan_find_ends(tracer, list, ends);
 }
 
 /* Does one ray arrive? Else the error says where the chief ray ends. */
-static bool check_light(const struct wave_lights *lights, const struct fan_ray *rays, size_t count,
-                        struct arena *arena, struct error *error)
+static bool fan_check_light(const struct wave_lights *lights, const struct fan_ray *rays,
+                            size_t count, struct arena *arena, struct error *error)
 {
     const struct wave_light *first = &lights->list[0];
     for (size_t i = 0; i < count; i++) {
@@ -272,5 +274,5 @@ bool fan_trace(const struct fan_question *question, struct arena *arena, struct 
     fan->rays = rays;
     fan->ends = ends;
     fan->islands = bundle_islands(&lights.list[0].source, arena);
-    return check_light(&lights, rays, count, arena, error);
+    return fan_check_light(&lights, rays, count, arena, error);
 }

@@ -43,8 +43,8 @@ struct fan {
     const char *no_opd;  /* why there are no optical path differences; null: there are */
     const struct fan_ray *rays; /* [wavelength][section][point] */
     size_t points;
-    const struct fan_ends *ends; /* [wavelength][section] */
-    struct islands islands;      /* light beyond a gap in the pupil, of the first wavelength */
+    const struct fan_ends *ends;  /* [wavelength][section] */
+    struct pupil_islands islands; /* light beyond a gap in the pupil, of the first wavelength */
 };
 
 /*

@@ -11,30 +11,30 @@ enum { EACH = 3, STEPS = 10 };
 static const double beside = 1e-6, enough = 1e-12;
 
 /* What rays of a step say. */
-struct found {
+struct fan_edge_found {
     double excess, h, aside; /* h: along the line; aside: beside it */
 };
 
-static void look(const struct margins *margins, const struct fan_edge *edges,
-                 const double (*points)[2], size_t count, struct found *found)
+static void fan_edge_look(const struct clearances *margins, const struct fan_edge *edges,
+                          const double (*points)[2], size_t count, struct fan_edge_found *found)
 {
     const struct system *system = margins->system;
-    margins_look(margins, points, count);
+    clearances_look(margins, points, count);
     for (size_t i = 0; i < count; i++) {
         found[i].excess = margins->excess[i];
     }
-    margins_go(margins, points, count, system_place(system, system->stop) + 1);
+    clearances_go(margins, points, count, system_place(system, system->stop) + 1);
     for (size_t i = 0; i < count; i++) {
         const double *along = edges[i / EACH].along;
         double at[3];
-        margins_cross(margins, system->stop, i, at);
+        clearances_cross(margins, system->stop, i, at);
         found[i].h = (at[0] * along[0] + at[1] * along[1]) / margins->beam->radius;
         found[i].aside = (at[1] * along[0] - at[0] * along[1]) / margins->beam->radius;
     }
 }
 
 /* Newton's step of one edge from its three rays. */
-static void step(const struct found *found, double at[2])
+static void fan_edge_step(const struct fan_edge_found *found, double at[2])
 {
     const double excess[2] = {found[1].excess - found[0].excess, found[2].excess - found[0].excess};
     const double aside[2] = {found[1].aside - found[0].aside, found[2].aside - found[0].aside};
@@ -47,7 +47,7 @@ void fan_edges_find(const struct bundle_source *source, struct fan_edge *edges, 
                     struct arena *arena)
 {
     double at[FAN_EDGES_MOST][2], points[RAYS_BLOCK][2];
-    struct found found[RAYS_BLOCK];
+    struct fan_edge_found found[RAYS_BLOCK];
     for (size_t k = 0; k < count; k++) {
         edges[k].is_found = false;
         at[k][0] = edges[k].h * edges[k].along[0];
@@ -57,21 +57,21 @@ void fan_edges_find(const struct bundle_source *source, struct fan_edge *edges, 
         return;
     }
     const struct arena_mark mark = arena_mark(arena);
-    const struct margins margins = margins_open(&source->pupil, arena);
+    const struct clearances margins = clearances_open(&source->pupil, arena);
     bool busy = true;
     for (int turn = 0; turn < STEPS && busy; turn++) {
         for (size_t i = 0; i < EACH * count; i++) {
             points[i][0] = at[i / EACH][0] + (i % EACH == 1 ? beside : 0);
             points[i][1] = at[i / EACH][1] + (i % EACH == 2 ? beside : 0);
         }
-        look(&margins, edges, (const double(*)[2])points, EACH * count, found);
+        fan_edge_look(&margins, edges, (const double(*)[2])points, EACH * count, found);
         busy = false;
         for (size_t k = 0; k < count; k++) {
-            const struct found *here = &found[EACH * k];
+            const struct fan_edge_found *here = &found[EACH * k];
             edges[k].h = here->h;
             edges[k].is_found = fabs(here->excess) <= enough && fabs(here->aside) <= enough;
             if (!edges[k].is_found) {
-                step(here, at[k]);
+                fan_edge_step(here, at[k]);
             }
             busy = busy || (!edges[k].is_found && isfinite(at[k][0] + at[k][1]));
         }

@@ -9,8 +9,8 @@
 #include <math.h>
 
 /* The chief ray, in coordinates of the beam. */
-static bool find_chief(const struct setup *setup, const struct system *open,
-                       const struct beam *beam, double at[2], struct error *error)
+static bool field_curvature_find_chief(const struct setup *setup, const struct system *open,
+                                       const struct beam *beam, double at[2], struct error *error)
 {
     struct aim aim;
     struct ray chief;
@@ -44,13 +44,13 @@ static void look_at_apertures(const struct setup *setup, const struct system *cl
 }
 
 /* What is nothing but rounding in a lens of that size is 0. */
-static double rounded(double value, double size)
+static double field_curvature_rounded(double value, double size)
 {
     return fabs(value) <= 16 * DBL_EPSILON * size ? 0 : value;
 }
 
-static void measure(const struct setup *setup, const struct setup_light *light, double n,
-                    struct field_curvature *curvature)
+static void field_curvature_measure(const struct setup *setup, const struct setup_light *light,
+                                    double n, struct field_curvature *curvature)
 {
     const struct narrow_beam *beam = &curvature->beam;
     const struct ray *chief = &beam->chief;
@@ -58,11 +58,12 @@ static void measure(const struct setup *setup, const struct setup_light *light, 
     const double size = fabs(image) + fabs(light->first.length);
     double sum = 0;
     for (int i = 0; i < 2; i++) {
-        curvature->height[i] = rounded(chief->point[i] + to_image * chief->cosine[i], size);
+        curvature->height[i] =
+            field_curvature_rounded(chief->point[i] + to_image * chief->cosine[i], size);
         sum += curvature->height[i] * curvature->height[i];
     }
-    curvature->tangential = rounded(beam->tangential_z - image, size);
-    curvature->sagittal = rounded(beam->sagittal_z - image, size);
+    curvature->tangential = field_curvature_rounded(beam->tangential_z - image, size);
+    curvature->sagittal = field_curvature_rounded(beam->sagittal_z - image, size);
     const bool both = isfinite(curvature->tangential) && isfinite(curvature->sagittal);
     curvature->medial = both ? (curvature->tangential + curvature->sagittal) / 2 : (double)NAN;
     curvature->astigmatism = both ? curvature->tangential - curvature->sagittal : (double)NAN;
@@ -75,8 +76,9 @@ static void measure(const struct setup *setup, const struct setup_light *light, 
     curvature->sagittal_power = 1000 * n / (beam->sagittal - from);
 }
 
-static bool look(const struct setup *setup, size_t wavelength, const struct field_point *field,
-                 struct field_curvature *curvature, struct error *error)
+static bool field_curvature_look(const struct setup *setup, size_t wavelength,
+                                 const struct field_point *field, struct field_curvature *curvature,
+                                 struct error *error)
 {
     /* a chief ray goes through the centre of the stop, however wide that is */
     struct setup own =
@@ -90,7 +92,8 @@ static bool look(const struct setup *setup, size_t wavelength, const struct fiel
         open != NULL ? setup_system(&own, 0, SETUP_CLIPPED, error) : NULL;
     *curvature = (struct field_curvature){.status = RAY_OK};
     if (clipped == NULL || !setup_light(setup, wavelength, &light, error) ||
-        !setup_beam(setup, field, &beam, error) || !find_chief(&own, open, &beam, at, error)) {
+        !setup_beam(setup, field, &beam, error) ||
+        !field_curvature_find_chief(&own, open, &beam, at, error)) {
         return false;
     }
     if (!coddington_foci(open, &beam, at, setup->arena, &curvature->beam)) {
@@ -99,7 +102,7 @@ static bool look(const struct setup *setup, size_t wavelength, const struct fiel
                     ray_status_name(chief->status));
     }
     look_at_apertures(&own, clipped, &beam, at, curvature);
-    measure(setup, &light, open->index_last, curvature);
+    field_curvature_measure(setup, &light, open->index_last, curvature);
     return true;
 }
 
@@ -107,7 +110,7 @@ bool field_curvature(const struct setup *setup, size_t wavelength, const struct 
                      struct field_curvature *curvature, struct error *error)
 {
     const struct arena_mark mark = arena_mark(setup->arena);
-    const bool found = look(setup, wavelength, field, curvature, error);
+    const bool found = field_curvature_look(setup, wavelength, field, curvature, error);
     arena_reset(setup->arena, mark);
     return found;
 }

@@ -5,12 +5,12 @@
 #include <math.h>
 
 /* Arms and rings. */
-static const size_t grids[][2] = {[FOLDING_COARSE] = {32, 3}, [FOLDING_FINE] = {128, 12}};
+static const size_t grids[][2] = {[CAUSTIC_COARSE] = {32, 3}, [CAUSTIC_FINE] = {128, 12}};
 
 /* Of the size of the beam: differences keep about nine digits. */
 static const double STEP = 1e-6;
 
-const double (*folding_places(const struct clear_pupil *clear, enum folding_grid grid,
+const double (*folding_places(const struct clear_pupil *clear, enum caustic_grid grid,
                               struct arena *arena, size_t *count))[2]
 {
     const size_t arms = clear->arm_count < grids[grid][0] ? clear->arm_count : grids[grid][0];
@@ -33,7 +33,7 @@ const double (*folding_places(const struct clear_pupil *clear, enum folding_grid
     return (const double(*)[2])at;
 }
 
-void folding_add(struct folding *folding, const double (*points)[2], size_t count)
+void caustic_add(struct jacobian_extremes *folding, const double (*points)[2], size_t count)
 {
     for (size_t i = 0; i + 2 < count; i += 3) {
         const double *here = points[i], *right = points[i + 1], *upper = points[i + 2];
@@ -45,14 +45,14 @@ void folding_add(struct folding *folding, const double (*points)[2], size_t coun
     }
 }
 
-bool folding_seen(const struct folding *folding)
+bool caustic_seen(const struct jacobian_extremes *folding)
 {
     const double least = -folding->least, most = folding->most;
     return fmin(least, most) > 1e-6 * fmax(least, most);
 }
 
-bool folding_ruled_out(const struct folding *folding)
+bool caustic_ruled_out(const struct jacobian_extremes *folding)
 {
     const double most = fmax(-folding->least, folding->most);
-    return !folding_seen(folding) && most * folding->inverse < 2;
+    return !caustic_seen(folding) && most * folding->inverse < 2;
 }

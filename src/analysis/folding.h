@@ -14,15 +14,15 @@
  *
  * Result    `count` places in the beam, mm, a multiple of three
  */
-enum folding_grid { FOLDING_COARSE, FOLDING_FINE };
-const double (*folding_places(const struct clear_pupil *clear, enum folding_grid grid,
+enum caustic_grid { CAUSTIC_COARSE, CAUSTIC_FINE };
+const double (*folding_places(const struct clear_pupil *clear, enum caustic_grid grid,
                               struct arena *arena, size_t *count))[2];
 
 /*
  * The least and the largest Jacobian d(plane)/d(beam) that were seen, at least 0 and at most; the
  * largest inverse of one, infinite if a ray was lost.
  */
-struct folding {
+struct jacobian_extremes {
     double least, most, inverse;
 };
 
@@ -36,10 +36,10 @@ struct folding {
  * Limits    of the fine grid: a fold between two of the 128 arms or of the 12 rings, and one that
  *           changes nothing but less than 1e-6 of the largest Jacobian, goes unseen
  */
-void folding_add(struct folding *folding, const double (*points)[2], size_t count);
-bool folding_seen(const struct folding *folding);
+void caustic_add(struct jacobian_extremes *folding, const double (*points)[2], size_t count);
+bool caustic_seen(const struct jacobian_extremes *folding);
 
 /* Are Jacobians so much alike, within a factor of 2, that a coarse grid is enough? */
-bool folding_ruled_out(const struct folding *folding);
+bool caustic_ruled_out(const struct jacobian_extremes *folding);
 
 #endif

@@ -7,7 +7,7 @@
 
 #include <math.h>
 
-static double square(double x)
+static double fresnel_square(double x)
 {
     return x * x;
 }
@@ -24,7 +24,7 @@ static bool is_face(const struct system *system, size_t place)
 double fresnel_pass(const struct system *system, const struct ray *start, struct arena *arena)
 {
     const struct arena_mark mark = arena_mark(arena);
-    struct ray_meeting *meetings = ARENA_ARRAY(arena, system->places, struct ray_meeting);
+    struct ray_intersection *meetings = ARENA_ARRAY(arena, system->places, struct ray_intersection);
     double across = 1, along = 1, before = fabs(system->index_first);
     ray_follow(system, start, arena, meetings);
     for (size_t i = 0; i < system->places; i++) {
@@ -32,8 +32,10 @@ double fresnel_pass(const struct system *system, const struct ray *start, struct
         if (is_face(system, i) && behind != before) {
             const double in = cos(meetings[i].angles.incidence);
             const double out = cos(meetings[i].angles.refraction);
-            across *= 1 - square((before * in - behind * out) / (before * in + behind * out));
-            along *= 1 - square((behind * in - before * out) / (behind * in + before * out));
+            across *=
+                1 - fresnel_square((before * in - behind * out) / (before * in + behind * out));
+            along *=
+                1 - fresnel_square((behind * in - before * out) / (behind * in + before * out));
         }
         before = behind;
     }

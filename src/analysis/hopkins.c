@@ -32,18 +32,18 @@ static const double most_points = 1.6e7;
 static const double too_rough = 0.3;
 
 /* An integral at work. */
-struct summing {
+struct overlap_integral {
     const struct exit_front *front;
     struct overlap_rules *rules;
     double shift;
     double least, times; /* points without a turn of the phase; times what is thought enough */
     double more; /* and so many more: each round must have other rules than the one before */
-    struct range *ranges;
+    struct hopkins_range *ranges;
     size_t count;
 };
 
 /* Gauss's points, of many in equal panels. */
-struct rule {
+struct hopkins_rule {
     const double *x, *w;
     size_t each, panels;
 };
@@ -52,27 +52,27 @@ struct rule {
  * Turns that the phase made if it were as steep everywhere as where it is steepest: to Gauss's
  * points, which lie the closer the nearer to the ends, and to even ones.
  */
-struct turns {
+struct hopkins_turns {
     double gauss, even;
 };
 
 /* Lines between two angles, whose parts are alike. */
-struct range {
+struct hopkins_range {
     size_t piece, parts;
-    double low, high;           /* rad */
-    double times;               /* that it counts: for its mirror image too, or once */
-    bool is_mirrored;           /* its own mirror image: one half counts twice */
-    struct turns along, across; /* of the phase: along a part, and across the lines */
+    double low, high;                   /* rad */
+    double times;                       /* that it counts: for its mirror image too, or once */
+    bool is_mirrored;                   /* its own mirror image: one half counts twice */
+    struct hopkins_turns along, across; /* of the phase: along a part, and across the lines */
 };
 
 /* What is clear of a line at both places; a number of which edges end it. */
-struct parts {
+struct hopkins_parts {
     size_t count, kind;
     double low[PARTS], high[PARTS];
     size_t from[PARTS][2]; /* the spans */
 };
 
-static void find_parts(const struct exit_spans *spans, double shift, struct parts *parts)
+static void find_parts(const struct exit_spans *spans, double shift, struct hopkins_parts *parts)
 {
     const double half = shift / 2;
     parts->count = parts->kind = 0;
@@ -96,7 +96,7 @@ static void find_parts(const struct exit_spans *spans, double shift, struct part
 
 static size_t kind_at(const struct exit_piece *piece, double shift, double angle)
 {
-    struct parts parts;
+    struct hopkins_parts parts;
     struct exit_spans spans;
     double slope;
     exit_piece_at(piece, angle, &slope, &spans);
@@ -105,7 +105,7 @@ static size_t kind_at(const struct exit_piece *piece, double shift, double angle
 }
 
 /* Angles between which the parts of all lines are alike: count and one more. */
-static size_t find_breaks(const struct exit_piece *piece, double shift, double *breaks)
+static size_t hopkins_find_breaks(const struct exit_piece *piece, double shift, double *breaks)
 {
     size_t count = 0;
     double before = -PI / 2;
@@ -129,7 +129,7 @@ static size_t find_breaks(const struct exit_piece *piece, double shift, double *
     return count;
 }
 
-static struct rule rule_of(struct overlap_rules *rules, double wanted)
+static struct hopkins_rule hopkins_rule_of(struct overlap_rules *rules, double wanted)
 {
     const size_t panels = (size_t)ceil(wanted / PANEL);
     const size_t slot = (size_t)ceil(wanted / (double)(panels * RULE_STEP)) - 1;
@@ -137,29 +137,30 @@ static struct rule rule_of(struct overlap_rules *rules, double wanted)
         gauss_rule(RULE_STEP * (slot + 1), rules->x[slot], rules->w[slot]);
         rules->is_ready[slot] = true;
     }
-    return (struct rule){rules->x[slot], rules->w[slot], RULE_STEP * (slot + 1), panels};
+    return (struct hopkins_rule){rules->x[slot], rules->w[slot], RULE_STEP * (slot + 1), panels};
 }
 
-static double rule_at(const struct rule *rule, size_t i)
+static double rule_at(const struct hopkins_rule *rule, size_t i)
 {
     return ((double)(i / rule->each) + rule->x[i % rule->each]) / (double)rule->panels;
 }
 
-static double rule_weight(const struct rule *rule, size_t i)
+static double rule_weight(const struct hopkins_rule *rule, size_t i)
 {
     return rule->w[i % rule->each] / (double)rule->panels;
 }
 
 /* Does the half of a part say all? In the other one the phase is the opposite. */
-static bool halves_part(const struct summing *summing, double low, double high)
+static bool halves_part(const struct overlap_integral *summing, double low, double high)
 {
     return summing->front->lines->is_mirrored_along && fabs(low + high) <= 1e-5 * (high - low);
 }
 
 /* Add up a part of a line; phases: receives those of its points, or null. */
-static void add_part(const struct summing *summing, const struct exit_line *line,
-                     const struct parts *parts, size_t p, const struct rule *along, double weight,
-                     struct exit_series_lanes *lanes, double *phases)
+static void hopkins_add_part(const struct overlap_integral *summing, const struct exit_line *line,
+                             const struct hopkins_parts *parts, size_t p,
+                             const struct hopkins_rule *along, double weight,
+                             struct exit_series_lanes *lanes, double *phases)
 {
     kernel_exit_overlap *add = KERNEL_FOR(SET_BEST, kernel_exit_overlap);
     const double low = parts->low[p], length = parts->high[p] - low;
@@ -199,9 +200,10 @@ static void add_part(const struct summing *summing, const struct exit_line *line
     }
 }
 /* Add up the lines of a range; phases: receives those of all points, line by line, or null. */
-static void add_lines(const struct summing *summing, const struct range *range,
-                      const struct rule *across, const struct rule *along,
-                      struct exit_series_lanes *lanes, double *phases)
+static void hopkins_add_lines(const struct overlap_integral *summing,
+                              const struct hopkins_range *range, const struct hopkins_rule *across,
+                              const struct hopkins_rule *along, struct exit_series_lanes *lanes,
+                              double *phases)
 {
     const size_t row = range->parts * along->each * along->panels;
     const double wide = range->high - range->low;
@@ -209,22 +211,23 @@ static void add_lines(const struct summing *summing, const struct range *range,
     const double times = (is_half ? 2 : 1) * range->times;
     for (size_t i = 0; i < across->each * across->panels / (is_half ? 2 : 1); i++) {
         struct exit_line line;
-        struct parts parts;
+        struct hopkins_parts parts;
         exit_front_line(summing->front, range->piece, range->low + wide * rule_at(across, i),
                         &line);
         find_parts(&line.spans, summing->shift, &parts);
         const double weight = times * wide * rule_weight(across, i) * line.slope;
         /* rounding at an end of the range may lose a part, which is empty there */
         for (size_t p = 0; p < parts.count && p < range->parts; p++) {
-            add_part(summing, &line, &parts, p, along, weight, lanes,
-                     phases != NULL ? phases + i * row + p * along->each * along->panels : NULL);
+            hopkins_add_part(summing, &line, &parts, p, along, weight, lanes,
+                             phases != NULL ? phases + i * row + p * along->each * along->panels
+                                            : NULL);
         }
     }
 }
 
 /* The most of what was seen and phases at Gauss's points say, which are `step` apart. */
-static void see_turns(const double *phases, const struct rule *rule, size_t step,
-                      struct turns *turns)
+static void see_turns(const double *phases, const struct hopkins_rule *rule, size_t step,
+                      struct hopkins_turns *turns)
 {
     for (size_t i = 1; i < rule->each; i++) {
         const double here = fabs(phases[i * step] - phases[(i - 1) * step]);
@@ -233,15 +236,15 @@ static void see_turns(const double *phases, const struct rule *rule, size_t step
     }
 }
 
-static void find_turns(const struct summing *summing, struct range *range)
+static void hopkins_find_turns(const struct overlap_integral *summing, struct hopkins_range *range)
 {
     enum { ROW = PARTS * LOOK_ALONG };
-    const struct rule across = rule_of(summing->rules, LOOK_ACROSS);
-    const struct rule along = rule_of(summing->rules, LOOK_ALONG);
+    const struct hopkins_rule across = hopkins_rule_of(summing->rules, LOOK_ACROSS);
+    const struct hopkins_rule along = hopkins_rule_of(summing->rules, LOOK_ALONG);
     const size_t row = range->parts * LOOK_ALONG;
     struct exit_series_lanes lanes = {.re = {0}};
     double phases[LOOK_ACROSS * ROW] = {0};
-    add_lines(summing, range, &across, &along, &lanes, phases);
+    hopkins_add_lines(summing, range, &across, &along, &lanes, phases);
     for (size_t i = 0; i < LOOK_ACROSS * row; i += LOOK_ALONG) {
         see_turns(phases + i, &along, 1, &range->along);
     }
@@ -261,39 +264,41 @@ static bool breaks_are_mirrored(const double *breaks, size_t count)
 }
 
 /* Of ranges that are mirror images of each other the first counts twice. */
-static void find_ranges(struct summing *summing)
+static void find_ranges(struct overlap_integral *summing)
 {
     const struct exit_lines *lines = summing->front->lines;
     const size_t pieces = lines->is_mirrored_across ? (lines->count + 1) / 2 : lines->count;
     for (size_t i = 0; i < pieces; i++) {
         double breaks[BREAKS];
-        const size_t count = find_breaks(&lines->pieces[i], summing->shift, breaks);
+        const size_t count = hopkins_find_breaks(&lines->pieces[i], summing->shift, breaks);
         const bool has_image = lines->is_mirrored_across && 2 * i + 1 < lines->count;
         const bool is_mirrored = lines->is_mirrored_across && 2 * i + 1 == lines->count &&
                                  breaks_are_mirrored(breaks, count);
         for (size_t k = 0; k < (is_mirrored ? (count + 1) / 2 : count); k++) {
             struct exit_spans spans;
-            struct parts parts;
+            struct hopkins_parts parts;
             double slope;
             exit_piece_at(&lines->pieces[i], (breaks[k] + breaks[k + 1]) / 2, &slope, &spans);
             find_parts(&spans, summing->shift, &parts);
             if (parts.count > 0) {
-                struct range *range = &summing->ranges[summing->count++];
+                struct hopkins_range *range = &summing->ranges[summing->count++];
                 const bool is_middle = is_mirrored && 2 * k + 1 == count;
-                *range = (struct range){.piece = i,
-                                        .parts = parts.count,
-                                        .low = breaks[k],
-                                        .high = breaks[k + 1],
-                                        .times = has_image || (is_mirrored && !is_middle) ? 2 : 1,
-                                        .is_mirrored = is_middle};
-                find_turns(summing, range);
+                *range = (struct hopkins_range){
+                    .piece = i,
+                    .parts = parts.count,
+                    .low = breaks[k],
+                    .high = breaks[k + 1],
+                    .times = has_image || (is_mirrored && !is_middle) ? 2 : 1,
+                    .is_mirrored = is_middle};
+                hopkins_find_turns(summing, range);
             }
         }
     }
 }
 
 /* How many points are thought to do. */
-static double points_for(const struct summing *summing, double least, const struct turns *turns)
+static double points_for(const struct overlap_integral *summing, double least,
+                         const struct hopkins_turns *turns)
 {
     const double one = summing->times * (least + a_turn * turns->gauss) + summing->more;
     const double even = summing->times * (least + a_turn * turns->even) + summing->more;
@@ -301,8 +306,8 @@ static double points_for(const struct summing *summing, double least, const stru
 }
 
 /* Points of a range: across, and along each part. */
-static void find_points(const struct summing *summing, const struct range *range, double *across,
-                        double *along)
+static void find_points(const struct overlap_integral *summing, const struct hopkins_range *range,
+                        double *across, double *along)
 {
     const double share = (range->high - range->low) / PI, least = summing->least;
     *across = points_for(summing, least * (1 + share) / 2, &range->across);
@@ -310,7 +315,7 @@ static void find_points(const struct summing *summing, const struct range *range
 }
 
 /* How many points a round has. */
-static double points_of(const struct summing *summing)
+static double hopkins_points_of(const struct overlap_integral *summing)
 {
     double points = 0, across, along;
     for (size_t i = 0; i < summing->count; i++) {
@@ -320,16 +325,16 @@ static double points_of(const struct summing *summing)
     return points;
 }
 
-static struct overlap sum_up(const struct summing *summing)
+static struct overlap hopkins_sum_up(const struct overlap_integral *summing)
 {
     struct exit_series_lanes lanes = {.re = {0}};
     struct overlap sum = {.re = 0};
     for (size_t i = 0; i < summing->count; i++) {
         double across, along;
         find_points(summing, &summing->ranges[i], &across, &along);
-        const struct rule rules[2] = {rule_of(summing->rules, across),
-                                      rule_of(summing->rules, along)};
-        add_lines(summing, &summing->ranges[i], &rules[0], &rules[1], &lanes, NULL);
+        const struct hopkins_rule rules[2] = {hopkins_rule_of(summing->rules, across),
+                                              hopkins_rule_of(summing->rules, along)};
+        hopkins_add_lines(summing, &summing->ranges[i], &rules[0], &rules[1], &lanes, NULL);
     }
     for (size_t l = 0; l < LANES; l++) {
         sum.re += lanes.re[l];
@@ -354,18 +359,18 @@ struct overlap_rules *overlap_rules_new(struct arena *arena)
 }
 
 /* Rounds of ever more points until the error is met, perhaps only that of a perfect wave front. */
-static struct overlap refine(struct summing *summing, double error, bool only_perfect)
+static struct overlap refine(struct overlap_integral *summing, double error, bool only_perfect)
 {
-    struct overlap before, here = sum_up(summing);
+    struct overlap before, here = hopkins_sum_up(summing);
     here.error = INFINITY;
     for (int i = 0; i < REFINED && here.error > error; i++) {
         summing->times *= finer;
         summing->more += RULE_STEP;
-        if (points_of(summing) > most_points) {
+        if (hopkins_points_of(summing) > most_points) {
             break;
         }
         before = here;
-        here = sum_up(summing);
+        here = hopkins_sum_up(summing);
         here.error = fabs(here.perfect - before.perfect) +
                      (only_perfect ? 0 : hypot(here.re - before.re, here.im - before.im));
     }
@@ -386,22 +391,22 @@ static double left_for_points(double error, double off)
 struct overlap overlap_find(const struct exit_front *front, struct overlap_rules *rules,
                             const struct overlap_question *question)
 {
-    struct range ranges[EXIT_PIECES * BREAKS];
-    struct summing summing = {.front = front,
-                              .rules = rules,
-                              .shift = question->shift,
-                              .least = 3 - 1.5 * log10(question->error),
-                              .times = 1,
-                              .ranges = ranges};
+    struct hopkins_range ranges[EXIT_PIECES * BREAKS];
+    struct overlap_integral summing = {.front = front,
+                                       .rules = rules,
+                                       .shift = question->shift,
+                                       .least = 3 - 1.5 * log10(question->error),
+                                       .times = 1,
+                                       .ranges = ranges};
     const double energy = front->pupil->energy;
     struct overlap sum = {.re = NAN, .im = NAN, .perfect = NAN, .error = INFINITY};
     if (!overlap_is_known(front->off)) {
         return sum;
     }
     find_ranges(&summing);
-    const bool is_steep = 2 * points_of(&summing) > most_points;
+    const bool is_steep = 2 * hopkins_points_of(&summing) > most_points;
     for (size_t i = 0; i < summing.count && (is_steep || question->only_perfect); i++) {
-        ranges[i].across = ranges[i].along = (struct turns){0, 0}; /* which turns nothing */
+        ranges[i].across = ranges[i].along = (struct hopkins_turns){0, 0}; /* which turns nothing */
     }
     sum = refine(&summing, left_for_points(question->error, front->off) * energy,
                  is_steep || question->only_perfect);

@@ -115,7 +115,7 @@ struct field_sum {
 };
 
 /* Trace what waits, with its derivatives. */
-static void flush(struct field_sum *field)
+static void illumination_flush(struct field_sum *field)
 {
     const struct system *system = field->question->open;
     const struct beam *beam = field->question->beam;
@@ -135,14 +135,14 @@ static void flush(struct field_sum *field)
     field->count = 0;
 }
 
-static void add_field(void *context, const double at[2], double weight)
+static void illumination_add_field(void *context, const double at[2], double weight)
 {
     struct field_sum *field = context;
     field->a[field->count] = at[0];
     field->b[field->count] = at[1];
     field->weights[field->count++] = weight;
     if (field->count == RAYS_BLOCK) {
-        flush(field);
+        illumination_flush(field);
     }
 }
 
@@ -153,9 +153,9 @@ static double sum_field(const struct illumination_question *question, struct bun
     field->question = question;
     field->rays = rays_new(arena, 2 * (size_t)RAYS_BLOCK).blocks;
     field->tangents = rays_room(arena, 2 * (size_t)RAYS_BLOCK).blocks;
-    each_point(part, rays, arena, add_field, field);
+    each_point(part, rays, arena, illumination_add_field, field);
     if (field->count > 0) {
-        flush(field);
+        illumination_flush(field);
     }
     return field->sum;
 }
@@ -178,7 +178,7 @@ static double sum_once(const struct illumination_question *question, sum_bundle 
  * What the third of four values is off by, each of twice the rays of the one before: twice its
  * change. Where changes do not fall as Gauss's rule makes them, the last may be small by chance.
  */
-static double error_of(const double values[4], double doubted)
+static double illumination_error_of(const double values[4], double doubted)
 {
     const double first = fabs(values[1] - values[0]), last = fabs(values[2] - values[1]);
     const double change = fabs(values[3] - values[2]);
@@ -192,8 +192,9 @@ static double error_of(const double values[4], double doubted)
  * The value before the last one: what the last changes of it is what it is off by. Of the last
  * one nothing is known but that it is off by much less.
  */
-static struct illumination converge(const struct illumination_question *question, sum_bundle *sum,
-                                    double doubted, struct arena *arena)
+static struct illumination illumination_converge(const struct illumination_question *question,
+                                                 sum_bundle *sum, double doubted,
+                                                 struct arena *arena)
 {
     struct bundle_part *part = ARENA_NEW(arena, struct bundle_part);
     open_part(question, arena, part);
@@ -206,7 +207,7 @@ static struct illumination converge(const struct illumination_question *question
         memmove(values, values + 1, 3 * sizeof *values);
         values[3] = sum_once(question, sum, part, rays, arena);
         light.value = values[2];
-        light.error = fmax(error_of(values, doubted), least * light.value);
+        light.error = fmax(illumination_error_of(values, doubted), least * light.value);
         light.is_met = light.error <= question->error * light.value;
     }
     if (question->islands != NULL) {
@@ -218,13 +219,13 @@ static struct illumination converge(const struct illumination_question *question
 struct illumination illumination_of_film(const struct illumination_question *question,
                                          struct arena *arena)
 {
-    return converge(question, sum_film, doubted_film, arena);
+    return illumination_converge(question, sum_film, doubted_film, arena);
 }
 
 struct illumination illumination_of_field(const struct illumination_question *question,
                                           struct arena *arena)
 {
-    return converge(question, sum_field, doubted_field, arena);
+    return illumination_converge(question, sum_field, doubted_field, arena);
 }
 
 /* The shapes of the stop that pass light, without what blocks. */

@@ -16,7 +16,8 @@ struct illumination_question {
     const struct first_order *first;
     const double *inside; /* a ray near the middle, in coordinates of the beam; null: paraxially */
     double error;         /* relative: when it is good enough */
-    struct islands *islands; /* receives what passes beside the bundle; null: it is not asked */
+    struct pupil_islands
+        *islands; /* receives what passes beside the bundle; null: it is not asked */
     /* Share of the light of a ray of `open` that arrives; null: all of it. Film points only. */
     double (*pass)(const struct system *open, const struct ray *start, struct arena *arena);
 };

@@ -10,8 +10,8 @@
 enum { LANES = EXIT_MAP_LANES, ROOM = EXIT_MAP_ORDER + 1 };
 
 /* T_0 .. T_order and their slopes. */
-static void chebyshev(const double *x, size_t order, double (*values)[LANES],
-                      double (*slopes)[LANES])
+static void kernel_exit_map_chebyshev(const double *x, size_t order, double (*values)[LANES],
+                                      double (*slopes)[LANES])
 {
     for (size_t l = 0; l < LANES; l++) {
         values[0][l] = 1, slopes[0][l] = 0;
@@ -31,8 +31,8 @@ void NAMED(kernel_exit_map, KERNEL)(const struct exit_map *map, struct exit_map_
     double u[LANES] = {0}, v[LANES] = {0}, ux[LANES] = {0}, vx[LANES] = {0};
     double uy[LANES] = {0}, vy[LANES] = {0};
     const size_t order = map->order;
-    chebyshev(lanes->x, order, x, dx);
-    chebyshev(lanes->y, order, y, dy);
+    kernel_exit_map_chebyshev(lanes->x, order, x, dx);
+    kernel_exit_map_chebyshev(lanes->y, order, y, dy);
     for (size_t i = 0, term = 0; i <= order; i++) {
         double a[LANES] = {0}, b[LANES] = {0}, da[LANES] = {0}, db[LANES] = {0};
         for (size_t j = 0; i + j <= order; j++, term++) {

@@ -11,8 +11,8 @@
 enum { LANES = EXIT_SERIES_LANES };
 
 /* T_k of all lanes and the two sums. */
-static void find_values(const struct exit_series *series, const double *places, double *waves,
-                        double *amplitudes)
+static void kernel_exit_series_find_values(const struct exit_series *series, const double *places,
+                                           double *waves, double *amplitudes)
 {
     const size_t both =
         series->wave_count < series->amplitude_count ? series->wave_count : series->amplitude_count;
@@ -56,7 +56,7 @@ void NAMED(kernel_exit_overlap, KERNEL)(const struct exit_series series[2],
 {
     double waves[2][LANES], amplitudes[2][LANES];
     for (int k = 0; k < 2; k++) {
-        find_values(&series[k], lanes->x[k], waves[k], amplitudes[k]);
+        kernel_exit_series_find_values(&series[k], lanes->x[k], waves[k], amplitudes[k]);
     }
     for (size_t l = 0; l < LANES; l++) {
         const double phase = waves[0][l] - waves[1][l];
@@ -74,7 +74,7 @@ void NAMED(kernel_exit_wave, KERNEL)(const struct exit_series *series,
                                      struct exit_wave_lanes *lanes)
 {
     double waves[LANES], amplitudes[LANES];
-    find_values(series, lanes->x, waves, amplitudes);
+    kernel_exit_series_find_values(series, lanes->x, waves, amplitudes);
     for (size_t l = 0; l < LANES; l++) {
         double c, s;
         turns_of(waves[l], &c, &s);

@@ -10,7 +10,8 @@
 
 enum { LANES = PSF_LANES, NODES = PSF_NODES, TURNED_MOST = 8 * LANES };
 
-static inline void turn(const double *restrict turns, double *restrict c, double *restrict s)
+static inline void kernel_psf_turn(const double *restrict turns, double *restrict c,
+                                   double *restrict s)
 {
     for (int l = 0; l < LANES; l++) {
         turns_of(turns[l], &c[l], &s[l]);
@@ -27,7 +28,7 @@ static void add_wave(const struct psf_wave *wave, const struct psf_row *row)
             for (int l = 0; l < LANES; l++) {
                 turns[l] = wave->turns + wave->step * (double)((int)first + l);
             }
-            turn(turns, c, s);
+            kernel_psf_turn(turns, c, s);
         }
         for (int l = 0; l < LANES; l++) {
             const double before = c[l], side = s[l];
@@ -39,7 +40,8 @@ static void add_wave(const struct psf_wave *wave, const struct psf_row *row)
     }
 }
 
-static void add_row(const struct psf_row *from, double c, double s, const struct psf_row *row)
+static void kernel_psf_add_row(const struct psf_row *from, double c, double s,
+                               const struct psf_row *row)
 {
     const double *restrict x = from->re, *restrict y = from->im;
     double *restrict re = row->re, *restrict im = row->im;
@@ -55,8 +57,8 @@ struct along {
 };
 
 /* Turns and amplitudes of a wavelet at the nodes of a strip. */
-static void look(const struct psf_wavelet *wavelet, const struct psf_steps *steps,
-                 const struct psf_strip *strip, struct along *turns, struct along *sizes)
+static void kernel_psf_look(const struct psf_wavelet *wavelet, const struct psf_steps *steps,
+                            const struct psf_strip *strip, struct along *turns, struct along *sizes)
 {
     const struct psf_wavelet w = *wavelet;
     const double radius2 = w.radius * w.radius, first = strip->x, pitch = strip->pitch;
@@ -108,11 +110,11 @@ static void add_wavelet(const struct psf_wavelet *wavelet, const struct psf_step
 {
     struct along turns, sizes;
     double c[NODES][LANES], s[NODES][LANES], a[NODES][LANES]; /* which nothing else can be */
-    look(wavelet, steps, strip, &turns, &sizes);
+    kernel_psf_look(wavelet, steps, strip, &turns, &sizes);
     differ(steps, &turns);
     differ(steps, &sizes);
     for (int m = 0; m < NODES; m++) {
-        turn(turns.of[m], c[m], s[m]);
+        kernel_psf_turn(turns.of[m], c[m], s[m]);
         for (int l = 0; l < LANES; l++) {
             a[m][l] = sizes.of[m][l];
         }
@@ -129,4 +131,4 @@ static void add_wavelet(const struct psf_wavelet *wavelet, const struct psf_step
     }
 }
 
-const struct psf_kernels NAMED(psf_kernels, KERNEL) = {add_wave, add_row, add_wavelet};
+const struct psf_kernels NAMED(psf_kernels, KERNEL) = {add_wave, kernel_psf_add_row, add_wavelet};

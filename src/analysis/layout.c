@@ -20,7 +20,7 @@ enum plane_kind layout_plane(const struct lens *lens)
     return layout_is_centred(lens) || !has_table ? PLANE_OF_LENS : PLANE_TABLE;
 }
 
-static struct paraxial_ray *follow(const struct layout *layout, double y, double v)
+static struct paraxial_ray *layout_follow(const struct layout *layout, double y, double v)
 {
     struct paraxial_ray *rays =
         ARENA_ARRAY(layout->arena, layout->light->system.count, struct paraxial_ray);
@@ -29,7 +29,7 @@ static struct paraxial_ray *follow(const struct layout *layout, double y, double
 }
 
 /* The image plane, where it lies behind the lens and not too far; else it is only noted. */
-static void find_image(struct layout *layout)
+static void layout_find_image(struct layout *layout)
 {
     double distance = layout->setup->image;
     double reach = 8 * (layout->right - layout->left + 2 * layout->size);
@@ -49,7 +49,7 @@ static void find_image(struct layout *layout)
 }
 
 /* As high as the rays that arrive there, across the axis behind the last surface. */
-static void add_image(struct layout *layout)
+static void layout_add_image(struct layout *layout)
 {
     size_t last = layout->setup->lens->surface_count - 1;
     const struct layout_frame *axis = &layout->axis[last];
@@ -111,11 +111,11 @@ static void add_axis(struct layout *layout)
 static bool add_bundles(struct layout *layout, const struct layout_request *request,
                         struct error *error)
 {
-    find_image(layout);
+    layout_find_image(layout);
     if (!request->no_rays && !layout_rays(layout, error)) {
         return false;
     }
-    add_image(layout);
+    layout_add_image(layout);
     if (request->planes) {
         layout_planes(layout, true);
     }
@@ -132,8 +132,8 @@ bool layout_make(const struct setup *setup, const struct layout_request *request
                               .arena = arena,
                               .is_centred = layout_is_centred(setup->lens),
                               .image = NAN};
-    layout->marginal = follow(layout, first->marginal_y, first->marginal_v);
-    layout->chief = follow(layout, first->chief_y, first->chief_v);
+    layout->marginal = layout_follow(layout, first->marginal_y, first->marginal_v);
+    layout->chief = layout_follow(layout, first->chief_y, first->chief_v);
     if (!layout_lens(layout, error)) {
         return false;
     }

@@ -58,7 +58,7 @@ struct layout {
     const struct setup_light *light;
     struct arena *arena;
     size_t part_room;
-    struct name_index glass_names;
+    struct name_table glass_names;
     /* one a surface */
     double *vertex, *semi;                 /* along the axis, as if it went on straight */
     struct layout_frame *frames, *axis;    /* of the surface itself; of the axis there */

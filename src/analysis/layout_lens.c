@@ -64,7 +64,7 @@ static bool has_element(const struct layout *layout, size_t surface)
 }
 
 /* The surface's own edge in z; what lies beyond its clear diameter is a flat. */
-static double edge(const struct layout *layout, size_t surface)
+static double layout_lens_edge(const struct layout *layout, size_t surface)
 {
     return layout->vertex[surface] + sag(layout, surface, layout->semi[surface]);
 }
@@ -76,7 +76,7 @@ static double thickness(const struct layout *layout, size_t i, double r)
            layout->direction[i + 1];
 }
 
-static void find_places(struct layout *layout)
+static void layout_lens_find_places(struct layout *layout)
 {
     const struct lens *lens = layout->setup->lens;
     double z = 0, direction = 1;
@@ -93,8 +93,8 @@ static void find_places(struct layout *layout)
 }
 
 /* Shift, then turn, as far as both lie in the plane of the drawing; returns what does not. */
-static bool displace(const struct layout *layout, const struct displacement *by,
-                     struct layout_frame *frame)
+static bool layout_lens_displace(const struct layout *layout, const struct displacement *by,
+                                 struct layout_frame *frame)
 {
     if (by == NULL) {
         return false;
@@ -118,9 +118,9 @@ static void find_frames(struct layout *layout)
     layout->is_centred = true;
     for (size_t i = 0; i < lens->surface_count; i++) {
         const struct surface *surface = &lens->surfaces[i];
-        is_skew = displace(layout, surface->coordinate_break, &axis) || is_skew;
+        is_skew = layout_lens_displace(layout, surface->coordinate_break, &axis) || is_skew;
         layout->axis[i] = layout->frames[i] = axis;
-        is_skew = displace(layout, surface->decentre, &layout->frames[i]) || is_skew;
+        is_skew = layout_lens_displace(layout, surface->decentre, &layout->frames[i]) || is_skew;
         layout->is_centred =
             layout->is_centred && surface->coordinate_break == NULL && surface->decentre == NULL;
         double t = surface->has_thickness ? surface->thickness.value.hi : 0;
@@ -133,7 +133,7 @@ static void find_frames(struct layout *layout)
 }
 
 /* From the straight axis to the drawing: a point that belongs to a surface. */
-static void put(const struct layout *layout, size_t surface, double *z, double *y)
+static void layout_lens_put(const struct layout *layout, size_t surface, double *z, double *y)
 {
     if (layout->is_centred) {
         return;
@@ -174,7 +174,7 @@ static bool is_sensible(const struct layout *layout, size_t i)
 }
 
 /* Less, until there is a sag and, where nobody stated the diameter, room for the surface. */
-static void shrink(struct layout *layout, size_t i, bool is_guess)
+static void layout_lens_shrink(struct layout *layout, size_t i, bool is_guess)
 {
     double *semi = &layout->semi[i];
     for (int step = 0; step < 400; step++, *semi *= 0.99) {
@@ -207,7 +207,7 @@ static bool find_diameters(struct layout *layout, struct error *error)
     }
     for (size_t i = 0; i < lens->surface_count; i++) {
         if (layout->is_drawn[i]) {
-            shrink(layout, i, !isfinite(aperture_reach(&lens->surfaces[i])));
+            layout_lens_shrink(layout, i, !isfinite(aperture_reach(&lens->surfaces[i])));
             layout->size = fmax(layout->size, layout->semi[i]);
         }
     }
@@ -235,19 +235,19 @@ static void widen_cemented(struct layout *layout)
     }
 }
 
-static size_t find_glass(struct layout *layout, struct text written)
+static size_t layout_lens_find_glass(struct layout *layout, struct text written)
 {
     const char *name = arena_string(layout->arena, written.start, written.length);
     const struct text kept = {name, written.length};
-    const size_t known = name_index_find(&layout->glass_names, kept);
+    const size_t known = name_table_find(&layout->glass_names, kept);
     if (known != NAME_NONE) {
         return known;
     }
     layout->glasses[layout->glass_count++] = name;
-    return name_index_add(&layout->glass_names, kept, layout->arena);
+    return name_table_add(&layout->glass_names, kept, layout->arena);
 }
 
-static void reach(struct layout *layout, double z)
+static void layout_lens_reach(struct layout *layout, double z)
 {
     layout->left = fmin(layout->left, z);
     layout->right = fmax(layout->right, z);
@@ -260,39 +260,41 @@ static void add_element(struct layout *layout, size_t i)
     size_t count = 0;
     struct layout_part *part = layout_add(layout, LAYOUT_ELEMENT, 2 * (SAMPLES + 1) + 4, &z, &y);
     double r = fmax(layout->semi[i], layout->semi[i + 1]);
-    bool stepped = (edge(layout, i + 1) - edge(layout, i)) * layout->direction[i + 1] > 0;
+    bool stepped =
+        (layout_lens_edge(layout, i + 1) - layout_lens_edge(layout, i)) * layout->direction[i + 1] >
+        0;
     for (size_t side = 0; side < 2; side++) {
         size_t surface = i + side;
         double semi = layout->semi[surface], up = side == 0 ? 1 : -1;
         bool flat = stepped && semi < r;
         if (flat) {
-            z[count] = edge(layout, surface);
+            z[count] = layout_lens_edge(layout, surface);
             y[count] = -up * r;
-            put(layout, surface, &z[count], &y[count]);
+            layout_lens_put(layout, surface, &z[count], &y[count]);
             count++;
         }
         for (int k = 0; k <= SAMPLES; k++) {
             double h = up * semi * sin(PI / 2 * (2.0 * k / SAMPLES - 1)); /* denser at the rims */
             z[count] = layout->vertex[surface] + sag(layout, surface, h);
             y[count] = h;
-            put(layout, surface, &z[count], &y[count]);
-            reach(layout, z[count++]);
+            layout_lens_put(layout, surface, &z[count], &y[count]);
+            layout_lens_reach(layout, z[count++]);
         }
         if (flat) {
-            z[count] = edge(layout, surface);
+            z[count] = layout_lens_edge(layout, surface);
             y[count] = up * r;
-            put(layout, surface, &z[count], &y[count]);
+            layout_lens_put(layout, surface, &z[count], &y[count]);
             count++;
         }
     }
     part->count = count;
-    part->glass = find_glass(layout, layout->setup->lens->surfaces[i].medium.written);
+    part->glass = layout_lens_find_glass(layout, layout->setup->lens->surfaces[i].medium.written);
 }
 
 /* -------- what apertures leave -------- */
 
 /* Between two heights of a surface, in the plane of the drawing. */
-struct stretch {
+struct layout_lens_stretch {
     double low, high;
 };
 enum { STRETCHES = 16, STRETCH_STEPS = 600 };
@@ -311,7 +313,8 @@ static bool passes_at(const struct layout *layout, const struct aperture_form *f
 
 /* The stretches from one height up to another where the apertures pass, or where they do not. */
 static size_t find_stretches(const struct layout *layout, size_t surface, bool passing,
-                             struct stretch whole, struct stretch *stretches)
+                             struct layout_lens_stretch whole,
+                             struct layout_lens_stretch *stretches)
 {
     const struct surface *one = &layout->setup->lens->surfaces[surface];
     const size_t count = one->aperture_count;
@@ -349,26 +352,27 @@ static size_t find_stretches(const struct layout *layout, size_t surface, bool p
 static void add_blocks(struct layout *layout, size_t i)
 {
     const struct surface *surface = &layout->setup->lens->surfaces[i];
-    struct stretch stretches[STRETCHES];
+    struct layout_lens_stretch stretches[STRETCHES];
     double semi = layout->is_drawn[i] || surface->has_diameter ? layout->semi[i] : layout->size;
     if (surface->aperture_count == 0 || surface_reflects(surface)) {
         return;
     }
-    size_t count = find_stretches(layout, i, false, (struct stretch){-semi, semi}, stretches);
+    size_t count =
+        find_stretches(layout, i, false, (struct layout_lens_stretch){-semi, semi}, stretches);
     for (size_t k = 0; k < count; k++) {
         double *z, *y, low = stretches[k].low, high = stretches[k].high;
         layout_add(layout, LAYOUT_BLOCK, SAMPLES + 1, &z, &y);
         for (int j = 0; j <= SAMPLES; j++) {
             y[j] = low + (high - low) * j / SAMPLES;
             z[j] = layout->vertex[i] + sag(layout, i, y[j]);
-            put(layout, i, &z[j], &y[j]);
-            reach(layout, z[j]);
+            layout_lens_put(layout, i, &z[j], &y[j]);
+            layout_lens_reach(layout, z[j]);
         }
     }
 }
 
 /* The beam that comes back through a mirror's middle needs a hole there. */
-static double find_hole(const struct layout *layout, size_t mirror)
+static double layout_lens_find_hole(const struct layout *layout, size_t mirror)
 {
     const size_t count = layout->setup->lens->surface_count;
     double z = layout->vertex[mirror], hole = 0;
@@ -396,8 +400,8 @@ static void add_mirror_piece(struct layout *layout, size_t i, double from, doubl
     for (int k = 0; k <= SAMPLES; k++) {
         y[k] = from + (to - from) * k / SAMPLES;
         z[k] = layout->vertex[i] + sag(layout, i, y[k]);
-        put(layout, i, &z[k], &y[k]);
-        reach(layout, z[k]);
+        layout_lens_put(layout, i, &z[k], &y[k]);
+        layout_lens_reach(layout, z[k]);
     }
     int strokes = (int)fmax(3, HATCHES * fabs(to - from) / layout->size);
     layout_add(layout, LAYOUT_HATCH, 3 * (size_t)strokes, &hatch_z, &hatch_y);
@@ -408,22 +412,23 @@ static void add_mirror_piece(struct layout *layout, size_t i, double from, doubl
         hatch_y[3 * k] = h;
         hatch_z[3 * k + 1] = at + depth * layout->direction[i];
         hatch_y[3 * k + 1] = h - 0.8 * depth;
-        put(layout, i, &hatch_z[3 * k], &hatch_y[3 * k]);
-        put(layout, i, &hatch_z[3 * k + 1], &hatch_y[3 * k + 1]);
+        layout_lens_put(layout, i, &hatch_z[3 * k], &hatch_y[3 * k]);
+        layout_lens_put(layout, i, &hatch_z[3 * k + 1], &hatch_y[3 * k + 1]);
         hatch_z[3 * k + 2] = hatch_y[3 * k + 2] = NAN;
     }
 }
 
 static void add_mirror(struct layout *layout, size_t i)
 {
-    double semi = layout->semi[i], hole = find_hole(layout, i);
-    struct stretch stretches[STRETCHES];
+    double semi = layout->semi[i], hole = layout_lens_find_hole(layout, i);
+    struct layout_lens_stretch stretches[STRETCHES];
     if (layout->setup->lens->surfaces[i].aperture_count == 0) {
         add_mirror_piece(layout, i, -hole, -semi);
         add_mirror_piece(layout, i, hole, semi);
         return;
     }
-    size_t count = find_stretches(layout, i, true, (struct stretch){-semi, semi}, stretches);
+    size_t count =
+        find_stretches(layout, i, true, (struct layout_lens_stretch){-semi, semi}, stretches);
     for (size_t k = 0; k < count; k++) {
         add_mirror_piece(layout, i, stretches[k].low, stretches[k].high);
     }
@@ -432,22 +437,22 @@ static void add_mirror(struct layout *layout, size_t i)
 static void add_stroke(struct layout *layout, size_t stop, double z1, double y1, double z2,
                        double y2)
 {
-    put(layout, stop, &z1, &y1);
-    put(layout, stop, &z2, &y2);
+    layout_lens_put(layout, stop, &z1, &y1);
+    layout_lens_put(layout, stop, &z2, &y2);
     layout_line(layout, LAYOUT_STOP, (struct layout_ends){z1, y1, z2, y2}, NULL);
 }
 
 /* Its two principal planes. */
-static void add_thick(struct layout *layout, size_t i)
+static void layout_lens_add_thick(struct layout *layout, size_t i)
 {
     double at = layout->vertex[i], r = layout->semi[i], behind = at + layout_hiatus(layout, i);
     layout_line(layout, LAYOUT_PLANE, (struct layout_ends){at, -r, at, r}, "thick lens");
     layout_line(layout, LAYOUT_PLANE, (struct layout_ends){behind, -r, behind, r}, NULL);
-    reach(layout, at);
-    reach(layout, behind);
+    layout_lens_reach(layout, at);
+    layout_lens_reach(layout, behind);
 }
 
-static void add_stop(struct layout *layout)
+static void layout_lens_add_stop(struct layout *layout)
 {
     size_t stop = layout->setup->lens->stop;
     if (stop == LENS_NONE) {
@@ -464,8 +469,8 @@ static void add_stop(struct layout *layout)
         add_stroke(layout, stop, at - 0.3 * tick, side * r, at + 0.3 * tick, side * r);
     }
     double y = 0;
-    put(layout, stop, &at, &y);
-    reach(layout, at);
+    layout_lens_put(layout, stop, &at, &y);
+    layout_lens_reach(layout, at);
 }
 
 bool layout_lens(struct layout *layout, struct error *error)
@@ -481,7 +486,7 @@ bool layout_lens(struct layout *layout, struct error *error)
     layout->axis = ARENA_ARRAY(layout->arena, count, struct layout_frame);
     layout->direction = ARENA_ARRAY(layout->arena, count, double);
     layout->is_drawn = ARENA_ARRAY(layout->arena, count, bool);
-    find_places(layout);
+    layout_lens_find_places(layout);
     find_frames(layout);
     if (!find_diameters(layout, error)) {
         return false;
@@ -495,13 +500,13 @@ bool layout_lens(struct layout *layout, struct error *error)
             add_mirror(layout, i);
         }
         if (surface_has(&lens->surfaces[i], SURFACE_HAS_FOCAL)) {
-            add_thick(layout, i);
+            layout_lens_add_thick(layout, i);
         }
         add_blocks(layout, i);
     }
     if (!(layout->left <= layout->right)) {
         return fail(error, ERROR_DOMAIN, "nothing to draw: the lens has no glass and no mirror");
     }
-    add_stop(layout);
+    layout_lens_add_stop(layout);
     return true;
 }

@@ -20,7 +20,7 @@ static struct cardinal cardinal_points(const struct layout *layout)
 }
 
 /* Is a place near enough to be drawn? Otherwise it is noted, with its place. */
-static bool is_near(struct layout *layout, double z, const char *name)
+static bool layout_planes_is_near(struct layout *layout, double z, const char *name)
 {
     double image = isfinite(layout->image) ? layout->image : layout->right;
     double left = fmin(layout->left, image), right = fmax(layout->right, image);
@@ -40,10 +40,10 @@ static bool is_near(struct layout *layout, double z, const char *name)
     return false;
 }
 
-static void add_point(struct layout *layout, double at, const char *name)
+static void layout_planes_add_point(struct layout *layout, double at, const char *name)
 {
     double *z, *y;
-    if (is_near(layout, at, name)) {
+    if (layout_planes_is_near(layout, at, name)) {
         struct layout_part *part = layout_add(layout, LAYOUT_POINT, 1, &z, &y);
         z[0] = at;
         y[0] = 0;
@@ -51,17 +51,18 @@ static void add_point(struct layout *layout, double at, const char *name)
     }
 }
 
-static void add_plane(struct layout *layout, double at, double half, const char *name)
+static void layout_planes_add_plane(struct layout *layout, double at, double half, const char *name)
 {
-    if (is_near(layout, at, name)) {
+    if (layout_planes_is_near(layout, at, name)) {
         layout_line(layout, LAYOUT_PLANE, (struct layout_ends){at, -half, at, half}, name);
     }
 }
 
-static void add_pupil(struct layout *layout, double at, double diameter, const char *name)
+static void layout_planes_add_pupil(struct layout *layout, double at, double diameter,
+                                    const char *name)
 {
     double r = diameter / 2, tick = 0.3 * layout->size;
-    if (!isnan(at) && isfinite(r) && is_near(layout, at, name)) {
+    if (!isnan(at) && isfinite(r) && layout_planes_is_near(layout, at, name)) {
         layout_line(layout, LAYOUT_PUPIL, (struct layout_ends){at, -r, at, -r - tick}, name);
         layout_line(layout, LAYOUT_PUPIL, (struct layout_ends){at, r, at, r + tick}, NULL);
     }
@@ -72,18 +73,20 @@ void layout_planes(struct layout *layout, bool with_pupils)
     const struct first_order *first = &layout->light->first;
     const struct cardinal at = cardinal_points(layout);
     double half = 1.25 * layout->size;
-    add_plane(layout, at.H, half, "H");
-    add_plane(layout, at.H2, half, "H'");
-    add_point(layout, at.F, "F");
-    add_point(layout, at.F2, "F'");
+    layout_planes_add_plane(layout, at.H, half, "H");
+    layout_planes_add_plane(layout, at.H2, half, "H'");
+    layout_planes_add_point(layout, at.F, "F");
+    layout_planes_add_point(layout, at.F2, "F'");
     if (with_pupils) {
-        add_pupil(layout, first->entrance_pupil, first->entrance_diameter, "entrance pupil");
-        add_pupil(layout, first->length + first->exit_pupil, first->exit_diameter, "exit pupil");
+        layout_planes_add_pupil(layout, first->entrance_pupil, first->entrance_diameter,
+                                "entrance pupil");
+        layout_planes_add_pupil(layout, first->length + first->exit_pupil, first->exit_diameter,
+                                "exit pupil");
     }
 }
 
-static void add_lines(struct layout *layout, enum layout_kind kind, const double *from_z,
-                      const double *from_y, size_t count)
+static void layout_planes_add_lines(struct layout *layout, enum layout_kind kind,
+                                    const double *from_z, const double *from_y, size_t count)
 {
     double *z, *y;
     layout_add(layout, kind, count, &z, &y);
@@ -94,8 +97,8 @@ static void add_lines(struct layout *layout, enum layout_kind kind, const double
 }
 
 /* Behind H': to the image if it lies there; else onwards, and dashed back to the image. */
-static void leave(struct layout *layout, double z, double y, double image_z, double image_y,
-                  double end)
+static void layout_planes_leave(struct layout *layout, double z, double y, double image_z,
+                                double image_y, double end)
 {
     bool real = image_z > z;
     double slope = (image_y - y) / (image_z - z);
@@ -128,12 +131,12 @@ bool layout_construction(struct layout *layout, struct error *error)
     const double parallel_z[] = {object, at.H, at.H2}, parallel_y[] = {h, h, h};
     const double focal_z[] = {object, at.H, at.H2}, focal_y[] = {h, y, y};
     const double nodal_y[] = {h, 0, 0}, nodal_z[] = {object, at.N, at.N2};
-    add_lines(layout, LAYOUT_GAUSS, parallel_z, parallel_y, 3);
-    leave(layout, at.H2, h, image, y, end);
-    add_lines(layout, LAYOUT_GAUSS, focal_z, focal_y, 3);
-    leave(layout, at.H2, y, image, y, end);
-    add_lines(layout, LAYOUT_GAUSS, nodal_z, nodal_y, 3);
-    leave(layout, at.N2, 0, image, y, end);
+    layout_planes_add_lines(layout, LAYOUT_GAUSS, parallel_z, parallel_y, 3);
+    layout_planes_leave(layout, at.H2, h, image, y, end);
+    layout_planes_add_lines(layout, LAYOUT_GAUSS, focal_z, focal_y, 3);
+    layout_planes_leave(layout, at.H2, y, image, y, end);
+    layout_planes_add_lines(layout, LAYOUT_GAUSS, nodal_z, nodal_y, 3);
+    layout_planes_leave(layout, at.N2, 0, image, y, end);
     layout_line(layout, LAYOUT_ARROW, (struct layout_ends){object, 0, object, h}, NULL);
     layout_line(layout, LAYOUT_ARROW, (struct layout_ends){image, 0, image, y}, NULL);
     double half = fmax(1.25 * layout->size, 1.1 * fabs(y));

@@ -13,7 +13,7 @@
 enum { LEAST_FIELDS = 60 };
 
 /* What the rays need: the lens with a clear aperture at every surface that is drawn. */
-struct beams {
+struct layout_rays_beams {
     struct layout *layout;
     const struct system *open; /* without clear apertures */
     struct system clipped;     /* and with those of the drawing */
@@ -39,21 +39,23 @@ static const struct lens *with_clear_apertures(const struct layout *layout)
     return copy;
 }
 
-static bool open_beams(struct layout *layout, struct beams *beams, struct error *error)
+static bool layout_rays_open_beams(struct layout *layout, struct layout_rays_beams *beams,
+                                   struct error *error)
 {
     const struct setup *setup = layout->setup;
     bool has_stop = setup->lens->stop != LENS_NONE && isfinite(setup->first.stop_radius);
-    *beams = (struct beams){.layout = layout,
-                            .open = setup_system(setup, layout->wavelength, SETUP_OPEN, error),
-                            .has_stop = has_stop};
+    *beams = (struct layout_rays_beams){
+        .layout = layout,
+        .open = setup_system(setup, layout->wavelength, SETUP_OPEN, error),
+        .has_stop = has_stop};
     return beams->open != NULL &&
            setup_compile(setup, with_clear_apertures(layout), layout->wavelength, SETUP_CLIPPED,
                          &beams->clipped, error);
 }
 
 /* From the frame of a surface's axis to the drawing. */
-static void place(const struct layout *layout, size_t surface, double along, double across,
-                  double *z, double *y)
+static void layout_rays_place(const struct layout *layout, size_t surface, double along,
+                              double across, double *z, double *y)
 {
     const struct layout_frame *axis = &layout->axis[surface];
     *z = axis->z + along * cos(axis->angle) - across * sin(axis->angle);
@@ -94,16 +96,17 @@ static void end_ray(const struct layout *layout, const struct ray *last, size_t 
         double gap = layout->vertex[count - 1] - layout->vertex[surface];
         way = (plane + gap - last->point[2]) / last->cosine[2];
     }
-    place(layout, surface, last->point[2] + way * last->cosine[2],
-          last->point[section] + way * last->cosine[section], z, y);
+    layout_rays_place(layout, surface, last->point[2] + way * last->cosine[2],
+                      last->point[section] + way * last->cosine[section], z, y);
 }
 
-static void add_ray(const struct beams *beams, enum layout_kind kind, const struct ray *start)
+static void layout_rays_add_ray(const struct layout_rays_beams *beams, enum layout_kind kind,
+                                const struct ray *start)
 {
     struct layout *layout = beams->layout;
     const size_t count = layout->setup->lens->surface_count;
     const int section = layout->setup->section == SECTION_Y ? 1 : 0;
-    struct ray_meeting *meetings = ARENA_ARRAY(layout->arena, count, struct ray_meeting);
+    struct ray_intersection *meetings = ARENA_ARRAY(layout->arena, count, struct ray_intersection);
     size_t used = 1, last = LENS_NONE;
     double *z, *y;
     ray_follow(beams->open, start, layout->arena, meetings);
@@ -117,10 +120,10 @@ static void add_ray(const struct beams *beams, enum layout_kind kind, const stru
             double hiatus = layout_hiatus(layout, i);
             if (hiatus != 0) {
                 /* it leaves H' as high as it came to H */
-                place(layout, i, point[2] - hiatus, point[section], &z[used], &y[used]);
+                layout_rays_place(layout, i, point[2] - hiatus, point[section], &z[used], &y[used]);
                 used++;
             }
-            place(layout, i, point[2], point[section], &z[used], &y[used]);
+            layout_rays_place(layout, i, point[2], point[section], &z[used], &y[used]);
             used++;
             last = i;
         }
@@ -134,12 +137,13 @@ static void add_ray(const struct beams *beams, enum layout_kind kind, const stru
 }
 
 /* One bundle: the edges that the clear apertures leave of it in the plane of the drawing. */
-struct bundle {
+struct layout_rays_bundle {
     struct beam beam;
     struct clear_cross clear;
 };
 
-static bool find_bundle(struct beams *beams, const struct field_point *field, struct bundle *bundle)
+static bool find_bundle(struct layout_rays_beams *beams, const struct field_point *field,
+                        struct layout_rays_bundle *bundle)
 {
     struct layout *layout = beams->layout;
     const struct setup *setup = layout->setup;
@@ -156,28 +160,31 @@ static bool find_bundle(struct beams *beams, const struct field_point *field, st
     return !bundle->clear.is_empty;
 }
 
-static const struct clear_edge *edge_of(const struct beams *beams, const struct bundle *bundle,
-                                        int side)
+static const struct clear_edge *layout_rays_edge_of(const struct layout_rays_beams *beams,
+                                                    const struct layout_rays_bundle *bundle,
+                                                    int side)
 {
     size_t axis = beams->layout->setup->section == SECTION_Y ? 1 : 0;
     return &bundle->clear.ends[side > 0 ? axis : axis + 2];
 }
 
-static void add_edges(const struct beams *beams, enum layout_kind kind, const struct bundle *bundle)
+static void add_edges(const struct layout_rays_beams *beams, enum layout_kind kind,
+                      const struct layout_rays_bundle *bundle)
 {
     for (int side = -1; side <= 1; side += 2) {
-        const double *at = edge_of(beams, bundle, side)->at;
+        const double *at = layout_rays_edge_of(beams, bundle, side)->at;
         struct ray ray = beam_ray(&bundle->beam, at[0], at[1]);
-        add_ray(beams, kind, &ray);
+        layout_rays_add_ray(beams, kind, &ray);
     }
 }
 
 /* The surface whose clear aperture cuts the bundle before the stop does; LENS_NONE: none. */
-static size_t cutting(const struct beams *beams, const struct bundle *bundle)
+static size_t cutting(const struct layout_rays_beams *beams,
+                      const struct layout_rays_bundle *bundle)
 {
     const struct lens *lens = beams->layout->setup->lens;
     for (int side = -1; side <= 1; side += 2) {
-        const struct clear_edge *edge = edge_of(beams, bundle, side);
+        const struct clear_edge *edge = layout_rays_edge_of(beams, bundle, side);
         size_t i = edge->surface - 1;
         if (edge->status == RAY_CLIPPED && i < lens->surface_count && i != lens->stop &&
             isfinite(aperture_reach(&lens->surfaces[i]))) {
@@ -187,11 +194,11 @@ static size_t cutting(const struct beams *beams, const struct bundle *bundle)
     return LENS_NONE;
 }
 
-static void add_axial(struct beams *beams)
+static void add_axial(struct layout_rays_beams *beams)
 {
     struct layout *layout = beams->layout;
     const struct field_point axis = {.kind = FIELD_NONE};
-    struct bundle bundle;
+    struct layout_rays_bundle bundle;
     if (!find_bundle(beams, &axis, &bundle)) {
         layout_note(layout, "no ray of the point on the axis passes the clear apertures");
         return;
@@ -208,7 +215,8 @@ static void add_axial(struct beams *beams)
     add_edges(beams, LAYOUT_AXIAL, &bundle);
 }
 
-static bool find_at(struct beams *beams, double share, struct bundle *bundle)
+static bool layout_rays_find_at(struct layout_rays_beams *beams, double share,
+                                struct layout_rays_bundle *bundle)
 {
     const struct field_point *edge = &beams->edge;
     const struct field_point field = {edge->kind, {share * edge->value[0], share * edge->value[1]}};
@@ -220,19 +228,20 @@ static bool find_at(struct beams *beams, double share, struct bundle *bundle)
  * between the edge and where the last of these steps leads to. If none pass there, none are drawn:
  * to find that nothing passes takes far longer than to find what does.
  */
-static double find_edge(struct beams *beams, struct bundle *bundle)
+static double layout_rays_find_edge(struct layout_rays_beams *beams,
+                                    struct layout_rays_bundle *bundle)
 {
-    struct bundle nearer;
+    struct layout_rays_bundle nearer;
     int dark = 0, lit = LEAST_FIELDS; /* steps from the edge */
-    if (find_at(beams, 1, bundle)) {
+    if (layout_rays_find_at(beams, 1, bundle)) {
         return 1;
     }
-    if (!find_at(beams, pow(0.97, lit), bundle)) {
+    if (!layout_rays_find_at(beams, pow(0.97, lit), bundle)) {
         return 0;
     }
     while (lit - dark > 1) {
         int middle = (lit + dark) / 2;
-        if (find_at(beams, pow(0.97, middle), &nearer)) {
+        if (layout_rays_find_at(beams, pow(0.97, middle), &nearer)) {
             lit = middle;
             *bundle = nearer;
         } else {
@@ -242,7 +251,7 @@ static double find_edge(struct beams *beams, struct bundle *bundle)
     return pow(0.97, lit);
 }
 
-static void note_share(const struct beams *beams, double share)
+static void note_share(const struct layout_rays_beams *beams, double share)
 {
     struct layout *layout = beams->layout;
     bool angle = beams->edge.kind == FIELD_ANGLE;
@@ -265,11 +274,11 @@ static bool has_mirror(const struct lens *lens)
     return false;
 }
 
-static void add_oblique(struct beams *beams)
+static void add_oblique(struct layout_rays_beams *beams)
 {
     struct layout *layout = beams->layout;
-    struct bundle bundle;
-    double share = find_edge(beams, &bundle);
+    struct layout_rays_bundle bundle;
+    double share = layout_rays_find_edge(beams, &bundle);
     if (!(share > 0)) {
         layout_note(layout, "no ray from the edge of the field passes the clear apertures");
         return;
@@ -286,7 +295,7 @@ static void add_oblique(struct beams *beams)
     if (beams->has_stop && !(layout->is_centred && has_mirror(layout->setup->lens)) &&
         aim_open(beams->open, &bundle.beam, layout->arena, &aim, &ignored)) {
         struct ray chief = aim_chief(&aim);
-        add_ray(beams, LAYOUT_CHIEF, &chief);
+        layout_rays_add_ray(beams, LAYOUT_CHIEF, &chief);
     }
 }
 
@@ -294,7 +303,7 @@ bool layout_rays(struct layout *layout, struct error *error)
 {
     const struct setup *setup = layout->setup;
     const struct first_order *first = &setup->first;
-    struct beams beams;
+    struct layout_rays_beams beams;
     bool has_clear_aperture = isfinite(first->stop_radius) || isfinite(first->entrance_diameter);
     for (size_t i = 0; i < setup->lens->surface_count; i++) {
         has_clear_aperture =
@@ -304,7 +313,7 @@ bool layout_rays(struct layout *layout, struct error *error)
         layout_note(layout, "no rays: the lens states no aperture (give -N)");
         return true;
     }
-    if (!open_beams(layout, &beams, error)) {
+    if (!layout_rays_open_beams(layout, &beams, error)) {
         return false;
     }
     add_axial(&beams);

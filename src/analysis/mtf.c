@@ -8,12 +8,12 @@
 #include <string.h>
 
 /* A complex sum for each direction, and what a perfect pupil has. */
-struct sums {
+struct mtf_sums {
     double re[MTF_DIRECTIONS], im[MTF_DIRECTIONS], perfect[MTF_DIRECTIONS], light;
 };
 
 /* The pupils; by rays it does without where there are no optical paths. */
-static bool open_pupils(struct mtf_source *source, struct arena *arena, struct error *error)
+static bool mtf_open_pupils(struct mtf_source *source, struct arena *arena, struct error *error)
 {
     const struct mtf_question *question = source->question;
     struct exit_pupils *pupils = &source->pupils;
@@ -70,7 +70,7 @@ bool mtf_open(const struct mtf_question *question, struct arena *arena, struct m
               struct error *error)
 {
     *source = (struct mtf_source){.question = question};
-    if (!open_pupils(source, arena, error)) {
+    if (!mtf_open_pupils(source, arena, error)) {
         return false;
     }
     source->directions = is_alike_about(question->bundle.setup->lens, question->bundle.field)
@@ -94,8 +94,8 @@ bool mtf_open(const struct mtf_question *question, struct arena *arena, struct m
 }
 
 /* One wavelength by waves. */
-static void add_waves(const struct mtf_source *source, size_t g, double frequency,
-                      struct sums *sums, struct mtf *mtf)
+static void mtf_add_waves(const struct mtf_source *source, size_t g, double frequency,
+                          struct mtf_sums *sums, struct mtf *mtf)
 {
     const struct exit_pupil *pupil = &source->pupils.list[g];
     struct overlap_question question = {.shift = frequency / (pupil->waves * pupil->n),
@@ -121,8 +121,8 @@ static void add_waves(const struct mtf_source *source, size_t g, double frequenc
     }
 }
 
-static bool find_by_rays(const struct mtf_source *source, double frequency, struct arena *arena,
-                         struct sums *sums, struct mtf *mtf, struct error *error)
+static bool mtf_find_by_rays(const struct mtf_source *source, double frequency, struct arena *arena,
+                             struct mtf_sums *sums, struct mtf *mtf, struct error *error)
 {
     struct mtf_rays_sums rays;
     if (!mtf_rays_find(source->rays, frequency, source->question->error, arena, &rays, error)) {
@@ -137,7 +137,7 @@ static bool find_by_rays(const struct mtf_source *source, double frequency, stru
 }
 
 /* The light and the overlap are two integrals, whose rounding differs. NaN stays. */
-static double share_of(double part, double light)
+static double mtf_share_of(double part, double light)
 {
     return part > light ? 1 : part / light;
 }
@@ -145,11 +145,11 @@ static double share_of(double part, double light)
 bool mtf_find(const struct mtf_source *source, double frequency, struct arena *arena,
               struct mtf *mtf, struct error *error)
 {
-    struct sums waves = {.light = 0};
+    struct mtf_sums waves = {.light = 0};
     *mtf = (struct mtf){.has_converged = true, .error = 1e-12};
     for (size_t g = 0; g < source->pupils.lights.count && source->pupils.list != NULL; g++) {
         if (source->pupils.lights.list[g].weight > 0) {
-            add_waves(source, g, frequency, &waves, mtf);
+            mtf_add_waves(source, g, frequency, &waves, mtf);
         }
     }
     for (size_t k = source->directions; k < MTF_DIRECTIONS; k++) {
@@ -157,13 +157,13 @@ bool mtf_find(const struct mtf_source *source, double frequency, struct arena *a
         waves.im[k] = waves.im[0];
         waves.perfect[k] = waves.perfect[0];
     }
-    struct sums sums = waves;
-    if (source->rays != NULL && !find_by_rays(source, frequency, arena, &sums, mtf, error)) {
+    struct mtf_sums sums = waves;
+    if (source->rays != NULL && !mtf_find_by_rays(source, frequency, arena, &sums, mtf, error)) {
         return false;
     }
     for (size_t k = 0; k < MTF_DIRECTIONS; k++) {
-        mtf->contrast[k] = share_of(hypot(sums.re[k], sums.im[k]), sums.light);
-        mtf->limit[k] = share_of(waves.perfect[k], waves.light);
+        mtf->contrast[k] = mtf_share_of(hypot(sums.re[k], sums.im[k]), sums.light);
+        mtf->limit[k] = mtf_share_of(waves.perfect[k], waves.light);
         /* of nothing, and of what symmetry makes real */
         const bool is_real = fabs(sums.im[k]) < 1e-9 * sums.light;
         mtf->phase[k] = !(mtf->contrast[k] > 1e-9) ? (double)NAN

@@ -31,7 +31,7 @@ static const double steep = 0.15, steepest = 0.4;
 static const double a_turn = 2.2;
 
 /* How far series of n terms hold beyond their ends: T_n grows by exp(5) up to there. */
-static double beyond(const struct exit_series *series)
+static double mtf_curve_beyond(const struct exit_series *series)
 {
     const double n = fmax((double)series->wave_count, (double)series->amplitude_count);
     return 1 + 12.5 / (n * n);
@@ -41,19 +41,19 @@ static double beyond(const struct exit_series *series)
  * Turns that W1 - W2 makes: the most from place to place along lines, and of all of them across if
  * they were as steep as the steepest, to Gauss's points of the angle and to even ones.
  */
-struct turns {
+struct mtf_curve_turns {
     double along, across, even;
 };
 
 /* The overlap of one pupil in one direction, or of the same pupil with a perfect wave front, which
    wants fewer cells and lines. */
-struct overlapping {
+struct mtf_curve_pupil_overlap {
     const struct exit_front *front;
     bool is_perfect;
     double middle[2], wide[2]; /* along and across */
     double step;               /* of cells */
     size_t lag, cells;         /* cells of one frequency, and of the pupil */
-    struct turns turns;
+    struct mtf_curve_turns turns;
     struct fft fft;
     double *power;
     struct arena *arena;
@@ -61,9 +61,9 @@ struct overlapping {
 
 /* The turns in a coarse grid, for shifts up to so many of its places. NaN stands where nothing is
    clear. */
-static struct turns find_turns(const double (*waves)[LOOKS], size_t most)
+static struct mtf_curve_turns mtf_curve_find_turns(const double (*waves)[LOOKS], size_t most)
 {
-    struct turns turns = {0, 0, 0};
+    struct mtf_curve_turns turns = {0, 0, 0};
     for (size_t shift = 1; shift <= most; shift++) {
         double rows[LOOKS][LOOKS];
         for (size_t i = 0; i < LOOKS; i++) {
@@ -86,7 +86,8 @@ static struct turns find_turns(const double (*waves)[LOOKS], size_t most)
 }
 
 /* W of a line at even places along the pupil, NaN where it is not clear. */
-static void look_along(const struct overlapping *one, const struct exit_line *line, double *waves)
+static void mtf_curve_look_along(const struct mtf_curve_pupil_overlap *one,
+                                 const struct exit_line *line, double *waves)
 {
     struct exit_wave_lanes lanes = {.x = {0}};
     for (size_t j = 0; j < LOOKS; j++) {
@@ -106,7 +107,7 @@ static void look_along(const struct overlapping *one, const struct exit_line *li
 }
 
 /* Turns for shifts up to the most. */
-static struct turns look(const struct overlapping *one, double most)
+static struct mtf_curve_turns mtf_curve_look(const struct mtf_curve_pupil_overlap *one, double most)
 {
     const struct exit_lines *lines = one->front->lines;
     double waves[LOOKS][LOOKS];
@@ -121,26 +122,28 @@ static struct turns look(const struct overlapping *one, double most)
                 exit_front_line(one->front, p, asin(x), &line);
             }
         }
-        look_along(one, &line, waves[i]);
+        mtf_curve_look_along(one, &line, waves[i]);
     }
     const double places = most * LOOKS / one->wide[0];
     const double whole = fmin(fmax(ceil(places), 1), LOOKS - 1);
-    const struct turns turns = find_turns((const double(*)[LOOKS])waves, (size_t)whole);
+    const struct mtf_curve_turns turns =
+        mtf_curve_find_turns((const double(*)[LOOKS])waves, (size_t)whole);
     const double part = fmin(places, 1); /* of a place */
-    return (struct turns){part * turns.along, part * turns.across, part * turns.even};
+    return (struct mtf_curve_turns){part * turns.along, part * turns.across, part * turns.even};
 }
 
 /* Lines that a share of the pupil across wants. */
-static double lines_for(const struct turns *turns, double share)
+static double lines_for(const struct mtf_curve_turns *turns, double share)
 {
     const double most = (1 + share) / 2, across = fmin(most * turns->across, share * turns->even);
     return fmax(most * LINES_LEAST, most * LINES_STILL + a_turn * across);
 }
 
 /* Cells and lines for a step of the shift; false: too many. */
-static bool set_grid(struct overlapping *one, double shift, size_t count)
+static bool mtf_curve_set_grid(struct mtf_curve_pupil_overlap *one, double shift, size_t count)
 {
-    one->turns = one->is_perfect ? (struct turns){0, 0, 0} : look(one, shift * (double)count);
+    one->turns = one->is_perfect ? (struct mtf_curve_turns){0, 0, 0}
+                                 : mtf_curve_look(one, shift * (double)count);
     const double turns = 1.3 * LOOKS * one->turns.along;
     const double cells =
         fmax(fmax(CELLS, turns / steepest), cbrt(CELLS * turns * turns / (steep * steep)));
@@ -152,15 +155,15 @@ static bool set_grid(struct overlapping *one, double shift, size_t count)
 }
 
 /* A line's cells from the first that is clear: complex, or real of a perfect wave front. */
-static void put_line(const struct overlapping *one, const struct exit_line *line, double weight,
-                     double *re, double *im)
+static void mtf_curve_put_line(const struct mtf_curve_pupil_overlap *one,
+                               const struct exit_line *line, double weight, double *re, double *im)
 {
     kernel_exit_wave *find = KERNEL_FOR(SET_BEST, kernel_exit_wave);
     const double first = line->spans.edges[0], cells = (double)one->cells;
     struct exit_wave_lanes lanes = {.x = {0}};
     for (size_t k = 0; k < line->spans.count; k++) {
         const double *edges = line->spans.edges + 2 * k, wide = edges[1] - edges[0];
-        const double end_x = beyond(&line->series[k]);
+        const double end_x = mtf_curve_beyond(&line->series[k]);
         /* edges that were found between few nodes may cross: no cell lies before the first */
         const size_t from = (size_t)fmin(fmax((edges[0] - first) / one->step, 0), cells);
         const size_t end = (size_t)fmin(fmax(ceil((edges[1] - first) / one->step), 0), cells);
@@ -186,7 +189,8 @@ static void put_line(const struct overlapping *one, const struct exit_line *line
 }
 
 /* Add the power of lines that were transformed. */
-static void add_power(const struct overlapping *one, const double *re, const double *im)
+static void mtf_curve_add_power(const struct mtf_curve_pupil_overlap *one, const double *re,
+                                const double *im)
 {
     const size_t length = one->fft.length;
     for (size_t k = 0; k < FFT_LANES; k++) {
@@ -204,7 +208,8 @@ static void add_power(const struct overlapping *one, const double *re, const dou
  * Given     times  that the piece counts: for its mirror image too
  *           halves  of a piece that is its own mirror image half the lines do
  */
-static void add_piece(const struct overlapping *one, size_t p, double times, bool halves)
+static void add_piece(const struct mtf_curve_pupil_overlap *one, size_t p, double times,
+                      bool halves)
 {
     const struct arena_mark mark = arena_mark(one->arena);
     const struct exit_piece *piece = &one->front->lines->pieces[p];
@@ -225,18 +230,18 @@ static void add_piece(const struct overlapping *one, size_t p, double times, boo
             const double counts = halves && 2 * at + 1 != count ? 2 * times : times;
             exit_front_line(one->front, p, PI * (x[at] - 0.5), &line);
             double *real = i < FFT_LANES ? re + i * length : im + (i - FFT_LANES) * length;
-            put_line(one, &line, sqrt(PI * counts * w[at] * line.slope), real,
-                     one->is_perfect ? NULL : im + i * length);
+            mtf_curve_put_line(one, &line, sqrt(PI * counts * w[at] * line.slope), real,
+                               one->is_perfect ? NULL : im + i * length);
         }
         const struct fft_lines lines = {re, im, FFT_LANES, length, 1};
         fft_transform(&one->fft, false, &lines, SET_BEST, one->arena);
-        add_power(one, re, im);
+        mtf_curve_add_power(one, re, im);
     }
     arena_reset(one->arena, mark);
 }
 
 /* Of pieces that are mirror images of each other the first counts twice. */
-static void add_pieces(const struct overlapping *one)
+static void add_pieces(const struct mtf_curve_pupil_overlap *one)
 {
     const struct exit_lines *lines = one->front->lines;
     const size_t count = lines->count;
@@ -248,12 +253,12 @@ static void add_pieces(const struct overlapping *one)
 }
 
 /* What a direction has at the frequencies, of all wavelengths. */
-struct sums {
+struct mtf_curve_sums {
     double *re, *im, *perfect, light;
 };
 
-static void add_overlaps(const struct overlapping *one, size_t count, double weight,
-                         struct sums *sums)
+static void add_overlaps(const struct mtf_curve_pupil_overlap *one, size_t count, double weight,
+                         struct mtf_curve_sums *sums)
 {
     const size_t length = one->fft.length;
     double *zero = ARENA_ARRAY(one->arena, length, double);
@@ -273,20 +278,22 @@ static void add_overlaps(const struct overlapping *one, size_t count, double wei
 
 /* Plan the overlap of one front; false: it cannot be drawn. */
 static bool plan(const struct exit_front *front, bool is_perfect, double step, size_t count,
-                 struct overlapping *one)
+                 struct mtf_curve_pupil_overlap *one)
 {
     const struct exit_pupil *pupil = front->pupil;
-    *one = (struct overlapping){.front = front, .is_perfect = is_perfect};
+    *one = (struct mtf_curve_pupil_overlap){.front = front, .is_perfect = is_perfect};
     for (int k = 0; k < 2; k++) {
         double range[2];
         exit_pupil_range(pupil, k == 0 ? front->lines->along : front->lines->across, range);
         one->middle[k] = (range[0] + range[1]) / 2;
         one->wide[k] = range[1] - range[0];
     }
-    return overlap_is_known(front->off) && set_grid(one, step / (pupil->waves * pupil->n), count);
+    return overlap_is_known(front->off) &&
+           mtf_curve_set_grid(one, step / (pupil->waves * pupil->n), count);
 }
 
-static void add_pupil(struct overlapping *one, size_t count, struct arena *arena, struct sums *sums)
+static void mtf_curve_add_pupil(struct mtf_curve_pupil_overlap *one, size_t count,
+                                struct arena *arena, struct mtf_curve_sums *sums)
 {
     const struct arena_mark mark = arena_mark(arena);
     one->arena = arena;
@@ -305,8 +312,8 @@ bool mtf_curve_find(const struct mtf_source *source, double step, size_t count, 
 {
     enum { BOTH = 2 }; /* with the wave front, and with a perfect one */
     const size_t lights = source->pupils.lights.count, each = lights * BOTH;
-    struct overlapping *plans =
-        arena_array(arena, source->directions * each, sizeof(struct overlapping));
+    struct mtf_curve_pupil_overlap *plans =
+        arena_array(arena, source->directions * each, sizeof(struct mtf_curve_pupil_overlap));
     for (size_t i = 0; i < source->directions * each; i++) {
         const size_t front = i % each / BOTH * MTF_DIRECTIONS + i / each;
         if (!plan(&source->fronts[front], i % BOTH == 1, step, count, &plans[i])) {
@@ -314,12 +321,13 @@ bool mtf_curve_find(const struct mtf_source *source, double step, size_t count, 
         }
     }
     for (size_t k = 0; k < source->directions; k++) {
-        struct sums sums = {ARENA_ARRAY(arena, count, double), ARENA_ARRAY(arena, count, double),
-                            ARENA_ARRAY(arena, count, double), 0};
+        struct mtf_curve_sums sums = {ARENA_ARRAY(arena, count, double),
+                                      ARENA_ARRAY(arena, count, double),
+                                      ARENA_ARRAY(arena, count, double), 0};
         for (size_t i = 0; i < each; i++) {
             const struct wave_light *light = &source->pupils.lights.list[i / BOTH];
             if (light->weight > 0) {
-                add_pupil(&plans[k * each + i], count, arena, &sums);
+                mtf_curve_add_pupil(&plans[k * each + i], count, arena, &sums);
             }
         }
         for (size_t g = 0; g < lights; g++) {

@@ -9,8 +9,9 @@
 enum { FIRST_RAYS = 200, LANES = MTF_RAYS_LANES };
 
 /* The rays of one wavelength at the end of a level. */
-static bool add_light(const struct mtf_rays *rays, const struct wave_light *light, size_t count,
-                      struct arena *arena, struct mtf_rays_level *level, struct error *error)
+static bool mtf_rays_add_light(const struct mtf_rays *rays, const struct wave_light *light,
+                               size_t count, struct arena *arena, struct mtf_rays_level *level,
+                               struct error *error)
 {
     const double unit = wave_light_weight(light);
     struct bundle bundle;
@@ -47,14 +48,14 @@ static bool add_light(const struct mtf_rays *rays, const struct wave_light *ligh
 }
 
 /* Trace the next level. */
-static bool add_level(struct mtf_rays *rays, struct arena *arena, struct error *error)
+static bool mtf_rays_add_level(struct mtf_rays *rays, struct arena *arena, struct error *error)
 {
     struct mtf_rays_level *level = &rays->levels[rays->count];
     *level = (struct mtf_rays_level){.count = 0};
     for (size_t g = 0; g < rays->lights.count; g++) {
         const struct wave_light *light = &rays->lights.list[g];
-        if (light->weight > 0 &&
-            !add_light(rays, light, (size_t)FIRST_RAYS << rays->count, arena, level, error)) {
+        if (light->weight > 0 && !mtf_rays_add_light(rays, light, (size_t)FIRST_RAYS << rays->count,
+                                                     arena, level, error)) {
             return false;
         }
     }
@@ -67,7 +68,7 @@ bool mtf_rays_find(struct mtf_rays *rays, double frequency, double wanted, struc
 {
     *sums = (struct mtf_rays_sums){.error = INFINITY};
     for (size_t l = 0; l < MTF_RAYS_LEVELS && !sums->has_converged; l++) {
-        if (l == rays->count && !add_level(rays, arena, error)) {
+        if (l == rays->count && !mtf_rays_add_level(rays, arena, error)) {
             return false;
         }
         const struct mtf_rays_level *level = &rays->levels[l];

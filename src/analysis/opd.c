@@ -10,7 +10,7 @@ static bool arrives(const struct ray *ray)
     return ray->status == RAY_OK || ray->status == RAY_CLIPPED;
 }
 
-static double dot(const double a[3], const double b[3])
+static double opd_dot(const double a[3], const double b[3])
 {
     return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
 }
@@ -38,8 +38,8 @@ bool opd_sphere(const struct ray *chief, double pupil, double n, const double ce
         to_pupil[i] = chief->point[i] - reference->centre[i] + way * chief->cosine[i];
     }
     memcpy(reference->pupil, to_pupil, sizeof reference->pupil);
-    reference->radius = sqrt(dot(to_pupil, to_pupil));
-    reference->side = dot(to_pupil, chief->cosine) > 0 ? -1 : 1;
+    reference->radius = sqrt(opd_dot(to_pupil, to_pupil));
+    reference->side = opd_dot(to_pupil, chief->cosine) > 0 ? -1 : 1;
     if (!(reference->radius > 0)) {
         return fail(error, ERROR_DOMAIN,
                     "the exit pupil lies in the image plane: there is no reference sphere");
@@ -69,7 +69,8 @@ static double plane_path(const struct opd_reference *reference, const struct ray
         back[i] = reference->centre[i] - ray->point[i];
         turn[i] = d[i] - e[i];
     }
-    double way = (dot(back, d) + reference->plane_way * dot(turn, turn) / 2) / dot(d, e);
+    double way =
+        (opd_dot(back, d) + reference->plane_way * opd_dot(turn, turn) / 2) / opd_dot(d, e);
     return ray->path + reference->n * way;
 }
 
@@ -78,7 +79,7 @@ static double square_across(const double from[3], const double e[3])
 {
     const double across[3] = {from[1] * e[2] - from[2] * e[1], from[2] * e[0] - from[0] * e[2],
                               from[0] * e[1] - from[1] * e[0]};
-    return dot(across, across);
+    return opd_dot(across, across);
 }
 
 /* sqrt(R^2 - q) */
@@ -102,7 +103,7 @@ double opd_path(const struct opd_reference *reference, const struct ray *ray)
     }
     double q = square_across(from, e), R = reference->radius;
     double bulge = isinf(R) ? 0 : q / (R + half_chord(R, q));
-    return ray->path - reference->n * (dot(from, e) - reference->side * bulge);
+    return ray->path - reference->n * (opd_dot(from, e) - reference->side * bulge);
 }
 
 void opd_path_by_centre(const struct opd_reference *reference, const struct ray *ray,
@@ -117,7 +118,7 @@ void opd_path_by_centre(const struct opd_reference *reference, const struct ray 
     if (isinf(R)) {
         return;
     }
-    const double q = square_across(from, e), S = half_chord(R, q), along = dot(from, e);
+    const double q = square_across(from, e), S = half_chord(R, q), along = opd_dot(from, e);
     for (int i = 0; i < 3; i++) {
         const double bulge =
             reference->pupil[i] * q / (R * S * (R + S)) + (along * e[i] - from[i]) / S;

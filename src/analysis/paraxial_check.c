@@ -54,8 +54,9 @@ struct meridional {
 };
 
 /* Through the whole system; the result in the frame of the last surface met. */
-static struct meridional follow(const struct check_problem *problem, const struct system *system,
-                                const struct ray *start, struct arena *arena)
+static struct meridional paraxial_check_follow(const struct check_problem *problem,
+                                               const struct system *system, const struct ray *start,
+                                               struct arena *arena)
 {
     size_t axis = problem->section == SECTION_X ? 0 : 1;
     struct arena_mark mark = arena_mark(arena);
@@ -100,7 +101,7 @@ static double crossing(const struct meridional *ray)
     return -ray->y / ray->slope;
 }
 
-static void lose(const struct meridional *ray, struct check_value *value)
+static void paraxial_check_lose(const struct meridional *ray, struct check_value *value)
 {
     value->status = ray->status;
     value->surface = ray->surface;
@@ -122,7 +123,7 @@ static struct meridional follow_back(const struct check_problem *problem, double
 {
     double light_direction = problem->first->index_image < 0 ? 1 : -1;
     struct ray ray = start_at(problem, h, 0, light_direction);
-    return follow(problem, problem->backward, &ray, arena);
+    return paraxial_check_follow(problem, problem->backward, &ray, arena);
 }
 
 static void compare_back(const struct check_problem *problem, enum check_quantity quantity,
@@ -134,7 +135,7 @@ static void compare_back(const struct check_problem *problem, enum check_quantit
     value->paraxial = focus ? first->ffl : first->front_principal;
     value->exact = focus ? crossing(&ray) : (value->height - ray.y) / ray.slope;
     value->scale = place_scale(first);
-    lose(&ray, value);
+    paraxial_check_lose(&ray, value);
 }
 
 static void compare_aperture(const struct check_problem *problem, enum check_quantity quantity,
@@ -144,7 +145,7 @@ static void compare_aperture(const struct check_problem *problem, enum check_qua
     double n = first->index_object, y = fraction * first->marginal_y;
     double u = fraction * first->marginal_v / n, y_end, v_end;
     struct ray start = start_at(problem, y, u, 1);
-    struct meridional ray = follow(problem, problem->forward, &start, arena);
+    struct meridional ray = paraxial_check_follow(problem, problem->forward, &start, arena);
     double sine = fabs(n) * u / sqrt(1 + u * u);
     paraxial_end(first, y, n * u, &y_end, &v_end);
     value->scale = place_scale(first);
@@ -184,13 +185,13 @@ static void compare_aperture(const struct check_problem *problem, enum check_qua
         value->exact = ray.y + problem->plane * ray.slope;
         value->scale = NAN;
     }
-    lose(&ray, value);
+    paraxial_check_lose(&ray, value);
 }
 
 /* -------- by field -------- */
 
-static struct check_chief find_chief(const struct check_problem *problem, double fraction,
-                                     struct arena *arena)
+static struct check_chief paraxial_check_find_chief(const struct check_problem *problem,
+                                                    double fraction, struct arena *arena)
 {
     struct field_point field = problem->field;
     struct check_chief chief = {.fraction = fraction};
@@ -211,14 +212,14 @@ static struct check_chief recall_chief(const struct check_problem *problem, doub
                                        struct arena *arena)
 {
     if (problem->chiefs == NULL) {
-        return find_chief(problem, fraction, arena);
+        return paraxial_check_find_chief(problem, fraction, arena);
     }
     int exponent;
     double mantissa = frexp(fraction, &exponent);
     size_t slot = (size_t)(mantissa * 1e9) + 37 * (size_t)(64 - exponent);
     struct check_chief *kept = &problem->chiefs[slot % CHECK_CHIEFS];
     if (kept->fraction != fraction) {
-        *kept = find_chief(problem, fraction, arena);
+        *kept = paraxial_check_find_chief(problem, fraction, arena);
     }
     return *kept;
 }
@@ -254,7 +255,7 @@ static void compare_field(const struct check_problem *problem, enum check_quanti
         return;
     }
     double y, u, y_end, v_end, slope = chief.cosine[axis] / chief.cosine[2];
-    struct meridional ray = follow(problem, problem->forward, &chief, arena);
+    struct meridional ray = paraxial_check_follow(problem, problem->forward, &chief, arena);
     paraxial_chief(problem, &beam, &y, &u);
     paraxial_end(first, y, first->index_object * u, &y_end, &v_end);
     value->scale = place_scale(first);
@@ -278,7 +279,7 @@ static void compare_field(const struct check_problem *problem, enum check_quanti
         value->paraxial = first->exit_pupil;
         value->exact = crossing(&ray);
     }
-    lose(&ray, value);
+    paraxial_check_lose(&ray, value);
 }
 
 struct check_value check_at(const struct check_problem *problem, enum check_quantity quantity,
@@ -360,8 +361,9 @@ struct check_order check_order(const struct check_problem *problem, enum check_q
     return result;
 }
 
-static bool is_within(const struct check_problem *problem, enum check_quantity quantity,
-                      double fraction, double tolerance, struct arena *arena)
+static bool paraxial_check_is_within(const struct check_problem *problem,
+                                     enum check_quantity quantity, double fraction,
+                                     double tolerance, struct arena *arena)
 {
     struct check_value value = check_at(problem, quantity, fraction, arena);
     return fabs(value.exact - value.paraxial) <= tolerance * value.scale;
@@ -377,13 +379,13 @@ double check_trusted(const struct check_problem *problem, enum check_quantity qu
     }
     for (int i = 1; i <= SAMPLES && isnan(bad); i++) {
         double fraction = (double)i / SAMPLES;
-        bool within = is_within(problem, quantity, fraction, tolerance, arena);
+        bool within = paraxial_check_is_within(problem, quantity, fraction, tolerance, arena);
         good = within ? fraction : good;
         bad = within ? bad : fraction;
     }
     for (int i = 0; i < HALVINGS && !isnan(bad); i++) {
         double middle = (good + bad) / 2;
-        bool within = is_within(problem, quantity, middle, tolerance, arena);
+        bool within = paraxial_check_is_within(problem, quantity, middle, tolerance, arena);
         good = within ? middle : good;
         bad = within ? bad : middle;
     }

@@ -122,7 +122,7 @@ static void find_peak(struct psf *psf)
 
 /* Where the centroid of the pixels is that lie at most so far from the middle, pixels. Of an even
    number the first have no counterpart on the other side: they move no centroid. */
-static void find_centroid(const struct psf *psf, size_t reach, double at[2])
+static void psf_find_centroid(const struct psf *psf, size_t reach, double at[2])
 {
     const size_t size = psf->size, half = size / 2, first = half - reach;
     const size_t end = half + reach + 1;
@@ -141,15 +141,15 @@ static void find_centroid(const struct psf *psf, size_t reach, double at[2])
 }
 
 /* total: of all light, in values of pixels. */
-static void measure(struct psf *psf, double total, struct arena *arena)
+static void psf_measure(struct psf *psf, double total, struct arena *arena)
 {
     const size_t size = psf->size, reach = (size - 1) / 2;
     double sum = 0, all[2], inner[2];
     for (size_t i = 0; i < size * size; i++) {
         sum += psf->values[i];
     }
-    find_centroid(psf, reach, all);
-    find_centroid(psf, reach / 2, inner);
+    psf_find_centroid(psf, reach, all);
+    psf_find_centroid(psf, reach / 2, inner);
     for (int k = 0; k < 2; k++) {
         psf->centroid[k] = fabs(all[k]) > noise ? all[k] * psf->pitch : 0;
     }
@@ -173,12 +173,12 @@ static void measure(struct psf *psf, double total, struct arena *arena)
 /* -------- the whole -------- */
 
 /* Sums over wavelengths. */
-struct sums {
+struct psf_sums {
     double *values, perfect, total;
 };
 
-static bool add_wavelength(enum psf_method method, struct psf_plane *plane, struct sums *sums,
-                           struct error *error)
+static bool psf_add_wavelength(enum psf_method method, struct psf_plane *plane,
+                               struct psf_sums *sums, struct error *error)
 {
     static psf_way *const ways[] = {
         [PSF_PLANE] = psf_by_plane, [PSF_FFT] = psf_by_fft, [PSF_HUYGENS] = psf_by_huygens};
@@ -204,8 +204,9 @@ static bool add_wavelength(enum psf_method method, struct psf_plane *plane, stru
 }
 
 /* The pixels of one wavelength. */
-static struct psf_plane plane_of(const struct psf_question *question, const struct psf *psf,
-                                 const struct exit_pupil *pupil, double spread, struct arena *arena)
+static struct psf_plane psf_plane_of(const struct psf_question *question, const struct psf *psf,
+                                     const struct exit_pupil *pupil, double spread,
+                                     struct arena *arena)
 {
     return (struct psf_plane){.pupil = pupil,
                               .size = psf->size,
@@ -216,18 +217,18 @@ static struct psf_plane plane_of(const struct psf_question *question, const stru
                               .arena = arena};
 }
 
-static bool is_dark(const struct exit_pupils *pupils, size_t g)
+static bool psf_is_dark(const struct exit_pupils *pupils, size_t g)
 {
     return !(pupils->lights.list[g].weight > 0);
 }
 
-static bool add_waves(const struct psf_question *question, const struct exit_pupils *pupils,
-                      const double *spreads, const struct psf *psf, struct sums *sums,
-                      struct arena *arena, struct error *error)
+static bool psf_add_waves(const struct psf_question *question, const struct exit_pupils *pupils,
+                          const double *spreads, const struct psf *psf, struct psf_sums *sums,
+                          struct arena *arena, struct error *error)
 {
     for (size_t g = 0; g < pupils->lights.count; g++) {
-        struct psf_plane plane = plane_of(question, psf, &pupils->list[g], spreads[g], arena);
-        if (!is_dark(pupils, g) && !add_wavelength(psf->method, &plane, sums, error)) {
+        struct psf_plane plane = psf_plane_of(question, psf, &pupils->list[g], spreads[g], arena);
+        if (!psf_is_dark(pupils, g) && !psf_add_wavelength(psf->method, &plane, sums, error)) {
             return false;
         }
     }
@@ -235,8 +236,9 @@ static bool add_waves(const struct psf_question *question, const struct exit_pup
 }
 
 /* Without a pitch: the image has room for all rays. No light lies between pixels. */
-static bool add_rays(const struct psf_question *question, const struct exit_pupils *pupils,
-                     struct psf *psf, struct sums *sums, struct arena *arena, struct error *error)
+static bool psf_add_rays(const struct psf_question *question, const struct exit_pupils *pupils,
+                         struct psf *psf, struct psf_sums *sums, struct arena *arena,
+                         struct error *error)
 {
     struct psf_rays *rays = ARENA_ARRAY(arena, pupils->lights.count, struct psf_rays);
     double farthest = 0;
@@ -245,7 +247,7 @@ static bool add_rays(const struct psf_question *question, const struct exit_pupi
                     "rays: the image lies infinitely far away, where there are waves only");
     }
     for (size_t g = 0; g < pupils->lights.count; g++) {
-        if (is_dark(pupils, g)) {
+        if (psf_is_dark(pupils, g)) {
             continue;
         }
         if (!psf_rays_trace(&pupils->list[g], arena, &rays[g], error)) {
@@ -257,10 +259,10 @@ static bool add_rays(const struct psf_question *question, const struct exit_pupi
     psf->finest = INFINITY;
     for (size_t g = 0; g < pupils->lights.count; g++) {
         const struct exit_pupil *pupil = &pupils->list[g];
-        const struct psf_plane plane = plane_of(question, psf, pupil, 0, arena);
+        const struct psf_plane plane = psf_plane_of(question, psf, pupil, 0, arena);
         const double weight = exit_pupil_weight(pupil), waves = pupil->n * pupil->waves;
         double perfect;
-        if (is_dark(pupils, g)) {
+        if (psf_is_dark(pupils, g)) {
             continue;
         }
         if (!psf_rays_perfect(&plane, &perfect, error)) {
@@ -280,8 +282,9 @@ static void choose_method(const struct psf_question *question, const struct exit
     double turns = 0;
     psf->method = question->method;
     for (size_t g = 0; g < pupils->lights.count; g++) {
-        const struct psf_plane plane = plane_of(question, psf, &pupils->list[g], spreads[g], NULL);
-        turns = is_dark(pupils, g) ? turns : fmax(turns, psf_points_turns(&plane));
+        const struct psf_plane plane =
+            psf_plane_of(question, psf, &pupils->list[g], spreads[g], NULL);
+        turns = psf_is_dark(pupils, g) ? turns : fmax(turns, psf_points_turns(&plane));
     }
     if (psf->method == PSF_AUTO) {
         const bool by_rays =
@@ -303,7 +306,7 @@ bool psf_find(const struct psf_question *question, struct arena *arena, struct p
     for (size_t g = 0; g < pupils->lights.count; g++) {
         spreads[g] = find_spread(&pupils->list[g], arena);
     }
-    struct sums sums = {.values = ARENA_ARRAY(arena, count, double)};
+    struct psf_sums sums = {.values = ARENA_ARRAY(arena, count, double)};
     *psf = (struct psf){.size = question->size,
                         .pitch = question->pitch,
                         .finest = find_finest(pupils),
@@ -318,13 +321,13 @@ bool psf_find(const struct psf_question *question, struct arena *arena, struct p
     }
     choose_method(question, pupils, spreads, psf);
     if (!(psf->method == PSF_RAYS
-              ? add_rays(question, pupils, psf, &sums, arena, error)
-              : add_waves(question, pupils, spreads, psf, &sums, arena, error))) {
+              ? psf_add_rays(question, pupils, psf, &sums, arena, error)
+              : psf_add_waves(question, pupils, spreads, psf, &sums, arena, error))) {
         return false;
     }
     for (size_t i = 0; i < count; i++) {
         sums.values[i] /= sums.perfect;
     }
-    measure(psf, sums.total / (sums.perfect * psf->pitch * psf->pitch), arena);
+    psf_measure(psf, sums.total / (sums.perfect * psf->pitch * psf->pitch), arena);
     return true;
 }

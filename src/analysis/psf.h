@@ -47,7 +47,7 @@ struct psf {
     double inside;            /* share of all light that the pixels have */
     double radius80, radius80_error; /* about the centroid, with 80 % of all light, psf_radius_find;
                                         NaN: the circle is not inside, or pixels are coarse */
-    struct islands islands;
+    struct pupil_islands islands;
     enum psf_method method; /* not PSF_AUTO */
     double turns; /* of the phase across the pupil at the edge of the image, for which it is
                      PSF_RAYS; 0: that was asked for, or it is not */

@@ -159,15 +159,15 @@ static void add_strip(const struct psf_plane *plane, const struct psf_points *po
 }
 
 /* What threads add to a plane. */
-struct columns {
+struct psf_light_columns {
     struct psf_plane *plane;
     const struct psf_points *points;
 };
 
 /* Strips of columns. */
-static void add_columns(void *context, const struct parallel_piece *piece)
+static void psf_light_add_columns(void *context, const struct parallel_piece *piece)
 {
-    const struct columns *columns = context;
+    const struct psf_light_columns *columns = context;
     const struct psf_plane *plane = columns->plane;
     const size_t size = plane->size, room = size * PSF_LANES;
     const double first = -(double)(size / 2) * plane->pitch;
@@ -202,9 +202,10 @@ bool psf_by_huygens(struct psf_plane *plane, struct error *error)
         return false;
     }
     struct parallel *parallel = ARENA_NEW(plane->arena, struct parallel);
-    struct columns columns = {plane, &points};
+    struct psf_light_columns columns = {plane, &points};
     parallel->threads = plane->threads;
-    parallel_pieces(parallel, (plane->size + PSF_LANES - 1) / PSF_LANES, 1, add_columns, &columns);
+    parallel_pieces(parallel, (plane->size + PSF_LANES - 1) / PSF_LANES, 1, psf_light_add_columns,
+                    &columns);
     parallel_free(parallel);
     plane->perfect = points.total;
     return true;

@@ -20,22 +20,23 @@ enum {
 static const double along_turn = 1.75, across_turn = 3.3;
 
 /* Gauss's points on 0..1; many of them are panels of a few, which are found sooner. */
-struct rule {
+struct psf_points_rule {
     size_t count;
     double *x, *w;
 };
 
 /* Points at work: rules by their number of points over EIGHT. */
-struct putting {
+struct point_placer {
     const struct psf_plane *plane;
     struct psf_points *points;
     double *weights, turns[2];
-    struct rule *rules;
+    struct psf_points_rule *rules;
 };
 
-static const struct rule *rule_of(const struct putting *putting, size_t wanted)
+static const struct psf_points_rule *psf_points_rule_of(const struct point_placer *putting,
+                                                        size_t wanted)
 {
-    struct rule *rule = &putting->rules[(wanted + EIGHT - 1) / EIGHT];
+    struct psf_points_rule *rule = &putting->rules[(wanted + EIGHT - 1) / EIGHT];
     const size_t count = (wanted + EIGHT - 1) / EIGHT * EIGHT;
     const size_t panels = (count + PANEL - 1) / PANEL, each = (count + panels - 1) / panels;
     double x[PANEL], w[PANEL];
@@ -43,8 +44,9 @@ static const struct rule *rule_of(const struct putting *putting, size_t wanted)
         return rule;
     }
     gauss_rule(each, x, w);
-    *rule = (struct rule){panels * each, ARENA_ARRAY(putting->plane->arena, panels * each, double),
-                          ARENA_ARRAY(putting->plane->arena, panels * each, double)};
+    *rule = (struct psf_points_rule){panels * each,
+                                     ARENA_ARRAY(putting->plane->arena, panels * each, double),
+                                     ARENA_ARRAY(putting->plane->arena, panels * each, double)};
     for (size_t i = 0; i < rule->count; i++) {
         rule->x[i] = ((double)(i / each) + x[i % each]) / (double)panels;
         rule->w[i] = w[i % each] / (double)panels;
@@ -64,14 +66,14 @@ static double turns_at(const struct psf_plane *plane, double far)
     return fmax(turns_across(plane, 0, far), turns_across(plane, 1, far));
 }
 
-static double farthest(const struct psf_plane *plane)
+static double psf_points_farthest(const struct psf_plane *plane)
 {
     return 0.5 * (double)plane->size * plane->pitch;
 }
 
 double psf_points_turns(const struct psf_plane *plane)
 {
-    return turns_at(plane, farthest(plane));
+    return turns_at(plane, psf_points_farthest(plane));
 }
 
 bool psf_points_fit(const struct psf_plane *plane, struct error *error)
@@ -100,21 +102,21 @@ bool psf_points_fit(const struct psf_plane *plane, struct error *error)
                       plane->size);
 }
 
-static size_t points_along(const struct putting *putting, double length)
+static size_t points_along(const struct point_placer *putting, double length)
 {
     const double share = length / (2 * putting->plane->pupil->half[0]);
     return LEAST + (size_t)(along_turn * putting->turns[0] * fmin(share, 1));
 }
 
-static size_t lines_across(const struct putting *putting, const struct exit_piece *piece)
+static size_t lines_across(const struct point_placer *putting, const struct exit_piece *piece)
 {
     const double share = (piece->high - piece->low) / (2 * putting->plane->pupil->half[1]);
     return LEAST + (size_t)(across_turn * putting->turns[1] * fmin(share, 1));
 }
 
 /* The points of one line. */
-static void put_line(const struct putting *putting, const struct exit_piece *piece, double angle,
-                     double weight)
+static void psf_points_put_line(const struct point_placer *putting, const struct exit_piece *piece,
+                                double angle, double weight)
 {
     struct psf_points *points = putting->points;
     struct exit_spans spans;
@@ -125,7 +127,8 @@ static void put_line(const struct putting *putting, const struct exit_piece *pie
         if (!(length > 0)) {
             continue;
         }
-        const struct rule *rule = rule_of(putting, points_along(putting, length));
+        const struct psf_points_rule *rule =
+            psf_points_rule_of(putting, points_along(putting, length));
         for (size_t k = 0; k < rule->count; k++, points->count++) {
             points->at[points->count][0] = low + length * rule->x[k];
             points->at[points->count][1] = t;
@@ -135,7 +138,7 @@ static void put_line(const struct putting *putting, const struct exit_piece *pie
     points->ends[points->lines++] = points->count;
 }
 
-static void take_room(struct putting *putting, const struct exit_lines *lines)
+static void take_room(struct point_placer *putting, const struct exit_lines *lines)
 {
     struct arena *arena = putting->plane->arena;
     const size_t along = points_along(putting, INFINITY) + EXIT_SPANS * (LEAST + PANEL + EIGHT);
@@ -154,12 +157,14 @@ bool psf_points_put(const struct psf_plane *plane, struct psf_points *points, st
     static const double across_x[2] = {1, 0};
     struct arena *arena = plane->arena;
     struct exit_lines *lines = ARENA_NEW(arena, struct exit_lines);
-    struct putting putting = {
+    struct point_placer putting = {
         .plane = plane,
         .points = points,
-        .turns = {turns_across(plane, 0, farthest(plane)), turns_across(plane, 1, farthest(plane))},
-        .rules = ARENA_ARRAY(
-            arena, ((size_t)(LEAST + across_turn * TURNS_MOST) + 2 * EIGHT) / EIGHT, struct rule)};
+        .turns = {turns_across(plane, 0, psf_points_farthest(plane)),
+                  turns_across(plane, 1, psf_points_farthest(plane))},
+        .rules =
+            ARENA_ARRAY(arena, ((size_t)(LEAST + across_turn * TURNS_MOST) + 2 * EIGHT) / EIGHT,
+                        struct psf_points_rule)};
     if (!psf_points_fit(plane, error)) {
         return false;
     }
@@ -167,9 +172,10 @@ bool psf_points_put(const struct psf_plane *plane, struct psf_points *points, st
     take_room(&putting, lines);
     for (size_t p = 0; p < lines->count; p++) {
         const struct exit_piece *piece = &lines->pieces[p];
-        const struct rule *rows = rule_of(&putting, lines_across(&putting, piece));
+        const struct psf_points_rule *rows =
+            psf_points_rule_of(&putting, lines_across(&putting, piece));
         for (size_t i = 0; i < rows->count; i++) {
-            put_line(&putting, piece, PI * (rows->x[i] - 0.5), PI * rows->w[i]);
+            psf_points_put_line(&putting, piece, PI * (rows->x[i] - 0.5), PI * rows->w[i]);
         }
     }
     points->waves = ARENA_ARRAY(arena, points->count, double);

@@ -32,12 +32,12 @@ static double field_square(const struct field *field, size_t column, size_t row)
 }
 
 /* The values that the rim may cut. */
-struct rim {
+struct psf_radius_rim {
     double *distances, *values, inner; /* steps; inner: sum of the values within */
     size_t count;
 };
 
-static double rim_light(const struct rim *rim, double radius)
+static double rim_light(const struct psf_radius_rim *rim, double radius)
 {
     double sum = rim->inner;
     for (size_t i = 0; i < rim->count; i++) {
@@ -72,7 +72,8 @@ static double field_radius(const struct field *field, struct arena *arena)
     const double within = pow(low - 0.5, 2), beyond = pow(high + 0.5, 2);
     /* no more lie in a ring of 4 steps' width than its area and its edges have room for */
     const size_t room = (size_t)fmin((double)(side * side), 32 * PI * (high + 2));
-    struct rim rim = {ARENA_ARRAY(arena, room, double), ARENA_ARRAY(arena, room, double), 0, 0};
+    struct psf_radius_rim rim = {ARENA_ARRAY(arena, room, double), ARENA_ARRAY(arena, room, double),
+                                 0, 0};
     for (size_t y = 0; y < side; y++) {
         for (size_t x = 0; x < side; x++) {
             const double square = field_square(field, x, y), value = field->values[y * side + x];
@@ -95,7 +96,7 @@ static double field_radius(const struct field *field, struct arena *arena)
 }
 
 /* Lagrange's factors of equal steps at a place among `count` of them; the first that counts. */
-static size_t stencil_at(double at, size_t count, size_t taps, double factors[TAPS])
+static size_t psf_radius_stencil_at(double at, size_t count, size_t taps, double factors[TAPS])
 {
     const double from = floor(at) - (double)(taps / 2 - 1);
     const size_t first = (size_t)fmax(fmin(from, (double)(count - taps)), 0);
@@ -122,7 +123,7 @@ static struct field field_between(const struct field *pixels, size_t steps, doub
     const size_t end = (size_t)fmin(pixels->middle[1] + room, (double)pixels->side);
     for (size_t x = 0; x < side; x++) {
         const double at = pixels->middle[0] + ((double)x - (double)reach) * step;
-        const size_t first = stencil_at(at, pixels->side, taps, factors);
+        const size_t first = psf_radius_stencil_at(at, pixels->side, taps, factors);
         for (size_t y = lowest; y < end; y++) {
             double sum = 0;
             for (size_t j = 0; j < taps; j++) {
@@ -133,7 +134,7 @@ static struct field field_between(const struct field *pixels, size_t steps, doub
     }
     for (size_t y = 0; y < side; y++) {
         const double at = pixels->middle[1] + ((double)y - (double)reach) * step;
-        const size_t first = stencil_at(at, pixels->side, taps, factors);
+        const size_t first = psf_radius_stencil_at(at, pixels->side, taps, factors);
         for (size_t x = 0; x < side; x++) {
             double sum = 0;
             for (size_t j = 0; j < taps; j++) {
@@ -147,7 +148,7 @@ static struct field field_between(const struct field *pixels, size_t steps, doub
 }
 
 /* From the middle to the nearest side of the image, pixels. */
-static double room_of(const struct field *pixels)
+static double psf_radius_room_of(const struct field *pixels)
 {
     double room = INFINITY;
     for (int k = 0; k < 2; k++) {
@@ -185,7 +186,7 @@ struct psf_radius psf_radius_find(const struct psf *psf, double light, struct ar
         psf->size,
         {half + psf->centroid[0] / psf->pitch, half + psf->centroid[1] / psf->pitch},
         light};
-    const double room = room_of(&pixels), by_pixels = field_radius(&pixels, arena);
+    const double room = psf_radius_room_of(&pixels), by_pixels = field_radius(&pixels, arena);
     double radius = by_pixels, error = 1 / sqrt(2 * PI * radius);
     if (!(radius <= room)) {
         return (struct psf_radius){NAN, NAN};

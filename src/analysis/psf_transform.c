@@ -25,7 +25,7 @@ static const double smooth = 1e-5;
 static const double steepest = 0.2;
 
 /* A grid of the pupil: cell i of a row about (i - length/2) step. */
-struct grid {
+struct psf_transform_grid {
     size_t length;
     double step, middle[2];
     double *re, *im;
@@ -77,7 +77,7 @@ static size_t length_for(const struct psf_plane *plane, struct error *error)
 }
 
 /* Points of a row of cells, and what they count, in cells. */
-struct cells {
+struct psf_transform_cells {
     double (*at)[2];
     double *weights;
     size_t *cells, count, whole; /* so many of the points are of whole cells, four each */
@@ -98,8 +98,8 @@ static double angle_of(const struct exit_piece *piece, double t)
 }
 
 /* Gauss's lines through a row, between the ends of the pieces that it meets. */
-static size_t cut_row(const struct exit_lines *lines, const struct grid *grid, double middle,
-                      struct cut *cuts)
+static size_t cut_row(const struct exit_lines *lines, const struct psf_transform_grid *grid,
+                      double middle, struct cut *cuts)
 {
     const double first = (double)(grid->length / 2) + 0.5;
     double x[ROWS], w[ROWS], slope;
@@ -123,8 +123,8 @@ static size_t cut_row(const struct exit_lines *lines, const struct grid *grid, d
     return count;
 }
 
-static void put_point(const struct grid *grid, double x, double t, double weight,
-                      struct cells *cells)
+static void psf_transform_put_point(const struct psf_transform_grid *grid, double x, double t,
+                                    double weight, struct psf_transform_cells *cells)
 {
     const double first = (double)(grid->length / 2) + 0.5;
     cells->at[cells->count][0] = grid->middle[0] + (x - first) * grid->step;
@@ -134,22 +134,24 @@ static void put_point(const struct grid *grid, double x, double t, double weight
 }
 
 /* Parts of a line through cells that are not clear as a whole, two points of Gauss each. */
-static void put_parts(const struct grid *grid, const struct cut *cut, struct cells *cells)
+static void put_parts(const struct psf_transform_grid *grid, const struct cut *cut,
+                      struct psf_transform_cells *cells)
 {
     for (size_t i = 0; i < cut->count; i++) {
         for (size_t x = (size_t)cut->parts[i][0]; (double)x < cut->parts[i][1]; x++) {
             const double low = fmax(cut->parts[i][0], (double)x);
             const double high = fmin(cut->parts[i][1], (double)x + 1);
             for (int k = -1; k <= 1 && cells->clear[x] < whole && high > low; k += 2) {
-                put_point(grid, (low + high) / 2 + k * (high - low) / 2 * gauss, cut->t,
-                          (high - low) / 2 * cut->share, cells);
+                psf_transform_put_point(grid, (low + high) / 2 + k * (high - low) / 2 * gauss,
+                                        cut->t, (high - low) / 2 * cut->share, cells);
             }
         }
     }
 }
 
 /* How much of each cell of a row is clear. */
-static void find_clear(const struct grid *grid, const struct cut *cuts, size_t count, double *clear)
+static void psf_transform_find_clear(const struct psf_transform_grid *grid, const struct cut *cuts,
+                                     size_t count, double *clear)
 {
     for (size_t x = 0; x < grid->length; x++) {
         clear[x] = 0;
@@ -166,18 +168,18 @@ static void find_clear(const struct grid *grid, const struct cut *cuts, size_t c
 }
 
 /* All points of a row of cells: of whole cells two by two, of others line by line. */
-static void put_cells(const struct exit_lines *lines, const struct grid *grid, double middle,
-                      struct cells *cells)
+static void put_cells(const struct exit_lines *lines, const struct psf_transform_grid *grid,
+                      double middle, struct psf_transform_cells *cells)
 {
     struct cut cuts[EXIT_PIECES * ROWS];
     const size_t count = cut_row(lines, grid, middle, cuts);
-    find_clear(grid, cuts, count, cells->clear);
+    psf_transform_find_clear(grid, cuts, count, cells->clear);
     cells->count = 0;
     for (size_t x = 0; x < grid->length; x++) {
         for (int k = 0; k < 4 && cells->clear[x] >= whole; k++) {
             const double across = k % 2 == 0 ? -gauss : gauss, up = k < 2 ? -gauss : gauss;
-            put_point(grid, (double)x + 0.5 + across / 2, middle + up / 2 * grid->step, 0.25,
-                      cells);
+            psf_transform_put_point(grid, (double)x + 0.5 + across / 2,
+                                    middle + up / 2 * grid->step, 0.25, cells);
         }
     }
     cells->whole = cells->count;
@@ -197,7 +199,7 @@ static double more_than(double low, double high)
 }
 
 /* That of a point: they lie two by two along x, and those of whole cells along y. */
-static double more_at(const struct cells *cells, size_t i, const double *waves)
+static double more_at(const struct psf_transform_cells *cells, size_t i, const double *waves)
 {
     const double along = more_than(waves[i - i % 2], waves[i - i % 2 + 1]);
     const size_t below = i - i % 4 + i % 2;
@@ -205,7 +207,7 @@ static double more_at(const struct cells *cells, size_t i, const double *waves)
 }
 
 /* The means of the amplitude over the cells. */
-static void fill_grid(struct psf_plane *plane, const struct grid *grid)
+static void fill_grid(struct psf_plane *plane, const struct psf_transform_grid *grid)
 {
     static const double across_x[2] = {1, 0};
     struct arena *arena = plane->arena;
@@ -213,10 +215,10 @@ static void fill_grid(struct psf_plane *plane, const struct grid *grid)
     exit_lines_find(plane->pupil, across_x, arena, lines);
     const size_t length = grid->length, cuts = lines->count * ROWS;
     const size_t room = 4 * length + 2 * cuts * (length + 2 * EXIT_SPANS);
-    struct cells cells = {.at = arena_array(arena, room, sizeof *cells.at),
-                          .weights = ARENA_ARRAY(arena, room, double),
-                          .cells = ARENA_ARRAY(arena, room, size_t),
-                          .clear = ARENA_ARRAY(arena, length, double)};
+    struct psf_transform_cells cells = {.at = arena_array(arena, room, sizeof *cells.at),
+                                        .weights = ARENA_ARRAY(arena, room, double),
+                                        .cells = ARENA_ARRAY(arena, room, size_t),
+                                        .clear = ARENA_ARRAY(arena, length, double)};
     double *waves = ARENA_ARRAY(arena, room, double);
     double *amplitudes = ARENA_ARRAY(arena, room, double);
     const struct exit_pupil *pupil = plane->pupil;
@@ -256,11 +258,12 @@ bool psf_by_fft(struct psf_plane *plane, struct error *error)
         return false;
     }
     const size_t room = length * length;
-    const struct grid grid = {.length = length,
-                              .step = 1 / (pupil->n * pupil->waves * (double)length * plane->pitch),
-                              .middle = {pupil->middle[0], pupil->middle[1]},
-                              .re = ARENA_ARRAY(plane->arena, room, double),
-                              .im = ARENA_ARRAY(plane->arena, room, double)};
+    const struct psf_transform_grid grid = {
+        .length = length,
+        .step = 1 / (pupil->n * pupil->waves * (double)length * plane->pitch),
+        .middle = {pupil->middle[0], pupil->middle[1]},
+        .re = ARENA_ARRAY(plane->arena, room, double),
+        .im = ARENA_ARRAY(plane->arena, room, double)};
     for (size_t i = 0; i < room; i++) {
         grid.re[i] = grid.im[i] = 0;
     }

@@ -11,7 +11,7 @@
 enum { POINTS = 8, EACH = 5, AT_ONCE = RAYS_BLOCK / EACH };
 
 /* Points of the beam that wait to be traced, and the sums. */
-struct summing {
+struct cut_sums {
     const struct cut_plane *plane;
     struct rays work;
     double step; /* of differences, mm */
@@ -21,7 +21,7 @@ struct summing {
 };
 
 /* Where ray i crosses the plane; NaN where it does not. */
-static void cross(const struct summing *summing, size_t i, double point[2])
+static void pupil_cut_cross(const struct cut_sums *summing, size_t i, double point[2])
 {
     const struct cut_plane *plane = summing->plane;
     const struct ray_block *block = summing->work.blocks;
@@ -32,7 +32,7 @@ static void cross(const struct summing *summing, size_t i, double point[2])
 }
 
 /* Trace what waits. */
-static void flush(struct summing *summing)
+static void pupil_cut_flush(struct cut_sums *summing)
 {
     const struct cut_plane *plane = summing->plane;
     beam_fill(plane->beam, (const double(*)[2])summing->at, summing->count * EACH,
@@ -43,7 +43,7 @@ static void flush(struct summing *summing)
     for (size_t i = 0; i < summing->count; i++) {
         double points[EACH][2], slope = 1 / (2 * summing->step);
         for (size_t k = 0; k < EACH; k++) {
-            cross(summing, i * EACH + k, points[k]);
+            pupil_cut_cross(summing, i * EACH + k, points[k]);
         }
         double xa = points[1][0] - points[2][0], ya = points[1][1] - points[2][1];
         double xb = points[3][0] - points[4][0], yb = points[3][1] - points[4][1];
@@ -55,7 +55,7 @@ static void flush(struct summing *summing)
     summing->count = 0;
 }
 
-static void add(struct summing *summing, double a, double b, double weight)
+static void pupil_cut_add(struct cut_sums *summing, double a, double b, double weight)
 {
     static const double steps[EACH][2] = {{0, 0}, {1, 0}, {-1, 0}, {0, 1}, {0, -1}};
     for (size_t k = 0; k < EACH; k++) {
@@ -65,7 +65,7 @@ static void add(struct summing *summing, double a, double b, double weight)
     }
     summing->weights[summing->count++] = weight;
     if (summing->count == AT_ONCE) {
-        flush(summing);
+        pupil_cut_flush(summing);
     }
 }
 
@@ -73,23 +73,23 @@ struct cut_extent pupil_cut(const struct cut_plane *plane, const struct clear_pu
                             struct arena *arena)
 {
     double x[POINTS], w[POINTS];
-    struct summing *summing = ARENA_NEW(arena, struct summing);
+    struct cut_sums *summing = ARENA_NEW(arena, struct cut_sums);
     double size = fmax(clear->high[0] - clear->low[0], clear->high[1] - clear->low[1]);
     *summing =
-        (struct summing){.plane = plane, .work = rays_new(arena, RAYS_BLOCK), .step = 1e-5 * size};
+        (struct cut_sums){.plane = plane, .work = rays_new(arena, RAYS_BLOCK), .step = 1e-5 * size};
     gauss_rule(POINTS, x, w);
     for (size_t i = 0; i < clear->arm_count; i++) {
         const struct clear_arm *arm = &clear->arms[i];
-        const struct spans *spans = arm->spans;
+        const struct clear_intervals *spans = arm->spans;
         for (size_t k = 0; k < POINTS * spans->count; k++) {
             double low = spans->low[k / POINTS], width = spans->high[k / POINTS] - low;
             double t = low + width * x[k % POINTS];
-            add(summing, clear->centre[0] + t * (arm->edge.at[0] - clear->centre[0]),
-                clear->centre[1] + t * (arm->edge.at[1] - clear->centre[1]),
-                2 * arm->area * t * width * w[k % POINTS]);
+            pupil_cut_add(summing, clear->centre[0] + t * (arm->edge.at[0] - clear->centre[0]),
+                          clear->centre[1] + t * (arm->edge.at[1] - clear->centre[1]),
+                          2 * arm->area * t * width * w[k % POINTS]);
         }
     }
-    flush(summing);
+    pupil_cut_flush(summing);
     return (struct cut_extent){
         summing->area, {summing->along[0] / summing->area, summing->along[1] / summing->area}};
 }

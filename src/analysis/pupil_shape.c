@@ -78,8 +78,9 @@ static bool chief_from_film(const struct pupil_question *question, const struct 
     return miss <= 1e-9 * question->open->stop_radius;
 }
 
-static bool find_chief(const struct pupil_question *question, const struct clear_guess *guess,
-                       struct arena *arena, double at[2])
+static bool pupil_shape_find_chief(const struct pupil_question *question,
+                                   const struct clear_guess *guess, struct arena *arena,
+                                   double at[2])
 {
     struct aim aim;
     struct error ignored;
@@ -115,7 +116,8 @@ static size_t ray_count(const struct clear_pupil *clear)
     return arms_from(clear) + clear->arm_count;
 }
 
-static const double *place_of(const struct clear_pupil *clear, const double chief[2], size_t i)
+static const double *pupil_shape_place_of(const struct clear_pupil *clear, const double chief[2],
+                                          size_t i)
 {
     const size_t tips = tips_from(clear);
     return i < tips               ? clear->edges[i].at
@@ -126,7 +128,8 @@ static const double *place_of(const struct clear_pupil *clear, const double chie
 /* -------- outlines -------- */
 
 /* Where a line crosses z = const; NaN where it runs along it, or the other way. */
-static void cross(const struct ray *ray, double z, double light_direction, double point[2])
+static void pupil_shape_cross(const struct ray *ray, double z, double light_direction,
+                              double point[2])
 {
     double t = (z - ray->point[2]) / ray->cosine[2];
     bool meets = ray->cosine[2] * light_direction > ALONG;
@@ -139,8 +142,8 @@ static void cross(const struct ray *ray, double z, double light_direction, doubl
 static const size_t nothing = (size_t)-1;
 
 /* Bounds of an outline; limits: what clear_edge_at takes. */
-static void bound(const struct clear_pupil *clear, const double (*points)[2],
-                  struct pupil_extent *extent, size_t limit[PUPIL_ENDS])
+static void pupil_shape_bound(const struct clear_pupil *clear, const double (*points)[2],
+                              struct pupil_extent *extent, size_t limit[PUPIL_ENDS])
 {
     const double(*curve)[2] = points + tips_from(clear);
     for (int k = 0; k < 2; k++) {
@@ -154,16 +157,16 @@ static void bound(const struct clear_pupil *clear, const double (*points)[2],
 }
 
 /* The outline of rays in a plane, with its limits. */
-static void look_at(const struct clear_pupil *clear, const struct ray *rays, double z,
-                    double light_direction, struct arena *arena, struct pupil_extent *extent,
-                    size_t limit[PUPIL_ENDS])
+static void pupil_shape_look_at(const struct clear_pupil *clear, const struct ray *rays, double z,
+                                double light_direction, struct arena *arena,
+                                struct pupil_extent *extent, size_t limit[PUPIL_ENDS])
 {
     const size_t count = ray_count(clear);
     double(*points)[2] = arena_array(arena, count, sizeof *points);
     bool met = isfinite(z);
     *extent = (struct pupil_extent){.z = z};
     for (size_t i = 0; i < count; i++) {
-        cross(&rays[i], met ? z : 0, light_direction, points[i]);
+        pupil_shape_cross(&rays[i], met ? z : 0, light_direction, points[i]);
         met = met && isfinite(points[i][0]) && isfinite(points[i][1]);
     }
     for (size_t i = 0; i < PUPIL_ENDS; i++) {
@@ -172,7 +175,7 @@ static void look_at(const struct clear_pupil *clear, const struct ray *rays, dou
     if (met) {
         extent->area =
             contour_area(clear, (const double(*)[2])points + arms_from(clear), extent->centre);
-        bound(clear, (const double(*)[2])points, extent, limit);
+        pupil_shape_bound(clear, (const double(*)[2])points, extent, limit);
         return;
     }
     extent->area = extent->low[0] = extent->low[1] = extent->high[0] = extent->high[1] = NAN;
@@ -185,7 +188,8 @@ static void look_at(const struct clear_pupil *clear, const struct ray *rays, dou
 enum measure { ACROSS, IN_PLANE, COSINES };
 
 /* What a bit of the beam's plane counts; see the header. */
-static double weight(const struct beam *beam, const double at[2], enum measure what, double z)
+static double pupil_shape_weight(const struct beam *beam, const double at[2], enum measure what,
+                                 double z)
 {
     struct ray ray = beam_ray(beam, at[0], at[1]);
     double cosine = fabs(ray.cosine[2]), d = fabs(beam->distance);
@@ -207,18 +211,19 @@ static double integrate(const struct beam *beam, const struct clear_pupil *clear
     enum { POINTS = 8 };
     double x[POINTS], w[POINTS], sum = 0;
     if (isinf(beam->distance)) {
-        return weight(beam, clear->centre, what, z) * clear->area; /* alike everywhere */
+        return pupil_shape_weight(beam, clear->centre, what, z) *
+               clear->area; /* alike everywhere */
     }
     gauss_rule(POINTS, x, w);
     for (size_t i = 0; i < clear->arm_count; i++) {
         const double *edge = clear->arms[i].edge.at, *c = clear->centre;
-        const struct spans *spans = clear->arms[i].spans;
+        const struct clear_intervals *spans = clear->arms[i].spans;
         double arm[2] = {edge[0] - c[0], edge[1] - c[1]}, along = 0;
         for (size_t k = 0; k < POINTS * spans->count; k++) {
             double low = spans->low[k / POINTS], width = spans->high[k / POINTS] - low;
             double t = low + width * x[k % POINTS];
             const double at[2] = {c[0] + t * arm[0], c[1] + t * arm[1]};
-            along += width * w[k % POINTS] * t * weight(beam, at, what, z);
+            along += width * w[k % POINTS] * t * pupil_shape_weight(beam, at, what, z);
         }
         sum += 2 * along * clear->arms[i].area;
     }
@@ -228,8 +233,9 @@ static double integrate(const struct beam *beam, const struct clear_pupil *clear
 /* -------- both sides -------- */
 
 /* Rays of the beam, taken through to the place `to`. */
-static struct ray *trace_places(const struct pupil_question *question, const double (*at)[2],
-                                size_t count, size_t to, struct arena *arena)
+static struct ray *pupil_shape_trace_places(const struct pupil_question *question,
+                                            const double (*at)[2], size_t count, size_t to,
+                                            struct arena *arena)
 {
     const struct system *system = question->open;
     struct rays rays = rays_new(arena, count);
@@ -256,18 +262,18 @@ static struct ray *trace_edges(const struct pupil_question *question,
     size_t count = ray_count(clear) + 1;
     double(*at)[2] = arena_array(arena, count, sizeof *at);
     for (size_t i = 0; i < count; i++) {
-        const double *place = place_of(clear, chief, i);
+        const double *place = pupil_shape_place_of(clear, chief, i);
         at[i][0] = place[0];
         at[i][1] = place[1];
     }
-    return trace_places(question, (const double(*)[2])at, count, to, arena);
+    return pupil_shape_trace_places(question, (const double(*)[2])at, count, to, arena);
 }
 
 /* A plane that a bundle may fold in, and how far its rays reach there. */
 struct fold {
     struct pupil_extent *extent;
     double low[2], high[2];
-    struct folding folding;
+    struct jacobian_extremes folding;
 };
 
 /* Three rays at a time: one within the edge, and two beside it. */
@@ -277,9 +283,9 @@ static void add_folds(struct fold *fold, const struct ray *rays, size_t count,
     for (size_t i = 0; i + 2 < count; i += 3) {
         double points[3][2];
         for (size_t k = 0; k < 3; k++) {
-            cross(&rays[i + k], fold->extent->z, light_direction, points[k]);
+            pupil_shape_cross(&rays[i + k], fold->extent->z, light_direction, points[k]);
         }
-        folding_add(&fold->folding, (const double(*)[2])points, 3);
+        caustic_add(&fold->folding, (const double(*)[2])points, 3);
         for (int k = 0; k < 2; k++) {
             fold->low[k] = fmin(fold->low[k], points[0][k]);
             fold->high[k] = fmax(fold->high[k], points[0][k]);
@@ -291,7 +297,7 @@ static void add_folds(struct fold *fold, const struct ray *rays, size_t count,
 static void end_fold(const struct fold *fold)
 {
     struct pupil_extent *extent = fold->extent;
-    extent->folds = folding_seen(&fold->folding);
+    extent->folds = caustic_seen(&fold->folding);
     if (!extent->folds) {
         return;
     }
@@ -308,14 +314,14 @@ enum { PLANES = 2 };
 
 /* Rays a few at a time: all at once are half a megabyte. */
 static void look_for_folds(const struct pupil_question *question, const struct clear_pupil *clear,
-                           enum folding_grid grid, double light_direction, struct arena *arena,
+                           enum caustic_grid grid, double light_direction, struct arena *arena,
                            struct fold folds[PLANES])
 {
     enum { AT_ONCE = 3 * RAYS_BLOCK };
     size_t count;
     const double(*at)[2] = folding_places(clear, grid, arena, &count);
     for (size_t i = 0; i < PLANES; i++) {
-        folds[i].folding = (struct folding){0, 0, 0};
+        folds[i].folding = (struct jacobian_extremes){0, 0, 0};
         for (int k = 0; k < 2; k++) {
             folds[i].low[k] = INFINITY;
             folds[i].high[k] = -INFINITY;
@@ -325,7 +331,7 @@ static void look_for_folds(const struct pupil_question *question, const struct c
         const struct arena_mark mark = arena_mark(arena);
         const size_t here = count - done < AT_ONCE ? count - done : AT_ONCE;
         const struct ray *rays =
-            trace_places(question, at + done, here, question->open->places, arena);
+            pupil_shape_trace_places(question, at + done, here, question->open->places, arena);
         for (size_t i = 0; i < PLANES; i++) {
             if (folds[i].extent->outline != NULL) {
                 add_folds(&folds[i], rays, here, light_direction);
@@ -341,15 +347,15 @@ static void check_folds(const struct pupil_question *question, const struct clea
 {
     struct fold folds[PLANES] = {{.extent = &side->pupil}, {.extent = &side->vertex}};
     bool ruled_out = true;
-    look_for_folds(question, clear, FOLDING_COARSE, light_direction, arena, folds);
+    look_for_folds(question, clear, CAUSTIC_COARSE, light_direction, arena, folds);
     for (size_t i = 0; i < PLANES; i++) {
         ruled_out =
-            ruled_out && (folds[i].extent->outline == NULL || folding_ruled_out(&folds[i].folding));
+            ruled_out && (folds[i].extent->outline == NULL || caustic_ruled_out(&folds[i].folding));
     }
     if (ruled_out) {
         return;
     }
-    look_for_folds(question, clear, FOLDING_FINE, light_direction, arena, folds);
+    look_for_folds(question, clear, CAUSTIC_FINE, light_direction, arena, folds);
     for (size_t i = 0; i < PLANES; i++) {
         if (folds[i].extent->outline != NULL) {
             end_fold(&folds[i]);
@@ -364,8 +370,8 @@ static void fill_side(const struct clear_pupil *clear, const struct ray *rays, b
 {
     const struct ray *chief = &rays[ray_count(clear)];
     size_t ends[PUPIL_ENDS], vertex[PUPIL_ENDS];
-    look_at(clear, rays, z, light_direction, arena, &side->pupil, ends);
-    look_at(clear, rays, 0, light_direction, arena, &side->vertex, vertex);
+    pupil_shape_look_at(clear, rays, z, light_direction, arena, &side->pupil, ends);
+    pupil_shape_look_at(clear, rays, 0, light_direction, arena, &side->vertex, vertex);
     for (size_t i = 0; i < PUPIL_ENDS; i++) {
         size_t end = ends[i] != nothing ? ends[i] : vertex[i];
         side->limit[i] = end != nothing ? clear_edge_at(clear, end)->surface : 0;
@@ -374,7 +380,7 @@ static void fill_side(const struct clear_pupil *clear, const struct ray *rays, b
     if (!has_chief || side->chief.status == RAY_MISS) {
         side->chief = (struct ray){.point = {NAN, NAN, NAN}, .cosine = {NAN, NAN, NAN}};
     } else if (side->chief.cosine[2] * light_direction > ALONG) {
-        cross(chief, 0, light_direction, side->chief.point);
+        pupil_shape_cross(chief, 0, light_direction, side->chief.point);
         side->chief.point[2] = 0;
     }
 }
@@ -424,7 +430,7 @@ static void fill_stop(const struct pupil_question *question, const struct clear_
         system_to_own(system, system->stop, own);
         for (int k = 0; k < 2; k++) {
             points[i][k] = own[k] / system->stop_radius;
-            across[i][k] = place_of(clear, chief, i)[k] - chief[k];
+            across[i][k] = pupil_shape_place_of(clear, chief, i)[k] - chief[k];
         }
     }
     shape->stop = (const double(*)[2])points;
@@ -476,8 +482,8 @@ static void fill_areas(const struct pupil_question *question, const struct clear
     }
 }
 
-static bool look(const struct pupil_question *question, struct arena *arena,
-                 struct pupil_shape *shape, struct error *error)
+static bool pupil_shape_look(const struct pupil_question *question, struct arena *arena,
+                             struct pupil_shape *shape, struct error *error)
 {
     const struct system *open = question->open;
     const struct beam *beam = question->beam;
@@ -493,7 +499,7 @@ static bool look(const struct pupil_question *question, struct arena *arena,
     }
     struct clear_guess guess = clear_guess_of(question->clipped, beam, question->first);
     *shape = (struct pupil_shape){.count = question->directions};
-    shape->has_chief = find_chief(question, &guess, arena, chief);
+    shape->has_chief = pupil_shape_find_chief(question, &guess, arena, chief);
     explain_loss(question, chief, arena, shape);
     guess.centre[0] = chief[0];
     guess.centre[1] = chief[1];
@@ -526,7 +532,7 @@ bool pupil_shape(const struct pupil_question *question, struct arena *arena,
                  struct pupil_shape *shape, struct error *error)
 {
     const struct arena_mark mark = arena_mark(arena);
-    const bool found = look(question, arena, shape, error);
+    const bool found = pupil_shape_look(question, arena, shape, error);
     if (question->directions == 0) {
         struct pupil_side *const sides[] = {&shape->entrance, &shape->exit};
         for (size_t i = 0; i < 2 && found; i++) {

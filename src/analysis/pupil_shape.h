@@ -48,7 +48,7 @@ struct pupil_shape {
     double projected;   /* area across the beam, in the plane of the vertex, mm^2 */
     double cosine_area; /* of a near point: integral of cos dw; NaN for one infinitely far away */
     size_t rays;        /* about how many were traced */
-    struct islands islands; /* what passes beside the bundle, beyond a gap */
+    struct pupil_islands islands; /* what passes beside the bundle, beyond a gap */
 };
 
 /* What is looked at. Both systems are of one lens and wavelength, and go the same way. */
@@ -74,7 +74,8 @@ struct pupil_question {
  * Source    [Welford86] ch. 5 (pupils); derived here: dw = d/rho^3 dA
  * Errors    ERROR_DOMAIN: no stop, or no radius of it. A point from which nothing arrives is data
  * Limits    1e-7 of the areas (discs, ellipses and wide arcs 1e-9); a shape with more than
- *           STAR_CORNERS corners: 1e-5; one that is no star: as clear.h says; a plane that rays
+ *           PUPIL_BOUNDARY_CORNERS corners: 1e-5; one that is no star: as clear.h says; a plane
+ *           that rays
  *           meet at more than 89.9 deg counts as not met. What apertures block within the edges is
  *           taken out of areas and centroids (1e-7 too, clear.h says when less), not of outlines,
  *           bounds and vignetting, which are those of the edges

@@ -23,7 +23,7 @@ struct arms {
     double *angles, *shares; /* rad; of the circle */
     double (*ways)[2];       /* sine and cosine of the angles */
     struct edge *edges;
-    struct spans *spans;
+    struct clear_intervals *spans;
     size_t count;
     size_t *arcs; /* how many are in each arc from corner to corner */
     size_t arc_count;
@@ -31,7 +31,7 @@ struct arms {
 
 /* -------- arms -------- */
 
-static double arc_length(const struct star *star, size_t i)
+static double arc_length(const struct pupil_boundary *star, size_t i)
 {
     double next = i + 1 < star->corner_count ? star->corners[i + 1] : star->corners[0] + 2 * PI;
     return next - star->corners[i];
@@ -41,7 +41,8 @@ static double arc_length(const struct star *star, size_t i)
  * Directions, and their shares of the circle. What n points of Gauss leave of an arc of the length
  * L falls about as (L/c)^2n: alike in all arcs where n is in proportion to 1/log(c/L).
  */
-static void spread(const struct star *star, size_t wanted, struct arena *arena, struct arms *arms)
+static void quadrature_spread(const struct pupil_boundary *star, size_t wanted, struct arena *arena,
+                              struct arms *arms)
 {
     size_t arcs = star->corner_count, most = wanted + 2 * arcs;
     arms->angles = ARENA_ARRAY(arena, most, double);
@@ -87,13 +88,13 @@ static void keep_half(struct arms *arms)
 }
 
 /* Their edges, in the star's frame. */
-static void find_ends(const struct quadrature_region *region, struct arena *arena,
-                      struct arms *arms)
+static void quadrature_find_ends(const struct quadrature_region *region, struct arena *arena,
+                                 struct arms *arms)
 {
-    const struct star *star = region->star;
+    const struct pupil_boundary *star = region->star;
     double *near = ARENA_ARRAY(arena, arms->count, double);
     for (size_t i = 0; i < arms->count; i++) {
-        near[i] = star_near(star, arms->angles[i]);
+        near[i] = pupil_boundary_near(star, arms->angles[i]);
     }
     arms->edges = ARENA_ARRAY(arena, arms->count, struct edge);
     const struct edge_directions directions = {star->frame, arms->angles, near, arms->count, 0};
@@ -105,35 +106,36 @@ static void make_arms(const struct quadrature_region *region, size_t wanted, str
                       struct arms *arms)
 {
     enum { LESSONS = 3 };
-    const struct margins *margins = &region->margins;
-    struct star *star = region->star;
+    const struct clearances *margins = &region->margins;
+    struct pupil_boundary *star = region->star;
     bool learns = true;
     for (int lesson = 0; lesson <= LESSONS && learns; lesson++) {
-        spread(star, wanted, arena, arms);
+        quadrature_spread(star, wanted, arena, arms);
         if (region->in_half && margins->is_mirrored && star->frame.centre[0] == 0) {
             keep_half(arms);
         }
-        find_ends(region, arena, arms);
+        quadrature_find_ends(region, arena, arms);
         const struct edge_directions ends = {star->frame, arms->angles, NULL, arms->count, 0};
-        learns = lesson < LESSONS && star_learn(margins, &region->probe, &ends, arms->edges, star);
+        learns = lesson < LESSONS &&
+                 pupil_boundary_learn(margins, &region->probe, &ends, arms->edges, star);
     }
     arms->ways = arena_array(arena, arms->count, sizeof *arms->ways);
     for (size_t i = 0; i < arms->count; i++) {
         arms->ways[i][0] = sin(arms->angles[i]);
         arms->ways[i][1] = cos(arms->angles[i]);
     }
-    arms->spans = ARENA_ARRAY(arena, arms->count, struct spans);
+    arms->spans = ARENA_ARRAY(arena, arms->count, struct clear_intervals);
     const struct edge_directions directions = {star->frame, arms->angles, NULL, arms->count, 0};
-    star_spans(margins, &region->probe, &directions, arms->edges, arms->spans);
+    pupil_boundary_spans(margins, &region->probe, &directions, arms->edges, arms->spans);
 }
 
 /* -------- points -------- */
 
 /* Gauss's points on all clear parts of the arms, one ring of the arms after the other. */
-static void put_points(const struct quadrature_region *region, const struct arms *arms,
-                       size_t rings, struct arena *arena, struct quadrature *all)
+static void quadrature_put_points(const struct quadrature_region *region, const struct arms *arms,
+                                  size_t rings, struct arena *arena, struct quadrature *all)
 {
-    const struct star *star = region->star;
+    const struct pupil_boundary *star = region->star;
     const bool in_r = region->in_r;
     const double area = star->frame.stretch[0] * star->frame.stretch[1];
     double *x = ARENA_ARRAY(arena, rings, double), *w = ARENA_ARRAY(arena, rings, double);
@@ -148,7 +150,7 @@ static void put_points(const struct quadrature_region *region, const struct arms
     for (size_t i = 0; i < rings * most * arms->count; i++) {
         size_t k = i % arms->count, ring = i / arms->count % rings;
         size_t span = i / arms->count / rings;
-        const struct spans *spans = &arms->spans[k];
+        const struct clear_intervals *spans = &arms->spans[k];
         if (span >= spans->count) {
             continue;
         }
@@ -172,8 +174,8 @@ static void put_points(const struct quadrature_region *region, const struct arms
 }
 
 /* The rays of points named by u and v. */
-static void put_rays(const struct quadrature_region *region, struct arena *arena,
-                     struct quadrature *all)
+static void quadrature_put_rays(const struct quadrature_region *region, struct arena *arena,
+                                struct quadrature *all)
 {
     all->rays = rays_room(arena, all->sample.count);
     double(*at)[2] = arena_array(arena, all->sample.count, sizeof *at);
@@ -181,22 +183,23 @@ static void put_rays(const struct quadrature_region *region, struct arena *arena
         at[i][0] = all->sample.points[i].x;
         at[i][1] = all->sample.points[i].y;
     }
-    margins_start(&region->margins, (const double(*)[2])at, &all->rays);
+    clearances_start(&region->margins, (const double(*)[2])at, &all->rays);
 }
 
 /* -------- weights -------- */
 
 /* What takes u, v to the stop, and areas with them. */
-struct mapping {
-    const struct margins *margins;
+struct stop_map {
+    const struct clearances *margins;
     struct system before;       /* to the stop */
     struct ray_block *rays;     /* two */
     struct ray_block *tangents; /* two */
 };
 
-static struct mapping mapping_open(const struct margins *margins, bool weighs, struct arena *arena)
+static struct stop_map mapping_open(const struct clearances *margins, bool weighs,
+                                    struct arena *arena)
 {
-    struct mapping mapping = {.margins = margins, .before = *margins->system};
+    struct stop_map mapping = {.margins = margins, .before = *margins->system};
     mapping.before.places = system_place(margins->system, margins->system->stop) + 1;
     if (weighs) {
         mapping.rays = rays_room(arena, (size_t)2 * RAYS_BLOCK).blocks;
@@ -206,15 +209,15 @@ static struct mapping mapping_open(const struct margins *margins, bool weighs, s
 }
 
 /* |d(x, y in the stop)/d(u, v)| of up to 128 points; where they cross it stands in the block. */
-static void find_areas(const struct mapping *mapping, const double (*points)[2], size_t count,
+static void find_areas(const struct stop_map *mapping, const double (*points)[2], size_t count,
                        double *areas)
 {
-    const struct margins *margins = mapping->margins;
+    const struct clearances *margins = mapping->margins;
     const struct system *system = margins->system;
     struct ray_block *block = margins->work.blocks;
     const double unit = margins->beam->radius;
     const int lanes = kernel_lanes(count);
-    margins_go(margins, points, count, 0);
+    clearances_go(margins, points, count, 0);
     for (int k = 0; k < 2; k++) {
         const double *axes = margins->beam->axes + k;
         beam_tangents(margins->beam->beam, (double[2]){axes[0], axes[2]}, block, (size_t)lanes,
@@ -225,7 +228,7 @@ static void find_areas(const struct mapping *mapping, const double (*points)[2],
     ray_block_copy(block, &mapping->rays[0], (size_t)lanes);
     for (size_t i = 0; i < count; i++) {
         double from[3], along[2][3];
-        margins_cross(margins, system->stop, i, from);
+        clearances_cross(margins, system->stop, i, from);
         for (int k = 0; k < 2; k++) {
             const struct ray_block *tangent = &mapping->tangents[k];
             double *to = along[k];
@@ -243,12 +246,12 @@ static void find_areas(const struct mapping *mapping, const double (*points)[2],
 }
 
 /* The same by the four rays about each point: an ideal thick lens has no tangents. */
-static void find_areas_beside(const struct mapping *mapping, const double (*points)[2],
+static void find_areas_beside(const struct stop_map *mapping, const double (*points)[2],
                               size_t count, double *areas)
 {
     enum { EACH = 4, AT_ONCE = RAYS_BLOCK / EACH };
     static const double steps[EACH][2] = {{1, 0}, {-1, 0}, {0, 1}, {0, -1}};
-    const struct margins *margins = mapping->margins;
+    const struct clearances *margins = mapping->margins;
     const double unit = margins->beam->radius;
     for (size_t done = 0; done < count; done += AT_ONCE) {
         double beside[RAYS_BLOCK][2];
@@ -258,11 +261,11 @@ static void find_areas_beside(const struct mapping *mapping, const double (*poin
                 beside[i][k] = points[done + i / EACH][k] + step * steps[i % EACH][k];
             }
         }
-        margins_go(margins, (const double(*)[2])beside, here * EACH, mapping->before.places);
+        clearances_go(margins, (const double(*)[2])beside, here * EACH, mapping->before.places);
         for (size_t i = 0; i < here; i++) {
             double at[EACH][3];
             for (size_t k = 0; k < EACH; k++) {
-                margins_cross(margins, margins->system->stop, i * EACH + k, at[k]);
+                clearances_cross(margins, margins->system->stop, i * EACH + k, at[k]);
             }
             double xu = at[0][0] - at[1][0], yu = at[0][1] - at[1][1];
             double xv = at[2][0] - at[3][0], yv = at[2][1] - at[3][1];
@@ -272,7 +275,7 @@ static void find_areas_beside(const struct mapping *mapping, const double (*poin
 }
 
 /* One way or the other; false: the rays do not stand where they cross the stop. */
-static bool find_any_areas(const struct mapping *mapping, const double (*from)[2], size_t count,
+static bool find_any_areas(const struct stop_map *mapping, const double (*from)[2], size_t count,
                            double *areas)
 {
     bool known = true;
@@ -287,8 +290,8 @@ static bool find_any_areas(const struct mapping *mapping, const double (*from)[2
 }
 
 /* Up to 128 points by their areas; false: as find_any_areas. */
-static bool weigh(const struct mapping *mapping, const double (*from)[2], size_t count,
-                  struct pupil_point *points)
+static bool quadrature_weigh(const struct stop_map *mapping, const double (*from)[2], size_t count,
+                             struct pupil_point *points)
 {
     double areas[RAYS_BLOCK];
     const bool known = find_any_areas(mapping, from, count, areas);
@@ -299,9 +302,9 @@ static bool weigh(const struct mapping *mapping, const double (*from)[2], size_t
 }
 
 /* From u, v to the stop's own coordinates, and to its areas where those are weighed. */
-static void map_to_stop(const struct mapping *mapping, struct sample *sample)
+static void map_to_stop(const struct stop_map *mapping, struct sample *sample)
 {
-    const struct margins *margins = mapping->margins;
+    const struct clearances *margins = mapping->margins;
     const double over = 1 / margins->beam->radius;
     for (size_t done = 0; done < sample->count; done += RAYS_BLOCK) {
         size_t here = sample->count - done < RAYS_BLOCK ? sample->count - done : RAYS_BLOCK;
@@ -312,13 +315,13 @@ static void map_to_stop(const struct mapping *mapping, struct sample *sample)
             from[i][1] = points[i].y;
         }
         bool there = margins->beam->weight == WEIGHT_PUPIL &&
-                     weigh(mapping, (const double(*)[2])from, here, points);
+                     quadrature_weigh(mapping, (const double(*)[2])from, here, points);
         if (!there) {
-            margins_go(margins, (const double(*)[2])from, here, mapping->before.places);
+            clearances_go(margins, (const double(*)[2])from, here, mapping->before.places);
         }
         for (size_t i = 0; i < here; i++) {
             double at[3];
-            margins_cross(margins, margins->system->stop, i, at);
+            clearances_cross(margins, margins->system->stop, i, at);
             points[i].x = at[0] * over;
             points[i].y = at[1] * over;
         }
@@ -326,12 +329,12 @@ static void map_to_stop(const struct mapping *mapping, struct sample *sample)
 }
 
 /* Of a whole disc k rings with 2 k + 1 arms are exact up to the degree 2 k; others want more. */
-static size_t arms_for(const struct star *star, size_t rings)
+static size_t arms_for(const struct pupil_boundary *star, size_t rings)
 {
     return star->is_whole ? 2 * rings + 1 : 3 * rings + 2;
 }
 
-static size_t rings_for(const struct star *star, size_t rays)
+static size_t rings_for(const struct pupil_boundary *star, size_t rays)
 {
     size_t rings = 1;
     while (rings * (arms_for(star, rings) + star->corner_count) < rays) {
@@ -342,8 +345,8 @@ static size_t rings_for(const struct star *star, size_t rays)
 
 struct quadrature_region quadrature_open(const struct stop_beam *beam, struct arena *arena)
 {
-    struct star *star = arena_buffer(arena, sizeof *star);
-    const struct margins margins = margins_open(beam, arena);
+    struct pupil_boundary *star = arena_buffer(arena, sizeof *star);
+    const struct clearances margins = clearances_open(beam, arena);
     star->count = 0;
     return (struct quadrature_region){.beam = beam,
                                       .margins = margins,
@@ -351,34 +354,35 @@ struct quadrature_region quadrature_open(const struct stop_beam *beam, struct ar
                                       .star = star};
 }
 
-static void look(struct quadrature_region *region, struct arena *arena)
+static void quadrature_look(struct quadrature_region *region, struct arena *arena)
 {
     if (!region->is_known) {
         region->is_known = true;
         if (region->near == NULL ||
-            !star_follow(&region->margins, &region->probe, region->near, region->star)) {
-            region->is_empty = !star_find(&region->margins, &region->probe, arena, region->star);
+            !pupil_boundary_follow(&region->margins, &region->probe, region->near, region->star)) {
+            region->is_empty =
+                !pupil_boundary_find(&region->margins, &region->probe, arena, region->star);
         }
     }
 }
 
-struct islands quadrature_islands(struct quadrature_region *region, struct arena *arena)
+struct pupil_islands quadrature_islands(struct quadrature_region *region, struct arena *arena)
 {
-    look(region, arena);
-    return region->is_empty ? (struct islands){0}
-                            : islands_find(&region->margins, region->star, arena);
+    quadrature_look(region, arena);
+    return region->is_empty ? (struct pupil_islands){0}
+                            : pupil_islands_find(&region->margins, region->star, arena);
 }
 
-const struct star *quadrature_star(struct quadrature_region *region, struct arena *arena)
+const struct pupil_boundary *quadrature_star(struct quadrature_region *region, struct arena *arena)
 {
-    look(region, arena);
+    quadrature_look(region, arena);
     return region->is_empty ? NULL : region->star;
 }
 
 struct quadrature_rim quadrature_edge(const struct quadrature_region *region,
                                       const struct edge_directions *directions, struct arena *arena)
 {
-    const struct star *star = region->star;
+    const struct pupil_boundary *star = region->star;
     const size_t count = directions->count;
     struct edge_directions about = *directions;
     double *radii = ARENA_ARRAY(arena, count, double);
@@ -386,7 +390,7 @@ struct quadrature_rim quadrature_edge(const struct quadrature_region *region,
     double(*points)[2] = arena_array(arena, count, sizeof *points);
     about.frame = star->frame;
     for (size_t i = 0; i < count; i++) {
-        radii[i] = about.near != NULL ? about.near[i] : star_near(star, about.angles[i]);
+        radii[i] = about.near != NULL ? about.near[i] : pupil_boundary_near(star, about.angles[i]);
     }
     about.near = radii;
     edges_find(&region->margins, &about, finely, edges);
@@ -411,7 +415,7 @@ void quadrature_rays_within(const struct quadrature_region *region,
         }
         if (lane + 1 == RAYS_BLOCK || i + 1 == rings * rim->count) {
             const struct rays block = {rays->blocks + i / RAYS_BLOCK, lane + 1};
-            margins_start(&region->margins, (const double(*)[2])at, &block);
+            clearances_start(&region->margins, (const double(*)[2])at, &block);
         }
     }
 }
@@ -419,33 +423,33 @@ void quadrature_rays_within(const struct quadrature_region *region,
 struct quadrature quadrature_fill(struct quadrature_region *region, size_t rays,
                                   struct arena *arena)
 {
-    const struct margins *margins = &region->margins;
+    const struct clearances *margins = &region->margins;
     const struct stop_beam *beam = region->beam;
     struct quadrature all;
     struct arms arms;
     if (!region->in_beam && quadrature_whole(margins, rays, arena, &all)) {
         return all;
     }
-    look(region, arena);
+    quadrature_look(region, arena);
     all = (struct quadrature){.is_empty = region->is_empty};
     if (all.is_empty) {
         return all;
     }
-    const struct star *star = region->star;
+    const struct pupil_boundary *star = region->star;
     const size_t rings = rings_for(star, rays), wanted = arms_for(star, rings);
     make_arms(region, wanted, arena, &arms);
-    put_points(region, &arms, rings, arena, &all);
+    quadrature_put_points(region, &arms, rings, arena, &all);
     all.is_empty = all.sample.count == 0;
     if (region->in_beam) {
         return all;
     }
-    put_rays(region, arena, &all);
+    quadrature_put_rays(region, arena, &all);
     for (size_t i = 0; i < all.sample.count && beam->weight == WEIGHT_BEAM; i++) {
         struct pupil_point *point = &all.sample.points[i];
         point->weight *= stop_beam_density(beam, point->x, point->y);
     }
     if (!isnan(beam->radius)) {
-        const struct mapping mapping = mapping_open(margins, beam->weight == WEIGHT_PUPIL, arena);
+        const struct stop_map mapping = mapping_open(margins, beam->weight == WEIGHT_PUPIL, arena);
         map_to_stop(&mapping, &all.sample);
     }
     return all;
@@ -475,8 +479,8 @@ void quadrature_weigh_beam(const struct stop_beam *beam, const struct rays *rays
     if (isnan(beam->radius)) {
         return;
     }
-    const struct margins margins = margins_open(beam, arena);
-    const struct mapping mapping = mapping_open(&margins, true, arena);
+    const struct clearances margins = clearances_open(beam, arena);
+    const struct stop_map mapping = mapping_open(&margins, true, arena);
     for (size_t done = 0; done < rays->count; done += RAYS_BLOCK) {
         const size_t here = rays->count - done < RAYS_BLOCK ? rays->count - done : RAYS_BLOCK;
         double from[RAYS_BLOCK][2], areas[RAYS_BLOCK];

@@ -32,10 +32,11 @@ struct quadrature {
 /* What is clear of a pupil, found once for quadratures of any number of rays. */
 struct quadrature_region {
     const struct stop_beam *beam;
-    struct margins margins;
+    struct clearances margins;
     struct probe probe;
-    struct star *star;       /* once it is known; a count of 0: it is not */
-    const struct star *near; /* one of a beam close by, to be set before; null: there is none */
+    struct pupil_boundary *star; /* once it is known; a count of 0: it is not */
+    const struct pupil_boundary
+        *near; /* one of a beam close by, to be set before; null: there is none */
     bool is_known, is_empty;
     bool in_r;    /* points are Gauss's in r, not in r^2: to be set before it is filled */
     bool in_beam; /* points stay u and v, their weights areas there, and have no rays: the same */
@@ -64,17 +65,18 @@ struct quadrature_region quadrature_open(const struct stop_beam *beam, struct ar
  * Source    [Forbes88]; tested against an independent program: vignetted spots of the double Gauss
  *           at 14 degrees, with two corners, to 1e-6 with 162 rays and 1e-9 with 338, of a 58 mm
  *           f/0.95 with eight to 1e-6 with 648
- * Limits    as star_find; what it does not see makes integrals converge slowly, as a doubled sample
+ * Limits    as pupil_boundary_find; what it does not see makes integrals converge slowly, as a
+ * doubled sample
  *           shows
  */
 struct quadrature quadrature_fill(struct quadrature_region *region, size_t rays,
                                   struct arena *arena);
 
-/* What of the light a quadrature leaves out: see islands_find. */
-struct islands quadrature_islands(struct quadrature_region *region, struct arena *arena);
+/* What of the light a quadrature leaves out: see pupil_islands_find. */
+struct pupil_islands quadrature_islands(struct quadrature_region *region, struct arena *arena);
 
 /* What is clear, as a star; null: nothing is. */
-const struct star *quadrature_star(struct quadrature_region *region, struct arena *arena);
+const struct pupil_boundary *quadrature_star(struct quadrature_region *region, struct arena *arena);
 
 /* Points on its edge, in directions of the star's frame. */
 struct quadrature_rim {

@@ -8,8 +8,8 @@
 #include <math.h>
 
 /* Points of the whole pupil at work: their rays' coordinates in the beam. */
-struct placing {
-    const struct margins *margins;
+struct whole_pupil_points {
+    const struct clearances *margins;
     double *a, *b; /* mm */
 };
 
@@ -54,23 +54,23 @@ static void keep_clipped(struct ray_block *block, size_t count)
 }
 
 /* The rays that stand in front of the stop, in its own frame. */
-static void to_own(const struct margins *margins, size_t count)
+static void quadrature_whole_to_own(const struct clearances *margins, size_t count)
 {
     const struct system *system = margins->system;
     for (size_t i = 0; i < count && system->lens->surfaces[system->stop].decentre != NULL; i++) {
         double point[3];
-        margins_cross(margins, system->stop, i, point);
+        clearances_cross(margins, system->stop, i, point);
         margins->work.blocks->x[i] = point[0];
         margins->work.blocks->y[i] = point[1];
     }
 }
 
 /* Up to 128 rays to their points of the stop; receives their places, and renames the points. */
-static bool aim_points(const struct placing *placing, size_t done, struct pupil_point *points,
-                       size_t count)
+static bool aim_points(const struct whole_pupil_points *placing, size_t done,
+                       struct pupil_point *points, size_t count)
 {
     enum { STEPS = 12 };
-    const struct margins *margins = placing->margins;
+    const struct clearances *margins = placing->margins;
     const struct system *system = margins->system;
     const double radius = margins->beam->radius, enough = 1e-12 * radius;
     const struct rays rays = {margins->work.blocks, count};
@@ -81,7 +81,7 @@ static bool aim_points(const struct placing *placing, size_t done, struct pupil_
         beam_start(margins->beam->beam, block.next_a, block.next_b, count, rays.blocks);
         rays_trace_part(system, 0, system_place(system, system->stop) + 1, &rays, NULL);
         keep_clipped(rays.blocks, count);
-        to_own(margins, count);
+        quadrature_whole_to_own(margins, count);
         KERNEL_FOR(SET_BEST, kernel_aim)(rays.blocks, enough * enough, enough * enough, &block);
         open = aim_block_open(&block);
     }
@@ -97,7 +97,8 @@ static bool aim_points(const struct placing *placing, size_t done, struct pupil_
 }
 
 /* All of them, in blocks. */
-static bool aim_all(const struct placing *placing, struct pupil_point *points, size_t count)
+static bool quadrature_whole_aim_all(const struct whole_pupil_points *placing,
+                                     struct pupil_point *points, size_t count)
 {
     bool found = true;
     for (size_t done = 0; done < count && found; done += RAYS_BLOCK) {
@@ -108,17 +109,17 @@ static bool aim_all(const struct placing *placing, struct pupil_point *points, s
 }
 
 /* The arms on one side; the others mirror them: arm k is arm `arms` - k, and arm 0 its own. */
-static bool aim_half(const struct placing *placing, struct pupil_point *points, size_t arms,
-                     size_t rings, struct arena *arena)
+static bool aim_half(const struct whole_pupil_points *placing, struct pupil_point *points,
+                     size_t arms, size_t rings, struct arena *arena)
 {
     const size_t half = (arms + 1) / 2, count = rings * half;
-    const struct placing part = {placing->margins, ARENA_ARRAY(arena, count, double),
-                                 ARENA_ARRAY(arena, count, double)};
+    const struct whole_pupil_points part = {placing->margins, ARENA_ARRAY(arena, count, double),
+                                            ARENA_ARRAY(arena, count, double)};
     struct pupil_point *own = ARENA_ARRAY(arena, count, struct pupil_point);
     for (size_t i = 0; i < count; i++) {
         own[i] = points[i / half * arms + i % half];
     }
-    if (!aim_all(&part, own, count)) {
+    if (!quadrature_whole_aim_all(&part, own, count)) {
         return false;
     }
     for (size_t i = 0; i < count; i++) {
@@ -136,9 +137,10 @@ static bool aim_half(const struct placing *placing, struct pupil_point *points, 
 }
 
 /* Does the outermost ring go around once, the way the points do, and arrive? */
-static bool is_sound(const struct placing *placing, double turn, size_t first, size_t count)
+static bool quadrature_whole_is_sound(const struct whole_pupil_points *placing, double turn,
+                                      size_t first, size_t count)
 {
-    const struct margins *margins = placing->margins;
+    const struct clearances *margins = placing->margins;
     const struct stop_beam *beam = margins->beam;
     struct ray_block *block = margins->work.blocks;
     const double *a = placing->a + first, *b = placing->b + first;
@@ -162,7 +164,8 @@ static bool is_sound(const struct placing *placing, double turn, size_t first, s
 }
 
 /* Points of a disc: no ray has to be aimed. */
-static void place_points(const struct placing *placing, struct pupil_point *points, size_t count)
+static void quadrature_whole_place_points(const struct whole_pupil_points *placing,
+                                          struct pupil_point *points, size_t count)
 {
     const struct stop_beam *beam = placing->margins->beam;
     for (size_t i = 0; i < count; i++) {
@@ -176,7 +179,7 @@ static void place_points(const struct placing *placing, struct pupil_point *poin
 }
 
 /* Which way around in the beam's plane a disc goes: +1 as in u and v. */
-static double turn_of(const struct stop_beam *beam)
+static double quadrature_whole_turn_of(const struct stop_beam *beam)
 {
     double at[3][2];
     stop_beam_place(beam, 0, 0, at[0]);
@@ -186,7 +189,7 @@ static double turn_of(const struct stop_beam *beam)
            (at[1][1] - at[0][1]) * (at[2][0] - at[0][0]);
 }
 
-bool quadrature_whole(const struct margins *margins, size_t rays, struct arena *arena,
+bool quadrature_whole(const struct clearances *margins, size_t rays, struct arena *arena,
                       struct quadrature *all)
 {
     const struct stop_beam *beam = margins->beam;
@@ -198,21 +201,22 @@ bool quadrature_whole(const struct margins *margins, size_t rays, struct arena *
         return false;
     }
     const size_t count = all->sample.count;
-    const struct placing placing = {margins, ARENA_ARRAY(arena, count, double),
-                                    ARENA_ARRAY(arena, count, double)};
+    const struct whole_pupil_points placing = {margins, ARENA_ARRAY(arena, count, double),
+                                               ARENA_ARRAY(arena, count, double)};
     size_t arms = 1;
     while (arms * (arms - 1) / 2 < count) {
         arms += 2;
     }
     bool found = true;
     if (is_disc) {
-        place_points(&placing, all->sample.points, count);
+        quadrature_whole_place_points(&placing, all->sample.points, count);
     } else if (stop_beam_is_mirrored(beam)) {
         found = aim_half(&placing, all->sample.points, arms, count / arms, arena);
     } else {
-        found = aim_all(&placing, all->sample.points, count);
+        found = quadrature_whole_aim_all(&placing, all->sample.points, count);
     }
-    if (!found || !is_sound(&placing, turn_of(beam), count - arms, arms)) {
+    if (!found ||
+        !quadrature_whole_is_sound(&placing, quadrature_whole_turn_of(beam), count - arms, arms)) {
         return false;
     }
     all->arms = arms;

@@ -15,7 +15,7 @@
  * Formula   rays are aimed at points of the stop to 1e-10 of its radius, and named by where they
  *           cross it; of halves that mirror each other (stop_beam_is_mirrored) those of one
  */
-bool quadrature_whole(const struct margins *margins, size_t rays, struct arena *arena,
+bool quadrature_whole(const struct clearances *margins, size_t rays, struct arena *arena,
                       struct quadrature *all);
 
 #endif

@@ -9,14 +9,15 @@
 #include <math.h>
 #include <stdlib.h>
 
-struct quantile_arms quantile_arms_open(const struct bundle *bundle,
-                                        const struct quantile_sheet *sheets, struct arena *arena)
+struct encircled_energy_arms encircled_energy_arms_open(const struct bundle *bundle,
+                                                        const struct encircled_energy_sheet *sheets,
+                                                        struct arena *arena)
 {
-    struct quantile_arms all = {.arms = bundle->arms,
-                                .rings = bundle->rings,
-                                .arcs = bundle->arcs,
-                                .sheets = sheets,
-                                .arena = arena};
+    struct encircled_energy_arms all = {.arms = bundle->arms,
+                                        .rings = bundle->rings,
+                                        .arcs = bundle->arcs,
+                                        .sheets = sheets,
+                                        .arena = arena};
     if (all.arms > 0) {
         all.places = ARENA_ARRAY(arena, all.rings, double);
         all.shares = ARENA_ARRAY(arena, all.rings, double);
@@ -27,33 +28,35 @@ struct quantile_arms quantile_arms_open(const struct bundle *bundle,
 }
 
 /* The last ray of a sheet has come. */
-static void close_sheet(struct quantile_arms *arms, size_t last)
+static void close_sheet(struct encircled_energy_arms *arms, size_t last)
 {
     const size_t count = arms->arms * arms->rings;
     if (arms->arrived == count) {
-        struct quantile_sheet *sheet = ARENA_NEW(arms->arena, struct quantile_sheet);
-        *sheet = (struct quantile_sheet){arms->sheets, last + 1 - count, arms->arms,  arms->rings,
-                                         arms->arcs,   arms->places,     arms->shares};
+        struct encircled_energy_sheet *sheet =
+            ARENA_NEW(arms->arena, struct encircled_energy_sheet);
+        *sheet = (struct encircled_energy_sheet){arms->sheets, last + 1 - count, arms->arms,
+                                                 arms->rings,  arms->arcs,       arms->places,
+                                                 arms->shares};
         arms->sheets = sheet;
     }
     arms->arrived = 0;
 }
 
-void quantile_arms_add(struct quantile_arms *arms, size_t ray, struct quantile_mark *marks,
-                       size_t mark)
+void encircled_energy_arms_add(struct encircled_energy_arms *arms, size_t ray,
+                               struct encircled_energy_mark *marks, size_t mark)
 {
-    if (mark != QUANTILE_ALONE) {
-        marks[mark].beside[0] = marks[mark].beside[1] = QUANTILE_ALONE;
+    if (mark != ENCIRCLED_ENERGY_ALONE) {
+        marks[mark].beside[0] = marks[mark].beside[1] = ENCIRCLED_ENERGY_ALONE;
     }
     if (arms->arms == 0) {
         return;
     }
     const size_t ring = ray / arms->arms % arms->rings, arm = ray % arms->arms;
     size_t *last = &arms->last[arm];
-    if (mark != QUANTILE_ALONE) {
+    if (mark != ENCIRCLED_ENERGY_ALONE) {
         marks[mark].place = arms->places[ring];
         marks[mark].share = arms->shares[ring];
-        if (ring > 0 && *last != QUANTILE_ALONE) {
+        if (ring > 0 && *last != ENCIRCLED_ENERGY_ALONE) {
             marks[mark].beside[0] = *last;
             marks[*last].beside[1] = mark;
         }
@@ -67,31 +70,31 @@ void quantile_arms_add(struct quantile_arms *arms, size_t ray, struct quantile_m
 
 /* -------- of rays by themselves -------- */
 
-struct point {
+struct quantile_point {
     double distance, weight;
 };
 
 static int by_distance(const void *first, const void *second)
 {
-    double a = ((const struct point *)first)->distance,
-           b = ((const struct point *)second)->distance;
+    double a = ((const struct quantile_point *)first)->distance,
+           b = ((const struct quantile_point *)second)->distance;
     return (a > b) - (a < b);
 }
 
 /* The distance within which so much of the weight lies; half of each mark's lies before it. */
-static double of_points(const struct quantile_mark *marks, size_t count, double share,
+static double of_points(const struct encircled_energy_mark *marks, size_t count, double share,
                         struct arena *arena)
 {
-    struct point *points = ARENA_ARRAY(arena, count, struct point);
+    struct quantile_point *points = ARENA_ARRAY(arena, count, struct quantile_point);
     double total = 0, before = 0;
     for (size_t i = 0; i < count; i++) {
-        points[i] = (struct point){hypot(marks[i].at[0], marks[i].at[1]), marks[i].weight};
+        points[i] = (struct quantile_point){hypot(marks[i].at[0], marks[i].at[1]), marks[i].weight};
         total += points[i].weight;
     }
     qsort(points, count, sizeof *points, by_distance);
-    const struct point *last = NULL;
+    const struct quantile_point *last = NULL;
     for (size_t i = 0; i < count; i++) {
-        const struct point *point = &points[i];
+        const struct quantile_point *point = &points[i];
         double middle = before + point->weight / 2;
         if (middle >= share * total) {
             double from = last != NULL ? before - last->weight / 2 : 0;
@@ -128,23 +131,23 @@ static struct piece piece_between(const struct look *a, const struct look *b)
                           {low->radius, high->radius}};
 }
 
-static struct look look_at(const struct quantile_mark *mark)
+static struct look quantile_look_at(const struct encircled_energy_mark *mark)
 {
     return (struct look){sqrt(mark->place), hypot(mark->at[0], mark->at[1]),
                          mark->weight / mark->share};
 }
 
 /* Beyond the last ray on a side: as far as the arm goes; beside a lost ray, as its own share. */
-static struct look look_beyond(const struct quantile_mark *marks, size_t i, int side)
+static struct look look_beyond(const struct encircled_energy_mark *marks, size_t i, int side)
 {
-    const struct quantile_mark *mark = &marks[i];
+    const struct encircled_energy_mark *mark = &marks[i];
     const size_t other = mark->beside[1 - side];
-    const struct look here = look_at(mark);
+    const struct look here = quantile_look_at(mark);
     const double left = fmin(side == 1 ? 1 - mark->place : mark->place, mark->share);
     struct look end = here;
     end.radius = sqrt(fmax(mark->place + (side == 1 ? left : -left), 0));
-    if (other != QUANTILE_ALONE) {
-        const struct look last = look_at(&marks[other]);
+    if (other != ENCIRCLED_ENERGY_ALONE) {
+        const struct look last = quantile_look_at(&marks[other]);
         const double slope = (here.distance - last.distance) / (here.radius - last.radius);
         end.distance = fabs(here.distance + slope * (end.radius - here.radius));
     }
@@ -152,12 +155,13 @@ static struct look look_beyond(const struct quantile_mark *marks, size_t i, int 
 }
 
 /* Those of an arm, or of what is left of it; their number: that of its rays and one. */
-static size_t pieces_of_arm(const struct quantile_mark *marks, size_t first, struct piece *pieces)
+static size_t pieces_of_arm(const struct encircled_energy_mark *marks, size_t first,
+                            struct piece *pieces)
 {
     size_t count = 0, here = first;
     struct look last = look_beyond(marks, first, 0);
-    for (size_t next = first; next != QUANTILE_ALONE; next = marks[here].beside[1]) {
-        const struct look look = look_at(&marks[next]);
+    for (size_t next = first; next != ENCIRCLED_ENERGY_ALONE; next = marks[here].beside[1]) {
+        const struct look look = quantile_look_at(&marks[next]);
         pieces[count++] = piece_between(&last, &look);
         last = look;
         here = next;
@@ -179,7 +183,7 @@ struct stencil {
 };
 
 /* Lagrange's factors: of the nodes nearest by, or those at the end. */
-static struct stencil stencil_at(const double *nodes, size_t count, double at)
+static struct stencil quantile_stencil_at(const double *nodes, size_t count, double at)
 {
     struct stencil stencil = {0, count < STENCIL ? count : STENCIL, {0}};
     while (stencil.first + stencil.count < count &&
@@ -204,7 +208,7 @@ static struct stencil stencil_around(size_t steps, size_t gap, double beyond)
     for (size_t j = 0; j < count; j++) {
         nodes[j] = (double)j;
     }
-    struct stencil stencil = stencil_at(nodes, count, (double)back + beyond);
+    struct stencil stencil = quantile_stencil_at(nodes, count, (double)back + beyond);
     stencil.first = gap + steps - back;
     return stencil;
 }
@@ -213,24 +217,24 @@ static struct stencil stencil_around(size_t steps, size_t gap, double beyond)
  * What there is at looks along an arm. Distances are the same in any axes: of a whole circle each
  * arm has its own, which turn with it, so that nothing changes around a disc.
  */
-struct value {
+struct quantile_value {
     double at[2], density;
 };
 
 /* A sheet at work. */
-struct sheet {
-    const struct quantile_sheet *made;
+struct quantile_sheet {
+    const struct encircled_energy_sheet *made;
     const double *radii; /* of looks outwards, from 0 to 1 */
     size_t looks;
-    struct value *arms; /* `looks` of each */
+    struct quantile_value *arms; /* `looks` of each */
     struct piece *pieces;
     size_t count;
 };
 
 /* Where to look outwards: equal steps between rings. */
-static void choose_radii(size_t steps, struct arena *arena, struct sheet *sheet)
+static void choose_radii(size_t steps, struct arena *arena, struct quantile_sheet *sheet)
 {
-    const struct quantile_sheet *made = sheet->made;
+    const struct encircled_energy_sheet *made = sheet->made;
     double *radii = ARENA_ARRAY(arena, (made->rings + 1) * steps + 1, double), from = 0;
     sheet->looks = 0;
     for (size_t gap = 0; gap <= made->rings; gap++) {
@@ -244,22 +248,23 @@ static void choose_radii(size_t steps, struct arena *arena, struct sheet *sheet)
     sheet->radii = radii;
 }
 
-static void look_along_arms(const struct quantile_mark *marks, const double *arm_shares,
-                            struct arena *arena, struct sheet *sheet)
+static void look_along_arms(const struct encircled_energy_mark *marks, const double *arm_shares,
+                            struct arena *arena, struct quantile_sheet *sheet)
 {
-    const struct quantile_sheet *made = sheet->made;
+    const struct encircled_energy_sheet *made = sheet->made;
     double *rings = ARENA_ARRAY(arena, made->rings, double);
-    sheet->arms = ARENA_ARRAY(arena, sheet->looks * made->arms, struct value);
+    sheet->arms = ARENA_ARRAY(arena, sheet->looks * made->arms, struct quantile_value);
     for (size_t ring = 0; ring < made->rings; ring++) {
         rings[ring] = sqrt(made->places[ring]);
     }
     for (size_t i = 0; i < sheet->looks; i++) {
-        const struct stencil stencil = stencil_at(rings, made->rings, sheet->radii[i]);
+        const struct stencil stencil = quantile_stencil_at(rings, made->rings, sheet->radii[i]);
         for (size_t arm = 0; arm < made->arms; arm++) {
-            struct value *value = &sheet->arms[arm * sheet->looks + i], sum = {{0, 0}, 0};
+            struct quantile_value *value = &sheet->arms[arm * sheet->looks + i], sum = {{0, 0}, 0};
             for (size_t j = 0; j < stencil.count; j++) {
                 const size_t ring = stencil.first + j;
-                const struct quantile_mark *mark = &marks[made->first + ring * made->arms + arm];
+                const struct encircled_energy_mark *mark =
+                    &marks[made->first + ring * made->arms + arm];
                 sum.at[0] += stencil.factor[j] * mark->at[0];
                 sum.at[1] += stencil.factor[j] * mark->at[1];
                 sum.density += stencil.factor[j] * mark->weight / made->shares[ring];
@@ -274,7 +279,7 @@ static void look_along_arms(const struct quantile_mark *marks, const double *arm
 }
 
 /* Pieces of an arm between those of rays: among `count` arms in a circle, from `first` on. */
-static void pieces_between(struct sheet *sheet, size_t first, size_t count,
+static void pieces_between(struct quantile_sheet *sheet, size_t first, size_t count,
                            const struct stencil *stencil, double share)
 {
     struct look last = {0};
@@ -282,7 +287,7 @@ static void pieces_between(struct sheet *sheet, size_t first, size_t count,
         double x = 0, y = 0, density = 0;
         for (size_t j = 0; j < stencil->count; j++) {
             const size_t arm = first + (stencil->first + j) % count;
-            const struct value *value = &sheet->arms[arm * sheet->looks + i];
+            const struct quantile_value *value = &sheet->arms[arm * sheet->looks + i];
             x += stencil->factor[j] * value->at[0];
             y += stencil->factor[j] * value->at[1];
             density += stencil->factor[j] * value->density;
@@ -296,37 +301,38 @@ static void pieces_between(struct sheet *sheet, size_t first, size_t count,
 }
 
 /* Arms in each arc, or in all the circle. */
-static size_t arms_of_arc(const struct quantile_sheet *made, size_t arc)
+static size_t arms_of_arc(const struct encircled_energy_sheet *made, size_t arc)
 {
     return made->arcs.count > 0 ? made->arcs.arms[arc] : made->arms;
 }
 
 /* How often it is looked between so many rays. */
-static size_t looks_outwards(const struct quantile_sheet *made)
+static size_t looks_outwards(const struct encircled_energy_sheet *made)
 {
     const size_t looks = MOST_OUTWARDS / made->rings;
     return looks < 1 ? 1 : looks > LOOKS_OUTWARDS ? LOOKS_OUTWARDS : looks;
 }
 
-static size_t looks_around(const struct quantile_sheet *made)
+static size_t looks_around(const struct encircled_energy_sheet *made)
 {
     const size_t looks = MOST_AROUND / made->arms;
     return looks < 1 ? 1 : looks > LOOKS_AROUND ? LOOKS_AROUND : looks;
 }
 
-static size_t most_pieces(const struct quantile_sheet *made)
+static size_t most_pieces(const struct encircled_energy_sheet *made)
 {
     return (made->rings + 1) * looks_outwards(made) * made->arms * looks_around(made);
 }
 
 /* The pieces of a sheet; their number. */
-static size_t pieces_of_sheet(const struct quantile_mark *marks, const struct quantile_sheet *made,
-                              struct arena *arena, struct piece *pieces)
+static size_t pieces_of_sheet(const struct encircled_energy_mark *marks,
+                              const struct encircled_energy_sheet *made, struct arena *arena,
+                              struct piece *pieces)
 {
     const size_t around = looks_around(made), arcs = made->arcs.count > 0 ? made->arcs.count : 1;
     double *angles = ARENA_ARRAY(arena, made->arms, double),
            *shares = ARENA_ARRAY(arena, made->arms, double);
-    struct sheet sheet = {.made = made, .pieces = pieces};
+    struct quantile_sheet sheet = {.made = made, .pieces = pieces};
     choose_radii(looks_outwards(made), arena, &sheet);
     for (size_t arc = 0, first = 0; arc < arcs; first += arms_of_arc(made, arc), arc++) {
         const size_t count = arms_of_arc(made, arc);
@@ -343,7 +349,7 @@ static size_t pieces_of_sheet(const struct quantile_mark *marks, const struct qu
             const struct stencil stencil =
                 made->arcs.count == 0
                     ? stencil_around(count, i / around, within)
-                    : stencil_at(angles + first, count, ((double)i + 0.5) / (double)cells);
+                    : quantile_stencil_at(angles + first, count, ((double)i + 0.5) / (double)cells);
             pieces_between(&sheet, first, count, &stencil, 1 / (double)cells);
         }
     }
@@ -353,19 +359,21 @@ static size_t pieces_of_sheet(const struct quantile_mark *marks, const struct qu
 /* -------- of all -------- */
 
 /* All pieces; their number. */
-static size_t pieces_of_all(const struct quantile_sample *sample, struct arena *arena,
+static size_t pieces_of_all(const struct encircled_energy_sample *sample, struct arena *arena,
                             struct piece **all)
 {
     size_t room = 2 * sample->count, made = 0;
-    for (const struct quantile_sheet *each = sample->sheets; each != NULL; each = each->next) {
+    for (const struct encircled_energy_sheet *each = sample->sheets; each != NULL;
+         each = each->next) {
         room += most_pieces(each);
     }
     struct piece *pieces = ARENA_ARRAY(arena, room, struct piece);
     bool *is_done = ARENA_ARRAY(arena, sample->count, bool);
     for (size_t i = 0; i < sample->count; i++) {
-        is_done[i] = sample->marks[i].beside[0] != QUANTILE_ALONE;
+        is_done[i] = sample->marks[i].beside[0] != ENCIRCLED_ENERGY_ALONE;
     }
-    for (const struct quantile_sheet *each = sample->sheets; each != NULL; each = each->next) {
+    for (const struct encircled_energy_sheet *each = sample->sheets; each != NULL;
+         each = each->next) {
         const struct arena_mark mark = arena_mark(arena);
         made += pieces_of_sheet(sample->marks, each, arena, pieces + made);
         arena_reset(arena, mark);
@@ -395,7 +403,7 @@ static double part_within(const struct piece *piece, double distance)
 }
 
 /* Pieces that the distance sought may cut, and what light the others leave to them. */
-struct search {
+struct quantile_search {
     struct piece *pieces;
     size_t count;
     double wanted;
@@ -403,7 +411,7 @@ struct search {
 
 static double excess_within(double distance, const void *context)
 {
-    const struct search *search = context;
+    const struct quantile_search *search = context;
     double sum = 0;
     for (size_t i = 0; i < search->count; i++) {
         sum += search->pieces[i].weight * part_within(&search->pieces[i], distance);
@@ -412,7 +420,7 @@ static double excess_within(double distance, const void *context)
 }
 
 /* Give up the pieces that no distance of a bracket cuts. */
-static void narrow(struct search *search, double low, double high)
+static void quantile_narrow(struct quantile_search *search, double low, double high)
 {
     size_t kept = 0;
     for (size_t i = 0; i < search->count; i++) {
@@ -427,10 +435,11 @@ static void narrow(struct search *search, double low, double high)
 }
 
 /* The same where rays lie on arms. */
-static double of_arms(const struct quantile_sample *sample, double share, struct arena *arena)
+static double of_arms(const struct encircled_energy_sample *sample, double share,
+                      struct arena *arena)
 {
     enum { HALVINGS = 6 }; /* after which few pieces are left */
-    struct search search;
+    struct quantile_search search;
     struct error error;
     double total = 0, low = 0, high = 0, found;
     search.count = pieces_of_all(sample, arena, &search.pieces);
@@ -444,13 +453,14 @@ static double of_arms(const struct quantile_sample *sample, double share, struct
         const bool is_beyond = excess_within(middle, &search) < 0;
         low = is_beyond ? middle : low;
         high = is_beyond ? high : middle;
-        narrow(&search, low, high);
+        quantile_narrow(&search, low, high);
     }
     /* a share that ends where light does may have no sign to change */
     return root_find(excess_within, &search, low, high, &found, &error) ? found : (low + high) / 2;
 }
 
-double quantile_find(const struct quantile_sample *sample, double share, struct arena *arena)
+double encircled_energy_find(const struct encircled_energy_sample *sample, double share,
+                             struct arena *arena)
 {
     return sample->has_arms ? of_arms(sample, share, arena)
                             : of_points(sample->marks, sample->count, share, arena);

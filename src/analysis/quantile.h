@@ -11,55 +11,57 @@
 #include <stdint.h>
 
 /* No mark on that side. */
-static const size_t QUANTILE_ALONE = SIZE_MAX;
+static const size_t ENCIRCLED_ENERGY_ALONE = SIZE_MAX;
 
 /* A ray of the sample. */
-struct quantile_mark {
+struct encircled_energy_mark {
     double at[2]; /* from where distances count */
     double weight;
     double place, share; /* on an arm, which goes from 0 to 1: by Gauss's rule there */
-    size_t beside[2];    /* marks on its arm, inwards and outwards; QUANTILE_ALONE: none */
+    size_t beside[2];    /* marks on its arm, inwards and outwards; ENCIRCLED_ENERGY_ALONE: none */
 };
 
 /* Marks first .. of a part of the pupil that lost no ray: the arms of ring after ring outwards. */
-struct quantile_sheet {
-    const struct quantile_sheet *next; /* null: the last */
+struct encircled_energy_sheet {
+    const struct encircled_energy_sheet *next; /* null: the last */
     size_t first, arms, rings;
     struct quadrature_arcs arcs;
     const double *places, *shares; /* of the rings, by Gauss's rule */
 };
 
 /* A sample while its marks are made, ray after ray. */
-struct quantile_arms {
+struct encircled_energy_arms {
     size_t arms, rings;
     struct quadrature_arcs arcs;
-    double *places, *shares;             /* of a ring */
-    size_t *last;                        /* mark of an arm */
-    size_t arrived;                      /* rays of this sheet so far */
-    const struct quantile_sheet *sheets; /* those that are whole */
+    double *places, *shares;                     /* of a ring */
+    size_t *last;                                /* mark of an arm */
+    size_t arrived;                              /* rays of this sheet so far */
+    const struct encircled_energy_sheet *sheets; /* those that are whole */
     struct arena *arena;
 };
 
 /* Given: sheets  those of other wavelengths; null: none */
-struct quantile_arms quantile_arms_open(const struct bundle *bundle,
-                                        const struct quantile_sheet *sheets, struct arena *arena);
+struct encircled_energy_arms encircled_energy_arms_open(const struct bundle *bundle,
+                                                        const struct encircled_energy_sheet *sheets,
+                                                        struct arena *arena);
 
 /*
  * Say where on its arm a mark lies, and beside which.
  *
  * Given     ray   its place in the bundle; all of them in their order, lost ones too
- *           mark  its place among the marks, which are in the same order; QUANTILE_ALONE: the ray
+ *           mark  its place among the marks, which are in the same order; ENCIRCLED_ENERGY_ALONE:
+ *           the ray
  *                 is lost
  */
-void quantile_arms_add(struct quantile_arms *arms, size_t ray, struct quantile_mark *marks,
-                       size_t mark);
+void encircled_energy_arms_add(struct encircled_energy_arms *arms, size_t ray,
+                               struct encircled_energy_mark *marks, size_t mark);
 
 /* At least one mark. */
-struct quantile_sample {
-    const struct quantile_mark *marks;
+struct encircled_energy_sample {
+    const struct encircled_energy_mark *marks;
     size_t count;
-    bool has_arms; /* quantile_arms_add */
-    const struct quantile_sheet *sheets;
+    bool has_arms; /* encircled_energy_arms_add */
+    const struct encircled_energy_sheet *sheets;
 };
 
 /*
@@ -74,6 +76,7 @@ struct quantile_sample {
  *           what their weights say it is there
  *           No arms: half of each mark's weight lies before it, linear between two
  */
-double quantile_find(const struct quantile_sample *sample, double share, struct arena *arena);
+double encircled_energy_find(const struct encircled_energy_sample *sample, double share,
+                             struct arena *arena);
 
 #endif

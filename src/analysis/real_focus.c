@@ -33,23 +33,23 @@ static const double nothing = 1e-12;
 /* -------- the rays of a point -------- */
 
 /* Rays of all wavelengths while they are gathered. */
-struct gathering {
+struct focus_rays {
     const struct real_focus *focus;
     double (*at)[2], (*slope)[2];
-    struct quantile_mark *marks;
+    struct encircled_energy_mark *marks;
     size_t count, room;
     bool has_arms;
-    const struct quantile_sheet *sheets;
+    const struct encircled_energy_sheet *sheets;
 };
 
-static void make_room(struct gathering *all, size_t more)
+static void real_focus_make_room(struct focus_rays *all, size_t more)
 {
     struct arena *arena = all->focus->arena;
-    const struct gathering old = *all;
+    const struct focus_rays old = *all;
     all->room += more;
     all->at = arena_array(arena, all->room, sizeof *all->at);
     all->slope = arena_array(arena, all->room, sizeof *all->slope);
-    all->marks = ARENA_ARRAY(arena, all->room, struct quantile_mark);
+    all->marks = ARENA_ARRAY(arena, all->room, struct encircled_energy_mark);
     for (size_t i = 0; i < old.count; i++) {
         for (int k = 0; k < 2; k++) {
             all->at[i][k] = old.at[i][k];
@@ -60,10 +60,11 @@ static void make_room(struct gathering *all, size_t more)
 }
 
 /* Lines behind the last vertex, by where they cross its plane. */
-static void gather(struct gathering *all, const struct bundle *bundle, double weight)
+static void real_focus_gather(struct focus_rays *all, const struct bundle *bundle, double weight)
 {
-    struct quantile_arms arms = quantile_arms_open(bundle, all->sheets, all->focus->arena);
-    make_room(all, bundle->count);
+    struct encircled_energy_arms arms =
+        encircled_energy_arms_open(bundle, all->sheets, all->focus->arena);
+    real_focus_make_room(all, bundle->count);
     all->has_arms = bundle->arms > 0;
     for (size_t i = 0; i < bundle->count; i++) {
         const struct ray_block *block = &bundle->rays.blocks[i / RAYS_BLOCK];
@@ -78,12 +79,12 @@ static void gather(struct gathering *all, const struct bundle *bundle, double we
             all->marks[n].weight = weight * bundle->points[i].weight;
             all->count++;
         }
-        quantile_arms_add(&arms, i, all->marks, arrives ? n : QUANTILE_ALONE);
+        encircled_energy_arms_add(&arms, i, all->marks, arrives ? n : ENCIRCLED_ENERGY_ALONE);
     }
     all->sheets = arms.sheets;
 }
 
-static bool trace_all(struct gathering *all, double object, struct error *error)
+static bool trace_all(struct focus_rays *all, double object, struct error *error)
 {
     const struct real_focus *focus = all->focus;
     const struct field_point axis = {.kind = FIELD_NONE};
@@ -109,7 +110,7 @@ static bool trace_all(struct gathering *all, double object, struct error *error)
                           error)) {
             return false;
         }
-        gather(all, &bundle, setup.wavelengths[g].weight);
+        real_focus_gather(all, &bundle, setup.wavelengths[g].weight);
     }
     return true;
 }
@@ -117,7 +118,7 @@ static bool trace_all(struct gathering *all, double object, struct error *error)
 /* -------- where they lie closest -------- */
 
 /* Coordinates about their means, which are those of the middle of the blur on every film. */
-static void centre(struct gathering *all)
+static void centre(struct focus_rays *all)
 {
     double sum = 0, mean[4] = {0, 0, 0, 0};
     for (size_t i = 0; i < all->count; i++) {
@@ -136,7 +137,7 @@ static void centre(struct gathering *all)
     }
 }
 
-static bool settle(struct gathering *all, struct real_point *point, struct error *error)
+static bool real_focus_settle(struct focus_rays *all, struct real_point *point, struct error *error)
 {
     double product = 0, spread = 0, square = 0;
     for (size_t i = 0; i < all->count; i++) {
@@ -213,15 +214,17 @@ static double energy_radius(const struct real_focus *focus, const struct real_po
                             double shift)
 {
     const struct arena_mark mark = arena_mark(focus->arena);
-    struct quantile_mark *marks = ARENA_ARRAY(focus->arena, point->count, struct quantile_mark);
+    struct encircled_energy_mark *marks =
+        ARENA_ARRAY(focus->arena, point->count, struct encircled_energy_mark);
     for (size_t i = 0; i < point->count; i++) {
         marks[i] = point->marks[i];
         for (int k = 0; k < 2; k++) {
             marks[i].at[k] = point->at[i][k] + shift * point->slope[i][k];
         }
     }
-    const struct quantile_sample sample = {marks, point->count, point->has_arms, point->sheets};
-    const double radius = quantile_find(&sample, focus->rule.at, focus->arena);
+    const struct encircled_energy_sample sample = {marks, point->count, point->has_arms,
+                                                   point->sheets};
+    const double radius = encircled_energy_find(&sample, focus->rule.at, focus->arena);
     arena_reset(focus->arena, mark);
     return radius;
 }
@@ -292,12 +295,12 @@ static double search_sharpest(const struct real_focus *focus, const struct real_
 bool real_focus_point(const struct real_focus *focus, double object, struct real_point *point,
                       struct error *error)
 {
-    struct gathering all = {.focus = focus};
+    struct focus_rays all = {.focus = focus};
     if (!trace_all(&all, object, error)) {
         return false;
     }
     centre(&all);
-    if (!settle(&all, point, error)) {
+    if (!real_focus_settle(&all, point, error)) {
         return false;
     }
     if (focus->rule.measure != BLUR_RMS) {
@@ -307,8 +310,8 @@ bool real_focus_point(const struct real_focus *focus, double object, struct real
 }
 
 /* With so many rays, the blur where the disc of that mean square would be as large as c. */
-static bool measure(struct real_focus *focus, size_t rays, double object, double c, double *blur,
-                    struct error *error)
+static bool real_focus_measure(struct real_focus *focus, size_t rays, double object, double c,
+                               double *blur, struct error *error)
 {
     const struct arena_mark mark = arena_mark(focus->arena);
     struct real_point point;
@@ -327,11 +330,11 @@ bool real_focus_open(const struct real_focus_question *question, struct arena *a
     const double object = question->object, c = question->c;
     double here, finer;
     *focus = (struct real_focus){.asked = question->lens, .rule = question->rule, .arena = arena};
-    if (!measure(focus, FIRST_RAYS, object, c, &here, error)) {
+    if (!real_focus_measure(focus, FIRST_RAYS, object, c, &here, error)) {
         return false;
     }
     for (size_t rays = FIRST_RAYS; rays < wanted.rays; rays *= 2) {
-        if (!measure(focus, 2 * rays, object, c, &finer, error)) {
+        if (!real_focus_measure(focus, 2 * rays, object, c, &finer, error)) {
             return false;
         }
         focus->error = finer > nothing ? fabs(finer - here) / finer : 0;

@@ -48,10 +48,10 @@ struct real_point {
     double sharpest; /* where its blur is smallest, behind the last vertex, mm */
     double nearest;  /* that of the root mean square: the plane of `at` */
     size_t count;
-    const double (*at)[2], (*slope)[2]; /* mm, mm/mm, about their means */
-    const struct quantile_mark *marks;  /* their weights, in all 1 */
+    const double (*at)[2], (*slope)[2];        /* mm, mm/mm, about their means */
+    const struct encircled_energy_mark *marks; /* their weights, in all 1 */
     bool has_arms;
-    const struct quantile_sheet *sheets;
+    const struct encircled_energy_sheet *sheets;
     double square, spread; /* means of |at|^2 and |slope|^2 */
 };
 

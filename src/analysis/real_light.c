@@ -12,7 +12,7 @@
 static const double wanted = 1e-10;
 
 /* The same integral with what faces take. */
-static double through_faces(const struct falloff *falloff, struct arena *arena)
+static double through_faces(const struct relative_illumination *falloff, struct arena *arena)
 {
     const struct beam film =
         beam_to_pupil((double[3]){0, 0, falloff->setup.image}, falloff->first.exit_pupil,
@@ -38,16 +38,16 @@ bool real_light_find(const struct real_light_question *question, struct arena *a
         return false;
     }
     for (size_t g = 0; g < setup.wavelength_count; g++) {
-        const struct falloff_question one = {.setup = &setup,
-                                             .wavelength = g,
-                                             .stop_diameter = NAN,
-                                             .error = wanted,
-                                             .clip = true,
-                                             .no_field = true,
-                                             .no_vignetting = true};
+        const struct relative_illumination_question one = {.setup = &setup,
+                                                           .wavelength = g,
+                                                           .stop_diameter = NAN,
+                                                           .error = wanted,
+                                                           .clip = true,
+                                                           .no_field = true,
+                                                           .no_vignetting = true};
         const double weight = setup.wavelengths[g].weight;
-        struct falloff falloff;
-        if (!falloff_open(&one, &falloff, error)) {
+        struct relative_illumination falloff;
+        if (!relative_illumination_open(&one, &falloff, error)) {
             return false;
         }
         weights += weight;

@@ -28,7 +28,7 @@ struct real_light {
  * Formula   E/L by analysis/illumination.h; T = sqrt(pi/(4 tau E/L)), since E = pi L/(4 T^2) of a
  *           subject far away
  * Source    [IsoAperture08]
- * Errors    as setup_open, falloff_open
+ * Errors    as setup_open, relative_illumination_open
  */
 bool real_light_find(const struct real_light_question *question, struct arena *arena,
                      struct real_light *light, struct error *error);

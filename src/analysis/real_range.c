@@ -24,7 +24,8 @@ static double object_of(const struct equation *equation, double vergence)
 }
 
 /* What an object says on a film, and where it is sharpest itself. */
-static bool look(struct equation *equation, double vergence, double *blur, double *sharpest)
+static bool real_range_look(struct equation *equation, double vergence, double *blur,
+                            double *sharpest)
 {
     struct arena *arena = equation->focus->arena;
     const struct arena_mark mark = arena_mark(arena);
@@ -42,7 +43,7 @@ static bool look(struct equation *equation, double vergence, double *blur, doubl
 static double excess_of_object(struct equation *equation, double vergence)
 {
     double blur, sharpest;
-    look(equation, vergence, &blur, &sharpest);
+    real_range_look(equation, vergence, &blur, &sharpest);
     return blur * blur - equation->c * equation->c;
 }
 
@@ -55,7 +56,7 @@ static double excess_of_film(struct equation *equation, double film)
 static double excess_of_focus(struct equation *equation, double vergence)
 {
     double blur, sharpest;
-    look(equation, vergence, &blur, &sharpest);
+    real_range_look(equation, vergence, &blur, &sharpest);
     return sharpest - equation->film;
 }
 
@@ -130,7 +131,8 @@ static double vergence_step(struct equation *equation, double distance, double s
     double blur, here, there;
     const double v = isinf(distance) ? 0 : 1 / distance;
     const double more = v > 0 ? 1e-4 * v : 1e-7;
-    if (!look(equation, v, &blur, &here) || !look(equation, v + more, &blur, &there)) {
+    if (!real_range_look(equation, v, &blur, &here) ||
+        !real_range_look(equation, v + more, &blur, &there)) {
         return NAN;
     }
     return fabs(shift * more / (there - here));
@@ -160,7 +162,7 @@ static bool find_objects(struct equation *equation, double distance, double step
 {
     const double v = isinf(distance) ? 0 : 1 / distance;
     double blur, near, far = 0;
-    if (!look(equation, 0, &range->blur_at_infinity, &range->film_far)) {
+    if (!real_range_look(equation, 0, &range->blur_at_infinity, &range->film_far)) {
         return false;
     }
     near = root_beyond(excess_of_object, equation, v, step, nearest_vergence(equation));
@@ -177,8 +179,8 @@ static bool find_objects(struct equation *equation, double distance, double step
                fail(equation->error, ERROR_DOMAIN, "the %s",
                     isnan(near) ? "near limit lies inside the lens" : "far limit is not found");
     }
-    return look(equation, near, &blur, &range->film_near) &&
-           (!(far > 0) || look(equation, far, &blur, &range->film_far));
+    return real_range_look(equation, near, &blur, &range->film_near) &&
+           (!(far > 0) || real_range_look(equation, far, &blur, &range->film_far));
 }
 
 bool real_range_find(const struct real_focus *focus, double front, double distance, double c,

@@ -36,8 +36,8 @@ static void choose_wavelengths(const struct setup_question *question, struct set
 }
 
 /* Without fields at first: a real image may be in the best focus, which depends on the aperture. */
-static bool set_aperture(const struct setup_question *question, struct setup *setup,
-                         struct error *error)
+static bool setup_set_aperture(const struct setup_question *question, struct setup *setup,
+                               struct error *error)
 {
     struct aperture_setting aperture = lens_aperture(setup->lens);
     if (!isnan(question->fnumber)) {
@@ -88,8 +88,9 @@ bool setup_open(const struct setup_question *question, struct arena *arena, stru
     choose_wavelengths(question, setup);
     return first_order_of_lens(lens, lens_primary_wavelength(lens), setup->section, arena,
                                &setup->first, error) &&
-           set_aperture(question, setup, error) && setup_choose_fields(question, setup, error) &&
-           set_aperture(question, setup, error);
+           setup_set_aperture(question, setup, error) &&
+           setup_choose_fields(question, setup, error) &&
+           setup_set_aperture(question, setup, error);
 }
 
 bool setup_light(const struct setup *setup, size_t wavelength, struct setup_light *light,

@@ -11,7 +11,7 @@
 static const size_t most_sought = 30000000;
 
 /* A search for the object point whose chief ray meets the image plane at a height. */
-struct search {
+struct setup_beam_search {
     const struct setup *setup;         /* at the primary wavelength, with its image */
     const struct system *open, *image; /* without rims; and with the image plane */
     double goal[2];                    /* x, y in the image plane, mm */
@@ -41,7 +41,8 @@ static bool beam_at(const struct setup *setup, const double at[2], struct beam *
     return true;
 }
 
-static bool find_chief(struct search *search, const struct beam *beam, struct ray *chief)
+static bool setup_beam_find_chief(struct setup_beam_search *search, const struct beam *beam,
+                                  struct ray *chief)
 {
     struct aim aim = {.sought = 0};
     if (search->setup->first.is_telecentric) {
@@ -58,14 +59,14 @@ static bool find_chief(struct search *search, const struct beam *beam, struct ra
 }
 
 /* How far from the goal the chief ray meets the image plane. */
-static bool look(struct search *search, const double at[2], double miss[2])
+static bool setup_beam_look(struct setup_beam_search *search, const double at[2], double miss[2])
 {
     struct arena *arena = search->setup->arena;
     const struct arena_mark mark = arena_mark(arena);
     struct beam beam;
     struct ray chief;
-    bool found =
-        beam_at(search->setup, at, &beam, &search->lost) && find_chief(search, &beam, &chief);
+    bool found = beam_at(search->setup, at, &beam, &search->lost) &&
+                 setup_beam_find_chief(search, &beam, &chief);
     if (found) {
         struct rays rays = rays_new(arena, 1);
         rays_set(&rays, 0, search->image->index_first, &chief);
@@ -81,7 +82,7 @@ static bool look(struct search *search, const double at[2], double miss[2])
 }
 
 /* Newton's step, the slopes by differences; false where there are none. */
-static bool find_step(struct search *search, double step[2])
+static bool find_step(struct setup_beam_search *search, double step[2])
 {
     double slope[2][2] = {{1, 0}, {0, 1}};
     const double h = search->setup->object.is_infinite
@@ -90,10 +91,10 @@ static bool find_step(struct search *search, double step[2])
     for (int k = search->first; k < 2; k++) {
         double at[2] = {search->at[0], search->at[1]}, beside[2];
         at[k] += h;
-        bool found = look(search, at, beside);
+        bool found = setup_beam_look(search, at, beside);
         if (!found) {
             at[k] -= 2 * h;
-            found = look(search, at, beside);
+            found = setup_beam_look(search, at, beside);
         }
         if (!found) {
             return false;
@@ -113,16 +114,16 @@ static bool find_step(struct search *search, double step[2])
     return isfinite(step[0]) && isfinite(step[1]);
 }
 
-static double left_over(const struct search *search, const double miss[2])
+static double setup_beam_left_over(const struct setup_beam_search *search, const double miss[2])
 {
     return search->first == 1 ? fabs(miss[1]) : hypot(miss[0], miss[1]);
 }
 
 /* One step, halved until it leads nearer; false if none does. */
-static bool improve(struct search *search)
+static bool setup_beam_improve(struct setup_beam_search *search)
 {
     double step[2], miss[2];
-    const double before = left_over(search, search->miss);
+    const double before = setup_beam_left_over(search, search->miss);
     if (!find_step(search, step)) {
         return false;
     }
@@ -130,7 +131,7 @@ static bool improve(struct search *search)
     const double smallest = before <= 1e-13 * search->size ? 0.9 : 1e-6;
     for (double share = 1; share > smallest; share /= 2) {
         const double at[2] = {search->at[0] + share * step[0], search->at[1] + share * step[1]};
-        if (look(search, at, miss) && left_over(search, miss) < before) {
+        if (setup_beam_look(search, at, miss) && setup_beam_left_over(search, miss) < before) {
             for (int i = 0; i < 2; i++) {
                 search->at[i] = at[i];
                 search->miss[i] = miss[i];
@@ -142,7 +143,7 @@ static bool improve(struct search *search)
 }
 
 /* From a field near by, in proportion to its height. */
-static bool begin_near(struct search *search, const struct setup_near *near)
+static bool setup_beam_begin_near(struct setup_beam_search *search, const struct setup_near *near)
 {
     const double height = hypot(near->goal[0], near->goal[1]);
     const double scale = hypot(search->goal[0], search->goal[1]) / height;
@@ -152,11 +153,11 @@ static bool begin_near(struct search *search, const struct setup_near *near)
     search->at[search->first] = scale * near->at[search->first];
     search->at[1] = scale * near->at[1];
     search->near = near->chief;
-    return look(search, search->at, search->miss);
+    return setup_beam_look(search, search->at, search->miss);
 }
 
 /* From the paraxial field, or one nearer to the axis whose chief ray is found. */
-static bool begin(struct search *search)
+static bool setup_beam_begin(struct setup_beam_search *search)
 {
     enum { TRIES = 24 };
     const struct first_order *first = &search->setup->first;
@@ -168,14 +169,15 @@ static bool begin(struct search *search)
                                 ? atan(height * first->power / first->index_object)
                                 : height / first->magnification;
         }
-        if (look(search, search->at, search->miss)) {
+        if (setup_beam_look(search, search->at, search->miss)) {
             return true;
         }
     }
     return false;
 }
 
-static bool refuse(const struct search *search, bool begun, struct error *error)
+static bool setup_beam_refuse(const struct setup_beam_search *search, bool begun,
+                              struct error *error)
 {
     const bool far = search->setup->object.is_infinite;
     const double field = hypot(search->at[0], search->at[1]) * (far ? DEGREES_PER_RADIAN : 1);
@@ -193,22 +195,26 @@ static bool refuse(const struct search *search, bool begun, struct error *error)
                 far ? "deg" : "mm");
 }
 
-static bool solve(struct search *search, const struct setup_near *near, struct error *error)
+static bool setup_beam_solve(struct setup_beam_search *search, const struct setup_near *near,
+                             struct error *error)
 {
     enum { STEPS = 60 };
     const double rounding = 2e-16 * search->size, enough = 1e-10 * search->size;
-    bool begun = (near != NULL && near->is_known && begin_near(search, near)) || begin(search);
-    for (int step = 0; step < STEPS && begun && left_over(search, search->miss) > rounding;
-         step++) {
-        if (!improve(search)) {
+    bool begun = (near != NULL && near->is_known && setup_beam_begin_near(search, near)) ||
+                 setup_beam_begin(search);
+    for (int step = 0;
+         step < STEPS && begun && setup_beam_left_over(search, search->miss) > rounding; step++) {
+        if (!setup_beam_improve(search)) {
             break;
         }
     }
-    return (begun && left_over(search, search->miss) <= enough) || refuse(search, begun, error);
+    return (begun && setup_beam_left_over(search, search->miss) <= enough) ||
+           setup_beam_refuse(search, begun, error);
 }
 
 /* At the primary wavelength, and with an image plane: that of the setup, else of the lens. */
-static bool open_search(struct setup *primary, struct search *search, struct error *error)
+static bool setup_beam_open_search(struct setup *primary, struct setup_beam_search *search,
+                                   struct error *error)
 {
     const double radius = primary->first.stop_radius;
     if (isnan(primary->image) &&
@@ -237,12 +243,12 @@ static bool open_search(struct setup *primary, struct search *search, struct err
  *           from the paraxial field; to rounding, 1e-10 of the height at worst. In a round lens
  *           the plane through axis and image point is that of y and z
  */
-static bool find_object(const struct setup *setup, const double goal[2], struct setup_near *near,
-                        double at[2], struct error *error)
+static bool setup_beam_find_object(const struct setup *setup, const double goal[2],
+                                   struct setup_near *near, double at[2], struct error *error)
 {
     struct setup primary =
         setup_at_wavelength(setup, lens_primary_wavelength(setup->lens), setup->arena);
-    struct search search = {.goal = {goal[0], goal[1]}};
+    struct setup_beam_search search = {.goal = {goal[0], goal[1]}};
     const bool turns = lens_is_round(setup->lens);
     const double height = hypot(goal[0], goal[1]);
     at[0] = at[1] = 0;
@@ -254,7 +260,8 @@ static bool find_object(const struct setup *setup, const double goal[2], struct 
         search.goal[0] = 0;
         search.goal[1] = height;
     }
-    if (!open_search(&primary, &search, error) || !solve(&search, near, error)) {
+    if (!setup_beam_open_search(&primary, &search, error) ||
+        !setup_beam_solve(&search, near, error)) {
         return false;
     }
     if (near != NULL) {
@@ -290,7 +297,7 @@ bool setup_beam_near(const struct setup *setup, const struct field_point *field,
     }
     const struct arena_mark mark = arena_mark(setup->arena);
     double at[2];
-    const bool found = find_object(setup, field->value, near, at, error);
+    const bool found = setup_beam_find_object(setup, field->value, near, at, error);
     arena_reset(setup->arena, mark);
     return found && beam_at(setup, at, beam, error);
 }
@@ -310,7 +317,7 @@ bool setup_real_in_object(const struct setup *setup, struct field_point *field, 
     if (field->kind != FIELD_REAL) {
         return true;
     }
-    const bool found = find_object(setup, field->value, NULL, at, error);
+    const bool found = setup_beam_find_object(setup, field->value, NULL, at, error);
     arena_reset(setup->arena, mark);
     field->kind = setup->object.is_infinite ? FIELD_ANGLE : FIELD_HEIGHT;
     field->value[axis] = found ? at[axis] : (double)NAN;

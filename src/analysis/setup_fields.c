@@ -10,7 +10,8 @@ static const double FIVE_DEGREES = 5 * RADIANS_PER_DEGREE;
 static const double HALF_DIAGONAL = 21.633; /* of 35 mm film, mm */
 static const double STEEPEST = 1.732;       /* tan 60 deg: lenses beyond it distort */
 
-static struct setup_field field_at(const struct setup *setup, enum field_kind kind, double value)
+static struct setup_field setup_fields_field_at(const struct setup *setup, enum field_kind kind,
+                                                double value)
 {
     struct setup_field field = {.point = {.kind = kind}, .weight = 1};
     field.point.value[setup_axis(setup)] = value;
@@ -21,7 +22,8 @@ static struct setup_field field_at(const struct setup *setup, enum field_kind ki
 static struct setup_field field_of_lens(const struct setup *setup, size_t i)
 {
     const struct lens_field *from = &setup->lens->fields[i];
-    struct setup_field field = field_at(setup, setup->lens->field_kind, from->at[1].value.hi);
+    struct setup_field field =
+        setup_fields_field_at(setup, setup->lens->field_kind, from->at[1].value.hi);
     if (lens_has_fields_beside(setup->lens)) {
         field.point.value[0] = from->at[0].value.hi;
         field.point.value[1] = from->at[1].value.hi;
@@ -31,7 +33,7 @@ static struct setup_field field_of_lens(const struct setup *setup, size_t i)
 }
 
 /* The first of those that are farthest from the axis; FIELD_NONE if there are none. */
-static struct field_point farthest(const struct setup_field *fields, size_t count)
+static struct field_point setup_fields_farthest(const struct setup_field *fields, size_t count)
 {
     struct field_point edge = {.kind = FIELD_NONE};
     double largest = NAN;
@@ -101,7 +103,7 @@ static bool take_in_object(const struct setup_question *question, struct setup *
             !in_object(setup, &asked->point, &value, error)) {
             return false;
         }
-        fields[i] = field_at(setup, kind_in_object(setup), value);
+        fields[i] = setup_fields_field_at(setup, kind_in_object(setup), value);
         fields[i].weight = asked->weight;
     }
     setup->fields = fields;
@@ -110,7 +112,7 @@ static bool take_in_object(const struct setup_question *question, struct setup *
 }
 
 /* With two or three fields a thick lens may agree by chance: nine, from the axis to the edge. */
-static bool spread(struct setup *setup, struct error *error)
+static bool setup_fields_spread(struct setup *setup, struct error *error)
 {
     enum { COUNT = 9 };
     const struct lens *lens = setup->lens;
@@ -135,7 +137,8 @@ static bool spread(struct setup *setup, struct error *error)
     }
     struct setup_field *fields = ARENA_ARRAY(setup->arena, COUNT, struct setup_field);
     for (size_t i = 0; i < COUNT; i++) {
-        fields[i] = field_at(setup, kind_in_object(setup), largest * (double)i / (COUNT - 1));
+        fields[i] =
+            setup_fields_field_at(setup, kind_in_object(setup), largest * (double)i / (COUNT - 1));
     }
     setup->fields = fields;
     setup->field_count = COUNT;
@@ -151,7 +154,7 @@ static struct setup_field *list_all(const struct setup *setup, size_t *count)
     const struct lens *lens = setup->lens;
     *count = lens->field_count > 0 ? lens->field_count : 1;
     struct setup_field *fields = ARENA_ARRAY(setup->arena, *count, struct setup_field);
-    fields[0] = field_at(setup, FIELD_NONE, 0);
+    fields[0] = setup_fields_field_at(setup, FIELD_NONE, 0);
     for (size_t i = 0; i < lens->field_count; i++) {
         fields[i] = field_of_lens(setup, i);
     }
@@ -163,10 +166,10 @@ static void take_largest(const struct setup_question *question, struct setup *se
 {
     struct setup_field *one = ARENA_NEW(setup->arena, struct setup_field);
     bool five = question->field_policy == FIELDS_EDGE;
-    one->point = farthest(setup->fields, setup->field_count);
+    one->point = setup_fields_farthest(setup->fields, setup->field_count);
     one->weight = 1;
     if (five && one->point.value[0] == 0 && one->point.value[1] == 0) {
-        *one = field_at(setup, FIELD_ANGLE, FIVE_DEGREES);
+        *one = setup_fields_field_at(setup, FIELD_ANGLE, FIVE_DEGREES);
         setup->fields_from = "the lens states none";
     }
     setup->fields = one;
@@ -179,7 +182,7 @@ bool setup_choose_fields(const struct setup_question *question, struct setup *se
     bool asked = question->field_count > 0;
     enum field_policy policy = question->field_policy;
     if (policy == FIELDS_SPREAD) {
-        if (!(asked ? take_in_object(question, setup, error) : spread(setup, error))) {
+        if (!(asked ? take_in_object(question, setup, error) : setup_fields_spread(setup, error))) {
             return false;
         }
     } else if (asked) {
@@ -191,6 +194,6 @@ bool setup_choose_fields(const struct setup_question *question, struct setup *se
     if (policy == FIELDS_LARGEST || policy == FIELDS_EDGE) {
         take_largest(question, setup);
     }
-    setup->edge = farthest(setup->fields, setup->field_count);
+    setup->edge = setup_fields_farthest(setup->fields, setup->field_count);
     return true;
 }

@@ -15,7 +15,7 @@ enum { FIRST_RAYS = 60, FIRST_UNCLIPPED = 130, MOST_RAYS = 1 << 17 };
 static const double symmetric = 1e-9;
 
 /* A spot at work. */
-struct seeking {
+struct spot_search {
     const struct spot_question *question;
     struct bundle_source *sources; /* one a wavelength */
     struct bundle_question *questions;
@@ -25,13 +25,13 @@ struct seeking {
 
 /* The rays of the spot, and where they are about the origin. */
 struct marks {
-    struct quantile_mark *list;
+    struct encircled_energy_mark *list;
     double (*at)[2];
     size_t count, room;
     size_t rays; /* of one wavelength, lost ones too */
     double clear;
     bool has_arms;
-    const struct quantile_sheet *sheets;
+    const struct encircled_energy_sheet *sheets;
 };
 
 void spot_axes(const double direction[3], double across[2][3])
@@ -54,7 +54,7 @@ void spot_axes(const double direction[3], double across[2][3])
 }
 
 /* Sources point into themselves: they stay where they are. */
-static bool open_sources(struct seeking *seeking, struct arena *arena, struct error *error)
+static bool open_sources(struct spot_search *seeking, struct arena *arena, struct error *error)
 {
     const struct setup *setup = seeking->question->bundle.setup;
     seeking->sources = ARENA_ARRAY(arena, setup->wavelength_count, struct bundle_source);
@@ -74,7 +74,7 @@ static bool open_sources(struct seeking *seeking, struct arena *arena, struct er
 }
 
 /* Where the chief ray meets the plane; without one, where the first ray that arrives does. */
-static bool set_origin(struct seeking *seeking, struct arena *arena, struct error *error)
+static bool set_origin(struct spot_search *seeking, struct arena *arena, struct error *error)
 {
     const struct bundle_source *first = &seeking->sources[0];
     struct ray ray = {.status = RAY_MISS};
@@ -99,10 +99,10 @@ static bool set_origin(struct seeking *seeking, struct arena *arena, struct erro
 }
 
 static bool open_seeking(const struct spot_question *question, struct arena *arena,
-                         struct seeking *seeking, struct error *error)
+                         struct spot_search *seeking, struct error *error)
 {
     const struct setup *setup = question->bundle.setup;
-    *seeking = (struct seeking){.question = question};
+    *seeking = (struct spot_search){.question = question};
     if (!open_sources(seeking, arena, error)) {
         return false;
     }
@@ -112,13 +112,14 @@ static bool open_seeking(const struct spot_question *question, struct arena *are
 }
 
 /* For so many more, and as many of the wavelengths that are left. */
-static void make_room(struct marks *marks, size_t more, size_t left, struct arena *arena)
+static void spot_make_room(struct marks *marks, size_t more, size_t left, struct arena *arena)
 {
     if (marks->count + more <= marks->room) {
         return;
     }
     marks->room = marks->count + more * left;
-    struct quantile_mark *list = ARENA_ARRAY(arena, marks->room, struct quantile_mark);
+    struct encircled_energy_mark *list =
+        ARENA_ARRAY(arena, marks->room, struct encircled_energy_mark);
     double(*at)[2] = arena_array(arena, marks->room, sizeof *at);
     for (size_t i = 0; i < marks->count; i++) {
         list[i] = marks->list[i];
@@ -130,8 +131,9 @@ static void make_room(struct marks *marks, size_t more, size_t left, struct aren
 }
 
 /* The marks of one wavelength, their weights times `weight`. */
-static bool add_marks(const struct seeking *seeking, size_t wavelength, size_t rays, double weight,
-                      struct arena *arena, struct marks *marks, struct error *error)
+static bool spot_add_marks(const struct spot_search *seeking, size_t wavelength, size_t rays,
+                           double weight, struct arena *arena, struct marks *marks,
+                           struct error *error)
 {
     const struct bundle_source *source = &seeking->sources[wavelength];
     struct bundle bundle;
@@ -139,10 +141,10 @@ static bool add_marks(const struct seeking *seeking, size_t wavelength, size_t r
         return false;
     }
     double n = system_index_after(source->system, seeking->plane.to - 1);
-    make_room(marks, bundle.count, seeking->question->bundle.setup->wavelength_count - wavelength,
-              arena);
+    spot_make_room(marks, bundle.count,
+                   seeking->question->bundle.setup->wavelength_count - wavelength, arena);
     marks->has_arms = bundle.arms > 0;
-    struct quantile_arms arms = quantile_arms_open(&bundle, marks->sheets, arena);
+    struct encircled_energy_arms arms = encircled_energy_arms_open(&bundle, marks->sheets, arena);
     for (size_t i = 0; i < bundle.count; i++) {
         const struct ray_block *block = &bundle.rays.blocks[i / RAYS_BLOCK];
         const bool arrives = ray_block_status(block, i % RAYS_BLOCK) == RAY_OK;
@@ -150,7 +152,8 @@ static bool add_marks(const struct seeking *seeking, size_t wavelength, size_t r
             spot_place(&seeking->plane, block, i % RAYS_BLOCK, n, marks->at[marks->count]);
             marks->list[marks->count].weight = weight * bundle.points[i].weight;
         }
-        quantile_arms_add(&arms, i, marks->list, arrives ? marks->count++ : QUANTILE_ALONE);
+        encircled_energy_arms_add(&arms, i, marks->list,
+                                  arrives ? marks->count++ : ENCIRCLED_ENERGY_ALONE);
     }
     marks->sheets = arms.sheets;
     marks->rays = bundle.count > marks->rays ? bundle.count : marks->rays;
@@ -159,7 +162,7 @@ static bool add_marks(const struct seeking *seeking, size_t wavelength, size_t r
 }
 
 /* The area of the beam that a weight of 1 stands for, where weights are areas of the beam. */
-static double unit_of(const struct bundle_source *source)
+static double spot_unit_of(const struct bundle_source *source)
 {
     const struct stop_beam *pupil = &source->pupil;
     return pupil->weight == WEIGHT_PUPIL || pupil->has_disc
@@ -167,7 +170,7 @@ static double unit_of(const struct bundle_source *source)
                : fabs(pupil->axes[0] * pupil->axes[3] - pupil->axes[1] * pupil->axes[2]);
 }
 
-static bool find_marks(const struct seeking *seeking, size_t rays, struct arena *arena,
+static bool find_marks(const struct spot_search *seeking, size_t rays, struct arena *arena,
                        struct marks *marks, struct error *error)
 {
     const struct setup *setup = seeking->question->bundle.setup;
@@ -177,9 +180,9 @@ static bool find_marks(const struct seeking *seeking, size_t rays, struct arena 
         sum += setup->wavelengths[g].weight;
     }
     for (size_t g = 0; g < setup->wavelength_count; g++) {
-        double unit = unit_of(&seeking->sources[g]) / unit_of(&seeking->sources[0]);
+        double unit = spot_unit_of(&seeking->sources[g]) / spot_unit_of(&seeking->sources[0]);
         double weight = setup->wavelengths[g].weight / sum * unit;
-        if (weight > 0 && !add_marks(seeking, g, rays, weight, arena, marks, error)) {
+        if (weight > 0 && !spot_add_marks(seeking, g, rays, weight, arena, marks, error)) {
             return false;
         }
         lit += weight;
@@ -191,7 +194,7 @@ static bool find_marks(const struct seeking *seeking, size_t rays, struct arena 
 /* -------- what they say -------- */
 
 /* Root mean squares about the centroid and about the origin. */
-static void sum_up(struct marks *marks, bool about_chief, struct spot *spot)
+static void spot_sum_up(struct marks *marks, bool about_chief, struct spot *spot)
 {
     double weight = 0, mean[2] = {0, 0}, square[2] = {0, 0}, widest = 0;
     for (size_t i = 0; i < marks->count; i++) {
@@ -203,7 +206,7 @@ static void sum_up(struct marks *marks, bool about_chief, struct spot *spot)
     mean[0] /= weight;
     mean[1] /= weight;
     for (size_t i = 0; i < marks->count; i++) {
-        struct quantile_mark *mark = &marks->list[i];
+        struct encircled_energy_mark *mark = &marks->list[i];
         const double *at = marks->at[i];
         double x = at[0] - mean[0], y = at[1] - mean[1];
         square[0] += mark->weight * x * x;
@@ -227,7 +230,7 @@ static void sum_up(struct marks *marks, bool about_chief, struct spot *spot)
 }
 
 /* What coordinates may be off by rounding alone. */
-static double rounding(const struct seeking *seeking)
+static double rounding(const struct spot_search *seeking)
 {
     const struct setup *setup = seeking->question->bundle.setup;
     const struct first_order *first = &setup->first;
@@ -239,18 +242,19 @@ static double rounding(const struct seeking *seeking)
 }
 
 /* One sample. */
-static bool measure(const struct seeking *seeking, size_t rays, struct arena *arena,
-                    struct spot *spot, struct error *error)
+static bool spot_measure(const struct spot_search *seeking, size_t rays, struct arena *arena,
+                         struct spot *spot, struct error *error)
 {
     const struct arena_mark mark = arena_mark(arena);
     struct marks marks;
     if (!find_marks(seeking, rays, arena, &marks, error)) {
         return false;
     }
-    sum_up(&marks, seeking->question->about_chief, spot);
-    const struct quantile_sample sample = {marks.list, marks.count, marks.has_arms, marks.sheets};
+    spot_sum_up(&marks, seeking->question->about_chief, spot);
+    const struct encircled_energy_sample sample = {marks.list, marks.count, marks.has_arms,
+                                                   marks.sheets};
     double share = seeking->question->energy;
-    spot->energy_radius = isnan(share) ? share : quantile_find(&sample, share, arena);
+    spot->energy_radius = isnan(share) ? share : encircled_energy_find(&sample, share, arena);
     arena_reset(arena, mark);
     return true;
 }
@@ -278,7 +282,7 @@ static double rms_error(const struct spot *before, const struct spot *here,
 }
 
 /* The farthest ray of the pupil; of other patterns the farthest of their rays. */
-static void find_radius(const struct seeking *seeking, const struct spot *finer,
+static void find_radius(const struct spot_search *seeking, const struct spot *finer,
                         struct arena *arena, struct spot *spot)
 {
     static const double nowhere[2] = {0, 0};
@@ -300,8 +304,8 @@ static void find_radius(const struct seeking *seeking, const struct spot *finer,
 }
 
 /* Samples, each of twice the rays of the one before, until two agree or no more are wanted. */
-static bool converge(const struct seeking *seeking, struct arena *arena, struct spot *spot,
-                     struct error *error)
+static bool spot_converge(const struct spot_search *seeking, struct arena *arena, struct spot *spot,
+                          struct error *error)
 {
     const struct spot_question *question = seeking->question;
     const double least = rounding(seeking);
@@ -309,13 +313,13 @@ static bool converge(const struct seeking *seeking, struct arena *arena, struct 
     const size_t first = question->bundle.clip ? FIRST_RAYS : FIRST_UNCLIPPED;
     size_t rays = question->rays > 0 ? question->rays : first;
     struct spot before, here, finer;
-    if (!measure(seeking, rays / 2 + 1, arena, &before, error) ||
-        !measure(seeking, rays, arena, &here, error)) {
+    if (!spot_measure(seeking, rays / 2 + 1, arena, &before, error) ||
+        !spot_measure(seeking, rays, arena, &here, error)) {
         return false;
     }
     double energy_change = fabs(here.energy_radius - before.energy_radius);
     for (bool done = false; !done; rays *= 2) {
-        if (!measure(seeking, 2 * rays, arena, &finer, error)) {
+        if (!spot_measure(seeking, 2 * rays, arena, &finer, error)) {
             return false;
         }
         *spot = here;
@@ -344,17 +348,17 @@ static bool converge(const struct seeking *seeking, struct arena *arena, struct 
 }
 
 /* All that is asked of a spot. */
-static bool look(const struct spot_question *question, struct arena *arena, struct spot *spot,
-                 struct error *error)
+static bool spot_look(const struct spot_question *question, struct arena *arena, struct spot *spot,
+                      struct error *error)
 {
-    struct seeking seeking;
+    struct spot_search seeking;
     if (!open_seeking(question, arena, &seeking, error)) {
         return false;
     }
     if (question->about_chief && !seeking.has_chief) {
         return fail(error, ERROR_DOMAIN, "the chief ray that radii are to be about is lost");
     }
-    if (!converge(&seeking, arena, spot, error)) {
+    if (!spot_converge(&seeking, arena, spot, error)) {
         return false;
     }
     spot->is_angular = seeking.plane.is_angular;
@@ -380,7 +384,7 @@ bool spot_find(const struct spot_question *question, struct arena *arena, struct
         }
     }
     const struct arena_mark mark = arena_mark(arena);
-    const bool found = look(question, arena, spot, error);
+    const bool found = spot_look(question, arena, spot, error);
     arena_reset(arena, mark);
     return found;
 }
@@ -388,10 +392,10 @@ bool spot_find(const struct spot_question *question, struct arena *arena, struct
 bool spot_points_find(const struct spot_question *question, size_t wavelength, size_t rays,
                       struct arena *arena, struct spot_points *points, struct error *error)
 {
-    struct seeking seeking;
+    struct spot_search seeking;
     struct marks marks = {.count = 0};
     if (!open_seeking(question, arena, &seeking, error) ||
-        !add_marks(&seeking, wavelength, rays, 1, arena, &marks, error)) {
+        !spot_add_marks(&seeking, wavelength, rays, 1, arena, &marks, error)) {
         return false;
     }
     *points = (struct spot_points){marks.count, (const double(*)[2])marks.at};

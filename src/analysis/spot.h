@@ -31,7 +31,7 @@ struct spot {
     double centroid[2], chief[2]; /* on the plane, or angular from the chief ray */
     double clear;                 /* share of the pupil's area, mean of the wavelengths */
     size_t rays;                  /* of one wavelength, those of `rms` */
-    struct islands islands;       /* light that it leaves out, of the first wavelength */
+    struct pupil_islands islands; /* light that it leaves out, of the first wavelength */
     bool has_converged;           /* false: `error` was wanted smaller */
 };
 

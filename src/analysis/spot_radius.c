@@ -8,7 +8,7 @@
 #include <math.h>
 
 /* Directions but for corners, and rings. */
-enum { AROUND = 48, MOST = AROUND + STAR_CORNERS, RINGS = 8, PEAKS = 12 };
+enum { AROUND = 48, MOST = AROUND + PUPIL_BOUNDARY_CORNERS, RINGS = 8, PEAKS = 12 };
 
 /* The same of what is looked at again about a peak; directions with corners. */
 enum { FINE = 9, WIDE = FINE + 3 };
@@ -29,7 +29,7 @@ static const double beside = 1e-12;
 static const double within = 1 - 1e-9;
 
 /* The pupil at one wavelength: shares of the way from the centre of the star to its edge. */
-struct rim {
+struct spot_radius_rim {
     const struct bundle_source *source;
     double angles[MOST];            /* ascending */
     double distances[RINGS * MOST]; /* ring after ring */
@@ -38,30 +38,30 @@ struct rim {
 };
 
 /* The direction beside the i-th on one side of it, or its mirror image. */
-static size_t previous_of(const struct rim *rim, size_t i)
+static size_t previous_of(const struct spot_radius_rim *rim, size_t i)
 {
     return i > 0 ? i - 1 : rim->is_half ? 1 : rim->count - 1;
 }
 
-static size_t next_of(const struct rim *rim, size_t i)
+static size_t next_of(const struct spot_radius_rim *rim, size_t i)
 {
     return i + 1 < rim->count ? i + 1 : rim->is_half ? rim->count - 2 : 0;
 }
 
 /* Its angle, below or above that one. */
-static double angle_before(const struct rim *rim, size_t i)
+static double angle_before(const struct spot_radius_rim *rim, size_t i)
 {
     const double angle = rim->angles[previous_of(rim, i)];
     return i > 0 ? angle : rim->is_half ? -angle : angle - 2 * PI;
 }
 
-static double angle_after(const struct rim *rim, size_t i)
+static double angle_after(const struct spot_radius_rim *rim, size_t i)
 {
     const double angle = rim->angles[next_of(rim, i)];
     return i + 1 < rim->count ? angle : 2 * PI + (rim->is_half ? -angle : angle);
 }
 
-static const double *ring_of(const struct rim *rim, size_t ring)
+static const double *ring_of(const struct spot_radius_rim *rim, size_t ring)
 {
     return rim->distances + ring * rim->count;
 }
@@ -119,8 +119,9 @@ static void measure_with(const struct spot_radius_question *question,
     arena_reset(arena, mark);
 }
 
-static void measure(const struct spot_radius_question *question, const struct bundle_source *source,
-                    const struct rings *rings, struct arena *arena, double *distances)
+static void spot_radius_measure(const struct spot_radius_question *question,
+                                const struct bundle_source *source, const struct rings *rings,
+                                struct arena *arena, double *distances)
 {
     const bool has_edge = !(rings->shares[rings->count - 1] < within);
     struct rings inner = *rings, outer = *rings;
@@ -136,7 +137,7 @@ static void measure(const struct spot_radius_question *question, const struct bu
     }
 }
 
-static void set_angles(const struct star *star, struct rim *rim)
+static void set_angles(const struct pupil_boundary *star, struct spot_radius_rim *rim)
 {
     rim->count = 0;
     for (size_t i = 0; i < (rim->is_half ? AROUND / 2 : AROUND); i++) {
@@ -155,8 +156,9 @@ static void set_angles(const struct star *star, struct rim *rim)
 }
 
 /* Does the image mirror itself as the pupil does? */
-static bool is_mirrored(const struct spot_radius_question *question,
-                        const struct bundle_source *source, const struct star *star)
+static bool spot_radius_is_mirrored(const struct spot_radius_question *question,
+                                    const struct bundle_source *source,
+                                    const struct pupil_boundary *star)
 {
     const struct spot_plane *plane = question->plane;
     return source->region->margins.is_mirrored && star->frame.centre[0] == 0 &&
@@ -164,17 +166,17 @@ static bool is_mirrored(const struct spot_radius_question *question,
            plane->across[0][2] == 0 && plane->across[1][0] == 0;
 }
 
-static void look_around(const struct spot_radius_question *question, struct arena *arena,
-                        struct rim *rim)
+static void spot_radius_look_around(const struct spot_radius_question *question,
+                                    struct arena *arena, struct spot_radius_rim *rim)
 {
     const struct bundle_question *asked = rim->source->question;
     const bool counts = asked->setup->wavelengths[asked->wavelength].weight > 0;
-    const struct star *star = counts ? quadrature_star(rim->source->region, arena) : NULL;
+    const struct pupil_boundary *star = counts ? quadrature_star(rim->source->region, arena) : NULL;
     rim->count = 0;
     if (star == NULL) {
         return;
     }
-    rim->is_half = is_mirrored(question, rim->source, star);
+    rim->is_half = spot_radius_is_mirrored(question, rim->source, star);
     set_angles(star, rim);
     const struct edge_directions directions = {.angles = rim->angles, .count = rim->count};
     const struct quadrature_rim edge = quadrature_edge(rim->source->region, &directions, arena);
@@ -182,7 +184,8 @@ static void look_around(const struct spot_radius_question *question, struct aren
     for (size_t ring = 0; ring < RINGS; ring++) {
         shares[ring] = (double)(ring + 1) / RINGS;
     }
-    measure(question, rim->source, &(struct rings){&edge, shares, RINGS}, arena, rim->distances);
+    spot_radius_measure(question, rim->source, &(struct rings){&edge, shares, RINGS}, arena,
+                        rim->distances);
 }
 
 /* -------- peaks -------- */
@@ -196,7 +199,7 @@ static double rise_of(double before, double here, double after, double reach)
 }
 
 /* No neighbour is farther off. */
-static bool is_peak(const struct rim *rim, size_t ring, size_t i)
+static bool is_peak(const struct spot_radius_rim *rim, size_t ring, size_t i)
 {
     const size_t last = previous_of(rim, i), next = next_of(rim, i);
     const double here = ring_of(rim, ring)[i];
@@ -209,7 +212,7 @@ static bool is_peak(const struct rim *rim, size_t ring, size_t i)
     return peak;
 }
 
-static struct peak peak_of(const struct rim *rim, size_t ring, size_t i)
+static struct peak peak_of(const struct spot_radius_rim *rim, size_t ring, size_t i)
 {
     const size_t last = previous_of(rim, i), next = next_of(rim, i);
     const double *row = ring_of(rim, ring), here = row[i];
@@ -229,7 +232,7 @@ static struct peak peak_of(const struct rim *rim, size_t ring, size_t i)
 }
 
 /* Enter a peak among the highest, which descend. */
-static void offer(const struct peak *peak, struct peak *peaks, size_t *count)
+static void spot_radius_offer(const struct peak *peak, struct peak *peaks, size_t *count)
 {
     size_t at = *count;
     while (at > 0 && peaks[at - 1].height < peak->height) {
@@ -245,16 +248,16 @@ static void offer(const struct peak *peak, struct peak *peaks, size_t *count)
     peaks[at] = *peak;
 }
 
-static size_t find_peaks(const struct rim *rims, size_t count, struct peak *peaks)
+static size_t find_peaks(const struct spot_radius_rim *rims, size_t count, struct peak *peaks)
 {
     size_t found = 0;
     for (size_t k = 0; k < count * RINGS; k++) {
-        const struct rim *rim = &rims[k / RINGS];
+        const struct spot_radius_rim *rim = &rims[k / RINGS];
         const size_t ring = k % RINGS;
         for (size_t i = 0; i < rim->count; i++) {
             if (is_peak(rim, ring, i)) {
                 const struct peak peak = peak_of(rim, ring, i);
-                offer(&peak, peaks, &found);
+                spot_radius_offer(&peak, peaks, &found);
             }
         }
     }
@@ -282,7 +285,7 @@ static void add_line(struct net *net, double angle)
 }
 
 /* Equal steps, and the first corners within, where peaks may be sharp. */
-static void set_lines(const struct star *star, const struct peak *peak, struct net *net)
+static void set_lines(const struct pupil_boundary *star, const struct peak *peak, struct net *net)
 {
     net->wide = 0;
     for (size_t i = 0; i < FINE; i++) {
@@ -333,8 +336,8 @@ static void fill_net(const struct spot_radius_question *question, const struct p
     net->is_known = true;
     net->best[0] = net->wide / 2;
     net->best[1] = FINE / 2;
-    measure(question, peak->source, &(struct rings){&edge, net->shares, FINE}, arena,
-            net->distances);
+    spot_radius_measure(question, peak->source, &(struct rings){&edge, net->shares, FINE}, arena,
+                        net->distances);
     for (size_t i = 0; i < FINE * net->wide; i++) {
         if (net->distances[i] >= net->distances[net->best[1] * net->wide + net->best[0]]) {
             net->best[0] = i % net->wide;
@@ -367,7 +370,8 @@ static bool is_at_end(const struct net *net, int k)
  * the farthest ray and its neighbours, as wide as a share of the step between them; no closer than
  * now where `wide`. Result: how much farther off rays there may be.
  */
-static double narrow(const struct net *net, int k, double share, bool wide, struct peak *peak)
+static double spot_radius_narrow(const struct net *net, int k, double share, bool wide,
+                                 struct peak *peak)
 {
     const double *lines = k == 0 ? net->angles : net->shares;
     const size_t count = k == 0 ? net->wide : FINE, stride = k == 0 ? 1 : net->wide;
@@ -399,7 +403,7 @@ static double climb(const struct spot_radius_question *question, double farthest
 {
     enum { TURNS = 24 };
     static const double shares[] = {1, 0.15, 0.02};
-    const struct star *star = peak->source->region->star;
+    const struct pupil_boundary *star = peak->source->region->star;
     struct net nets[2];
     double change = 0, before = peak->distance;
     bool stands = false;
@@ -412,7 +416,8 @@ static double climb(const struct spot_radius_question *question, double farthest
         fill_net(question, peak, &nets[1 - turn % 2], arena, net);
         const double here = net->distances[net->best[1] * net->wide + net->best[0]];
         const bool wide = is_at_end(net, 0) || is_at_end(net, 1);
-        const double rise = narrow(net, 0, share, wide, peak) + narrow(net, 1, share, wide, peak);
+        const double rise = spot_radius_narrow(net, 0, share, wide, peak) +
+                            spot_radius_narrow(net, 1, share, wide, peak);
         peak->low[1] = fmax(peak->low[1], 0);
         peak->high[1] = fmin(peak->high[1], 1);
         peak->distance = fmax(peak->distance, here);
@@ -456,12 +461,12 @@ double spot_radius_find(const struct spot_radius_question *question, struct aren
                         double *error)
 {
     const struct arena_mark mark = arena_mark(arena);
-    struct rim *rims = arena_buffer_array(arena, question->count, sizeof *rims);
+    struct spot_radius_rim *rims = arena_buffer_array(arena, question->count, sizeof *rims);
     struct peak peaks[PEAKS];
     double farthest = 0, last = 0;
     for (size_t g = 0; g < question->count; g++) {
         rims[g].source = &question->sources[g];
-        look_around(question, arena, &rims[g]);
+        spot_radius_look_around(question, arena, &rims[g]);
     }
     const size_t count = find_peaks(rims, question->count, peaks);
     *error = 0;

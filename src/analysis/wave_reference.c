@@ -44,8 +44,8 @@ bool wave_open(const struct bundle_question *bundle, struct arena *arena,
 }
 
 /* From the chief ray to the centroid, mm or sines. */
-static bool find_centroid(const struct wave_lights *lights, struct arena *arena,
-                          struct wave_reference *reference, struct error *error)
+static bool wave_reference_find_centroid(const struct wave_lights *lights, struct arena *arena,
+                                         struct wave_reference *reference, struct error *error)
 {
     const struct wave_light *first = &lights->list[0];
     struct spot_question asked = {
@@ -81,7 +81,7 @@ static bool set_plane(const struct wave_light *light, double pupil,
 }
 
 /* Where the exit pupil of the first wavelength lies, in the frame of the image plane. */
-static bool find_pupil(const struct setup *setup, double *pupil, struct error *error)
+static bool wave_reference_find_pupil(const struct setup *setup, double *pupil, struct error *error)
 {
     struct setup_light light;
     if (!setup_light(setup, 0, &light, error)) {
@@ -114,8 +114,9 @@ bool wave_reference_find(const struct wave_lights *lights, enum wave_about about
                     "the image lies infinitely far away: no sphere fits its wave front, but the "
                     "chief ray and the centroid are references");
     }
-    if (!find_pupil(setup, &pupil, error) ||
-        (about == WAVE_CENTROID && !find_centroid(lights, arena, reference, error))) {
+    if (!wave_reference_find_pupil(setup, &pupil, error) ||
+        (about == WAVE_CENTROID &&
+         !wave_reference_find_centroid(lights, arena, reference, error))) {
         return false;
     }
     reference->centre[0] = first->chief.point[0] + reference->at[0];

@@ -45,8 +45,8 @@ struct ray wave_light_trace(const struct system *system, const struct ray *start
     return end;
 }
 
-static void add_light(const struct wave_lights *lights, size_t g, struct quadrature *all,
-                      struct sheaf *sheaf)
+static void wave_sphere_add_light(const struct wave_lights *lights, size_t g,
+                                  struct quadrature *all, struct sheaf *sheaf)
 {
     const struct wave_light *light = &lights->list[g];
     rays_trace(light->system, &all->rays, NULL);
@@ -86,7 +86,7 @@ static bool sheaf_fill(const struct wave_lights *lights, struct quadrature_regio
                             .lights = ARENA_ARRAY(arena, room, size_t)};
     for (size_t g = 0; g < lights->count; g++) {
         if (!all[g].is_empty) {
-            add_light(lights, g, &all[g], sheaf);
+            wave_sphere_add_light(lights, g, &all[g], sheaf);
         }
     }
     return sheaf->count > UNKNOWNS + lights->count ||

@@ -41,27 +41,28 @@ static double wave_of(const struct wavefront_source *source, const struct rays *
 }
 
 /* Values with their weights. */
-struct values {
+struct wavefront_values {
     double *waves;
     const struct pupil_point *points;
     size_t count, arms, rings; /* as a bundle has them */
     double clear;
 };
 
-static bool find_values(const struct wavefront_source *source, size_t rays, struct arena *arena,
-                        struct values *values, struct error *error)
+static bool wavefront_find_values(const struct wavefront_source *source, size_t rays,
+                                  struct arena *arena, struct wavefront_values *values,
+                                  struct error *error)
 {
     const struct bundle_source *from = &source->lights.list[0].source;
     struct bundle bundle;
     if (!bundle_trace(from, rays, from->system->places, arena, &bundle, error)) {
         return false;
     }
-    *values = (struct values){.waves = ARENA_ARRAY(arena, bundle.count, double),
-                              .points = bundle.points,
-                              .count = bundle.count,
-                              .arms = bundle.arms,
-                              .rings = bundle.rings,
-                              .clear = bundle.clear};
+    *values = (struct wavefront_values){.waves = ARENA_ARRAY(arena, bundle.count, double),
+                                        .points = bundle.points,
+                                        .count = bundle.count,
+                                        .arms = bundle.arms,
+                                        .rings = bundle.rings,
+                                        .clear = bundle.clear};
     for (size_t i = 0; i < bundle.count; i++) {
         values->waves[i] = wave_of(source, &bundle.rays, i);
     }
@@ -82,7 +83,7 @@ struct sampled {
 static const double resolved = 0.5;
 
 /* Highest less lowest. */
-static double values_span(const struct values *values)
+static double values_span(const struct wavefront_values *values)
 {
     double low = INFINITY, high = -INFINITY;
     for (size_t i = 0; i < values->count; i++) {
@@ -96,7 +97,8 @@ static double values_span(const struct values *values)
  * Neighbours lie inwards, outwards and on either side. Of points without order none are known: they
  * lie sqrt(pi/count) of the radius apart, and W is as steep as five spans a radius.
  */
-static void find_turns(const struct values *values, struct arena *arena, struct sampled *sampled)
+static void wavefront_find_turns(const struct wavefront_values *values, struct arena *arena,
+                                 struct sampled *sampled)
 {
     const size_t arms = values->arms, rings = values->rings, count = values->count;
     const double span = values_span(values);
@@ -125,7 +127,7 @@ static void find_turns(const struct values *values, struct arena *arena, struct 
     sampled->unresolved = unresolved / all;
 }
 
-static void sum_up(const struct values *values, struct wavefront *wavefront)
+static void wavefront_sum_up(const struct wavefront_values *values, struct wavefront *wavefront)
 {
     double weight = 0, mean = 0, square = 0, re = 0, im = 0;
     for (size_t i = 0; i < values->count; i++) {
@@ -155,16 +157,16 @@ static void sum_up(const struct values *values, struct wavefront *wavefront)
     wavefront->rays = values->count;
 }
 
-static bool measure(const struct wavefront_source *source, size_t rays, struct arena *arena,
-                    struct sampled *sampled, struct error *error)
+static bool wavefront_measure(const struct wavefront_source *source, size_t rays,
+                              struct arena *arena, struct sampled *sampled, struct error *error)
 {
     const struct arena_mark mark = arena_mark(arena);
-    struct values values;
-    const bool found = find_values(source, rays, arena, &values, error);
+    struct wavefront_values values;
+    const bool found = wavefront_find_values(source, rays, arena, &values, error);
     if (found) {
         sampled->figures = (struct wavefront){.rms = NAN};
-        sum_up(&values, &sampled->figures);
-        find_turns(&values, arena, sampled);
+        wavefront_sum_up(&values, &sampled->figures);
+        wavefront_find_turns(&values, arena, sampled);
     }
     arena_reset(arena, mark);
     return found;
@@ -175,14 +177,14 @@ static bool measure(const struct wavefront_source *source, size_t rays, struct a
 enum { DIRECTIONS = 64, RINGS = 12, INNER = 3, BESIDE = 5, LOOKS = 12, MOST_LOOKS = 48 };
 
 /* A place of the clear part: an angle of its star and a share of the way to the edge. */
-struct place {
+struct wavefront_place {
     double angle, share, wave;
 };
 
 /* Look at places of some angles times some shares; keep the highest and the lowest. */
-static void look(const struct wavefront_source *source, const double *angles, size_t angle_count,
-                 const double *shares, size_t share_count, struct arena *arena,
-                 struct place extremes[2])
+static void wavefront_look(const struct wavefront_source *source, const double *angles,
+                           size_t angle_count, const double *shares, size_t share_count,
+                           struct arena *arena, struct wavefront_place extremes[2])
 {
     const struct arena_mark mark = arena_mark(arena);
     const struct wave_light *light = &source->lights.list[0];
@@ -199,10 +201,10 @@ static void look(const struct wavefront_source *source, const double *angles, si
         for (size_t i = 0; i < angle_count; i++) {
             const double wave = wave_of(source, &rays, i);
             if (wave > extremes[0].wave) {
-                extremes[0] = (struct place){angles[i], shares[k], wave};
+                extremes[0] = (struct wavefront_place){angles[i], shares[k], wave};
             }
             if (wave < extremes[1].wave) {
-                extremes[1] = (struct place){angles[i], shares[k], wave};
+                extremes[1] = (struct wavefront_place){angles[i], shares[k], wave};
             }
         }
     }
@@ -210,12 +212,13 @@ static void look(const struct wavefront_source *source, const double *angles, si
 }
 
 /* Highest less lowest. */
-static double find_extremes(const struct wavefront_source *source, struct arena *arena)
+static double wavefront_find_extremes(const struct wavefront_source *source, struct arena *arena)
 {
-    const struct star *star = quadrature_star(source->lights.list[0].source.region, arena);
-    double angles[DIRECTIONS + STAR_CORNERS], shares[RINGS + INNER];
+    const struct pupil_boundary *star =
+        quadrature_star(source->lights.list[0].source.region, arena);
+    double angles[DIRECTIONS + PUPIL_BOUNDARY_CORNERS], shares[RINGS + INNER];
     size_t count = 0;
-    struct place extremes[2] = {{.wave = -INFINITY}, {.wave = INFINITY}};
+    struct wavefront_place extremes[2] = {{.wave = -INFINITY}, {.wave = INFINITY}};
     if (star == NULL) {
         return NAN;
     }
@@ -232,17 +235,17 @@ static double find_extremes(const struct wavefront_source *source, struct arena 
     for (size_t k = 0; k < INNER; k++) {
         shares[RINGS + k] = shares[1] * (double)(k + 1) / (INNER + 1);
     }
-    look(source, angles, count, shares, RINGS + INNER, arena, extremes);
+    wavefront_look(source, angles, count, shares, RINGS + INNER, arena, extremes);
     for (size_t k = 0; k < 2; k++) {
         double turn = PI / DIRECTIONS, way = 0.5 / (RINGS - 1);
         for (size_t i = 0, halved = 0; i < MOST_LOOKS && halved < LOOKS; i++) {
-            const struct place at = extremes[k];
+            const struct wavefront_place at = extremes[k];
             for (size_t j = 0; j < BESIDE; j++) {
                 const double off = (double)j - BESIDE / 2;
                 angles[j] = at.angle + turn * off;
                 shares[j] = fmin(at.share + way * off, 1);
             }
-            look(source, angles, BESIDE, shares, BESIDE, arena, extremes);
+            wavefront_look(source, angles, BESIDE, shares, BESIDE, arena, extremes);
             /* at the margin of what was looked at: it may rise further beyond */
             if (fabs(extremes[k].angle - at.angle) < 1.5 * turn &&
                 fabs(extremes[k].share - at.share) < 1.5 * way) {
@@ -256,11 +259,11 @@ static double find_extremes(const struct wavefront_source *source, struct arena 
 }
 
 /* Of patterns that fill no region: of their rays. */
-static bool find_span(const struct wavefront_source *source, size_t rays, struct arena *arena,
-                      double *span, struct error *error)
+static bool wavefront_find_span(const struct wavefront_source *source, size_t rays,
+                                struct arena *arena, double *span, struct error *error)
 {
-    struct values values;
-    if (!find_values(source, rays, arena, &values, error)) {
+    struct wavefront_values values;
+    if (!wavefront_find_values(source, rays, arena, &values, error)) {
         return false;
     }
     *span = values_span(&values);
@@ -285,8 +288,9 @@ static double strehl_error_of(const struct sampled *here, const struct sampled *
 }
 
 /* The figures of two samples, the other of twice the rays. */
-static struct wavefront figures_of(const struct wavefront_source *source,
-                                   const struct sampled *before, const struct sampled *finer)
+static struct wavefront wavefront_figures_of(const struct wavefront_source *source,
+                                             const struct sampled *before,
+                                             const struct sampled *finer)
 {
     const struct wavefront_question *question = source->question;
     /* plain patterns are off as one over the root of their rays, by 3.4 times the change */
@@ -303,29 +307,29 @@ static struct wavefront figures_of(const struct wavefront_source *source,
 }
 
 /* Doubled again and again; where the phase says how many rays resolve it, so many at once. */
-static bool converge(const struct wavefront_source *source, struct arena *arena,
-                     struct wavefront *wavefront, struct error *error)
+static bool wavefront_converge(const struct wavefront_source *source, struct arena *arena,
+                               struct wavefront *wavefront, struct error *error)
 {
     const struct wavefront_question *question = source->question;
     size_t rays = question->rays > 0 ? question->rays : FIRST_RAYS;
     const bool is_orderly = question->bundle.pattern == PATTERN_GAUSS;
     struct sampled before, finer;
-    if (!measure(source, rays, arena, &before, error) ||
-        !measure(source, 2 * rays, arena, &finer, error)) {
+    if (!wavefront_measure(source, rays, arena, &before, error) ||
+        !wavefront_measure(source, 2 * rays, arena, &finer, error)) {
         return false;
     }
-    *wavefront = figures_of(source, &before, &finer);
+    *wavefront = wavefront_figures_of(source, &before, &finer);
     while (question->rays == 0 && !wavefront->has_converged && 2 * rays < MOST_RAYS) {
         const double turns = finer.steepest / resolved;
         const double wanted = fmin((double)rays * turns * turns / 2, MOST_RAYS / 2);
         const bool is_far = is_orderly && wanted > 3 * (double)rays;
         rays = is_far ? (size_t)wanted : 2 * rays;
         before = finer;
-        if ((is_far && !measure(source, rays, arena, &before, error)) ||
-            !measure(source, 2 * rays, arena, &finer, error)) {
+        if ((is_far && !wavefront_measure(source, rays, arena, &before, error)) ||
+            !wavefront_measure(source, 2 * rays, arena, &finer, error)) {
             return false;
         }
-        *wavefront = figures_of(source, &before, &finer);
+        *wavefront = wavefront_figures_of(source, &before, &finer);
     }
     return true;
 }
@@ -338,11 +342,14 @@ bool wavefront_find(const struct wavefront_source *source, bool wants_pv, struct
     const bool orderly = question->bundle.pattern == PATTERN_GAUSS;
     double span = NAN;
     *wavefront = (struct wavefront){.rms = NAN};
-    if (!converge(source, arena, wavefront, error) ||
-        (wants_pv && !orderly && !find_span(source, wavefront->rays, arena, &span, error))) {
+    if (!wavefront_converge(source, arena, wavefront, error) ||
+        (wants_pv && !orderly &&
+         !wavefront_find_span(source, wavefront->rays, arena, &span, error))) {
         return false;
     }
-    wavefront->pv = !wants_pv ? (double)NAN : orderly ? find_extremes(source, arena) : span;
+    wavefront->pv = !wants_pv ? (double)NAN
+                    : orderly ? wavefront_find_extremes(source, arena)
+                              : span;
     wavefront->radius = source->reference.opd.is_plane ? INFINITY : source->reference.opd.radius;
     wavefront->islands = bundle_islands(from, arena);
     return true;
@@ -351,10 +358,10 @@ bool wavefront_find(const struct wavefront_source *source, bool wants_pv, struct
 bool wavefront_fit(const struct wavefront_source *source, enum zernike_kind kind, size_t terms,
                    struct arena *arena, struct wavefront_fit *fit, struct error *error)
 {
-    struct values values;
+    struct wavefront_values values;
     const size_t asked = source->question->rays;
     const size_t enough = asked > 0 ? asked : RAYS_A_TERM * terms + 4 * FIRST_RAYS;
-    if (!find_values(source, enough, arena, &values, error)) {
+    if (!wavefront_find_values(source, enough, arena, &values, error)) {
         return false;
     }
     double *a = ARENA_ARRAY(arena, values.count * terms, double);

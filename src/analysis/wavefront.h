@@ -28,7 +28,7 @@ struct wavefront {
     double clear;  /* share of the pupil's area */
     double radius; /* of the reference sphere, mm; infinite: a plane */
     size_t rays;
-    struct islands islands;
+    struct pupil_islands islands;
     bool has_converged;
 };
 

@@ -78,7 +78,7 @@ static struct arena_block *new_block(struct arena *within, size_t size)
 }
 
 /* The next `bytes`, a multiple of ALIGNMENT, as they come. */
-static void *take(struct arena *arena, size_t bytes)
+static void *arena_take(struct arena *arena, size_t bytes)
 {
     if (arena->block == NULL || arena->block->size - arena->block->used < bytes) {
         struct arena_block *block = take_spare(arena, bytes);
@@ -104,17 +104,17 @@ static size_t bytes_of(size_t count, size_t size)
 void *arena_array(struct arena *arena, size_t count, size_t size)
 {
     const size_t bytes = bytes_of(count, size);
-    return memset(take(arena, bytes), 0, bytes);
+    return memset(arena_take(arena, bytes), 0, bytes);
 }
 
 void *arena_buffer_array(struct arena *arena, size_t count, size_t size)
 {
-    return take(arena, bytes_of(count, size));
+    return arena_take(arena, bytes_of(count, size));
 }
 
 void *arena_buffer(struct arena *arena, size_t size)
 {
-    return take(arena, bytes_of(1, size));
+    return arena_take(arena, bytes_of(1, size));
 }
 
 void *arena_grow(struct arena *arena, void *array, size_t count, size_t *room, size_t size)

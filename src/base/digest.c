@@ -17,7 +17,7 @@ static const uint32_t cube_roots[64] = {
     0x19a4c116, 0x1e376c08, 0x2748774c, 0x34b0bcb5, 0x391c0cb3, 0x4ed8aa4a, 0x5b9cca4f, 0x682e6ff3,
     0x748f82ee, 0x78a5636f, 0x84c87814, 0x8cc70208, 0x90befffa, 0xa4506ceb, 0xbef9a3f7, 0xc67178f2};
 
-static uint32_t turned(uint32_t x, int by)
+static uint32_t digest_turned(uint32_t x, int by)
 {
     return x >> by | x << (32 - by);
 }
@@ -32,16 +32,18 @@ static void mix(uint32_t state[8], const unsigned char *block)
             continue;
         }
         const uint32_t a = w[t - 15], b = w[t - 2];
-        w[t] = w[t - 16] + (turned(a, 7) ^ turned(a, 18) ^ a >> 3) + w[t - 7] +
-               (turned(b, 17) ^ turned(b, 19) ^ b >> 10);
+        w[t] = w[t - 16] + (digest_turned(a, 7) ^ digest_turned(a, 18) ^ a >> 3) + w[t - 7] +
+               (digest_turned(b, 17) ^ digest_turned(b, 19) ^ b >> 10);
     }
     memcpy(h, state, sizeof h);
     for (int t = 0; t < 64; t++) {
         const uint32_t a = h[0], e = h[4];
-        const uint32_t first = h[7] + (turned(e, 6) ^ turned(e, 11) ^ turned(e, 25)) +
+        const uint32_t first = h[7] +
+                               (digest_turned(e, 6) ^ digest_turned(e, 11) ^ digest_turned(e, 25)) +
                                ((e & h[5]) ^ (~e & h[6])) + cube_roots[t] + w[t];
-        const uint32_t second = (turned(a, 2) ^ turned(a, 13) ^ turned(a, 22)) +
-                                ((a & h[1]) ^ (a & h[2]) ^ (h[1] & h[2]));
+        const uint32_t second =
+            (digest_turned(a, 2) ^ digest_turned(a, 13) ^ digest_turned(a, 22)) +
+            ((a & h[1]) ^ (a & h[2]) ^ (h[1] & h[2]));
         memmove(h + 1, h, 7 * sizeof *h);
         h[4] += first;
         h[0] = first + second;

@@ -20,20 +20,20 @@ const struct word distribution_words[] = {
 #define ROOT_OF_2_PI 2.50662827463100050242
 
 /* The normal density. */
-static double density(double z)
+static double distribution_density(double z)
 {
     return exponential(-z * z / 2) / ROOT_OF_2_PI;
 }
 
 /* The share of the normal distribution from -z to z: terms of one sign, so nothing cancels. */
-static double share_within(double z)
+static double distribution_share_within(double z)
 {
     double term = z, sum = z;
     for (int n = 3; term > sum * 1e-18; n += 2) {
         term *= z * z / n;
         sum += term;
     }
-    return 2 * density(z) * sum;
+    return 2 * distribution_density(z) * sum;
 }
 
 struct spread spread_of(enum distribution distribution, double sigmas)
@@ -41,7 +41,7 @@ struct spread spread_of(enum distribution distribution, double sigmas)
     struct spread spread = {distribution, sigmas, 1};
     if (distribution == DISTRIBUTION_TRUNCATED) {
         assert(sigmas >= DISTRIBUTION_SIGMAS_LEAST && sigmas <= DISTRIBUTION_SIGMAS_MOST);
-        spread.within = share_within(sigmas);
+        spread.within = distribution_share_within(sigmas);
     }
     return spread;
 }
@@ -97,7 +97,7 @@ double spread_variance(const struct spread *spread)
     case DISTRIBUTION_NORMAL:
         return 1 / (s * s);
     case DISTRIBUTION_TRUNCATED:
-        return (1 - 2 * s * density(s) / spread->within) / (s * s);
+        return (1 - 2 * s * distribution_density(s) / spread->within) / (s * s);
     case DISTRIBUTION_PARABOLIC:
         return 0.6;
     case DISTRIBUTION_TWO_POINT:
@@ -116,7 +116,8 @@ double spread_fourth(const struct spread *spread)
     case DISTRIBUTION_NORMAL:
         return 3 / (square * square);
     case DISTRIBUTION_TRUNCATED:
-        return (3 - 2 * s * (square + 3) * density(s) / spread->within) / (square * square);
+        return (3 - 2 * s * (square + 3) * distribution_density(s) / spread->within) /
+               (square * square);
     case DISTRIBUTION_PARABOLIC:
         return 3.0 / 7;
     case DISTRIBUTION_TWO_POINT:

@@ -37,7 +37,7 @@ static void mark_names(char marked[LONGEST_FORMAT], const char *format)
 }
 
 /* Take the marks out of the text, noting what stood between them. */
-static void collect(char *text, struct mentions *mentions)
+static void error_collect(char *text, struct mentions *mentions)
 {
     char *to = text, *open = NULL;
     mentions->count = 0;
@@ -64,7 +64,7 @@ static void compose(char *text, size_t size, struct mentions *mentions, const ch
     char marked[LONGEST_FORMAT], whole[LONGEST_FORMAT];
     mark_names(marked, format);
     vsnprintf(whole, sizeof whole, marked, arguments);
-    collect(whole, mentions);
+    error_collect(whole, mentions);
     text_make_printable(whole, "");
     size_t length = strlen(whole);
     if (length >= size) {
@@ -77,7 +77,8 @@ static void compose(char *text, size_t size, struct mentions *mentions, const ch
     memcpy(text, whole, length + 1);
 }
 
-static void start(struct error *error, enum error_code code, const char *format, va_list arguments)
+static void error_start(struct error *error, enum error_code code, const char *format,
+                        va_list arguments)
 {
     error->code = code;
     error->line = 0;
@@ -95,7 +96,7 @@ bool fail(struct error *error, enum error_code code, const char *format, ...)
 {
     va_list arguments;
     va_start(arguments, format);
-    start(error, code, format, arguments);
+    error_start(error, code, format, arguments);
     va_end(arguments);
     return false;
 }
@@ -133,7 +134,7 @@ bool fail_at(struct error *error, enum error_code code, struct text text, size_t
 {
     va_list arguments;
     va_start(arguments, format);
-    start(error, code, format, arguments);
+    error_start(error, code, format, arguments);
     va_end(arguments);
     if (caret > text.length + 1) {
         caret = text.length + 1;

@@ -9,7 +9,7 @@ enum { DIGIT_BITS = 32, MANTISSA_BITS = 52, LOWEST = -1074 };
 
 static const uint64_t digit_mask = 0xffffffffU;
 
-void exact_sum_add(struct exact_sum *sum, double x)
+void exact_accumulator_add(struct exact_accumulator *sum, double x)
 {
     uint64_t bits;
     memcpy(&bits, &x, sizeof bits);
@@ -28,18 +28,19 @@ void exact_sum_add(struct exact_sum *sum, double x)
     }
 }
 
-void exact_sum_join(struct exact_sum *sum, const struct exact_sum *more)
+void exact_accumulator_join(struct exact_accumulator *sum, const struct exact_accumulator *more)
 {
-    for (int i = 0; i < EXACT_SUM_DIGITS; i++) {
+    for (int i = 0; i < EXACT_ACCUMULATOR_DIGITS; i++) {
         sum->digits[i] += more->digits[i];
     }
 }
 
 /* Digits of 0 .. 2^32 - 1 by carrying; false: the sum is negative, and they are no number. */
-static int carry(const struct exact_sum *sum, int64_t sign, int64_t digits[EXACT_SUM_DIGITS])
+static int carry(const struct exact_accumulator *sum, int64_t sign,
+                 int64_t digits[EXACT_ACCUMULATOR_DIGITS])
 {
     int64_t over = 0;
-    for (int i = 0; i < EXACT_SUM_DIGITS; i++) {
+    for (int i = 0; i < EXACT_ACCUMULATOR_DIGITS; i++) {
         const int64_t all = sign * sum->digits[i] + over;
         digits[i] = (int64_t)((uint64_t)all & digit_mask);
         over = (all - digits[i]) / ((int64_t)1 << DIGIT_BITS);
@@ -47,15 +48,15 @@ static int carry(const struct exact_sum *sum, int64_t sign, int64_t digits[EXACT
     return over == 0;
 }
 
-double exact_sum_value(const struct exact_sum *sum)
+double exact_accumulator_value(const struct exact_accumulator *sum)
 {
-    int64_t digits[EXACT_SUM_DIGITS];
+    int64_t digits[EXACT_ACCUMULATOR_DIGITS];
     double sign = 1, value = 0;
     if (!carry(sum, 1, digits)) {
         sign = -1;
         carry(sum, -1, digits);
     }
-    int top = EXACT_SUM_DIGITS - 1;
+    int top = EXACT_ACCUMULATOR_DIGITS - 1;
     while (top > 0 && digits[top] == 0) {
         top--;
     }

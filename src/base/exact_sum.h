@@ -6,7 +6,7 @@
 #include <stdint.h>
 
 /* Digits of 32 bits from 2^-1074 on: all doubles, 2^30 of them, and a sign. */
-enum { EXACT_SUM_DIGITS = 68 };
+enum { EXACT_ACCUMULATOR_DIGITS = 68 };
 
 /*
  * A sum of doubles as a long fixed-point number. Start with all zero; two of them are added digit
@@ -16,16 +16,16 @@ enum { EXACT_SUM_DIGITS = 68 };
  *           be of either sign and as long as 62 bits, which 2^30 summands do not exceed
  * Source    [Kulisch86], the long accumulator
  */
-struct exact_sum {
-    int64_t digits[EXACT_SUM_DIGITS];
+struct exact_accumulator {
+    int64_t digits[EXACT_ACCUMULATOR_DIGITS];
 };
 
 /* Given     x  finite */
-void exact_sum_add(struct exact_sum *sum, double x);
+void exact_accumulator_add(struct exact_accumulator *sum, double x);
 
-void exact_sum_join(struct exact_sum *sum, const struct exact_sum *more);
+void exact_accumulator_join(struct exact_accumulator *sum, const struct exact_accumulator *more);
 
 /* Result    the sum, within 2 ulp, the same for the same summands in any order */
-double exact_sum_value(const struct exact_sum *sum);
+double exact_accumulator_value(const struct exact_accumulator *sum);
 
 #endif

@@ -52,7 +52,7 @@ struct fft fft_open(size_t length, struct arena *arena)
 }
 
 /* Number k of every line side by side; where there are fewer lines zeros stand in for them. */
-static void gather(const struct fft_lines *lines, const double *from, size_t length, double *to)
+static void fft_gather(const struct fft_lines *lines, const double *from, size_t length, double *to)
 {
     const size_t line = lines->line, step = lines->step, here = lines->count;
     for (size_t k = 0; k < length && here == FFT_LANES; k++, from += step, to += FFT_LANES) {
@@ -67,7 +67,8 @@ static void gather(const struct fft_lines *lines, const double *from, size_t len
     }
 }
 
-static void scatter(const struct fft_lines *lines, const double *from, size_t length, double *to)
+static void fft_scatter(const struct fft_lines *lines, const double *from, size_t length,
+                        double *to)
 {
     const size_t line = lines->line, step = lines->step, here = lines->count;
     for (size_t k = 0; k < length; k++, from += FFT_LANES, to += step) {
@@ -90,11 +91,11 @@ void fft_transform(const struct fft *fft, bool inverse, const struct fft_lines *
         const size_t left = lines->count - first, at = first * lines->line;
         struct fft_lines few = *lines;
         few.count = left < FFT_LANES ? left : FFT_LANES;
-        gather(&few, re + at, fft->length, work);
-        gather(&few, im + at, fft->length, work + room);
+        fft_gather(&few, re + at, fft->length, work);
+        fft_gather(&few, im + at, fft->length, work + room);
         kernel(fft, work, work + room, work + 2 * room, work + 3 * room);
-        scatter(&few, work, fft->length, re + at);
-        scatter(&few, work + room, fft->length, im + at);
+        fft_scatter(&few, work, fft->length, re + at);
+        fft_scatter(&few, work + room, fft->length, im + at);
     }
     arena_reset(arena, mark);
 }

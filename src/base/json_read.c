@@ -38,7 +38,7 @@ bool json_take(struct json *json, char c)
     return false;
 }
 
-static int hex_digit(char c)
+static int json_read_hex_digit(char c)
 {
     return c >= '0' && c <= '9'   ? c - '0'
            : c >= 'a' && c <= 'f' ? c - 'a' + 10
@@ -54,7 +54,7 @@ static long hex4(struct json *json)
         return -1;
     }
     for (int i = 0; i < 4; i++) {
-        int digit = hex_digit(*json->at++);
+        int digit = json_read_hex_digit(*json->at++);
         if (digit < 0) {
             return -1;
         }
@@ -157,7 +157,7 @@ static const char *skip_digits(const char *at, const char *end)
 }
 
 /* A number as JSON writes it: no +, no 0 before other digits, digits on both sides of a point. */
-static bool is_number(struct text text)
+static bool json_read_is_number(struct text text)
 {
     const char *const end = text.start + text.length;
     const char *digits = text.start + (text.length > 0 && *text.start == '-');
@@ -180,7 +180,7 @@ static bool is_number(struct text text)
 static bool is_bare_value(struct text text)
 {
     return text_equal(text, "null") || text_equal(text, "true") || text_equal(text, "false") ||
-           is_number(text);
+           json_read_is_number(text);
 }
 
 bool json_scalar(struct json *json, struct json_value *value)
@@ -209,10 +209,10 @@ bool json_scalar(struct json *json, struct json_value *value)
     return true;
 }
 
-static bool read_value(struct json *json, int depth, struct json_value *value);
+static bool json_read_value(struct json *json, int depth, struct json_value *value);
 
 /* What stands between the brackets. */
-static bool read_items(struct json *json, int depth, struct json_value *value)
+static bool json_read_items(struct json *json, int depth, struct json_value *value)
 {
     bool object = value->kind == JSON_OBJECT;
     char closing = object ? '}' : ']';
@@ -229,7 +229,7 @@ static bool read_items(struct json *json, int depth, struct json_value *value)
         if (object && !json_take(json, ':')) {
             return json_fail(json, "expected ':' here");
         }
-        if (!read_value(json, depth + 1, item)) {
+        if (!json_read_value(json, depth + 1, item)) {
             return false;
         }
         item->key = key;
@@ -241,7 +241,7 @@ static bool read_items(struct json *json, int depth, struct json_value *value)
            json_fail(json, object ? "expected ',' or '}' here" : "expected ',' or ']' here");
 }
 
-static bool read_value(struct json *json, int depth, struct json_value *value)
+static bool json_read_value(struct json *json, int depth, struct json_value *value)
 {
     json_skip_blanks(json);
     const char *at = json->at;
@@ -254,12 +254,12 @@ static bool read_value(struct json *json, int depth, struct json_value *value)
     }
     *value = (struct json_value){object ? JSON_OBJECT : JSON_ARRAY,
                                  .at = (size_t)(at - json->text.start) + 1};
-    return read_items(json, depth, value);
+    return json_read_items(json, depth, value);
 }
 
 bool json_tree(struct json *json, struct json_value *value)
 {
-    if (!read_value(json, 0, value)) {
+    if (!json_read_value(json, 0, value)) {
         return false;
     }
     json_skip_blanks(json);

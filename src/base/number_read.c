@@ -20,7 +20,7 @@ enum {
 };
 
 /* A number in the text: the digits from `first` to before `end` x 10^exponent. */
-struct decimal {
+struct number_read_decimal {
     const char *first;
     const char *point; /* in or at the end of the digits */
     const char *end;
@@ -39,7 +39,7 @@ static const double divisors[] = {
     1e7,  1e6,  1e5,  1e4,  1e3,  1e2,  1e1,  1,    1,    1,    1,    1,    1,    1,   1,
     1,    1,    1,    1,    1,    1,    1,    1,    1,    1,    1,    1,    1,    1,   1};
 
-static inline bool is_digit(char c)
+static inline bool number_read_is_digit(char c)
 {
     return (unsigned char)(c - '0') < 10;
 }
@@ -48,7 +48,7 @@ static inline bool is_digit(char c)
 static inline const char *read_digits(const char *at, const char *end, uint64_t *mantissa)
 {
     uint64_t all = *mantissa;
-    for (; at < end && is_digit(*at); at++) {
+    for (; at < end && number_read_is_digit(*at); at++) {
         all = all * 10 + (uint64_t)(*at - '0');
     }
     *mantissa = all;
@@ -64,12 +64,12 @@ static const char *read_exponent(const char *at, const char *end, ptrdiff_t *exp
     if (digit < end && (*digit == '-' || *digit == '+')) {
         digit++;
     }
-    if (digit == end || !is_digit(*digit)) {
+    if (digit == end || !number_read_is_digit(*digit)) {
         return at;
     }
 
     ptrdiff_t typed = 0;
-    for (; digit < end && is_digit(*digit); digit++) {
+    for (; digit < end && number_read_is_digit(*digit); digit++) {
         typed = typed < enough ? typed * 10 + (*digit - '0') : typed;
     }
     *exponent += negative ? -typed : typed;
@@ -77,7 +77,8 @@ static const char *read_exponent(const char *at, const char *end, ptrdiff_t *exp
 }
 
 /* `at` is behind the sign. */
-static const char *read_infinity(const char *at, const char *end, bool negative, double *value)
+static const char *number_read_infinity(const char *at, const char *end, bool negative,
+                                        double *value)
 {
     if (end - at < 3 || memcmp(at, "inf", 3) != 0) {
         return NULL;
@@ -86,7 +87,7 @@ static const char *read_infinity(const char *at, const char *end, bool negative,
     return at + 3;
 }
 
-static void skip_leading_zeros(struct decimal *decimal)
+static void skip_leading_zeros(struct number_read_decimal *decimal)
 {
     const char *at = decimal->first;
     while (at < decimal->end && (*at == '0' || *at == '.')) {
@@ -98,7 +99,7 @@ static void skip_leading_zeros(struct decimal *decimal)
 }
 
 /* The first WORD_DIGITS digits, of at least so many. */
-static uint64_t leading_digits(const struct decimal *decimal)
+static uint64_t leading_digits(const struct number_read_decimal *decimal)
 {
     uint64_t digits = 0;
     const char *at = decimal->first;
@@ -184,7 +185,7 @@ static bool read_wide(uint64_t mantissa, bool more, unsigned multiplier, int pow
  * few more go to `kept`, and one more digit tells whether any of the others is not 0.
  * Returns the number of digits kept; the exponent becomes that of the last of them.
  */
-static int multiply_digits(struct decimal *decimal, unsigned multiplier, char *kept)
+static int multiply_digits(struct number_read_decimal *decimal, unsigned multiplier, char *kept)
 {
     ptrdiff_t index = decimal->count + MULTIPLIER_DIGITS; /* where the multiplied digit goes */
     uint64_t carry = 0;
@@ -215,7 +216,7 @@ static int multiply_digits(struct decimal *decimal, unsigned multiplier, char *k
 }
 
 /* The case that is always right: multiply in decimal, then leave the rounding to strtod. */
-static double read_long(struct decimal decimal, unsigned multiplier)
+static double read_long(struct number_read_decimal decimal, unsigned multiplier)
 {
     char text[KEPT_DIGITS + 32];
     int count = multiply_digits(&decimal, multiplier, text);
@@ -224,7 +225,7 @@ static double read_long(struct decimal decimal, unsigned multiplier)
 }
 
 /* All that is not small enough for one exact operation. */
-static double read_hard(struct decimal decimal, unsigned multiplier)
+static double read_hard(struct number_read_decimal decimal, unsigned multiplier)
 {
     const bool counted = decimal.count <= WORD_DIGITS;
     skip_leading_zeros(&decimal);
@@ -277,7 +278,7 @@ __attribute__((noinline)) static const char *read_any(const char *at, const char
         at++;
     }
 
-    struct decimal decimal = {.first = at};
+    struct number_read_decimal decimal = {.first = at};
     decimal.point = decimal.end = read_digits(at, end, &decimal.mantissa);
     decimal.count = decimal.end - at;
     if (decimal.point < end && *decimal.point == '.') {
@@ -286,7 +287,7 @@ __attribute__((noinline)) static const char *read_any(const char *at, const char
         decimal.count -= decimal.exponent;
     }
     if (decimal.count == 0) {
-        return read_infinity(at, end, negative, value);
+        return number_read_infinity(at, end, negative, value);
     }
 
     const char *behind = decimal.end;

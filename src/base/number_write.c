@@ -37,7 +37,7 @@ static const double small_tens[] = {1e-4, 1e-3, 1e-2, 1e-1, 1e0, 1e1, 1e2,  1e3,
  * Where things stand in a number without exponent, by its decimal exponent - LEAST_EXPONENT. A
  * table, since branches on it would be guesses; what is written behind the end does no harm.
  */
-static const struct layout {
+static const struct number_write_layout {
     int ahead; /* characters before the digits: 0. 0.0 0.00 0.000 */
     int whole; /* digits before the point; 8 for a point behind the end */
     int least; /* characters from the first digit on */
@@ -45,14 +45,14 @@ static const struct layout {
                {0, 3, 3}, {0, 4, 4}, {0, 5, 5}, {0, 6, 6}, {0, 7, 7}, {0, 8, 8}};
 
 /* The parts of a finite double other than 0: significand x 2^exponent. */
-struct parts {
+struct number_write_parts {
     uint64_t significand;
     int exponent;
     bool narrow_below; /* a power of two whose lower neighbour is nearer than the upper one */
 };
 
 /* A decimal number: its integer x 10^(exponent - length + 1), so that exponent is that of %e. */
-struct decimal {
+struct number_write_decimal {
     uint64_t integer; /* below 10^17 */
     int length;       /* of the integer, in digits */
     int exponent;
@@ -66,14 +66,15 @@ struct characters {
     int count;       /* of digits up to the last that is not 0 */
 };
 
-static inline struct parts parts_of(uint64_t bits)
+static inline struct number_write_parts parts_of(uint64_t bits)
 {
     const uint64_t fraction = bits & (((uint64_t)1 << 52) - 1);
     const int field = (int)(bits >> 52) & FIELD_MASK;
     if (field == 0) {
-        return (struct parts){fraction, -1074, false};
+        return (struct number_write_parts){fraction, -1074, false};
     }
-    return (struct parts){fraction | (uint64_t)1 << 52, field - 1075, fraction == 0 && field > 1};
+    return (struct number_write_parts){fraction | (uint64_t)1 << 52, field - 1075,
+                                       fraction == 0 && field > 1};
 }
 
 /*
@@ -97,7 +98,7 @@ static inline int significant_digits(uint64_t eight)
     return 8 - __builtin_clzll(eight) / 8;
 }
 
-static inline struct characters characters_of(struct decimal decimal)
+static inline struct characters characters_of(struct number_write_decimal decimal)
 {
     const uint64_t all = decimal.integer * tens[MOST_DIGITS - decimal.length];
     const uint32_t behind = (uint32_t)(all % 1000000000);
@@ -151,7 +152,8 @@ static char *write_exponent(char *to, int exponent)
 }
 
 /* As %g does: fixed from 1e-4 to below 10^precision, no zeros at the end. */
-static inline char *lay_out(char *to, struct decimal decimal, int precision)
+static inline char *number_write_lay_out(char *to, struct number_write_decimal decimal,
+                                         int precision)
 {
     const struct characters digits = characters_of(decimal);
     const int exponent = decimal.exponent;
@@ -193,7 +195,8 @@ static inline int decimal_exponent(uint64_t factor, int log2)
  * if 128 bits do not tell a tie from its neighbourhood, as for 1234565 to 6 digits, since 10^-1 is
  * not exact in binary.
  */
-static inline bool round_to_digits(struct parts parts, int digits, struct decimal *decimal)
+static inline bool round_to_digits(struct number_write_parts parts, int digits,
+                                   struct number_write_decimal *decimal)
 {
     const int shift = __builtin_clzll(parts.significand);
     const uint64_t factor = parts.significand << shift;
@@ -231,7 +234,7 @@ static inline uint64_t multiply_to_odd(uint64_t factor, struct number_power ten)
  * Everything is scaled by 4 / 10^k so that the halves of the unit in the last place are integers.
  * Source: Giulietti, The Schubfach way to render doubles, 2020.
  */
-static struct decimal find_shortest(struct parts x)
+static struct number_write_decimal find_shortest(struct number_write_parts x)
 {
     const int narrow = x.narrow_below;
     /* floor(log10(2^exponent)), of 3/4 of it if narrow: log10(4/3) x 2^22 = 524031 */
@@ -255,7 +258,7 @@ static struct decimal find_shortest(struct parts x)
     const bool tens_below = lower <= 4 * floor_tens;
     const bool tens_above = 4 * floor_tens + 40 <= upper;
     if (floor >= 10 && tens_below != tens_above) {
-        return (struct decimal){floor_tens + (tens_above ? 10 : 0), 0, k};
+        return (struct number_write_decimal){floor_tens + (tens_above ? 10 : 0), 0, k};
     }
 
     const bool below = lower <= 4 * floor;
@@ -264,11 +267,11 @@ static struct decimal find_shortest(struct parts x)
     if (below == above) { /* the nearer one, of two equally near ones the even */
         up = value > 4 * floor + 2 || (value == 4 * floor + 2 && (floor & 1) != 0);
     }
-    return (struct decimal){floor + up, 0, k};
+    return (struct number_write_decimal){floor + up, 0, k};
 }
 
 /* Give the decimal its length; its exponent was that of the last digit. */
-static inline struct decimal with_length(struct decimal decimal)
+static inline struct number_write_decimal with_length(struct number_write_decimal decimal)
 {
     int bits = 63 - __builtin_clzll(decimal.integer);
     decimal.length = number_log10_of_power2(bits) + 1;
@@ -334,7 +337,7 @@ static inline char *write_few(char *to, double x, uint64_t bits, int digits)
     const uint64_t word = eight_digits((uint32_t)(integer * tens[FEW_DIGITS - digits]));
     const int count = significant_digits(word);
     const uint64_t characters = word | zeros;
-    const struct layout layout = layouts[exponent - LEAST_EXPONENT];
+    const struct number_write_layout layout = layouts[exponent - LEAST_EXPONENT];
     *to = '-';
     to += bits >> 63;
     memcpy(to, "0.000000", 8);
@@ -354,11 +357,11 @@ __attribute__((noinline)) static char *write_many(char *to, double x, uint64_t b
     if (done) {
         return at;
     }
-    struct decimal decimal;
+    struct number_write_decimal decimal;
     if (!round_to_digits(parts_of(bits), digits, &decimal)) {
         return write_slowly(to, x, digits);
     }
-    return lay_out(at, decimal, digits);
+    return number_write_lay_out(at, decimal, digits);
 }
 
 char *number_write_digits(char *to, double x, int digits)
@@ -378,13 +381,13 @@ char *number_write_shortest(char *to, double x)
     if (done) {
         return at;
     }
-    return lay_out(at, with_length(find_shortest(parts_of(bits))), MOST_DIGITS);
+    return number_write_lay_out(at, with_length(find_shortest(parts_of(bits))), MOST_DIGITS);
 }
 
 /* As round_to_digits, by the C library. */
-static struct decimal round_slowly(double x, int digits)
+static struct number_write_decimal round_slowly(double x, int digits)
 {
-    struct decimal decimal = {0, digits, 0};
+    struct number_write_decimal decimal = {0, digits, 0};
     char text[NUMBER_LENGTH];
     snprintf(text, sizeof text, "%.*e", digits - 1, x);
     const char *at = text;
@@ -410,13 +413,13 @@ char *number_write_plain(char *to, double x, int digits, bool padded)
     if (done) {
         return at;
     }
-    struct decimal decimal;
+    struct number_write_decimal decimal;
     if (!round_to_digits(parts_of(bits), digits, &decimal)) {
         decimal = round_slowly(x, digits);
     }
     const int exponent = decimal.exponent;
     if (exponent < LEAST_PLAIN || exponent > MOST_PLAIN) {
-        return lay_out(at, decimal, digits);
+        return number_write_lay_out(at, decimal, digits);
     }
     char text[MOST_DIGITS + 1];
     const struct characters all = characters_of(decimal);
@@ -447,7 +450,7 @@ bool number_needs_more(double x, int digits)
     if (size == 0 || size >= (uint64_t)FIELD_MASK << 52) {
         return false;
     }
-    const struct decimal decimal = with_length(find_shortest(parts_of(size)));
+    const struct number_write_decimal decimal = with_length(find_shortest(parts_of(size)));
     const int over = decimal.length - digits;
     return over > 0 && decimal.integer % tens[over] != 0;
 }

@@ -13,13 +13,13 @@
 enum { MOST_POWER = 22, MOST_DECIMALS = 40 };
 
 /* mantissa x 10^exponent, of at most 18 digits. */
-struct decimal {
+struct pair_decimal {
     int64_t mantissa;
     int exponent;
 };
 
 /* Take apart what number_read has found to be a finite number without its sign. */
-static bool take_apart(const char *at, const char *end, struct decimal *decimal)
+static bool pair_take_apart(const char *at, const char *end, struct pair_decimal *decimal)
 {
     const int64_t full = 99999999999999999;
     int64_t mantissa = 0;
@@ -44,7 +44,7 @@ static bool take_apart(const char *at, const char *end, struct decimal *decimal)
         }
         exponent += down ? -typed : typed;
     }
-    *decimal = (struct decimal){mantissa, exponent};
+    *decimal = (struct pair_decimal){mantissa, exponent};
     return true;
 }
 
@@ -59,7 +59,7 @@ static struct pair small_power_of_ten(int n)
 }
 
 /* What the double `hi` leaves over of the decimal: (mantissa - hi 10^n) / 10^n. */
-static double left_over(const struct decimal *decimal, double hi)
+static double pair_left_over(const struct pair_decimal *decimal, double hi)
 {
     const int64_t split = 1 << 30; /* the mantissa as the sum of two doubles, each exact */
     struct pair mantissa =
@@ -81,7 +81,7 @@ struct digits {
 };
 
 /* Digits, point and exponent of a number that number_read has accepted. */
-static struct digits scan(const char *at, const char *end)
+static struct digits pair_scan(const char *at, const char *end)
 {
     struct digits digits = {.count = 0};
     bool behind_point = false;
@@ -110,7 +110,7 @@ static struct digits scan(const char *at, const char *end)
     return digits;
 }
 
-static struct pair power_of_ten(int exponent)
+static struct pair pair_power_of_ten(int exponent)
 {
     struct pair power = {1, 0}, base = {10, 0};
     for (int left = abs(exponent); left > 0; left /= 2) {
@@ -123,27 +123,27 @@ static struct pair power_of_ten(int exponent)
 }
 
 /* The digits' value, to about 1e-32. */
-static struct pair value_of(const struct digits *digits, struct number_scale scale)
+static struct pair pair_value_of(const struct digits *digits, struct number_scale scale)
 {
     struct pair value = {0, 0};
     for (int first = 0; first < digits->count; first += CHUNK_DIGITS) {
         int length = digits->count - first < CHUNK_DIGITS ? digits->count - first : CHUNK_DIGITS;
-        value = pair_add(pair_multiply(value, power_of_ten(length)),
+        value = pair_add(pair_multiply(value, pair_power_of_ten(length)),
                          pair_of(digits->chunks[first / CHUNK_DIGITS]));
     }
     int exponent = (int)digits->exponent + scale.power;
     value = pair_multiply(value, pair_of((double)scale.multiplier));
-    struct pair power = power_of_ten(exponent);
+    struct pair power = pair_power_of_ten(exponent);
     return exponent < 0 ? pair_divide(value, power) : pair_multiply(value, power);
 }
 
 static double long_left_over(const char *at, const char *end, struct number_scale scale, double hi)
 {
-    struct digits digits = scan(at, end);
+    struct digits digits = pair_scan(at, end);
     if (!(hi < 1e200) || !(hi > 1e-200) || !(fabs(digits.exponent) <= MOST_EXPONENT)) {
         return 0;
     }
-    struct pair exact = value_of(&digits, scale);
+    struct pair exact = pair_value_of(&digits, scale);
     return (exact.hi - hi) + exact.lo;
 }
 
@@ -157,11 +157,11 @@ const char *pair_read(const char *at, const char *end, struct number_scale scale
     bool negative = *at == '-';
     at += *at == '-' || *at == '+';
     double hi = fabs(value->hi), lo = 0;
-    struct decimal decimal;
-    if (scale.multiplier == 1 && *at != 'i' && take_apart(at, behind, &decimal) &&
+    struct pair_decimal decimal;
+    if (scale.multiplier == 1 && *at != 'i' && pair_take_apart(at, behind, &decimal) &&
         decimal.exponent + scale.power <= 0 && decimal.exponent + scale.power >= -MOST_DECIMALS) {
         decimal.exponent += scale.power;
-        lo = left_over(&decimal, hi);
+        lo = pair_left_over(&decimal, hi);
     } else if (hi > 0 && hi < INFINITY) {
         lo = long_left_over(at, behind, scale, hi);
     }

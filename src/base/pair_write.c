@@ -11,13 +11,13 @@
 enum { MOST_DIGITS = 32 };
 
 /* 0.d1 d2 d3 ... x 10^point */
-struct decimal {
+struct pair_write_decimal {
     bool negative;
     int point, count;
     char digits[MOST_DIGITS + 1]; /* '0' .. '9' */
 };
 
-static struct pair power_of_ten(int exponent)
+static struct pair pair_write_power_of_ten(int exponent)
 {
     char text[8];
     struct pair power = {1, 0};
@@ -30,14 +30,14 @@ static struct pair power_of_ten(int exponent)
 static struct pair times_power_of_ten(struct pair x, int exponent)
 {
     const int first = abs(exponent) > 150 ? exponent / 2 : exponent;
-    x = pair_multiply(x, power_of_ten(first));
-    return first != exponent ? pair_multiply(x, power_of_ten(exponent - first)) : x;
+    x = pair_multiply(x, pair_write_power_of_ten(first));
+    return first != exponent ? pair_multiply(x, pair_write_power_of_ten(exponent - first)) : x;
 }
 
 /* The first 32 digits; the last one is wrong by a few units. */
-static struct decimal decimal_of(struct pair value, struct number_scale unit)
+static struct pair_write_decimal pair_write_decimal_of(struct pair value, struct number_scale unit)
 {
-    struct decimal decimal = {.negative = value.hi < 0, .count = MOST_DIGITS};
+    struct pair_write_decimal decimal = {.negative = value.hi < 0, .count = MOST_DIGITS};
     struct pair x = decimal.negative ? pair_negate(value) : value;
     x = pair_divide(x, pair_of((double)unit.multiplier));
     decimal.point = (int)floor(log10(x.hi)) + 1;
@@ -61,9 +61,9 @@ static struct decimal decimal_of(struct pair value, struct number_scale unit)
 }
 
 /* Rounded to so many digits. */
-static struct decimal rounded(const struct decimal *all, int count)
+static struct pair_write_decimal pair_write_rounded(const struct pair_write_decimal *all, int count)
 {
-    struct decimal decimal = *all;
+    struct pair_write_decimal decimal = *all;
     decimal.count = count;
     bool up = all->digits[count] >= '5';
     for (int i = count - 1; i >= 0 && up; i--) {
@@ -78,7 +78,7 @@ static struct decimal rounded(const struct decimal *all, int count)
     return decimal;
 }
 
-static char *put_digits(char *to, const struct decimal *decimal, int first, int end)
+static char *put_digits(char *to, const struct pair_write_decimal *decimal, int first, int end)
 {
     for (int i = first; i < end; i++) {
         *to++ = (char)(i < decimal->count && i >= 0 ? decimal->digits[i] : '0');
@@ -86,7 +86,7 @@ static char *put_digits(char *to, const struct decimal *decimal, int first, int 
     return to;
 }
 
-static char *put_decimal(char *to, const struct decimal *decimal)
+static char *put_decimal(char *to, const struct pair_write_decimal *decimal)
 {
     int point = decimal->point, count = decimal->count;
     if (decimal->negative) {
@@ -123,7 +123,8 @@ char *pair_write_digits(char *to, struct pair value, struct number_scale unit, i
     if (!(fabs(value.hi) > 0 && fabs(value.hi) < INFINITY)) {
         return value.hi == 0 ? put_zero(to) : number_write_shortest(to, value.hi);
     }
-    struct decimal all = decimal_of(value, unit), decimal = rounded(&all, digits);
+    struct pair_write_decimal all = pair_write_decimal_of(value, unit),
+                              decimal = pair_write_rounded(&all, digits);
     return put_decimal(to, &decimal);
 }
 
@@ -133,9 +134,9 @@ char *pair_write_shortest(char *to, struct pair value, struct number_scale unit)
     if (!(fabs(value.hi) > 0 && fabs(value.hi) < INFINITY)) {
         return value.hi == 0 ? put_zero(to) : number_write_shortest(to, value.hi);
     }
-    struct decimal all = decimal_of(value, unit);
+    struct pair_write_decimal all = pair_write_decimal_of(value, unit);
     for (int digits = 1; digits < MOST_DIGITS; digits++) {
-        struct decimal decimal = rounded(&all, digits);
+        struct pair_write_decimal decimal = pair_write_rounded(&all, digits);
         struct pair again;
         char *end = put_decimal(to, &decimal);
         if (digits + 1 == MOST_DIGITS || pair_read(to, end, unit, &again) == NULL) {

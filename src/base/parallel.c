@@ -16,7 +16,7 @@ struct loop {
 };
 
 /* What one thread knows. */
-struct worker {
+struct parallel_worker {
     struct loop *loop;
     size_t thread;
     struct arena *arena;
@@ -24,7 +24,7 @@ struct worker {
 
 static void *take_pieces(void *argument)
 {
-    const struct worker *worker = argument;
+    const struct parallel_worker *worker = argument;
     struct loop *loop = worker->loop;
     for (;;) {
         size_t begin = atomic_fetch_add(&loop->next, loop->piece);
@@ -50,7 +50,7 @@ enum { ROOM = 16 * 1024 * 1024, MOST_ROOMS = 4 };
  * each, 64 MiB in all: so much its stack does not take from the others. Bigger work may still
  * want for memory.
  */
-static bool start(pthread_t *thread, struct worker *worker, size_t count)
+static bool parallel_start(pthread_t *thread, struct parallel_worker *worker, size_t count)
 {
     /* never touched, so that it costs next to nothing; volatile, so that it is asked for */
     void *volatile room = malloc((count < MOST_ROOMS ? count : MOST_ROOMS) * ROOM);
@@ -60,17 +60,17 @@ static bool start(pthread_t *thread, struct worker *worker, size_t count)
 }
 
 /* `arenas` is null where the work needs none. */
-static void run(int threads, struct loop *loop, struct arena *arenas)
+static void parallel_run(int threads, struct loop *loop, struct arena *arenas)
 {
     pthread_t others[PARALLEL_MOST];
-    struct worker workers[PARALLEL_MOST];
+    struct parallel_worker workers[PARALLEL_MOST];
     size_t pieces = loop->count / loop->piece + (loop->count % loop->piece != 0), started = 0;
     size_t most = threads > PARALLEL_MOST ? PARALLEL_MOST : threads > 1 ? (size_t)threads : 1;
     for (size_t i = 0; i < most; i++) {
-        workers[i] = (struct worker){loop, i, arenas != NULL ? &arenas[i] : NULL};
+        workers[i] = (struct parallel_worker){loop, i, arenas != NULL ? &arenas[i] : NULL};
     }
     for (size_t i = 1; i < most && i < pieces; i++) {
-        if (start(&others[started], &workers[i], started + 2)) {
+        if (parallel_start(&others[started], &workers[i], started + 2)) {
             started++;
         }
     }
@@ -97,7 +97,7 @@ void parallel_for(int threads, size_t count, size_t piece, parallel_function *fu
 {
     struct plain plain = {function, context};
     struct loop loop = {.work = call_function, .context = &plain, .count = count, .piece = piece};
-    run(threads, &loop, NULL);
+    parallel_run(threads, &loop, NULL);
 }
 
 int parallel_threads(long asked)
@@ -110,7 +110,7 @@ void parallel_pieces(struct parallel *parallel, size_t count, size_t piece, para
                      void *context)
 {
     struct loop loop = {.work = work, .context = context, .count = count, .piece = piece};
-    run(parallel->threads, &loop, parallel->arenas);
+    parallel_run(parallel->threads, &loop, parallel->arenas);
 }
 
 void parallel_free(struct parallel *parallel)

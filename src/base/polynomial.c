@@ -47,7 +47,7 @@ struct polynomial polynomial_scale(const struct polynomial *a, struct pair facto
     return scaled;
 }
 
-static struct pair value_of(const struct polynomial *a, struct pair x)
+static struct pair polynomial_value_of(const struct polynomial *a, struct pair x)
 {
     struct pair sum = a->c[a->degree];
     for (size_t i = a->degree; i-- > 0;) {
@@ -77,7 +77,7 @@ static double size_at(const struct polynomial *a, double x)
 
 static double value_at(double x, const void *context)
 {
-    return value_of(context, pair_of(x)).hi;
+    return polynomial_value_of(context, pair_of(x)).hi;
 }
 
 /* Without the highest terms that are rounding. */
@@ -105,7 +105,8 @@ static double cauchy_bound(const struct polynomial *a, double scale)
 /* One Newton step in pairs from the double that is nearest. */
 static struct pair polish(const struct polynomial *a, const struct polynomial *slope, double x)
 {
-    struct pair step = pair_divide(value_of(a, pair_of(x)), value_of(slope, pair_of(x)));
+    struct pair step =
+        pair_divide(polynomial_value_of(a, pair_of(x)), polynomial_value_of(slope, pair_of(x)));
     bool sound = fabs(step.hi) <= 1e-9 * (fabs(x) + 1e-300);
     return sound ? pair_subtract(pair_of(x), step) : pair_of(x);
 }
@@ -117,7 +118,7 @@ static size_t roots_between(const struct polynomial *a, const struct pair *point
     const struct polynomial slope = derivative_of(a);
     size_t found = 0;
     for (size_t i = 0; i < count; i++) {
-        double x = points[i].hi, y = value_of(a, points[i]).hi;
+        double x = points[i].hi, y = polynomial_value_of(a, points[i]).hi;
         if (fabs(y) <= TOUCHING * size_at(a, x)) {
             if (found == 0 || roots[found - 1].hi != x) {
                 roots[found++] = points[i];
@@ -127,7 +128,7 @@ static size_t roots_between(const struct polynomial *a, const struct pair *point
         if (i + 1 == count) {
             break;
         }
-        double next_x = points[i + 1].hi, next_y = value_of(a, points[i + 1]).hi;
+        double next_x = points[i + 1].hi, next_y = polynomial_value_of(a, points[i + 1]).hi;
         bool crosses = (y < 0) != (next_y < 0);
         double root;
         struct error ignored;

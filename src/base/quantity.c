@@ -8,7 +8,7 @@
 #include <string.h>
 
 /* The reading of one quantity: where it stands, and what to say of it. */
-struct reading {
+struct quantity_parser {
     struct text text; /* trimmed */
     const char *at, *end;
     const struct dimension *dimension;
@@ -17,13 +17,13 @@ struct reading {
     struct error *error;
 };
 
-static bool wrong(struct reading *reading, const char *at, const char *what)
+static bool quantity_wrong(struct quantity_parser *reading, const char *at, const char *what)
 {
     size_t caret = (size_t)(at - reading->text.start) + 1;
     return fail_at(reading->error, ERROR_USAGE, reading->text, caret, "%s", what);
 }
 
-static void skip_blanks(struct reading *reading)
+static void quantity_skip_blanks(struct quantity_parser *reading)
 {
     while (reading->at < reading->end && (*reading->at == ' ' || *reading->at == '\t')) {
         reading->at++;
@@ -31,7 +31,7 @@ static void skip_blanks(struct reading *reading)
 }
 
 /* Step over the longest of the prefixes that stands here ("f/" before "f"). */
-static void skip_prefix(struct reading *reading)
+static void skip_prefix(struct quantity_parser *reading)
 {
     const char *prefixes = reading->dimension->prefixes;
     struct text rest = text_of(prefixes != NULL ? prefixes : "");
@@ -43,7 +43,7 @@ static void skip_prefix(struct reading *reading)
             memcpy(name, word.start, word.length < sizeof name ? word.length : sizeof name - 1);
             if (text_same(here, name)) {
                 reading->at += word.length;
-                skip_blanks(reading);
+                quantity_skip_blanks(reading);
                 return;
             }
         }
@@ -51,16 +51,16 @@ static void skip_prefix(struct reading *reading)
 }
 
 /* Not a number: say what it is instead. */
-static bool no_number(struct reading *reading)
+static bool quantity_no_number(struct quantity_parser *reading)
 {
     if (reading->at >= reading->end) {
-        return wrong(reading, reading->at, "a number is missing");
+        return quantity_wrong(reading, reading->at, "a number is missing");
     }
     struct text rest = text_between(reading->at, reading->end);
     if (text_same(rest, "nan") || text_same(rest, "-nan")) {
-        return wrong(reading, reading->at, "nan is not a value");
+        return quantity_wrong(reading, reading->at, "nan is not a value");
     }
-    return wrong(reading, reading->at, "no number here");
+    return quantity_wrong(reading, reading->at, "no number here");
 }
 
 static bool has_nonzero_digit(const char *at, const char *end)
@@ -74,26 +74,27 @@ static bool has_nonzero_digit(const char *at, const char *end)
 }
 
 /* Refuse what a double cannot hold: the text names a number that is neither infinite nor zero. */
-static bool check_magnitude(struct reading *reading, const char *from, const char *to, double value)
+static bool check_magnitude(struct quantity_parser *reading, const char *from, const char *to,
+                            double value)
 {
     if (isinf(value)) {
         const char *first = *from == '-' || *from == '+' ? from + 1 : from;
         if (*first != 'i' && *first != 'I') {
-            return wrong(reading, from, "the number is too large");
+            return quantity_wrong(reading, from, "the number is too large");
         }
     }
     if (value == 0 && has_nonzero_digit(from, to)) {
-        return wrong(reading, from, "the number is too small");
+        return quantity_wrong(reading, from, "the number is too small");
     }
     return true;
 }
 
 /* Read a number at the present place, times `scale`. */
-static bool read_scaled(struct reading *reading, struct number_scale scale, double *value)
+static bool read_scaled(struct quantity_parser *reading, struct number_scale scale, double *value)
 {
     const char *after = number_read(reading->at, reading->end, scale, value);
     if (after == NULL) {
-        return no_number(reading);
+        return quantity_no_number(reading);
     }
     if (!check_magnitude(reading, reading->at, after, *value)) {
         return false;
@@ -126,7 +127,7 @@ static const char *article(const char *noun)
 
 /* A unit that differs by case; for a slip of one or two letters the usual unit; else the nearest.
  */
-static const char *meant_unit(const struct reading *reading, struct text name)
+static const char *meant_unit(const struct quantity_parser *reading, struct text name)
 {
     struct nearest nearest = {.typed = name};
     for (size_t i = 0; i < reading->dimension->unit_count; i++) {
@@ -140,7 +141,7 @@ static const char *meant_unit(const struct reading *reading, struct text name)
     return name.length <= 2 ? reading->unit->name : nearest.best.start;
 }
 
-static bool unknown_unit(struct reading *reading, struct text name, int shown)
+static bool unknown_unit(struct quantity_parser *reading, struct text name, int shown)
 {
     struct text whole = reading->text;
     size_t before = (size_t)(name.start - whole.start);
@@ -166,7 +167,7 @@ static bool begins_value(const char *at, const char *end)
 }
 
 /* "f/2.8-f/8", "24 to 70": what stands between two ends, and how long it is; 0 if nothing does. */
-static size_t between_ends(const struct reading *reading)
+static size_t between_ends(const struct quantity_parser *reading)
 {
     static const char *const words[] = {"-", "to ", "\xe2\x80\x93", "..."};
     size_t room = (size_t)(reading->end - reading->at);
@@ -181,11 +182,11 @@ static size_t between_ends(const struct reading *reading)
 }
 
 /* Two ends of a range: say how it is written. */
-static bool join_ends(struct reading *reading, size_t between)
+static bool join_ends(struct quantity_parser *reading, size_t between)
 {
     struct text first = text_trim(text_between(reading->text.start, reading->at));
     struct text last = text_trim(text_between(reading->at + between, reading->end));
-    wrong(reading, reading->at, "a range is written with '..'");
+    quantity_wrong(reading, reading->at, "a range is written with '..'");
     if (reading->text.length < 40) {
         error_hint(reading->error, "use \"%.*s..%.*s\"", (int)first.length, first.start,
                    (int)last.length, last.start);
@@ -193,7 +194,7 @@ static bool join_ends(struct reading *reading, size_t between)
     return false;
 }
 
-static bool wrong_unit(struct reading *reading, struct text name)
+static bool quantity_wrong_unit(struct quantity_parser *reading, struct text name)
 {
     const char *wanted = reading->dimension->name;
     size_t between = between_ends(reading);
@@ -230,11 +231,11 @@ static const struct unit *longest_unit(const struct dimension *dimension, struct
 }
 
 /* Read the unit here, if one stands here; null in *unit if none does. */
-static bool read_unit(struct reading *reading, const struct unit **unit)
+static bool quantity_read_unit(struct quantity_parser *reading, const struct unit **unit)
 {
     enum { LONGEST_UNIT = 24 };
     *unit = NULL;
-    skip_blanks(reading);
+    quantity_skip_blanks(reading);
     const char *from = reading->at, *letters = from;
     while (letters < reading->end && is_unit_letter(*letters)) {
         letters++;
@@ -250,14 +251,14 @@ static bool read_unit(struct reading *reading, const struct unit **unit)
                is_unit_letter(from[length - 1]) && from[length - 1] != '\'' &&
                from[length - 1] != '"';
     if (*unit == NULL || cut) {
-        return wrong_unit(reading, text_between(from, letters));
+        return quantity_wrong_unit(reading, text_between(from, letters));
     }
     reading->at = from + length;
     return true;
 }
 
 /* Does a denominator come next? */
-static bool divides(const struct reading *reading)
+static bool divides(const struct quantity_parser *reading)
 {
     if (reading->at + 1 >= reading->end) {
         return false;
@@ -269,7 +270,7 @@ static bool divides(const struct reading *reading)
 }
 
 /* A denominator after '/' or ':' divides what was read. */
-static bool read_denominator(struct reading *reading, double *value)
+static bool quantity_read_denominator(struct quantity_parser *reading, double *value)
 {
     if (!divides(reading)) {
         return true;
@@ -280,23 +281,23 @@ static bool read_denominator(struct reading *reading, double *value)
         return false;
     }
     if (!(denominator > 0) || isinf(denominator)) {
-        return wrong(reading, slash + 1, "a fraction cannot have this denominator");
+        return quantity_wrong(reading, slash + 1, "a fraction cannot have this denominator");
     }
     const double numerator = *value;
     *value /= denominator;
     if (isinf(*value) && !isinf(numerator)) {
-        return wrong(reading, slash, "the number is too large");
+        return quantity_wrong(reading, slash, "the number is too large");
     }
     if (*value == 0 && numerator != 0) {
-        return wrong(reading, slash, "the number is too small");
+        return quantity_wrong(reading, slash, "the number is too small");
     }
     return true;
 }
 
 /* Inches behind feet: 5ft6in, 5'6". */
-static bool read_inches(struct reading *reading, double *value)
+static bool read_inches(struct quantity_parser *reading, double *value)
 {
-    skip_blanks(reading);
+    quantity_skip_blanks(reading);
     if (reading->at == reading->end) {
         return true;
     }
@@ -306,27 +307,27 @@ static bool read_inches(struct reading *reading, double *value)
     double inches;
     const struct unit *unit;
     if (reading->typed != feet || !read_scaled(reading, inch->scale, &inches) ||
-        !read_unit(reading, &unit) || (unit != inch && unit != NULL)) {
-        return wrong(reading, from, "unexpected text after the number");
+        !quantity_read_unit(reading, &unit) || (unit != inch && unit != NULL)) {
+        return quantity_wrong(reading, from, "unexpected text after the number");
     }
     if (!(inches >= 0) || !(inches < unit_to_own(feet, 1)) || !(*value >= 0)) {
-        return wrong(reading, from, "inches behind feet must be 0 to less than 12");
+        return quantity_wrong(reading, from, "inches behind feet must be 0 to less than 12");
     }
     *value += inches;
     return true;
 }
 
 /* What is left over: name the usual causes. */
-static bool left_over(struct reading *reading)
+static bool quantity_left_over(struct quantity_parser *reading)
 {
     size_t between = between_ends(reading);
     if (between > 0) {
         return join_ends(reading, between);
     }
     if (*reading->at != ',') {
-        return wrong(reading, reading->at, "unexpected text after the number");
+        return quantity_wrong(reading, reading->at, "unexpected text after the number");
     }
-    wrong(reading, reading->at, "a decimal comma: the decimal point is '.'");
+    quantity_wrong(reading, reading->at, "a decimal comma: the decimal point is '.'");
     const char *at = reading->text.start, *const end = at + reading->text.length;
     size_t marks = 0;
     for (; at < end; at++) {
@@ -343,8 +344,8 @@ static bool left_over(struct reading *reading)
 }
 
 /* The number once more, now that its unit is known: one rounding for the whole conversion. */
-static bool read_with_unit(struct reading *reading, const char *from, double plain, bool fraction,
-                           double *value)
+static bool read_with_unit(struct quantity_parser *reading, const char *from, double plain,
+                           bool fraction, double *value)
 {
     const struct unit *unit = reading->typed != NULL ? reading->typed : reading->unit;
     if (fraction || isinf(plain)) {
@@ -354,10 +355,10 @@ static bool read_with_unit(struct reading *reading, const char *from, double pla
         *value *= unit->factor;
     }
     if (isinf(*value) && !isinf(plain)) {
-        return wrong(reading, from, "the number is too large");
+        return quantity_wrong(reading, from, "the number is too large");
     }
     if (*value == 0 && plain != 0) {
-        return wrong(reading, from, "the number is too small");
+        return quantity_wrong(reading, from, "the number is too small");
     }
     *value += 0.0; /* -0 is 0 */
     return true;
@@ -395,10 +396,10 @@ static bool read_usual(struct text text, const struct dimension *dimension, cons
         }
         return read_shutter(text, value, error);
     }
-    struct reading reading = {.text = text_trim(text),
-                              .dimension = dimension,
-                              .unit = unit != NULL ? unit : &dimension->units[0],
-                              .error = error};
+    struct quantity_parser reading = {.text = text_trim(text),
+                                      .dimension = dimension,
+                                      .unit = unit != NULL ? unit : &dimension->units[0],
+                                      .error = error};
     reading.at = reading.text.start;
     reading.end = reading.at + reading.text.length;
     skip_prefix(&reading);
@@ -408,11 +409,11 @@ static bool read_usual(struct text text, const struct dimension *dimension, cons
         return false;
     }
     const char *behind = reading.at;
-    if (!read_denominator(&reading, &plain)) {
+    if (!quantity_read_denominator(&reading, &plain)) {
         return false;
     }
     bool fraction = reading.at != behind;
-    if (!read_unit(&reading, &reading.typed) ||
+    if (!quantity_read_unit(&reading, &reading.typed) ||
         !read_with_unit(&reading, from, plain, fraction, value)) {
         return false;
     }
@@ -420,9 +421,9 @@ static bool read_usual(struct text text, const struct dimension *dimension, cons
         !read_inches(&reading, value)) {
         return false;
     }
-    skip_blanks(&reading);
+    quantity_skip_blanks(&reading);
     if (reading.at != reading.end) {
-        return left_over(&reading);
+        return quantity_left_over(&reading);
     }
     if (typed != NULL) {
         *typed = reading.typed;

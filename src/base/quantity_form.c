@@ -16,33 +16,34 @@ struct form {
     struct error *error;
 };
 
-static enum quantity_form wrong(const struct form *form, const char *at, const char *what)
+static enum quantity_form quantity_form_wrong(const struct form *form, const char *at,
+                                              const char *what)
 {
     fail_at(form->error, ERROR_USAGE, form->text, (size_t)(at - form->text.start) + 1, "%s", what);
     return QUANTITY_FORM_WRONG;
 }
 
-static void skip_blanks(struct form *form)
+static void quantity_form_skip_blanks(struct form *form)
 {
     while (form->at < form->end && (*form->at == ' ' || *form->at == '\t')) {
         form->at++;
     }
 }
 
-static bool begins_number(const struct form *form)
+static bool quantity_form_begins_number(const struct form *form)
 {
     return form->at < form->end && (char_is_digit(*form->at) || *form->at == '.');
 }
 
 /* A number without sign, exponent or infinity. */
-static bool read_plain(struct form *form, double *value)
+static bool quantity_form_read_plain(struct form *form, double *value)
 {
     const char *end = form->at;
     while (end < form->end && (char_is_digit(*end) || *end == '.')) {
         end++;
     }
     const char *behind = number_read(form->at, end, NUMBER_UNSCALED, value);
-    if (!begins_number(form) || behind != end || isinf(*value)) {
+    if (!quantity_form_begins_number(form) || behind != end || isinf(*value)) {
         return false;
     }
     form->at = behind;
@@ -50,11 +51,11 @@ static bool read_plain(struct form *form, double *value)
 }
 
 /* "/2" behind a numerator divides it. */
-static bool read_denominator(struct form *form, double *value)
+static bool quantity_form_read_denominator(struct form *form, double *value)
 {
     double denominator;
     form->at++;
-    if (!read_plain(form, &denominator) || !(denominator > 0)) {
+    if (!quantity_form_read_plain(form, &denominator) || !(denominator > 0)) {
         return false;
     }
     *value /= denominator;
@@ -74,16 +75,16 @@ static bool read_mixed(struct form *form, double *value, bool *mixed)
 {
     double part;
     *mixed = false;
-    if (!read_plain(form, value)) {
+    if (!quantity_form_read_plain(form, value)) {
         return false;
     }
     if (at_slash(form)) {
-        return read_denominator(form, value);
+        return quantity_form_read_denominator(form, value);
     }
     struct form ahead = *form;
-    skip_blanks(&ahead);
-    if (ahead.at == form->at || !read_plain(&ahead, &part) || !at_slash(&ahead) ||
-        !read_denominator(&ahead, &part)) {
+    quantity_form_skip_blanks(&ahead);
+    if (ahead.at == form->at || !quantity_form_read_plain(&ahead, &part) || !at_slash(&ahead) ||
+        !quantity_form_read_denominator(&ahead, &part)) {
         return true;
     }
     *form = ahead;
@@ -93,7 +94,8 @@ static bool read_mixed(struct form *form, double *value, bool *mixed)
 }
 
 /* The words for infinity. */
-static enum quantity_form read_infinity(const struct form *form, struct quantity_formed *formed)
+static enum quantity_form quantity_form_read_infinity(const struct form *form,
+                                                      struct quantity_formed *formed)
 {
     static const char *const words[] = {"\xe2\x88\x9e", "infinity", "inf", "infinite"};
     struct text word = form->text;
@@ -152,7 +154,7 @@ static bool is_ascii_letter(char c)
 }
 
 /* Step over the longest of the words that stands here as a whole word. */
-static bool take_word(struct form *form, const char *words)
+static bool quantity_form_take_word(struct form *form, const char *words)
 {
     struct text rest = text_of(words);
     size_t longest = 0;
@@ -175,7 +177,7 @@ static bool take_word(struct form *form, const char *words)
 static int take_rung(struct form *form, const struct ladder *ladder, int first)
 {
     for (int i = first; i < ladder->count; i++) {
-        if (take_word(form, ladder->rungs[i].words)) {
+        if (quantity_form_take_word(form, ladder->rungs[i].words)) {
             return i;
         }
     }
@@ -183,25 +185,26 @@ static int take_rung(struct form *form, const struct ladder *ladder, int first)
 }
 
 /* One number and its unit, which is the next smaller one if it is left out at the end. */
-struct step {
+struct quantity_form_step {
     const char *from;
     double number;
     int rung;
 };
 
 /* False if no number with a unit below `above` stands here; `above` is -1 at the first. */
-static bool read_step(struct form *form, const struct ladder *ladder, int above, struct step *step)
+static bool read_step(struct form *form, const struct ladder *ladder, int above,
+                      struct quantity_form_step *step)
 {
     bool mixed;
-    skip_blanks(form);
+    quantity_form_skip_blanks(form);
     step->from = form->at;
     if (!read_mixed(form, &step->number, &mixed)) {
         return false;
     }
-    skip_blanks(form);
+    quantity_form_skip_blanks(form);
     bool bare = form->at == form->end;
     step->rung = bare ? above + 1 : take_rung(form, ladder, above + 1);
-    skip_blanks(form);
+    quantity_form_skip_blanks(form);
     return step->rung < ladder->count && !(bare && above < 0);
 }
 
@@ -211,7 +214,7 @@ static enum quantity_form read_ladder(struct form *form, const struct ladder *la
 {
     double sum = 0;
     int rung = -1, steps = 0;
-    struct step step;
+    struct quantity_form_step step;
     for (; form->at < form->end; steps++) {
         if (!read_step(form, ladder, rung, &step)) {
             return QUANTITY_FORM_NONE;
@@ -220,7 +223,7 @@ static enum quantity_form read_ladder(struct form *form, const struct ladder *la
             sum *= ladder->rungs[i].count;
         }
         if (steps > 0 && !(step.number < ladder->rungs[step.rung].count)) {
-            return wrong(form, step.from, ladder->wrong);
+            return quantity_form_wrong(form, step.from, ladder->wrong);
         }
         const struct unit *unit =
             unit_find(ladder->dimension, text_of(ladder->rungs[step.rung].unit));
@@ -242,7 +245,7 @@ static enum quantity_form read_clock(struct form *form, struct quantity_formed *
     do {
         const char *from = form->at;
         double number;
-        if (!read_plain(form, &number) || count == 3) {
+        if (!quantity_form_read_plain(form, &number) || count == 3) {
             return QUANTITY_FORM_NONE;
         }
         bool more = form->at < form->end && *form->at == ':';
@@ -250,7 +253,7 @@ static enum quantity_form read_clock(struct form *form, struct quantity_formed *
             return QUANTITY_FORM_NONE;
         }
         if (count > 0 && !(number < 60)) {
-            return wrong(form, from, ladders[0].wrong);
+            return quantity_form_wrong(form, from, ladders[0].wrong);
         }
         seconds = seconds * 60 + number;
         count++;
@@ -265,7 +268,7 @@ static enum quantity_form read_display(struct form *form, struct quantity_formed
     char digits[32];
     const char *quote = memchr(form->at, '"', form->text.length);
     if (quote == NULL || quote + 1 >= form->end || form->text.length >= sizeof digits ||
-        !begins_number(form)) {
+        !quantity_form_begins_number(form)) {
         return QUANTITY_FORM_NONE;
     }
     memcpy(digits, form->at, form->text.length);
@@ -295,7 +298,8 @@ static enum quantity_form read_fraction(struct form *form, struct quantity_forme
         return QUANTITY_FORM_NONE;
     }
     if (!read) {
-        return wrong(form, from, "a fraction behind a whole number must be less than 1");
+        return quantity_form_wrong(form, from,
+                                   "a fraction behind a whole number must be less than 1");
     }
     struct text name = text_trim(text_between(form->at, form->end));
     const struct unit *unit = form->unit;
@@ -315,7 +319,7 @@ static enum quantity_form read_fraction(struct form *form, struct quantity_forme
 static enum quantity_form read_hyphened(struct form *form, struct quantity_formed *formed)
 {
     double number;
-    if (!read_plain(form, &number) || form->at == form->end || *form->at++ != '-') {
+    if (!quantity_form_read_plain(form, &number) || form->at == form->end || *form->at++ != '-') {
         return QUANTITY_FORM_NONE;
     }
     formed->typed = unit_find(form->dimension, text_between(form->at, form->end));
@@ -339,13 +343,13 @@ static const int din_speeds[DIN_HIGHEST - DIN_LOWEST + 1] = {
 static bool read_degrees(struct form *form, double *degrees)
 {
     static const char marks[] = "DIN din Din " DEGREE_SIGN "DIN " DEGREE_SIGN;
-    bool marked = take_word(form, "DIN din Din");
-    skip_blanks(form);
-    if (!read_plain(form, degrees)) {
+    bool marked = quantity_form_take_word(form, "DIN din Din");
+    quantity_form_skip_blanks(form);
+    if (!quantity_form_read_plain(form, degrees)) {
         return false;
     }
-    skip_blanks(form);
-    marked = take_word(form, marks) || marked;
+    quantity_form_skip_blanks(form);
+    marked = quantity_form_take_word(form, marks) || marked;
     return marked && form->at == form->end;
 }
 
@@ -354,27 +358,29 @@ static enum quantity_form read_speed(struct form *form, struct quantity_formed *
 {
     double degrees, speed = NAN;
     const char *slash = memchr(form->at, '/', form->text.length), *from = form->at;
-    if (take_word(form, "ISO iso Iso ASA asa")) {
-        skip_blanks(form);
+    if (quantity_form_take_word(form, "ISO iso Iso ASA asa")) {
+        quantity_form_skip_blanks(form);
     }
     if (slash != NULL) {
-        if (!read_plain(form, &speed) || form->at != slash) {
+        if (!quantity_form_read_plain(form, &speed) || form->at != slash) {
             return QUANTITY_FORM_NONE;
         }
         from = ++form->at;
-        if (!read_plain(form, &degrees) || (take_word(form, DEGREE_SIGN), form->at != form->end)) {
+        if (!quantity_form_read_plain(form, &degrees) ||
+            (quantity_form_take_word(form, DEGREE_SIGN), form->at != form->end)) {
             return QUANTITY_FORM_NONE;
         }
     } else if (!read_degrees(form, &degrees)) {
         return QUANTITY_FORM_NONE;
     }
     if (!(degrees >= DIN_LOWEST && degrees <= DIN_HIGHEST) || degrees != floor(degrees)) {
-        return wrong(form, from, "degrees DIN are whole numbers from 8 to 51");
+        return quantity_form_wrong(form, from, "degrees DIN are whole numbers from 8 to 51");
     }
     double marked = din_speeds[(int)degrees - DIN_LOWEST];
     /* labels differ by less than half a step of a third of a stop */
     if (!isnan(speed) && !(fabs(log2(speed / marked)) < 1 / 6.0)) {
-        return wrong(form, from, "speed and degrees contradict each other (ISO 400 is 27 degrees)");
+        return quantity_form_wrong(
+            form, from, "speed and degrees contradict each other (ISO 400 is 27 degrees)");
     }
     *formed = (struct quantity_formed){isnan(speed) ? marked : speed, NULL};
     return QUANTITY_FORM_READ;
@@ -416,7 +422,7 @@ enum quantity_form quantity_form_read(struct text text, const struct dimension *
                         .dimension = dimension,
                         .unit = unit != NULL ? unit : &dimension->units[0],
                         .error = error};
-    if (read_infinity(&form, formed) == QUANTITY_FORM_READ) {
+    if (quantity_form_read_infinity(&form, formed) == QUANTITY_FORM_READ) {
         return QUANTITY_FORM_READ;
     }
     return read_forms(&form, formed);

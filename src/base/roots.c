@@ -8,18 +8,18 @@
 enum { STEP_LIMIT = 200 };
 
 /* The newest point a, the opposite end b of the bracket, the point c before a. */
-struct bracket {
+struct roots_bracket {
     double a, b, c;
     double fa, fb, fc;
 };
 
-static bool opposite(double x, double y)
+static bool roots_opposite(double x, double y)
 {
     return (x < 0 && y > 0) || (x > 0 && y < 0);
 }
 
 /* Where to look next, as a fraction of the way from a to b. */
-static double next_fraction(const struct bracket *k)
+static double next_fraction(const struct roots_bracket *k)
 {
     double xi = (k->a - k->b) / (k->c - k->b);
     double phi = (k->fa - k->fb) / (k->fc - k->fb);
@@ -33,9 +33,9 @@ static double next_fraction(const struct bracket *k)
 }
 
 /* Take the value f at x into the bracket. */
-static void narrow(struct bracket *k, double x, double f)
+static void roots_narrow(struct roots_bracket *k, double x, double f)
 {
-    if (opposite(f, k->fa)) {
+    if (roots_opposite(f, k->fa)) {
         k->c = k->b;
         k->fc = k->fb;
         k->b = k->a;
@@ -51,14 +51,14 @@ static void narrow(struct bracket *k, double x, double f)
 bool root_find(root_function *function, const void *context, double low, double high, double *root,
                struct error *error)
 {
-    struct bracket k = {.a = high, .b = low, .c = low};
+    struct roots_bracket k = {.a = high, .b = low, .c = low};
     k.fa = function(high, context);
     k.fb = k.fc = function(low, context);
     *root = fabs(k.fa) <= fabs(k.fb) ? high : low;
     if (k.fa == 0 || k.fb == 0) {
         return true;
     }
-    if (!opposite(k.fa, k.fb)) {
+    if (!roots_opposite(k.fa, k.fb)) {
         return fail(error, ERROR_DOMAIN, "no root between %.15g and %.15g: no change of sign", low,
                     high);
     }
@@ -68,7 +68,7 @@ bool root_find(root_function *function, const void *context, double low, double 
         if (isnan(f)) {
             return fail(error, ERROR_DOMAIN, "root search met no number at %.15g", x);
         }
-        narrow(&k, x, f);
+        roots_narrow(&k, x, f);
         *root = fabs(k.fa) <= fabs(k.fb) ? k.a : k.b;
         double width = fabs(k.b - k.a), least = 2 * DBL_EPSILON * fabs(*root) + DBL_MIN;
         if (f == 0 || width <= 2 * least) {

@@ -6,7 +6,7 @@
 
 #include <assert.h>
 
-static uint32_t reversed(uint32_t word)
+static uint32_t sobol_reversed(uint32_t word)
 {
     uint32_t backwards = 0;
     for (int i = 0; i < 32; i++) {
@@ -52,10 +52,10 @@ void sobol_open(uint32_t dimension, struct sobol *sobol)
         while (i >> (highest + 1) != 0) {
             highest++;
         }
-        sobol->low[i] = sobol->low[i ^ 1U << highest] ^ reversed(v[highest]);
+        sobol->low[i] = sobol->low[i ^ 1U << highest] ^ sobol_reversed(v[highest]);
     }
     for (int k = SOBOL_LOW; k < 32; k++) {
-        sobol->high[k - SOBOL_LOW] = reversed(v[k]);
+        sobol->high[k - SOBOL_LOW] = sobol_reversed(v[k]);
     }
 }
 
@@ -67,11 +67,11 @@ void sobol_open_strands(uint32_t dimension, uint32_t bits, struct sobol *sobol)
     for (uint32_t i = 0; i < SOBOL_BLOCK; i++) {
         sobol->low[i] = 0;
         for (uint32_t k = 0; k < SOBOL_LOW; k++) {
-            sobol->low[i] ^= i >> k & 1 ? reversed(v[bits + k]) : 0;
+            sobol->low[i] ^= i >> k & 1 ? sobol_reversed(v[bits + k]) : 0;
         }
     }
     for (uint32_t k = 0; k < 32 - SOBOL_LOW; k++) {
-        sobol->high[k] = reversed(v[k]);
+        sobol->high[k] = sobol_reversed(v[k]);
     }
 }
 

@@ -16,7 +16,7 @@ struct text text_between(const char *start, const char *end)
     return (struct text){start, (size_t)(end - start)};
 }
 
-static char lower(char c)
+static char text_lower(char c)
 {
     return c >= 'A' && c <= 'Z' ? (char)(c - 'A' + 'a') : c;
 }
@@ -40,7 +40,7 @@ int text_order(const void *a, const void *b)
 bool text_same(struct text a, const char *b)
 {
     size_t i = 0;
-    while (i < a.length && b[i] != '\0' && lower(a.start[i]) == lower(b[i])) {
+    while (i < a.length && b[i] != '\0' && text_lower(a.start[i]) == text_lower(b[i])) {
         i++;
     }
     return i == a.length && b[i] == '\0';
@@ -62,7 +62,7 @@ static char next_letter(struct text *rest)
         return '\0';
     }
     rest->length--;
-    return lower(*rest->start++);
+    return text_lower(*rest->start++);
 }
 
 bool text_same_name(struct text a, struct text b)
@@ -108,7 +108,7 @@ bool text_contains_name(struct text whole, struct text part)
     return false;
 }
 
-static bool is_blank(char c)
+static bool text_is_blank(char c)
 {
     return c == ' ' || c == '\t';
 }
@@ -123,11 +123,11 @@ struct text text_behind(struct text text, const char *begin)
 
 struct text text_trim(struct text text)
 {
-    while (text.length > 0 && is_blank(text.start[0])) {
+    while (text.length > 0 && text_is_blank(text.start[0])) {
         text.start++;
         text.length--;
     }
-    while (text.length > 0 && is_blank(text.start[text.length - 1])) {
+    while (text.length > 0 && text_is_blank(text.start[text.length - 1])) {
         text.length--;
     }
     return text;
@@ -176,10 +176,11 @@ int text_distance(struct text a, struct text b, int limit)
         int *here = rows[i % 3], *above = rows[(i + 2) % 3], *two_above = rows[(i + 1) % 3];
         here[0] = (int)i;
         for (size_t j = 1; j <= b.length; j++) {
-            char c = lower(a.start[i - 1]), d = lower(b.start[j - 1]);
+            char c = text_lower(a.start[i - 1]), d = text_lower(b.start[j - 1]);
             int best = smaller(above[j], here[j - 1]) + 1;
             best = smaller(best, above[j - 1] + (c != d));
-            if (i > 1 && j > 1 && c == lower(b.start[j - 2]) && d == lower(a.start[i - 2])) {
+            if (i > 1 && j > 1 && c == text_lower(b.start[j - 2]) &&
+                d == text_lower(a.start[i - 2])) {
                 best = smaller(best, two_above[j - 2] + 1);
             }
             here[j] = best;
@@ -252,7 +253,7 @@ size_t text_column(struct text line, size_t byte)
 }
 
 /* The code of a well-formed sequence. */
-static unsigned long code_of(const char *start, size_t length)
+static unsigned long text_code_of(const char *start, size_t length)
 {
     const unsigned char *byte = (const unsigned char *)start;
     unsigned long code = length < 2 ? byte[0] : byte[0] & (0x7fu >> length);
@@ -276,7 +277,7 @@ size_t text_cells(struct text text)
     size_t cells = 0;
     for (size_t at = 0; at < text.length;) {
         const size_t length = text_utf8_length(text.start + at, text.length - at);
-        const unsigned long code = length > 1 ? code_of(text.start + at, length) : 0;
+        const unsigned long code = length > 1 ? text_code_of(text.start + at, length) : 0;
         size_t own = 1;
         for (size_t i = 0; i < sizeof ranges / sizeof ranges[0] && code >= ranges[i].first; i++) {
             own = code <= ranges[i].last ? ranges[i].cells : own;
@@ -300,7 +301,7 @@ static size_t text_xml_length(const char *start, size_t room)
 }
 
 /* Marks and embeddings that turn the direction of writing, and separators of lines (Unicode 9). */
-static bool turns(const unsigned char *at, size_t length)
+static bool text_turns(const unsigned char *at, size_t length)
 {
     if (length == 2) {
         return at[0] == 0xd8 && at[1] == 0x9c; /* U+061C */
@@ -324,7 +325,7 @@ size_t text_unprintable(const char *start, size_t room)
     if (length == 0) {
         return at[0] < 0xa0;
     }
-    return (at[0] == 0xc2 && at[1] < 0xa0) || turns(at, length) ? length : 0;
+    return (at[0] == 0xc2 && at[1] < 0xa0) || text_turns(at, length) ? length : 0;
 }
 
 void text_make_printable(char *string, const char *kept)

@@ -253,7 +253,7 @@ const struct unit *unit_find(const struct dimension *dimension, struct text name
 }
 
 /* 10^n for 0 <= n <= 12, exact. */
-static double power_of_ten(int n)
+static double units_power_of_ten(int n)
 {
     static const double powers[] = {1,   1e1, 1e2, 1e3,  1e4,  1e5, 1e6,
                                     1e7, 1e8, 1e9, 1e10, 1e11, 1e12};
@@ -274,7 +274,7 @@ double unit_to_own(const struct unit *unit, double value)
 {
     int power = unit->scale.power;
     double scaled = value * unit->scale.multiplier;
-    scaled = power >= 0 ? scaled * power_of_ten(power) : scaled / power_of_ten(-power);
+    scaled = power >= 0 ? scaled * units_power_of_ten(power) : scaled / units_power_of_ten(-power);
     return scaled * unit->factor;
 }
 
@@ -283,10 +283,10 @@ double unit_from_own(const struct unit *unit, double value)
     int power = unit->scale.power;
     double scaled = value / unit->factor;
     if (power < 0) {
-        scaled *= power_of_ten(-power);
+        scaled *= units_power_of_ten(-power);
         return scaled / unit->scale.multiplier;
     }
-    return scaled / (unit->scale.multiplier * power_of_ten(power));
+    return scaled / (unit->scale.multiplier * units_power_of_ten(power));
 }
 
 bool unit_decimal_to_own(const struct unit *unit, double value, double slack, double *own)
@@ -295,21 +295,21 @@ bool unit_decimal_to_own(const struct unit *unit, double value, double slack, do
     int places = PLACES;
     /* what is divided by a power of ten in the end is a whole number of 53 bits: one rounding */
     double size = fabs(value) * unit->scale.multiplier;
-    while (places > 0 && !(size * power_of_ten(places) < 0x1p53)) {
+    while (places > 0 && !(size * units_power_of_ten(places) < 0x1p53)) {
         places--;
     }
-    double whole = rint(value * power_of_ten(places));
-    if (!(size * power_of_ten(places) < 0x1p53) ||
-        !(fabs(whole / power_of_ten(places) - value) <= slack)) {
+    double whole = rint(value * units_power_of_ten(places));
+    if (!(size * units_power_of_ten(places) < 0x1p53) ||
+        !(fabs(whole / units_power_of_ten(places) - value) <= slack)) {
         return false;
     }
     double scaled = whole * unit->scale.multiplier;
     int power = unit->scale.power - places;
     if (power >= 0) {
-        scaled *= power_of_ten(power);
+        scaled *= units_power_of_ten(power);
     } else {
         int first = -power < PLACES ? -power : PLACES;
-        scaled /= power_of_ten(first) * power_of_ten(-power - first);
+        scaled /= units_power_of_ten(first) * units_power_of_ten(-power - first);
     }
     *own = scaled * unit->factor + 0.0; /* -0 is 0 */
     return true;

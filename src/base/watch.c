@@ -14,7 +14,7 @@ void watch_begin(struct watch *watch, const char *unit, size_t total)
 }
 
 /* Unless another thread does. */
-static void look(struct watch *watch)
+static void watch_look(struct watch *watch)
 {
     if (!atomic_flag_test_and_set(&watch->is_busy)) {
         watch->look(watch);
@@ -29,7 +29,7 @@ bool watch_add(struct watch *watch, size_t more)
     }
     size_t done = atomic_fetch_add(&watch->done, more) + more;
     if (done >= atomic_load(&watch->next)) {
-        look(watch);
+        watch_look(watch);
     }
     return !atomic_load(&watch->is_ended);
 }
@@ -37,7 +37,7 @@ bool watch_add(struct watch *watch, size_t more)
 bool watch_ask(struct watch *watch)
 {
     if (watch != NULL) {
-        look(watch);
+        watch_look(watch);
     }
     return !watch_is_ended(watch);
 }

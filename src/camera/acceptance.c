@@ -19,7 +19,8 @@ bool acceptance_power(double power, struct acceptance *acceptance, struct error 
     return true;
 }
 
-static bool check_table(const double *angle, const double *taken, size_t count, struct error *error)
+static bool acceptance_check_table(const double *angle, const double *taken, size_t count,
+                                   struct error *error)
 {
     bool good = count >= 2 && angle[0] == 0 && taken[0] > 0 && angle[count - 1] <= PI / 2 + 1e-12;
     for (size_t i = 0; i < count; i++) {
@@ -33,7 +34,7 @@ static bool check_table(const double *angle, const double *taken, size_t count, 
 bool acceptance_table(const double *angle, const double *taken, size_t count,
                       struct acceptance *acceptance, struct error *error)
 {
-    if (!check_table(angle, taken, count, error)) {
+    if (!acceptance_check_table(angle, taken, count, error)) {
         return false;
     }
     size_t next = 1;

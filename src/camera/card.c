@@ -94,7 +94,7 @@ static double chart_light(enum chart chart, double x, double y, double half)
 }
 
 /* One that there is. */
-static size_t clamped(long at, size_t count)
+static size_t card_clamped(long at, size_t count)
 {
     return at < 0 ? 0 : at >= (long)count ? count - 1 : (size_t)at;
 }
@@ -108,10 +108,10 @@ static struct card_light picture_light(const struct card *card, double x, double
     const long left = (long)column - 1, above = (long)row - 1;
     const float right = (float)(column - 1 - (double)left), down = (float)(row - 1 - (double)above);
     const size_t step = image->channels < CARD_CHANNELS ? 0 : 1;
-    const size_t begin = clamped(left, image->width) * image->channels;
-    const size_t end = clamped(left + 1, image->width) * image->channels;
-    const float *upper = image_row(image, clamped(above, image->height));
-    const float *lower = image_row(image, clamped(above + 1, image->height));
+    const size_t begin = card_clamped(left, image->width) * image->channels;
+    const size_t end = card_clamped(left + 1, image->width) * image->channels;
+    const float *upper = image_row(image, card_clamped(above, image->height));
+    const float *lower = image_row(image, card_clamped(above + 1, image->height));
     struct card_light light;
     for (size_t k = 0; k < CARD_CHANNELS; k++) {
         const float a = upper[begin + k * step], b = upper[end + k * step];
@@ -201,8 +201,8 @@ static bool is_chart_even(enum chart chart, const double low[2], const double hi
 
 static const float *pixel(const struct image *image, long column, long row)
 {
-    return image_row(image, clamped(row, image->height)) +
-           clamped(column, image->width) * image->channels;
+    return image_row(image, card_clamped(row, image->height)) +
+           card_clamped(column, image->width) * image->channels;
 }
 
 static bool is_picture_even(const struct card *card, const struct card_part *part)

@@ -8,7 +8,7 @@
 #define ALIKE 1e4
 
 /* What makes light of digital numbers, and linear sRGB of channels. */
-struct developing {
+struct raw_conversion {
     const struct sensor_model *model;
     double per_number[SENSOR_CHANNELS]; /* light, 1 is white, of one digital number */
     double zero;                        /* digital number of no light */
@@ -26,11 +26,11 @@ static double sum_of_sizes(const struct colour_matrix *matrix)
 }
 
 static bool open_developing(const struct sensor_model *model, double headroom,
-                            struct developing *developing, struct error *error)
+                            struct raw_conversion *developing, struct error *error)
 {
     const struct sensor_response_traits *response = sensor_traits(&model->sensor);
-    *developing = (struct developing){.model = model,
-                                      .zero = model->sensor.black + model->gain * model->dark};
+    *developing = (struct raw_conversion){.model = model,
+                                          .zero = model->sensor.black + model->gain * model->dark};
     const double most = (model->white - model->sensor.black) / (model->gain * model->of_white);
     struct colour_matrix seen;
     for (size_t i = 0; i < SENSOR_CHANNELS; i++) {
@@ -46,7 +46,8 @@ static bool open_developing(const struct sensor_model *model, double headroom,
                 "the channels of the sensor see too much the same to make colours of them");
 }
 
-static struct colour srgb_of(const struct developing *developing, const float *raw, size_t channels)
+static struct colour srgb_of(const struct raw_conversion *developing, const float *raw,
+                             size_t channels)
 {
     struct colour light;
     for (size_t k = 0; k < SENSOR_CHANNELS; k++) {
@@ -57,7 +58,7 @@ static struct colour srgb_of(const struct developing *developing, const float *r
 }
 
 /* The mean of what is not saturated. */
-static bool mean_white(const struct developing *developing, const struct image *raw,
+static bool mean_white(const struct raw_conversion *developing, const struct image *raw,
                        struct colour *white, struct error *error)
 {
     struct colour sum = {{0}};
@@ -87,8 +88,9 @@ static bool mean_white(const struct developing *developing, const struct image *
     return true;
 }
 
-static bool find_white(const struct developing *developing, const struct image *raw,
-                       const struct develop_way *way, struct colour *white, struct error *error)
+static bool develop_find_white(const struct raw_conversion *developing, const struct image *raw,
+                               const struct develop_way *way, struct colour *white,
+                               struct error *error)
 {
     switch (way->white) {
     case BALANCE_TUNGSTEN:
@@ -106,7 +108,7 @@ static bool find_white(const struct developing *developing, const struct image *
 }
 
 /* Of a developed colour, what a channel has of a full pixel's light. */
-static struct colour_matrix fill_of(const struct developing *developing, size_t channels)
+static struct colour_matrix fill_of(const struct raw_conversion *developing, size_t channels)
 {
     static const double darkness =
         1e-6; /* where the dark alone fills the pixel, any light is full */
@@ -130,14 +132,14 @@ bool develop_picture(const struct sensor_model *model, const struct image *raw,
         return fail(error, ERROR_DOMAIN, "raw data of %zu channels: the sensor has %zu",
                     raw->channels, channels);
     }
-    struct developing developing;
+    struct raw_conversion developing;
     if (!open_developing(model, way->headroom, &developing, error)) {
         return false;
     }
     made->white = colour_daylight();
     if (channels > 1) {
         struct colour_matrix balance;
-        if (!find_white(&developing, raw, way, &made->white, error) ||
+        if (!develop_find_white(&developing, raw, way, &made->white, error) ||
             !colour_balance(made->white, &balance, error)) {
             return false;
         }

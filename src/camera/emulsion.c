@@ -24,16 +24,16 @@ static double density_of(const struct emulsion *film, double H, uint64_t pixel)
 }
 
 /* What emulsion_expose has in common for all rows. */
-struct exposing {
+struct emulsion_job {
     const struct emulsion *film;
     const struct image *light;
     const struct sensor_place *place;
     const struct image *density; /* receives densities */
 };
 
-static void expose_rows(void *context, size_t begin, size_t end)
+static void emulsion_expose_rows(void *context, size_t begin, size_t end)
 {
-    const struct exposing *exposing = context;
+    const struct emulsion_job *exposing = context;
     const struct sensor_place *place = exposing->place;
     const struct image *light = exposing->light;
     for (size_t y = begin; y < end; y++) {
@@ -54,8 +54,8 @@ bool emulsion_expose(const struct emulsion *film, const struct image *light,
     if (!sensor_check_light(light, error) || !image_new(density, arena, error)) {
         return false;
     }
-    struct exposing exposing = {film, light, place, density};
-    parallel_for(film->threads, light->height, ROWS, expose_rows, &exposing);
+    struct emulsion_job exposing = {film, light, place, density};
+    parallel_for(film->threads, light->height, ROWS, emulsion_expose_rows, &exposing);
     return true;
 }
 

@@ -4,13 +4,13 @@
 
 #include <math.h>
 
-size_t film_building_nodes(const struct film_building *building)
+size_t film_building_nodes(const struct bounds_builder *building)
 {
-    const struct film_region *region = building->region;
+    const struct exit_pupil_bounds *region = building->region;
     return (size_t)region->rows * (building->columns + (region->is_grid ? 1 : 0));
 }
 
-double film_building_height(const struct film_building *building, double column, double row)
+double film_building_height(const struct bounds_builder *building, double column, double row)
 {
     const size_t low = (size_t)column;
     const double *ends = building->ends, f = column - (double)low;
@@ -19,10 +19,10 @@ double film_building_height(const struct film_building *building, double column,
     return end * (1 - rest * rest);
 }
 
-const struct outline *film_building_lit(const struct film_building *building, size_t node)
+const struct pupil_outline *film_building_lit(const struct bounds_builder *building, size_t node)
 {
     const size_t rows = (size_t)building->region->rows;
-    const struct outline *all = building->nodes;
+    const struct pupil_outline *all = building->nodes;
     size_t i = node;
     for (; all[i].is_empty && i % rows > 0; i--) {
     }
@@ -30,7 +30,7 @@ const struct outline *film_building_lit(const struct film_building *building, si
 }
 
 /* Outwards in a column; halves lie between two. */
-static void direct(const struct film_building *building, double column, double way[2])
+static void direct(const struct bounds_builder *building, double column, double way[2])
 {
     static const double axes[5][2] = {{1, 0}, {0, 1}, {-1, 0}, {0, -1}, {1, 0}};
     const double turn = building->is_round ? 1 : 4 * column / FILM_COLUMNS;
@@ -42,10 +42,10 @@ static void direct(const struct film_building *building, double column, double w
     way[1] = y / hypot(x, y);
 }
 
-struct outline film_building_outline(const struct film_building *building, double column,
-                                     double height)
+struct pupil_outline film_building_outline(const struct bounds_builder *building, double column,
+                                           double height)
 {
-    struct outline outline = {.is_half = building->is_round, .each = 1};
+    struct pupil_outline outline = {.is_half = building->is_round, .each = 1};
     struct film_place *place = &outline.place;
     double way[2];
     direct(building, column, way);

@@ -19,16 +19,16 @@ static const double steep = 0.94;
 static const double farthest_round = 89, farthest_other = 86;
 
 /* What is known of a lit place. */
-struct seen {
+struct film_ends_seen {
     double height;
-    struct outline_point centre, size;
+    struct pupil_outline_point centre, size;
 };
 
 /* Is a place lit, by what two others before it are like? Then it is the last of them. */
-static bool step_to(const struct film_building *building, size_t wavelength, double column,
-                    double height, struct seen seen[2])
+static bool step_to(const struct bounds_builder *building, size_t wavelength, double column,
+                    double height, struct film_ends_seen seen[2])
 {
-    struct outline here = film_building_outline(building, column, height);
+    struct pupil_outline here = film_building_outline(building, column, height);
     const double before = seen[1].height - seen[0].height;
     const double share = before > 0 ? (height - seen[1].height) / before : 0;
     here.centre.x = seen[1].centre.x + share * (seen[1].centre.x - seen[0].centre.x);
@@ -38,13 +38,13 @@ static bool step_to(const struct film_building *building, size_t wavelength, dou
         return false;
     }
     seen[0] = seen[1];
-    seen[1] = (struct seen){height, here.centre, here.size};
+    seen[1] = (struct film_ends_seen){height, here.centre, here.size};
     return true;
 }
 
 /* The same at any wavelength; one of them answers for long steps. */
-static bool step_at_any(const struct film_building *building, double column, double stride,
-                        double farthest, struct seen seen[2])
+static bool step_at_any(const struct bounds_builder *building, double column, double stride,
+                        double farthest, struct film_ends_seen seen[2])
 {
     const double height = fmin(seen[1].height + stride, farthest);
     const size_t all = stride * STRIDES < farthest ? building->search.lens->count : 1;
@@ -56,36 +56,36 @@ static bool step_at_any(const struct film_building *building, double column, dou
 }
 
 /* The pole as a column has it, whose frame is turned. */
-static struct seen pole_in(const struct film_building *building, double column)
+static struct film_ends_seen pole_in(const struct bounds_builder *building, double column)
 {
-    const struct outline *pole = &building->pole;
-    const struct outline here = film_building_outline(building, column, 0);
+    const struct pupil_outline *pole = &building->pole;
+    const struct pupil_outline here = film_building_outline(building, column, 0);
     const double *from = pole->place.up, *to = here.place.up;
     const double x = pole->centre.x * from[1] + pole->centre.y * from[0];
     const double y = pole->centre.y * from[1] - pole->centre.x * from[0];
-    return (struct seen){0, {x * to[1] - y * to[0], x * to[0] + y * to[1]}, pole->size};
+    return (struct film_ends_seen){0, {x * to[1] - y * to[0], x * to[0] + y * to[1]}, pole->size};
 }
 
 /* How far light arrives in a column, at most as far as is asked. */
-static double find_end(struct film_building *building, double column, double farthest)
+static double film_ends_find_end(struct bounds_builder *building, double column, double farthest)
 {
-    const struct seen pole = pole_in(building, column);
-    struct seen seen[2] = {pole, pole};
+    const struct film_ends_seen pole = pole_in(building, column);
+    struct film_ends_seen seen[2] = {pole, pole};
     double stride = farthest / STRIDES;
     /* what a long step does not find may be lit all the same */
     while (stride > finest * farthest && seen[1].height < farthest) {
         stride *= step_at_any(building, column, stride, farthest, seen) ? 1.25 : 0.5;
     }
-    const struct outline_point way = seen[1].centre;
+    const struct pupil_outline_point way = seen[1].centre;
     const double size2 = way.x * way.x + way.y * way.y;
     const double sine = sqrt(size2 / (1 + building->region->tangent * size2));
     building->steepest = fmax(building->steepest, sine);
     return fmin(seen[1].height + stride, farthest);
 }
 
-static void find_ends(struct film_building *building)
+static void film_ends_find_ends(struct bounds_builder *building)
 {
-    struct film_region *region = building->region;
+    struct exit_pupil_bounds *region = building->region;
     building->pole = film_building_outline(building, 0, 0);
     if (!outline_discover(&building->search, 0, &building->pole)) {
         return;
@@ -95,14 +95,15 @@ static void find_ends(struct film_building *building)
     const double farthest = building->search.lens->reach + pole;
     const size_t columns = building->columns;
     for (size_t c = 0; c < columns; c++) {
-        ends[c] = find_end(building, (double)c, farthest);
+        ends[c] = film_ends_find_end(building, (double)c, farthest);
     }
     if (region->is_grid) {
         ends[columns] = ends[0];
         for (size_t c = 0; c < columns; c++) {
             const double middle = (ends[c] + ends[c + 1]) / 2;
-            const double end =
-                middle < farthest ? find_end(building, (double)c + 0.5, farthest) : middle;
+            const double end = middle < farthest
+                                   ? film_ends_find_end(building, (double)c + 0.5, farthest)
+                                   : middle;
             const double by = middle > 0 ? fmax(1, 1.001 * end / middle) : 1;
             ends[c] = fmin(farthest, ends[c] * by);
             ends[c + 1] = fmin(farthest, ends[c + 1] * by);
@@ -118,7 +119,7 @@ static void find_ends(struct film_building *building)
 }
 
 /* Films so close behind a lens, or so wide, that pupils are slivers between the rows. */
-static bool check_steepness(const struct film_building *building, struct error *error)
+static bool check_steepness(const struct bounds_builder *building, struct error *error)
 {
     const double angle = degrees_from_radians(asin(fmin(building->steepest, 1)));
     const double most = building->is_round ? farthest_round : farthest_other;
@@ -129,12 +130,12 @@ static bool check_steepness(const struct film_building *building, struct error *
                                 angle, most, building->is_round ? "" : "not ");
 }
 
-bool film_ends_find(struct film_building *building, struct error *error)
+bool bounds_extent_find(struct bounds_builder *building, struct error *error)
 {
-    find_ends(building);
+    film_ends_find_ends(building);
     if (building->steepest > steep) {
         building->search.tangent = building->region->tangent = 1;
-        find_ends(building);
+        film_ends_find_ends(building);
     }
     return check_steepness(building, error);
 }

@@ -15,6 +15,6 @@
  * Errors    ERROR_DOMAIN: light comes from more than 89 degrees off the normal, 86 where the lens
  *           is not round
  */
-bool film_ends_find(struct film_building *building, struct error *error);
+bool bounds_extent_find(struct bounds_builder *building, struct error *error);
 
 #endif

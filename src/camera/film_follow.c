@@ -8,51 +8,54 @@
 #include <math.h>
 
 /* In a column the way on is known from the rows before; to another one the slope tells it. */
-static void move_by_slope(const struct film_region *region, const struct outline *near,
-                          struct outline *here)
+static void move_by_slope(const struct exit_pupil_bounds *region, const struct pupil_outline *near,
+                          struct pupil_outline *here)
 {
     if (region->slope[0] == 0 && region->slope[1] == 0) {
         return;
     }
-    const struct outline_point zero = {0, 0};
-    outline_foresee(near, NULL, 0, here);
-    const struct outline_point from = film_region_reduced(region, &near->place, here->centre);
-    const struct outline_point to = film_region_reduced(region, &here->place, zero);
-    here->centre = (struct outline_point){from.x - to.x, from.y - to.y};
+    const struct pupil_outline_point zero = {0, 0};
+    pupil_outline_foresee(near, NULL, 0, here);
+    const struct pupil_outline_point from =
+        exit_pupil_bounds_reduced(region, &near->place, here->centre);
+    const struct pupil_outline_point to = exit_pupil_bounds_reduced(region, &here->place, zero);
+    here->centre = (struct pupil_outline_point){from.x - to.x, from.y - to.y};
 }
 
 /* An outline that goes on from a node, by a share of a row; the first goes towards the next. */
-static void find_next(const struct film_building *building, size_t wavelength,
-                      const struct outline *near, double share, struct outline *here)
+static void find_next(const struct bounds_builder *building, size_t wavelength,
+                      const struct pupil_outline *near, double share, struct pupil_outline *here)
 {
     const size_t rows = (size_t)building->region->rows;
     if (near != NULL) {
         const bool is_first = (size_t)(near - building->nodes) % rows == 0;
-        const struct outline *other = is_first ? near + 1 : near - 1;
-        outline_foresee(near, other->is_empty ? NULL : other, is_first ? -share : share, here);
+        const struct pupil_outline *other = is_first ? near + 1 : near - 1;
+        pupil_outline_foresee(near, other->is_empty ? NULL : other, is_first ? -share : share,
+                              here);
         move_by_slope(building->region, near, here);
     }
-    outline_find(&building->search, wavelength, near, here);
+    pupil_outline_find(&building->search, wavelength, near, here);
 }
 
 /*
  * The outline of a column's second row, where the pupil may be far from where the pole sees it: in
  * shorter steps, if a long one finds nothing.
  */
-static void leave_pole(const struct film_building *building, double column,
-                       const struct outline *pole, struct outline *here)
+static void leave_pole(const struct bounds_builder *building, double column,
+                       const struct pupil_outline *pole, struct pupil_outline *here)
 {
     enum { HALVES = 10 };
-    struct outline seen[2] = {*pole, *pole};
+    struct pupil_outline seen[2] = {*pole, *pole};
     const double height = film_building_height(building, column, 1);
     double from = 0, before = 0, stride = height;
     for (int halves = 0; from < height && halves < HALVES;) {
         const double to = fmin(from + stride, height);
-        struct outline next = film_building_outline(building, column, to);
+        struct pupil_outline next = film_building_outline(building, column, to);
         next.asks_hole = here->asks_hole;
         next.each = here->each;
-        outline_foresee(&seen[1], &seen[0], from > 0 ? (to - from) / (from - before) : 0, &next);
-        outline_find(&building->search, 0, &seen[1], &next);
+        pupil_outline_foresee(&seen[1], &seen[0], from > 0 ? (to - from) / (from - before) : 0,
+                              &next);
+        pupil_outline_find(&building->search, 0, &seen[1], &next);
         if (next.is_empty) {
             stride /= 2;
             halves++;
@@ -68,15 +71,15 @@ static void leave_pole(const struct film_building *building, double column,
     here->is_empty = from < height;
 }
 
-void film_follow_column(const struct film_building *building, size_t column)
+void bounds_follow_column(const struct bounds_builder *building, size_t column)
 {
     const size_t rows = (size_t)building->region->rows;
     const bool is_known = column > 0 && !building->region->turns;
     building->nodes[column * rows] = building->nodes[0]; /* the pole, in the same frame */
     for (size_t i = is_known ? 1 : 0; i < rows; i++) {
         const size_t node = column * rows + i;
-        struct outline *here = &building->nodes[node];
-        const struct outline *near = i > 0 ? film_building_lit(building, node - 1) : NULL;
+        struct pupil_outline *here = &building->nodes[node];
+        const struct pupil_outline *near = i > 0 ? film_building_lit(building, node - 1) : NULL;
         *here = film_building_outline(building, (double)column,
                                       film_building_height(building, (double)column, (double)i));
         here->asks_hole = i % FOLLOW_HOLE_ROWS == 0;
@@ -90,15 +93,15 @@ void film_follow_column(const struct film_building *building, size_t column)
 }
 
 /* Look from a place between nodes, and make them contain what is seen there. */
-static void look_between(const struct film_building *building, double column, double row,
+static void look_between(const struct bounds_builder *building, double column, double row,
                          const struct film_nodes *nodes)
 {
     const size_t node = nodes->of[0], wavelengths = building->search.lens->count;
-    const struct outline *near = film_building_lit(building, node);
+    const struct pupil_outline *near = film_building_lit(building, node);
     const double height = film_building_height(building, column, row);
     const size_t turn = 4 * node + nodes->count + (column > floor(column));
-    struct outline_point lit[OUTLINE_SCATTER];
-    struct outline here = {.is_empty = true};
+    struct pupil_outline_point lit[OUTLINE_SCATTER];
+    struct pupil_outline here = {.is_empty = true};
     for (size_t w = 0; w < wavelengths && here.is_empty && near != NULL; w++) {
         here = film_building_outline(building, column, height);
         here.each = 2;
@@ -110,21 +113,21 @@ static void look_between(const struct film_building *building, double column, do
         return;
     }
     if (here.is_empty) {
-        outline_foresee(near, NULL, 0, &here);
+        pupil_outline_foresee(near, NULL, 0, &here);
     }
-    film_fit(building->region, nodes, &here);
+    bounds_fit(building->region, nodes, &here);
     const size_t rows = (size_t)building->region->rows;
     const bool is_near_end = 4 * (node % rows) >= 3 * rows;
     if (!is_near_end && (building->is_round ? node % 4 > 0 : nodes->count < 4)) {
         return;
     }
     const size_t count = outline_scatter(&building->search, turn % wavelengths, &here, turn, lit);
-    film_fit_points(building->region, nodes, &here, lit, count);
+    bounds_fit_points(building->region, nodes, &here, lit, count);
 }
 
-void film_follow_between(const struct film_building *building)
+void bounds_follow_between(const struct bounds_builder *building)
 {
-    const struct film_region *region = building->region;
+    const struct exit_pupil_bounds *region = building->region;
     const size_t rows = (size_t)region->rows;
     for (size_t c = 0; c < building->columns; c++) {
         for (size_t i = 0; i < rows; i++) {
@@ -146,42 +149,43 @@ void film_follow_between(const struct film_building *building)
 }
 
 /* What wavelengths add is smooth: of a round lens every other row tells it, but near the end. */
-static bool is_asked(const struct film_building *building, size_t row)
+static bool is_asked(const struct bounds_builder *building, size_t row)
 {
     const size_t rows = (size_t)building->region->rows;
     return !building->is_round || row % 2 == 0 || 2 * row >= rows;
 }
 
 /* Another wavelength, at the rows themselves, each from its outline at the first. */
-static void accompany(const struct film_building *building, size_t wavelength, bool *has_hole)
+static void accompany(const struct bounds_builder *building, size_t wavelength, bool *has_hole)
 {
     const size_t nodes = film_building_nodes(building);
     for (size_t i = 0; i < nodes; i++) {
         if (!is_asked(building, i)) {
             continue;
         }
-        const struct outline *first = &building->nodes[i], *near = film_building_lit(building, i);
+        const struct pupil_outline *first = &building->nodes[i],
+                                   *near = film_building_lit(building, i);
         if (near == NULL) {
             continue;
         }
-        struct outline here = {.place = first->place,
-                               .is_half = first->is_half,
-                               .centre = near->centre,
-                               .size = near->size,
-                               .asks_hole = first->asks_hole,
-                               .each = first->is_half || !first->asks_hole ? 2 : 1};
-        outline_find(&building->search, wavelength, near, &here);
-        film_fit(building->region, &(struct film_nodes){{i}, 1}, &here);
+        struct pupil_outline here = {.place = first->place,
+                                     .is_half = first->is_half,
+                                     .centre = near->centre,
+                                     .size = near->size,
+                                     .asks_hole = first->asks_hole,
+                                     .each = first->is_half || !first->asks_hole ? 2 : 1};
+        pupil_outline_find(&building->search, wavelength, near, &here);
+        bounds_fit(building->region, &(struct film_nodes){{i}, 1}, &here);
         *has_hole = *has_hole && (here.has_hole || !here.asks_hole);
     }
 }
 
-void film_follow_waves(const struct film_building *building)
+void bounds_follow_waves(const struct bounds_builder *building)
 {
-    struct film_region *region = building->region;
+    struct exit_pupil_bounds *region = building->region;
     const size_t rows = (size_t)region->rows;
     const struct film_radii before =
-        film_fit_radii(region, film_building_nodes(building), building->search.arena);
+        bounds_fit_radii(region, film_building_nodes(building), building->search.arena);
     bool has_hole = region->has_hole;
     for (size_t w = 1; w < building->search.lens->count; w++) {
         accompany(building, w, &has_hole);
@@ -189,7 +193,7 @@ void film_follow_waves(const struct film_building *building)
     region->has_hole = has_hole;
     for (size_t i = 0; i < rows; i++) {
         if (!is_asked(building, i)) {
-            film_fit_follow(region, &before, i);
+            bounds_fit_follow(region, &before, i);
         }
     }
 }

@@ -13,10 +13,10 @@ enum { FOLLOW_HOLE_ROWS = 4 };
  *
  * Given     building  with ends; the columns before this one
  */
-void film_follow_column(const struct film_building *building, size_t column);
+void bounds_follow_column(const struct bounds_builder *building, size_t column);
 
 /* Make the rows contain what is seen between all of them and columns that are neighbours. */
-void film_follow_between(const struct film_building *building);
+void bounds_follow_between(const struct bounds_builder *building);
 
 /*
  * The same with what all other wavelengths see at the rows; those that are not asked are stretched
@@ -24,6 +24,6 @@ void film_follow_between(const struct film_building *building);
  *
  * Result    has_hole of the region: at every wavelength
  */
-void film_follow_waves(const struct film_building *building);
+void bounds_follow_waves(const struct bounds_builder *building);
 
 #endif

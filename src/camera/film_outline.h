@@ -21,9 +21,9 @@ struct film_lens {
 };
 
 /* Parts that the whole of a region's ring has, and in how many directions edges are looked for. */
-enum { FILM_SECTORS = 128, OUTLINE_STEPS = 128 };
+enum { FILM_SECTORS = 128, PUPIL_OUTLINE_STEPS = 128 };
 
-struct outline_point {
+struct pupil_outline_point {
     double x, y;
 };
 
@@ -37,36 +37,36 @@ struct film_place {
  * upwards: seen from the centre, in directions from upwards over +x, to downwards where the other
  * half is its mirror image, else round to the first again.
  */
-struct outline {
+struct pupil_outline {
     struct film_place place;
     bool is_half, is_empty, asks_hole, has_hole;
-    size_t each;                       /* which directions are looked in: all, every other.. */
-    struct outline_point centre, size; /* size: half widths */
-    struct outline_point edge[OUTLINE_STEPS + 1];
-    struct outline_point hole[FILM_SECTORS + 1]; /* of every corner of the ring */
+    size_t each; /* which directions are looked in: all, every other.. */
+    struct pupil_outline_point centre, size; /* size: half widths */
+    struct pupil_outline_point edge[PUPIL_OUTLINE_STEPS + 1];
+    struct pupil_outline_point hole[FILM_SECTORS + 1]; /* of every corner of the ring */
     /* how far out it is of the edge there, of this outline or of the last that has one */
     bool knows_hole;
     double share[FILM_SECTORS + 1];
 };
 
-struct outline_search {
+struct pupil_outline_search {
     const struct film_lens *lens;
     struct arena *arena;
     double tangent; /* 1: directions are tangents, 0: cosines */
 };
 
 /* Pieces of the ring that an outline sees. */
-static inline size_t outline_sectors(const struct outline *outline)
+static inline size_t pupil_outline_sectors(const struct pupil_outline *outline)
 {
     return outline->is_half ? FILM_SECTORS / 2 : FILM_SECTORS;
 }
 
 /* What a lens that is the same after half a turn shows from the opposite place; up is the same. */
-struct outline outline_turned(const struct outline *outline);
+struct pupil_outline pupil_outline_turned(const struct pupil_outline *outline);
 
 /* Centre and half widths of what was found at a place, for one a share of a step farther on. */
-void outline_foresee(const struct outline *last, const struct outline *before, double share,
-                     struct outline *here);
+void pupil_outline_foresee(const struct pupil_outline *last, const struct pupil_outline *before,
+                           double share, struct pupil_outline *here);
 
 /*
  * Find the outline of its place.
@@ -78,7 +78,7 @@ void outline_foresee(const struct outline *last, const struct outline *before, d
  *           where the centre is dark, about what outline_is_lit finds; without a neighbour about
  *           what outline_discover does
  */
-void outline_find(const struct outline_search *search, size_t wavelength,
-                  const struct outline *near, struct outline *outline);
+void pupil_outline_find(const struct pupil_outline_search *search, size_t wavelength,
+                        const struct pupil_outline *near, struct pupil_outline *outline);
 
 #endif

@@ -14,7 +14,7 @@ void film_rays_cells(const struct film_plan *plan, const unsigned char cells[RAY
     KERNEL_FOR(set, kernel_film_cells)(plan, cells, block, samples);
 }
 
-void film_rays_start(const struct film_region *region, struct film_samples *samples,
+void film_rays_start(const struct exit_pupil_bounds *region, struct film_samples *samples,
                      enum instruction_set set, struct ray_block *block)
 {
     KERNEL_FOR(set, kernel_film)(region, samples, block);

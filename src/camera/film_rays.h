@@ -63,7 +63,7 @@ void film_rays_cells(const struct film_plan *plan, const unsigned char cells[RAY
  * Source    cos(theta) dw = dL dM of the direction cosines L, M in the plane of the film:
  *           [Welford86] (illumination in the image)
  */
-void film_rays_start(const struct film_region *region, struct film_samples *samples,
+void film_rays_start(const struct exit_pupil_bounds *region, struct film_samples *samples,
                      enum instruction_set set, struct ray_block *block);
 
 /* Internal to film_rays.c: the loops, built for each instruction set. */
@@ -73,7 +73,7 @@ kernel_film_plan kernel_film_plan_sse2, kernel_film_plan_avx2, kernel_film_plan_
 typedef void kernel_film_cells(const struct film_plan *plan, const unsigned char cells[RAYS_BLOCK],
                                uint32_t block, struct film_samples *samples);
 kernel_film_cells kernel_film_cells_sse2, kernel_film_cells_avx2, kernel_film_cells_avx512;
-typedef void kernel_film(const struct film_region *region, struct film_samples *samples,
+typedef void kernel_film(const struct exit_pupil_bounds *region, struct film_samples *samples,
                          struct ray_block *block);
 kernel_film kernel_film_sse2, kernel_film_avx2, kernel_film_avx512;
 

@@ -29,7 +29,7 @@ enum { FILM_RADII = 65, FILM_GRID_RADII = 17, FILM_COLUMNS = 16, FILM_CORNERS = 
  * beyond 70 degrees pupils are slivers of these, bent along the circle on which all end: there
  * places in a plane stand for directions, L/N and M/N, of which areas times N^4 are the same.
  */
-struct film_region {
+struct exit_pupil_bounds {
     double film;        /* behind the last vertex, mm */
     double index;       /* n of the image space */
     double largest;     /* distance from the axis up to which light arrives, mm; 0: none does */
@@ -52,24 +52,25 @@ struct film_region {
 };
 
 /* How many rows all columns have. */
-static inline size_t film_region_nodes(const struct film_region *region)
+static inline size_t exit_pupil_bounds_nodes(const struct exit_pupil_bounds *region)
 {
     return (size_t)region->rows * (region->is_grid ? FILM_COLUMNS + 1 : 1);
 }
 
 /* A direction at a place as it stands in the rows. */
-static inline struct outline_point film_region_reduced(const struct film_region *region,
-                                                       const struct film_place *place,
-                                                       struct outline_point way)
+static inline struct pupil_outline_point
+exit_pupil_bounds_reduced(const struct exit_pupil_bounds *region, const struct film_place *place,
+                          struct pupil_outline_point way)
 {
     const double x = place->x - region->pole[0], y = place->y - region->pole[1];
     const double right = x * place->up[1] - y * place->up[0];
     const double up = x * place->up[0] + y * place->up[1];
-    return (struct outline_point){way.x - region->slope[0] * right, way.y - region->slope[1] * up};
+    return (struct pupil_outline_point){way.x - region->slope[0] * right,
+                                        way.y - region->slope[1] * up};
 }
 
 /* How far from the pole light arrives in a direction from it, with columns, mm. */
-double film_region_end(const struct film_region *region, double x, double y);
+double exit_pupil_bounds_end(const struct exit_pupil_bounds *region, double x, double y);
 
 /*
  * Find the regions of a lens.
@@ -87,7 +88,7 @@ double film_region_end(const struct film_region *region, double x, double y);
  *           irradiance on the axis may be missed, in lensdb's lenses; 6e-3 where a pupil folds
  *           within the last tenth of an image circle
  */
-bool film_region_open(const struct film_lens *lens, struct arena *arena, struct film_region *region,
-                      struct error *error);
+bool exit_pupil_bounds_open(const struct film_lens *lens, struct arena *arena,
+                            struct exit_pupil_bounds *region, struct error *error);
 
 #endif

@@ -14,12 +14,12 @@ enum { OUTLINE_SCATTER = 5 * RAYS_BLOCK };
  *
  * Result    true: the centre is a ray that passes well, half widths are about what is clear
  */
-bool outline_is_lit(const struct outline_search *search, size_t wavelength,
-                    struct outline *outline);
+bool outline_is_lit(const struct pupil_outline_search *search, size_t wavelength,
+                    struct pupil_outline *outline);
 
 /* The same without any idea where. */
-bool outline_discover(const struct outline_search *search, size_t wavelength,
-                      struct outline *outline);
+bool outline_discover(const struct pupil_outline_search *search, size_t wavelength,
+                      struct pupil_outline *outline);
 
 /*
  * Rays that pass, among some spread over 1.6 of the half widths about the centre, farther where
@@ -29,7 +29,8 @@ bool outline_discover(const struct outline_search *search, size_t wavelength,
  *           lit   receives directions, as edges have them: OUTLINE_SCATTER at most
  * Result    how many
  */
-size_t outline_scatter(const struct outline_search *search, size_t wavelength,
-                       const struct outline *outline, size_t turn, struct outline_point *lit);
+size_t outline_scatter(const struct pupil_outline_search *search, size_t wavelength,
+                       const struct pupil_outline *outline, size_t turn,
+                       struct pupil_outline_point *lit);
 
 #endif

@@ -4,7 +4,7 @@
 
 #include <math.h>
 
-static void to_beam(const struct film_sight *sight, struct outline_point way, double at[2])
+static void to_beam(const struct outline_rays *sight, struct pupil_outline_point way, double at[2])
 {
     const struct film_place *place = &sight->place;
     const double film = sight->lens->film, size2 = way.x * way.x + way.y * way.y;
@@ -16,7 +16,8 @@ static void to_beam(const struct film_sight *sight, struct outline_point way, do
     beam_place(&sight->beam, (double[3]){place->x + far * x, place->y + far * y, 0}, at);
 }
 
-void film_sight_to_disc(const struct film_sight *sight, struct outline_point way, double uv[2])
+void outline_rays_to_disc(const struct outline_rays *sight, struct pupil_outline_point way,
+                          double uv[2])
 {
     const struct stop_beam *disc = &sight->disc;
     double at[2];
@@ -26,7 +27,8 @@ void film_sight_to_disc(const struct film_sight *sight, struct outline_point way
     }
 }
 
-struct outline_point film_sight_from_disc(const struct film_sight *sight, const double uv[2])
+struct pupil_outline_point outline_rays_from_disc(const struct outline_rays *sight,
+                                                  const double uv[2])
 {
     const double *up = sight->place.up;
     double at[2];
@@ -35,15 +37,15 @@ struct outline_point film_sight_from_disc(const struct film_sight *sight, const 
     const double x = ray.cosine[0] * up[1] - ray.cosine[1] * up[0];
     const double y = ray.cosine[0] * up[0] + ray.cosine[1] * up[1];
     const double left2 = fmax(1 - sight->tangent * (x * x + y * y), 1e-12);
-    return (struct outline_point){x / sqrt(left2), y / sqrt(left2)};
+    return (struct pupil_outline_point){x / sqrt(left2), y / sqrt(left2)};
 }
 
-void film_sight_open(const struct outline_search *search, size_t wavelength,
-                     const struct outline *about, double widths, struct film_sight *sight)
+void outline_rays_open(const struct pupil_outline_search *search, size_t wavelength,
+                       const struct pupil_outline *about, double widths, struct outline_rays *sight)
 {
     const struct film_lens *lens = search->lens;
     const struct system *system = lens->systems[wavelength];
-    const struct outline_point centre = about->centre, size = about->size;
+    const struct pupil_outline_point centre = about->centre, size = about->size;
     double right[2], up[2];
     sight->lens = lens;
     sight->tangent = search->tangent;
@@ -54,12 +56,12 @@ void film_sight_open(const struct outline_search *search, size_t wavelength,
         .system = system, .beam = &sight->beam, .radius = NAN, .weight = WEIGHT_BEAM};
     const double *middle = sight->disc.origin;
     to_beam(sight, centre, sight->disc.origin);
-    to_beam(sight, (struct outline_point){centre.x + size.x, centre.y}, right);
-    to_beam(sight, (struct outline_point){centre.x, centre.y + size.y}, up);
+    to_beam(sight, (struct pupil_outline_point){centre.x + size.x, centre.y}, right);
+    to_beam(sight, (struct pupil_outline_point){centre.x, centre.y + size.y}, up);
     const double radius = widths * fmax(hypot(right[0] - middle[0], right[1] - middle[1]),
                                         hypot(up[0] - middle[0], up[1] - middle[1]));
     sight->disc.axes[0] = sight->disc.axes[3] = radius;
     sight->frame = (struct edge_frame){.stretch = {1 / widths, 1 / widths}};
-    sight->margins = margins_open(&sight->disc, search->arena);
+    sight->margins = clearances_open(&sight->disc, search->arena);
     sight->probe = probe_open(system, &sight->beam, search->arena);
 }

@@ -10,13 +10,13 @@
 #define SIGHT_AROUND 2.0
 
 /* One point of the film at one wavelength. */
-struct film_sight {
+struct outline_rays {
     const struct film_lens *lens;
     double tangent;
     struct film_place place;
     struct beam beam;
     struct stop_beam disc;
-    struct margins margins;
+    struct clearances margins;
     struct probe probe;
     struct edge_frame frame;
 };
@@ -28,13 +28,16 @@ struct film_sight {
  * Result    sight  stays where it is, as parts of it point to others; what they hold lives in the
  *                  arena of the search
  */
-void film_sight_open(const struct outline_search *search, size_t wavelength,
-                     const struct outline *about, double widths, struct film_sight *sight);
+void outline_rays_open(const struct pupil_outline_search *search, size_t wavelength,
+                       const struct pupil_outline *about, double widths,
+                       struct outline_rays *sight);
 
 /* A direction, as the search has them, in units of the disc: u, v. */
-void film_sight_to_disc(const struct film_sight *sight, struct outline_point way, double uv[2]);
+void outline_rays_to_disc(const struct outline_rays *sight, struct pupil_outline_point way,
+                          double uv[2]);
 
 /* The direction of a place of the disc. */
-struct outline_point film_sight_from_disc(const struct film_sight *sight, const double uv[2]);
+struct pupil_outline_point outline_rays_from_disc(const struct outline_rays *sight,
+                                                  const double uv[2]);
 
 #endif

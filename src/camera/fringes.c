@@ -6,8 +6,8 @@
 
 #include <math.h>
 
-enum { X, Y, AXES = FRINGES_AXES };
-enum { CORNERS = FRINGES_CORNERS, OF_PUPIL = RAYS_BLOCK / CORNERS };
+enum { X, Y, AXES = LATERAL_COLOUR_AXES };
+enum { CORNERS = LATERAL_COLOUR_CORNERS, OF_PUPIL = RAYS_BLOCK / CORNERS };
 
 /* Rays that have left the lens, in the plane of its first vertex. */
 struct exits {
@@ -15,8 +15,8 @@ struct exits {
     double p[AXES][RAYS_BLOCK]; /* optical direction cosines */
 };
 
-struct fringes_room {
-    struct fringes fringes;
+struct lateral_colour_room {
+    struct lateral_colour fringes;
     struct film_samples samples;
     struct rays rays;
     struct ray_block started;
@@ -24,17 +24,17 @@ struct fringes_room {
     struct exits middle, turned[AXES]; /* turned: by a little in p or q, less the middle's */
 };
 
-struct fringes_room *fringes_room_new(size_t wavelengths, struct arena *arena)
+struct lateral_colour_room *lateral_colour_room_new(size_t wavelengths, struct arena *arena)
 {
-    struct fringes_room *room = ARENA_NEW(arena, struct fringes_room);
+    struct lateral_colour_room *room = ARENA_NEW(arena, struct lateral_colour_room);
     room->rays = rays_new(arena, RAYS_BLOCK);
     room->fringes.moved = arena_array(arena, wavelengths, sizeof *room->fringes.moved);
     return room;
 }
 
 /* From the corners of the tile, all over the pupil. */
-static void start(const struct lens_film *film, const struct film_plan *plan,
-                  struct fringes_room *room)
+static void fringes_start(const struct lens_film *film, const struct film_plan *plan,
+                          struct lateral_colour_room *room)
 {
     static const double v[] = {0.98, 0.7, 0.4, 0.1};
     struct film_samples *samples = &room->samples;
@@ -49,8 +49,8 @@ static void start(const struct lens_film *film, const struct film_plan *plan,
     room->started = *room->rays.blocks;
 }
 
-static void trace(const struct lens_film *film, size_t wavelength, struct fringes_room *room,
-                  struct exits *exits)
+static void fringes_trace(const struct lens_film *film, size_t wavelength,
+                          struct lateral_colour_room *room, struct exits *exits)
 {
     const struct ray_block *block = room->rays.blocks;
     rays_trace(film->systems[wavelength], &room->rays, NULL); /* whatever the shutter does */
@@ -64,7 +64,7 @@ static void trace(const struct lens_film *film, size_t wavelength, struct fringe
 }
 
 /* Less those of the middle. */
-static void subtract(const struct fringes_room *room, struct exits *exits)
+static void subtract(const struct lateral_colour_room *room, struct exits *exits)
 {
     for (int k = X; k < AXES; k++) {
         for (size_t i = 0; i < RAYS_BLOCK; i++) {
@@ -79,7 +79,7 @@ static const double a_little = 1e-4;
 
 /* The same rays a little turned, of the middle's colour: how they leave. */
 static void trace_turned(const struct lens_film *film, size_t wavelength, int axis,
-                         struct fringes_room *room)
+                         struct lateral_colour_room *room)
 {
     struct ray_block *block = room->rays.blocks;
     *block = room->started;
@@ -90,12 +90,13 @@ static void trace_turned(const struct lens_film *film, size_t wavelength, int ax
         block->r[i] = copysign(sqrt(block->r[i] * block->r[i] + before * before - after * after),
                                block->r[i]);
     }
-    trace(film, wavelength, room, &room->turned[axis]);
+    fringes_trace(film, wavelength, room, &room->turned[axis]);
     subtract(room, &room->turned[axis]);
 }
 
 /* How far on the film, along an axis, ray i is from the middle's that leaves as it does, mm. */
-static double moved(const struct fringes_room *room, const struct exits *off, int axis, size_t i)
+static double fringes_moved(const struct lateral_colour_room *room, const struct exits *off,
+                            int axis, size_t i)
 {
     const struct exits *turned = &room->turned[axis];
     double sum = 0;
@@ -106,16 +107,16 @@ static double moved(const struct fringes_room *room, const struct exits *off, in
 }
 
 /* Is what is moved along an axis little enough at all corners? Its means. */
-static bool is_little(struct fringes_room *room, const struct exits *off, int axis, double pixel,
-                      double (*means)[AXES])
+static bool is_little(struct lateral_colour_room *room, const struct exits *off, int axis,
+                      double pixel, double (*means)[AXES])
 {
-    struct fringes *fringes = &room->fringes;
+    struct lateral_colour *fringes = &room->fringes;
     bool little = true;
     for (size_t corner = 0; corner < CORNERS; corner++) {
         double low = INFINITY, high = -INFINITY, sum = 0, count = 0;
         for (size_t i = corner * OF_PUPIL; i < (corner + 1) * OF_PUPIL; i++) {
             if (room->passed[i]) {
-                const double by = moved(room, off, axis, i);
+                const double by = fringes_moved(room, off, axis, i);
                 low = fmin(low, by);
                 high = fmax(high, by);
                 sum += by; /* a NaN stays in it, and is not little */
@@ -132,7 +133,7 @@ static bool is_little(struct fringes_room *room, const struct exits *off, int ax
 }
 
 /* Do enough rays of every corner pass to tell? */
-static bool find_passed(struct fringes_room *room)
+static bool find_passed(struct lateral_colour_room *room)
 {
     size_t passed[CORNERS] = {0};
     bool all = true;
@@ -146,13 +147,14 @@ static bool find_passed(struct fringes_room *room)
     return all;
 }
 
-const struct fringes *fringes_find(const struct fringes_question *question,
-                                   const struct film_plan *plan, struct fringes_room *room)
+const struct lateral_colour *lateral_colour_find(const struct lateral_colour_question *question,
+                                                 const struct film_plan *plan,
+                                                 struct lateral_colour_room *room)
 {
     const struct lens_film *film = question->film;
-    struct fringes *fringes = &room->fringes;
-    start(film, plan, room);
-    trace(film, question->middle, room, &room->middle);
+    struct lateral_colour *fringes = &room->fringes;
+    fringes_start(film, plan, room);
+    fringes_trace(film, question->middle, room, &room->middle);
     if (!find_passed(room)) {
         return NULL;
     }
@@ -166,7 +168,7 @@ const struct fringes *fringes_find(const struct fringes_question *question,
         const size_t wavelength = i % 2 == 0 ? i / 2 : question->wavelengths - 1 - i / 2;
         struct exits off;
         *room->rays.blocks = room->started;
-        trace(film, wavelength, room, &off);
+        fringes_trace(film, wavelength, room, &off);
         subtract(room, &off);
         for (int axis = X; axis < AXES && little; axis++) {
             little = is_little(room, &off, axis, question->pixel[axis], fringes->moved[wavelength]);

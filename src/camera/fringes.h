@@ -8,26 +8,27 @@
 
 #include <stdbool.h>
 
-enum { FRINGES_AXES = 2, FRINGES_CORNERS = 4 };
+enum { LATERAL_COLOUR_AXES = 2, LATERAL_COLOUR_CORNERS = 4 };
 
 /* Which colours, and on which pixels. */
-struct fringes_question {
+struct lateral_colour_question {
     const struct lens_film *film;
-    size_t wavelengths, middle; /* of the film; the one that stands for all */
-    double pixel[FRINGES_AXES]; /* mm */
+    size_t wavelengths, middle;        /* of the film; the one that stands for all */
+    double pixel[LATERAL_COLOUR_AXES]; /* mm */
 };
 
 /* Of one tile. */
-struct fringes {
+struct lateral_colour {
     /* What a ray of a wavelength shows at a point, one of the middle shows so far away, mm: mean
        over the pupil, at the left and right of the bottom of the tile, then of the top */
-    double (*moved)[FRINGES_CORNERS][FRINGES_AXES];
-    double low[FRINGES_AXES], high[FRINGES_AXES]; /* the least and the most of these, and 0 */
+    double (*moved)[LATERAL_COLOUR_CORNERS][LATERAL_COLOUR_AXES];
+    double low[LATERAL_COLOUR_AXES],
+        high[LATERAL_COLOUR_AXES]; /* the least and the most of these, and 0 */
 };
 
 /* For tiles of so many wavelengths, one after the other. */
-struct fringes_room;
-struct fringes_room *fringes_room_new(size_t wavelengths, struct arena *arena);
+struct lateral_colour_room;
+struct lateral_colour_room *lateral_colour_room_new(size_t wavelengths, struct arena *arena);
 
 /* Pixels, of spread over the pupil and of the mean of what is moved. */
 #define FRINGES_MOST 0.25
@@ -49,14 +50,16 @@ struct fringes_room *fringes_room_new(size_t wavelengths, struct arena *arena);
  *           pixel adds the integral of x/b from 0 to b/2 to it
  * Limits    lights smaller than a pixel, near the edge of one, change more, as when they move
  */
-const struct fringes *fringes_find(const struct fringes_question *question,
-                                   const struct film_plan *plan, struct fringes_room *room);
+const struct lateral_colour *lateral_colour_find(const struct lateral_colour_question *question,
+                                                 const struct film_plan *plan,
+                                                 struct lateral_colour_room *room);
 
 /* How far it is moved along an axis at a place in the tile, each from 0 to 1. */
-static inline double fringes_moved(const struct fringes *fringes, size_t wavelength, int axis,
-                                   double across, double up)
+static inline double lateral_colour_moved(const struct lateral_colour *fringes, size_t wavelength,
+                                          int axis, double across, double up)
 {
-    const double(*corner)[FRINGES_AXES] = (const double(*)[FRINGES_AXES])fringes->moved[wavelength];
+    const double(*corner)[LATERAL_COLOUR_AXES] =
+        (const double(*)[LATERAL_COLOUR_AXES])fringes->moved[wavelength];
     const double below = corner[0][axis] + across * (corner[1][axis] - corner[0][axis]);
     const double above = corner[2][axis] + across * (corner[3][axis] - corner[2][axis]);
     return below + up * (above - below);

@@ -4,12 +4,12 @@
 #include "trace/lanes.h"
 
 /* Own copies, which the compiler knows to lie apart from all tables. */
-struct aimed {
+struct kernel_disc_aimed {
     double p[RAYS_BLOCK], q[RAYS_BLOCK], r[RAYS_BLOCK], weight[RAYS_BLOCK];
 };
 
-INLINE void aim(const struct disc *disc, const struct film_samples *samples, struct aimed *aimed,
-                int i)
+INLINE void kernel_disc_aim(const struct disc *disc, const struct film_samples *samples,
+                            struct kernel_disc_aimed *aimed, int i)
 {
     double x = samples->x[i], y = samples->y[i], h = sqrt(x * x + y * y), over = 1 / h;
     bool beside = h > 0;
@@ -34,9 +34,9 @@ INLINE void aim(const struct disc *disc, const struct film_samples *samples, str
 void NAME(kernel_disc, KERNEL)(const struct disc *disc, struct film_samples *samples,
                                struct ray_block *block)
 {
-    struct aimed aimed;
+    struct kernel_disc_aimed aimed;
     for (int i = 0; i < RAYS_BLOCK; i++) {
-        aim(disc, samples, &aimed, i);
+        kernel_disc_aim(disc, samples, &aimed, i);
     }
     memcpy(block->x, samples->x, sizeof block->x);
     memcpy(block->y, samples->y, sizeof block->y);

@@ -42,7 +42,7 @@ void NAME(kernel_film_cells, KERNEL)(const struct film_plan *plan,
  * Where the region is read, for each ray: as loops of their own, for what stands in tables comes by
  * one ray after another, and only the rest in vectors.
  */
-struct reading {
+struct region_lookup {
     int node[RAYS_BLOCK], corner[RAYS_BLOCK];   /* the first of two rows; the corner of it */
     double share[RAYS_BLOCK], turn[RAYS_BLOCK]; /* to the next row, and the next column */
     double w[RAYS_BLOCK];                       /* from one corner to the next */
@@ -52,23 +52,25 @@ struct reading {
     double outer[RAYS_BLOCK][4], inner[RAYS_BLOCK][4]; /* those of both corners */
 };
 
-/* The column that a point lies in, and how far from it to the next one: struct film_region. */
-INLINE double column_of(double x, double y, double h)
+/* The column that a point lies in, and how far from it to the next one: struct exit_pupil_bounds.
+   */
+INLINE double kernel_film_column_of(double x, double y, double h)
 {
     double over = 1 / (fabs(x) + fabs(y));
     double turn = y >= 0 ? 1 - x * over : 3 + x * over;
     return (h > 0 ? turn : 1) * (0.25 * FILM_COLUMNS);
 }
 
-INLINE void place(const struct film_region *region, bool is_grid,
-                  const struct film_samples *samples, struct reading *reading, int i)
+INLINE void kernel_film_place(const struct exit_pupil_bounds *region, bool is_grid,
+                              const struct film_samples *samples, struct region_lookup *reading,
+                              int i)
 {
     double x = samples->x[i] - region->pole[0], y = samples->y[i] - region->pole[1];
     double h = sqrt(x * x + y * y), over = 1 / h, per_mm = region->per_mm;
     bool beside = (h > 0) & region->turns;
     int first = 0;
     if (is_grid) {
-        double turn = column_of(x, y, h);
+        double turn = kernel_film_column_of(x, y, h);
         int column = (int)turn;
         column = column < FILM_COLUMNS - 1 ? column : FILM_COLUMNS - 1;
         double end = region->ends[column], next = region->ends[column + 1];
@@ -94,8 +96,8 @@ INLINE void place(const struct film_region *region, bool is_grid,
 }
 
 /* So many numbers side by side, between two rows and with columns between two of these. */
-INLINE void interpolate(bool is_grid, const double *all, int stride, int rows, int count,
-                        double share, double turn, double *found)
+INLINE void kernel_film_interpolate(bool is_grid, const double *all, int stride, int rows,
+                                    int count, double share, double turn, double *found)
 {
     for (int j = 0; j < count; j++) {
         double from = all[j], to = all[j + stride], here = from + share * (to - from);
@@ -107,21 +109,21 @@ INLINE void interpolate(bool is_grid, const double *all, int stride, int rows, i
     }
 }
 
-INLINE void look_up(const struct film_region *region, bool is_grid, bool has_hole,
-                    struct reading *reading)
+INLINE void kernel_film_look_up(const struct exit_pupil_bounds *region, bool is_grid, bool has_hole,
+                                struct region_lookup *reading)
 {
     const int rows = region->rows, stride = 2 * FILM_CORNERS;
     for (int i = 0; i < RAYS_BLOCK; i++) {
         double share = reading->share[i], turn = is_grid ? reading->turn[i] : 0;
         int corner = 2 * reading->corner[i];
-        interpolate(is_grid, region->outer_xy + corner, stride, rows, 4, share, turn,
-                    reading->outer[i]);
+        kernel_film_interpolate(is_grid, region->outer_xy + corner, stride, rows, 4, share, turn,
+                                reading->outer[i]);
         if (has_hole) {
-            interpolate(is_grid, region->inner_xy + corner, stride, rows, 4, share, turn,
-                        reading->inner[i]);
+            kernel_film_interpolate(is_grid, region->inner_xy + corner, stride, rows, 4, share,
+                                    turn, reading->inner[i]);
         } else {
-            interpolate(is_grid, region->centre_xy + 2 * reading->node[i], 2, rows, 2, share, turn,
-                        reading->middle[i]);
+            kernel_film_interpolate(is_grid, region->centre_xy + 2 * reading->node[i], 2, rows, 2,
+                                    share, turn, reading->middle[i]);
         }
     }
 }
@@ -132,7 +134,7 @@ struct direction {
 };
 
 /* Between a centre and the polygon. */
-INLINE struct direction in_sector(const struct reading *reading, double v, int i)
+INLINE struct direction in_sector(const struct region_lookup *reading, double v, int i)
 {
     double x = reading->middle[i][0], y = reading->middle[i][1], w = reading->w[i];
     double ax = reading->outer[i][0] - x, ay = reading->outer[i][1] - y;
@@ -143,7 +145,7 @@ INLINE struct direction in_sector(const struct reading *reading, double v, int i
 }
 
 /* Between two polygons; `hole`: how much one is of the other. */
-INLINE struct direction in_ring(const struct reading *reading, double hole, double v, int i)
+INLINE struct direction in_ring(const struct region_lookup *reading, double hole, double v, int i)
 {
     double ax = reading->inner[i][0], ay = reading->inner[i][1];
     double bx = reading->inner[i][2], by = reading->inner[i][3], w = reading->w[i];
@@ -162,9 +164,9 @@ struct started {
     double p[RAYS_BLOCK], q[RAYS_BLOCK], r[RAYS_BLOCK], weight[RAYS_BLOCK];
 };
 
-INLINE void start(const struct film_region *region, bool is_grid, bool has_hole,
-                  const struct film_samples *samples, const struct reading *reading,
-                  struct started *started, int i)
+INLINE void kernel_film_start(const struct exit_pupil_bounds *region, bool is_grid, bool has_hole,
+                              const struct film_samples *samples,
+                              const struct region_lookup *reading, struct started *started, int i)
 {
     double up_x = reading->up_x[i], up_y = reading->up_y[i], v = samples->v[i];
     struct direction way =
@@ -183,7 +185,7 @@ INLINE void start(const struct film_region *region, bool is_grid, bool has_hole,
 }
 
 /* What was found are tangents: cosines of them, and their areas as projected solid angles. */
-INLINE void turn_tangents(const struct film_region *region, struct started *started)
+INLINE void turn_tangents(const struct exit_pupil_bounds *region, struct started *started)
 {
     double n = region->index, back = region->film > 0 ? -n : n;
     for (int i = 0; i < RAYS_BLOCK; i++) {
@@ -196,8 +198,8 @@ INLINE void turn_tangents(const struct film_region *region, struct started *star
     }
 }
 
-INLINE void store(struct film_samples *samples, double film, const struct started *started,
-                  struct ray_block *block)
+INLINE void kernel_film_store(struct film_samples *samples, double film,
+                              const struct started *started, struct ray_block *block)
 {
     memcpy(block->x, samples->x, sizeof block->x);
     memcpy(block->y, samples->y, sizeof block->y);
@@ -212,35 +214,36 @@ INLINE void store(struct film_samples *samples, double film, const struct starte
     }
 }
 
-INLINE void start_all(const struct film_region *region, bool is_grid, bool has_hole,
-                      const struct film_samples *samples, struct started *started)
+INLINE void kernel_film_start_all(const struct exit_pupil_bounds *region, bool is_grid,
+                                  bool has_hole, const struct film_samples *samples,
+                                  struct started *started)
 {
-    struct reading reading;
+    struct region_lookup reading;
     for (int i = 0; i < RAYS_BLOCK; i++) {
-        place(region, is_grid, samples, &reading, i);
+        kernel_film_place(region, is_grid, samples, &reading, i);
     }
-    look_up(region, is_grid, has_hole, &reading);
+    kernel_film_look_up(region, is_grid, has_hole, &reading);
     for (int i = 0; i < RAYS_BLOCK; i++) {
-        start(region, is_grid, has_hole, samples, &reading, started, i);
+        kernel_film_start(region, is_grid, has_hole, samples, &reading, started, i);
     }
 }
 
-void NAME(kernel_film, KERNEL)(const struct film_region *region, struct film_samples *samples,
+void NAME(kernel_film, KERNEL)(const struct exit_pupil_bounds *region, struct film_samples *samples,
                                struct ray_block *block)
 {
-    const struct film_region all = *region;
+    const struct exit_pupil_bounds all = *region;
     struct started started;
     if (all.is_grid && all.has_hole) {
-        start_all(&all, true, true, samples, &started);
+        kernel_film_start_all(&all, true, true, samples, &started);
     } else if (all.is_grid) {
-        start_all(&all, true, false, samples, &started);
+        kernel_film_start_all(&all, true, false, samples, &started);
     } else if (all.has_hole) {
-        start_all(&all, false, true, samples, &started);
+        kernel_film_start_all(&all, false, true, samples, &started);
     } else {
-        start_all(&all, false, false, samples, &started);
+        kernel_film_start_all(&all, false, false, samples, &started);
     }
     if (all.tangent > 0) {
         turn_tangents(&all, &started);
     }
-    store(samples, all.film, &started, block);
+    kernel_film_store(samples, all.film, &started, block);
 }

@@ -70,8 +70,8 @@ static void find_rectangle(struct lens_film *film)
 }
 
 /* Systems towards the scene, at all wavelengths: with blades in the stop, if there are any. */
-static bool open_systems(const struct film_question *question, struct arena *arena,
-                         struct lens_film *film, struct error *error)
+static bool lens_film_open_systems(const struct film_question *question, struct arena *arena,
+                                   struct lens_film *film, struct error *error)
 {
     const struct setup *setup = question->setup;
     const unsigned which =
@@ -118,14 +118,14 @@ static bool is_disc(const struct film_question *question, const struct lens_film
 }
 
 /* The pupil as a disc, and a region of no more than how far it is seen: all over the film. */
-static void open_disc(const struct film_question *question, struct lens_film *film)
+static void lens_film_open_disc(const struct film_question *question, struct lens_film *film)
 {
     const struct setup *setup = question->setup;
     const double radius = fabs(setup->first.exit_diameter) / 2;
     const double index = film->systems[0]->index_first;
     film->start = start_in_disc;
     film->region =
-        (struct film_region){.film = setup->image, .index = index, .largest = film->corner};
+        (struct exit_pupil_bounds){.film = setup->image, .index = index, .largest = film->corner};
     film->disc.film = setup->image;
     film->disc.place = setup->first.exit_pupil;
     film->disc.index = index;
@@ -143,18 +143,19 @@ static bool open_region(const struct film_question *question, struct arena *aren
                                    .film = setup->image,
                                    .reach = film->corner};
     film->start = start_in_region;
-    return film_region_open(&lens, arena, &film->region, error);
+    return exit_pupil_bounds_open(&lens, arena, &film->region, error);
 }
 
 /* How far from the axis light arrives on the way to each of the corners: the least. */
 static double lit_of(const struct lens_film *film, double x, double y)
 {
-    const struct film_region *region = &film->region;
+    const struct exit_pupil_bounds *region = &film->region;
     double least = fmin(region->largest, film->corner);
     for (int i = 0; i < 4 && region->is_grid; i++) {
         const double right = (i % 2 == 0 ? x : -x) - region->pole[0];
         const double up = (i < 2 ? y : -y) - region->pole[1];
-        const double by = fmin(1, film_region_end(region, right, up) / hypot(right, up) + 1e-9);
+        const double by =
+            fmin(1, exit_pupil_bounds_end(region, right, up) / hypot(right, up) + 1e-9);
         least = fmin(least, hypot(region->pole[0] + by * right, region->pole[1] + by * up));
     }
     return least;
@@ -200,11 +201,11 @@ bool lens_film_open(const struct film_question *question, struct arena *arena,
         fail(error, ERROR_DOMAIN, "the stop has no diameter: how much light comes is not known");
         return error_hint(error, "give an f-number, or a diameter in the file");
     }
-    if (!open_systems(question, arena, film, error)) {
+    if (!lens_film_open_systems(question, arena, film, error)) {
         return false;
     }
     if (is_disc(question, film)) {
-        open_disc(question, film);
+        lens_film_open_disc(question, film);
     } else if (!open_region(question, arena, film, error)) {
         return false;
     }

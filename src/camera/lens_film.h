@@ -22,7 +22,7 @@ struct lens_film {
     void (*aim)(const struct lens_film *film, struct film_samples *samples,
                 struct ray_block *block);
     const struct system **systems; /* one a wavelength of the setup */
-    struct film_region region;
+    struct exit_pupil_bounds region;
     struct sobol sobol[FILM_DIMENSIONS];
     const struct acceptance *acceptance;
     const struct shutter *shutter; /* null: nothing depends on it */
@@ -47,7 +47,7 @@ struct film_question {
 /*
  * Result    rays of regions of pupils, but of models whose pupil is a disc through that
  * Errors    ERROR_DOMAIN: blades or a leaf shutter of a pinhole; curtains in the lens; as
- *           film_region_open and blades_stop; no stop, or
+ *           exit_pupil_bounds_open and blades_stop; no stop, or
  *           none with a diameter; no image plane; no light reaches the film; as setup_system
  */
 bool lens_film_open(const struct film_question *question, struct arena *arena,

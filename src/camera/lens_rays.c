@@ -5,7 +5,7 @@
 #include <math.h>
 
 /* All that blocks have in common. */
-struct stream {
+struct lens_rays_stream {
     const struct lens_rays_question *question;
     struct lens_film film;
     struct film_plan plan; /* of the part of the film that may be lit */
@@ -17,7 +17,7 @@ struct stream {
 };
 
 static bool open_stream(const struct lens_rays_question *question, struct arena *arena,
-                        struct stream *stream, struct error *error)
+                        struct lens_rays_stream *stream, struct error *error)
 {
     stream->question = question;
     if (!lens_film_open(&question->film, arena, &stream->film, error)) {
@@ -37,7 +37,7 @@ static bool open_stream(const struct lens_rays_question *question, struct arena 
 }
 
 /* When, within what the shutter leaves of the exposure to each. */
-static void time_rays(struct stream *stream)
+static void lens_rays_time_rays(struct lens_rays_stream *stream)
 {
     const struct shutter *shutter = stream->film.shutter;
     const double *begin = stream->samples.begin, *end = stream->samples.end;
@@ -48,7 +48,8 @@ static void time_rays(struct stream *stream)
 }
 
 /* The first `count` rays of a block that pass; each weight is multiplied. */
-static size_t collect(struct stream *stream, const struct system *system, size_t count, double by)
+static size_t lens_rays_collect(struct lens_rays_stream *stream, const struct system *system,
+                                size_t count, double by)
 {
     size_t kept = 0;
     for (size_t i = 0; i < count; i++) {
@@ -70,7 +71,7 @@ static size_t collect(struct stream *stream, const struct system *system, size_t
 }
 
 /* All rays of a wavelength, which stand for a share of the light. */
-static bool send(struct stream *stream, size_t w, uint64_t samples, double share,
+static bool send(struct lens_rays_stream *stream, size_t w, uint64_t samples, double share,
                  lens_rays_visit *visit, void *context, uint64_t *arrived, struct error *error)
 {
     const struct system *system = stream->film.systems[w];
@@ -90,9 +91,9 @@ static bool send(struct stream *stream, size_t w, uint64_t samples, double share
         sobol_points(&stream->sobol_time, when, block, stream->times);
         lens_film_start(&stream->film, &stream->samples, stream->rays.blocks);
         lens_film_trace(&stream->film, w, &stream->samples, &stream->rays);
-        time_rays(stream);
-        const size_t kept = collect(stream, system, left < RAYS_BLOCK ? (size_t)left : RAYS_BLOCK,
-                                    by / (double)samples);
+        lens_rays_time_rays(stream);
+        const size_t kept = lens_rays_collect(
+            stream, system, left < RAYS_BLOCK ? (size_t)left : RAYS_BLOCK, by / (double)samples);
         *arrived += kept;
         if (kept > 0 && !visit(context, stream->passed, kept, error)) {
             return false;
@@ -106,7 +107,7 @@ bool lens_rays_make(const struct lens_rays_question *question, struct arena *are
                     struct error *error)
 {
     const struct setup *setup = question->film.setup;
-    struct stream *stream = ARENA_NEW(arena, struct stream);
+    struct lens_rays_stream *stream = ARENA_NEW(arena, struct lens_rays_stream);
     if (!open_stream(question, arena, stream, error)) {
         return false;
     }

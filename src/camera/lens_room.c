@@ -32,7 +32,7 @@ static bool is_between(const struct lens_rim *rims, double r, double z)
 }
 
 /* In the camera's frame. */
-static bool holds(const struct lens_room *room, struct vector at)
+static bool lens_room_holds(const struct lens_clearance *room, struct vector at)
 {
     const double r = hypot(at.x, at.y);
     bool does = false;
@@ -65,23 +65,23 @@ static size_t list_rims(const struct setup *setup, double entrance, double pupil
     return count;
 }
 
-static bool is_far(const struct setup *setup)
+static bool lens_room_is_far(const struct setup *setup)
 {
     const double most = 1e9; /* mm */
     return !(fabs(setup->first.entrance_pupil) < most);
 }
 
-double lens_room_pupil(const struct setup *setup)
+double lens_clearance_pupil(const struct setup *setup)
 {
-    return is_far(setup) ? 0 : setup->first.entrance_pupil;
+    return lens_room_is_far(setup) ? 0 : setup->first.entrance_pupil;
 }
 
-struct lens_room lens_room_of(const struct setup *setup, struct arena *arena)
+struct lens_clearance lens_clearance_of(const struct setup *setup, struct arena *arena)
 {
     /* what is infinitely far away is as wide, too, and the beam on the glass about as the stop */
-    const double entrance =
-        is_far(setup) ? setup->first.stop_radius : fabs(setup->first.entrance_diameter) / 2;
-    const double pupil = lens_room_pupil(setup);
+    const double entrance = lens_room_is_far(setup) ? setup->first.stop_radius
+                                                    : fabs(setup->first.entrance_diameter) / 2;
+    const double pupil = lens_clearance_pupil(setup);
     const double last = setup->first.length - pupil;
     struct lens_rim *rims = ARENA_ARRAY(arena, setup->lens->surface_count + 1, struct lens_rim);
     size_t count = layout_is_centred(setup->lens) ? list_rims(setup, entrance, pupil, rims) : 0;
@@ -90,7 +90,7 @@ struct lens_room lens_room_of(const struct setup *setup, struct arena *arena)
     }
     rims[count] = (struct lens_rim){NULL, rims[count - 1].radius,
                                     last + (isfinite(setup->image) ? setup->image : 0), false};
-    struct lens_room room = {0, INFINITY, -INFINITY, rims, count + 1};
+    struct lens_clearance room = {0, INFINITY, -INFINITY, rims, count + 1};
     for (size_t i = 0; i < room.count; i++) {
         const double edge = face_at(&rims[i], rims[i].radius);
         room.radius = fmax(room.radius, rims[i].radius);
@@ -103,15 +103,16 @@ struct lens_room lens_room_of(const struct setup *setup, struct arena *arena)
 /* -------- things in it -------- */
 
 /* A box in the camera's frame, axis by axis. */
-struct part {
+struct lens_room_part {
     double low[3], high[3];
 };
 
 /* About a thing; a plane's is endless. */
-static struct part part_of(const struct world_thing *thing, const struct scene_pose *camera,
-                           double time)
+static struct lens_room_part lens_room_part_of(const struct world_thing *thing,
+                                               const struct scene_pose *camera, double time)
 {
-    struct part part = {{-INFINITY, -INFINITY, -INFINITY}, {INFINITY, INFINITY, INFINITY}};
+    struct lens_room_part part = {{-INFINITY, -INFINITY, -INFINITY},
+                                  {INFINITY, INFINITY, INFINITY}};
     if (thing->thing->shape == SHAPE_PLANE) {
         return part;
     }
@@ -133,16 +134,16 @@ static struct part part_of(const struct world_thing *thing, const struct scene_p
 }
 
 /* About the cylinder. */
-static struct part part_of_room(const struct lens_room *room)
+static struct lens_room_part part_of_room(const struct lens_clearance *room)
 {
-    return (struct part){{-room->radius, -room->radius, room->front},
-                         {room->radius, room->radius, room->back}};
+    return (struct lens_room_part){{-room->radius, -room->radius, room->front},
+                                   {room->radius, room->radius, room->back}};
 }
 
 /* Leave what lies within the box about the cylinder; false: nothing does. */
-static bool clip(const struct lens_room *room, struct part *part)
+static bool lens_room_clip(const struct lens_clearance *room, struct lens_room_part *part)
 {
-    const struct part whole = part_of_room(room);
+    const struct lens_room_part whole = part_of_room(room);
     bool is_left = true;
     for (int i = 0; i < 3; i++) {
         part->low[i] = fmax(part->low[i], whole.low[i]);
@@ -153,7 +154,7 @@ static bool clip(const struct lens_room *room, struct part *part)
 }
 
 /* Of a line along an axis, its ends on the cylinder; false: it goes past. */
-static bool ends_of(const struct lens_room *room, int axis, const double at[3], double ends[2])
+static bool ends_of(const struct lens_clearance *room, int axis, const double at[3], double ends[2])
 {
     const double r = room->radius;
     const double beside = axis == 2 ? hypot(at[0], at[1]) : fabs(at[1 - axis]);
@@ -164,9 +165,9 @@ static bool ends_of(const struct lens_room *room, int axis, const double at[3], 
 }
 
 /* Surfaces one behind the other, of which the last ones may lie beside the lens. */
-static bool look_along(const struct lens_room *room, const struct world *world,
-                       const struct scene_pose *camera, double time, int axis, double at[3],
-                       size_t *thing)
+static bool lens_room_look_along(const struct lens_clearance *room, const struct world *world,
+                                 const struct scene_pose *camera, double time, int axis,
+                                 double at[3], size_t *thing)
 {
     enum { SURFACES = 64 };
     double ends[2];
@@ -183,7 +184,7 @@ static bool look_along(const struct lens_room *room, const struct world *world,
                             .farthest = ends[1] - ends[0]};
     for (int i = 0; i < SURFACES && world_intersect(world, &ray, &hit); i++) {
         const struct vector own = frame_in(&camera->turned, vector_minus(hit.at, camera->at));
-        if (holds(room, own)) {
+        if (lens_room_holds(room, own)) {
             *thing = hit.thing;
             return true;
         }
@@ -194,9 +195,9 @@ static bool look_along(const struct lens_room *room, const struct world *world,
     return false;
 }
 
-static bool look_through(const struct lens_room *room, const struct world *world,
-                         const struct scene_pose *camera, double time, const struct part *part,
-                         size_t *thing)
+static bool lens_room_look_through(const struct lens_clearance *room, const struct world *world,
+                                   const struct scene_pose *camera, double time,
+                                   const struct lens_room_part *part, size_t *thing)
 {
     enum { LINES = 16 };
     for (int i = 0; i < 3 * LINES * LINES; i++) {
@@ -205,7 +206,7 @@ static bool look_through(const struct lens_room *room, const struct world *world
         double at[3] = {0, 0, 0};
         at[u] = part->low[u] + share[0] * (part->high[u] - part->low[u]);
         at[v] = part->low[v] + share[1] * (part->high[v] - part->low[v]);
-        if (look_along(room, world, camera, time, axis, at, thing)) {
+        if (lens_room_look_along(room, world, camera, time, axis, at, thing)) {
             return true;
         }
     }
@@ -215,21 +216,22 @@ static bool look_through(const struct lens_room *room, const struct world *world
 /* -------- over a time -------- */
 
 /* Of a ball about the camera's place, which holds all of the lens. */
-static double ball_of(const struct lens_room *room)
+static double ball_of(const struct lens_clearance *room)
 {
     return hypot(room->radius, fmax(fabs(room->front), fabs(room->back)));
 }
 
 /* How far a thing is from the lens at least. */
-static double gap_of(const struct lens_room *room, const struct world_thing *thing,
-                     const struct scene_pose *camera, double time)
+static double lens_room_gap_of(const struct lens_clearance *room, const struct world_thing *thing,
+                               const struct scene_pose *camera, double time)
 {
     if (thing->thing->shape == SHAPE_PLANE) {
         const struct scene_pose pose = scene_pose_at(&thing->thing->where, time);
         const double away = vector_dot(pose.turned.z, vector_minus(camera->at, pose.at));
         return fmax(fabs(away) - ball_of(room), 0);
     }
-    const struct part whole = part_of_room(room), part = part_of(thing, camera, time);
+    const struct lens_room_part whole = part_of_room(room),
+                                part = lens_room_part_of(thing, camera, time);
     double gap = 0;
     for (int i = 0; i < 3; i++) {
         gap = fmax(gap, fmax(part.low[i] - whole.high[i], whole.low[i] - part.high[i]));
@@ -238,7 +240,7 @@ static double gap_of(const struct lens_room *room, const struct world_thing *thi
 }
 
 /* No point that comes into the lens within the span is faster, as the camera sees it. */
-static double speed_of(const struct lens_room *room, const struct scene_place *thing,
+static double speed_of(const struct lens_clearance *room, const struct scene_place *thing,
                        const struct scene_place *camera, const double span[2])
 {
     const double ball = ball_of(room), duration = span[1] - span[0];
@@ -250,7 +252,7 @@ static double speed_of(const struct lens_room *room, const struct scene_place *t
 }
 
 /* From time to time, as late as it may be. */
-static bool comes_in(const struct lens_room *room, const struct world *world,
+static bool comes_in(const struct lens_clearance *room, const struct world *world,
                      const struct scene_place *camera, const double span[2], size_t *thing,
                      double *time)
 {
@@ -262,10 +264,10 @@ static bool comes_in(const struct lens_room *room, const struct world *world,
     *time = span[0];
     for (bool is_last = false; !is_last;) {
         const struct scene_pose pose = scene_pose_at(camera, *time);
-        struct part part = part_of(one, &pose, *time);
-        const double gap = gap_of(room, one, &pose, *time);
-        if (gap == 0 && clip(room, &part) &&
-            look_through(room, world, &pose, *time, &part, thing)) {
+        struct lens_room_part part = lens_room_part_of(one, &pose, *time);
+        const double gap = lens_room_gap_of(room, one, &pose, *time);
+        if (gap == 0 && lens_room_clip(room, &part) &&
+            lens_room_look_through(room, world, &pose, *time, &part, thing)) {
             return true;
         }
         const bool stays = !one->moves && !scene_place_moves(camera);
@@ -275,9 +277,9 @@ static bool comes_in(const struct lens_room *room, const struct world *world,
     return false;
 }
 
-bool lens_room_holds(const struct lens_room *room, const struct world *world,
-                     const struct scene_place *camera, const double span[2], size_t *thing,
-                     double *time)
+bool lens_clearance_holds(const struct lens_clearance *room, const struct world *world,
+                          const struct scene_place *camera, const double span[2], size_t *thing,
+                          double *time)
 {
     for (size_t i = 0; i < world->scene->thing_count; i++) {
         *thing = i;

@@ -17,7 +17,7 @@ struct lens_rim {
 };
 
 /* A body about the axis of a camera's own frame: what lies between surfaces, and up to the film. */
-struct lens_room {
+struct lens_clearance {
     double radius, front, back; /* of a cylinder about all of it, from z = front to back; mm */
     const struct lens_rim *rims;
     size_t count; /* of rims, 2 and more */
@@ -27,7 +27,7 @@ struct lens_room {
  * Where a camera's place lies behind the first vertex, mm: in the entrance pupil, or, where that is
  * more than 1000 km away, at 0: numbers of that size would not tell surfaces apart.
  */
-double lens_room_pupil(const struct setup *setup);
+double lens_clearance_pupil(const struct setup *setup);
 
 /*
  * Where the lens is.
@@ -38,7 +38,7 @@ double lens_room_pupil(const struct setup *setup);
  *           are joined by a cone. Stops are left out; a lens with decentred or tilted surfaces is a
  *           cylinder as wide as the entrance pupil
  */
-struct lens_room lens_room_of(const struct setup *setup, struct arena *arena);
+struct lens_clearance lens_clearance_of(const struct setup *setup, struct arena *arena);
 
 /*
  * Is the surface of a thing in it at some time?
@@ -55,8 +55,8 @@ struct lens_room lens_room_of(const struct setup *setup, struct arena *arena);
  *           as the cylinder is faster in the camera's frame than what both move and spin, these
  *           times their levers, together
  */
-bool lens_room_holds(const struct lens_room *room, const struct world *world,
-                     const struct scene_place *camera, const double span[2], size_t *thing,
-                     double *time);
+bool lens_clearance_holds(const struct lens_clearance *room, const struct world *world,
+                          const struct scene_place *camera, const double span[2], size_t *thing,
+                          double *time);
 
 #endif

@@ -69,7 +69,7 @@ static bool open_sight(const struct metering_question *question, struct tile_roo
 }
 
 /* Mean light on the film over illuminance across a direction, of the lens's own coordinates. */
-static double share_of(const struct sight *sight, struct vector way)
+static double metering_share_of(const struct sight *sight, struct vector way)
 {
     const struct metering_question *question = sight->question;
     const double aside = hypot(way.x, way.y), angle = atan2(aside, -way.z);
@@ -124,7 +124,7 @@ static void add_look(const struct sight *sight, uint32_t index, struct tile_room
     if (!lights_sample(&sight->lights, pose.at, time, u, &lanes, &sample) || sample.is_point) {
         return;
     }
-    const double share = share_of(sight, frame_in(&pose.turned, sample.direction));
+    const double share = metering_share_of(sight, frame_in(&pose.turned, sample.direction));
     if (!(share > 0) || !path_is_unoccluded(view->path, pose.at, time, &sample)) {
         return;
     }
@@ -153,7 +153,7 @@ static void add_discs(const struct sight *sight, uint32_t part, double mean[TILE
         const struct scene_pose pose = scene_pose_at(&view->camera, time);
         const struct light_sample sample = {.direction = distant_light_direction(disc, u),
                                             .distance = INFINITY};
-        const double share = share_of(sight, frame_in(&pose.turned, sample.direction));
+        const double share = metering_share_of(sight, frame_in(&pose.turned, sample.direction));
         if (!(share > 0) || !path_is_unoccluded(view->path, pose.at, time, &sample)) {
             continue;
         }
@@ -168,9 +168,10 @@ static void add_discs(const struct sight *sight, uint32_t part, double mean[TILE
 }
 
 /* One of the parts; rays knows of the others that look for lights. */
-static void take_part(const struct metering_question *question, const struct tile_rays *rays,
-                      const struct film_plan *plan, const struct sight *sight, uint32_t part,
-                      struct tile_room *room, double mean[TILE_CHANNELS])
+static void metering_take_part(const struct metering_question *question,
+                               const struct tile_rays *rays, const struct film_plan *plan,
+                               const struct sight *sight, uint32_t part, struct tile_room *room,
+                               double mean[TILE_CHANNELS])
 {
     const size_t blocks = BLOCKS / PARTS, looks = LOOKS / PARTS;
     double looked[TILE_CHANNELS] = {0};
@@ -225,7 +226,7 @@ void metering_take(const struct metering_question *question, struct arena *arena
     *metered = (struct metered){.is_direct = has_sight};
     for (uint32_t part = 0; part < PARTS; part++) {
         double mean[TILE_CHANNELS];
-        take_part(question, &rays, &plan, has_sight ? &sight : NULL, part, room, mean);
+        metering_take_part(question, &rays, &plan, has_sight ? &sight : NULL, part, room, mean);
         for (size_t k = 0; k < TILE_CHANNELS; k++) {
             metered->mean[k] += mean[k] / PARTS;
         }

@@ -15,14 +15,14 @@ enum { SLICE_RAYS = 1 << 22 };
 
 /* -------- which tiles -------- */
 
-static struct tiling tiling_for(const struct photograph_question *question)
+static struct tile_grid tiling_for(const struct photograph_question *question)
 {
     return tiling_of(question->columns, question->rows, question->crop);
 }
 
 size_t photograph_tiles(const struct photograph_question *question)
 {
-    const struct tiling tiling = tiling_for(question);
+    const struct tile_grid tiling = tiling_for(question);
     return tiling.across * tiling.down;
 }
 
@@ -30,7 +30,7 @@ void photograph_tile(const struct photograph_question *question, const struct im
                      size_t tile, enum tile_way way,
                      float pixels[PHOTOGRAPH_PIXELS][PHOTOGRAPH_CHANNELS])
 {
-    const struct tiling tiling = tiling_for(question);
+    const struct tile_grid tiling = tiling_for(question);
     tiling_copy(&tiling, image, tile, way, pixels);
 }
 
@@ -46,8 +46,8 @@ static size_t count_missing(const struct tile_work *work)
 /* -------- what the picture is of -------- */
 
 /* How far out on the card a point of the film looks, through the middle of what is clear, mm. */
-static void look_through(const struct tile_work *work, const double from[2], struct tile_room *room,
-                         double at[2])
+static void photograph_look_through(const struct tile_work *work, const double from[2],
+                                    struct tile_room *room, double at[2])
 {
     lens_film_chief(work->rays.film, from, &room->samples, &room->rays);
     if (!subject_meets(room->rays.blocks, 0, work->question->card.distance, at)) {
@@ -67,7 +67,7 @@ static bool size_card(const struct tile_work *work, struct tile_room *room, stru
         const double from[3][2] = {{w, 0}, {0, h}, {w, h}};
         for (int i = 0; i < 3; i++) {
             double at[2];
-            look_through(work, from[i], room, at);
+            photograph_look_through(work, from[i], room, at);
             const double needed = 2 * fmax(fabs(at[0]), proportion * fabs(at[1]));
             card->width = fmax(card->width, needed);
         }
@@ -101,17 +101,17 @@ static bool open_subject(struct tile_work *work, const struct card *card, struct
         work->rays.subject = subject_card(card);
         return true;
     }
-    struct relief *relief = ARENA_NEW(arena, struct relief);
+    struct depth_card *relief = ARENA_NEW(arena, struct depth_card);
     work->rays.subject = subject_relief(relief);
-    const struct relief_question asked = {.depths = question->depths.map,
-                                          .name = question->depths.name,
-                                          .hidden = question->depths.hidden,
-                                          .card = *card,
-                                          .is_endless = question->card.width == 0,
-                                          .sensor = setup->first.length + setup->image,
-                                          .pupil = setup->first.entrance_pupil,
-                                          .radius = fabs(setup->first.entrance_diameter) / 2};
-    return relief_open(&asked, arena, relief, error);
+    const struct depth_card_question asked = {.depths = question->depths.map,
+                                              .name = question->depths.name,
+                                              .hidden = question->depths.hidden,
+                                              .card = *card,
+                                              .is_endless = question->card.width == 0,
+                                              .sensor = setup->first.length + setup->image,
+                                              .pupil = setup->first.entrance_pupil,
+                                              .radius = fabs(setup->first.entrance_diameter) / 2};
+    return depth_card_open(&asked, arena, relief, error);
 }
 
 /* Are there tiles of a scene that are worth looking for? */
@@ -134,15 +134,15 @@ static void open_spare(struct tile_work *work, const struct card *card, struct a
         work->stages != NULL) {
         return;
     }
-    struct spare *spare = ARENA_NEW(arena, struct spare);
-    *spare = (struct spare){.film = work->rays.film,
-                            .card = card,
-                            .relief = work->rays.subject.relief,
-                            .view = view,
-                            .passes = work->rays.passes,
-                            .pass = work->rays.pass,
-                            .kept = question->kept,
-                            .watch = question->watch};
+    struct ray_reuse *spare = ARENA_NEW(arena, struct ray_reuse);
+    *spare = (struct ray_reuse){.film = work->rays.film,
+                                .card = card,
+                                .relief = work->rays.subject.relief,
+                                .view = view,
+                                .passes = work->rays.passes,
+                                .pass = work->rays.pass,
+                                .kept = question->kept,
+                                .watch = question->watch};
     if (view != NULL) {
         spare->backdrop = backdrop_open(view->path->world, view->path->lights);
         if (!may_see_backdrop(work, &spare->backdrop, rays)) {
@@ -152,24 +152,24 @@ static void open_spare(struct tile_work *work, const struct card *card, struct a
     /* an error is one of all tiles' rays */
     spare->kept |= question->error > 0 ? 1U << SKIP_BLUR : 0;
     work->spare = spare;
-    spare_open(spare, rays > 1U << 22 ? 32 : 8, arena);
+    ray_reuse_open(spare, rays > 1U << 22 ? 32 : 8, arena);
 }
 
-double photograph_share(const struct photograph *photograph, enum relief_sight sight)
+double photograph_share(const struct photograph *photograph, enum depth_card_sight sight)
 {
     double all = 0;
-    for (int i = 0; i < RELIEF_SIGHTS; i++) {
+    for (int i = 0; i < DEPTH_CARD_SIGHTS; i++) {
         all += (double)photograph->counts[i];
     }
     return all > 0 ? (double)photograph->counts[sight] / all : 0;
 }
 
-static size_t least_of(size_t a, size_t b)
+static size_t photograph_least_of(size_t a, size_t b)
 {
     return a < b ? a : b;
 }
 
-static size_t most_of(size_t a, size_t b)
+static size_t photograph_most_of(size_t a, size_t b)
 {
     return a > b ? a : b;
 }
@@ -202,8 +202,8 @@ static void take_stages(struct tile_work *work, struct arena *arena, struct phot
     for (size_t i = 0; i < tiles; i++) {
         const struct tile_stage *stage = &work->stages[i];
         if (stage->samples > 0) { /* it is lit */
-            photograph->reached[0] = least_of(photograph->reached[0], stage->samples);
-            photograph->reached[1] = most_of(photograph->reached[1], stage->samples);
+            photograph->reached[0] = photograph_least_of(photograph->reached[0], stage->samples);
+            photograph->reached[1] = photograph_most_of(photograph->reached[1], stage->samples);
         }
         if (stage->samples > CONVERGENCE_LEAST && question->error > 0) {
             convergence_add(photograph->counts + PHOTOGRAPH_CONVERGENCE, stage->error,
@@ -252,7 +252,7 @@ static void open_scene(struct tile_work *work, struct tile_room *room, struct ar
                              : question->white;
     work->goal = (struct convergence_goal){question->error, fmax(white / work->scale, least)};
     if (question->error > 0) {
-        work->small = small_lights_open(question->view, arena);
+        work->small = small_emitters_open(question->view, arena);
     }
     open_spare(work, &photograph->card, arena);
 }
@@ -290,7 +290,7 @@ bool photograph_take(const struct photograph_question *question, struct arena *a
         !lens_film_open(&question->film, arena, &film, error)) {
         return false;
     }
-    const struct tiling tiling = tiling_for(question);
+    const struct tile_grid tiling = tiling_for(question);
     const size_t tiles = tiling.across * tiling.down;
     *photograph = (struct photograph){.image = {.width = tiling.crop.width,
                                                 .height = tiling.crop.height,

@@ -24,9 +24,9 @@ enum { PHOTOGRAPH_CHANNELS = TILE_CHANNELS, PHOTOGRAPH_PIXELS = TILE_PIXELS };
  * by what they came to, rays that were sent from where light comes, and those that passed the lens.
  */
 enum {
-    PHOTOGRAPH_CONVERGENCE = RELIEF_SIGHTS, /* where those begin */
+    PHOTOGRAPH_CONVERGENCE = DEPTH_CARD_SIGHTS, /* where those begin */
     PHOTOGRAPH_WAYS = PHOTOGRAPH_CONVERGENCE + CONVERGENCE_COUNTS,
-    PHOTOGRAPH_TRACED = PHOTOGRAPH_WAYS + SPARE_WAYS,
+    PHOTOGRAPH_TRACED = PHOTOGRAPH_WAYS + RAY_REUSE_WAYS,
     PHOTOGRAPH_PASSED,
     PHOTOGRAPH_COUNTS
 };
@@ -35,7 +35,7 @@ enum {
 struct photograph_depths {
     const struct image *map; /* null: all in the plane of the card */
     const char *name;        /* of its file */
-    enum relief_hidden hidden;
+    enum depth_card_hidden hidden;
 };
 
 struct photograph;
@@ -107,7 +107,7 @@ struct photograph {
 };
 
 /* The share of the rays that arrive which found out so much, of a picture with depths. */
-double photograph_share(const struct photograph *photograph, enum relief_sight sight);
+double photograph_share(const struct photograph *photograph, enum depth_card_sight sight);
 
 /*
  * Take it.
@@ -131,7 +131,7 @@ double photograph_share(const struct photograph *photograph, enum relief_sight s
  *           No number depends on the threads, the crop, or what is done already; how many samples
  *           a tile has that ends in time does
  * Errors    ERROR_DOMAIN: as lens_film_open; the card within the lens; no light that pixels
- *           accept where the reference is; as relief_open
+ *           accept where the reference is; as depth_card_open
  */
 bool photograph_take(const struct photograph_question *question, struct arena *arena,
                      struct photograph *photograph, struct error *error);

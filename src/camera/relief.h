@@ -11,27 +11,27 @@
 #include <stddef.h>
 
 /* What rays see that pass behind an edge of the relief or beside its frame: it knows nothing. */
-enum relief_hidden {
+enum depth_card_hidden {
     HIDDEN_NEARBY, /* what lies next to the edge, as far away as that */
     HIDDEN_BLACK
 };
 
-struct relief_question {
+struct depth_card_question {
     const struct image *depths; /* one channel: m from the sensor, along the axis; or infinite */
     const char *name;           /* of their file, for messages */
     struct card card;           /* whose frame, in its distance, the pixels of the map fill */
     bool is_endless;            /* the frame is all that the film sees: its border goes on */
-    enum relief_hidden hidden;
+    enum depth_card_hidden hidden;
     double sensor; /* behind the first vertex, mm */
     double pupil;  /* the entrance pupil's centre behind the first vertex, mm */
     double radius; /* of the pupil, mm */
 };
 
 /* Read-only afterwards: threads share it. */
-struct relief {
+struct depth_card {
     struct card card;
     bool is_endless;
-    enum relief_hidden hidden;
+    enum depth_card_hidden hidden;
     size_t columns, rows;
     double pupil, frame; /* mm; the frame's distance from the pupil */
     double parallax;     /* pixels that the rim of the pupil sees a point move, a unit of 1/mm */
@@ -42,11 +42,11 @@ struct relief {
 };
 
 /* How much a ray found out. */
-enum relief_sight {
+enum depth_card_sight {
     SIGHT_SEEN,
     SIGHT_BEHIND, /* it went behind an edge */
     SIGHT_BESIDE, /* it left a frame that goes on */
-    RELIEF_SIGHTS
+    DEPTH_CARD_SIGHTS
 };
 
 /*
@@ -56,11 +56,11 @@ enum relief_sight {
  * Errors    ERROR_DATA: a depth that is no number above 0, or within the lens or its pupil, with
  *           column and row, from 1 at the top left; ERROR_DOMAIN: the pupil lies at infinity
  */
-bool relief_open(const struct relief_question *question, struct arena *arena, struct relief *relief,
-                 struct error *error);
+bool depth_card_open(const struct depth_card_question *question, struct arena *arena,
+                     struct depth_card *relief, struct error *error);
 
 /* A ray before the lens: where it passes the plane of the entrance pupil, mm, and x/z, y/z. */
-struct relief_ray {
+struct depth_card_ray {
     double x[2], slope[2];
 };
 
@@ -77,15 +77,15 @@ struct relief_ray {
  *           is followed from the largest w that it may meet to small ones, over squares whose
  *           largest w it passes, the greater ones first
  */
-struct card_light relief_look(const struct relief *relief, const struct relief_ray *ray,
-                              enum relief_sight *sight);
+struct card_light depth_card_look(const struct depth_card *relief, const struct depth_card_ray *ray,
+                                  enum depth_card_sight *sight);
 
 /*
  * How far away it is within part of its frame.
  *
  * Result    least, most  1/distance from the pupil, 1/mm: none is outside, which all may lie within
  */
-void relief_range(const struct relief *relief, const struct card_part *part, double *least,
-                  double *most);
+void depth_card_range(const struct depth_card *relief, const struct card_part *part, double *least,
+                      double *most);
 
 #endif

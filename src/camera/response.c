@@ -9,7 +9,7 @@ static const double traced[SENSOR_CHANNELS] = {RESPONSE_RED, RESPONSE_GREEN, RES
 /* V of these: what the eye sees of a watt, of what it sees at 555 nm. */
 static const double luminous[SENSOR_CHANNELS] = {0.4904688, 0.9928116, 0.07091109};
 
-static bool check_table(const struct response_table *table, struct error *error)
+static bool response_check_table(const struct response_table *table, struct error *error)
 {
     if (table->channels != 1 && table->channels != SENSOR_CHANNELS) {
         return fail(error, ERROR_DOMAIN, "the response has %zu channels, not 1 or %d",
@@ -54,7 +54,7 @@ bool response_open(const struct response_table *table, struct arena *arena,
 {
     struct colour_matrix *seen = ARENA_NEW(arena, struct colour_matrix);
     struct sensor_response_traits *made = ARENA_NEW(arena, struct sensor_response_traits);
-    if (!check_table(table, error)) {
+    if (!response_check_table(table, error)) {
         return false;
     }
     *made = (struct sensor_response_traits){.word = table->channels == 1 ? "a table of one channel"

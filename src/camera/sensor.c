@@ -216,7 +216,7 @@ bool sensor_check_light(const struct image *light, struct error *error)
 }
 
 /* What sensor_expose has in common for all rows. */
-struct exposing {
+struct sensor_job {
     const struct sensor_model *model;
     const struct image *light;
     const struct sensor_place *place;
@@ -224,7 +224,7 @@ struct exposing {
     struct sensor_sums *rows;  /* and what is counted of each row */
 };
 
-static void expose_pixel(const struct exposing *exposing, size_t x, size_t y)
+static void expose_pixel(const struct sensor_job *exposing, size_t x, size_t y)
 {
     const struct sensor_model *model = exposing->model;
     const struct sensor_place *place = exposing->place;
@@ -251,9 +251,9 @@ static void expose_pixel(const struct exposing *exposing, size_t x, size_t y)
     }
 }
 
-static void expose_rows(void *context, size_t begin, size_t end)
+static void sensor_expose_rows(void *context, size_t begin, size_t end)
 {
-    const struct exposing *exposing = context;
+    const struct sensor_job *exposing = context;
     for (size_t y = begin; y < end; y++) {
         exposing->rows[y] = (struct sensor_sums){.darkest = (double)INFINITY};
         for (size_t x = 0; x < exposing->light->width; x++) {
@@ -287,12 +287,12 @@ bool sensor_expose(const struct sensor_model *model, const struct image *light,
     if (!sensor_check_light(light, error) || !image_new(&raw->image, arena, error)) {
         return false;
     }
-    struct exposing exposing = {.model = model,
-                                .light = light,
-                                .place = place,
-                                .image = &raw->image,
-                                .rows = ARENA_ARRAY(arena, light->height, struct sensor_sums)};
-    parallel_for(model->setting.threads, light->height, ROWS, expose_rows, &exposing);
+    struct sensor_job exposing = {.model = model,
+                                  .light = light,
+                                  .place = place,
+                                  .image = &raw->image,
+                                  .rows = ARENA_ARRAY(arena, light->height, struct sensor_sums)};
+    parallel_for(model->setting.threads, light->height, ROWS, sensor_expose_rows, &exposing);
     raw->sums = add_rows(exposing.rows, light->height);
     return true;
 }

@@ -15,7 +15,7 @@ static bool may_be_small(const struct lights *lights, size_t i)
            !scene_place_moves(&thing->where) && emitter_parts(thing) == 1;
 }
 
-struct small_lights small_lights_open(const struct view *view, struct arena *arena)
+struct small_emitters small_emitters_open(const struct view *view, struct arena *arena)
 {
     const struct lights *lights = view->path->lights;
     const struct scene *scene = lights->scene;
@@ -25,7 +25,7 @@ struct small_lights small_lights_open(const struct view *view, struct arena *are
         count += may_be_small(lights, i) ? 1 : 0;
     }
     if (count > MOST || scene_place_moves(&view->camera)) {
-        return (struct small_lights){.count = 0};
+        return (struct small_emitters){.count = 0};
     }
     struct small_light *all = ARENA_ARRAY(arena, count, struct small_light);
     for (size_t i = 0; i < discs; i++) {
@@ -48,16 +48,16 @@ struct small_lights small_lights_open(const struct view *view, struct arena *are
             }
         }
     }
-    return (struct small_lights){all, next};
+    return (struct small_emitters){all, next};
 }
 
-static double angle_between(struct vector a, struct vector b)
+static double small_lights_angle_between(struct vector a, struct vector b)
 {
     return 2 * asin(fmin(1, vector_length(vector_minus(a, b)) / 2));
 }
 
-double small_lights_samples(const struct small_lights *lights, const struct tile_rays *rays,
-                            const struct film_plan *plan, struct tile_room *room)
+double small_emitters_samples(const struct small_emitters *lights, const struct tile_rays *rays,
+                              const struct film_plan *plan, struct tile_room *room)
 {
     static const double hits = 8, around = 1.1;
     const struct view *view = rays->subject.view;
@@ -76,13 +76,13 @@ double small_lights_samples(const struct small_lights *lights, const struct tile
             return 0;
         }
         way[i] = view_ray(&view->camera, view->pupil, room->rays.blocks, 0, 0).direction;
-        cone = fmax(cone, angle_between(way[0], way[i]));
+        cone = fmax(cone, small_lights_angle_between(way[0], way[i]));
     }
     const double pixel = vector_length(vector_minus(way[1], way[2])) *
                          vector_length(vector_minus(way[1], way[3])) / TILE_PIXELS;
     for (size_t i = 0; i < lights->count; i++) {
         const struct small_light *light = &lights->all[i];
-        if (angle_between(way[0], light->way) <= around * cone + light->angle) {
+        if (small_lights_angle_between(way[0], light->way) <= around * cone + light->angle) {
             most = fmax(most, hits * pixel / light->size);
         }
     }

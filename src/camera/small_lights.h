@@ -11,7 +11,7 @@ struct small_light {
     double size;       /* sr */
 };
 
-struct small_lights {
+struct small_emitters {
     const struct small_light *all;
     size_t count;
 };
@@ -21,7 +21,7 @@ struct small_lights {
  * no meshes of several triangles, whose light is in many places, and nothing if there are very
  * many.
  */
-struct small_lights small_lights_open(const struct view *view, struct arena *arena);
+struct small_emitters small_emitters_open(const struct view *view, struct arena *arena);
 
 /*
  * Rays a pixel by which a tile meets the lights in its sight some eight times each.
@@ -32,7 +32,7 @@ struct small_lights small_lights_open(const struct view *view, struct arena *are
  *           blurred beyond that has more rays
  * Result    0: none is small
  */
-double small_lights_samples(const struct small_lights *lights, const struct tile_rays *rays,
-                            const struct film_plan *plan, struct tile_room *room);
+double small_emitters_samples(const struct small_emitters *lights, const struct tile_rays *rays,
+                              const struct film_plan *plan, struct tile_room *room);
 
 #endif

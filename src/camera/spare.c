@@ -12,8 +12,8 @@
 enum { X, Y, AXES };
 enum { CORNERS = 4, RIM = RAYS_BLOCK / CORNERS };
 
-struct spare_room {
-    struct spare_net *net;
+struct ray_reuse_room {
+    struct reuse_grid *net;
     struct film_samples samples;
     struct rays rays;
     struct tile_rims rims;
@@ -22,10 +22,10 @@ struct spare_room {
 /* What is added to what the corners see, of its size, on each side. */
 static const double around = 0.1;
 
-struct spare_room *spare_room_new(size_t passes, struct arena *arena)
+struct ray_reuse_room *ray_reuse_room_new(size_t passes, struct arena *arena)
 {
-    struct spare_room *room = ARENA_NEW(arena, struct spare_room);
-    room->net = spare_net_new(passes, arena);
+    struct ray_reuse_room *room = ARENA_NEW(arena, struct ray_reuse_room);
+    room->net = reuse_grid_new(passes, arena);
     room->rims = (struct tile_rims){.passes = passes,
                                     .ray = arena_array(arena, passes, sizeof *room->rims.ray),
                                     .passed = arena_array(arena, passes, sizeof *room->rims.passed),
@@ -34,7 +34,7 @@ struct spare_room *spare_room_new(size_t passes, struct arena *arena)
     return room;
 }
 
-void spare_open(struct spare *spare, size_t blocks, struct arena *arena)
+void ray_reuse_open(struct ray_reuse *spare, size_t blocks, struct arena *arena)
 {
     const struct lens_film *film = spare->film;
     const bool is_dark = spare->view != NULL && spare->backdrop.is_dark; /* black needs no table */
@@ -43,14 +43,14 @@ void spare_open(struct spare *spare, size_t blocks, struct arena *arena)
     spare->plane = spare->relief != NULL ? spare->relief->pupil : 0;
     spare->frame = spare->plane + spare->card->distance;
     spare->light =
-        is_round && !is_dark ? spare_light_new(film, spare->passes, blocks, arena) : NULL;
+        is_round && !is_dark ? irradiance_table_new(film, spare->passes, blocks, arena) : NULL;
 }
 
 /* -------- what is seen -------- */
 
 /* From the corners of the tile, RIM rays each, within the rim of the pupil. */
-static void trace_rims(const struct spare *spare, const struct film_plan *plan,
-                       struct spare_room *room)
+static void trace_rims(const struct ray_reuse *spare, const struct film_plan *plan,
+                       struct ray_reuse_room *room)
 {
     static const double v[] = {0.98, 0.9, 0.8, 0.5};
     const struct ray_block *rays = room->rays.blocks;
@@ -77,13 +77,15 @@ static void trace_rims(const struct spare *spare, const struct film_plan *plan,
 }
 
 /* Rays begin .. begin + count - 1 of a wavelength between two w: what they see. */
-static void widen(const struct spare *spare, const struct spare_room *room, size_t wavelength,
-                  const size_t range[2], const double w[2], struct card_part *part)
+static void widen(const struct ray_reuse *spare, const struct ray_reuse_room *room,
+                  size_t wavelength, const size_t range[2], const double w[2],
+                  struct card_part *part)
 {
     for (size_t i = range[0]; i < range[1]; i++) {
         for (int k = X; k < AXES && room->rims.passed[wavelength][i]; k++) {
             for (int end = 0; end < 2; end++) {
-                const double at = spare_seen_at(spare, &room->rims.ray[wavelength][i], k, w[end]);
+                const double at =
+                    ray_reuse_seen_at(spare, &room->rims.ray[wavelength][i], k, w[end]);
                 part->low[k] = fmin(part->low[k], at);
                 part->high[k] = fmax(part->high[k], at);
             }
@@ -94,7 +96,7 @@ static void widen(const struct spare *spare, const struct spare_room *room, size
 static const struct card_part nothing = {{INFINITY, INFINITY}, {-INFINITY, -INFINITY}};
 
 /* Do enough rays of every corner pass to tell what it sees? */
-static bool has_rims(const struct spare *spare, const struct spare_room *room)
+static bool has_rims(const struct ray_reuse *spare, const struct ray_reuse_room *room)
 {
     bool all = true;
     for (size_t pass = 0; pass < spare->passes; pass++) {
@@ -110,11 +112,11 @@ static bool has_rims(const struct spare *spare, const struct spare_room *room)
 }
 
 /* All of it, and between which w it lies. */
-static void find_part(const struct spare *spare, const struct spare_room *room, double w[2],
+static void find_part(const struct ray_reuse *spare, const struct ray_reuse_room *room, double w[2],
                       struct card_part *part)
 {
     const size_t all[2] = {0, RAYS_BLOCK};
-    const struct relief *relief = spare->relief;
+    const struct depth_card *relief = spare->relief;
     w[0] = w[1] = 1 / spare->frame;
     if (relief != NULL) {
         w[0] = relief->is_endless ? relief->farthest[relief->levels - 1][0] : 0;
@@ -131,13 +133,13 @@ static void find_part(const struct spare *spare, const struct spare_room *room, 
             part->high[k] += rest;
         }
         if (relief != NULL) {
-            relief_range(relief, part, &w[0], &w[1]);
+            depth_card_range(relief, part, &w[0], &w[1]);
         }
     }
 }
 
 /* Is what all rays of each corner see within a quarter of a pixel? */
-static bool is_sharp(const struct spare *spare, const struct spare_room *room,
+static bool is_sharp(const struct ray_reuse *spare, const struct ray_reuse_room *room,
                      const struct card_part *part, const double w[2])
 {
     const double more = 1 + 2 * around; /* than the tile's corners see */
@@ -165,14 +167,14 @@ static bool is_black(struct card_light light)
     return light.of[0] == 0 && light.of[1] == 0 && light.of[2] == 0;
 }
 
-static void fill(const struct spare *spare, const struct spare_tile *tile, struct card_light light,
-                 double (*sums)[CARD_CHANNELS])
+static void spare_fill(const struct ray_reuse *spare, const struct ray_reuse_tile *tile,
+                       struct card_light light, double (*sums)[CARD_CHANNELS])
 {
     for (size_t i = 0; i < spare->passes && !is_black(light); i++) {
-        const struct spare_pass *pass = &spare->pass[i];
+        const struct ray_reuse_pass *pass = &spare->pass[i];
         for (size_t pixel = 0; pixel < RAYS_BLOCK; pixel++) {
             const double weight = pass->share * (double)tile->samples *
-                                  spare_light_of(spare->light, i, tile->plan, pixel);
+                                  irradiance_table_of(spare->light, i, tile->plan, pixel);
             for (size_t k = pass->begin; k < pass->end; k++) {
                 sums[pixel][k] += weight * (double)light.of[k];
             }
@@ -181,7 +183,7 @@ static void fill(const struct spare *spare, const struct spare_tile *tile, struc
 }
 
 /* Does light come to all of it, from a pupil without a hole, the same all around? */
-static bool has_light(const struct spare *spare, const struct film_plan *plan)
+static bool has_light(const struct ray_reuse *spare, const struct film_plan *plan)
 {
     const double x = fmax(fabs(plan->left), fabs(plan->left + plan->width));
     const double y = fmax(fabs(plan->bottom), fabs(plan->bottom + plan->height));
@@ -189,9 +191,9 @@ static bool has_light(const struct spare *spare, const struct film_plan *plan)
 }
 
 /* Does all of what is seen lie on the card, whatever hides it? */
-static bool may_be_even(const struct spare *spare, const struct card_part *part)
+static bool may_be_even(const struct ray_reuse *spare, const struct card_part *part)
 {
-    const struct relief *relief = spare->relief;
+    const struct depth_card *relief = spare->relief;
     const double half[AXES] = {spare->card->width / 2, spare->card->height / 2};
     bool is_within = true;
     for (int k = X; k < AXES; k++) {
@@ -202,28 +204,30 @@ static bool may_be_even(const struct spare *spare, const struct card_part *part)
             (relief->hidden == HIDDEN_NEARBY && (is_within || !relief->is_endless)));
 }
 
-static enum spare_way take_backdrop(const struct spare *spare, const struct spare_tile *tile,
-                                    const struct spare_room *room, double (*sums)[CARD_CHANNELS])
+static enum ray_reuse_way take_backdrop(const struct ray_reuse *spare,
+                                        const struct ray_reuse_tile *tile,
+                                        const struct ray_reuse_room *room,
+                                        double (*sums)[CARD_CHANNELS])
 {
     struct card_light light = {{0, 0, 0}};
     if (tile_sees_backdrop(spare->view, &spare->backdrop, &room->rims, &light) &&
         (has_light(spare, tile->plan) || is_black(light))) {
-        fill(spare, tile, light, sums);
-        return SPARE_EVEN;
+        spare_fill(spare, tile, light, sums);
+        return RAY_REUSE_EVEN;
     }
-    return SPARE_TRACED;
+    return RAY_REUSE_TRACED;
 }
 
-enum spare_way spare_take(const struct spare *spare, const struct spare_tile *tile,
-                          struct spare_room *room, uint64_t sights[RELIEF_SIGHTS],
-                          double (*sums)[CARD_CHANNELS])
+enum ray_reuse_way ray_reuse_take(const struct ray_reuse *spare, const struct ray_reuse_tile *tile,
+                                  struct ray_reuse_room *room, uint64_t sights[DEPTH_CARD_SIGHTS],
+                                  double (*sums)[CARD_CHANNELS])
 {
     double w[2];
     struct card_part part;
     struct card_light light = {{0, 0, 0}};
     trace_rims(spare, tile->plan, room);
     if (!has_rims(spare, room)) {
-        return SPARE_TRACED;
+        return RAY_REUSE_TRACED;
     }
     if (spare->view != NULL) {
         return take_backdrop(spare, tile, room, sums);
@@ -231,14 +235,15 @@ enum spare_way spare_take(const struct spare *spare, const struct spare_tile *ti
     find_part(spare, room, w, &part);
     if (may_be_even(spare, &part) && card_is_even(spare->card, &part, &light) &&
         (has_light(spare, tile->plan) || is_black(light))) {
-        fill(spare, tile, light, sums);
+        spare_fill(spare, tile, light, sums);
         sights[SIGHT_SEEN] += RAYS_BLOCK * tile->samples * spare->passes;
-        return SPARE_EVEN;
+        return RAY_REUSE_EVEN;
     }
     if (!skip_is_kept(spare->kept, SKIP_BLUR) && has_light(spare, tile->plan) &&
         !spare->film->region.has_hole && is_sharp(spare, room, &part, w) &&
-        spare_net_trace(spare, tile->plan, room->net)) {
-        return spare_net_look(spare, tile, room->net, sights, sums) ? SPARE_SHARP : SPARE_ENDED;
+        reuse_grid_trace(spare, tile->plan, room->net)) {
+        return reuse_grid_look(spare, tile, room->net, sights, sums) ? RAY_REUSE_SHARP
+                                                                     : RAY_REUSE_ENDED;
     }
-    return SPARE_TRACED;
+    return RAY_REUSE_TRACED;
 }

@@ -8,15 +8,15 @@
 
 enum { ROWS = 65 };
 
-struct spare_light {
+struct irradiance_table {
     double largest;       /* distance from the axis up to which light arrives, mm */
     double (*rows)[ROWS]; /* E/L by pass, sr */
 };
 
-const struct spare_light *spare_light_new(const struct lens_film *film, size_t passes,
-                                          size_t blocks, struct arena *arena)
+const struct irradiance_table *irradiance_table_new(const struct lens_film *film, size_t passes,
+                                                    size_t blocks, struct arena *arena)
 {
-    struct spare_light *light = ARENA_NEW(arena, struct spare_light);
+    struct irradiance_table *light = ARENA_NEW(arena, struct irradiance_table);
     struct film_samples *samples = ARENA_NEW(arena, struct film_samples);
     const struct rays rays = rays_new(arena, RAYS_BLOCK);
     struct lens_film aimed = *film;
@@ -33,7 +33,8 @@ const struct spare_light *spare_light_new(const struct lens_film *film, size_t p
     return light;
 }
 
-static double light_at(const struct spare_light *light, size_t wavelength, double x, double y)
+static double spare_light_at(const struct irradiance_table *light, size_t wavelength, double x,
+                             double y)
 {
     const double share = 1 - fmin(1, hypot(x, y) / light->largest);
     const double place = (ROWS - 1) * (1 - sqrt(share));
@@ -42,16 +43,16 @@ static double light_at(const struct spare_light *light, size_t wavelength, doubl
     return rows[0] + (place - row) * (rows[1] - rows[0]);
 }
 
-double spare_light_of(const struct spare_light *light, size_t wavelength,
-                      const struct film_plan *plan, size_t pixel)
+double irradiance_table_of(const struct irradiance_table *light, size_t wavelength,
+                           const struct film_plan *plan, size_t pixel)
 {
     const double across = plan->width / TILE_ACROSS, down = plan->height / TILE_DOWN;
     const double x = plan->left + plan->width - ((double)(pixel % TILE_ACROSS) + 0.5) * across;
     const double y = plan->bottom + ((double)(pixel / TILE_ACROSS) + 0.5) * down;
     const double dx = across / sqrt(12), dy = down / sqrt(12);
-    return (light_at(light, wavelength, x - dx, y - dy) +
-            light_at(light, wavelength, x + dx, y - dy) +
-            light_at(light, wavelength, x - dx, y + dy) +
-            light_at(light, wavelength, x + dx, y + dy)) /
+    return (spare_light_at(light, wavelength, x - dx, y - dy) +
+            spare_light_at(light, wavelength, x + dx, y - dy) +
+            spare_light_at(light, wavelength, x - dx, y + dy) +
+            spare_light_at(light, wavelength, x + dx, y + dy)) /
            4;
 }

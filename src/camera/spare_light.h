@@ -6,7 +6,7 @@
 #include "base/arena.h"
 #include "camera/lens_film.h"
 
-struct spare_light;
+struct irradiance_table;
 
 /*
  * Given     film    of a lens that is the same all around, and so is its shutter
@@ -14,8 +14,8 @@ struct spare_light;
  *           blocks  of rays for each number of the table
  * Result    E/L up to where light ends, closer to each other there
  */
-const struct spare_light *spare_light_new(const struct lens_film *film, size_t passes,
-                                          size_t blocks, struct arena *arena);
+const struct irradiance_table *irradiance_table_new(const struct lens_film *film, size_t passes,
+                                                    size_t blocks, struct arena *arena);
 
 /*
  * E/L of a pixel of a tile, sr: the mean over it.
@@ -24,7 +24,7 @@ const struct spare_light *spare_light_new(const struct lens_film *film, size_t p
  *           pixel  of TILE_PIXELS, in rows from the upper left of the picture
  * Formula   between numbers of the table linearly, at Gauss's four points of the pixel
  */
-double spare_light_of(const struct spare_light *light, size_t wavelength,
-                      const struct film_plan *plan, size_t pixel);
+double irradiance_table_of(const struct irradiance_table *light, size_t wavelength,
+                           const struct film_plan *plan, size_t pixel);
 
 #endif

@@ -13,22 +13,23 @@ enum { X, Y, AXES };
 /* Rays from one point all over its pupil, told from the one of its middle. */
 struct pupil_rays {
     size_t count;
-    struct relief_ray from[RAYS_BLOCK];
+    struct depth_card_ray from[RAYS_BLOCK];
     double weight[RAYS_BLOCK]; /* before they are evened out */
 };
 
-struct spare_net {
-    struct pupil_rays *pupil;               /* by pass */
-    struct relief_ray (*nodes)[RAYS_BLOCK]; /* by pass: in rows from the lower left of the film */
+struct reuse_grid {
+    struct pupil_rays *pupil; /* by pass */
+    struct depth_card_ray (
+        *nodes)[RAYS_BLOCK]; /* by pass: in rows from the lower left of the film */
     struct film_samples samples;
     struct rays rays;
 };
 
 enum { NODES_ACROSS = 16, NODES_DOWN = RAYS_BLOCK / NODES_ACROSS };
 
-struct spare_net *spare_net_new(size_t passes, struct arena *arena)
+struct reuse_grid *reuse_grid_new(size_t passes, struct arena *arena)
 {
-    struct spare_net *net = ARENA_NEW(arena, struct spare_net);
+    struct reuse_grid *net = ARENA_NEW(arena, struct reuse_grid);
     net->pupil = ARENA_ARRAY(arena, passes, struct pupil_rays);
     net->nodes = arena_array(arena, passes, sizeof *net->nodes);
     net->rays = rays_new(arena, RAYS_BLOCK);
@@ -38,7 +39,8 @@ struct spare_net *spare_net_new(size_t passes, struct arena *arena)
 /* -------- traced -------- */
 
 /* Trace the samples of the net. */
-static void trace(const struct spare *spare, size_t wavelength, struct spare_net *net)
+static void spare_net_trace(const struct ray_reuse *spare, size_t wavelength,
+                            struct reuse_grid *net)
 {
     spare->film->aim(spare->film, &net->samples, net->rays.blocks);
     lens_film_trace(spare->film, wavelength, &net->samples, &net->rays);
@@ -60,8 +62,8 @@ static void even_out(struct pupil_rays *pupil, double all)
 }
 
 /* Rays of a tile's middle, all over the pupil: how far they are from that of its middle. */
-static bool trace_pupil(const struct spare *spare, const struct film_plan *plan, size_t wavelength,
-                        struct spare_net *net)
+static bool trace_pupil(const struct ray_reuse *spare, const struct film_plan *plan,
+                        size_t wavelength, struct reuse_grid *net)
 {
     const struct film_plan middle = {.sobol = plan->sobol,
                                      .scrambling = {1, 2, 3, 4},
@@ -71,11 +73,11 @@ static bool trace_pupil(const struct spare *spare, const struct film_plan *plan,
     double all = 0;
     film_rays_plan(&middle, 0, SET_BEST, &net->samples);
     net->samples.u[0] = net->samples.v[0] = 0;
-    trace(spare, wavelength, net);
-    const struct relief_ray chief = subject_ray(net->rays.blocks, 0, spare->plane);
+    spare_net_trace(spare, wavelength, net);
+    const struct depth_card_ray chief = subject_ray(net->rays.blocks, 0, spare->plane);
     pupil->count = 0;
     for (size_t i = 1; i < RAYS_BLOCK; i++) {
-        const struct relief_ray ray = subject_ray(net->rays.blocks, i, spare->plane);
+        const struct depth_card_ray ray = subject_ray(net->rays.blocks, i, spare->plane);
         if (net->rays.blocks->lost[i] == 0 && net->samples.weight[i] > 0) {
             for (int k = X; k < AXES; k++) {
                 pupil->from[pupil->count].x[k] = ray.x[k] - chief.x[k];
@@ -90,8 +92,8 @@ static bool trace_pupil(const struct spare *spare, const struct film_plan *plan,
 }
 
 /* Rays through the middle of the pupil from a net over the tile; false: one is lost. */
-static bool trace_nodes(const struct spare *spare, const struct film_plan *plan, size_t wavelength,
-                        struct spare_net *net)
+static bool trace_nodes(const struct ray_reuse *spare, const struct film_plan *plan,
+                        size_t wavelength, struct reuse_grid *net)
 {
     memset(&net->samples, 0, sizeof net->samples);
     for (size_t i = 0; i < RAYS_BLOCK; i++) {
@@ -100,7 +102,7 @@ static bool trace_nodes(const struct spare *spare, const struct film_plan *plan,
         net->samples.x[i] = plan->left + across * plan->width;
         net->samples.y[i] = plan->bottom + down * plan->height;
     }
-    trace(spare, wavelength, net);
+    spare_net_trace(spare, wavelength, net);
     bool all = true;
     for (size_t i = 0; i < RAYS_BLOCK; i++) {
         all = all && net->rays.blocks->lost[i] == 0 && net->rays.blocks->r[i] < 0;
@@ -109,7 +111,8 @@ static bool trace_nodes(const struct spare *spare, const struct film_plan *plan,
     return all;
 }
 
-bool spare_net_trace(const struct spare *spare, const struct film_plan *plan, struct spare_net *net)
+bool reuse_grid_trace(const struct ray_reuse *spare, const struct film_plan *plan,
+                      struct reuse_grid *net)
 {
     bool all = true;
     for (size_t i = 0; i < spare->passes && all; i++) {
@@ -121,14 +124,15 @@ bool spare_net_trace(const struct spare *spare, const struct film_plan *plan, st
 /* -------- looked through -------- */
 
 /* Between four of the net. */
-static struct relief_ray ray_between(const struct relief_ray *nodes, double across, double down)
+static struct depth_card_ray ray_between(const struct depth_card_ray *nodes, double across,
+                                         double down)
 {
     const double x = across * (NODES_ACROSS - 1), y = down * (NODES_DOWN - 1);
     const int column = x < NODES_ACROSS - 2 ? (int)x : NODES_ACROSS - 2;
     const int row = y < NODES_DOWN - 2 ? (int)y : NODES_DOWN - 2;
     const double right = x - column, up = y - row;
-    const struct relief_ray *at = nodes + row * NODES_ACROSS + column;
-    struct relief_ray ray;
+    const struct depth_card_ray *at = nodes + row * NODES_ACROSS + column;
+    struct depth_card_ray ray;
     for (int k = X; k < AXES; k++) {
         const double a = at[0].x[k] + right * (at[1].x[k] - at[0].x[k]);
         const double b =
@@ -142,15 +146,17 @@ static struct relief_ray ray_between(const struct relief_ray *nodes, double acro
     return ray;
 }
 
-static struct card_light look(const struct spare *spare, const struct relief_ray *ray,
-                              enum relief_sight *sight)
+static struct card_light spare_net_look(const struct ray_reuse *spare,
+                                        const struct depth_card_ray *ray,
+                                        enum depth_card_sight *sight)
 {
     if (spare->relief != NULL) {
-        return relief_look(spare->relief, ray, sight);
+        return depth_card_look(spare->relief, ray, sight);
     }
     *sight = SIGHT_SEEN;
     const double w = 1 / spare->frame;
-    return card_look(spare->card, spare_seen_at(spare, ray, X, w), spare_seen_at(spare, ray, Y, w));
+    return card_look(spare->card, ray_reuse_seen_at(spare, ray, X, w),
+                     ray_reuse_seen_at(spare, ray, Y, w));
 }
 
 /* Points of the film alone leave as much noise as twice as many of film and pupil. */
@@ -160,16 +166,17 @@ enum { ENDED_EVERY = 16 };
 
 /* The light of samples' points of the film, through the net of its wavelength; false: the watch
    has ended it. */
-static bool look_through(const struct spare *spare, const struct spare_tile *tile,
-                         size_t wavelength, struct spare_net *net, uint64_t sights[RELIEF_SIGHTS],
-                         double (*sums)[CARD_CHANNELS])
+static bool spare_net_look_through(const struct ray_reuse *spare, const struct ray_reuse_tile *tile,
+                                   size_t wavelength, struct reuse_grid *net,
+                                   uint64_t sights[DEPTH_CARD_SIGHTS],
+                                   double (*sums)[CARD_CHANNELS])
 {
     const struct film_plan *plan = tile->plan;
-    const struct spare_pass *pass = &spare->pass[wavelength];
+    const struct ray_reuse_pass *pass = &spare->pass[wavelength];
     const struct pupil_rays *pupil = &net->pupil[wavelength];
     double weight[RAYS_BLOCK];
     for (size_t i = 0; i < RAYS_BLOCK; i++) {
-        weight[i] = OF_SAMPLES * spare_light_of(spare->light, wavelength, plan, i);
+        weight[i] = OF_SAMPLES * irradiance_table_of(spare->light, wavelength, plan, i);
     }
     for (uint32_t block = 0; block < tile->samples / OF_SAMPLES; block++) {
         if (block % ENDED_EVERY == 0 && !watch_ask(spare->watch)) {
@@ -181,13 +188,13 @@ static bool look_through(const struct spare *spare, const struct spare_tile *til
             const double down = (net->samples.y[i] - plan->bottom) / plan->height;
             const size_t pixel = tile_cell_of(plan, net->samples.x[i], net->samples.y[i]).pixel;
             const size_t of_pupil = (block + 37 * i) % pupil->count;
-            struct relief_ray ray = ray_between(net->nodes[wavelength], across, down);
+            struct depth_card_ray ray = ray_between(net->nodes[wavelength], across, down);
             for (int k = X; k < AXES; k++) {
                 ray.x[k] += pupil->from[of_pupil].x[k];
                 ray.slope[k] += pupil->from[of_pupil].slope[k];
             }
-            enum relief_sight sight;
-            const struct card_light light = look(spare, &ray, &sight);
+            enum depth_card_sight sight;
+            const struct card_light light = spare_net_look(spare, &ray, &sight);
             sights[sight]++;
             for (size_t k = pass->begin; k < pass->end; k++) {
                 sums[pixel][k] += weight[pixel] * (double)light.of[k];
@@ -197,12 +204,13 @@ static bool look_through(const struct spare *spare, const struct spare_tile *til
     return true;
 }
 
-bool spare_net_look(const struct spare *spare, const struct spare_tile *tile, struct spare_net *net,
-                    uint64_t sights[RELIEF_SIGHTS], double (*sums)[CARD_CHANNELS])
+bool reuse_grid_look(const struct ray_reuse *spare, const struct ray_reuse_tile *tile,
+                     struct reuse_grid *net, uint64_t sights[DEPTH_CARD_SIGHTS],
+                     double (*sums)[CARD_CHANNELS])
 {
     bool is_whole = true;
     for (size_t i = 0; i < spare->passes && is_whole; i++) {
-        is_whole = look_through(spare, tile, i, net, sights, sums);
+        is_whole = spare_net_look_through(spare, tile, i, net, sights, sums);
     }
     return is_whole;
 }

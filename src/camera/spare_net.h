@@ -6,8 +6,8 @@
 #include "camera/spare.h"
 
 /* What one thread looks through: a net for each wavelength. */
-struct spare_net;
-struct spare_net *spare_net_new(size_t passes, struct arena *arena);
+struct reuse_grid;
+struct reuse_grid *reuse_grid_new(size_t passes, struct arena *arena);
 
 /*
  * Trace the nets of a tile: rays through the middle of the pupil, and how far others of the tile's
@@ -15,16 +15,17 @@ struct spare_net *spare_net_new(size_t passes, struct arena *arena);
  *
  * Result    false: one of a net is lost, or the pupil is dark
  */
-bool spare_net_trace(const struct spare *spare, const struct film_plan *plan,
-                     struct spare_net *net);
+bool reuse_grid_trace(const struct ray_reuse *spare, const struct film_plan *plan,
+                      struct reuse_grid *net);
 
 /*
  * The light of half of the samples' points of the film, through nets that were traced.
  *
- * Given     sights, sums  as spare_take has them
+ * Given     sights, sums  as ray_reuse_take has them
  * Result    false: the watch has ended it
  */
-bool spare_net_look(const struct spare *spare, const struct spare_tile *tile, struct spare_net *net,
-                    uint64_t sights[RELIEF_SIGHTS], double (*sums)[CARD_CHANNELS]);
+bool reuse_grid_look(const struct ray_reuse *spare, const struct ray_reuse_tile *tile,
+                     struct reuse_grid *net, uint64_t sights[DEPTH_CARD_SIGHTS],
+                     double (*sums)[CARD_CHANNELS]);
 
 #endif

@@ -12,12 +12,12 @@ bool subject_meets(const struct ray_block *rays, size_t i, double distance, doub
     return rays->lost[i] == 0 && way > 0;
 }
 
-struct relief_ray subject_ray(const struct ray_block *rays, size_t i, double plane)
+struct depth_card_ray subject_ray(const struct ray_block *rays, size_t i, double plane)
 {
     const double slope[2] = {rays->p[i] / rays->r[i], rays->q[i] / rays->r[i]};
     const double way = plane - rays->z[i];
-    return (struct relief_ray){{rays->x[i] + way * slope[0], rays->y[i] + way * slope[1]},
-                               {slope[0], slope[1]}};
+    return (struct depth_card_ray){{rays->x[i] + way * slope[0], rays->y[i] + way * slope[1]},
+                                   {slope[0], slope[1]}};
 }
 
 static void take_light(struct card_light from, double light[SUBJECT_CHANNELS])
@@ -28,7 +28,7 @@ static void take_light(struct card_light from, double light[SUBJECT_CHANNELS])
 }
 
 static void look_at_card(const struct subject *subject, const struct subject_rays *rays,
-                         uint64_t sights[RELIEF_SIGHTS], subject_light light)
+                         uint64_t sights[DEPTH_CARD_SIGHTS], subject_light light)
 {
     (void)sights;
     memset(light, 0, sizeof(subject_light));
@@ -41,22 +41,22 @@ static void look_at_card(const struct subject *subject, const struct subject_ray
 }
 
 static void look_at_relief(const struct subject *subject, const struct subject_rays *rays,
-                           uint64_t sights[RELIEF_SIGHTS], subject_light light)
+                           uint64_t sights[DEPTH_CARD_SIGHTS], subject_light light)
 {
     const struct ray_block *block = rays->block;
     memset(light, 0, sizeof(subject_light));
     for (size_t i = 0; i < RAYS_BLOCK; i++) {
         if (block->lost[i] == 0 && block->r[i] < 0) {
-            const struct relief_ray ray = subject_ray(block, i, subject->relief->pupil);
-            enum relief_sight sight;
-            take_light(relief_look(subject->relief, &ray, &sight), light[i]);
+            const struct depth_card_ray ray = subject_ray(block, i, subject->relief->pupil);
+            enum depth_card_sight sight;
+            take_light(depth_card_look(subject->relief, &ray, &sight), light[i]);
             sights[sight]++;
         }
     }
 }
 
 static void look_into_scene(const struct subject *subject, const struct subject_rays *rays,
-                            uint64_t sights[RELIEF_SIGHTS], subject_light light)
+                            uint64_t sights[DEPTH_CARD_SIGHTS], subject_light light)
 {
     const struct view *view = subject->view;
     const struct ray_block *block = rays->block;
@@ -85,7 +85,7 @@ struct subject subject_card(const struct card *card)
     return (struct subject){.look = look_at_card, .card = card};
 }
 
-struct subject subject_relief(const struct relief *relief)
+struct subject subject_relief(const struct depth_card *relief)
 {
     return (struct subject){.look = look_at_relief, .relief = relief};
 }

@@ -27,7 +27,7 @@ typedef double subject_light[RAYS_BLOCK][SUBJECT_CHANNELS];
 
 struct subject;
 typedef void subject_look(const struct subject *subject, const struct subject_rays *rays,
-                          uint64_t sights[RELIEF_SIGHTS], subject_light light);
+                          uint64_t sights[DEPTH_CARD_SIGHTS], subject_light light);
 
 /* One of these; read-only afterwards: threads share it. */
 struct subject {
@@ -35,12 +35,12 @@ struct subject {
        what they found out. */
     subject_look *look;
     const struct card *card;
-    const struct relief *relief;
+    const struct depth_card *relief;
     const struct view *view;
 };
 
 struct subject subject_card(const struct card *card);
-struct subject subject_relief(const struct relief *relief);
+struct subject subject_relief(const struct depth_card *relief);
 /* Light of the lanes that rays carry: linear sRGB, cd/m^2. */
 struct subject subject_scene(const struct view *view);
 
@@ -53,6 +53,6 @@ struct subject subject_scene(const struct view *view);
 bool subject_meets(const struct ray_block *rays, size_t i, double distance, double at[2]);
 
 /* A ray of a block, told where it passes the plane so far behind the first vertex. */
-struct relief_ray subject_ray(const struct ray_block *rays, size_t i, double plane);
+struct depth_card_ray subject_ray(const struct ray_block *rays, size_t i, double plane);
 
 #endif

@@ -7,14 +7,14 @@
 enum { X, Y };
 
 /* The middle of where they start, and of where they go, in the lens's coordinates. */
-static struct ray_block middle_of(const struct tile_rims *rims)
+static struct ray_block tile_backdrop_middle_of(const struct tile_rims *rims)
 {
     struct ray_block middle = {.z = {0}};
     double count = 0;
     for (size_t pass = 0; pass < rims->passes; pass++) {
         for (size_t i = 0; i < RAYS_BLOCK; i++) {
             if (rims->passed[pass][i]) {
-                const struct relief_ray *ray = &rims->ray[pass][i];
+                const struct depth_card_ray *ray = &rims->ray[pass][i];
                 const double r =
                     -1 / sqrt(1 + ray->slope[X] * ray->slope[X] + ray->slope[Y] * ray->slope[Y]);
                 middle.x[0] += ray->x[X];
@@ -34,14 +34,14 @@ static struct ray_block middle_of(const struct tile_rims *rims)
 /* The same in the scene, with what is around them. */
 static struct backdrop_rays rays_of(const struct view *view, const struct tile_rims *rims)
 {
-    const struct ray_block middle = middle_of(rims);
+    const struct ray_block middle = tile_backdrop_middle_of(rims);
     const struct vector way = vector_unit((struct vector){middle.p[0], middle.q[0], middle.r[0]});
     const struct world_ray ray = view_ray(&view->camera, view->pupil, &middle, 0, 0);
     struct backdrop_rays rays = {.center = ray.origin, .direction = ray.direction};
     for (size_t pass = 0; pass < rims->passes; pass++) {
         for (size_t i = 0; i < RAYS_BLOCK; i++) {
             if (rims->passed[pass][i]) {
-                const struct relief_ray *rim = &rims->ray[pass][i];
+                const struct depth_card_ray *rim = &rims->ray[pass][i];
                 const struct vector along = {-rim->slope[X], -rim->slope[Y], -1};
                 rays.radius =
                     fmax(rays.radius, hypot(rim->x[X] - middle.x[0], rim->x[Y] - middle.y[0]));

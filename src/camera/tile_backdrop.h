@@ -11,9 +11,9 @@
 /* Rays from the corners of a tile within the rims of their pupils, after the lens. */
 struct tile_rims {
     size_t passes;
-    struct relief_ray (*ray)[RAYS_BLOCK]; /* by pass: told where they pass one plane */
-    bool (*passed)[RAYS_BLOCK];           /* which are not lost */
-    double before;                        /* how far from there they start, at most, mm */
+    struct depth_card_ray (*ray)[RAYS_BLOCK]; /* by pass: told where they pass one plane */
+    bool (*passed)[RAYS_BLOCK];               /* which are not lost */
+    double before;                            /* how far from there they start, at most, mm */
     double around; /* what is added to where they start and go, of its size, on each side */
 };
 

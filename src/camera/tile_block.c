@@ -15,7 +15,8 @@ void tile_block_trace(const struct tile_rays *tile, const struct film_plan *plan
 }
 
 /* When the rays of a block come: evenly within the time that each has, the middle of all at 0. */
-static void time_rays(const struct tile_rays *tile, uint32_t block, struct tile_room *room)
+static void tile_block_time_rays(const struct tile_rays *tile, uint32_t block,
+                                 struct tile_room *room)
 {
     const double duration = tile->duration;
     if (duration > 0) {
@@ -32,7 +33,7 @@ static void time_rays(const struct tile_rays *tile, uint32_t block, struct tile_
 void tile_block_look(const struct tile_rays *tile, uint32_t block, const struct lanes *lanes,
                      struct tile_room *room)
 {
-    time_rays(tile, block, room);
+    tile_block_time_rays(tile, block, room);
     const struct subject_rays rays = {.block = room->rays.blocks,
                                       .weights = room->samples.weight,
                                       .times = room->times,

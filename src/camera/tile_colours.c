@@ -17,14 +17,14 @@ struct round {
 };
 
 struct tile_colours {
-    struct fringes_room *fringes;
+    struct lateral_colour_room *fringes;
     struct round round;
 };
 
 struct tile_colours *tile_colours_new(size_t passes, struct arena *arena)
 {
     struct tile_colours *colours = ARENA_NEW(arena, struct tile_colours);
-    colours->fringes = fringes_room_new(passes, arena);
+    colours->fringes = lateral_colour_room_new(passes, arena);
     return colours;
 }
 
@@ -37,7 +37,7 @@ void tile_colours_begin(struct tile_room *room)
 /* Samples of a round, whose weights are compared, and of all rounds before it. */
 enum { FIRST_ROUND = 8 };
 
-static size_t middle_of(const struct tile_rays *tile)
+static size_t tile_colours_middle_of(const struct tile_rays *tile)
 {
     return tile->passes / 2;
 }
@@ -49,7 +49,7 @@ static void trace_own(const struct tile_rays *tile, const struct film_plan *plan
     struct round *round = &room->colours->round;
     const struct film_samples *samples = &room->samples;
     for (size_t wavelength = 0; wavelength < tile->passes; wavelength++) {
-        const struct spare_pass *pass = &tile->pass[wavelength];
+        const struct ray_reuse_pass *pass = &tile->pass[wavelength];
         tile_block_trace(tile, plan, block, wavelength, room);
         for (size_t i = 0; i < RAYS_BLOCK; i++) {
             double *own = round->own[tile_cell_of(plan, samples->x[i], samples->y[i]).pixel];
@@ -65,7 +65,7 @@ static void trace_own(const struct tile_rays *tile, const struct film_plan *plan
 static void move_points(const struct film_plan *plan, struct tile_room *room,
                         struct tile_cell cells[RAYS_BLOCK])
 {
-    const struct fringes *fringes = room->fringes;
+    const struct lateral_colour *fringes = room->fringes;
     struct film_samples *samples = &room->samples;
     const double wide = plan->width / TILE_ACROSS, high = plan->height / TILE_DOWN;
     const double more_x = (fringes->high[0] - fringes->low[0]) / wide;
@@ -85,15 +85,17 @@ static bool shows_same(const struct film_plan *plan, const struct tile_room *roo
 {
     const double across = (room->samples.x[i] - plan->left) / plan->width;
     const double up = (room->samples.y[i] - plan->bottom) / plan->height;
-    const double x = across - fringes_moved(room->fringes, wavelength, 0, across, up) / plan->width;
-    const double y = up - fringes_moved(room->fringes, wavelength, 1, across, up) / plan->height;
+    const double x =
+        across - lateral_colour_moved(room->fringes, wavelength, 0, across, up) / plan->width;
+    const double y =
+        up - lateral_colour_moved(room->fringes, wavelength, 1, across, up) / plan->height;
     const double column = TILE_ACROSS * x - (double)cell->column;
     const double row = TILE_DOWN * y - (double)cell->row;
     return column >= 0 && column < 1 && row >= 0 && row < 1;
 }
 
 /* What a ray of the middle adds for a wavelength. */
-static void add_shared(const struct spare_pass *pass, size_t pixel, double weight,
+static void add_shared(const struct ray_reuse_pass *pass, size_t pixel, double weight,
                        const double *light, bool is_same, struct round *round)
 {
     for (size_t k = pass->begin; k < pass->end; k++) {
@@ -116,7 +118,7 @@ static void sum_shared(const struct tile_rays *tile, const struct film_plan *pla
     trace_own(tile, plan, block, room);
     move_points(plan, room, cells);
     lens_film_start(tile->film, &room->samples, room->rays.blocks);
-    lens_film_trace(tile->film, middle_of(tile), &room->samples, &room->rays);
+    lens_film_trace(tile->film, tile_colours_middle_of(tile), &room->samples, &room->rays);
     tile_block_look(tile, block, &lanes, room);
     for (size_t i = 0; i < RAYS_BLOCK; i++) {
         const double weight = room->samples.weight[i];
@@ -147,13 +149,13 @@ static void complete_round(struct tile_room *room)
 bool tile_colours_share(const struct tile_rays *tile, const struct film_plan *plan,
                         struct tile_room *room)
 {
-    const struct fringes_question question = {
+    const struct lateral_colour_question question = {
         tile->film,
         tile->passes,
-        middle_of(tile),
+        tile_colours_middle_of(tile),
         {plan->width / TILE_ACROSS, plan->height / TILE_DOWN}};
     if (tile->may_share && tile->subject.view != NULL && !tile_rays_in_bands(tile)) {
-        room->fringes = fringes_find(&question, plan, room->colours->fringes);
+        room->fringes = lateral_colour_find(&question, plan, room->colours->fringes);
     }
     return room->fringes != NULL;
 }

@@ -20,7 +20,7 @@ enum {
 /* -------- made ready -------- */
 
 /* Do all wavelengths go the same way? */
-static bool is_alike(const struct lens_film *film, size_t wavelengths)
+static bool tile_rays_is_alike(const struct lens_film *film, size_t wavelengths)
 {
     const size_t media = film->systems[0]->lens->surface_count + 1;
     bool alike = true;
@@ -33,27 +33,27 @@ static bool is_alike(const struct lens_film *film, size_t wavelengths)
 }
 
 /* What the wavelengths of the question are for. */
-static const struct spare_pass *passes_of(const struct photograph_question *question, size_t passes,
-                                          struct arena *arena)
+static const struct ray_reuse_pass *passes_of(const struct photograph_question *question,
+                                              size_t passes, struct arena *arena)
 {
     const struct setup *setup = question->film.setup;
     const size_t parts = question->is_coloured && passes > 1 ? TILE_CHANNELS : 1;
     const size_t waves = passes / parts, channels = TILE_CHANNELS / parts;
-    struct spare_pass *pass = ARENA_ARRAY(arena, passes, struct spare_pass);
+    struct ray_reuse_pass *pass = ARENA_ARRAY(arena, passes, struct ray_reuse_pass);
     for (size_t i = 0; i < passes; i++) {
         double all = 0;
         for (size_t k = 0; k < waves; k++) {
             all += setup->wavelengths[i / waves * waves + k].weight;
         }
-        pass[i] = (struct spare_pass){.begin = i / waves * channels,
-                                      .end = (i / waves + 1) * channels,
-                                      .share = setup->wavelengths[i].weight / all};
+        pass[i] = (struct ray_reuse_pass){.begin = i / waves * channels,
+                                          .end = (i / waves + 1) * channels,
+                                          .share = setup->wavelengths[i].weight / all};
     }
     return pass;
 }
 
 /* The least bits of strands for so many samples. */
-static uint32_t bits_of(size_t samples)
+static uint32_t tile_rays_bits_of(size_t samples)
 {
     uint32_t bits = 0;
     while (bits < 32 - SOBOL_LOW && (size_t)1 << bits < samples) {
@@ -64,7 +64,7 @@ static uint32_t bits_of(size_t samples)
 
 const struct sampler_table *tile_rays_points(size_t samples, struct arena *arena)
 {
-    return sampler_table_new(PATH_DIMENSION, bits_of(samples), arena);
+    return sampler_table_new(PATH_DIMENSION, tile_rays_bits_of(samples), arena);
 }
 
 void tile_rays_open_points(struct tile_rays *tile, uint32_t bits)
@@ -85,8 +85,8 @@ void tile_rays_open(const struct photograph_question *question, const struct len
                     struct arena *arena, struct tile_rays *tile)
 {
     const size_t wavelengths = question->film.setup->wavelength_count;
-    const bool as_one = wavelengths == 1 ||
-                        (!skip_is_kept(question->kept, SKIP_COLOUR) && is_alike(film, wavelengths));
+    const bool as_one = wavelengths == 1 || (!skip_is_kept(question->kept, SKIP_COLOUR) &&
+                                             tile_rays_is_alike(film, wavelengths));
     *tile = (struct tile_rays){.film = film,
                                .passes = as_one ? 1 : wavelengths,
                                .may_share = !as_one && !skip_is_kept(question->kept, SKIP_COLOUR),
@@ -94,7 +94,7 @@ void tile_rays_open(const struct photograph_question *question, const struct len
                                .in_strands = question->view != NULL,
                                .seed = question->seed};
     tile->pass = passes_of(question, tile->passes, arena);
-    tile_rays_open_points(tile, bits_of(question->samples));
+    tile_rays_open_points(tile, tile_rays_bits_of(question->samples));
 }
 
 struct tile_room *tile_room_new(size_t passes, struct arena *arena)
@@ -108,15 +108,15 @@ struct tile_room *tile_room_new(size_t passes, struct arena *arena)
 /* -------- rays -------- */
 
 /* How a block of rays goes: at which wavelength of the lens, in which bands, for whom. */
-struct way {
+struct tile_rays_way {
     size_t wavelength;
     struct lanes lanes;
-    struct spare_pass pass;
+    struct ray_reuse_pass pass;
 };
 
 /* What one ray brings to its pixel. */
-static void add_ray(const struct film_plan *plan, const struct spare_pass *pass, size_t i,
-                    struct tile_room *room)
+static void tile_rays_add_ray(const struct film_plan *plan, const struct ray_reuse_pass *pass,
+                              size_t i, struct tile_room *room)
 {
     const struct film_samples *samples = &room->samples;
     double *sums = room->sums[tile_cell_of(plan, samples->x[i], samples->y[i]).pixel];
@@ -129,12 +129,12 @@ static void add_ray(const struct film_plan *plan, const struct spare_pass *pass,
 
 /* A block of points, of one wavelength of the lens, in the bands of these lanes. */
 static void sum_block(const struct tile_rays *tile, const struct film_plan *plan, uint32_t block,
-                      const struct way *way, struct tile_room *room)
+                      const struct tile_rays_way *way, struct tile_room *room)
 {
     tile_block_trace(tile, plan, block, way->wavelength, room);
     tile_block_look(tile, block, &way->lanes, room);
     for (size_t i = 0; i < RAYS_BLOCK; i++) {
-        add_ray(plan, &way->pass, i, room);
+        tile_rays_add_ray(plan, &way->pass, i, room);
     }
 }
 
@@ -151,7 +151,7 @@ static void sum_bands(const struct tile_rays *tile, const struct film_plan *plan
     /* blocks are points of a sequence too: those of their first places */
     const uint32_t point = block * SOBOL_BLOCK;
     const double hero = sobol_point(&tile->hero, room->hero, point);
-    struct way way = {.pass = {0, TILE_CHANNELS, (double)count / BANDS_LANES}};
+    struct tile_rays_way way = {.pass = {0, TILE_CHANNELS, (double)count / BANDS_LANES}};
     for (size_t lane = 0; lane < BANDS_LANES; lane++) {
         const size_t band = (size_t)((double)count * (((double)lane + hero) / BANDS_LANES));
         if (tile->passes > 1) {
@@ -186,7 +186,7 @@ void tile_rays_sum(const struct tile_rays *tile, const struct film_plan *plan, s
     }
     /* the same points for all channels: what is left of noise is grey */
     for (size_t pass = 0; pass < tile->passes && !tile_rays_in_bands(tile); pass++) {
-        struct way way = {.wavelength = pass, .pass = tile->pass[pass]};
+        struct tile_rays_way way = {.wavelength = pass, .pass = tile->pass[pass]};
         for (size_t k = way.pass.begin; k < way.pass.end; k++) {
             way.lanes.band[way.lanes.count++] = k;
         }

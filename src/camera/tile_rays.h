@@ -14,7 +14,7 @@ struct tile_rays {
     const struct lens_film *film;
     struct subject subject;
     size_t passes; /* one a wavelength, or one for all where nothing disperses */
-    const struct spare_pass *pass;
+    const struct ray_reuse_pass *pass;
     bool may_share;  /* rays of one wavelength may stand for those of all */
     double duration; /* of photograph_question */
     uint64_t seed;
@@ -30,9 +30,9 @@ struct tile_room {
     struct rays rays;
     subject_light light;
     struct tile_colours *colours;
-    const struct fringes *fringes;    /* of a tile whose colours share their rays; else null */
-    unsigned char cells[RAYS_BLOCK];  /* of a tile in strands: the pixels that they are of */
-    double times[RAYS_BLOCK];         /* when each ray comes, s; all 0 where nothing needs it */
+    const struct lateral_colour *fringes; /* of a tile whose colours share their rays; else null */
+    unsigned char cells[RAYS_BLOCK];      /* of a tile in strands: the pixels that they are of */
+    double times[RAYS_BLOCK];             /* when each ray comes, s; all 0 where nothing needs it */
     uint32_t when, hero;              /* the tile's scramblings of them, and of bands of blocks */
     struct sampler_sequence sequence; /* of the tile: what rays decide by in a scene */
     double sums[TILE_PIXELS][TILE_CHANNELS];

@@ -14,14 +14,14 @@ enum { ENDED_EVERY = 8 };
 struct room {
     struct tile_room *tile;
     double half[TILE_PIXELS][TILE_CHANNELS];
-    struct spare_room *spare;
+    struct ray_reuse_room *spare;
 };
 
-static struct room *room_of(size_t passes, struct arena *arena)
+static struct room *tile_work_room_of(size_t passes, struct arena *arena)
 {
     struct room *room = ARENA_NEW(arena, struct room);
     room->tile = tile_room_new(passes, arena);
-    room->spare = spare_room_new(passes, arena);
+    room->spare = ray_reuse_room_new(passes, arena);
     return room;
 }
 
@@ -41,7 +41,7 @@ static struct film_plan plan_of(const struct tile_work *work, size_t column, siz
 }
 
 /* Does light reach any of it? */
-static bool is_lit(const struct film_plan *plan, double largest)
+static bool tile_work_is_lit(const struct film_plan *plan, double largest)
 {
     const double x = fmax(0, fmax(plan->left, -plan->left - plan->width));
     const double y = fmax(0, fmax(plan->bottom, -plan->bottom - plan->height));
@@ -49,7 +49,7 @@ static bool is_lit(const struct film_plan *plan, double largest)
 }
 
 /* Is the picture to end here? */
-static bool is_over(const struct tile_work *work)
+static bool tile_work_is_over(const struct tile_work *work)
 {
     const struct photograph_question *question = work->question;
     return !watch_ask(question->watch) || (work->is_timed && question->is_over(question->clock));
@@ -60,7 +60,7 @@ static bool sum(const struct tile_work *work, const struct film_plan *plan, size
                 size_t end, struct room *room)
 {
     for (size_t i = begin; i < end; i += ENDED_EVERY) {
-        if (i > begin && is_over(work)) {
+        if (i > begin && tile_work_is_over(work)) {
             return false;
         }
         const size_t last = i + ENDED_EVERY < end ? i + ENDED_EVERY : end;
@@ -70,7 +70,8 @@ static bool sum(const struct tile_work *work, const struct film_plan *plan, size
 }
 
 /* How far the halves of a tile are from each other, as a multiple of the error asked for. */
-static double error_of(const struct tile_work *work, const struct room *room, double samples)
+static double tile_work_error_of(const struct tile_work *work, const struct room *room,
+                                 double samples)
 {
     const double *first = (const double *)room->half, *both = (const double *)room->tile->sums;
     const size_t count = TILE_PIXELS * TILE_CHANNELS;
@@ -84,7 +85,7 @@ static double error_of(const struct tile_work *work, const struct room *room, do
 static size_t sum_until(const struct tile_work *work, const struct film_plan *plan,
                         struct room *room)
 {
-    const double least = small_lights_samples(&work->small, &work->rays, plan, room->tile);
+    const double least = small_emitters_samples(&work->small, &work->rays, plan, room->tile);
     size_t samples = CONVERGENCE_LEAST / 2;
     double error = INFINITY;
     bool is_whole = sum(work, plan, 0, samples, room);
@@ -93,7 +94,7 @@ static size_t sum_until(const struct tile_work *work, const struct film_plan *pl
          samples *= 2) {
         memcpy(room->half, room->tile->sums, sizeof room->half);
         is_whole = sum(work, plan, samples, 2 * samples, room);
-        error = error_of(work, room, (double)samples);
+        error = tile_work_error_of(work, room, (double)samples);
     }
     convergence_add(room->tile->counts + PHOTOGRAPH_CONVERGENCE, error, samples);
     return is_whole ? samples : 0;
@@ -112,8 +113,9 @@ static size_t sum_stage(const struct tile_work *work, const struct film_plan *pl
     }
     memcpy(stage->sums, room->tile->sums, sizeof stage->sums);
     stage->samples = samples;
-    stage->error =
-        before > 0 && work->question->error > 0 ? error_of(work, room, (double)before) : INFINITY;
+    stage->error = before > 0 && work->question->error > 0
+                       ? tile_work_error_of(work, room, (double)before)
+                       : INFINITY;
     return samples;
 }
 
@@ -124,19 +126,19 @@ static bool is_last_stage(const struct tile_work *work, const struct tile_stage 
 }
 
 /* What a tile comes to; it is taken already if that needs none of its rays. */
-static enum spare_way way_of(const struct tile_work *work, const struct film_plan *plan,
-                             struct room *room)
+static enum ray_reuse_way tile_work_way_of(const struct tile_work *work,
+                                           const struct film_plan *plan, struct room *room)
 {
     struct tile_room *tile = room->tile;
     const size_t samples = work->question->samples;
-    const struct spare_tile spared = {plan, samples};
-    enum spare_way way = SPARE_TRACED;
+    const struct ray_reuse_tile spared = {plan, samples};
+    enum ray_reuse_way way = RAY_REUSE_TRACED;
     if (work->spare != NULL) {
-        way = spare_take(work->spare, &spared, room->spare, tile->counts, tile->sums);
+        way = ray_reuse_take(work->spare, &spared, room->spare, tile->counts, tile->sums);
     }
-    return way == SPARE_TRACED && samples >= TILE_FEW_SAMPLES &&
+    return way == RAY_REUSE_TRACED && samples >= TILE_FEW_SAMPLES &&
                    tile_colours_share(&work->rays, plan, tile)
-               ? SPARE_SHARED
+               ? RAY_REUSE_SHARED
                : way;
 }
 
@@ -146,15 +148,15 @@ static size_t sum_tile(const struct tile_work *work, struct film_plan *plan, siz
 {
     const struct photograph_question *question = work->question;
     tile_rays_begin(&work->rays, tile, plan, room->tile);
-    const enum spare_way way = way_of(work, plan, room);
-    if (way == SPARE_ENDED) {
+    const enum ray_reuse_way way = tile_work_way_of(work, plan, room);
+    if (way == RAY_REUSE_ENDED) {
         return 0;
     }
     room->tile->counts[PHOTOGRAPH_WAYS + way] += stage == NULL || stage->samples == 0;
     if (stage != NULL) {
         return sum_stage(work, plan, stage, room);
     }
-    if (way == SPARE_SHARP || way == SPARE_EVEN) {
+    if (way == RAY_REUSE_SHARP || way == RAY_REUSE_EVEN) {
         return question->samples;
     }
     if (question->error > 0) {
@@ -169,12 +171,12 @@ static size_t sum_tile(const struct tile_work *work, struct film_plan *plan, siz
    before. */
 static bool take_tile(const struct tile_work *work, size_t tile, struct room *room)
 {
-    const struct tiling *tiling = &work->tiling;
+    const struct tile_grid *tiling = &work->tiling;
     float pixels[TILE_PIXELS][TILE_CHANNELS];
     size_t column, row;
     tiling_begin(tiling, tile, &column, &row);
     struct film_plan plan = plan_of(work, column, row);
-    if (!is_lit(&plan, work->rays.film->region.largest)) {
+    if (!tile_work_is_lit(&plan, work->rays.film->region.largest)) {
         return true;
     }
     struct tile_stage *stage = work->stages != NULL ? &work->stages[tile] : NULL;
@@ -206,7 +208,7 @@ static bool try_tile(const struct tile_work *work, size_t tile, struct room *roo
 }
 
 /* Is there time for another stage of a tile that has had one? */
-static bool goes_on(const struct tile_work *work, size_t tile)
+static bool tile_work_goes_on(const struct tile_work *work, size_t tile)
 {
     const struct photograph_question *question = work->question;
     return work->stages != NULL && work->stages[tile].samples > 0 &&
@@ -218,7 +220,7 @@ void tile_work_take(void *context, const struct parallel_piece *piece)
     const struct tile_work *work = context;
     struct watch *watch = work->question->watch;
     const struct arena_mark mark = arena_mark(piece->arena);
-    struct room *room = room_of(work->rays.passes, piece->arena);
+    struct room *room = tile_work_room_of(work->rays.passes, piece->arena);
     for (size_t i = piece->begin; i < piece->end && !watch_is_ended(watch); i++) {
         const size_t tile = work->first + i;
         if (work->done[tile] == 0) {
@@ -226,7 +228,7 @@ void tile_work_take(void *context, const struct parallel_piece *piece)
                 work->done[tile] = 1;
                 watch_add(watch, TILE_PIXELS);
             }
-        } else if (goes_on(work, tile)) {
+        } else if (tile_work_goes_on(work, tile)) {
             try_tile(work, tile, room);
         }
     }

@@ -25,15 +25,15 @@ struct tile_stage {
 /* What the tiles of a picture have in common, and where they leave what they come to. */
 struct tile_work {
     const struct photograph_question *question;
-    struct tiling tiling; /* of it */
+    struct tile_grid tiling; /* of it */
     struct tile_rays rays;
-    const struct spare *spare;    /* null: all is traced */
-    double scale;                 /* (n'/n)^2, n of the scene */
-    double unit;                  /* of means, in errors that are asked for */
-    struct convergence_goal goal; /* of scenes */
-    struct small_lights small;    /* of scenes: tiles that may see one are not ended before */
-    bool is_timed;                /* all tiles have had the first of their stages */
-    size_t first;                 /* tile of the slice that is taken */
+    const struct ray_reuse *spare; /* null: all is traced */
+    double scale;                  /* (n'/n)^2, n of the scene */
+    double unit;                   /* of means, in errors that are asked for */
+    struct convergence_goal goal;  /* of scenes */
+    struct small_emitters small;   /* of scenes: tiles that may see one are not ended before */
+    bool is_timed;                 /* all tiles have had the first of their stages */
+    size_t first;                  /* tile of the slice that is taken */
     /* by tile, each its own thread's */
     unsigned char *done;
     struct tile_stage *stages; /* where somebody waits; else null */

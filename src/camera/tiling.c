@@ -2,9 +2,9 @@
 /* SPDX-License-Identifier: MIT */
 #include "camera/tiling.h"
 
-struct tiling tiling_of(size_t columns, size_t rows, struct image_area crop)
+struct tile_grid tiling_of(size_t columns, size_t rows, struct image_area crop)
 {
-    struct tiling tiling = {.crop = crop, .frame = (columns + TILE_ACROSS - 1) / TILE_ACROSS};
+    struct tile_grid tiling = {.crop = crop, .frame = (columns + TILE_ACROSS - 1) / TILE_ACROSS};
     if (crop.width == 0) {
         tiling.crop = crop = (struct image_area){0, 0, columns, rows};
     }
@@ -15,13 +15,13 @@ struct tiling tiling_of(size_t columns, size_t rows, struct image_area crop)
     return tiling;
 }
 
-void tiling_begin(const struct tiling *tiling, size_t tile, size_t *column, size_t *row)
+void tiling_begin(const struct tile_grid *tiling, size_t tile, size_t *column, size_t *row)
 {
     *column = (tiling->left + tile % tiling->across) * TILE_ACROSS;
     *row = (tiling->top + tile / tiling->across) * TILE_DOWN;
 }
 
-void tiling_copy(const struct tiling *tiling, const struct image *image, size_t tile,
+void tiling_copy(const struct tile_grid *tiling, const struct image *image, size_t tile,
                  enum tile_way way, float pixels[TILE_PIXELS][TILE_CHANNELS])
 {
     const struct image_area *crop = &tiling->crop;

@@ -15,7 +15,7 @@ enum {
 };
 
 /* Of a frame, those that a crop of it lies in: in rows from the crop's top left. */
-struct tiling {
+struct tile_grid {
     struct image_area crop;
     size_t frame;     /* tiles across the frame */
     size_t left, top; /* the first one's column and row among them */
@@ -23,15 +23,15 @@ struct tiling {
 };
 
 /* Given: crop  pixels that are taken; no width: all of the frame */
-struct tiling tiling_of(size_t columns, size_t rows, struct image_area crop);
+struct tile_grid tiling_of(size_t columns, size_t rows, struct image_area crop);
 
 /* Where a tile of the crop begins in the frame: column and row of pixels. */
-void tiling_begin(const struct tiling *tiling, size_t tile, size_t *column, size_t *row);
+void tiling_begin(const struct tile_grid *tiling, size_t tile, size_t *column, size_t *row);
 
 enum tile_way { TILE_FROM_PICTURE, TILE_TO_PICTURE };
 
 /* A tile's channels between a picture of the crop and an array by itself, 0 outside the crop. */
-void tiling_copy(const struct tiling *tiling, const struct image *image, size_t tile,
+void tiling_copy(const struct tile_grid *tiling, const struct image *image, size_t tile,
                  enum tile_way way, float pixels[TILE_PIXELS][TILE_CHANNELS]);
 
 #endif

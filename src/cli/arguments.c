@@ -4,7 +4,7 @@
 
 #include <string.h>
 
-static void list_options(struct arguments *arguments, struct arena *arena)
+static void arguments_list_options(struct arguments *arguments, struct arena *arena)
 {
     const struct command *command = arguments->command;
     size_t own = command->option_count + command->artifact_count;
@@ -22,7 +22,7 @@ static void list_options(struct arguments *arguments, struct arena *arena)
 }
 
 /* As people write option names: '_' may stand for '-'. */
-static bool is_called(const struct option *option, struct text name)
+static bool arguments_is_called(const struct option *option, struct text name)
 {
     const char *known = option->name;
     size_t at = 0;
@@ -36,7 +36,7 @@ static bool is_called(const struct option *option, struct text name)
 struct argument *arguments_find(const struct arguments *arguments, struct text name)
 {
     for (size_t i = 0; i < arguments->count; i++) {
-        if (is_called(arguments->all[i].option, name)) {
+        if (arguments_is_called(arguments->all[i].option, name)) {
             return &arguments->all[i];
         }
     }
@@ -49,7 +49,7 @@ bool arguments_given(const struct arguments *arguments, const char *name)
     return argument != NULL && argument->is_given;
 }
 
-static struct argument *find_letter(const struct arguments *arguments, char letter)
+static struct argument *arguments_find_letter(const struct arguments *arguments, char letter)
 {
     for (size_t i = 0; i < arguments->count; i++) {
         if (arguments->all[i].option->letter == letter && letter != '\0') {
@@ -113,20 +113,20 @@ static const struct option *meant_by(const struct arguments *arguments, struct t
     return NULL;
 }
 
-static bool unknown(const struct arguments *arguments, struct text name, const char *dashes,
-                    struct error *error)
+static bool arguments_unknown(const struct arguments *arguments, struct text name,
+                              const char *dashes, struct error *error)
 {
     struct nearest nearest = {.typed = name};
     for (size_t i = 0; i < common_option_count; i++) {
         const char *why = command_has_no_use(arguments->command, &common_options[i]);
-        if (why != NULL && is_called(&common_options[i], name)) {
+        if (why != NULL && arguments_is_called(&common_options[i], name)) {
             return fail(error, ERROR_USAGE, "--%s does nothing here: %s %s", common_options[i].name,
                         arguments->command->name, why);
         }
     }
     const struct command *other = arguments->command->other;
     for (size_t i = 1; other != NULL && i < other->option_count; i++) {
-        if (is_called(&other->options[i], name)) {
+        if (arguments_is_called(&other->options[i], name)) {
             return fail(error, ERROR_USAGE, "--%s needs --%s", other->options[i].name,
                         other->options[0].name);
         }
@@ -160,7 +160,8 @@ static bool is_flag(const struct argument *argument)
 }
 
 /* One more word behind those that an argument has; they may be many. */
-static void append(struct argument *argument, char between, struct text word, struct arena *arena)
+static void arguments_append(struct argument *argument, char between, struct text word,
+                             struct arena *arena)
 {
     const size_t length = argument->text.length + 1 + word.length;
     char *joined = (char *)argument->text.start;
@@ -183,8 +184,8 @@ static bool names_option(const struct arguments *arguments, const char *word)
 }
 
 /* Store the text of an option; `text.start` is null where none was attached to its name. */
-static bool take(const struct arguments *arguments, struct argument *argument, struct text text,
-                 struct words *words, struct error *error)
+static bool arguments_take(const struct arguments *arguments, struct argument *argument,
+                           struct text text, struct words *words, struct error *error)
 {
     const char *name = argument->option->name;
     const bool is_more = argument->is_given;
@@ -202,7 +203,7 @@ static bool take(const struct arguments *arguments, struct argument *argument, s
         text = text_of(words->all[words->at++]);
     }
     if (is_more) {
-        append(argument, ',', text, words->arena);
+        arguments_append(argument, ',', text, words->arena);
     } else {
         argument->text = text;
     }
@@ -219,9 +220,9 @@ static bool parse_long(struct arguments *arguments, struct text word, struct wor
     struct text name = text_cut(&value, '=');
     struct argument *argument = arguments_find(arguments, name);
     if (argument == NULL) {
-        return unknown(arguments, name, "--", error);
+        return arguments_unknown(arguments, name, "--", error);
     }
-    return take(arguments, argument, value, words, error);
+    return arguments_take(arguments, argument, value, words, error);
 }
 
 /* -f50mm, -f 50mm, -f=50mm; several flags may share one dash */
@@ -229,19 +230,19 @@ static bool parse_short(struct arguments *arguments, struct text word, struct wo
                         struct error *error)
 {
     while (word.length > 0) {
-        struct argument *argument = find_letter(arguments, word.start[0]);
+        struct argument *argument = arguments_find_letter(arguments, word.start[0]);
         if (argument == NULL) {
-            return unknown(arguments, word, "-", error);
+            return arguments_unknown(arguments, word, "-", error);
         }
         struct text rest = {word.start + 1, word.length - 1};
         if (!is_flag(argument)) {
             if (rest.length > 0 && rest.start[0] == '=') {
                 rest = (struct text){rest.start + 1, rest.length - 1};
             }
-            return take(arguments, argument, rest.length > 0 ? rest : (struct text){NULL, 0}, words,
-                        error);
+            return arguments_take(arguments, argument,
+                                  rest.length > 0 ? rest : (struct text){NULL, 0}, words, error);
         }
-        if (!take(arguments, argument, (struct text){NULL, 0}, words, error)) {
+        if (!arguments_take(arguments, argument, (struct text){NULL, 0}, words, error)) {
             return false;
         }
         word = rest;
@@ -274,7 +275,8 @@ static struct text last_value(const struct option *option, struct text text)
  * Does a word go on with the value before it? A unit behind a bare number does ("50" "mm"), the
  * rest of a quantity ("5" "ft" "6" "in"), and what follows the comma of a list.
  */
-static bool goes_on(const struct argument *argument, struct text word, struct arena *arena)
+static bool arguments_goes_on(const struct argument *argument, struct text word,
+                              struct arena *arena)
 {
     const struct option *option = argument->option;
     const struct dimension *dimension = measured_in(option);
@@ -300,7 +302,7 @@ static bool goes_on(const struct argument *argument, struct text word, struct ar
 static bool take_on(struct words *words, struct text word, struct arena *arena)
 {
     struct argument *last = words->last;
-    if (last == NULL || !goes_on(last, word, arena)) {
+    if (last == NULL || !arguments_goes_on(last, word, arena)) {
         return false;
     }
     const char *between = last->text.start[last->text.length - 1] == ',' ? "" : " ";
@@ -349,7 +351,7 @@ static bool parse_operand(struct arguments *arguments, struct text word, struct 
         }
         if ((flags & (OPTION_REST | OPTION_MANY | OPTION_TOGETHER)) != 0) {
             char between = (flags & OPTION_REST) != 0 ? ' ' : OPTION_MANY_SEPARATOR;
-            append(argument, between, word, arena);
+            arguments_append(argument, between, word, arena);
             words->last = NULL;
             return true;
         }
@@ -396,7 +398,7 @@ bool arguments_parse(struct arguments *arguments, const struct command *command,
     bool options_end = false;
     arguments->command = command;
     arguments->color = color_of(count, all);
-    list_options(arguments, arena);
+    arguments_list_options(arguments, arena);
     while (words.at < words.count) {
         struct text word = text_of(words.all[words.at++]);
         bool dashed = !options_end && word.length > 1 && word.start[0] == '-';

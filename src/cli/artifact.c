@@ -50,7 +50,7 @@ static bool has_known_ending(struct text path)
  * What the file shall hold: what the input asks for, else what its name says. Where only one thing
  * can be written any name will do that is not the name of something else.
  */
-static bool choose_type(struct artifact_job *job, struct arena *arena, struct error *error)
+static bool artifact_choose_type(struct artifact_job *job, struct arena *arena, struct error *error)
 {
     const struct artifact *artifact = job->artifact;
     file_types *types = artifact->option.types;
@@ -143,8 +143,8 @@ static const char *other_writer(const struct artifacts *artifacts,
 }
 
 /* A file that is there already, or is read, and two artifacts in one file. */
-static bool check_place(const struct artifacts *artifacts, const struct artifact_job *job,
-                        const struct artifact_setting *setting, struct error *error)
+static bool artifact_check_place(const struct artifacts *artifacts, const struct artifact_job *job,
+                                 const struct artifact_setting *setting, struct error *error)
 {
     for (size_t i = 0; i < job->files && job->path != NULL; i++) {
         const char *path = numbered(job, i, setting->arena);
@@ -202,8 +202,8 @@ static bool check_names(const struct artifact_job *job, struct arena *arena, str
 }
 
 /* One more, if nothing speaks against it. */
-static bool order(struct artifacts *artifacts, const struct artifact_setting *setting,
-                  struct artifact_job job, struct error *error)
+static bool artifact_order(struct artifacts *artifacts, const struct artifact_setting *setting,
+                           struct artifact_job job, struct error *error)
 {
     const struct artifact *artifact = job.artifact;
     if (!check_scope(&job, setting, error) || !check_terminal(&job, setting->arena, error)) {
@@ -218,7 +218,7 @@ static bool order(struct artifacts *artifacts, const struct artifact_setting *se
     job.asking = setting->asking;
     job.is_forced = setting->common->force;
     job.run = setting->run;
-    if (!choose_type(&job, setting->arena, error)) {
+    if (!artifact_choose_type(&job, setting->arena, error)) {
         return false;
     }
     const bool gathers = artifact->gathers != NULL && job.type != NULL &&
@@ -229,7 +229,7 @@ static bool order(struct artifacts *artifacts, const struct artifact_setting *se
                                           : 1;
     if (!check_names(&job, setting->arena, error) ||
         (artifact->check != NULL && !artifact->check(&job, error)) ||
-        !check_place(artifacts, &job, setting, error)) {
+        !artifact_check_place(artifacts, &job, setting, error)) {
         return false;
     }
     artifacts->jobs[artifacts->count++] = job;
@@ -302,13 +302,13 @@ bool artifacts_order(struct artifacts *artifacts, const struct artifact_setting 
             return fail(error, ERROR_USAGE, "--%s is empty", argument->option->name);
         }
         if ((argument->is_given || is_answer(setting, i)) &&
-            !order(artifacts, setting, job, error)) {
+            !artifact_order(artifacts, setting, job, error)) {
             return false;
         }
     }
     const struct artifact_job job = {
         .artifact = columns, .path = setting->common->plot, .context = context};
-    return (columns == NULL || order(artifacts, setting, job, error)) &&
+    return (columns == NULL || artifact_order(artifacts, setting, job, error)) &&
            open_sinks(artifacts, setting, error);
 }
 
@@ -370,14 +370,14 @@ bool artifacts_close(struct artifacts *artifacts, bool keep, struct error *error
 
 struct text artifacts_remarks(const struct artifacts *artifacts, struct arena *arena)
 {
-    struct growing remarks = {.arena = arena};
-    struct name_index said = {0};
+    struct text_buffer remarks = {.arena = arena};
+    struct name_table said = {0};
     for (size_t i = 0; i < artifacts->files && artifacts->sinks != NULL; i++) {
         struct text rest = artifacts->sinks[i].remarks;
         while (rest.length > 0) {
             const struct text line = text_cut(&rest, '\n');
-            if (name_index_find(&said, line) == NAME_NONE) {
-                name_index_add(&said, line, arena);
+            if (name_table_find(&said, line) == NAME_NONE) {
+                name_table_add(&said, line, arena);
                 growing_format(&remarks, "%.*s\n", (int)line.length, line.start);
             }
         }

@@ -19,18 +19,18 @@ struct command;
 struct artifact;
 
 /* Which options a question has, on the command line or as columns of its batch. */
-struct asking {
+struct option_query {
     bool (*given)(const void *asked, const char *option);
     bool (*in_rows)(const void *asked, const char *option); /* as a column, whose cells differ */
     const void *asked;
 };
 
-static inline bool asking_given(const struct asking *asking, const char *option)
+static inline bool asking_given(const struct option_query *asking, const char *option)
 {
     return asking->given(asking->asked, option);
 }
 
-static inline bool asking_in_rows(const struct asking *asking, const char *option)
+static inline bool asking_in_rows(const struct option_query *asking, const char *option)
 {
     return asking->in_rows(asking->asked, option);
 }
@@ -53,7 +53,7 @@ struct artifact_job {
     size_t count;
     size_t first, files; /* of its sinks, and how many it has: one, or one each */
     bool is_forced;      /* what is kept is written over */
-    const struct asking *asking;
+    const struct option_query *asking;
     struct run *run;     /* arena, database, and `state` as the command's `run` left it */
     const void *context; /* the driver's own */
 };
@@ -125,7 +125,7 @@ struct artifact_setting {
     void *input; /* changes with the sweep */
     bool is_batch, many;
     bool is_inside; /* sinks stay in memory */
-    const struct asking *asking;
+    const struct option_query *asking;
     struct run *run;
     struct arena *arena;
 };

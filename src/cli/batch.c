@@ -14,20 +14,20 @@
 enum { BLOCK = BATCH_BLOCK, BEHIND = BATCH_BEHIND };
 
 /* The next row of whatever the file has. */
-static bool take_row(struct batch *batch, struct text *row, struct error *error)
+static bool batch_take_row(struct batch *batch, struct text *row, struct error *error)
 {
     return batch->is_array ? batch_next_object(batch, row, error)
                            : batch_next_row(batch, row, error);
 }
 
 /* One cell of a separated row: its content without quotes, and where it starts in the line. */
-struct cell {
+struct batch_cell {
     struct text text;
     size_t column;
 };
 
 /* Cut the next cell off the row. False if a quote is not closed or text follows it. */
-static bool cut_cell(struct batch *batch, struct text *rest, struct cell *cell)
+static bool cut_cell(struct batch *batch, struct text *rest, struct batch_cell *cell)
 {
     if (rest->length == 0 || rest->start[0] != '"') {
         cell->text = text_cut(rest, batch->separator);
@@ -110,7 +110,7 @@ static bool set_cell(struct batch *batch, struct batch_column *column, struct te
  * Any row: quotes, blanks, units, names. After a bad cell the others are still looked at: what is
  * handed through belongs to its row even if that fails.
  */
-static bool read_row(struct batch *batch, struct text line, void *input, struct error *error)
+static bool batch_read_row(struct batch *batch, struct text line, void *input, struct error *error)
 {
     struct text rest = line;
     struct error later;
@@ -119,7 +119,7 @@ static bool read_row(struct batch *batch, struct text line, void *input, struct 
     batch->row_decimals = batch->decimals;
     while (rest.start != NULL) {
         size_t at = (size_t)(rest.start - line.start) + 1;
-        struct cell cell;
+        struct batch_cell cell;
         if (!cut_cell(batch, &rest, &cell)) {
             fail(error, ERROR_DATA, "a quoted cell is not closed, or text follows it");
             row_fail(batch, error, at);
@@ -158,8 +158,8 @@ __attribute__((noinline)) static struct plain_number read_longer(const struct ba
     return number;
 }
 
-static inline struct plain_number read_plain(const struct batch_plain *plain, const char *at,
-                                             const char *end)
+static inline struct plain_number batch_read_plain(const struct batch_plain *plain, const char *at,
+                                                   const char *end)
 {
     struct number_short number;
     const bool negative = *at == '-';
@@ -181,7 +181,7 @@ static bool take_plain_row(struct batch *batch, void *input)
     const char *at = batch->at;
     const struct batch_plain *plain = batch->plain, *behind = plain + batch->column_count;
     for (; plain < behind; plain++) {
-        struct plain_number number = read_plain(plain, at, batch->end);
+        struct plain_number number = batch_read_plain(plain, at, batch->end);
         double value = number.value * plain->factor;
         /* an infinite value may be one that was too large */
         if (number.behind == NULL || !(value > plain->lowest && value < plain->highest)) {
@@ -223,14 +223,14 @@ enum batch_result batch_next(struct batch *batch, void *input, struct error *err
         return BATCH_ROW;
     }
     clear_passed(batch);
-    if (!take_row(batch, &line, error)) {
+    if (!batch_take_row(batch, &line, error)) {
         return error->code == ERROR_NONE ? BATCH_END : BATCH_FAILED;
     }
     batch->rows++;
     if (batch->format == BATCH_JSONL) {
         read = batch_json_row(batch, line, input, error) || object_fail(batch, line, error);
     } else {
-        read = read_row(batch, line, input, error);
+        read = batch_read_row(batch, line, input, error);
         if (memchr(line.start, '"', line.length) != NULL) {
             batch->next_line += batch_breaks(line);
         }
@@ -301,7 +301,7 @@ static bool read_header(struct batch *batch, struct text line, struct error *err
     }
     while (rest.start != NULL) {
         size_t at = (size_t)(rest.start - line.start) + 1;
-        struct cell cell;
+        struct batch_cell cell;
         if (!cut_cell(batch, &rest, &cell)) {
             fail(error, ERROR_DATA, "a quoted column name is not closed");
             return error_locate(error, batch->source, batch->line, at);
@@ -319,7 +319,7 @@ static bool read_header(struct batch *batch, struct text line, struct error *err
  * Split the scale into factors that leave a short number one rounding: mantissa x up below 2^53,
  * powers of ten up to 10^22. False if it is too large for that.
  */
-static bool set_factors(struct batch_plain *plain)
+static bool batch_set_factors(struct batch_plain *plain)
 {
     int power = plain->scale.power;
     plain->up = plain->scale.multiplier;
@@ -354,7 +354,7 @@ static void prepare_plain(struct batch *batch)
                                         .is_coc = column->is_coc,
                                         .is_focal = column->is_focal,
                                         .behind = i + 1 < count ? batch->separator : '\n'};
-        if (!column->is_plain || !set_factors(&plain[i])) {
+        if (!column->is_plain || !batch_set_factors(&plain[i])) {
             return;
         }
     }
@@ -392,7 +392,7 @@ static bool open_array(struct batch *batch, struct text *line, struct error *err
     return true;
 }
 
-static bool begin(struct batch *batch, enum batch_format format, struct error *error)
+static bool batch_begin(struct batch *batch, enum batch_format format, struct error *error)
 {
     struct text line;
     batch->format = format;
@@ -447,7 +447,7 @@ bool batch_open(struct batch *batch, const struct batch_source *source, struct e
         return fail(error, ERROR_IO, "out of memory reading %s", path);
     }
     batch->at = batch->end = batch->buffer;
-    return begin(batch, source->format, error);
+    return batch_begin(batch, source->format, error);
 }
 
 bool batch_settle(struct batch *batch, const struct sheet *sheet, bool hands_late,

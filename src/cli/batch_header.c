@@ -105,7 +105,7 @@ static bool is_unit_of_any(struct text name)
     return false;
 }
 
-static bool wrong_unit(const struct batch_column *column, struct error *error)
+static bool batch_header_wrong_unit(const struct batch_column *column, struct error *error)
 {
     struct text name = column->name, typed = column->typed_unit;
     return fail(error, ERROR_DATA, "column '%.*s': '%.*s' is not a unit of --%s (a %s)",
@@ -134,8 +134,8 @@ static void set_scale(struct batch_column *column, const struct reader *reader)
                        (column->is_focal && !unit_is_equivalent(unit));
 }
 
-static bool find_column(const struct batch *batch, struct text name, struct batch_column *column,
-                        struct error *error)
+static bool batch_header_find_column(const struct batch *batch, struct text name,
+                                     struct batch_column *column, struct error *error)
 {
     *column = (struct batch_column){.name = name};
     const char *called = arena_printf(batch->arena, "column '%.*s'", text_shown(name), name.start);
@@ -153,7 +153,7 @@ static bool find_column(const struct batch *batch, struct text name, struct batc
     column->doubtful = is_printed(name) ? NULL : meaning.doubtful;
     column->typed_unit = meaning.typed_unit;
     if (column->doubtful != NULL && is_unit_of_any(column->typed_unit)) {
-        return wrong_unit(column, error);
+        return batch_header_wrong_unit(column, error);
     }
     if (column->option != NULL) {
         column->as_read = *column->option;
@@ -238,7 +238,8 @@ static bool push_column(struct batch *batch, const struct batch_column *column, 
 bool batch_add_column(struct batch *batch, struct text name, size_t at, struct error *error)
 {
     struct batch_column column;
-    if (!find_column(batch, name, &column, error) || !check_new(batch, &column, error)) {
+    if (!batch_header_find_column(batch, name, &column, error) ||
+        !check_new(batch, &column, error)) {
         return error_locate(error, batch->source, batch->line, at);
     }
     column.place = at;
@@ -283,7 +284,7 @@ static bool settle_column(struct batch *batch, struct batch_column *column, bool
     const struct option *meant = column->doubtful;
     if (meant != NULL && !batch_has(batch, meant->name) &&
         !arguments_given(batch->arguments, meant->name)) {
-        return wrong_unit(column, error);
+        return batch_header_wrong_unit(column, error);
     }
     bool goal = column->option != NULL && (column->option->flags & OPTION_GOAL) != 0;
     if (goal && settled && !arguments_given(batch->arguments, column->option->name)) {
@@ -293,9 +294,9 @@ static bool settle_column(struct batch *batch, struct batch_column *column, bool
         column->is_ignored = true;
     } else if (column->option == NULL && column->is_late && !batch->hands_late) {
         column->is_ignored = true;
-        doubts_add(batch->reader->doubts,
-                   "the first row has no key '%.*s': only json and jsonl hand it through",
-                   text_shown(column->name), column->name.start);
+        warnings_add(batch->reader->doubts,
+                     "the first row has no key '%.*s': only json and jsonl hand it through",
+                     text_shown(column->name), column->name.start);
     } else if (column->option == NULL) {
         pass_column(batch, column);
     }
@@ -356,7 +357,7 @@ struct batch_column *batch_add_late(struct batch *batch, struct text name, struc
 {
     struct batch_column column;
     name.start = arena_string(batch->arena, name.start, name.length);
-    if (!find_column(batch, name, &column, error)) {
+    if (!batch_header_find_column(batch, name, &column, error)) {
         return NULL;
     }
     column.is_late = true;

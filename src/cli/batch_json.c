@@ -7,7 +7,7 @@
 #include <math.h>
 #include <string.h>
 
-static bool read_value(struct json *json, struct json_value *value)
+static bool batch_json_read_value(struct json *json, struct json_value *value)
 {
     json_skip_blanks(json);
     if (json->at < json->end && (*json->at == '{' || *json->at == '[')) {
@@ -33,11 +33,11 @@ static bool next_pair(struct json *json, bool first, struct text *key, struct js
     if (!json_take(json, ':')) {
         return json_fail(json, "expected ':' here");
     }
-    return read_value(json, value);
+    return batch_json_read_value(json, value);
 }
 
-static bool start(struct json *json, const struct batch *batch, struct text line,
-                  struct error *error)
+static bool batch_json_start(struct json *json, const struct batch *batch, struct text line,
+                             struct error *error)
 {
     *json = json_open(line, batch->reader->arena, error);
     if (memchr(line.start, '\0', line.length) != NULL) {
@@ -52,7 +52,7 @@ bool batch_json_header(struct batch *batch, struct text line, struct error *erro
     struct text key;
     struct json_value value;
     bool first = true;
-    if (!start(&json, batch, line, error)) {
+    if (!batch_json_start(&json, batch, line, error)) {
         return error_locate(error, batch->source, batch->line, (size_t)error->column);
     }
     while (next_pair(&json, first, &key, &value)) {
@@ -69,7 +69,8 @@ bool batch_json_header(struct batch *batch, struct text line, struct error *erro
 }
 
 /* The column of a key: usually the one after the last. */
-static struct batch_column *column_of(const struct batch *batch, struct text key, size_t guess)
+static struct batch_column *batch_json_column_of(const struct batch *batch, struct text key,
+                                                 size_t guess)
 {
     for (size_t i = 0; i < batch->column_count; i++) {
         struct batch_column *column = &batch->columns[(guess + i) % batch->column_count];
@@ -80,8 +81,8 @@ static struct batch_column *column_of(const struct batch *batch, struct text key
     return NULL;
 }
 
-static bool set_value(struct batch *batch, struct batch_column *column,
-                      const struct json_value *value, void *input, struct error *error)
+static bool batch_json_set_value(struct batch *batch, struct batch_column *column,
+                                 const struct json_value *value, void *input, struct error *error)
 {
     if (column->is_ignored) {
         return true;
@@ -120,7 +121,7 @@ static void reset(struct batch *batch, void *input)
 static bool take_pair(struct batch *batch, struct text key, size_t guess,
                       const struct json_value *value, void *input, struct error *error)
 {
-    struct batch_column *column = column_of(batch, key, guess);
+    struct batch_column *column = batch_json_column_of(batch, key, guess);
     if (column == NULL) {
         column = batch_add_late(batch, key, error);
     }
@@ -135,7 +136,7 @@ static bool take_pair(struct batch *batch, struct text key, size_t guess,
         error->column = (int)value->at;
         return false;
     }
-    return set_value(batch, column, value, input, error);
+    return batch_json_set_value(batch, column, value, input, error);
 }
 
 /*
@@ -152,7 +153,7 @@ bool batch_json_row(struct batch *batch, struct text line, void *input, struct e
     size_t pairs = 0;
     batch->objects++;
     reset(batch, input);
-    if (!start(&json, batch, line, error)) {
+    if (!batch_json_start(&json, batch, line, error)) {
         return false;
     }
     for (; next_pair(&json, pairs == 0, &key, &value); pairs++) {

@@ -62,7 +62,7 @@ static const struct photo_tag *find_tag(struct text name)
     return NULL;
 }
 
-static bool is_letter(char c)
+static bool batch_names_is_letter(char c)
 {
     return (c >= 'A' && c <= 'Z') || (c >= 'a' && c <= 'z');
 }
@@ -72,7 +72,7 @@ static bool is_tag_like(struct text name)
 {
     bool is_word = name.length > 1 && name.start[0] >= 'A' && name.start[0] <= 'Z';
     for (size_t i = 0; i < name.length && is_word; i++) {
-        is_word = is_letter(name.start[i]) || char_is_digit(name.start[i]);
+        is_word = batch_names_is_letter(name.start[i]) || char_is_digit(name.start[i]);
     }
     return is_word;
 }

@@ -111,7 +111,7 @@ static const char *find_row_end(const struct batch *batch, struct scan *scan)
  * Take the next row, without its end. A line break in a quoted cell belongs to the row. False at
  * the end of the file (ERROR_NONE) or on failure.
  */
-static bool next_line(struct batch *batch, struct text *line, struct error *error)
+static bool batch_rows_next_line(struct batch *batch, struct text *line, struct error *error)
 {
     struct scan scan = {.just_closed = SIZE_MAX};
     const char *stop;
@@ -140,7 +140,7 @@ long batch_breaks(struct text text)
 
 bool batch_next_row(struct batch *batch, struct text *line, struct error *error)
 {
-    while (next_line(batch, line, error)) {
+    while (batch_rows_next_line(batch, line, error)) {
         batch->line = batch->next_line;
         batch->next_line++;
         while (line->length > 0 && line->start[line->length - 1] == '\r') {

@@ -80,7 +80,7 @@ static bool stands_in_any(const struct sheet *const *sheets, const char *name)
     return found;
 }
 
-static bool stands_before(const struct sheet *const *sheets, size_t kind, size_t at)
+static bool columns_stands_before(const struct sheet *const *sheets, size_t kind, size_t at)
 {
     const char *name = sheets[kind]->columns[at].name;
     const struct sheet here = {.columns = sheets[kind]->columns, .column_count = at};
@@ -154,7 +154,7 @@ void columns_describe(const struct command *command,
     for (size_t i = 0; sheets[i] != NULL && going; i++) {
         for (size_t k = 0; k < sheets[i]->column_count && going; k++) {
             const struct column *column = &sheets[i]->columns[k];
-            if (stands_before(sheets, i, k)) {
+            if (columns_stands_before(sheets, i, k)) {
                 continue;
             }
             const struct column_row row = describe(command, column, arena);

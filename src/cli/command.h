@@ -23,8 +23,8 @@ struct run {
     void *driver; /* the driver's own */
     /* What is printed, where no more is made of the rows: run_shows; null: they are used whole. */
     const struct report *report;
-    struct doubts *doubts; /* what is doubtful about the answer, see report/doubts.h; or null */
-    struct report *leads;  /* of an answer that says first what it is, by report_lead; or null */
+    struct warnings *doubts; /* what is doubtful about the answer, see report/doubts.h; or null */
+    struct report *leads;    /* of an answer that says first what it is, by report_lead; or null */
     const struct error
         *no_solver; /* why the solver that may be needed is missing; null: it is not */
     const struct arguments *arguments; /* that were typed */
@@ -86,7 +86,7 @@ struct command {
     size_t input_size;
     struct sheet sheet;
     /* Which rows this input makes, where that depends on it; null: always `sheet`. */
-    const struct sheet *(*choose_sheet)(const void *input, const struct asking *asking);
+    const struct sheet *(*choose_sheet)(const void *input, const struct option_query *asking);
     const struct sheet *const *sheets; /* all that it may choose; ends with null. Null: `sheet` */
     /* Does one input make several rows, as a list or a plan does? null: never. */
     bool (*makes_many)(const void *input);
@@ -111,7 +111,7 @@ struct command {
      */
     void (*run_block)(const struct block *block, struct run *run);
     /* Does every input of this batch make one row? `input` as the options set it. */
-    bool (*takes_blocks)(const void *input, const struct asking *asking);
+    bool (*takes_blocks)(const void *input, const struct option_query *asking);
     /*
      * How many threads may answer at once: combinations of a sweep, when `run` is called by all of
      * them, and within one answer those that run.threads leaves. Null: one.
@@ -156,8 +156,8 @@ struct command {
     .examples = examples, .options = options, .option_count = sizeof options / sizeof options[0],  \
     .input_size = sizeof(S)
 
-/* And that of a command whose rows are all alike: `columns` of a struct, `explanations`, `run`. */
-#define COMMAND_ANSWERS(S) .sheet = SHEET(columns, S), .explanations = explanations, .run = run
+/* And that of a command whose rows are all alike: `columns` of a struct, `explanations`. */
+#define COMMAND_ANSWERS(S) .sheet = SHEET(columns, S), .explanations = explanations
 
 #define COMMAND_MAKES(list) .artifacts = list, .artifact_count = sizeof list / sizeof list[0]
 

@@ -118,7 +118,7 @@ bool command_always_many(const void *input)
 
 /* -------- which common options a command has a use for -------- */
 
-static bool has_rows(const struct command *command)
+static bool common_has_rows(const struct command *command)
 {
     return command->run != NULL;
 }
@@ -138,18 +138,18 @@ static size_t count_varying(const struct command *command, bool numbers)
 
 static bool takes_many(const struct command *command)
 {
-    return has_rows(command) && count_varying(command, false) > 0;
+    return common_has_rows(command) && count_varying(command, false) > 0;
 }
 
 static bool takes_two(const struct command *command)
 {
-    return has_rows(command) && count_varying(command, false) > 1 &&
+    return common_has_rows(command) && count_varying(command, false) > 1 &&
            command->makes_many != command_always_many;
 }
 
 static bool has_curves(const struct command *command)
 {
-    return has_rows(command) && count_varying(command, true) > 0 &&
+    return common_has_rows(command) && count_varying(command, true) > 0 &&
            command->makes_many != command_always_many;
 }
 
@@ -188,7 +188,7 @@ static bool has_series(const struct command *command)
 }
 
 /* Does an answer depend on such data? */
-static bool reads(const struct command *command, unsigned data)
+static bool common_reads(const struct command *command, unsigned data)
 {
     unsigned found = command->reads;
     for (size_t i = 0; i < command->option_count; i++) {
@@ -201,12 +201,12 @@ static bool reads(const struct command *command, unsigned data)
 
 static bool reads_lensdb(const struct command *command)
 {
-    return reads(command, READS_LENSDB);
+    return common_reads(command, READS_LENSDB);
 }
 
 static bool reads_glasses(const struct command *command)
 {
-    return reads(command, READS_GLASSES);
+    return common_reads(command, READS_GLASSES);
 }
 
 /* More rows than usual, or a file that is also read. */
@@ -221,7 +221,7 @@ static bool is_forced(const struct command *command)
 
 static bool reads_lenses(const struct command *command)
 {
-    return reads(command, READS_LENSES);
+    return common_reads(command, READS_LENSES);
 }
 
 /* What a command must have for an option to do anything, and what is said where it has not. */
@@ -230,13 +230,13 @@ static const struct {
     bool (*is_used)(const struct command *command);
     const char *why_not;
 } uses[] = {
-    {"format", has_rows, "prints no rows"},
-    {"csv", has_rows, "prints no rows"},
-    {"tsv", has_rows, "prints no rows"},
-    {"json", has_rows, "prints no rows"},
-    {"jsonl", has_rows, "prints no rows"},
-    {"columns", has_rows, "prints no rows"},
-    {"digits", has_rows, "prints no rows"},
+    {"format", common_has_rows, "prints no rows"},
+    {"csv", common_has_rows, "prints no rows"},
+    {"tsv", common_has_rows, "prints no rows"},
+    {"json", common_has_rows, "prints no rows"},
+    {"jsonl", common_has_rows, "prints no rows"},
+    {"columns", common_has_rows, "prints no rows"},
+    {"digits", common_has_rows, "prints no rows"},
     {"units", has_distances, "prints no distances in metres"},
     {"table", takes_two, "has no value for each pair of two swept options"},
     {"plot", has_curves, "has no value for each value of a swept option"},
@@ -253,7 +253,7 @@ static const struct {
 };
 
 /* Most names differ in their first letter: every start compares some hundreds of them. */
-static bool is_same(const char *name, const char *other)
+static bool common_is_same(const char *name, const char *other)
 {
     return name[0] == other[0] && strcmp(name, other) == 0;
 }
@@ -262,7 +262,7 @@ static bool overrides(const struct command *command, const struct option *common
 {
     const struct option *own;
     for (size_t i = 0; (own = command_option(command, i)) != NULL; i++) {
-        if (is_same(own->name, common->name)) {
+        if (common_is_same(own->name, common->name)) {
             return true;
         }
     }
@@ -273,7 +273,7 @@ const char *command_has_no_use(const struct command *command, const struct optio
 {
     const char *why = NULL;
     for (size_t i = 0; i < sizeof uses / sizeof uses[0] && why == NULL; i++) {
-        if (is_same(uses[i].option, common->name) && !uses[i].is_used(command)) {
+        if (common_is_same(uses[i].option, common->name) && !uses[i].is_used(command)) {
             why = uses[i].why_not;
         }
     }

@@ -12,7 +12,7 @@ struct voice {
     char buffer[OUTPUT_RESERVE];
 };
 
-static struct output *begin(struct voice *voice, enum color_when color)
+static struct output *complain_begin(struct voice *voice, enum color_when color)
 {
     voice->output = (struct output){
         .descriptor = STDERR_FILENO, .buffer = voice->buffer, .size = sizeof voice->buffer};
@@ -21,7 +21,7 @@ static struct output *begin(struct voice *voice, enum color_when color)
 }
 
 /* Lines from outside; what must not reach a terminal, or is no UTF-8, is '?'. */
-static void write_lines(struct output *output, const char *start, size_t length)
+static void complain_write_lines(struct output *output, const char *start, size_t length)
 {
     for (size_t i = 0; i < length;) {
         const size_t whole = text_utf8_length(start + i, length - i);
@@ -35,9 +35,9 @@ static void write_lines(struct output *output, const char *start, size_t length)
     }
 }
 
-static void write_string(struct output *output, const char *string)
+static void complain_write_string(struct output *output, const char *string)
 {
-    write_lines(output, string, strlen(string));
+    complain_write_lines(output, string, strlen(string));
 }
 
 /* "tessar.lens:7:12: " */
@@ -46,7 +46,7 @@ static void write_place(struct output *output, const struct error *error)
     if (error->source[0] == '\0') {
         return;
     }
-    write_string(output, error->source);
+    complain_write_string(output, error->source);
     if (error->line > 0) {
         output_printf(output, ":%ld", error->line);
     }
@@ -62,7 +62,7 @@ static void write_caret(struct output *output, const struct error *error)
     const size_t length = strlen(error->text), behind = (size_t)error->caret - 1;
     const struct text before = {error->text, behind < length ? behind : length};
     output_string(output, "    ");
-    write_string(output, error->text);
+    complain_write_string(output, error->text);
     output_string(output, "\n    ");
     output_spaces(output, text_cells(before));
     output_styled(output, STYLE_ERROR, "^");
@@ -75,7 +75,7 @@ void error_print(const struct error *error, const char *command, enum color_when
         return; /* as programs do that the signal ends: `| head` is no failure */
     }
     struct voice voice;
-    struct output *output = begin(&voice, color);
+    struct output *output = complain_begin(&voice, color);
     bool named = command != NULL && command[0] != '\0';
     output_style(output, STYLE_ERROR);
     output_printf(output, "lenscalc:%s%s%s", named ? " " : "", named ? command : "",
@@ -83,23 +83,23 @@ void error_print(const struct error *error, const char *command, enum color_when
     output_style(output, STYLE_PLAIN);
     output_character(output, ' ');
     write_place(output, error);
-    write_string(output, error->message);
+    complain_write_string(output, error->message);
     output_character(output, '\n');
     if (error->caret > 0) {
         write_caret(output, error);
     }
     if (error->more != NULL) {
-        write_string(output, error->more);
+        complain_write_string(output, error->more);
     }
     if (error->hint[0] != '\0') {
         output_string(output, "    ");
-        write_string(output, error->hint);
+        complain_write_string(output, error->hint);
         output_character(output, '\n');
     }
     output_flush(output);
 }
 
-struct naming {
+struct name_lookup {
     const struct arguments *arguments;
     const struct batch *batch;
     const void *input;
@@ -107,7 +107,7 @@ struct naming {
 };
 
 /* The column that gave an option its value, or might have where no row is asked about. */
-static const char *giving_column(const struct naming *naming, const struct option *option)
+static const char *giving_column(const struct name_lookup *naming, const struct option *option)
 {
     const char *called = batch_called(naming->batch, option);
     const bool gives = called != NULL && (naming->input == NULL ||
@@ -121,7 +121,7 @@ static const char *giving_column(const struct naming *naming, const struct optio
  */
 static const char *given_by(void *context, struct text quantity, bool asked)
 {
-    struct naming *naming = context;
+    struct name_lookup *naming = context;
     const struct option *possible = NULL;
     bool is_option = quantity.length > 2 && quantity.start[0] == '-';
     struct text name = {quantity.start + 2, quantity.length - 2};
@@ -149,7 +149,7 @@ void complain_name(struct error *error, const struct arguments *arguments,
                    const struct batch *batch, const void *input)
 {
     error_name(error, given_by,
-               &(struct naming){.arguments = arguments, .batch = batch, .input = input});
+               &(struct name_lookup){.arguments = arguments, .batch = batch, .input = input});
 }
 
 void complain(struct error *error, const struct arguments *arguments, const struct batch *batch)
@@ -163,24 +163,24 @@ static void write_warning(struct output *output, const char *command, const char
     output_printf(output, "lenscalc: %s: ", command);
     output_styled(output, STYLE_WARNING, "warning:");
     output_character(output, ' ');
-    write_string(output, text);
+    complain_write_string(output, text);
     output_character(output, '\n');
 }
 
-static void write_doubts(struct output *output, const struct report *report)
+static void complain_write_doubts(struct output *output, const struct report *report)
 {
-    struct doubts *doubts = report->doubts;
+    struct warnings *doubts = report->doubts;
     for (size_t i = 0; i < doubts->count; i++) {
         write_warning(output, report->command, doubts->texts[i]);
     }
-    const char *more = doubts_left_out(doubts);
+    const char *more = warnings_left_out(doubts);
     if (more != NULL) {
         write_warning(output, report->command, more);
     }
 }
 
 /* Columns that were asked for, and have no value in any row. */
-static void write_absent(struct output *output, const struct report *report)
+static void complain_write_absent(struct output *output, const struct report *report)
 {
     for (size_t i = 0; i < report->shown_count; i++) {
         if (!report->has_value[i]) {
@@ -204,19 +204,19 @@ void print_beside(const struct report *report, bool is_apart, enum color_when co
         return; /* as most: the terminal is not even asked */
     }
     struct voice voice;
-    struct output *output = begin(&voice, color);
+    struct output *output = complain_begin(&voice, color);
     if (lead != NULL) {
         output_printf(output, "lenscalc: %s: %s\n", report->command, lead);
     }
     if (explain != NULL) {
-        write_string(output, explain);
+        complain_write_string(output, explain);
         output_character(output, '\n');
     }
     if (are_looked_at) {
-        write_absent(output, report);
+        complain_write_absent(output, report);
     }
     if (warnings > 0) {
-        write_doubts(output, report);
+        complain_write_doubts(output, report);
     }
     output_flush(output);
 }
@@ -227,7 +227,7 @@ void print_remark(const char *start, size_t length)
     if (length == 0) {
         return;
     }
-    struct output *output = begin(&voice, COLOR_NEVER);
-    write_lines(output, start, length);
+    struct output *output = complain_begin(&voice, COLOR_NEVER);
+    complain_write_lines(output, start, length);
     output_flush(output);
 }

@@ -23,7 +23,7 @@ static bool is_machine(const struct report *report)
     return !report->format->is_for_people;
 }
 
-static const struct axis *find_axis(const struct collection *collection, struct text name)
+static const struct axis *cross_find_axis(const struct collection *collection, struct text name)
 {
     for (size_t i = 0; i < collection->sweep->axis_count; i++) {
         const struct axis *axis = &collection->sweep->axes[i];
@@ -39,7 +39,7 @@ static const struct axis *find_axis(const struct collection *collection, struct 
 static bool read_axis(const struct collection *collection, struct text name,
                       const struct axis **axis, struct error *error)
 {
-    *axis = find_axis(collection, name);
+    *axis = cross_find_axis(collection, name);
     if (*axis == NULL) {
         return fail(error, ERROR_USAGE, "--table: '%.*s' is not an option with several values here",
                     text_shown_up_to(name, 40), name.start);
@@ -80,7 +80,7 @@ static bool read_specification(const struct collection *collection, const char *
            collection_check_units(cross->values, cross->value_count, "--table", false, error);
 }
 
-static bool check_format(const struct report *report, struct error *error)
+static bool cross_check_format(const struct report *report, struct error *error)
 {
     const char *able = "";
     for (size_t i = 0; formats[i] != NULL; i++) {
@@ -127,7 +127,7 @@ bool cross_table_check(const struct collection *collection, const char *specific
                     "--columns does nothing beside --table: what its cells show stands behind a "
                     "colon there, ROW,COL:VALUE");
     }
-    return check_format(report, error) &&
+    return cross_check_format(report, error) &&
            read_specification(collection, specification, report, &cross, error) &&
            (!is_machine(report) || check_heads(collection, cross.across, error));
 }
@@ -142,7 +142,7 @@ static const void *row_at(const struct collection *collection, const struct cros
 }
 
 /* The median magnitude of a column over the whole table. */
-static double typical(const struct collection *collection, const struct shown *shown)
+static double cross_typical(const struct collection *collection, const struct shown *shown)
 {
     size_t total = collection->sweep->total, count = 0;
     double *values = ARENA_ARRAY(collection->arena, total, double);
@@ -181,20 +181,20 @@ static const char *value_words(const struct collection *collection, const struct
     return unit[0] == '\0' ? words : arena_printf(collection->arena, "%s (%s)", words, unit);
 }
 
-static int digits_of(const struct report *report, const struct column *column)
+static int cross_digits_of(const struct report *report, const struct column *column)
 {
     return report->digits != 0 ? report->digits : column->digits != 0 ? column->digits : 4;
 }
 
 /* One unit for the whole table, and one form of feet and inches: values that share a cell share
    both. */
-static void choose_units(const struct collection *collection, const struct report *report,
-                         const struct cross *cross)
+static void cross_choose_units(const struct collection *collection, const struct report *report,
+                               const struct cross *cross)
 {
     const struct shown *first = &cross->values[0];
-    double size = typical(collection, first);
+    double size = cross_typical(collection, first);
     const struct unit *unit = readable_unit(first, collection->units, size);
-    int places = readable_inch_places(first, unit, size, digits_of(report, first->column));
+    int places = readable_inch_places(first, unit, size, cross_digits_of(report, first->column));
     for (size_t k = 0; k < cross->value_count; k++) {
         cross->units[k] = unit;
         cross->values[k].inch_places = places + 1;
@@ -237,7 +237,7 @@ static void write_cell(const struct collection *collection, const struct cross *
         }
         if (row != NULL && !row_is_absent(row, shown->column)) {
             readable_value(value, sizeof value, row, shown, cross->units[k],
-                           digits_of(report, shown->column));
+                           cross_digits_of(report, shown->column));
         }
         words = arena_printf(collection->arena, "%s%s%s", words, k > 0 ? " - " : "", value);
     }
@@ -264,8 +264,8 @@ static const char *machine_name(const struct collection *collection, const struc
     return unit ? arena_printf(collection->arena, "%s_%s", name, axis->unit->name) : name;
 }
 
-static void write_head(const struct collection *collection, const struct cross *cross,
-                       const struct report *report, struct grid *grid)
+static void cross_write_head(const struct collection *collection, const struct cross *cross,
+                             const struct report *report, struct grid *grid)
 {
     grid_add_row(grid);
     grid_set(grid, 0,
@@ -286,12 +286,12 @@ static void write_head(const struct collection *collection, const struct cross *
     }
 }
 
-static struct grid build(const struct collection *collection, const struct cross *cross,
-                         const struct report *report)
+static struct grid cross_build(const struct collection *collection, const struct cross *cross,
+                               const struct report *report)
 {
     size_t cells = cross->across->count * (is_machine(report) ? cross->value_count : 1);
     struct grid grid = grid_new(collection->arena, 1 + cells, 1);
-    write_head(collection, cross, report, &grid);
+    cross_write_head(collection, cross, report, &grid);
     for (size_t i = 0; i < cross->down->count; i++) {
         grid_add_row(&grid);
         grid_set(&grid, 0,
@@ -338,8 +338,8 @@ static void doubt_absent(const struct collection *collection, const struct cross
             }
         }
         if (any_row && !any) {
-            doubts_add(report->doubts, "%s has no value here: %s", cross->values[k].name,
-                       report_absence(report, column));
+            warnings_add(report->doubts, "%s has no value here: %s", cross->values[k].name,
+                         report_absence(report, column));
         }
     }
 }
@@ -358,7 +358,7 @@ static void doubt_warnings(const struct collection *collection, const struct cro
                 const void *row = row_at(collection, cross, i, j);
                 const char *warning = row != NULL ? row_text(row, column) : NULL;
                 if (warning != NULL) {
-                    doubts_add(report->doubts, "%s", warning);
+                    warnings_add(report->doubts, "%s", warning);
                 }
             }
         }
@@ -382,10 +382,10 @@ bool cross_table_write(const struct collection *collection, const char *specific
             cross.values[k] = for_people(collection, cross.values[k]);
         }
     }
-    choose_units(collection, report, &cross);
+    cross_choose_units(collection, report, &cross);
     doubt_absent(collection, &cross, report);
     doubt_warnings(collection, &cross, report);
-    struct grid grid = build(collection, &cross, report);
+    struct grid grid = cross_build(collection, &cross, report);
     if (!is_machine(report)) {
         const void *row = collection_first_row(collection);
         grid.title =

@@ -20,7 +20,7 @@ const struct file_type *division_types(size_t i)
 /* -------- what was asked -------- */
 
 /* Does the answer depend on it? */
-static bool counts(const struct argument *argument)
+static bool division_counts(const struct argument *argument)
 {
     return argument->is_given && (argument->is_input || argument->is_common) &&
            (argument->option->flags & OPTION_ASIDE) == 0;
@@ -37,8 +37,8 @@ static bool is_aside(const struct argument *argument, const char *const *aside)
 }
 
 /* Options in the order of their declaration, --name=value; several words of one come last. */
-static struct text words_of(const struct arguments *arguments, const char *const *aside,
-                            struct arena *arena)
+static struct text division_words_of(const struct arguments *arguments, const char *const *aside,
+                                     struct arena *arena)
 {
     size_t room = 1;
     for (size_t i = 0; i < arguments->count; i++) {
@@ -50,7 +50,7 @@ static struct text words_of(const struct arguments *arguments, const char *const
     for (size_t i = 0; i < arguments->count; i++) {
         const struct argument *argument = &arguments->all[i];
         const struct option *option = argument->option;
-        if (!counts(argument) || is_aside(argument, aside)) {
+        if (!division_counts(argument) || is_aside(argument, aside)) {
             continue;
         }
         if ((option->flags & (OPTION_MANY | OPTION_TOGETHER)) != 0) {
@@ -116,7 +116,7 @@ static bool add_files(const struct run *run, struct digest *digest, struct error
     bool done = true;
     for (size_t i = 0; i < arguments->count && done; i++) {
         const struct argument *argument = &arguments->all[i];
-        if (!counts(argument) || (argument->option->flags & OPTION_FILE) == 0) {
+        if (!division_counts(argument) || (argument->option->flags & OPTION_FILE) == 0) {
             continue;
         }
         if (argument->option->kind == &kind_lens) {
@@ -138,12 +138,13 @@ bool division_head(const struct run *run, const struct division *division, struc
                    struct error *error)
 {
     struct digest digest;
-    *head = (struct part_head){.command = text_of(run->arguments->command->name),
-                               .version = text_of(LENSCALC_VERSION),
-                               .words = words_of(run->arguments, division->aside, run->arena),
-                               .seed = division->seed,
-                               .total = division->total,
-                               .part = division->part};
+    *head =
+        (struct part_head){.command = text_of(run->arguments->command->name),
+                           .version = text_of(LENSCALC_VERSION),
+                           .words = division_words_of(run->arguments, division->aside, run->arena),
+                           .seed = division->seed,
+                           .total = division->total,
+                           .part = division->part};
     digest_begin(&digest);
     digest_item(&digest, head->command);
     digest_item(&digest, head->version);
@@ -167,7 +168,7 @@ bool division_read(const char *path, struct arena *arena, struct part_file *file
 }
 
 /* Is the file the one that this part left? */
-static bool check_part(const struct part_file *file, struct part part, struct error *error)
+static bool division_check_part(const struct part_file *file, struct part part, struct error *error)
 {
     const struct part other = file->head.part;
     return other.count != part.count || other.number == part.number ||
@@ -185,7 +186,7 @@ bool division_found(const struct run *run, const struct part_head *head, const c
         if (!division_read(path, run->arena, file, error)) {
             return error->code == ERROR_NONE;
         }
-        if (!check_part(file, head->part, error)) {
+        if (!division_check_part(file, head->part, error)) {
             return false;
         }
         *files = file;

@@ -186,7 +186,7 @@ static bool make_artifacts(struct driver *driver, struct error *error)
     return done;
 }
 
-static bool finish(struct driver *driver, struct error *error)
+static bool driver_finish(struct driver *driver, struct error *error)
 {
     struct report *report = &driver->report;
     if (driver->common.table != NULL) {
@@ -205,7 +205,7 @@ static bool finish(struct driver *driver, struct error *error)
     return !driver->has_answer || make_artifacts(driver, error);
 }
 
-static bool prepare(struct driver *driver, int count, char **words, struct error *error)
+static bool driver_prepare(struct driver *driver, int count, char **words, struct error *error)
 {
     const struct command *command = driver->command;
     driver->db.arena = &driver->arena;
@@ -238,7 +238,7 @@ static bool prepare(struct driver *driver, int count, char **words, struct error
                                .emit = driver->is_inside ? rows_emit : rows_emit_amid,
                                .driver = driver};
     driver->reader.nominal = driver->common.nominal;
-    driver->asking = (struct asking){asked_given, asked_in_rows, driver};
+    driver->asking = (struct option_query){asked_given, asked_in_rows, driver};
     driver->input = arena_array(&driver->arena, 1, command->input_size);
     return true;
 }
@@ -277,15 +277,15 @@ static bool open_batch(struct driver *driver, struct error *error)
     driver->passed = driver->batch.passed;
     driver->known_columns = driver->batch.column_count;
     if (!batch_knows_any(&driver->batch)) {
-        doubts_add(&driver->doubts,
-                   "no column of %s means anything to %s: all its rows have one answer",
-                   driver->batch.source, driver->command->name);
+        warnings_add(&driver->doubts,
+                     "no column of %s means anything to %s: all its rows have one answer",
+                     driver->batch.source, driver->command->name);
     }
     return true;
 }
 
 /* The sheet of this question. Rows of a batch go to the command in blocks if it takes them. */
-static void choose_sheet(struct driver *driver)
+static void driver_choose_sheet(struct driver *driver)
 {
     const struct command *command = driver->command;
     const struct sheet *sheet = asked_sheet(driver);
@@ -329,7 +329,7 @@ static bool open_output(struct driver *driver, struct error *error)
 }
 
 /* Everything that can be wrong with the question is found before a byte is written. */
-static bool ask(struct driver *driver, struct error *error)
+static bool driver_ask(struct driver *driver, struct error *error)
 {
     const struct command *command = driver->command;
     const struct common *common = &driver->common;
@@ -350,7 +350,7 @@ static bool ask(struct driver *driver, struct error *error)
     if (!idle_check(&driver->sweep, &driver->arguments, &driver->asking, driver->input, error)) {
         return false;
     }
-    choose_sheet(driver);
+    driver_choose_sheet(driver);
     driver->common.columns =
         columns_from_options(command, driver->report.sheet, common->columns, ",", &driver->arena);
     return check_sheets(driver, error) && set_up_report(driver, error) &&
@@ -358,7 +358,7 @@ static bool ask(struct driver *driver, struct error *error)
            open_output(driver, error);
 }
 
-static bool answer(struct driver *driver, struct error *error)
+static bool driver_answer(struct driver *driver, struct error *error)
 {
     const bool prints =
         !driver->collects && !driver->common.explain && driver->artifacts.count == 0;
@@ -374,7 +374,7 @@ static bool answer(struct driver *driver, struct error *error)
         interrupt_watch(rows_interrupted, driver); /* rows so far are worth something */
     }
     bool done = (driver->is_batch ? rows_of_batch(driver, error) : rows_of_sweep(driver, error)) &&
-                finish(driver, error);
+                driver_finish(driver, error);
     if (!driver->is_inside) {
         progress_erase(&driver->progress);
     }
@@ -429,7 +429,7 @@ static int answer_without_rows(struct driver *driver)
     return 0;
 }
 
-static int status_of(const struct driver *driver)
+static int driver_status_of(const struct driver *driver)
 {
     if (driver->failed == 0) {
         return 0;
@@ -439,15 +439,15 @@ static int status_of(const struct driver *driver)
 
 /* That the solver is missing is said only of a question that it could answer: what is wrong with
    the question is to mend first. `missing` is null where nothing is. */
-static int compute(struct driver *driver, const struct error *missing)
+static int driver_compute(struct driver *driver, const struct error *missing)
 {
     struct error error = {0}, closing = {0};
-    bool done = ask(driver, &error);
+    bool done = driver_ask(driver, &error);
     if (done && missing != NULL) {
         error = *missing;
         done = false;
     }
-    done = done && answer(driver, &error);
+    done = done && driver_answer(driver, &error);
     if (driver->is_open && !output_close(&driver->output, done, &closing)) {
         error = closing;
         done = false;
@@ -457,7 +457,7 @@ static int compute(struct driver *driver, const struct error *missing)
         return (int)error.code;
     }
     print_beside(&driver->report, driver->common.table != NULL, driver->arguments.color);
-    return status_of(driver);
+    return driver_status_of(driver);
 }
 
 static void free_driver(struct driver *driver)
@@ -490,12 +490,12 @@ static bool answer_inside(struct driver *driver, struct text *answered, struct e
 {
     const struct artifacts *artifacts = &driver->artifacts;
     if (driver->command->run != NULL) {
-        if (!ask(driver, error)) {
+        if (!driver_ask(driver, error)) {
             return false;
         }
         const bool needs_rows =
             artifacts->count == 0 || !artifacts->jobs[0].artifact->needs_no_rows;
-        if (!(needs_rows ? answer(driver, error) : draw_inside(driver, error))) {
+        if (!(needs_rows ? driver_answer(driver, error) : draw_inside(driver, error))) {
             return false;
         }
     } else if (!sweep_build(&driver->sweep, &driver->arguments, &driver->reader, false,
@@ -507,14 +507,14 @@ static bool answer_inside(struct driver *driver, struct text *answered, struct e
     return true;
 }
 
-bool command_embed(const struct embedding *embedding, struct run *outer, struct text *answered,
-                   struct error *error)
+bool command_embed(const struct embedded_command *embedding, struct run *outer,
+                   struct text *answered, struct error *error)
 {
     struct driver *parent = outer->driver;
     struct driver driver = {
         .command = embedding->command, .database = parent->database, .is_inside = true};
     struct text text = {NULL, 0};
-    bool done = prepare(&driver, (int)embedding->count, embedding->words, error);
+    bool done = driver_prepare(&driver, (int)embedding->count, embedding->words, error);
     if (done) {
         if (embedding->lens != NULL) {
             option_lens_keep(&parent->lenses, embedding->lens);
@@ -562,7 +562,7 @@ static int answer_question(struct driver *driver, char **argv)
                        !relay_to_ceres(argv, &driver->arena, &missing);
     driver->run.no_solver = lacks ? &missing : NULL;
     const int status = command->run == NULL ? answer_without_rows(driver)
-                                            : compute(driver, lacks ? &missing : NULL);
+                                            : driver_compute(driver, lacks ? &missing : NULL);
     print_remark(driver->db.losses.data, driver->db.losses.length); /* of --lossy */
     return status;
 }
@@ -573,7 +573,7 @@ static int execute(const struct again *question, char **argv, const char *databa
     struct driver driver = {.command = question->command, .database = database};
     struct error error = {0};
     int status;
-    if (!prepare(&driver, question->count, question->words, &error)) {
+    if (!driver_prepare(&driver, question->count, question->words, &error)) {
         complain(&error, &driver.arguments, &driver.batch);
         status = (int)error.code;
     } else {

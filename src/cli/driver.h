@@ -6,7 +6,7 @@
 #include "cli/command.h"
 
 /* A command inside another, with the words that follow its name. */
-struct embedding {
+struct embedded_command {
     const struct command *command;
     char **words;
     size_t count;
@@ -21,8 +21,8 @@ struct embedding {
  *           answered  receives the text, in outer->arena
  * Errors    all that the command may have, with nothing said on standard error
  */
-bool command_embed(const struct embedding *embedding, struct run *outer, struct text *answered,
-                   struct error *error);
+bool command_embed(const struct embedded_command *embedding, struct run *outer,
+                   struct text *answered, struct error *error);
 
 /*
  * Run a command.

@@ -22,7 +22,7 @@ static const char *column_name(const struct option *option, struct arena *arena)
     return option->column != NULL ? option->column : spelt(option->name, '-', '_', arena);
 }
 
-static bool lists(const char *words, const char *name)
+static bool echo_lists(const char *words, const char *name)
 {
     struct text rest = text_of(words != NULL ? words : "");
     bool found = false;
@@ -33,7 +33,7 @@ static bool lists(const char *words, const char *name)
 }
 
 /* Is it named as the option, or does it follow from it first of all? */
-static bool is_like(const struct column *column, const struct option *option, const char *name)
+static bool echo_is_like(const struct column *column, const struct option *option, const char *name)
 {
     struct text depends = text_of(column->depends != NULL ? column->depends : "");
     const bool assumed = (column->flags & COLUMN_ASSUMED) != 0;
@@ -42,7 +42,8 @@ static bool is_like(const struct column *column, const struct option *option, co
 }
 
 /* Place of the column that says which value of the option a row has; their count: none does. */
-static size_t find_column(const struct sheet *sheet, const struct option *option, const char *name)
+static size_t echo_find_column(const struct sheet *sheet, const struct option *option,
+                               const char *name)
 {
     const size_t count = sheet->column_count;
     size_t i = 0;
@@ -53,7 +54,7 @@ static size_t find_column(const struct sheet *sheet, const struct option *option
         return i;
     }
     i = 0;
-    while (i < count && !is_like(&sheet->columns[i], option, name)) {
+    while (i < count && !echo_is_like(&sheet->columns[i], option, name)) {
         i++;
     }
     return i;
@@ -76,21 +77,21 @@ static void bring(struct column *column, const struct option *option)
     const unsigned kept_back = COLUMN_HIDDEN | COLUMN_TIED | COLUMN_WITH;
     column->repeats = option->name;
     column->flags = (column->flags & ~kept_back) | COLUMN_BRIEF;
-    if (!lists(column->with, option->name)) {
+    if (!echo_lists(column->with, option->name)) {
         column->flags &= ~(unsigned)COLUMN_EXTRA;
         column->with = NULL;
     }
 }
 
-static bool is_number(const struct option *option)
+static bool echo_is_number(const struct option *option)
 {
     return option->kind == &kind_quantity || option->kind == &kind_wavelength ||
            option->kind == &kind_focal;
 }
 
-static enum column_type type_of(const struct option *option)
+static enum column_type echo_type_of(const struct option *option)
 {
-    return is_number(option)             ? COLUMN_NUMBER
+    return echo_is_number(option)        ? COLUMN_NUMBER
            : option->kind == &kind_count ? COLUMN_INTEGER
            : option->kind == &kind_flag  ? COLUMN_FLAG
                                          : COLUMN_TEXT;
@@ -99,7 +100,7 @@ static enum column_type type_of(const struct option *option)
 /* Are there words or numbers for its values? */
 static bool is_sayable(const struct option *option)
 {
-    return type_of(option) != COLUMN_TEXT || option->kind->name_of != NULL ||
+    return echo_type_of(option) != COLUMN_TEXT || option->kind->name_of != NULL ||
            option->kind->words_of != NULL;
 }
 
@@ -112,12 +113,12 @@ static bool may_be_infinite(const struct option *option)
 static struct column new_column(const struct option *option, const char *name, size_t offset,
                                 struct arena *arena)
 {
-    const struct unit *unit = is_number(option) ? option_unit(option) : NULL;
+    const struct unit *unit = echo_is_number(option) ? option_unit(option) : NULL;
     return (struct column){
         .name = name,
         .unit = unit != NULL && unit->name[0] != '\0' ? unit->name : NULL,
-        .dimension = is_number(option) ? option->dimension : NULL,
-        .type = type_of(option),
+        .dimension = echo_is_number(option) ? option->dimension : NULL,
+        .type = echo_type_of(option),
         .offset = offset,
         .flags = COLUMN_ADDED | COLUMN_ECHO | COLUMN_BRIEF |
                  (may_be_infinite(option) ? COLUMN_INFINITE : 0),
@@ -128,8 +129,8 @@ static struct column new_column(const struct option *option, const char *name, s
 }
 
 /* Behind those that were added before; `place` is its own. */
-static void add(struct echo *echo, const struct echo_question *question,
-                const struct option *option, struct column *place, struct arena *arena)
+static void echo_add(struct echo *echo, const struct echo_question *question,
+                     const struct option *option, struct column *place, struct arena *arena)
 {
     const size_t offset = echo->sheet.row_size;
     *place = new_column(option, column_name(option, arena), offset, arena);
@@ -179,9 +180,9 @@ void echo_open(struct echo *echo, const struct echo_question *question, struct a
         if (!question->all && !is_wanted) {
             continue;
         }
-        const size_t found = find_column(own, option, column_name(option, arena));
+        const size_t found = echo_find_column(own, option, column_name(option, arena));
         if (found == own->column_count && is_sayable(option)) {
-            add(echo, question, option, &columns[echo->count], arena);
+            echo_add(echo, question, option, &columns[echo->count], arena);
         } else if (found < own->column_count && varies) {
             bring(&columns[most + found], option);
         }
@@ -208,7 +209,8 @@ void echo_settle(struct echo *echo, struct report *report)
     }
 }
 
-static const char *words_of(const struct option *option, const void *member, struct arena *arena)
+static const char *echo_words_of(const struct option *option, const void *member,
+                                 struct arena *arena)
 {
     const struct option_kind *kind = option->kind;
     const char *name = kind->name_of != NULL ? kind->name_of(option, member) : NULL;
@@ -216,7 +218,7 @@ static const char *words_of(const struct option *option, const void *member, str
 }
 
 /* Of an equivalent focal length none: what it is for the sensor only the command knows. */
-static double number_of(const struct echo_item *item, const void *member)
+static double echo_number_of(const struct echo_item *item, const void *member)
 {
     if (item->option->kind == &kind_focal) {
         return ((const struct focal_value *)member)->length;
@@ -224,8 +226,8 @@ static double number_of(const struct echo_item *item, const void *member)
     return item->has_value ? item->option->kind->number_of(member) : (double)NAN;
 }
 
-static void set_value(char *to, const struct echo_item *item, const void *input,
-                      struct arena *arena)
+static void echo_set_value(char *to, const struct echo_item *item, const void *input,
+                           struct arena *arena)
 {
     const struct option *option = item->option;
     const void *member = (const char *)input + option->offset;
@@ -233,9 +235,9 @@ static void set_value(char *to, const struct echo_item *item, const void *input,
         *(double *)(void *)to = ((const struct focal_value *)member)->equivalent;
         return;
     }
-    switch (type_of(option)) {
+    switch (echo_type_of(option)) {
     case COLUMN_NUMBER:
-        *(double *)(void *)to = number_of(item, member);
+        *(double *)(void *)to = echo_number_of(item, member);
         break;
     case COLUMN_INTEGER:
         *(long *)(void *)to = item->has_value ? *(const long *)member : NO_INTEGER;
@@ -244,7 +246,7 @@ static void set_value(char *to, const struct echo_item *item, const void *input,
         *(bool *)to = *(const bool *)member;
         break;
     case COLUMN_TEXT:
-        *(const char **)(void *)to = item->has_value ? words_of(option, member, arena) : NULL;
+        *(const char **)(void *)to = item->has_value ? echo_words_of(option, member, arena) : NULL;
         break;
     }
 }
@@ -253,7 +255,7 @@ const void *echo_row(struct echo *echo, const void *row, const void *input, stru
 {
     memcpy(echo->row, row, echo->own->row_size);
     for (size_t i = 0; i < echo->count; i++) {
-        set_value(echo->row + echo->items[i].offset, &echo->items[i], input, arena);
+        echo_set_value(echo->row + echo->items[i].offset, &echo->items[i], input, arena);
     }
     return echo->row;
 }

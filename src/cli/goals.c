@@ -12,7 +12,7 @@
 enum { MOST_GOALS = 1000 };
 
 /* One goal in the making. */
-struct goal_reading {
+struct goal_parser {
     const struct goals_reader *reader;
     struct text item; /* all of it */
     const struct operand_type *type;
@@ -26,7 +26,7 @@ struct goal_reading {
             (size_t)((part).start - (reading)->item.start) + 1, __VA_ARGS__)
 
 /* The next word; the rest begins behind the blanks after it. */
-static struct text next_word(struct text *rest)
+static struct text goals_next_word(struct text *rest)
 {
     size_t length = 0;
     while (length < rest->length && rest->start[length] != ' ' && rest->start[length] != '\t') {
@@ -38,7 +38,7 @@ static struct text next_word(struct text *rest)
 }
 
 /* All kinds by name, for a hint. */
-static bool hint_kinds(struct goal_reading *reading, struct text name, struct error *error)
+static bool hint_kinds(struct goal_parser *reading, struct text name, struct error *error)
 {
     struct nearest nearest = {.typed = name};
     const char *all = "";
@@ -59,7 +59,7 @@ static bool hint_kinds(struct goal_reading *reading, struct text name, struct er
                                       : error_hint(error, "goals are of: %s", all);
 }
 
-static bool read_kind(struct goal_reading *reading, struct text name, struct error *error)
+static bool goals_read_kind(struct goal_parser *reading, struct text name, struct error *error)
 {
     const enum operand_kind kind = operand_find(name);
     if (kind == OPERAND_KINDS) {
@@ -77,7 +77,7 @@ static bool read_kind(struct goal_reading *reading, struct text name, struct err
 /* -------- where -------- */
 
 /* Has the kind such a thing, and has the goal none as yet? */
-static bool may_have(const struct goal_reading *reading, unsigned what, bool is_there,
+static bool may_have(const struct goal_parser *reading, unsigned what, bool is_there,
                      const char *words, struct text place, struct error *error)
 {
     if ((reading->type->is & what) == 0) {
@@ -86,8 +86,8 @@ static bool may_have(const struct goal_reading *reading, unsigned what, bool is_
     return !is_there || WRONG_AT(reading, place, error, "the %s is there twice", words);
 }
 
-static bool put_wavelength(struct goal_reading *reading, double wavelength, struct text place,
-                           struct error *error)
+static bool goals_put_wavelength(struct goal_parser *reading, double wavelength, struct text place,
+                                 struct error *error)
 {
     struct operand *operand = reading->operand;
     if (!may_have(reading, OPERAND_AT_WAVELENGTH, !isnan(operand->wavelength), "wavelength", place,
@@ -99,8 +99,8 @@ static bool put_wavelength(struct goal_reading *reading, double wavelength, stru
            WRONG_AT(reading, place, error, "the wavelength is not within 1 nm to 100 mm");
 }
 
-static bool put_field(struct goal_reading *reading, enum field_kind kind, double value,
-                      struct text place, struct error *error)
+static bool goals_put_field(struct goal_parser *reading, enum field_kind kind, double value,
+                            struct text place, struct error *error)
 {
     struct operand *operand = reading->operand;
     struct setup_field *field = ARENA_NEW(reading->reader->arena, struct setup_field);
@@ -112,7 +112,7 @@ static bool put_field(struct goal_reading *reading, enum field_kind kind, double
     return isfinite(value) || WRONG_AT(reading, place, error, "a field is finite");
 }
 
-static bool put_frequency(struct goal_reading *reading, double value, struct text place,
+static bool put_frequency(struct goal_parser *reading, double value, struct text place,
                           struct error *error)
 {
     struct operand *operand = reading->operand;
@@ -135,24 +135,24 @@ static bool has_unit(struct text place, const struct dimension *dimension, doubl
 }
 
 /* A bare number, where it can only be one thing. */
-static bool put_bare(struct goal_reading *reading, double value, struct text place,
+static bool put_bare(struct goal_parser *reading, double value, struct text place,
                      struct error *error)
 {
     const unsigned is = reading->type->is;
     if ((is & OPERAND_NEEDS_FIELD) != 0 && reading->operand->field == NULL) {
-        return put_field(reading, FIELD_ANGLE,
-                         unit_to_own(unit_find(&dimension_angle, text_of("deg")), value), place,
-                         error);
+        return goals_put_field(reading, FIELD_ANGLE,
+                               unit_to_own(unit_find(&dimension_angle, text_of("deg")), value),
+                               place, error);
     }
     if ((is & OPERAND_AT_WAVELENGTH) != 0 && (is & OPERAND_AT_FIELD) == 0) {
-        return put_wavelength(reading, value / 1000, place, error);
+        return goals_put_wavelength(reading, value / 1000, place, error);
     }
     WRONG_AT(reading, place, error, "'%.*s' has no unit", text_shown(place), place.start);
     return error_hint(error, "fields are 10deg or 5mm, wavelengths F or 550nm, frequencies 40/mm");
 }
 
 /* A number, with or without a unit. */
-static bool read_number(struct goal_reading *reading, struct text place, struct error *error)
+static bool goals_read_number(struct goal_parser *reading, struct text place, struct error *error)
 {
     const struct unit *unit;
     struct error ignored;
@@ -161,13 +161,13 @@ static bool read_number(struct goal_reading *reading, struct text place, struct 
         return put_frequency(reading, value, place, error);
     }
     if (has_unit(place, &dimension_angle, &value, &unit)) {
-        return put_field(reading, FIELD_ANGLE, value, place, error);
+        return goals_put_field(reading, FIELD_ANGLE, value, place, error);
     }
     if (has_unit(place, &dimension_length, &value, &unit)) {
         const bool is_short = strcmp(unit->name, "nm") == 0 || strcmp(unit->name, "um") == 0;
         return is_short ? has_unit(place, &dimension_wavelength_um, &value, &unit) &&
-                              put_wavelength(reading, value, place, error)
-                        : put_field(reading, FIELD_HEIGHT, value, place, error);
+                              goals_put_wavelength(reading, value, place, error)
+                        : goals_put_field(reading, FIELD_HEIGHT, value, place, error);
     }
     if (quantity_read(place, &dimension_number, NULL, &value, NULL, &ignored)) {
         return put_bare(reading, value, place, error);
@@ -179,7 +179,7 @@ static bool read_number(struct goal_reading *reading, struct text place, struct 
 }
 
 /* What stands behind an '@'. */
-static bool read_place(struct goal_reading *reading, struct text place, struct error *error)
+static bool goals_read_place(struct goal_parser *reading, struct text place, struct error *error)
 {
     const struct goals_reader *reader = reading->reader;
     const size_t position =
@@ -205,8 +205,8 @@ static bool read_place(struct goal_reading *reading, struct text place, struct e
         reading->operand->position = position;
         return true;
     }
-    return is_line ? put_wavelength(reading, wavelength, place, error)
-                   : read_number(reading, place, error);
+    return is_line ? goals_put_wavelength(reading, wavelength, place, error)
+                   : goals_read_number(reading, place, error);
 }
 
 /* A number of a surface, from 1; LENS_NONE: it is none. */
@@ -223,7 +223,7 @@ static size_t surface_number(struct text text)
 }
 
 /* "3" or "1..11" */
-static bool read_surfaces(struct goal_reading *reading, struct text word, struct error *error)
+static bool goals_read_surfaces(struct goal_parser *reading, struct text word, struct error *error)
 {
     struct operand *operand = reading->operand;
     struct text last = word, first = text_cut_range(&last);
@@ -245,12 +245,12 @@ static bool read_surfaces(struct goal_reading *reading, struct text word, struct
                     operand->last + 1, count);
 }
 
-static bool read_word(struct goal_reading *reading, struct text word, struct error *error)
+static bool goals_read_word(struct goal_parser *reading, struct text word, struct error *error)
 {
     const bool tangential = text_same(word, "tangential");
     if (!tangential && !text_same(word, "sagittal")) {
         return char_is_digit(word.start[0]) || (reading->type->is & OPERAND_AT_SURFACES) != 0
-                   ? read_surfaces(reading, word, error)
+                   ? goals_read_surfaces(reading, word, error)
                    : WRONG_AT(reading, word, error, "unknown word '%.*s'", text_shown(word),
                               word.start);
     }
@@ -263,17 +263,18 @@ static bool read_word(struct goal_reading *reading, struct text word, struct err
 }
 
 /* Name, places and words: all before the relation. */
-static bool read_left(struct goal_reading *reading, struct text left, struct error *error)
+static bool read_left(struct goal_parser *reading, struct text left, struct error *error)
 {
     bool is_first = true;
     while (left.start != NULL) {
         struct text words = text_trim(text_cut(&left, '@'));
-        const struct text head = next_word(&words);
-        if (!(is_first ? read_kind(reading, head, error) : read_place(reading, head, error))) {
+        const struct text head = goals_next_word(&words);
+        if (!(is_first ? goals_read_kind(reading, head, error)
+                       : goals_read_place(reading, head, error))) {
             return false;
         }
         while (words.length > 0) {
-            if (!read_word(reading, next_word(&words), error)) {
+            if (!goals_read_word(reading, goals_next_word(&words), error)) {
                 return false;
             }
         }
@@ -287,8 +288,8 @@ static bool read_left(struct goal_reading *reading, struct text left, struct err
 /* What is missed by so much, in so small deviations, still has a square. */
 static const double GOAL_MOST = 1e50;
 
-static bool read_figure(struct goal_reading *reading, struct text text, double *value,
-                        struct error *error)
+static bool goals_read_figure(struct goal_parser *reading, struct text text, double *value,
+                              struct error *error)
 {
     const struct dimension *dimension = reading->type->dimension;
     const struct unit *unit = unit_find(dimension, text_of(reading->type->unit));
@@ -306,7 +307,7 @@ static bool read_figure(struct goal_reading *reading, struct text text, double *
                     GOAL_MOST);
 }
 
-static bool read_deviation(struct goal_reading *reading, struct text text, struct error *error)
+static bool read_deviation(struct goal_parser *reading, struct text text, struct error *error)
 {
     double *deviation = &reading->operand->deviation;
     *deviation = unit_to_own(unit_find(reading->type->dimension, text_of(reading->type->unit)),
@@ -314,7 +315,7 @@ static bool read_deviation(struct goal_reading *reading, struct text text, struc
     if (text.start == NULL) {
         return true;
     }
-    return read_figure(reading, text_trim(text), deviation, error) &&
+    return goals_read_figure(reading, text_trim(text), deviation, error) &&
            (*deviation >= 1 / GOAL_MOST ||
             WRONG_AT(reading, text_trim(text), error, "a deviation is above 0, from %g on",
                      1 / GOAL_MOST));
@@ -343,7 +344,7 @@ static struct text cut_relation(struct text item, struct text *left,
 }
 
 /* The goal as typed, with a target that its kind usually has. */
-static bool hint_target(const struct goal_reading *reading, struct text left, struct error *error)
+static bool hint_target(const struct goal_parser *reading, struct text left, struct error *error)
 {
     static const char *const usual[OPERAND_KINDS] = {
         [OPERAND_INCIDENCE] = "< 45deg", [OPERAND_EDGE] = "> 1mm",      [OPERAND_CENTER] = "> 1mm",
@@ -356,7 +357,7 @@ static bool hint_target(const struct goal_reading *reading, struct text left, st
 }
 
 /* What the kind cannot do without. */
-static bool check(const struct goal_reading *reading, struct text left, struct error *error)
+static bool goals_check(const struct goal_parser *reading, struct text left, struct error *error)
 {
     const struct operand *operand = reading->operand;
     const unsigned is = reading->type->is;
@@ -377,7 +378,8 @@ static bool check(const struct goal_reading *reading, struct text left, struct e
 }
 
 /* In one form: what stands before the relation as typed, with the target. */
-static const char *name_of(const struct goal_reading *reading, struct text left, struct text target)
+static const char *goals_name_of(const struct goal_parser *reading, struct text left,
+                                 struct text target)
 {
     struct arena *arena = reading->reader->arena;
     const char *where = arena_string(arena, left.start, left.length);
@@ -387,7 +389,7 @@ static const char *name_of(const struct goal_reading *reading, struct text left,
                : where;
 }
 
-static bool read_goal(struct goal_reading *reading, struct error *error)
+static bool goals_read_goal(struct goal_parser *reading, struct error *error)
 {
     struct operand *operand = reading->operand;
     struct text left, deviation;
@@ -401,11 +403,11 @@ static bool read_goal(struct goal_reading *reading, struct error *error)
     }
     left = text_trim(left);
     if (!read_left(reading, left, error) ||
-        (reading->has_target && !read_figure(reading, target, &operand->target, error)) ||
-        !read_deviation(reading, deviation, error) || !check(reading, left, error)) {
+        (reading->has_target && !goals_read_figure(reading, target, &operand->target, error)) ||
+        !read_deviation(reading, deviation, error) || !goals_check(reading, left, error)) {
         return false;
     }
-    operand->name = name_of(reading, left, target);
+    operand->name = goals_name_of(reading, left, target);
     return true;
 }
 
@@ -428,8 +430,8 @@ static bool add_goals(const struct goals_reader *reader, struct text rest, struc
                                  sizeof(struct operand));
         struct operand *operand = &goals->list[goals->count];
         *operand = operand_of(OPERAND_KINDS, NULL);
-        struct goal_reading reading = {.reader = reader, .item = *wrong, .operand = operand};
-        if (!read_goal(&reading, error)) {
+        struct goal_parser reading = {.reader = reader, .item = *wrong, .operand = operand};
+        if (!goals_read_goal(&reading, error)) {
             return false;
         }
         goals->count++;

@@ -16,7 +16,7 @@ size_t help_width(const struct output *output)
 }
 
 /* "(mm; above 0 mm; default 50)": unit, range and default of an option; "" if it has none. */
-static const char *facts_of(const struct option *option, struct arena *arena)
+static const char *help_facts_of(const struct option *option, struct arena *arena)
 {
     const struct unit *unit = option_unit(option);
     const char *range = option_range(option, arena), *facts = "";
@@ -47,7 +47,8 @@ static void write_option(const struct option *option, struct output *output, str
     if (strlen(name) >= NAME_WIDTH) {
         output_printf(output, "\n%*s", NAME_WIDTH, "");
     }
-    output_paragraph(output, arena_printf(arena, "%s%s", option->help, facts_of(option, arena)),
+    output_paragraph(output,
+                     arena_printf(arena, "%s%s", option->help, help_facts_of(option, arena)),
                      NAME_WIDTH, NAME_WIDTH, help_width(output));
     for (size_t i = 0; option_word(option, i) != NULL; i++) {
         const struct word *word = option_word(option, i);
@@ -74,7 +75,7 @@ static void write_usage(const struct command *command, struct output *output, st
 }
 
 /* The last place of the first `most` characters before which a shell lets a line end. */
-static size_t line_end(const char *words, size_t most)
+static size_t help_line_end(const char *words, size_t most)
 {
     size_t end = 0;
     char quote = '\0';
@@ -97,7 +98,7 @@ static void write_example(const char *words, struct output *output)
     size_t room = help_width(output) - BEGINS;
     output_string(output, "  lenscalc ");
     while (strlen(words) > room) {
-        size_t end = line_end(words, room - 2);
+        size_t end = help_line_end(words, room - 2);
         if (end == 0) {
             break;
         }

@@ -11,12 +11,13 @@
 struct idle {
     const struct sweep *sweep;
     const struct arguments *arguments;
-    const struct asking *asking;
+    const struct option_query *asking;
     const void *input;
 };
 
 /* The values of an option that are known before a batch is read. */
-static const char *values_of(const struct idle *idle, const struct option *option, size_t *count)
+static const char *idle_values_of(const struct idle *idle, const struct option *option,
+                                  size_t *count)
 {
     const struct axis *axis = sweep_axis(idle->sweep, option->name);
     *count = axis != NULL ? axis->count : 1;
@@ -37,7 +38,7 @@ static bool serves_any(const struct idle *idle, const struct option *server)
         found = asking_in_rows(idle->asking, option->name) ||
                 (!argument->is_given && option->fallback != NULL);
         size_t count;
-        const char *values = values_of(idle, option, &count);
+        const char *values = idle_values_of(idle, option, &count);
         for (size_t k = 0; k < count && !found; k++) {
             found = server->serves((const void *)(values + k * option->kind->size));
         }
@@ -67,7 +68,7 @@ static struct condition next_condition(const struct idle *idle, const char **lis
 }
 
 /* Does it hold for any value that is asked for, or assumed? */
-static bool holds(const struct idle *idle, const struct condition *condition)
+static bool idle_holds(const struct idle *idle, const struct condition *condition)
 {
     const struct option *option = condition->argument->option;
     bool given = asking_given(idle->asking, option->name), found = false;
@@ -78,7 +79,7 @@ static bool holds(const struct idle *idle, const struct condition *condition)
         return false;
     }
     size_t count;
-    const char *values = values_of(idle, option, &count);
+    const char *values = idle_values_of(idle, option, &count);
     for (size_t i = 0; i < count && !found; i++) {
         const char *name = option->kind->name_of(option, values + i * option->kind->size);
         bool same = name != NULL && text_same(condition->value, name);
@@ -93,7 +94,7 @@ static bool has_wanted(const struct idle *idle, const char *wants, char *words, 
     size_t length = 0;
     while (*wants != '\0') {
         struct condition condition = next_condition(idle, &wants);
-        if (holds(idle, &condition)) {
+        if (idle_holds(idle, &condition)) {
             return true;
         }
         const struct option *option = condition.argument->option;
@@ -172,7 +173,7 @@ static bool check_reading(const struct idle *idle, const struct option *option, 
 }
 
 bool idle_check(const struct sweep *sweep, const struct arguments *arguments,
-                const struct asking *asking, const void *input, struct error *error)
+                const struct option_query *asking, const void *input, struct error *error)
 {
     const struct idle idle = {sweep, arguments, asking, input};
     for (size_t i = 0; i < arguments->count; i++) {

@@ -18,6 +18,6 @@
  *           beside one that leaves it nothing to say
  */
 bool idle_check(const struct sweep *sweep, const struct arguments *arguments,
-                const struct asking *asking, const void *input, struct error *error);
+                const struct option_query *asking, const void *input, struct error *error);
 
 #endif

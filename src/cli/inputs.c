@@ -42,8 +42,8 @@ static bool lens_names(struct text word, struct lensdb *db, const struct stat *f
     return path != NULL && is_name_of(text_of(path), file, arena);
 }
 
-static bool reads(const struct argument *argument, struct lensdb *db, const struct stat *file,
-                  struct arena *arena)
+static bool inputs_reads(const struct argument *argument, struct lensdb *db,
+                         const struct stat *file, struct arena *arena)
 {
     const struct option *option = argument->option;
     const bool is_lens = option->kind == &kind_lens || option->kind == &kind_lens_text;
@@ -68,7 +68,7 @@ bool inputs_spare(const struct arguments *arguments, struct lensdb *db, bool for
         return true;
     }
     for (size_t i = 0; i < arguments->count; i++) {
-        if (reads(&arguments->all[i], db, &file, arena)) {
+        if (inputs_reads(&arguments->all[i], db, &file, arena)) {
             return fail(error, ERROR_IO, "%s is also read: --force overwrites it", path);
         }
     }

@@ -32,7 +32,7 @@ static atomic_bool is_noticed;
 static atomic_uint phase;
 static atomic_bool is_taken;
 
-static void note(int signal)
+static void interrupt_note(int signal)
 {
     const int before = errno;
     atomic_store(&came, signal);
@@ -122,7 +122,8 @@ void interrupt_watch(interrupt_break_off *break_off, void *context)
     watcher = (struct watcher){true, break_off, context};
     watcher.is_there = start_watcher();
     for (size_t i = 0; i < sizeof signals / sizeof signals[0]; i++) {
-        struct sigaction before, action = {.sa_handler = note, .sa_flags = (int)SA_RESETHAND};
+        struct sigaction before,
+            action = {.sa_handler = interrupt_note, .sa_flags = (int)SA_RESETHAND};
         sigemptyset(&action.sa_mask);
         if (sigaction(signals[i], &action, &before) == 0 && before.sa_handler == SIG_IGN) {
             sigaction(signals[i], &before, NULL);

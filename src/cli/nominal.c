@@ -15,23 +15,23 @@ struct series {
     size_t count;
 };
 
-static bool load(struct lensdb *db, const struct dimension *dimension, const char *name,
-                 struct series *series, struct error *error)
+static bool nominal_load(struct lensdb *db, const struct dimension *dimension, const char *name,
+                         struct series *series, struct error *error)
 {
     return lensdb_stops(db, dimension->series, name, &series->stops, &series->count, error);
 }
 
 /* Labels are short decimals; a fraction such as 1/125 is read the same way on both sides. */
-static bool is_label(const struct lensdb_stop *stop, double value)
+static bool nominal_is_label(const struct lensdb_stop *stop, double value)
 {
     return fabs(stop->value - value) <= 1e-12 * value;
 }
 
 /* The index of a label; count if it is none. */
-static size_t find(const struct series *series, double label)
+static size_t nominal_find(const struct series *series, double label)
 {
     size_t i = 0;
-    while (i < series->count && !is_label(&series->stops[i], label)) {
+    while (i < series->count && !nominal_is_label(&series->stops[i], label)) {
         i++;
     }
     return i;
@@ -42,7 +42,7 @@ struct neighbours {
     const struct lensdb_stop *below, *above;
 };
 
-static void look_around(const struct series *series, double value, struct neighbours *found)
+static void nominal_look_around(const struct series *series, double value, struct neighbours *found)
 {
     for (size_t i = 0; i < series->count; i++) {
         const struct lensdb_stop *stop = &series->stops[i];
@@ -73,15 +73,15 @@ bool nominal_exact(struct lensdb *db, const struct dimension *dimension, double 
     struct neighbours around = {0};
     for (size_t i = 0; i < SERIES; i++) {
         struct series series;
-        if (!load(db, dimension, series_names[i], &series, error)) {
+        if (!nominal_load(db, dimension, series_names[i], &series, error)) {
             return false;
         }
-        size_t found = find(&series, label);
+        size_t found = nominal_find(&series, label);
         if (found < series.count) {
             *exact = series.stops[found].exact;
             return true;
         }
-        look_around(&series, label, &around);
+        nominal_look_around(&series, label, &around);
     }
     return no_label(&around, error);
 }
@@ -96,8 +96,8 @@ static bool is_series(const char *name)
     return false;
 }
 
-static void collect(struct lensdb *db, const struct series *series, size_t from, size_t to,
-                    bool exact, double **values, size_t *count)
+static void nominal_collect(struct lensdb *db, const struct series *series, size_t from, size_t to,
+                            bool exact, double **values, size_t *count)
 {
     *count = (from < to ? to - from : from - to) + 1;
     *values = ARENA_ARRAY(db->arena, *count, double);
@@ -121,12 +121,12 @@ bool nominal_between(struct lensdb *db, const struct nominal_range *range, doubl
         if (name != NULL && strcmp(name, series_names[i]) != 0) {
             continue;
         }
-        if (!load(db, range->dimension, series_names[i], &series, error)) {
+        if (!nominal_load(db, range->dimension, series_names[i], &series, error)) {
             return false;
         }
-        size_t from = find(&series, range->first), to = find(&series, range->last);
+        size_t from = nominal_find(&series, range->first), to = nominal_find(&series, range->last);
         if (from < series.count && to < series.count) {
-            collect(db, &series, from, to, range->exact, values, count);
+            nominal_collect(db, &series, from, to, range->exact, values, count);
             return true;
         }
         if (name != NULL) {

@@ -18,7 +18,7 @@ const struct word *option_word(const struct option *option, size_t i)
     return option->words[i].word != NULL ? &option->words[i] : NULL;
 }
 
-static bool has_range(const struct option *option)
+static bool option_has_range(const struct option *option)
 {
     return option->lowest != 0 || option->highest != 0;
 }
@@ -29,7 +29,7 @@ const char *option_range(const struct option *option, struct arena *arena)
     if (option->types != NULL) {
         return file_type_endings(option->types, arena);
     }
-    if (!has_range(option)) {
+    if (!option_has_range(option)) {
         return "";
     }
     const struct unit *unit = option_unit(option);
@@ -65,7 +65,7 @@ bool option_check_range(const struct option *option, double value, struct error 
     if (isinf(value) && (option->flags & OPTION_NO_INFINITY) != 0) {
         return fail(error, ERROR_DOMAIN, "%s cannot be infinite", CALLED(option));
     }
-    if (!has_range(option)) {
+    if (!option_has_range(option)) {
         return true;
     }
     bool above = (option->flags & OPTION_ABOVE_LOWEST) != 0;
@@ -116,10 +116,10 @@ void option_doubt(const struct reader *reader, const struct option *option, doub
 {
     const struct unit *unit = option_unit(option);
     if (option->unusual != NULL && !(value >= option->usual[0] && value <= option->usual[1])) {
-        doubts_add(reader->doubts, "%s %.6g%s%s: %s", CALLED(option),
-                   unit != NULL ? unit_from_own(unit, value) : value,
-                   unit != NULL && unit->label[0] != '\0' ? " " : "",
-                   unit != NULL ? unit->label : "", option->unusual);
+        warnings_add(reader->doubts, "%s %.6g%s%s: %s", CALLED(option),
+                     unit != NULL ? unit_from_own(unit, value) : value,
+                     unit != NULL && unit->label[0] != '\0' ? " " : "",
+                     unit != NULL ? unit->label : "", option->unusual);
     }
 }
 
@@ -130,9 +130,9 @@ static void doubt_t_stop(const struct reader *reader, const struct option *optio
     const struct text trimmed = text_trim(text);
     if (option->dimension == &dimension_fnumber && (option->flags & OPTION_T_STOP) == 0 &&
         trimmed.length > 0 && (trimmed.start[0] == 'T' || trimmed.start[0] == 't')) {
-        doubts_add(reader->doubts,
-                   "%s %.*s is a T-stop, taken as f/%.6g: as if the lens lost no light",
-                   CALLED(option), text_shown(trimmed), trimmed.start, value);
+        warnings_add(reader->doubts,
+                     "%s %.*s is a T-stop, taken as f/%.6g: as if the lens lost no light",
+                     CALLED(option), text_shown(trimmed), trimmed.start, value);
     }
 }
 
@@ -215,8 +215,8 @@ static bool read_text(const struct reader *reader, const struct option *option, 
     return true;
 }
 
-static bool read_count(const struct reader *reader, const struct option *option, struct text text,
-                       void *member, struct error *error)
+static bool option_read_count(const struct reader *reader, const struct option *option,
+                              struct text text, void *member, struct error *error)
 {
     const double most = 1e9; /* where no range is said */
     (void)reader;
@@ -240,7 +240,7 @@ static bool read_count(const struct reader *reader, const struct option *option,
     return true;
 }
 
-static bool ends_with(struct text text, const char *end)
+static bool option_ends_with(struct text text, const char *end)
 {
     size_t length = strlen(end);
     return text.length > length && memcmp(text.start + text.length - length, end, length) == 0;
@@ -258,7 +258,7 @@ static enum coc_kind coc_kind_of(struct text text, struct text *number)
         *number = (struct text){text.start + 2, text.length - 2};
         return COC_DIAGONAL;
     }
-    if (ends_with(text, "px")) {
+    if (option_ends_with(text, "px")) {
         number->length -= 2;
         return COC_PIXELS;
     }
@@ -371,7 +371,7 @@ const struct option_kind kind_count = {
     .name = "count",
     .size = sizeof(long),
     .is_list = true,
-    .read = read_count,
+    .read = option_read_count,
 };
 
 const struct option_kind kind_coc = {

@@ -32,7 +32,7 @@ struct reader {
     bool fallback;             /* the text is what the program assumes, not what the user typed */
     struct lens_cache *lenses; /* null = every lens is read anew */
     bool recalls; /* of a list of values that are large, names may do: see option_kind.recall */
-    struct doubts *doubts; /* of values that are legal but odd; null = nobody listens */
+    struct warnings *doubts; /* of values that are legal but odd; null = nobody listens */
 };
 
 /* Data that an answer may depend on, which the user may add to. */

@@ -11,8 +11,8 @@
  *
  * Result    `weight` receives where the weight stands in the text; its start is null without one
  */
-static bool read_field(struct text text, struct field_item *item, struct text *weight,
-                       struct error *error)
+static bool option_field_read_field(struct text text, struct field_item *item, struct text *weight,
+                                    struct error *error)
 {
     const struct unit *degree = unit_find(&dimension_angle, text_of("deg"));
     struct error ignored;
@@ -33,7 +33,7 @@ bool field_has_weight(struct text text)
     struct field_item item;
     struct text weight;
     struct error ignored;
-    return read_field(text, &item, &weight, &ignored) && weight.start != NULL;
+    return option_field_read_field(text, &item, &weight, &ignored) && weight.start != NULL;
 }
 
 bool field_refuse_weight(const char *option, struct text text, struct error *error)
@@ -50,8 +50,8 @@ static bool is_finite(const struct field_item *item)
     return !isinf(item->angle) && !isinf(item->height) && isfinite(item->weight);
 }
 
-static bool read_fields(const struct reader *reader, const struct option *option, struct text text,
-                        void *member, struct error *error)
+static bool option_field_read_fields(const struct reader *reader, const struct option *option,
+                                     struct text text, void *member, struct error *error)
 {
     struct text rest = text, weight;
     struct field_item *items = ARENA_ARRAY(reader->arena, MOST_FIELDS, struct field_item);
@@ -61,7 +61,7 @@ static bool read_fields(const struct reader *reader, const struct option *option
             return fail(error, ERROR_USAGE, "%s has more than %d fields", CALLED(option),
                         MOST_FIELDS);
         }
-        if (!read_field(text_cut(&rest, ','), &items[count], &weight, error)) {
+        if (!option_field_read_field(text_cut(&rest, ','), &items[count], &weight, error)) {
             return error_prefix(error, "bad %s: ", CALLED(option));
         }
         if (items[count].weight < 0) {
@@ -81,5 +81,5 @@ static bool read_fields(const struct reader *reader, const struct option *option
 const struct option_kind kind_fields = {
     .name = "fields",
     .size = sizeof(struct fields_value),
-    .read = read_fields,
+    .read = option_field_read_fields,
 };

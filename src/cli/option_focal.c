@@ -119,20 +119,21 @@ static bool focal_refuse(const struct option *option, const struct focal_value *
 
 /* A maker's equivalent where the real length is meant? */
 static void focal_doubt(const struct option *option, const struct focal_value *focal,
-                        const struct sensor_value *sensor, struct doubts *doubts)
+                        const struct sensor_value *sensor, struct warnings *doubts)
 {
     const double crop = sensor_crop(&sensor->size);
     if (focal->length * crop > LONGEST_MAIN && sensor_diagonal(&sensor->size) < LARGEST_DIAGONAL) {
-        doubts_add(doubts,
-                   "%s %.6g mm on %s is as narrow as %.3g mm on 35 mm film, longer than the main "
-                   "lens of such a camera: if it is the maker's equivalent, write %.6gmm-eq (%.4g "
-                   "mm)",
-                   CALLED(option), focal->length, sensor->name, focal->length * crop, focal->length,
-                   focal->length / crop);
+        warnings_add(
+            doubts,
+            "%s %.6g mm on %s is as narrow as %.3g mm on 35 mm film, longer than the main "
+            "lens of such a camera: if it is the maker's equivalent, write %.6gmm-eq (%.4g "
+            "mm)",
+            CALLED(option), focal->length, sensor->name, focal->length * crop, focal->length,
+            focal->length / crop);
     }
 }
 
-bool focal_settle(const struct focal_options *options, void *input, struct doubts *doubts,
+bool focal_settle(const struct focal_options *options, void *input, struct warnings *doubts,
                   struct error *error)
 {
     for (size_t i = 0; i < options->count; i++) {

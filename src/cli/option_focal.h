@@ -46,7 +46,7 @@ bool focal_is_equivalent(const struct option *option, const void *input);
  *           larger ones change lenses; compact cameras zoom to 3000 mm equivalent, so that no
  *           length is implausible there
  */
-bool focal_settle(const struct focal_options *options, void *input, struct doubts *doubts,
+bool focal_settle(const struct focal_options *options, void *input, struct warnings *doubts,
                   struct error *error);
 
 #endif

@@ -7,8 +7,8 @@
 
 #include <math.h>
 
-static bool read_glass(const struct reader *reader, const struct option *option, struct text text,
-                       void *member, struct error *error)
+static bool option_glass_read_glass(const struct reader *reader, const struct option *option,
+                                    struct text text, void *member, struct error *error)
 {
     struct glass_record *record = ARENA_NEW(reader->arena, struct glass_record);
     enum glass_naming naming =
@@ -59,8 +59,8 @@ static bool read_near(const struct option *option, struct text text,
 }
 
 /* One end; nothing stands for an open one. */
-static bool read_end(const struct option *option, struct text text, double *end,
-                     struct error *error)
+static bool option_glass_read_end(const struct option *option, struct text text, double *end,
+                                  struct error *error)
 {
     *end = NAN;
     if (text_trim(text).length == 0) {
@@ -85,8 +85,8 @@ static bool read_interval(const struct reader *reader, const struct option *opti
         return read_near(option, text, member, error);
     }
     struct text high = {text.start + at + 2, text.length - at - 2};
-    if (!read_end(option, (struct text){text.start, at}, &interval.low, error) ||
-        !read_end(option, high, &interval.high, error)) {
+    if (!option_glass_read_end(option, (struct text){text.start, at}, &interval.low, error) ||
+        !option_glass_read_end(option, high, &interval.high, error)) {
         return false;
     }
     if ((isnan(interval.low) && isnan(interval.high)) || interval.low > interval.high) {
@@ -122,7 +122,7 @@ const struct option_kind kind_glass = {
     .name = "glass",
     .size = sizeof(struct glass_value),
     .is_list = true,
-    .read = read_glass,
+    .read = option_glass_read_glass,
     .name_of = glass_name,
     .reads = READS_LENSDB | READS_GLASSES,
 };

@@ -10,8 +10,9 @@
 
 #include <sys/stat.h>
 
-static bool find_lens(const struct reader *reader, struct text name, struct arena *arena,
-                      struct lens_value *value, struct error *error)
+static bool option_lens_find_lens(const struct reader *reader, struct text name,
+                                  struct arena *arena, struct lens_value *value,
+                                  struct error *error)
 {
     struct lens *lens = ARENA_NEW(arena, struct lens);
     struct lens_warnings warnings;
@@ -78,14 +79,14 @@ static bool read_lens_of_row(const struct reader *reader, struct text name,
     if (text_equal(name, "-")) {
         return fail(error, ERROR_USAGE, "a row cannot read its lens from standard input");
     }
-    if (!find_lens(reader, name, reader->arena, value, error)) {
+    if (!option_lens_find_lens(reader, name, reader->arena, value, error)) {
         return false;
     }
     if (cache->count == MOST_KEPT) {
         return true;
     }
     /* once more, now that it is good, to stay */
-    if (!find_lens(reader, name, cache->arena, value, error)) {
+    if (!option_lens_find_lens(reader, name, cache->arena, value, error)) {
         return false;
     }
     option_lens_keep(cache, value);
@@ -109,7 +110,7 @@ void option_lens_at_once(struct lens_cache *cache, size_t count)
 }
 
 /* The slot that has this lens, else the one whose lens was wanted longest ago. */
-static struct lens_slot *slot_of(struct lens_cache *cache, struct text name)
+static struct lens_slot *option_lens_slot_of(struct lens_cache *cache, struct text name)
 {
     option_lens_at_once(cache, 1);
     struct lens_slot *oldest = &cache->slots[0];
@@ -128,9 +129,10 @@ static struct lens_slot *slot_of(struct lens_cache *cache, struct text name)
 static bool read_into_slot(const struct reader *reader, struct text name, struct lens_value *value,
                            struct error *error)
 {
-    struct lens_slot *slot = slot_of(reader->lenses, name);
+    struct lens_slot *slot = option_lens_slot_of(reader->lenses, name);
     slot->used = ++reader->lenses->wanted;
-    if (slot->value.lens == NULL && !find_lens(reader, name, &slot->arena, &slot->value, error)) {
+    if (slot->value.lens == NULL &&
+        !option_lens_find_lens(reader, name, &slot->arena, &slot->value, error)) {
         return false;
     }
     *value = slot->value;
@@ -157,7 +159,7 @@ static bool read_lens_of_list(const struct reader *reader, struct text name,
         return true;
     }
     if (cache->count < MOST_KEPT || !is_lasting(name, reader->arena)) {
-        if (!find_lens(reader, name, reader->arena, value, error)) {
+        if (!option_lens_find_lens(reader, name, reader->arena, value, error)) {
             return false;
         }
         option_lens_keep(cache, value);
@@ -180,7 +182,7 @@ static bool read_lens(const struct reader *reader, const struct option *option, 
     }
     return reader->recalls && (option->flags & OPTION_MANY) != 0
                ? read_lens_of_list(reader, name, member, error)
-               : find_lens(reader, name, reader->arena, member, error);
+               : option_lens_find_lens(reader, name, reader->arena, member, error);
 }
 
 static bool recall_lens(const struct reader *reader, void *member, struct error *error)
@@ -253,8 +255,8 @@ bool wavelength_read(const struct reader *reader, const struct option *option, s
                 CALLED(option), text_shown(name), name.start);
 }
 
-static bool read_wavelength(const struct reader *reader, const struct option *option,
-                            struct text text, void *member, struct error *error)
+static bool option_lens_read_wavelength(const struct reader *reader, const struct option *option,
+                                        struct text text, void *member, struct error *error)
 {
     struct text name = text_trim(text);
     struct wavelength_value value = {.name = arena_string(reader->arena, name.start, name.length)};
@@ -289,7 +291,7 @@ const struct option_kind kind_wavelength = {
     .name = "wavelength",
     .size = sizeof(struct wavelength_value),
     .is_list = true,
-    .read = read_wavelength,
+    .read = option_lens_read_wavelength,
     .name_of = wavelength_name,
     .number_of = wavelength_number,
     .reads = READS_LENSDB,

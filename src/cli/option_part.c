@@ -2,8 +2,8 @@
 /* SPDX-License-Identifier: MIT */
 #include "cli/option.h"
 
-static bool read_part(const struct reader *reader, const struct option *option, struct text text,
-                      void *member, struct error *error)
+static bool option_part_read_part(const struct reader *reader, const struct option *option,
+                                  struct text text, void *member, struct error *error)
 {
     (void)reader;
     return part_parse(text_trim(text), member, error) ||
@@ -13,5 +13,5 @@ static bool read_part(const struct reader *reader, const struct option *option, 
 const struct option_kind kind_part = {
     .name = "part",
     .size = sizeof(struct part),
-    .read = read_part,
+    .read = option_part_read_part,
 };

@@ -12,8 +12,9 @@ static const struct setup_wavelength photopic[] = {
     {0.57, 0.952}, {0.59, 0.757},   {0.61, 0.503},   {0.63, 0.265}, {0.65, 0.107},
 };
 
-static bool read_item(const struct reader *reader, const struct option *option, struct text item,
-                      struct setup_wavelength *to, struct error *error)
+static bool option_spectrum_read_item(const struct reader *reader, const struct option *option,
+                                      struct text item, struct setup_wavelength *to,
+                                      struct error *error)
 {
     struct text weight = item;
     const struct text name = text_cut(&weight, ':');
@@ -48,7 +49,8 @@ static bool read_spectrum(const struct reader *reader, const struct option *opti
             return fail(error, ERROR_USAGE, "%s has more than %d wavelengths", CALLED(option),
                         MOST_SPECTRUM);
         }
-        if (!read_item(reader, option, text_cut(&rest, ','), &items[value.count], error)) {
+        if (!option_spectrum_read_item(reader, option, text_cut(&rest, ','), &items[value.count],
+                                       error)) {
             return false;
         }
         sum += items[value.count].weight;

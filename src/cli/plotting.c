@@ -9,7 +9,7 @@
 #include <string.h>
 
 /* Where the curves come from: x runs along one axis, groups along all others. */
-struct layout {
+struct plotting_layout {
     const struct axis *x;
     size_t x_stride; /* combinations from one x to the next */
     size_t groups;
@@ -18,7 +18,7 @@ struct layout {
 };
 
 /* The axis with the most values; of equals the last, which is fastest. */
-static bool choose_x(const struct collection *collection, struct layout *layout,
+static bool choose_x(const struct collection *collection, struct plotting_layout *layout,
                      struct error *error)
 {
     const struct sweep *sweep = collection->sweep;
@@ -46,15 +46,15 @@ static bool choose_x(const struct collection *collection, struct layout *layout,
 }
 
 /* The combination of group g at x index i. */
-static size_t combination(const struct layout *layout, size_t group, size_t i)
+static size_t combination(const struct plotting_layout *layout, size_t group, size_t i)
 {
     size_t inner = group % layout->x_stride, outer = group / layout->x_stride;
     return (outer * layout->x->count + i) * layout->x_stride + inner;
 }
 
 /* "f-number 2.8, focal length 50 mm": the values of all axes but x in a group. */
-static const char *group_words(const struct collection *collection, const struct layout *layout,
-                               size_t group)
+static const char *group_words(const struct collection *collection,
+                               const struct plotting_layout *layout, size_t group)
 {
     const struct sweep *sweep = collection->sweep;
     size_t index = combination(layout, group, 0);
@@ -84,8 +84,8 @@ static double column_value(const void *row, const struct column *column)
     return row_is_absent(row, column) ? NAN : (double)row_integer(row, column);
 }
 
-static double *curve(const struct collection *collection, const struct layout *layout, size_t group,
-                     const struct shown *shown)
+static double *curve(const struct collection *collection, const struct plotting_layout *layout,
+                     size_t group, const struct shown *shown)
 {
     double *y = ARENA_ARRAY(collection->arena, layout->x->count, double);
     for (size_t i = 0; i < layout->x->count; i++) {
@@ -102,7 +102,7 @@ static const char *column_label(const struct shown *shown)
 }
 
 /* Which of the shown columns has this name? Their count: none. */
-static size_t find_shown(const struct layout *layout, struct text name)
+static size_t find_shown(const struct plotting_layout *layout, struct text name)
 {
     size_t k = 0;
     while (k < layout->shown_count && !text_equal(name, layout->shown[k].column->name)) {
@@ -112,7 +112,7 @@ static size_t find_shown(const struct layout *layout, struct text name)
 }
 
 /* The band that the command's zone makes of the columns; false: it fills nothing. */
-static bool find_zone(const struct collection *collection, const struct layout *layout,
+static bool find_zone(const struct collection *collection, const struct plotting_layout *layout,
                       struct plot_band *band)
 {
     struct text rest = text_of(collection->command->zone != NULL ? collection->command->zone : "");
@@ -128,8 +128,8 @@ static bool find_zone(const struct collection *collection, const struct layout *
     return false;
 }
 
-static void add_curves(const struct collection *collection, const struct layout *layout,
-                       struct plot *plot)
+static void plotting_add_curves(const struct collection *collection,
+                                const struct plotting_layout *layout, struct plot *plot)
 {
     size_t columns = layout->shown_count, groups = layout->groups;
     struct plot_series *series =
@@ -163,7 +163,7 @@ static void add_curves(const struct collection *collection, const struct layout 
 /* A group of curves that is asked for more. */
 struct curve_group {
     const struct collection *collection;
-    const struct layout *layout;
+    const struct plotting_layout *layout;
     size_t group;
 };
 
@@ -171,7 +171,7 @@ static bool curve_group_at(void *context, double x, double *y)
 {
     const struct curve_group *group = context;
     const struct collection *collection = group->collection;
-    const struct layout *layout = group->layout;
+    const struct plotting_layout *layout = group->layout;
     const struct unit *unit = layout->x->unit;
     const double own = unit != NULL ? unit_to_own(unit, x) : x;
     sweep_set(collection->sweep, combination(layout, group->group, 0), collection->input);
@@ -200,7 +200,7 @@ static size_t most_between(const struct collection *collection)
 }
 
 /* What lies between the samples, where the curves are bent or end. */
-static void refine_curves(const struct collection *collection, const struct layout *layout,
+static void refine_curves(const struct collection *collection, const struct plotting_layout *layout,
                           struct plot *plot)
 {
     const size_t columns = layout->shown_count, most = most_between(collection) / layout->groups;
@@ -236,7 +236,8 @@ static const char *with_unit(const struct collection *collection, const char *la
 }
 
 /* "near limit and far limit"; what many curves have in common is their dimension: "angle". */
-static const char *title_words(const struct collection *collection, const struct layout *layout)
+static const char *title_words(const struct collection *collection,
+                               const struct plotting_layout *layout)
 {
     if (layout->shown_count > 2 && layout->shown[0].column->dimension != NULL) {
         return layout->shown[0].column->dimension->name;
@@ -251,10 +252,10 @@ static const char *title_words(const struct collection *collection, const struct
 }
 
 /* Everything that can be wrong with the question. */
-static bool lay_out(const struct collection *collection, const char *columns, bool typed,
-                    struct layout *layout, struct error *error)
+static bool plotting_lay_out(const struct collection *collection, const char *columns, bool typed,
+                             struct plotting_layout *layout, struct error *error)
 {
-    *layout = (struct layout){0};
+    *layout = (struct plotting_layout){0};
     if (columns == NULL) {
         return fail(error, ERROR_USAGE, "--plot: say what to plot with --columns");
     }
@@ -265,7 +266,7 @@ static bool lay_out(const struct collection *collection, const char *columns, bo
 }
 
 /* Does any of the columns repeat the swept option, or have no value at all? */
-static bool says_nothing(const struct collection *collection, const struct layout *layout)
+static bool says_nothing(const struct collection *collection, const struct plotting_layout *layout)
 {
     for (size_t k = 0; k < layout->shown_count; k++) {
         const struct column *column = layout->shown[k].column;
@@ -287,16 +288,16 @@ static bool says_nothing(const struct collection *collection, const struct layou
  * '|') that say something about this sweep.
  */
 static bool choose_columns(const struct collection *collection, const char *columns, bool typed,
-                           struct layout *layout, struct error *error)
+                           struct plotting_layout *layout, struct error *error)
 {
     struct text rest = text_of(columns != NULL ? columns : "");
     if (columns == NULL || typed) {
-        return lay_out(collection, columns, typed, layout, error);
+        return plotting_lay_out(collection, columns, typed, layout, error);
     }
     while (rest.start != NULL) {
         struct text choice = text_cut(&rest, '|');
         const char *names = arena_string(collection->arena, choice.start, choice.length);
-        bool fits = lay_out(collection, names, false, layout, error);
+        bool fits = plotting_lay_out(collection, names, false, layout, error);
         if (rest.start == NULL || (fits && !says_nothing(collection, layout))) {
             return fits;
         }
@@ -307,14 +308,14 @@ static bool choose_columns(const struct collection *collection, const char *colu
 bool collection_plot_check(const struct collection *collection, const char *columns, bool typed,
                            struct error *error)
 {
-    struct layout layout;
+    struct plotting_layout layout;
     return choose_columns(collection, columns, typed, &layout, error);
 }
 
 bool collection_plot(const struct collection *collection, const char *columns, bool typed,
                      const char *subtitle, struct svg *svg, struct error *error)
 {
-    struct layout layout;
+    struct plotting_layout layout;
     if (collection->is_ambiguous) {
         return fail(error, ERROR_USAGE,
                     "--plot needs one row per combination, but this question has several");
@@ -338,7 +339,7 @@ bool collection_plot(const struct collection *collection, const char *columns, b
         plot.x_ticks = x;
         plot.x_tick_count = layout.x->count;
     }
-    add_curves(collection, &layout, &plot);
+    plotting_add_curves(collection, &layout, &plot);
     plot_choose_axes(&plot);
     refine_curves(collection, &layout, &plot);
     return plot_draw(&plot, svg, error);

@@ -31,7 +31,7 @@ static size_t adapted(size_t every, double elapsed)
     return elapsed > 2 * looked_every && every > 1 ? every / 2 : every;
 }
 
-static bool is_seen(struct progress *progress)
+static bool progress_is_seen(struct progress *progress)
 {
     if (progress->terminal == PROGRESS_UNKNOWN) {
         progress->terminal = isatty(STDERR_FILENO) ? PROGRESS_SEEN : PROGRESS_UNSEEN;
@@ -53,7 +53,7 @@ static int write_rate(char *to, size_t room, double rate, const char *unit)
 }
 
 /* Rows, or what one row that takes long counts. */
-static void show(struct progress *progress, double time)
+static void progress_show(struct progress *progress, double time)
 {
     const struct progress_state state = progress->state(progress->context);
     struct watch *watch = &progress->watch;
@@ -86,8 +86,8 @@ void progress_look(struct progress *progress)
     progress->until = progress->every;
     progress->looked = time;
     if (time - progress->started > first_after && time - progress->shown > shown_every &&
-        is_seen(progress)) {
-        show(progress, time);
+        progress_is_seen(progress)) {
+        progress_show(progress, time);
     }
     atomic_store(&progress->watch.is_ended, interrupt_came());
 }

@@ -108,7 +108,7 @@ bool relay_to_ceres(char **argv, struct arena *arena, struct error *error)
 }
 
 /* Is the word one of the list's? */
-static bool lists(struct text list, const char *word)
+static bool relay_lists(struct text list, const char *word)
 {
     const char *const end = list.start + list.length;
     for (const char *at = list.start; at != NULL;) {
@@ -129,5 +129,5 @@ bool relay_is_wanted(const struct command *command, const struct arguments *argu
     }
     const char *word = strchr(when, '=');
     const struct argument *argument = arguments_find(arguments, text_between(when, word));
-    return argument->is_given && lists(argument->text, word + 1);
+    return argument->is_given && relay_lists(argument->text, word + 1);
 }

@@ -84,7 +84,7 @@ static void tell_warning(struct driver *driver, const void *row)
 {
     const char *warning = row_text(row, driver->hidden_warning);
     if (warning != NULL) {
-        doubts_add(&driver->doubts, "%s", warning);
+        warnings_add(&driver->doubts, "%s", warning);
     }
 }
 
@@ -118,7 +118,7 @@ bool rows_emit_amid(struct run *run, const void *row)
     return is_going_on;
 }
 
-static bool is_same(const struct error *a, const struct error *b)
+static bool rows_is_same(const struct error *a, const struct error *b)
 {
     return a->line == b->line && a->column == b->column && strcmp(a->source, b->source) == 0 &&
            strcmp(a->message, b->message) == 0 && strcmp(a->hint, b->hint) == 0;
@@ -135,9 +135,9 @@ static void failure_name(const struct driver *driver, struct error *failure)
  * Of failures in a row that are alike, as in a sweep, the first, and of rows of a batch that lack
  * the same; all rows have their own.
  */
-static void say(struct driver *driver, struct error *failure)
+static void rows_say(struct driver *driver, struct error *failure)
 {
-    if (driver->is_inside || is_same(failure, &driver->said)) {
+    if (driver->is_inside || rows_is_same(failure, &driver->said)) {
         return;
     }
     driver->said = *failure;
@@ -177,7 +177,7 @@ static void write_failure(struct driver *driver, const struct passed_cell *passe
 static void emit_failure(struct driver *driver, struct error *failure)
 {
     driver->failed++;
-    say(driver, failure);
+    rows_say(driver, failure);
     if (driver->common.table == NULL) {
         if (!driver->begun) {
             rows_begin(driver);
@@ -188,7 +188,7 @@ static void emit_failure(struct driver *driver, struct error *failure)
 }
 
 /* Can the format say in a row why there is none? */
-static bool has_place(const struct report *report)
+static bool rows_has_place(const struct report *report)
 {
     return report->format->separator == '\0' || report->has_error_column;
 }
@@ -200,7 +200,7 @@ void rows_break_off(struct driver *driver, struct error *failure)
         output_flush(&driver->output);
         return;
     }
-    if (!driver->is_broken_off && has_place(report)) {
+    if (!driver->is_broken_off && rows_has_place(report)) {
         struct passed_cell *none =
             ARENA_ARRAY(report->arena, report->passed_count + 1, struct passed_cell);
         for (size_t i = 0; i < report->passed_count; i++) {
@@ -247,7 +247,7 @@ static void count_answer(struct driver *driver, bool done, struct error *shortfa
 {
     bool is_short = done && shortfall->code != ERROR_NONE;
     if (is_short) {
-        say(driver, shortfall);
+        rows_say(driver, shortfall);
     }
     driver->failed += is_short;
     driver->good += done && !is_short;
@@ -331,7 +331,7 @@ static bool stop_early(struct driver *driver, struct error *error)
         gaps_explain(error, &driver->batch, driver->answered);
     }
     failure_name(driver, error);
-    if (driver->begun && has_place(&driver->report)) {
+    if (driver->begun && rows_has_place(&driver->report)) {
         write_failure(driver, driver->passed, error);
         driver->is_broken_off = true;
     }
@@ -478,7 +478,7 @@ static bool take_new_keys(struct driver *driver, struct error *error)
 }
 
 /* A row of the batch: into the queue, or answered at once. False if that ends the batch. */
-static bool take_row(struct driver *driver, enum batch_result result, struct error *error)
+static bool rows_take_row(struct driver *driver, enum batch_result result, struct error *error)
 {
     struct queue *queue = &driver->queue;
     if (result == BATCH_ROW &&
@@ -519,7 +519,7 @@ bool rows_of_batch(struct driver *driver, struct error *error)
                                        !take_new_keys(driver, error))) {
             return false;
         }
-        if (!take_row(driver, result, error)) {
+        if (!rows_take_row(driver, result, error)) {
             return false;
         }
         if (driver->queue.count == 0) {

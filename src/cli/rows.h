@@ -29,9 +29,9 @@ struct driver {
     struct output output;
     struct collection collection;
     struct artifacts artifacts;
-    struct asking asking; /* the columns of a batch count as given */
-    struct arena kept;    /* of the command, until the end */
-    struct doubts doubts;
+    struct option_query asking; /* the columns of a batch count as given */
+    struct arena kept;          /* of the command, until the end */
+    struct warnings doubts;
     struct team *team;                /* who answers the sweep; null: the driver itself */
     struct queue queue;               /* rows of the batch that wait to be computed together */
     struct echo echo;                 /* what rows repeat beside the command's own columns */

@@ -25,14 +25,14 @@ struct team {
 };
 
 /* Where the rows of one answer go. */
-struct keeping {
+struct row_sink {
     const struct team *team;
     struct team_answer *answer;
 };
 
 static bool keep_row(struct run *run, const void *row)
 {
-    const struct keeping *keeping = run->driver;
+    const struct row_sink *keeping = run->driver;
     struct team_answer *answer = keeping->answer;
     const size_t size = keeping->team->row_size;
     answer->rows = arena_grow(run->arena, answer->rows, answer->count, &answer->room, size);
@@ -47,7 +47,7 @@ static void answer_piece(void *context, const struct parallel_piece *piece)
     struct member *member = &team->members[piece->thread];
     for (size_t i = piece->begin; i < piece->end; i++) {
         struct team_answer *answer = &team->answers[i];
-        struct keeping keeping = {team, answer};
+        struct row_sink keeping = {team, answer};
         struct run run = team->run;
         run.arena = piece->arena;
         run.kept = &member->kept;

@@ -11,7 +11,7 @@
 enum { MOST_WITHOUT_FORCE = 1000000, MOST = 100000000 };
 
 /* The values of one option while they are collected. */
-struct values {
+struct sweep_values {
     const struct reader *reader;
     const struct option *option;
     bool force;
@@ -22,7 +22,7 @@ struct values {
     const struct unit *shared; /* that bare items take from the last one; null = the option's */
 };
 
-static bool is_number(const struct option *option)
+static bool sweep_is_number(const struct option *option)
 {
     return option->kind->number_of != NULL;
 }
@@ -33,7 +33,7 @@ static bool too_many(const struct option *option, struct error *error)
     return error_hint(error, "use --force to allow it (up to 100 million)");
 }
 
-static bool reserve(struct values *values, size_t more, struct error *error)
+static bool reserve(struct sweep_values *values, size_t more, struct error *error)
 {
     size_t needed = values->count + more;
     if (needed > MOST || (needed > MOST_WITHOUT_FORCE && !values->force)) {
@@ -53,7 +53,7 @@ static bool reserve(struct values *values, size_t more, struct error *error)
 }
 
 /* What is more than a number, as if it had been typed: 700 nm, not 700.0000000000001. */
-static bool add_typed(struct values *values, double number, struct error *error)
+static bool add_typed(struct sweep_values *values, double number, struct error *error)
 {
     char text[NUMBER_LENGTH];
     const struct unit *unit = option_unit(values->option);
@@ -65,7 +65,7 @@ static bool add_typed(struct values *values, double number, struct error *error)
 }
 
 /* A range: first..last, then :step, *factor, #count or /series. */
-struct range {
+struct sweep_range {
     struct text text, first, last, tail;
     char kind; /* ':' '*' '#' '/' or 0 */
     double from, to;
@@ -73,7 +73,7 @@ struct range {
 };
 
 /* Of a range in a unit that is not the program's own, what would have been typed: 65 deg. */
-static double as_typed(const struct range *range, double number)
+static double as_typed(const struct sweep_range *range, double number)
 {
     const struct unit *unit = range->unit;
     double most = fmax(fabs(range->from), fabs(range->to)), own;
@@ -84,7 +84,7 @@ static double as_typed(const struct range *range, double number)
     return unit_decimal_to_own(unit, unit_from_own(unit, number), slack, &own) ? own : number;
 }
 
-static bool add_number(struct values *values, const struct range *range, double number,
+static bool add_number(struct sweep_values *values, const struct sweep_range *range, double number,
                        struct error *error)
 {
     const struct option_kind *kind = values->option->kind;
@@ -100,14 +100,14 @@ static bool add_number(struct values *values, const struct range *range, double 
     return true;
 }
 
-static bool range_fail(const struct values *values, const struct range *range, const char *what,
-                       struct error *error)
+static bool range_fail(const struct sweep_values *values, const struct sweep_range *range,
+                       const char *what, struct error *error)
 {
     return fail(error, ERROR_USAGE, "bad range in --%s '%.*s': %s", values->option->name,
                 text_shown(range->text), range->text.start, what);
 }
 
-static bool is_letter(char c)
+static bool sweep_is_letter(char c)
 {
     return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z');
 }
@@ -130,13 +130,13 @@ static bool begins_tail(struct text text, size_t i)
 {
     char c = text.start[i];
     /* the '/' of f/22 follows a letter, that of a series a digit */
-    bool series = c == '/' && i > 0 && i + 1 < text.length && is_letter(text.start[i + 1]) &&
-                  !is_letter(text.start[i - 1]);
+    bool series = c == '/' && i > 0 && i + 1 < text.length && sweep_is_letter(text.start[i + 1]) &&
+                  !sweep_is_letter(text.start[i - 1]);
     return c == ':' || c == '*' || c == '#' || series;
 }
 
 /* Cut "first..last:tail" apart; false if there is no "..". */
-static bool split_range(const struct option *option, struct text text, struct range *range)
+static bool split_range(const struct option *option, struct text text, struct sweep_range *range)
 {
     size_t at = 0;
     while (at + 1 < text.length && !(text.start[at] == '.' && text.start[at + 1] == '.')) {
@@ -145,7 +145,7 @@ static bool split_range(const struct option *option, struct text text, struct ra
     if (at + 1 >= text.length) {
         return false;
     }
-    *range = (struct range){.text = text, .first = {text.start, at}};
+    *range = (struct sweep_range){.text = text, .first = {text.start, at}};
     struct text last = {text.start + at + 2, text.length - at - 2};
     /* 1:8..1:1 and 1:2.8..1:8, whose colons are no steps */
     bool colon = has_colon(option, range->first) || is_written_as_ratio(option, range->first);
@@ -164,8 +164,8 @@ static bool split_range(const struct option *option, struct text text, struct ra
 }
 
 /* Say which option's range was wrong, before what was wrong with one of its numbers. */
-static bool blame(const struct values *values, struct text whole, struct text part,
-                  struct error *error)
+static bool sweep_blame(const struct sweep_values *values, struct text whole, struct text part,
+                        struct error *error)
 {
     error_within(error, whole, part);
     const size_t at =
@@ -174,24 +174,25 @@ static bool blame(const struct values *values, struct text whole, struct text pa
                         text_shown(whole), whole.start, text_column(whole, at));
 }
 
-static bool read_number(const struct values *values, struct text whole, struct text text,
-                        const struct unit *unit, double *number, const struct unit **typed,
-                        struct error *error)
+static bool sweep_read_number(const struct sweep_values *values, struct text whole,
+                              struct text text, const struct unit *unit, double *number,
+                              const struct unit **typed, struct error *error)
 {
     return quantity_read(text, values->option->dimension, unit, number, typed, error) ||
-           blame(values, whole, text, error);
+           sweep_blame(values, whole, text, error);
 }
 
 /* Both ends; a bare end takes the unit of the other one. */
-static bool read_ends(const struct values *values, struct range *range, struct error *error)
+static bool read_ends(const struct sweep_values *values, struct sweep_range *range,
+                      struct error *error)
 {
     if (range->last.length > 0 && range->last.start[0] == '.') {
         return range_fail(values, range, "three dots: a range has two; write 0.5 with its zero",
                           error);
     }
     const struct unit *usual = option_unit(values->option), *left, *right;
-    if (!read_number(values, range->text, range->first, usual, &range->from, &left, error) ||
-        !read_number(values, range->text, range->last, usual, &range->to, &right, error)) {
+    if (!sweep_read_number(values, range->text, range->first, usual, &range->from, &left, error) ||
+        !sweep_read_number(values, range->text, range->last, usual, &range->to, &right, error)) {
         return false;
     }
     range->unit = right != NULL ? right : left != NULL ? left : usual;
@@ -199,12 +200,12 @@ static bool read_ends(const struct values *values, struct range *range, struct e
         return range_fail(values, range, "one end is an equivalent focal length, the other is none",
                           error);
     }
-    if (left == NULL &&
-        !read_number(values, range->text, range->first, range->unit, &range->from, NULL, error)) {
+    if (left == NULL && !sweep_read_number(values, range->text, range->first, range->unit,
+                                           &range->from, NULL, error)) {
         return false;
     }
-    if (right == NULL &&
-        !read_number(values, range->text, range->last, range->unit, &range->to, NULL, error)) {
+    if (right == NULL && !sweep_read_number(values, range->text, range->last, range->unit,
+                                            &range->to, NULL, error)) {
         return false;
     }
     if (isinf(range->from) || isinf(range->to)) {
@@ -213,11 +214,12 @@ static bool read_ends(const struct values *values, struct range *range, struct e
     return true;
 }
 
-static bool add_steps(struct values *values, const struct range *range, struct error *error)
+static bool add_steps(struct sweep_values *values, const struct sweep_range *range,
+                      struct error *error)
 {
     double step = unit_to_own(range->unit, 1);
     if (range->kind == ':' &&
-        !read_number(values, range->text, range->tail, range->unit, &step, NULL, error)) {
+        !sweep_read_number(values, range->text, range->tail, range->unit, &step, NULL, error)) {
         return false;
     }
     double span = range->to - range->from;
@@ -242,11 +244,12 @@ static bool add_steps(struct values *values, const struct range *range, struct e
     return true;
 }
 
-static bool add_factors(struct values *values, const struct range *range, struct error *error)
+static bool add_factors(struct sweep_values *values, const struct sweep_range *range,
+                        struct error *error)
 {
     double factor;
     if (!quantity_read(range->tail, &dimension_number, NULL, &factor, NULL, error)) {
-        return blame(values, range->text, range->tail, error);
+        return sweep_blame(values, range->text, range->tail, error);
     }
     double ratio = range->to / range->from;
     if (!(range->from > 0 && range->to > 0)) {
@@ -271,11 +274,12 @@ static bool add_factors(struct values *values, const struct range *range, struct
     return true;
 }
 
-static bool add_points(struct values *values, const struct range *range, struct error *error)
+static bool sweep_add_points(struct sweep_values *values, const struct sweep_range *range,
+                             struct error *error)
 {
     double count;
     if (!quantity_read(range->tail, &dimension_number, NULL, &count, NULL, error)) {
-        return blame(values, range->text, range->tail, error);
+        return sweep_blame(values, range->text, range->tail, error);
     }
     if (!(count >= 2) || count != floor(count)) {
         return range_fail(values, range, "'#' needs a whole number of points, 2 or more", error);
@@ -296,8 +300,8 @@ static bool add_points(struct values *values, const struct range *range, struct 
 }
 
 /* Between two labels of a stop series; *added is false where the ends are no labels. */
-static bool add_series(struct values *values, const struct range *range, bool *added,
-                       struct error *error)
+static bool sweep_add_series(struct sweep_values *values, const struct sweep_range *range,
+                             bool *added, struct error *error)
 {
     const struct dimension *dimension = values->option->dimension;
     const char *name = NULL;
@@ -316,7 +320,7 @@ static bool add_series(struct values *values, const struct range *range, bool *a
                                          .last = range->to,
                                          .exact = values->reader->nominal};
     if (!nominal_between(values->reader->db, &labels, &stops, &count, error)) {
-        return blame(values, range->text, range->tail, error);
+        return sweep_blame(values, range->text, range->tail, error);
     }
     for (size_t i = 0; i < count; i++) {
         if (!add_number(values, range, stops[i], error)) {
@@ -328,7 +332,7 @@ static bool add_series(struct values *values, const struct range *range, bool *a
 }
 
 /* Is an end written as a fraction of what is halved and doubled: a power of 1/16, a time? */
-static bool is_fraction(const struct values *values, const struct range *range)
+static bool sweep_is_fraction(const struct sweep_values *values, const struct sweep_range *range)
 {
     const struct dimension *dimension = values->option->dimension;
     bool doubles = dimension->ratio || dimension == &dimension_time;
@@ -339,7 +343,8 @@ static bool is_fraction(const struct values *values, const struct range *range)
 }
 
 /* Fractions run in stops: 1/16, 1/8, 1/4, 1/2, 1. */
-static bool add_stops(struct values *values, const struct range *range, struct error *error)
+static bool sweep_add_stops(struct sweep_values *values, const struct sweep_range *range,
+                            struct error *error)
 {
     double stops = log2(range->to / range->from), whole = rint(stops);
     if (!(range->from > 0 && range->to > 0)) {
@@ -360,7 +365,8 @@ static bool add_stops(struct values *values, const struct range *range, struct e
     return true;
 }
 
-static bool add_range(struct values *values, struct range *range, struct error *error)
+static bool sweep_add_range(struct sweep_values *values, struct sweep_range *range,
+                            struct error *error)
 {
     bool added = false;
     if (!read_ends(values, range, error)) {
@@ -371,25 +377,25 @@ static bool add_range(struct values *values, struct range *range, struct error *
         return add_factors(values, range, error);
     }
     if (range->kind == '#') {
-        return add_points(values, range, error);
+        return sweep_add_points(values, range, error);
     }
-    if (range->kind != ':' && !add_series(values, range, &added, error)) {
+    if (range->kind != ':' && !sweep_add_series(values, range, &added, error)) {
         return false;
     }
-    if (!added && range->kind == 0 && is_fraction(values, range)) {
-        return add_stops(values, range, error);
+    if (!added && range->kind == 0 && sweep_is_fraction(values, range)) {
+        return sweep_add_stops(values, range, error);
     }
     return added || add_steps(values, range, error);
 }
 
 /* The unit in which a list is printed again: the one all its items were typed in. */
-static void note_unit(struct values *values, struct text item)
+static void note_unit(struct sweep_values *values, struct text item)
 {
     const struct option *option = values->option;
     const struct unit *typed = NULL;
     struct error ignored;
     double value;
-    if (!is_number(option) ||
+    if (!sweep_is_number(option) ||
         !quantity_read(item, option->dimension, option_unit(option), &value, &typed, &ignored) ||
         (isinf(value) && typed == NULL)) {
         return; /* infinity is the same in all units */
@@ -400,11 +406,11 @@ static void note_unit(struct values *values, struct text item)
     values->has_unit = true;
 }
 
-static bool add_item(struct values *values, struct text item, struct error *error)
+static bool add_item(struct sweep_values *values, struct text item, struct error *error)
 {
-    struct range range;
-    if (is_number(values->option) && split_range(values->option, item, &range)) {
-        return add_range(values, &range, error);
+    struct sweep_range range;
+    if (sweep_is_number(values->option) && split_range(values->option, item, &range)) {
+        return sweep_add_range(values, &range, error);
     }
     if (!reserve(values, 1, error)) {
         return false;
@@ -422,7 +428,7 @@ static bool add_item(struct values *values, struct text item, struct error *erro
 }
 
 /* Has an item of a list a unit? False for what is no plain quantity. */
-static bool unit_of(const struct option *option, struct text item, const struct unit **unit)
+static bool sweep_unit_of(const struct option *option, struct text item, const struct unit **unit)
 {
     struct error ignored;
     double value;
@@ -440,12 +446,12 @@ static const struct unit *shared_unit(const struct option *option, struct text t
     struct text rest = text;
     bool light =
         option->dimension == &dimension_wavelength || option->dimension == &dimension_wavelength_um;
-    if (!is_number(option) || light) {
+    if (!sweep_is_number(option) || light) {
         return NULL;
     }
     while (rest.start != NULL) {
         struct text item = text_trim(text_cut(&rest, ','));
-        if (!unit_of(option, item, &unit) || (unit != NULL && rest.start != NULL)) {
+        if (!sweep_unit_of(option, item, &unit) || (unit != NULL && rest.start != NULL)) {
             return NULL;
         }
         last = unit;
@@ -454,7 +460,7 @@ static const struct unit *shared_unit(const struct option *option, struct text t
 }
 
 /* All values of one option, as typed. */
-static bool read_list(struct values *values, struct text text, struct error *error)
+static bool sweep_read_list(struct sweep_values *values, struct text text, struct error *error)
 {
     struct text rest = text;
     values->unit = option_unit(values->option);
@@ -477,10 +483,10 @@ static bool read_list(struct values *values, struct text text, struct error *err
 }
 
 /* One value is stored, several make an axis. */
-static bool set_values(struct sweep *sweep, struct values *values, struct text text, void *member,
-                       struct error *error)
+static bool set_values(struct sweep *sweep, struct sweep_values *values, struct text text,
+                       void *member, struct error *error)
 {
-    if (!read_list(values, text, error)) {
+    if (!sweep_read_list(values, text, error)) {
         return false;
     }
     memcpy(member, values->data, values->option->kind->size);
@@ -501,7 +507,7 @@ static bool set_option(struct sweep *sweep, const struct argument *argument,
 {
     const struct option *option = argument->option;
     struct reader plain = {.db = reader->db, .arena = reader->arena, .fallback = true};
-    struct values values = {.reader = reader, .option = option, .force = force};
+    struct sweep_values values = {.reader = reader, .option = option, .force = force};
     option_clear(option, member);
     if (argument->is_given && option->kind == &kind_flag) {
         *(bool *)member = true;
@@ -520,7 +526,8 @@ static bool set_option(struct sweep *sweep, const struct argument *argument,
  * What all answers weigh together. Lenses count as the first of them: the others may be no more
  * than names.
  */
-static double weight_of(const struct sweep *sweep, const struct command *command, const void *input)
+static double sweep_weight_of(const struct sweep *sweep, const struct command *command,
+                              const void *input)
 {
     struct arena *arena = sweep->reader->arena;
     struct sweep light = {.total = 1, .axes = ARENA_ARRAY(arena, sweep->axis_count, struct axis)};
@@ -541,8 +548,8 @@ static double weight_of(const struct sweep *sweep, const struct command *command
 }
 
 /* Is the sweep no more work than anyone waits for? */
-static bool check_size(struct sweep *sweep, const struct command *command, bool force,
-                       const void *input, struct error *error)
+static bool sweep_check_size(struct sweep *sweep, const struct command *command, bool force,
+                             const void *input, struct error *error)
 {
     const size_t own = command->most_answers;
     const size_t most = force ? MOST : own > 0 ? own : MOST_WITHOUT_FORCE;
@@ -557,7 +564,7 @@ static bool check_size(struct sweep *sweep, const struct command *command, bool 
     if (force || sweep->total == 1 || command->weight == NULL) {
         return true;
     }
-    const double weight = weight_of(sweep, command, input);
+    const double weight = sweep_weight_of(sweep, command, input);
     if (weight > MOST_WITHOUT_FORCE) {
         fail(error, ERROR_USAGE,
              "the sweep has %zu questions, together as much work as %.0f rows: more than a million",
@@ -580,5 +587,5 @@ bool sweep_build(struct sweep *sweep, const struct arguments *arguments,
         }
     }
     sweep->focal = focal_options_of(arguments->command->options, arguments->command->option_count);
-    return check_size(sweep, arguments->command, force, input, error);
+    return sweep_check_size(sweep, arguments->command, force, input, error);
 }

@@ -7,8 +7,8 @@
 #include "file/lens_tolerance.h"
 #include "optics/growing.h"
 
-static bool read_file(const struct tolerances_reader *reader, const char *file,
-                      struct tolerances *marks, struct error *error)
+static bool tolerances_read_file(const struct tolerances_reader *reader, const char *file,
+                                 struct tolerances *marks, struct error *error)
 {
     struct text content;
     if (!whole_file(file, reader->arena, &content, error)) {
@@ -19,10 +19,10 @@ static bool read_file(const struct tolerances_reader *reader, const char *file,
 }
 
 /* What was used, in words. */
-static const char *words_of(const struct tolerances_reader *reader, const char *grade,
-                            const char *file, const struct perturbations *all)
+static const char *tolerances_words_of(const struct tolerances_reader *reader, const char *grade,
+                                       const char *file, const struct perturbations *all)
 {
-    struct growing words = {.arena = reader->arena};
+    struct text_buffer words = {.arena = reader->arena};
     const char *marks = file != NULL ? file : "the lens";
     if (grade != NULL) {
         growing_format(&words, "grade %s", grade);
@@ -56,10 +56,10 @@ bool tolerances_of(const struct tolerances_reader *reader, const char *grade, co
                                      .marks = {lens->tolerances, lens->tolerance_count}};
     if ((grade != NULL && !lens_grade_read(reader->db, text_of(grade), lens, reader->arena,
                                            &wish.of_grade, error)) ||
-        (file != NULL && !read_file(reader, file, &wish.marks, error)) ||
+        (file != NULL && !tolerances_read_file(reader, file, &wish.marks, error)) ||
         !perturbations_of(lens, &wish, reader->arena, perturbations, error)) {
         return false;
     }
-    *assumed = words_of(reader, grade, file, perturbations);
+    *assumed = tolerances_words_of(reader, grade, file, perturbations);
     return true;
 }

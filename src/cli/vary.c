@@ -9,10 +9,10 @@
 #include <string.h>
 
 /* What the items have come to so far. */
-struct naming {
+struct vary_parser {
     const struct vary_reader *reader;
     const char *option; /* "vary"; null: these are the marks of the lens */
-    struct entry {
+    struct vary_entry {
         struct variable variable;
         bool is_group; /* it came with a range, and an item of its own takes its place */
     } * entries;
@@ -22,18 +22,18 @@ struct naming {
     bool is_group;
 };
 
-static bool bad_part(const struct naming *naming, struct error *error)
+static bool bad_part(const struct vary_parser *naming, struct error *error)
 {
     return error_prefix(error, "bad part in {--%s}: ", naming->option);
 }
 
 /* One that is there already gives way, or stays; by name it is there once. */
-static bool add(struct naming *naming, struct variable variable, struct error *error)
+static bool vary_add(struct vary_parser *naming, struct variable variable, struct error *error)
 {
     struct arena *arena = naming->reader->arena;
-    const struct entry entry = {variable, naming->is_group};
+    const struct vary_entry entry = {variable, naming->is_group};
     for (size_t i = 0; i < naming->count; i++) {
-        struct entry *old = &naming->entries[i];
+        struct vary_entry *old = &naming->entries[i];
         if (old->variable.position != variable.position ||
             !parameter_is_same(old->variable.what, variable.what)) {
             continue;
@@ -59,7 +59,8 @@ static bool add(struct naming *naming, struct variable variable, struct error *e
 }
 
 /* In mm or degrees unless it has a unit. */
-static bool read_bound(struct text text, struct parameter what, double *value, struct error *error)
+static bool vary_read_bound(struct text text, struct parameter what, double *value,
+                            struct error *error)
 {
     bool angle = (parameter_type(what.kind)->is & PARAMETER_IS_ANGLE) != 0;
     const struct dimension *dimension = angle ? &dimension_angle
@@ -77,7 +78,8 @@ static bool read_bound(struct text text, struct parameter what, double *value, s
                          value, NULL, error);
 }
 
-static bool read_bounds(const struct naming *naming, struct variable *variable, struct error *error)
+static bool vary_read_bounds(const struct vary_parser *naming, struct variable *variable,
+                             struct error *error)
 {
     struct text high = naming->bounds;
     variable->low = -INFINITY;
@@ -93,13 +95,13 @@ static bool read_bounds(const struct naming *naming, struct variable *variable, 
              naming->item.start, naming->option);
         return error_hint(error, "parts are R1 (radius), t3[2,10] (gap, with bounds), n2 (index)");
     }
-    return (read_bound(low, variable->what, &variable->low, error) &&
-            read_bound(text_trim(high), variable->what, &variable->high, error)) ||
+    return (vary_read_bound(low, variable->what, &variable->low, error) &&
+            vary_read_bound(text_trim(high), variable->what, &variable->high, error)) ||
            bad_part(naming, error);
 }
 
 /* A model glass that varies has nd and Vd. */
-static bool check_glass(const struct lens *lens, size_t surface, struct error *error)
+static bool vary_check_glass(const struct lens *lens, size_t surface, struct error *error)
 {
     const struct medium *medium = &lens->surfaces[surface].medium;
     if (medium->kind == MEDIUM_MODEL) {
@@ -117,14 +119,14 @@ static bool check_glass(const struct lens *lens, size_t surface, struct error *e
 }
 
 /* One number of all positions, or the two of a glass. */
-static bool add_parameter(struct naming *naming, struct parameter what, struct error *error)
+static bool add_parameter(struct vary_parser *naming, struct parameter what, struct error *error)
 {
     static const enum parameter_kind numbers[] = {PARAMETER_INDEX, PARAMETER_ABBE};
     const struct lens *lens = naming->reader->lens;
     struct variable variable = {.what = what, .position = LENS_NONE};
     if (what.kind != PARAMETER_GLASS) {
         variable.name = parameter_mark_write(what, naming->reader->arena);
-        return read_bounds(naming, &variable, error) && add(naming, variable, error);
+        return vary_read_bounds(naming, &variable, error) && vary_add(naming, variable, error);
     }
     if (what.surface >= lens->surface_count) {
         return parameter_check(lens, what, error);
@@ -134,7 +136,7 @@ static bool add_parameter(struct naming *naming, struct parameter what, struct e
                     "a glass has no bounds in {--%s}: give those of n%zu and V%zu", naming->option,
                     what.surface + 1, what.surface + 1);
     }
-    if (!check_glass(lens, what.surface, error)) {
+    if (!vary_check_glass(lens, what.surface, error)) {
         return false;
     }
     for (size_t i = 0; i < 2; i++) {
@@ -162,7 +164,8 @@ static bool find_cell(const struct lens *lens, size_t word, struct parameter *wh
 }
 
 /* A word of the positions, in one of them or (LENS_NONE) in each. */
-static bool add_word(struct naming *naming, size_t word, size_t position, struct error *error)
+static bool vary_add_word(struct vary_parser *naming, size_t word, size_t position,
+                          struct error *error)
 {
     const struct lens *lens = naming->reader->lens;
     const struct text name = lens->variables[word].name;
@@ -177,7 +180,7 @@ static bool add_word(struct naming *naming, size_t word, size_t position, struct
         variable.name = arena_printf(naming->reader->arena, "%.*s@%s", (int)name.length, name.start,
                                      lens->positions[p]);
         if ((position == LENS_NONE || position == p) &&
-            (!read_bounds(naming, &variable, error) || !add(naming, variable, error))) {
+            (!vary_read_bounds(naming, &variable, error) || !vary_add(naming, variable, error))) {
             return false;
         }
     }
@@ -195,7 +198,8 @@ static size_t find_word(const struct lens *lens, struct text name)
 }
 
 /* d5@tele */
-static bool read_word(struct naming *naming, size_t word, struct text position, struct error *error)
+static bool vary_read_word(struct vary_parser *naming, size_t word, struct text position,
+                           struct error *error)
 {
     const struct lens *lens = naming->reader->lens;
     size_t at = position.start != NULL ? lens_position_find(lens, position) : LENS_NONE;
@@ -205,19 +209,20 @@ static bool read_word(struct naming *naming, size_t word, struct text position, 
              position.start);
         return error_hint(error, "it has %s and others", lens->positions[0]);
     }
-    return add_word(naming, word, at, error);
+    return vary_add_word(naming, word, at, error);
 }
 
-static bool takes(const struct vary_reader *reader, enum parameter_kind kind)
+static bool vary_takes(const struct vary_reader *reader, enum parameter_kind kind)
 {
     return reader->takes == NULL || reader->takes(kind);
 }
 
 /* What has a name, but the command does not vary it. */
-static bool check_kind(const struct naming *naming, struct parameter what, struct error *error)
+static bool vary_check_kind(const struct vary_parser *naming, struct parameter what,
+                            struct error *error)
 {
     const struct vary_reader *reader = naming->reader;
-    if (takes(reader, what.kind)) {
+    if (vary_takes(reader, what.kind)) {
         return true;
     }
     const char *words =
@@ -225,12 +230,12 @@ static bool check_kind(const struct naming *naming, struct parameter what, struc
     bool hisses = words[strlen(words) - 1] == 's';
     fail(error, ERROR_USAGE, "bad part '%.*s' in {--%s}: %s, not %s%s", text_shown(naming->item),
          naming->item.start, naming->option, reader->only, words, hisses ? "es" : "s");
-    return what.kind == PARAMETER_CURVATURE && takes(reader, PARAMETER_RADIUS) &&
+    return what.kind == PARAMETER_CURVATURE && vary_takes(reader, PARAMETER_RADIUS) &&
            error_hint(error, "R%zu varies the curvature", what.surface + 1);
 }
 
 /* R1, with a suggestion also from the words of the lens. */
-static bool read_parameter(const struct naming *naming, struct text name,
+static bool read_parameter(const struct vary_parser *naming, struct text name,
                            struct parameter *parameter, struct error *error)
 {
     const struct lens *lens = naming->reader->lens;
@@ -251,7 +256,7 @@ static bool read_parameter(const struct naming *naming, struct text name,
 }
 
 /* Has the surface this to vary, so that a range takes it? */
-static bool is_there(const struct lens *lens, struct parameter what)
+static bool vary_is_there(const struct lens *lens, struct parameter what)
 {
     const struct surface *surface = &lens->surfaces[what.surface];
     const struct medium *medium = &surface->medium;
@@ -284,7 +289,8 @@ static bool is_there(const struct lens *lens, struct parameter what)
 }
 
 /* Those from one surface up to before another. */
-static bool add_range(struct naming *naming, struct parameter what, size_t end, struct error *error)
+static bool vary_add_range(struct vary_parser *naming, struct parameter what, size_t end,
+                           struct error *error)
 {
     const struct lens *lens = naming->reader->lens;
     size_t before = naming->count;
@@ -297,8 +303,8 @@ static bool add_range(struct naming *naming, struct parameter what, size_t end, 
         bool word = cell != NULL && cell->variable != LENS_NONE;
         bool once =
             word && find_cell(lens, cell->variable, &first) && first.surface == what.surface;
-        bool there = word ? once : is_there(lens, what);
-        if (there && !(word ? add_word(naming, cell->variable, LENS_NONE, error)
+        bool there = word ? once : vary_is_there(lens, what);
+        if (there && !(word ? vary_add_word(naming, cell->variable, LENS_NONE, error)
                             : add_parameter(naming, what, error))) {
             return false;
         }
@@ -311,8 +317,8 @@ static bool add_range(struct naming *naming, struct parameter what, size_t end, 
 }
 
 /* R1..R11 or R1..11: `dots` is where the two ends meet. */
-static bool read_range(struct naming *naming, struct text name, const char *dots,
-                       struct error *error)
+static bool vary_read_range(struct vary_parser *naming, struct text name, const char *dots,
+                            struct error *error)
 {
     const struct lens *lens = naming->reader->lens;
     const struct text from = text_between(name.start, dots);
@@ -338,11 +344,12 @@ static bool read_range(struct naming *naming, struct text name, const char *dots
     if (last.surface >= lens->surface_count) {
         return parameter_check(lens, last, error);
     }
-    return check_kind(naming, first, error) && add_range(naming, first, last.surface + 1, error);
+    return vary_check_kind(naming, first, error) &&
+           vary_add_range(naming, first, last.surface + 1, error);
 }
 
 /* all-R, all-t; `name` is what stands behind all-. */
-static bool read_all(struct naming *naming, struct text name, struct error *error)
+static bool vary_read_all(struct vary_parser *naming, struct text name, struct error *error)
 {
     const struct lens *lens = naming->reader->lens;
     struct parameter what = {0};
@@ -353,10 +360,10 @@ static bool read_all(struct naming *naming, struct text name, struct error *erro
         return error_hint(error, "all-R varies all radii, all-t all gaps between surfaces");
     }
     size_t end = lens->surface_count - (what.kind == PARAMETER_THICKNESS ? 1 : 0);
-    return check_kind(naming, what, error) && add_range(naming, what, end, error);
+    return vary_check_kind(naming, what, error) && vary_add_range(naming, what, end, error);
 }
 
-static bool read_item(struct naming *naming, struct text item, struct error *error)
+static bool vary_read_item(struct vary_parser *naming, struct text item, struct error *error)
 {
     struct text bounds = item, name = text_trim(text_cut(&bounds, '['));
     struct text position = name, word = text_cut(&position, '@');
@@ -367,17 +374,17 @@ static bool read_item(struct naming *naming, struct text item, struct error *err
     naming->is_group = false;
     size_t known = find_word(naming->reader->lens, word);
     if (known != LENS_NONE) {
-        return read_word(naming, known, position, error);
+        return vary_read_word(naming, known, position, error);
     }
     for (size_t i = 0; i + 1 < name.length; i++) {
         if (name.start[i] == '.' && name.start[i + 1] == '.') {
-            return read_range(naming, name, name.start + i, error);
+            return vary_read_range(naming, name, name.start + i, error);
         }
     }
     if (all.start != NULL) {
-        return read_all(naming, all, error);
+        return vary_read_all(naming, all, error);
     }
-    return read_parameter(naming, name, &what, error) && check_kind(naming, what, error) &&
+    return read_parameter(naming, name, &what, error) && vary_check_kind(naming, what, error) &&
            add_parameter(naming, what, error);
 }
 
@@ -397,11 +404,11 @@ static struct text next_item(struct text *rest)
     return text_trim(item);
 }
 
-static bool read_items(struct naming *naming, const char *list, struct error *error)
+static bool vary_read_items(struct vary_parser *naming, const char *list, struct error *error)
 {
     struct text rest = text_of(list);
     while (rest.start != NULL) {
-        if (!read_item(naming, next_item(&rest), error)) {
+        if (!vary_read_item(naming, next_item(&rest), error)) {
             return false;
         }
     }
@@ -418,8 +425,8 @@ static void set_mark(struct variable *variable, const struct vary *mark)
 }
 
 /* A mark with its bounds; of a glass two numbers. */
-static bool add_mark(struct naming *naming, struct parameter what, const struct vary *mark,
-                     struct error *error)
+static bool vary_add_mark(struct vary_parser *naming, struct parameter what,
+                          const struct vary *mark, struct error *error)
 {
     size_t before = naming->count;
     if (!add_parameter(naming, what, error)) {
@@ -431,14 +438,14 @@ static bool add_mark(struct naming *naming, struct parameter what, const struct 
     return true;
 }
 
-static bool add_word_marks(struct naming *naming, struct error *error)
+static bool add_word_marks(struct vary_parser *naming, struct error *error)
 {
     const struct lens *lens = naming->reader->lens;
     for (size_t i = 0; i < lens->variable_count; i++) {
         const struct vary *const *marks = lens->variables[i].varies;
         for (size_t p = 0; p < lens->position_count && marks != NULL; p++) {
             size_t before = naming->count;
-            if (marks[p] != NULL && !add_word(naming, i, p, error)) {
+            if (marks[p] != NULL && !vary_add_word(naming, i, p, error)) {
                 return false;
             }
             if (marks[p] != NULL) {
@@ -456,7 +463,7 @@ static const char *join_mark(const char *all, struct parameter what, struct aren
                         what.surface + 1);
 }
 
-static void hand_out(const struct naming *naming, struct variable **list, size_t *count)
+static void hand_out(const struct vary_parser *naming, struct variable **list, size_t *count)
 {
     *list = ARENA_ARRAY(naming->reader->arena, naming->count + 1, struct variable);
     *count = naming->count;
@@ -465,7 +472,7 @@ static void hand_out(const struct naming *naming, struct variable **list, size_t
     }
 }
 
-static bool add_marks(struct naming *naming, const char **ignored, struct error *error)
+static bool vary_add_marks(struct vary_parser *naming, const char **ignored, struct error *error)
 {
     const struct vary_reader *reader = naming->reader;
     const struct lens *lens = reader->lens;
@@ -474,9 +481,9 @@ static bool add_marks(struct naming *naming, const char **ignored, struct error 
         for (size_t j = 0; j < lens->surfaces[i].vary_count; j++) {
             const struct vary *mark = &lens->surfaces[i].varies[j];
             const struct parameter what = {i, mark->kind, mark->order};
-            if (!takes(reader, mark->kind)) {
+            if (!vary_takes(reader, mark->kind)) {
                 *ignored = join_mark(*ignored, what, reader->arena);
-            } else if (!add_mark(naming, what, mark, error)) {
+            } else if (!vary_add_mark(naming, what, mark, error)) {
                 return false;
             }
         }
@@ -487,8 +494,8 @@ static bool add_marks(struct naming *naming, const char **ignored, struct error 
 bool vary_marks(const struct vary_reader *reader, struct variable **list, size_t *count,
                 const char **ignored, struct error *error)
 {
-    struct naming naming = {.reader = reader};
-    if (!add_marks(&naming, ignored, error)) {
+    struct vary_parser naming = {.reader = reader};
+    if (!vary_add_marks(&naming, ignored, error)) {
         return false;
     }
     hand_out(&naming, list, count);
@@ -496,14 +503,14 @@ bool vary_marks(const struct vary_reader *reader, struct variable **list, size_t
 }
 
 /* Take what is held out of the list. */
-static bool hold_items(struct naming *naming, const char *hold, struct error *error)
+static bool hold_items(struct vary_parser *naming, const char *hold, struct error *error)
 {
-    struct naming held = {.reader = naming->reader, .option = "hold"};
-    if (!read_items(&held, hold, error)) {
+    struct vary_parser held = {.reader = naming->reader, .option = "hold"};
+    if (!vary_read_items(&held, hold, error)) {
         return false;
     }
     for (size_t i = 0; i < held.count; i++) {
-        const struct entry *entry = &held.entries[i];
+        const struct vary_entry *entry = &held.entries[i];
         size_t kept = 0;
         for (size_t j = 0; j < naming->count; j++) {
             const struct variable *is = &naming->entries[j].variable;
@@ -526,9 +533,10 @@ bool vary_list(const struct vary_reader *reader, const char *vary, const char *h
                struct variable **list, size_t *count, struct error *error)
 {
     const char *option = reader->option != NULL ? reader->option : "vary";
-    struct naming naming = {.reader = reader, .option = vary != NULL ? option : NULL};
+    struct vary_parser naming = {.reader = reader, .option = vary != NULL ? option : NULL};
     const char *ignored;
-    if (!(vary != NULL ? read_items(&naming, vary, error) : add_marks(&naming, &ignored, error))) {
+    if (!(vary != NULL ? vary_read_items(&naming, vary, error)
+                       : vary_add_marks(&naming, &ignored, error))) {
         return false;
     }
     if (naming.count == 0) {

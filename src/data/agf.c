@@ -15,7 +15,7 @@
 enum { MOST_WARNINGS = 4, MOST_POINTS = 1000, MOST_DAMAGED = 1000 };
 
 /* A file while it is read, and the glass whose lines are being read. */
-struct reader {
+struct agf_reader {
     struct agf_words words;
     struct arena *arena;
     struct text catalog;
@@ -37,7 +37,7 @@ struct reader {
     size_t warnings; /* of the glass */
 };
 
-static bool read_pair(const struct reader *reader, struct text word, struct pair *value,
+static bool read_pair(const struct agf_reader *reader, struct text word, struct pair *value,
                       struct error *error)
 {
     const char *end = word.start + word.length;
@@ -46,7 +46,7 @@ static bool read_pair(const struct reader *reader, struct text word, struct pair
 }
 
 /* The next number; NaN at the end of the line. */
-static bool read_number(struct reader *reader, double *value, struct error *error)
+static bool agf_read_number(struct agf_reader *reader, double *value, struct error *error)
 {
     struct text word = agf_words_next(&reader->words);
     struct pair read = {NAN, 0};
@@ -57,11 +57,11 @@ static bool read_number(struct reader *reader, double *value, struct error *erro
     return true;
 }
 
-static bool read_numbers(struct reader *reader, double *const *values, size_t count,
-                         struct error *error)
+static bool agf_read_numbers(struct agf_reader *reader, double *const *values, size_t count,
+                             struct error *error)
 {
     for (size_t i = 0; i < count; i++) {
-        if (!read_number(reader, values[i], error)) {
+        if (!agf_read_number(reader, values[i], error)) {
             return false;
         }
     }
@@ -89,7 +89,7 @@ static double half_unit(struct text word)
     return 0.5 * pow(10, power);
 }
 
-static void warn(struct reader *reader, const char *text)
+static void agf_warn(struct agf_reader *reader, const char *text)
 {
     const char *before = reader->glass->warning;
     if (++reader->warnings > MOST_WARNINGS) {
@@ -101,34 +101,34 @@ static void warn(struct reader *reader, const char *text)
 }
 
 /* Where in the file, for a warning. */
-static const char *place(const struct reader *reader, long line)
+static const char *agf_place(const struct agf_reader *reader, long line)
 {
     return arena_printf(reader->arena, "%s:%ld", reader->words.source, line);
 }
 
-static void check_stated(struct reader *reader)
+static void check_stated(struct agf_reader *reader)
 {
     struct glass_record *glass = reader->glass;
     const struct glass_summary summary = glass_summary(&glass->glass);
     double room = fmax(3e-5, reader->nd_unit);
     int length = (int)(glass->glass.name.length < 60 ? glass->glass.name.length : 60);
     if (fabs(summary.nd - glass->nd) > room) {
-        warn(reader,
-             arena_printf(reader->arena, "%s: %.*s: the formula gives nd %.6f, stated %.10g",
-                          place(reader, glass->line), length, glass->glass.name.start, summary.nd,
-                          glass->nd));
+        agf_warn(reader,
+                 arena_printf(reader->arena, "%s: %.*s: the formula gives nd %.6f, stated %.10g",
+                              agf_place(reader, glass->line), length, glass->glass.name.start,
+                              summary.nd, glass->nd));
     }
     room = fmax(fmax(0.06, 0.0012 * fabs(glass->Vd)), reader->Vd_unit);
     if (fabs(summary.Vd - glass->Vd) > room) {
-        warn(reader,
-             arena_printf(reader->arena, "%s: %.*s: the formula gives Vd %.4f, stated %.10g",
-                          place(reader, glass->line), length, glass->glass.name.start, summary.Vd,
-                          glass->Vd));
+        agf_warn(reader,
+                 arena_printf(reader->arena, "%s: %.*s: the formula gives Vd %.4f, stated %.10g",
+                              agf_place(reader, glass->line), length, glass->glass.name.start,
+                              summary.Vd, glass->Vd));
     }
 }
 
 /* The coefficients with the number that the end of a line has cut as one. */
-static void join(struct reader *reader)
+static void agf_join(struct agf_reader *reader)
 {
     struct pair *c = reader->coefficients;
     size_t at = reader->cut - 1;
@@ -138,7 +138,7 @@ static void join(struct reader *reader)
 }
 
 /* Does the formula, with the coefficients as they are, have the stated nd? */
-static bool has_stated(struct reader *reader)
+static bool has_stated(struct agf_reader *reader)
 {
     struct glass_record *glass = reader->glass;
     agf_formula_set(reader->formula, reader->coefficients, &glass->glass);
@@ -146,20 +146,20 @@ static bool has_stated(struct reader *reader)
 }
 
 /* A number that may have been cut in two is one where only that has the stated nd. */
-static void decide_cut(struct reader *reader)
+static void decide_cut(struct agf_reader *reader)
 {
     struct pair as_two[AGF_COEFFICIENTS + 1];
     bool is_full = fabs(reader->coefficients[AGF_COEFFICIENTS].hi) > 0;
     bool two = has_stated(reader);
     memcpy(as_two, reader->coefficients, sizeof as_two);
-    join(reader);
+    agf_join(reader);
     if (!is_full && (two || !has_stated(reader))) {
         memcpy(reader->coefficients, as_two, sizeof as_two);
     }
 }
 
 /* The glass whose lines have been read is complete. */
-static bool finish_glass(struct reader *reader, struct error *error)
+static bool finish_glass(struct agf_reader *reader, struct error *error)
 {
     struct glass_record *glass = reader->glass;
     if (glass == NULL) {
@@ -177,9 +177,10 @@ static bool finish_glass(struct reader *reader, struct error *error)
     agf_formula_set(reader->formula, reader->coefficients, &glass->glass);
     for (size_t i = agf_formula_count(reader->formula); i < AGF_COEFFICIENTS; i++) {
         if (fabs(reader->coefficients[i].hi) > 0) {
-            warn(reader, arena_printf(reader->arena,
-                                      "%s: coefficient %zu is none of formula %d and is not used",
-                                      place(reader, glass->line), i + 1, reader->formula));
+            agf_warn(reader,
+                     arena_printf(reader->arena,
+                                  "%s: coefficient %zu is none of formula %d and is not used",
+                                  agf_place(reader, glass->line), i + 1, reader->formula));
         }
     }
     reader->points += glass->glass.transmittance_count;
@@ -188,14 +189,14 @@ static bool finish_glass(struct reader *reader, struct error *error)
     return true;
 }
 
-static struct text status_of(double status)
+static struct text agf_status_of(double status)
 {
     static const char *const words[] = {"standard", "preferred", "obsolete", "special", "melt"};
     return text_of(status >= 0 && status < 5 ? words[(int)status] : "");
 }
 
 /* NM name formula glass-code nd Vd exclude status melts */
-static bool read_name(struct reader *reader, struct error *error)
+static bool agf_read_name(struct agf_reader *reader, struct error *error)
 {
     double formula, exclude, status;
     const long line = reader->words.number;
@@ -238,16 +239,16 @@ static bool read_name(struct reader *reader, struct error *error)
     reader->Vd_unit = half_unit(agf_words_next(&reader->words));
     reader->words = before_nd;
     double *const values[] = {&glass->nd, &glass->Vd, &exclude, &status};
-    if (!read_numbers(reader, values, sizeof values / sizeof values[0], error)) {
+    if (!agf_read_numbers(reader, values, sizeof values / sizeof values[0], error)) {
         return false;
     }
     glass->nd = glass->nd > 0 && fabs(glass->nd - 1) > 0 ? glass->nd : NAN;
     glass->Vd = fabs(glass->Vd) > 0 ? glass->Vd : NAN;
-    glass->status = status_of(status);
+    glass->status = agf_status_of(status);
     return true;
 }
 
-static bool is_number(struct text word, struct pair *value)
+static bool agf_is_number(struct text word, struct pair *value)
 {
     const char *end = word.start + word.length;
     return word.length > 0 && pair_read(word.start, end, NUMBER_UNSCALED, value) == end &&
@@ -258,18 +259,18 @@ static bool is_number(struct text word, struct pair *value)
  * A coefficient. What is no number but with the word that the next line begins with is one that the
  * end of the line has cut; `joined` receives it where both parts are numbers too.
  */
-static bool read_coefficient(struct reader *reader, struct text word, struct pair *value,
-                             struct pair *joined, struct error *error)
+static bool agf_read_coefficient(struct agf_reader *reader, struct text word, struct pair *value,
+                                 struct pair *joined, struct error *error)
 {
     struct agf_words ahead = reader->words;
     struct pair behind, whole;
     const struct text rest = agf_words_next(&ahead);
     bool is_cut = ahead.touches && word.length + rest.length < NUMBER_LENGTH &&
-                  is_number(text_of(arena_printf(reader->arena, "%.*s%.*s", (int)word.length,
-                                                 word.start, (int)rest.length, rest.start)),
-                            &whole);
+                  agf_is_number(text_of(arena_printf(reader->arena, "%.*s%.*s", (int)word.length,
+                                                     word.start, (int)rest.length, rest.start)),
+                                &whole);
     *joined = pair_of(NAN);
-    if (is_cut && !(is_number(word, value) && is_number(rest, &behind))) {
+    if (is_cut && !(agf_is_number(word, value) && agf_is_number(rest, &behind))) {
         *value = whole;
         reader->words = ahead;
         return true;
@@ -278,14 +279,14 @@ static bool read_coefficient(struct reader *reader, struct text word, struct pai
     return read_pair(reader, word, value, error);
 }
 
-static bool read_coefficients(struct reader *reader, struct error *error)
+static bool agf_read_coefficients(struct agf_reader *reader, struct error *error)
 {
     struct text word = agf_words_next(&reader->words);
     memset(reader->coefficients, 0, sizeof reader->coefficients);
     reader->cut = 0;
     for (size_t i = 0; word.length > 0; i++, word = agf_words_next(&reader->words)) {
         struct pair value, joined;
-        if (!read_coefficient(reader, word, &value, &joined, error)) {
+        if (!agf_read_coefficient(reader, word, &value, &joined, error)) {
             return false;
         }
         if (i < AGF_COEFFICIENTS && reader->cut == 0 && !isnan(joined.hi)) {
@@ -304,11 +305,11 @@ static bool read_coefficients(struct reader *reader, struct error *error)
 }
 
 /* TD D0 D1 D2 E0 E1 lambda temperature */
-static bool read_thermal(struct reader *reader, struct error *error)
+static bool read_thermal(struct agf_reader *reader, struct error *error)
 {
     struct glass_thermal *t = &reader->glass->glass.thermal;
     double *const values[] = {&t->d0, &t->d1, &t->d2, &t->e0, &t->e1, &t->resonance, &t->reference};
-    if (!read_numbers(reader, values, sizeof values / sizeof values[0], error)) {
+    if (!agf_read_numbers(reader, values, sizeof values / sizeof values[0], error)) {
         return false;
     }
     bool known = false;
@@ -322,11 +323,11 @@ static bool read_thermal(struct reader *reader, struct error *error)
 }
 
 /* ED expansion expansion-when-hot density ... */
-static bool read_properties(struct reader *reader, struct error *error)
+static bool read_properties(struct agf_reader *reader, struct error *error)
 {
     struct glass_record *glass = reader->glass;
     double *const values[] = {&glass->expansion, &glass->expansion_hot, &glass->density};
-    if (!read_numbers(reader, values, sizeof values / sizeof values[0], error)) {
+    if (!agf_read_numbers(reader, values, sizeof values / sizeof values[0], error)) {
         return false;
     }
     for (size_t i = 0; i < 3; i++) {
@@ -336,11 +337,11 @@ static bool read_properties(struct reader *reader, struct error *error)
     return true;
 }
 
-static bool read_range(struct reader *reader, struct error *error)
+static bool agf_read_range(struct agf_reader *reader, struct error *error)
 {
     struct glass *glass = &reader->glass->glass;
     double *const values[] = {&glass->shortest, &glass->longest};
-    if (!read_numbers(reader, values, 2, error)) {
+    if (!agf_read_numbers(reader, values, 2, error)) {
         return false;
     }
     if (!(glass->shortest > 0) && !(glass->longest > 0)) { /* 0 0: not stated */
@@ -353,7 +354,7 @@ static bool read_range(struct reader *reader, struct error *error)
 }
 
 /* Keep a point, by rising wavelength; of two at one wavelength the one of nearly 10 mm. */
-static void keep_point(struct reader *reader, struct glass_point point, double thickness)
+static void keep_point(struct agf_reader *reader, struct glass_point point, double thickness)
 {
     struct glass *glass = &reader->glass->glass;
     struct glass_point *points = reader->transmittance;
@@ -377,18 +378,18 @@ static void keep_point(struct reader *reader, struct glass_point point, double t
 }
 
 /* IT wavelength transmittance thickness */
-static bool read_transmittance(struct reader *reader, struct error *error)
+static bool read_transmittance(struct agf_reader *reader, struct error *error)
 {
     double wavelength, tau, thickness;
     double *const values[] = {&wavelength, &tau, &thickness};
-    if (!read_numbers(reader, values, 3, error)) {
+    if (!agf_read_numbers(reader, values, 3, error)) {
         return false;
     }
     if (!(wavelength > 0 && tau >= 0 && tau <= 1 && thickness > 0)) {
-        warn(reader, arena_printf(reader->arena,
-                                  "%s: no wavelength, transmittance from 0 to 1 and thickness: "
-                                  "not used",
-                                  place(reader, reader->words.number)));
+        agf_warn(reader, arena_printf(reader->arena,
+                                      "%s: no wavelength, transmittance from 0 to 1 and thickness: "
+                                      "not used",
+                                      agf_place(reader, reader->words.number)));
         return true;
     }
     if (reader->glass->glass.transmittance_count == MOST_POINTS) {
@@ -402,7 +403,7 @@ static bool read_transmittance(struct reader *reader, struct error *error)
 }
 
 /* Comments, prices and resistance to climate, acids and stain. */
-static bool pass_over(struct reader *reader, struct error *error)
+static bool agf_pass_over(struct agf_reader *reader, struct error *error)
 {
     (void)reader;
     (void)error;
@@ -411,14 +412,15 @@ static bool pass_over(struct reader *reader, struct error *error)
 
 static const struct {
     char keyword[3];
-    bool (*read)(struct reader *reader, struct error *error);
+    bool (*read)(struct agf_reader *reader, struct error *error);
 } keywords[] = {
-    {"CD", read_coefficients},  {"TD", read_thermal}, {"ED", read_properties}, {"LD", read_range},
-    {"IT", read_transmittance}, {"OD", pass_over},    {"GC", pass_over},       {"CC", pass_over},
+    {"CD", agf_read_coefficients}, {"TD", read_thermal},       {"ED", read_properties},
+    {"LD", agf_read_range},        {"IT", read_transmittance}, {"OD", agf_pass_over},
+    {"GC", agf_pass_over},         {"CC", agf_pass_over},
 };
 
 /* Go on behind a damaged glass. */
-static bool leave_out(struct reader *reader, const struct error *error)
+static bool agf_leave_out(struct agf_reader *reader, const struct error *error)
 {
     if (reader->damaged_count == MOST_DAMAGED) {
         return false;
@@ -433,19 +435,19 @@ static bool leave_out(struct reader *reader, const struct error *error)
 }
 
 /* What a line has beyond its numbers, in the lines too that go on with it. */
-static bool pass_rest(struct reader *reader)
+static bool pass_rest(struct agf_reader *reader)
 {
     while (agf_words_next(&reader->words).length > 0) {
     }
     return true;
 }
 
-static bool read_line(struct reader *reader, struct error *error)
+static bool agf_read_line(struct agf_reader *reader, struct error *error)
 {
     struct text keyword = agf_words_next(&reader->words);
     if (text_equal(keyword, "NM")) {
-        return (finish_glass(reader, error) || leave_out(reader, error)) &&
-               read_name(reader, error);
+        return (finish_glass(reader, error) || agf_leave_out(reader, error)) &&
+               agf_read_name(reader, error);
     }
     if (keyword.length == 0 || reader->glass == NULL) { /* any text may stand above */
         return true;
@@ -455,14 +457,14 @@ static bool read_line(struct reader *reader, struct error *error)
             return keywords[i].read(reader, error) && pass_rest(reader);
         }
     }
-    warn(reader, arena_printf(reader->arena, "%s: '%.*s' is not known and not used",
-                              place(reader, reader->words.number), text_shown_up_to(keyword, 20),
-                              keyword.start));
+    agf_warn(reader, arena_printf(reader->arena, "%s: '%.*s' is not known and not used",
+                                  agf_place(reader, reader->words.number),
+                                  text_shown_up_to(keyword, 20), keyword.start));
     return true;
 }
 
 /* Room for as many glasses and points as there are lines NM and IT. */
-static void make_room(struct reader *reader)
+static void agf_make_room(struct agf_reader *reader)
 {
     size_t glasses = 0, points = 0;
     for (struct text rest = reader->words.rest; rest.start != NULL && rest.length > 0;) {
@@ -476,19 +478,19 @@ static void make_room(struct reader *reader)
 }
 
 /* A name without its case, and whose it is. */
-struct key {
+struct agf_key {
     const char *key;
     size_t glass;
 };
 
-static int by_key(const void *a, const void *b)
+static int agf_by_key(const void *a, const void *b)
 {
-    const struct key *left = a, *right = b;
+    const struct agf_key *left = a, *right = b;
     int order = strcmp(left->key, right->key);
     return order != 0 ? order : (left->glass > right->glass) - (left->glass < right->glass);
 }
 
-static const char *key_of(struct text name, struct arena *arena)
+static const char *agf_key_of(struct text name, struct arena *arena)
 {
     char *key = arena_string(arena, name.start, name.length);
     for (char *c = key; *c != '\0'; c++) {
@@ -498,13 +500,13 @@ static const char *key_of(struct text name, struct arena *arena)
 }
 
 /* A name that stands twice: each of its glasses says so. */
-static void mark_duplicates(struct reader *reader)
+static void mark_duplicates(struct agf_reader *reader)
 {
-    struct key *keys = ARENA_ARRAY(reader->arena, reader->count, struct key);
+    struct agf_key *keys = ARENA_ARRAY(reader->arena, reader->count, struct agf_key);
     for (size_t i = 0; i < reader->count; i++) {
-        keys[i] = (struct key){key_of(reader->glasses[i].glass.name, reader->arena), i};
+        keys[i] = (struct agf_key){agf_key_of(reader->glasses[i].glass.name, reader->arena), i};
     }
-    qsort(keys, reader->count, sizeof *keys, by_key);
+    qsort(keys, reader->count, sizeof *keys, agf_by_key);
     for (size_t i = 0; i < reader->count; i++) {
         bool before = i > 0 && strcmp(keys[i - 1].key, keys[i].key) == 0;
         bool behind = i + 1 < reader->count && strcmp(keys[i + 1].key, keys[i].key) == 0;
@@ -512,8 +514,8 @@ static void mark_duplicates(struct reader *reader)
             const struct glass_record *other = &reader->glasses[keys[before ? i - 1 : i + 1].glass];
             reader->glass = &reader->glasses[keys[i].glass];
             reader->warnings = 0;
-            warn(reader, arena_printf(reader->arena, "%s: the name stands in line %ld too",
-                                      place(reader, reader->glass->line), other->line));
+            agf_warn(reader, arena_printf(reader->arena, "%s: the name stands in line %ld too",
+                                          agf_place(reader, reader->glass->line), other->line));
         }
     }
 }
@@ -534,18 +536,18 @@ static struct text catalog_name(const char *source, struct arena *arena)
 bool agf_read(const char *source, struct text content, struct arena *arena,
               struct agf_catalog *catalog, struct error *error)
 {
-    struct reader reader = {
+    struct agf_reader reader = {
         .words.source = source, .arena = arena, .catalog = catalog_name(source, arena)};
     if (!encoding_to_utf8(source, content, arena, &reader.words.rest, error)) {
         return false;
     }
-    make_room(&reader);
+    agf_make_room(&reader);
     while (agf_words_line(&reader.words)) {
-        if (!read_line(&reader, error) && !leave_out(&reader, error)) {
+        if (!agf_read_line(&reader, error) && !agf_leave_out(&reader, error)) {
             return false;
         }
     }
-    if (!finish_glass(&reader, error) && !leave_out(&reader, error)) {
+    if (!finish_glass(&reader, error) && !agf_leave_out(&reader, error)) {
         return false;
     }
     if (reader.count == 0 && reader.damaged_count > 0) {

@@ -8,7 +8,7 @@
 #include <string.h>
 
 /* A list that grows at its end. */
-struct list {
+struct agf_catalogs_list {
     const struct agf_catalog *first;
     struct agf_catalog *last;
 };
@@ -31,7 +31,8 @@ static void tell_damaged(struct lensdb *db, const struct agf_catalog *catalog)
     }
 }
 
-static bool add(struct lensdb *db, const char *path, struct list *list, struct error *error)
+static bool agf_catalogs_add(struct lensdb *db, const char *path, struct agf_catalogs_list *list,
+                             struct error *error)
 {
     struct text content;
     struct agf_catalog *catalog = ARENA_NEW(db->arena, struct agf_catalog);
@@ -61,7 +62,7 @@ static bool add(struct lensdb *db, const char *path, struct list *list, struct e
 
 bool agf_catalogs(struct lensdb *db, const struct agf_catalog **first, struct error *error)
 {
-    struct list list = {NULL, NULL};
+    struct agf_catalogs_list list = {NULL, NULL};
     const char *const *names;
     *first = db->agf_catalogs;
     if (db->agf_is_read) {
@@ -71,7 +72,7 @@ bool agf_catalogs(struct lensdb *db, const struct agf_catalog **first, struct er
     while (rest.start != NULL && rest.length > 0) {
         struct text path = text_cut(&rest, ',');
         if (path.length > 0 &&
-            !add(db, arena_string(db->arena, path.start, path.length), &list, error)) {
+            !agf_catalogs_add(db, arena_string(db->arena, path.start, path.length), &list, error)) {
             return false;
         }
     }
@@ -79,7 +80,8 @@ bool agf_catalogs(struct lensdb *db, const struct agf_catalog **first, struct er
         return false;
     }
     for (; *names != NULL; names++) {
-        if (!add(db, arena_printf(db->arena, "%s/%s", db->directory, *names), &list, error)) {
+        if (!agf_catalogs_add(db, arena_printf(db->arena, "%s/%s", db->directory, *names), &list,
+                              error)) {
             return false;
         }
     }

@@ -13,13 +13,13 @@ bool agf_words_line(struct agf_words *words)
     return true;
 }
 
-static bool is_blank(char c)
+static bool agf_words_is_blank(char c)
 {
     return c == ' ' || c == '\t' || c == '\r';
 }
 
 /* Does it begin as a number does, or as the exponent of one that the end of the line has cut? */
-static bool is_number(struct text line)
+static bool agf_words_is_number(struct text line)
 {
     const struct text text = text_trim(line);
     char first = text.length > 0 ? text.start[0] : '\0';
@@ -27,24 +27,24 @@ static bool is_number(struct text line)
     bool is_sign = first == '+' || first == '-' || first == '.';
     bool is_exponent = first == 'e' || first == 'E';
     return char_is_digit(first) ||
-           (is_sign && (char_is_digit(second) || second == '.' || is_blank(second))) ||
+           (is_sign && (char_is_digit(second) || second == '.' || agf_words_is_blank(second))) ||
            (is_exponent && (second == '+' || second == '-' || char_is_digit(second)));
 }
 
 /* Go on to the next line that is not empty if it belongs to this one. */
-static bool go_on(struct agf_words *words)
+static bool agf_words_go_on(struct agf_words *words)
 {
     struct agf_words ahead = *words;
     bool is_next = agf_words_line(&ahead);
     while (is_next && text_trim(ahead.line).length == 0) {
         is_next = agf_words_line(&ahead);
     }
-    if (!is_next || !is_number(ahead.line)) {
+    if (!is_next || !agf_words_is_number(ahead.line)) {
         return false;
     }
     const struct text before = words->line;
-    bool blank_before = before.length > 0 && is_blank(before.start[before.length - 1]);
-    ahead.touches = !blank_before && !is_blank(ahead.line.start[0]);
+    bool blank_before = before.length > 0 && agf_words_is_blank(before.start[before.length - 1]);
+    ahead.touches = !blank_before && !agf_words_is_blank(ahead.line.start[0]);
     *words = ahead;
     return true;
 }
@@ -53,11 +53,11 @@ static bool go_on(struct agf_words *words)
 static struct text next_of_line(struct agf_words *words)
 {
     const char *at = words->at.start, *end = words->line.start + words->line.length;
-    while (at < end && is_blank(*at)) {
+    while (at < end && agf_words_is_blank(*at)) {
         at++;
     }
     const char *start = at;
-    while (at < end && !is_blank(*at)) {
+    while (at < end && !agf_words_is_blank(*at)) {
         at++;
     }
     words->at = text_between(at, end);
@@ -68,7 +68,7 @@ struct text agf_words_next(struct agf_words *words)
 {
     words->touches = false;
     struct text word = next_of_line(words);
-    return word.length == 0 && go_on(words) ? next_of_line(words) : word;
+    return word.length == 0 && agf_words_go_on(words) ? next_of_line(words) : word;
 }
 
 bool agf_words_fail(const struct agf_words *words, struct text word, struct error *error,

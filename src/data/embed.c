@@ -17,7 +17,7 @@ struct source {
     long line;
 };
 
-static bool read_file(struct source *source)
+static bool embed_read_file(struct source *source)
 {
     FILE *file = fopen(source->path, "rb");
     if (file == NULL) {
@@ -75,7 +75,7 @@ static const char *inner_name(const char *path)
 }
 
 /* The name in the first cell without what does not count in names. */
-static bool make_key(const char *row, char *key)
+static bool embed_make_key(const char *row, char *key)
 {
     size_t used = 0;
     for (; *row != '\t' && *row != '\n' && *row != '\0'; row++) {
@@ -89,7 +89,7 @@ static bool make_key(const char *row, char *key)
     return used > 0;
 }
 
-static int by_key(const void *left, const void *right)
+static int embed_by_key(const void *left, const void *right)
 {
     const struct embedded_glass *a = left, *b = right;
     int order = strcmp(a->key, b->key);
@@ -113,7 +113,7 @@ static bool index_glasses(const struct source *source, unsigned file, struct emb
             glass->file = file;
             glass->offset = (unsigned)(at - source->data);
             glass->line = (unsigned)line;
-            if (*count + 1 >= MOST_GLASSES || !make_key(at, glass->key)) {
+            if (*count + 1 >= MOST_GLASSES || !embed_make_key(at, glass->key)) {
                 fprintf(stderr, "%s:%ld: bad name of a glass\n", source->path, line);
                 return false;
             }
@@ -148,7 +148,7 @@ int main(int argc, char **argv)
         struct source *source = &sources[i];
         source->path = argv[i];
         source->name = inner_name(argv[i]);
-        if (!read_file(source)) {
+        if (!embed_read_file(source)) {
             return 1;
         }
         find_rows(source);
@@ -165,7 +165,7 @@ int main(int argc, char **argv)
                source->rows, source->line);
     }
     printf("    {0, 0, 0, 0, 0},\n};\n\n");
-    qsort(glasses, glass_count, sizeof glasses[0], by_key);
+    qsort(glasses, glass_count, sizeof glasses[0], embed_by_key);
     write_index(glasses, glass_count);
     return fflush(stdout) == 0 && !ferror(stdout) ? 0 : 1;
 }

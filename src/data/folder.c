@@ -26,7 +26,7 @@ static bool fail_folder(const char *path, int why, struct error *error)
 }
 
 /* Was the folder read before? Links may lead around; device and inode are the same by any path. */
-static bool is_seen(DIR *directory, struct name_index *seen, struct arena *arena)
+static bool folder_is_seen(DIR *directory, struct name_table *seen, struct arena *arena)
 {
     struct stat status;
     if (seen == NULL || fstat(dirfd(directory), &status) != 0) {
@@ -34,14 +34,14 @@ static bool is_seen(DIR *directory, struct name_index *seen, struct arena *arena
     }
     const char *key =
         arena_printf(arena, "%jx %jx", (uintmax_t)status.st_dev, (uintmax_t)status.st_ino);
-    if (name_index_find(seen, text_of(key)) != NAME_NONE) {
+    if (name_table_find(seen, text_of(key)) != NAME_NONE) {
         return true;
     }
-    name_index_add(seen, text_of(key), arena);
+    name_table_add(seen, text_of(key), arena);
     return false;
 }
 
-static enum folder_kind kind_of(DIR *directory, const char *name)
+static enum folder_kind folder_kind_of(DIR *directory, const char *name)
 {
     struct stat status;
     if (fstatat(dirfd(directory), name, &status, 0) != 0) {
@@ -60,12 +60,12 @@ static const char *next_name(DIR *directory)
     return entry != NULL ? entry->d_name : NULL;
 }
 
-static int by_name(const void *a, const void *b)
+static int folder_by_name(const void *a, const void *b)
 {
     return strcmp(((const struct folder_entry *)a)->name, ((const struct folder_entry *)b)->name);
 }
 
-bool folder_read(const char *path, struct name_index *seen, struct arena *arena,
+bool folder_read(const char *path, struct name_table *seen, struct arena *arena,
                  struct folder_entry **entries, size_t *count, struct error *error)
 {
     const size_t length = strlen(path);
@@ -82,14 +82,14 @@ bool folder_read(const char *path, struct name_index *seen, struct arena *arena,
         }
         return false;
     }
-    const bool again = is_seen(directory, seen, arena);
+    const bool again = folder_is_seen(directory, seen, arena);
     const char *name = next_name(directory);
     for (; name != NULL && !again; name = next_name(directory)) {
         if (name[0] != '.') {
             const char *whole = ARENA_JOIN(arena, path, slash, name);
             *entries = arena_grow(arena, *entries, *count, &room, sizeof **entries);
             (*entries)[(*count)++] = (struct folder_entry){whole + length + strlen(slash), whole,
-                                                           kind_of(directory, name)};
+                                                           folder_kind_of(directory, name)};
         }
     }
     const int wrong = errno;
@@ -98,7 +98,7 @@ bool folder_read(const char *path, struct name_index *seen, struct arena *arena,
         return fail_folder(path, wrong, error);
     }
     if (*count > 0) {
-        qsort(*entries, *count, sizeof **entries, by_name);
+        qsort(*entries, *count, sizeof **entries, folder_by_name);
     }
     return true;
 }

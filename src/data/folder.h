@@ -29,7 +29,7 @@ struct folder_entry {
  *                 whatever path
  * Errors    ERROR_IO: it cannot be read
  */
-bool folder_read(const char *path, struct name_index *seen, struct arena *arena,
+bool folder_read(const char *path, struct name_table *seen, struct arena *arena,
                  struct folder_entry **entries, size_t *count, struct error *error);
 
 /* Is there a folder of that name, or a link to one? */

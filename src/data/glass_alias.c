@@ -5,7 +5,7 @@
 static const char FILE_NAME[] = "glass_aliases.tsv";
 
 /* A name being looked for; what stays empty was not typed, or is not found. */
-struct search {
+struct glass_alias_search {
     struct text catalog, name;
     struct text real_catalog, material;
     bool of_homonyms; /* its material is that of a row CATALOG:NAME */
@@ -23,7 +23,8 @@ static struct text cut_catalog(struct text *text)
 }
 
 /* A row of a table; the first one that is meant counts. */
-static void consider(struct search *search, struct text typed, struct text real)
+static void glass_alias_consider(struct glass_alias_search *search, struct text typed,
+                                 struct text real)
 {
     struct text name = real, own = cut_catalog(&typed), catalog = cut_catalog(&name);
     bool is_own = own.length > 0 && text_same_name(own, search->catalog);
@@ -37,7 +38,8 @@ static void consider(struct search *search, struct text typed, struct text real)
     }
 }
 
-static bool look_through(struct search *search, struct tsv *tsv, struct error *error)
+static bool glass_alias_look_through(struct glass_alias_search *search, struct tsv *tsv,
+                                     struct error *error)
 {
     size_t alias, material;
     if (!tsv_column(tsv, "alias", &alias, error) ||
@@ -45,19 +47,20 @@ static bool look_through(struct search *search, struct tsv *tsv, struct error *e
         return false;
     }
     while (tsv_next(tsv, error)) {
-        consider(search, tsv->cells[alias], tsv->cells[material]);
+        glass_alias_consider(search, tsv->cells[alias], tsv->cells[material]);
     }
     return error->code == ERROR_NONE;
 }
 
 /* Look through the user's table and the embedded one. */
-static bool look(struct lensdb *db, struct search *search, struct error *error)
+static bool glass_alias_look(struct lensdb *db, struct glass_alias_search *search,
+                             struct error *error)
 {
     error->code = ERROR_NONE;
     for (enum lensdb_place place = LENSDB_USER; place < LENSDB_PLACES; place++) {
         struct tsv tsv;
         bool open = lensdb_open(db, place, FILE_NAME, &tsv, error);
-        if (open ? !look_through(search, &tsv, error) : error->code != ERROR_NONE) {
+        if (open ? !glass_alias_look_through(search, &tsv, error) : error->code != ERROR_NONE) {
             return false;
         }
     }
@@ -67,9 +70,9 @@ static bool look(struct lensdb *db, struct search *search, struct error *error)
 bool glass_homonym(struct lensdb *db, struct text name, struct arena *arena, struct text *material,
                    struct error *error)
 {
-    struct search search = {.name = text_trim(name), .of_homonyms = true};
+    struct glass_alias_search search = {.name = text_trim(name), .of_homonyms = true};
     search.catalog = cut_catalog(&search.name);
-    if (!look(db, &search, error) || search.material.length == 0) {
+    if (!glass_alias_look(db, &search, error) || search.material.length == 0) {
         return false;
     }
     *material = text_of(arena_string(arena, search.material.start, search.material.length));
@@ -79,9 +82,9 @@ bool glass_homonym(struct lensdb *db, struct text name, struct arena *arena, str
 bool glass_alias(struct lensdb *db, struct text name, struct arena *arena, struct text *material,
                  struct error *error)
 {
-    struct search search = {.name = text_trim(name)};
+    struct glass_alias_search search = {.name = text_trim(name)};
     search.catalog = cut_catalog(&search.name);
-    if (!look(db, &search, error)) {
+    if (!glass_alias_look(db, &search, error)) {
         return false;
     }
     struct text wanted = search.real_catalog.length > 0 ? search.real_catalog : search.catalog;

@@ -114,7 +114,7 @@ bool glass_catalogs_next(struct glass_catalogs *catalogs, struct glass_record *r
 enum { MOST_HOMONYMS = 24 };
 
 /* A name being looked for. */
-struct search {
+struct glass_catalog_search {
     struct lensdb *db;
     struct arena *arena;
     struct text typed, catalog, name; /* catalog is empty if none was typed */
@@ -123,7 +123,8 @@ struct search {
 };
 
 /* Keep the glass in the present row of a table if it answers to the name. */
-static bool consider(struct search *search, const struct glass_table *table, struct error *error)
+static bool glass_catalog_consider(struct glass_catalog_search *search,
+                                   const struct glass_table *table, struct error *error)
 {
     if ((search->catalog.length > 0 && !text_same_name(search->catalog, table->catalog)) ||
         !text_same_name(search->name, glass_table_name(table)) || search->count == MOST_HOMONYMS) {
@@ -132,7 +133,7 @@ static bool consider(struct search *search, const struct glass_table *table, str
     return glass_table_read(table, true, search->arena, &search->found[search->count++], error);
 }
 
-static void search_agf(struct search *search, const struct agf_catalog *catalog)
+static void search_agf(struct glass_catalog_search *search, const struct agf_catalog *catalog)
 {
     for (; catalog != NULL; catalog = catalog->next) {
         if (search->catalog.length > 0 && !text_same_name(search->catalog, catalog->name)) {
@@ -147,7 +148,7 @@ static void search_agf(struct search *search, const struct agf_catalog *catalog)
 }
 
 /* A glass of the user's that is damaged hides those of its name in the program. */
-static bool is_damaged(const struct search *search, const struct agf_catalog *catalog,
+static bool is_damaged(const struct glass_catalog_search *search, const struct agf_catalog *catalog,
                        struct error *error)
 {
     for (; catalog != NULL; catalog = catalog->next) {
@@ -162,7 +163,7 @@ static bool is_damaged(const struct search *search, const struct agf_catalog *ca
     return false;
 }
 
-static bool search_user(struct search *search, struct error *error)
+static bool search_user(struct glass_catalog_search *search, struct error *error)
 {
     struct glass_catalogs catalogs;
     const struct agf_catalog *agf;
@@ -177,7 +178,8 @@ static bool search_user(struct search *search, struct error *error)
         return false;
     }
     while (catalogs.place == LENSDB_USER && next_row(&catalogs, error)) {
-        if (catalogs.place == LENSDB_USER && !consider(search, &catalogs.table, error)) {
+        if (catalogs.place == LENSDB_USER &&
+            !glass_catalog_consider(search, &catalogs.table, error)) {
             return false;
         }
     }
@@ -185,7 +187,7 @@ static bool search_user(struct search *search, struct error *error)
 }
 
 /* The name as the index has it; false if it is too long for any. */
-static bool make_key(struct text name, char key[EMBEDDED_KEY])
+static bool glass_catalog_make_key(struct text name, char key[EMBEDDED_KEY])
 {
     size_t used = 0;
     for (size_t i = 0; i < name.length; i++) {
@@ -202,7 +204,7 @@ static bool make_key(struct text name, char key[EMBEDDED_KEY])
 }
 
 /* The first entry of the index that does not come before the key. */
-static size_t first_of(const char *key)
+static size_t glass_catalog_first_of(const char *key)
 {
     size_t low = 0, high = embedded_glass_count;
     while (low < high) {
@@ -230,16 +232,17 @@ static bool open_row(const struct embedded_glass *entry, struct glass_table *tab
     return tsv_next(&table->tsv, error);
 }
 
-static bool search_embedded(struct search *search, struct error *error)
+static bool search_embedded(struct glass_catalog_search *search, struct error *error)
 {
     char key[EMBEDDED_KEY];
     struct glass_table table;
-    if (!make_key(search->name, key)) {
+    if (!glass_catalog_make_key(search->name, key)) {
         return true;
     }
-    for (size_t i = first_of(key);
+    for (size_t i = glass_catalog_first_of(key);
          i < embedded_glass_count && strcmp(embedded_glasses[i].key, key) == 0; i++) {
-        if (!open_row(&embedded_glasses[i], &table, error) || !consider(search, &table, error)) {
+        if (!open_row(&embedded_glasses[i], &table, error) ||
+            !glass_catalog_consider(search, &table, error)) {
             return false;
         }
     }
@@ -260,7 +263,7 @@ static bool is_same_name(struct text a, struct text b)
 }
 
 /* Of glasses that differ by '-' and the like only, the one that was typed. */
-static void keep_exact(struct search *search)
+static void keep_exact(struct glass_catalog_search *search)
 {
     size_t exact = 0;
     for (size_t i = 0; i < search->count; i++) {
@@ -279,10 +282,11 @@ static bool is_same_glass(const struct glass *a, const struct glass *b)
 }
 
 /* The glasses that were found but for one (null: all), as they have to be typed. */
-static const char *list_found(const struct search *search, const struct glass_record *but,
-                              bool current_only, const char *separator)
+static const char *list_found(const struct glass_catalog_search *search,
+                              const struct glass_record *but, bool current_only,
+                              const char *separator)
 {
-    struct growing list = {.arena = search->arena};
+    struct text_buffer list = {.arena = search->arena};
     for (size_t i = 0; i < search->count; i++) {
         const struct glass_record *one = &search->found[i];
         if (one == but || (current_only && !text_equal(one->status, "current"))) {
@@ -302,7 +306,7 @@ static const char *list_found(const struct search *search, const struct glass_re
 }
 
 /* The only one that is current, or else that is not obsolete; null if there is none. */
-static const struct glass_record *current_of(const struct search *search)
+static const struct glass_record *current_of(const struct glass_catalog_search *search)
 {
     const struct glass_record *current = NULL, *alive = NULL;
     size_t current_count = 0, alive_count = 0;
@@ -321,7 +325,8 @@ static const struct glass_record *current_of(const struct search *search)
 }
 
 /* The first of the same glasses, but rather a current one; false if they are not the same. */
-static bool are_same(const struct search *search, struct glass_record *record)
+static bool glass_catalog_are_same(const struct glass_catalog_search *search,
+                                   struct glass_record *record)
 {
     *record = search->found[0];
     for (size_t i = 1; i < search->count; i++) {
@@ -337,10 +342,11 @@ static bool are_same(const struct search *search, struct glass_record *record)
 }
 
 /* One name, several glasses: refuse, naming them, unless the current one may be taken. */
-static bool choose(const struct search *search, enum glass_naming naming,
-                   struct glass_record *record, struct error *error)
+static bool glass_catalog_choose(const struct glass_catalog_search *search,
+                                 enum glass_naming naming, struct glass_record *record,
+                                 struct error *error)
 {
-    if (are_same(search, record)) {
+    if (glass_catalog_are_same(search, record)) {
         return true;
     }
     const struct glass_record *one = current_of(search);
@@ -360,7 +366,8 @@ static bool choose(const struct search *search, enum glass_naming naming,
     return current[0] != '\0' ? error_hint(error, "say %s", current) : false;
 }
 
-static void suggest_agf(const struct search *search, struct nearest *nearest, struct nearest *other)
+static void suggest_agf(const struct glass_catalog_search *search, struct nearest *nearest,
+                        struct nearest *other)
 {
     for (const struct agf_catalog *agf = search->db->agf_catalogs; agf != NULL; agf = agf->next) {
         nearest_offer(other, agf->name);
@@ -373,7 +380,7 @@ static void suggest_agf(const struct search *search, struct nearest *nearest, st
 }
 
 /* The nearest name among all glasses, with its catalogue if one was typed. */
-static void suggest(struct search *search, struct error *error)
+static void glass_catalog_suggest(struct glass_catalog_search *search, struct error *error)
 {
     struct nearest nearest = {.typed = search->name}, other = {.typed = search->catalog};
     for (size_t i = 0; i < embedded_glass_count; i++) {
@@ -402,7 +409,7 @@ static void suggest(struct search *search, struct error *error)
 }
 
 /* Find all glasses that answer to a name. */
-static bool search_for(struct search *search, struct text name, struct error *error)
+static bool search_for(struct glass_catalog_search *search, struct text name, struct error *error)
 {
     struct text rest = text_trim(name);
     search->typed = rest;
@@ -428,8 +435,8 @@ static bool is_unknown(struct text name, struct error *error)
 }
 
 /* The glass that a name stands for, said. */
-static bool find_meant(struct search *search, struct text material, struct glass_record *record,
-                       struct error *error)
+static bool find_meant(struct glass_catalog_search *search, struct text material,
+                       struct glass_record *record, struct error *error)
 {
     const struct text typed = search->typed;
     if (!search_for(search, material, error)) {
@@ -438,7 +445,7 @@ static bool find_meant(struct search *search, struct text material, struct glass
     if (search->count == 0) {
         return is_unknown(typed, error) && false;
     }
-    if (!choose(search, GLASS_ALIASES, record, error)) {
+    if (!glass_catalog_choose(search, GLASS_ALIASES, record, error)) {
         return false;
     }
     const struct glass *glass = &record->glass;
@@ -450,13 +457,13 @@ static bool find_meant(struct search *search, struct text material, struct glass
 }
 
 /* No catalogue has the name: it may be that of another program. */
-static bool find_alias(struct search *search, enum glass_naming naming, struct glass_record *record,
-                       struct error *error)
+static bool find_alias(struct glass_catalog_search *search, enum glass_naming naming,
+                       struct glass_record *record, struct error *error)
 {
     struct text typed = search->typed, material;
     if (!glass_alias(search->db, typed, search->arena, &material, error)) {
         if (error->code == ERROR_NONE && is_unknown(typed, error)) {
-            suggest(search, error);
+            glass_catalog_suggest(search, error);
         }
         return false;
     }
@@ -470,7 +477,8 @@ static bool find_alias(struct search *search, enum glass_naming naming, struct g
 bool glass_find(struct lensdb *db, struct text name, enum glass_naming naming, struct arena *arena,
                 struct glass_record *record, struct error *error)
 {
-    struct search room, *search = &room; /* large, and of no use when the glass is found */
+    struct glass_catalog_search room,
+        *search = &room; /* large, and of no use when the glass is found */
     search->db = db;
     search->arena = arena;
     if (!search_for(search, name, error)) {
@@ -485,7 +493,7 @@ bool glass_find(struct lensdb *db, struct text name, enum glass_naming naming, s
     if (naming == GLASS_HOMONYMS && !own && error->code != ERROR_NONE) {
         return false;
     }
-    return search->count > 0 ? choose(search, naming, record, error)
+    return search->count > 0 ? glass_catalog_choose(search, naming, record, error)
                              : find_alias(search, naming, record, error);
 }
 
@@ -505,7 +513,7 @@ static struct glass_record made(struct glass glass, struct text name)
                                  .expansion_hot = NAN};
 }
 
-static bool read_all(struct text text, struct pair *value)
+static bool glass_catalog_read_all(struct text text, struct pair *value)
 {
     const char *end = text.start + text.length;
     return text.length > 0 && pair_read(text.start, end, NUMBER_UNSCALED, value) == end;
@@ -518,7 +526,8 @@ bool glass_find_medium(struct lensdb *db, struct text text, enum glass_naming na
     struct text first = text_cut(&rest, '/');
     struct pair nd, Vd;
     const double highest = 100; /* above that a number is the name of a glass, as 4786 */
-    if (!read_all(first, &nd) || (rest.start != NULL && !read_all(rest, &Vd)) || nd.hi > highest) {
+    if (!glass_catalog_read_all(first, &nd) ||
+        (rest.start != NULL && !glass_catalog_read_all(rest, &Vd)) || nd.hi > highest) {
         return glass_find(db, text, naming, arena, record, error);
     }
     if (!(nd.hi > 0)) {

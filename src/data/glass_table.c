@@ -6,7 +6,7 @@
 
 #include <math.h>
 
-enum column {
+enum glass_table_column {
     NAME,
     STATUS,
     FORMULA,
@@ -80,14 +80,14 @@ bool glass_table_open(struct glass_table *table, struct text catalog, enum lensd
     return true;
 }
 
-static struct text cell(const struct glass_table *table, enum column column)
+static struct text glass_table_cell(const struct glass_table *table, enum glass_table_column column)
 {
     size_t i = table->columns[column];
     return i != NO_COLUMN ? table->tsv.cells[i] : (struct text){"", 0};
 }
 
-static bool read_number(const struct glass_table *table, enum column column, double *value,
-                        struct error *error)
+static bool glass_table_read_number(const struct glass_table *table, enum glass_table_column column,
+                                    double *value, struct error *error)
 {
     *value = NAN;
     if (table->columns[column] == NO_COLUMN) {
@@ -99,16 +99,16 @@ static bool read_number(const struct glass_table *table, enum column column, dou
     return !isinf(*value) || tsv_fail(&table->tsv, table->columns[column], error, "must be finite");
 }
 
-static bool bad(const struct glass_table *table, enum column column, const char *what,
+static bool bad(const struct glass_table *table, enum glass_table_column column, const char *what,
                 struct error *error)
 {
     return tsv_fail(&table->tsv, table->columns[column], error, what);
 }
 
-static bool read_coefficients(const struct glass_table *table, struct glass *glass,
-                              struct error *error)
+static bool glass_table_read_coefficients(const struct glass_table *table, struct glass *glass,
+                                          struct error *error)
 {
-    struct text rest = cell(table, COEFFICIENTS);
+    struct text rest = glass_table_cell(table, COEFFICIENTS);
     while (rest.start != NULL && rest.length > 0) {
         struct text word = text_cut(&rest, ' ');
         const char *end = word.start + word.length;
@@ -135,7 +135,7 @@ static bool read_coefficients(const struct glass_table *table, struct glass *gla
     return true;
 }
 
-static bool read_point(struct text pair, struct glass_point *point)
+static bool glass_table_read_point(struct text pair, struct glass_point *point)
 {
     struct text value = pair;
     struct text at = text_cut(&value, ':');
@@ -148,11 +148,12 @@ static bool read_point(struct text pair, struct glass_point *point)
 }
 
 /* "um:value" pairs by rising wavelength, values from 0 to `highest`. */
-static bool read_points(const struct glass_table *table, enum column column, double highest,
-                        struct arena *arena, const struct glass_point **points, size_t *count,
-                        struct error *error)
+static bool glass_table_read_points(const struct glass_table *table, enum glass_table_column column,
+                                    double highest, struct arena *arena,
+                                    const struct glass_point **points, size_t *count,
+                                    struct error *error)
 {
-    struct text rest = cell(table, column);
+    struct text rest = glass_table_cell(table, column);
     size_t most = 1;
     for (size_t i = 0; i < rest.length; i++) {
         most += rest.start[i] == ' ';
@@ -165,7 +166,8 @@ static bool read_points(const struct glass_table *table, enum column column, dou
             continue;
         }
         struct glass_point *point = &all[*count];
-        if (!read_point(pair, point) || !(point->value.hi >= 0 && point->value.hi <= highest)) {
+        if (!glass_table_read_point(pair, point) ||
+            !(point->value.hi >= 0 && point->value.hi <= highest)) {
             return bad(table, column, "are not um:value pairs of possible values", error);
         }
         if (*count > 0 && !(point->wavelength.hi > all[*count - 1].wavelength.hi)) {
@@ -182,8 +184,8 @@ static bool read_index_table(const struct glass_table *table, struct glass *glas
                              struct arena *arena, struct error *error)
 {
     const double highest = 1e3;
-    if (!read_points(table, COEFFICIENTS, highest, arena, &glass->table, &glass->table_count,
-                     error)) {
+    if (!glass_table_read_points(table, COEFFICIENTS, highest, arena, &glass->table,
+                                 &glass->table_count, error)) {
         return false;
     }
     if (glass->table_count == 0) {
@@ -194,10 +196,11 @@ static bool read_index_table(const struct glass_table *table, struct glass *glas
     return true;
 }
 
-static bool read_range(const struct glass_table *table, struct glass *glass, struct error *error)
+static bool glass_table_read_range(const struct glass_table *table, struct glass *glass,
+                                   struct error *error)
 {
-    if (!read_number(table, FROM, &glass->shortest, error) ||
-        !read_number(table, TO, &glass->longest, error)) {
+    if (!glass_table_read_number(table, FROM, &glass->shortest, error) ||
+        !glass_table_read_number(table, TO, &glass->longest, error)) {
         return false;
     }
     bool absent = isnan(glass->shortest) && isnan(glass->longest);
@@ -215,15 +218,15 @@ static bool read_range(const struct glass_table *table, struct glass *glass, str
 static bool read_formula(const struct glass_table *table, struct glass *glass, struct arena *arena,
                          struct error *error)
 {
-    glass->formula = glass_formula_of(cell(table, FORMULA));
+    glass->formula = glass_formula_of(glass_table_cell(table, FORMULA));
     if (glass->formula == GLASS_FORMULAS) {
         return bad(table, FORMULA, "is not a formula", error);
     }
-    if (!read_range(table, glass, error)) {
+    if (!glass_table_read_range(table, glass, error)) {
         return false;
     }
     return glass->formula == GLASS_TABLE ? read_index_table(table, glass, arena, error)
-                                         : read_coefficients(table, glass, error);
+                                         : glass_table_read_coefficients(table, glass, error);
 }
 
 static bool read_facts(const struct glass_table *table, struct glass_record *record,
@@ -231,7 +234,7 @@ static bool read_facts(const struct glass_table *table, struct glass_record *rec
 {
     struct glass_thermal *thermal = &record->glass.thermal;
     const struct {
-        enum column column;
+        enum glass_table_column column;
         double *value;
     } facts[] = {
         {ND, &record->nd},
@@ -248,7 +251,7 @@ static bool read_facts(const struct glass_table *table, struct glass_record *rec
         {RESONANCE, &thermal->resonance},
     };
     for (size_t i = 0; i < sizeof facts / sizeof facts[0]; i++) {
-        if (!read_number(table, facts[i].column, facts[i].value, error)) {
+        if (!glass_table_read_number(table, facts[i].column, facts[i].value, error)) {
             return false;
         }
     }
@@ -259,13 +262,13 @@ bool glass_table_read(const struct glass_table *table, bool complete, struct are
                       struct glass_record *record, struct error *error)
 {
     *record = (struct glass_record){
-        .glass = {.catalog = table->catalog, .name = cell(table, NAME)},
-        .status = cell(table, STATUS),
-        .source = cell(table, SOURCE),
-        .licence = cell(table, LICENCE),
+        .glass = {.catalog = table->catalog, .name = glass_table_cell(table, NAME)},
+        .status = glass_table_cell(table, STATUS),
+        .source = glass_table_cell(table, SOURCE),
+        .licence = glass_table_cell(table, LICENCE),
         .place = table->place,
     };
-    const struct text warning = cell(table, WARNING);
+    const struct text warning = glass_table_cell(table, WARNING);
     if (record->glass.name.length == 0) {
         return bad(table, NAME, "is missing", error);
     }
@@ -276,11 +279,12 @@ bool glass_table_read(const struct glass_table *table, bool complete, struct are
                          (int)warning.length, warning.start);
     }
     return read_formula(table, &record->glass, arena, error) && read_facts(table, record, error) &&
-           (!complete || read_points(table, TRANSMITTANCE, 1, arena, &record->glass.transmittance,
-                                     &record->glass.transmittance_count, error));
+           (!complete ||
+            glass_table_read_points(table, TRANSMITTANCE, 1, arena, &record->glass.transmittance,
+                                    &record->glass.transmittance_count, error));
 }
 
 struct text glass_table_name(const struct glass_table *table)
 {
-    return cell(table, NAME);
+    return glass_table_cell(table, NAME);
 }

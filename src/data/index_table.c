@@ -31,17 +31,18 @@ static const struct {
 };
 
 /* One row while they are sorted. */
-struct entry {
+struct index_table_entry {
     double wavelength, index, deviation;
     long line;
 };
 
-struct columns {
+struct index_table_columns {
     size_t at[ROLES]; /* TSV_MOST_COLUMNS = there is none */
     double factor;
 };
 
-static bool find_columns(const struct tsv *tsv, struct columns *columns, struct error *error)
+static bool find_columns(const struct tsv *tsv, struct index_table_columns *columns,
+                         struct error *error)
 {
     for (int i = 0; i < ROLES; i++) {
         columns->at[i] = TSV_MOST_COLUMNS;
@@ -63,8 +64,9 @@ static bool find_columns(const struct tsv *tsv, struct columns *columns, struct 
     return true;
 }
 
-static bool read_wavelength(struct lensdb *db, const struct tsv *tsv, const struct columns *columns,
-                            double *um, struct error *error)
+static bool index_table_read_wavelength(struct lensdb *db, const struct tsv *tsv,
+                                        const struct index_table_columns *columns, double *um,
+                                        struct error *error)
 {
     size_t at = columns->at[WAVELENGTH];
     bool is_line;
@@ -82,13 +84,14 @@ static bool read_wavelength(struct lensdb *db, const struct tsv *tsv, const stru
     return true;
 }
 
-static bool read_entry(struct lensdb *db, const struct tsv *tsv, const struct columns *columns,
-                       struct entry *entry, struct error *error)
+static bool index_table_read_entry(struct lensdb *db, const struct tsv *tsv,
+                                   const struct index_table_columns *columns,
+                                   struct index_table_entry *entry, struct error *error)
 {
     double weight = NAN;
     entry->deviation = NAN;
     entry->line = tsv->line;
-    if (!read_wavelength(db, tsv, columns, &entry->wavelength, error) ||
+    if (!index_table_read_wavelength(db, tsv, columns, &entry->wavelength, error) ||
         !tsv_number(tsv, columns->at[INDEX], &entry->index, error)) {
         return false;
     }
@@ -115,17 +118,17 @@ static bool read_entry(struct lensdb *db, const struct tsv *tsv, const struct co
            tsv_fail(tsv, columns->at[INDEX], error, "must be above 0");
 }
 
-static int by_wavelength(const void *a, const void *b)
+static int index_table_by_wavelength(const void *a, const void *b)
 {
-    const struct entry *first = a, *second = b;
+    const struct index_table_entry *first = a, *second = b;
     return (first->wavelength > second->wavelength) - (first->wavelength < second->wavelength);
 }
 
-static bool set_table(const char *source, struct entry *entries, size_t count, struct arena *arena,
-                      struct index_table *table, struct error *error)
+static bool set_table(const char *source, struct index_table_entry *entries, size_t count,
+                      struct arena *arena, struct index_table *table, struct error *error)
 {
     if (count > 0) {
-        qsort(entries, count, sizeof entries[0], by_wavelength);
+        qsort(entries, count, sizeof entries[0], index_table_by_wavelength);
     }
     *table = (struct index_table){count, ARENA_ARRAY(arena, count + 1, double),
                                   ARENA_ARRAY(arena, count + 1, double), NULL};
@@ -151,15 +154,15 @@ bool index_table_read(struct lensdb *db, const char *source, struct text content
                       struct arena *arena, struct index_table *table, struct error *error)
 {
     struct tsv tsv;
-    struct columns columns = {.factor = 1};
+    struct index_table_columns columns = {.factor = 1};
     size_t count = 0, room = 0;
-    struct entry *entries = NULL;
+    struct index_table_entry *entries = NULL;
     if (!tsv_open_foreign(&tsv, source, content, error) || !find_columns(&tsv, &columns, error)) {
         return false;
     }
     while (tsv_next(&tsv, error)) {
         entries = arena_grow(arena, entries, count, &room, sizeof entries[0]);
-        if (!read_entry(db, &tsv, &columns, &entries[count++], error)) {
+        if (!index_table_read_entry(db, &tsv, &columns, &entries[count++], error)) {
             return false;
         }
     }

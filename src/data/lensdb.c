@@ -41,31 +41,32 @@ struct lensdb_folder {
     const char **all, **files; /* all, and those that can be read; each ends with null */
     const char **named;        /* the first of each of `names` */
     size_t count, file_count;
-    struct name_index names; /* without folder and ending */
+    struct name_table names; /* without folder and ending */
     bool is_told;            /* what cannot be read */
     struct lensdb_folder *next;
 };
 
-static bool ends_with(const char *name, const char *ending)
+static bool lensdb_ends_with(const char *name, const char *ending)
 {
     size_t length = strlen(name), last = strlen(ending);
     return length > last && text_same(text_of(name + length - last), ending);
 }
 
-static void keep(struct lensdb *db, struct lensdb_folder *known, const struct folder_entry *entry)
+static void lensdb_keep(struct lensdb *db, struct lensdb_folder *known,
+                        const struct folder_entry *entry)
 {
     const char *name = ARENA_JOIN(db->arena, known->folder, "/", entry->name);
     const struct text bare = {entry->name, strlen(entry->name) - strlen(known->ending)};
     known->all[known->count++] = name;
-    if (name_index_find(&known->names, bare) == NAME_NONE) {
-        known->named[name_index_add(&known->names, bare, db->arena)] = name;
+    if (name_table_find(&known->names, bare) == NAME_NONE) {
+        known->named[name_table_add(&known->names, bare, db->arena)] = name;
     }
     if (entry->kind == FOLDER_FILE && access(entry->path, R_OK) == 0) {
         known->files[known->file_count++] = name;
     }
 }
 
-static void make_room(struct lensdb *db, struct lensdb_folder *known, size_t count)
+static void lensdb_make_room(struct lensdb *db, struct lensdb_folder *known, size_t count)
 {
     known->all = ARENA_ARRAY(db->arena, count + 1, const char *);
     known->files = ARENA_ARRAY(db->arena, count + 1, const char *);
@@ -83,10 +84,10 @@ static bool read_folder(struct lensdb *db, struct lensdb_folder *known, struct e
     if (!folder_read(path, NULL, db->arena, &entries, &count, error)) {
         return false;
     }
-    make_room(db, known, count);
+    lensdb_make_room(db, known, count);
     for (size_t i = 0; i < count; i++) {
-        if (ends_with(entries[i].name, known->ending)) {
-            keep(db, known, &entries[i]);
+        if (lensdb_ends_with(entries[i].name, known->ending)) {
+            lensdb_keep(db, known, &entries[i]);
         }
     }
     return true;
@@ -106,7 +107,7 @@ static struct lensdb_folder *folder_of(struct lensdb *db, const char *folder, co
     }
     known = ARENA_NEW(db->arena, struct lensdb_folder);
     *known = (struct lensdb_folder){.folder = folder, .ending = ending, .next = db->folders};
-    make_room(db, known, 0);
+    lensdb_make_room(db, known, 0);
     if (db->directory != NULL && !read_folder(db, known, error)) {
         return NULL;
     }
@@ -156,7 +157,7 @@ bool lensdb_find(struct lensdb *db, const char *folder, const char *ending, stru
     if (known == NULL) {
         return false;
     }
-    size_t at = name_index_find(&known->names, name);
+    size_t at = name_table_find(&known->names, name);
     for (size_t i = 0; i < known->names.count && at == NAME_NONE; i++) {
         at = text_same_name(known->names.names[i], name) ? i : NAME_NONE;
     }
@@ -164,8 +165,8 @@ bool lensdb_find(struct lensdb *db, const char *folder, const char *ending, stru
     return true;
 }
 
-static bool load(struct lensdb *db, const char *name, struct lensdb_file **found,
-                 struct error *error)
+static bool lensdb_load(struct lensdb *db, const char *name, struct lensdb_file **found,
+                        struct error *error)
 {
     for (struct lensdb_file *file = db->loaded; file != NULL; file = file->next) {
         if (strcmp(file->name, name) == 0) {
@@ -189,7 +190,8 @@ static bool load(struct lensdb *db, const char *name, struct lensdb_file **found
 static bool open_user(struct lensdb *db, const char *name, struct tsv *tsv, struct error *error)
 {
     struct lensdb_file *file = NULL;
-    if (db->directory == NULL || !load(db, name, &file, error) || file->content.start == NULL) {
+    if (db->directory == NULL || !lensdb_load(db, name, &file, error) ||
+        file->content.start == NULL) {
         return false;
     }
     return tsv_open(tsv, file->path, file->content, error);
@@ -211,7 +213,7 @@ bool lensdb_open(struct lensdb *db, enum lensdb_place place, const char *file, s
 }
 
 /* "1/125" or "0.3" or "5.6". */
-static bool label_value(struct text label, double *value)
+static bool lensdb_label_value(struct text label, double *value)
 {
     const char *end = label.start + label.length;
     const char *after = number_read(label.start, end, NUMBER_UNSCALED, value);
@@ -237,8 +239,8 @@ static int divisor_of(const char *series)
     return strcmp(series, "full") == 0 ? 1 : strcmp(series, "half") == 0 ? 2 : 3;
 }
 
-static bool read_stop(const struct tsv *tsv, const size_t *columns, const char *file,
-                      const char *series, struct lensdb_stop *stop, struct error *error)
+static bool lensdb_read_stop(const struct tsv *tsv, const size_t *columns, const char *file,
+                             const char *series, struct lensdb_stop *stop, struct error *error)
 {
     double step;
     if (!tsv_number(tsv, columns[1], &step, error)) {
@@ -252,16 +254,16 @@ static bool read_stop(const struct tsv *tsv, const size_t *columns, const char *
                                  .step = (int)step,
                                  .divisor = divisor_of(series)};
     stop->exact = exact_stop(file, stop->step, stop->divisor);
-    if (!label_value(stop->label, &stop->value)) {
+    if (!lensdb_label_value(stop->label, &stop->value)) {
         return tsv_fail(tsv, columns[2], error, "is not a label of a stop series");
     }
     return true;
 }
 
 /* Read one table's rows of the series behind those already there. */
-static bool add_stops(struct lensdb *db, enum lensdb_place place, const char *file,
-                      const char *series, struct lensdb_stop *stops, size_t most, size_t *count,
-                      struct error *error)
+static bool lensdb_add_stops(struct lensdb *db, enum lensdb_place place, const char *file,
+                             const char *series, struct lensdb_stop *stops, size_t most,
+                             size_t *count, struct error *error)
 {
     static const char *const names[] = {"series", "step", "label", "note"};
     struct tsv tsv;
@@ -279,7 +281,7 @@ static bool add_stops(struct lensdb *db, enum lensdb_place place, const char *fi
         if (!text_equal(tsv.cells[columns[0]], series)) {
             continue;
         }
-        if (!read_stop(&tsv, columns, file, series, stop, error)) {
+        if (!lensdb_read_stop(&tsv, columns, file, series, stop, error)) {
             return false;
         }
         stop->label.start = arena_string(db->arena, stop->label.start, stop->label.length);
@@ -312,7 +314,7 @@ bool lensdb_stops(struct lensdb *db, const char *file, const char *series,
     *count = 0;
     /* the user's series replaces the embedded one: two in one would not be a series */
     for (enum lensdb_place place = LENSDB_USER; place < LENSDB_PLACES && *count == 0; place++) {
-        if (!add_stops(db, place, file, series, *stops, MOST_STOPS, count, error)) {
+        if (!lensdb_add_stops(db, place, file, series, *stops, MOST_STOPS, count, error)) {
             return false;
         }
     }

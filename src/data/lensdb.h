@@ -33,7 +33,7 @@ struct lensdb {
     bool agf_is_read;
     bool lossy; /* --lossy: files of other programs are read without what is lost */
     enum glass_numbers glass_numbers; /* --glass-numbers */
-    struct growing losses; /* what that was, and damaged glasses: a line each, each file once */
+    struct text_buffer losses; /* what that was, and damaged glasses: a line each, each file once */
     struct lensdb_told *told_of;            /* those files */
     const struct agf_catalog *agf_catalogs; /* the user's, once they are read */
 };

@@ -10,7 +10,7 @@
 #include <string.h>
 
 /* A table's file and columns; the first `required` of them must be there. */
-struct layout {
+struct lensdb_facts_layout {
     const char *file;
     size_t required, count;
     const char *columns[LENSDB_FACT_COLUMNS];
@@ -30,15 +30,15 @@ enum {
     FILM_ALIASES,
     FILM_TYPE
 };
-static const struct layout films = {"films.tsv",
-                                    4,
-                                    12,
-                                    {"film", "model", "parameters", "onset_s", "valid_to_s",
-                                     "maker", "status", "source", "note", "iso", "aliases",
-                                     "type"}};
+static const struct lensdb_facts_layout films = {"films.tsv",
+                                                 4,
+                                                 12,
+                                                 {"film", "model", "parameters", "onset_s",
+                                                  "valid_to_s", "maker", "status", "source", "note",
+                                                  "iso", "aliases", "type"}};
 
 enum { SCENE_NAME, SCENE_EV100, SCENE_SCENE, SCENE_CONFIDENCE, SCENE_SOURCE, SCENE_ALIASES };
-static const struct layout scenes = {
+static const struct lensdb_facts_layout scenes = {
     "scenes.tsv", 2, 6, {"name", "ev100", "scene", "confidence", "source", "aliases"}};
 
 enum {
@@ -51,14 +51,15 @@ enum {
     FILTER_ALIASES,
     FILTER_MIRED
 };
-static const struct layout filters = {
+static const struct lensdb_facts_layout filters = {
     "filters.tsv",
     1,
     8,
     {"name", "factor", "stops", "kind", "confidence", "source", "aliases", "mired"}};
 
-static bool open_table(struct lensdb_facts *facts, struct lensdb *db, enum lensdb_place place,
-                       const struct layout *layout, struct error *error)
+static bool lensdb_facts_open_table(struct lensdb_facts *facts, struct lensdb *db,
+                                    enum lensdb_place place,
+                                    const struct lensdb_facts_layout *layout, struct error *error)
 {
     facts->place = place;
     if (!lensdb_open(db, place, layout->file, &facts->tsv, error)) {
@@ -77,15 +78,15 @@ static bool open_table(struct lensdb_facts *facts, struct lensdb *db, enum lensd
     return true;
 }
 
-static struct text cell_of(const struct lensdb_facts *facts, size_t column)
+static struct text lensdb_facts_cell_of(const struct lensdb_facts *facts, size_t column)
 {
     size_t at = facts->columns[column];
     return at < TSV_MOST_COLUMNS ? facts->tsv.cells[at] : (struct text){"", 0};
 }
 
 /* A number within a range; NaN where the table has none. */
-static bool number_of(const struct lensdb_facts *facts, size_t column, double low, double high,
-                      double *value, struct error *error)
+static bool lensdb_facts_number_of(const struct lensdb_facts *facts, size_t column, double low,
+                                   double high, double *value, struct error *error)
 {
     size_t at = facts->columns[column];
     *value = NAN;
@@ -104,7 +105,7 @@ static bool number_of(const struct lensdb_facts *facts, size_t column, double lo
 bool lensdb_films_open(struct lensdb_facts *facts, struct lensdb *db, enum lensdb_place place,
                        struct error *error)
 {
-    return open_table(facts, db, place, &films, error);
+    return lensdb_facts_open_table(facts, db, place, &films, error);
 }
 
 bool lensdb_films_next(struct lensdb_facts *facts, struct lensdb_film *film, struct error *error)
@@ -112,21 +113,21 @@ bool lensdb_films_next(struct lensdb_facts *facts, struct lensdb_film *film, str
     if (!tsv_next(&facts->tsv, error)) {
         return false;
     }
-    *film = (struct lensdb_film){.maker = cell_of(facts, FILM_MAKER),
-                                 .name = cell_of(facts, FILM_NAME),
-                                 .aliases = cell_of(facts, FILM_ALIASES),
-                                 .model = cell_of(facts, FILM_MODEL),
-                                 .parameters = cell_of(facts, FILM_PARAMETERS),
-                                 .status = cell_of(facts, FILM_STATUS),
-                                 .source = cell_of(facts, FILM_SOURCE),
-                                 .note = cell_of(facts, FILM_NOTE),
-                                 .speeds = cell_of(facts, FILM_ISO),
-                                 .type = cell_of(facts, FILM_TYPE),
+    *film = (struct lensdb_film){.maker = lensdb_facts_cell_of(facts, FILM_MAKER),
+                                 .name = lensdb_facts_cell_of(facts, FILM_NAME),
+                                 .aliases = lensdb_facts_cell_of(facts, FILM_ALIASES),
+                                 .model = lensdb_facts_cell_of(facts, FILM_MODEL),
+                                 .parameters = lensdb_facts_cell_of(facts, FILM_PARAMETERS),
+                                 .status = lensdb_facts_cell_of(facts, FILM_STATUS),
+                                 .source = lensdb_facts_cell_of(facts, FILM_SOURCE),
+                                 .note = lensdb_facts_cell_of(facts, FILM_NOTE),
+                                 .speeds = lensdb_facts_cell_of(facts, FILM_ISO),
+                                 .type = lensdb_facts_cell_of(facts, FILM_TYPE),
                                  .place = facts->place,
                                  .file = facts->tsv.source,
                                  .line = facts->tsv.line};
-    if (!number_of(facts, FILM_ONSET, 0, 1e9, &film->onset, error) ||
-        !number_of(facts, FILM_VALID_TO, 0, 1e9, &film->valid_to, error)) {
+    if (!lensdb_facts_number_of(facts, FILM_ONSET, 0, 1e9, &film->onset, error) ||
+        !lensdb_facts_number_of(facts, FILM_VALID_TO, 0, 1e9, &film->valid_to, error)) {
         return false;
     }
     film->onset = isnan(film->onset) ? 0 : film->onset;
@@ -136,7 +137,7 @@ bool lensdb_films_next(struct lensdb_facts *facts, struct lensdb_film *film, str
 bool lensdb_scenes_open(struct lensdb_facts *facts, struct lensdb *db, enum lensdb_place place,
                         struct error *error)
 {
-    return open_table(facts, db, place, &scenes, error);
+    return lensdb_facts_open_table(facts, db, place, &scenes, error);
 }
 
 bool lensdb_scenes_next(struct lensdb_facts *facts, struct lensdb_scene *scene, struct error *error)
@@ -144,13 +145,13 @@ bool lensdb_scenes_next(struct lensdb_facts *facts, struct lensdb_scene *scene, 
     if (!tsv_next(&facts->tsv, error)) {
         return false;
     }
-    *scene = (struct lensdb_scene){.name = cell_of(facts, SCENE_NAME),
-                                   .aliases = cell_of(facts, SCENE_ALIASES),
-                                   .scene = cell_of(facts, SCENE_SCENE),
-                                   .confidence = cell_of(facts, SCENE_CONFIDENCE),
-                                   .source = cell_of(facts, SCENE_SOURCE),
+    *scene = (struct lensdb_scene){.name = lensdb_facts_cell_of(facts, SCENE_NAME),
+                                   .aliases = lensdb_facts_cell_of(facts, SCENE_ALIASES),
+                                   .scene = lensdb_facts_cell_of(facts, SCENE_SCENE),
+                                   .confidence = lensdb_facts_cell_of(facts, SCENE_CONFIDENCE),
+                                   .source = lensdb_facts_cell_of(facts, SCENE_SOURCE),
                                    .place = facts->place};
-    if (!number_of(facts, SCENE_EV100, -100, 100, &scene->ev100, error)) {
+    if (!lensdb_facts_number_of(facts, SCENE_EV100, -100, 100, &scene->ev100, error)) {
         return false;
     }
     return !isnan(scene->ev100) ||
@@ -160,7 +161,7 @@ bool lensdb_scenes_next(struct lensdb_facts *facts, struct lensdb_scene *scene, 
 bool lensdb_filters_open(struct lensdb_facts *facts, struct lensdb *db, enum lensdb_place place,
                          struct error *error)
 {
-    return open_table(facts, db, place, &filters, error);
+    return lensdb_facts_open_table(facts, db, place, &filters, error);
 }
 
 bool lensdb_filters_next(struct lensdb_facts *facts, struct lensdb_filter *filter,
@@ -169,15 +170,15 @@ bool lensdb_filters_next(struct lensdb_facts *facts, struct lensdb_filter *filte
     if (!tsv_next(&facts->tsv, error)) {
         return false;
     }
-    *filter = (struct lensdb_filter){.name = cell_of(facts, FILTER_NAME),
-                                     .aliases = cell_of(facts, FILTER_ALIASES),
-                                     .kind = cell_of(facts, FILTER_KIND),
-                                     .confidence = cell_of(facts, FILTER_CONFIDENCE),
-                                     .source = cell_of(facts, FILTER_SOURCE),
+    *filter = (struct lensdb_filter){.name = lensdb_facts_cell_of(facts, FILTER_NAME),
+                                     .aliases = lensdb_facts_cell_of(facts, FILTER_ALIASES),
+                                     .kind = lensdb_facts_cell_of(facts, FILTER_KIND),
+                                     .confidence = lensdb_facts_cell_of(facts, FILTER_CONFIDENCE),
+                                     .source = lensdb_facts_cell_of(facts, FILTER_SOURCE),
                                      .place = facts->place};
-    if (!number_of(facts, FILTER_FACTOR, 1, 1e30, &filter->factor, error) ||
-        !number_of(facts, FILTER_STOPS, 0, 100, &filter->stops, error) ||
-        !number_of(facts, FILTER_MIRED, -1000, 1000, &filter->mired, error)) {
+    if (!lensdb_facts_number_of(facts, FILTER_FACTOR, 1, 1e30, &filter->factor, error) ||
+        !lensdb_facts_number_of(facts, FILTER_STOPS, 0, 100, &filter->stops, error) ||
+        !lensdb_facts_number_of(facts, FILTER_MIRED, -1000, 1000, &filter->mired, error)) {
         return false;
     }
     return !isnan(filter->factor) || !isnan(filter->stops) ||
@@ -214,7 +215,7 @@ bool lensdb_nearest_conversion(struct lensdb *db, double mired, struct arena *ar
 }
 
 /* Is `typed` the name or one of the aliases? */
-static bool answers_to(struct text name, struct text aliases, struct text typed)
+static bool lensdb_facts_answers_to(struct text name, struct text aliases, struct text typed)
 {
     bool same = text_same_name(name, typed);
     while (!same && aliases.start != NULL && aliases.length > 0) {
@@ -223,7 +224,7 @@ static bool answers_to(struct text name, struct text aliases, struct text typed)
     return same;
 }
 
-static void offer_names(struct nearest *nearest, struct text name, struct text aliases)
+static void lensdb_facts_offer_names(struct nearest *nearest, struct text name, struct text aliases)
 {
     nearest_offer(nearest, name);
     while (aliases.start != NULL && aliases.length > 0) {
@@ -232,7 +233,7 @@ static void offer_names(struct nearest *nearest, struct text name, struct text a
 }
 
 /* Cut the next word off a name: blanks, '/', ',' and parentheses are between words. */
-static bool next_word(struct text *rest, struct text *word)
+static bool lensdb_facts_next_word(struct text *rest, struct text *word)
 {
     static const char between[] = " /,()";
     while (rest->length > 0 && memchr(between, rest->start[0], sizeof between - 1) != NULL) {
@@ -248,10 +249,10 @@ static bool next_word(struct text *rest, struct text *word)
     return length > 0;
 }
 
-static bool has_word(struct text name, struct text wanted)
+static bool lensdb_facts_has_word(struct text name, struct text wanted)
 {
     struct text word;
-    while (next_word(&name, &word)) {
+    while (lensdb_facts_next_word(&name, &word)) {
         if (text_same_name(word, wanted)) {
             return true;
         }
@@ -265,17 +266,17 @@ static bool has_words_of(const struct lensdb_film *film, struct text name, struc
     struct text rest = typed, word;
     bool one_speed = memchr(film->speeds.start, ' ', film->speeds.length) == NULL;
     bool all = true, any = false;
-    while (all && next_word(&rest, &word)) {
-        bool here = has_word(name, word);
+    while (all && lensdb_facts_next_word(&rest, &word)) {
+        bool here = lensdb_facts_has_word(name, word);
         any = any || here;
-        all = here || has_word(film->maker, word) ||
+        all = here || lensdb_facts_has_word(film->maker, word) ||
               (one_speed && text_identical(film->speeds, word));
     }
     return all && any;
 }
 
 /* Are the typed words those of one of the names between commas, or of an alias? */
-static bool has_all_words(const struct lensdb_film *film, struct text typed)
+static bool lensdb_facts_has_all_words(const struct lensdb_film *film, struct text typed)
 {
     struct text names = film->name, aliases = film->aliases;
     bool found = false;
@@ -323,16 +324,16 @@ double lensdb_film_speed(const struct lensdb_film *film, struct text typed)
     return count == 1 ? only : named == 1 ? speed : (double)NAN;
 }
 
-static bool is_called(const struct lensdb_film *film, struct text typed)
+static bool lensdb_facts_is_called(const struct lensdb_film *film, struct text typed)
 {
     struct text rest = typed;
-    if (answers_to(film->name, film->aliases, typed)) {
+    if (lensdb_facts_answers_to(film->name, film->aliases, typed)) {
         return true;
     }
     for (size_t i = 1; film->maker.length > 0 && i < typed.length; i++) {
         if (text_same_name((struct text){typed.start, i}, film->maker)) {
             rest = (struct text){typed.start + i, typed.length - i};
-            return answers_to(film->name, film->aliases, text_trim(rest));
+            return lensdb_facts_answers_to(film->name, film->aliases, text_trim(rest));
         }
     }
     return false;
@@ -374,7 +375,7 @@ static bool search_films(struct lensdb *db, enum lensdb_place place,
         return error->code == ERROR_NONE;
     }
     while (lensdb_films_next(&facts, &film, error)) {
-        offer_names(&found->nearest, film.name, film.aliases);
+        lensdb_facts_offer_names(&found->nearest, film.name, film.aliases);
         if (answers(&film, found->typed)) {
             add_candidate(found, &film);
         }
@@ -382,8 +383,8 @@ static bool search_films(struct lensdb *db, enum lensdb_place place,
     return error->code == ERROR_NONE;
 }
 
-static bool unknown(const char *what, const char *topic, struct nearest *nearest,
-                    struct error *error)
+static bool lensdb_facts_unknown(const char *what, const char *topic, struct nearest *nearest,
+                                 struct error *error)
 {
     struct text typed = nearest->typed;
     fail(error, ERROR_USAGE, "there is no %s '%.*s'", what, shown_length(typed, 80), typed.start);
@@ -399,14 +400,17 @@ bool lensdb_find_film(struct lensdb *db, struct text name, struct lensdb_film *f
 {
     struct text typed = text_trim(name);
     struct candidates found = {.typed = typed, .nearest = {.typed = typed}};
-    if (!search_films(db, LENSDB_USER, is_called, &found, error) ||
-        (found.count == 0 && !search_films(db, LENSDB_EMBEDDED, is_called, &found, error)) ||
-        (found.count == 0 && !search_films(db, LENSDB_USER, has_all_words, &found, error)) ||
-        (found.count == 0 && !search_films(db, LENSDB_EMBEDDED, has_all_words, &found, error))) {
+    if (!search_films(db, LENSDB_USER, lensdb_facts_is_called, &found, error) ||
+        (found.count == 0 &&
+         !search_films(db, LENSDB_EMBEDDED, lensdb_facts_is_called, &found, error)) ||
+        (found.count == 0 &&
+         !search_films(db, LENSDB_USER, lensdb_facts_has_all_words, &found, error)) ||
+        (found.count == 0 &&
+         !search_films(db, LENSDB_EMBEDDED, lensdb_facts_has_all_words, &found, error))) {
         return false;
     }
     if (found.count == 0) {
-        return unknown("film", "films", &found.nearest, error);
+        return lensdb_facts_unknown("film", "films", &found.nearest, error);
     }
     if (found.count > 1) {
         fail(error, ERROR_USAGE, "'%.*s' names %zu films: %s", shown_length(typed, 60), typed.start,
@@ -417,7 +421,7 @@ bool lensdb_find_film(struct lensdb *db, struct text name, struct lensdb_film *f
     return true;
 }
 
-static void add_point(struct reciprocity *model, double metered, double stops)
+static void lensdb_facts_add_point(struct reciprocity *model, double metered, double stops)
 {
     model->metered[model->points] = metered;
     model->corrected[model->points++] = metered * exp2(stops);
@@ -445,12 +449,13 @@ static bool read_steps(const struct lensdb_film *film, struct reciprocity *model
                         shown_length(film->parameters, 60), film->parameters.start);
         }
         if (from > 0) {
-            add_point(model, nextafter(from, 0), stops); /* the step before ends here */
-            add_point(model, from, more);
+            lensdb_facts_add_point(model, nextafter(from, 0),
+                                   stops); /* the step before ends here */
+            lensdb_facts_add_point(model, from, more);
         }
         stops = more;
     }
-    add_point(model, film->valid_to, stops);
+    lensdb_facts_add_point(model, film->valid_to, stops);
     model->onset = model->metered[0];
     return true;
 }
@@ -473,16 +478,16 @@ bool lensdb_find_scene(struct lensdb *db, struct text name, struct lensdb_scene 
         struct lensdb_facts facts;
         bool open = lensdb_scenes_open(&facts, db, (enum lensdb_place)place, error);
         while (open && lensdb_scenes_next(&facts, scene, error)) {
-            if (answers_to(scene->name, scene->aliases, nearest.typed)) {
+            if (lensdb_facts_answers_to(scene->name, scene->aliases, nearest.typed)) {
                 return true;
             }
-            offer_names(&nearest, scene->name, scene->aliases);
+            lensdb_facts_offer_names(&nearest, scene->name, scene->aliases);
         }
         if (error->code != ERROR_NONE) {
             return false;
         }
     }
-    return unknown("scene", "scenes", &nearest, error);
+    return lensdb_facts_unknown("scene", "scenes", &nearest, error);
 }
 
 bool lensdb_find_filter(struct lensdb *db, struct text name, struct lensdb_filter *filter,
@@ -493,14 +498,14 @@ bool lensdb_find_filter(struct lensdb *db, struct text name, struct lensdb_filte
         struct lensdb_facts facts;
         bool open = lensdb_filters_open(&facts, db, (enum lensdb_place)place, error);
         while (open && lensdb_filters_next(&facts, filter, error)) {
-            if (answers_to(filter->name, filter->aliases, nearest.typed)) {
+            if (lensdb_facts_answers_to(filter->name, filter->aliases, nearest.typed)) {
                 return true;
             }
-            offer_names(&nearest, filter->name, filter->aliases);
+            lensdb_facts_offer_names(&nearest, filter->name, filter->aliases);
         }
         if (error->code != ERROR_NONE) {
             return false;
         }
     }
-    return unknown("filter", "filters", &nearest, error);
+    return lensdb_facts_unknown("filter", "filters", &nearest, error);
 }

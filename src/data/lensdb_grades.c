@@ -26,7 +26,7 @@ bool lensdb_grades_open(struct lensdb_grades *grades, struct lensdb *db, enum le
     return true;
 }
 
-static struct text cell_of(const struct lensdb_grades *grades, int column)
+static struct text lensdb_grades_cell_of(const struct lensdb_grades *grades, int column)
 {
     const size_t at = grades->columns[column];
     return at < TSV_MOST_COLUMNS ? grades->tsv.cells[at] : (struct text){"", 0};
@@ -38,13 +38,13 @@ bool lensdb_grades_next(struct lensdb_grades *grades, struct lensdb_tolerance *r
     if (!tsv_next(&grades->tsv, error)) {
         return false;
     }
-    *row = (struct lensdb_tolerance){.grade = cell_of(grades, GRADE),
-                                     .quantity = cell_of(grades, QUANTITY),
-                                     .amount = cell_of(grades, VALUE),
-                                     .unit = cell_of(grades, UNIT),
-                                     .distribution = cell_of(grades, DISTRIBUTION),
-                                     .confidence = cell_of(grades, CONFIDENCE),
-                                     .source = cell_of(grades, SOURCE),
+    *row = (struct lensdb_tolerance){.grade = lensdb_grades_cell_of(grades, GRADE),
+                                     .quantity = lensdb_grades_cell_of(grades, QUANTITY),
+                                     .amount = lensdb_grades_cell_of(grades, VALUE),
+                                     .unit = lensdb_grades_cell_of(grades, UNIT),
+                                     .distribution = lensdb_grades_cell_of(grades, DISTRIBUTION),
+                                     .confidence = lensdb_grades_cell_of(grades, CONFIDENCE),
+                                     .source = lensdb_grades_cell_of(grades, SOURCE),
                                      .place = grades->place,
                                      .file = grades->tsv.source,
                                      .line = grades->tsv.line};

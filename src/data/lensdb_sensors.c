@@ -39,7 +39,7 @@ bool lensdb_sensors_open(struct lensdb_sensors *sensors, struct lensdb *db, enum
     return true;
 }
 
-static struct text cell_of(const struct tsv *tsv, size_t column)
+static struct text lensdb_sensors_cell_of(const struct tsv *tsv, size_t column)
 {
     return column < TSV_MOST_COLUMNS ? tsv->cells[column] : (struct text){"", 0};
 }
@@ -60,8 +60,8 @@ static bool read_positive(const struct tsv *tsv, size_t column, double *value, s
     return true;
 }
 
-static bool read_sensor(struct lensdb_sensors *sensors, struct lensdb_sensor *sensor,
-                        struct error *error)
+static bool lensdb_sensors_read_sensor(struct lensdb_sensors *sensors, struct lensdb_sensor *sensor,
+                                       struct error *error)
 {
     const struct tsv *tsv = &sensors->tsv;
     double pitch_um;
@@ -89,13 +89,13 @@ static bool next_words(struct lensdb_sensors *sensors, struct lensdb_sensor *sen
         return false;
     }
     *sensor = (struct lensdb_sensor){
-        .maker = cell_of(tsv, sensors->maker),
-        .name = cell_of(tsv, sensors->name),
-        .aliases = cell_of(tsv, sensors->aliases),
-        .class = cell_of(tsv, sensors->class),
-        .pitch_from = cell_of(tsv, sensors->pitch_from),
-        .confidence = cell_of(tsv, sensors->confidence),
-        .source = cell_of(tsv, sensors->source),
+        .maker = lensdb_sensors_cell_of(tsv, sensors->maker),
+        .name = lensdb_sensors_cell_of(tsv, sensors->name),
+        .aliases = lensdb_sensors_cell_of(tsv, sensors->aliases),
+        .class = lensdb_sensors_cell_of(tsv, sensors->class),
+        .pitch_from = lensdb_sensors_cell_of(tsv, sensors->pitch_from),
+        .confidence = lensdb_sensors_cell_of(tsv, sensors->confidence),
+        .source = lensdb_sensors_cell_of(tsv, sensors->source),
         .place = sensors->place,
     };
     return true;
@@ -104,7 +104,7 @@ static bool next_words(struct lensdb_sensors *sensors, struct lensdb_sensor *sen
 bool lensdb_sensors_next(struct lensdb_sensors *sensors, struct lensdb_sensor *sensor,
                          struct error *error)
 {
-    return next_words(sensors, sensor, error) && read_sensor(sensors, sensor, error);
+    return next_words(sensors, sensor, error) && lensdb_sensors_read_sensor(sensors, sensor, error);
 }
 
 /* Is `name` one of the words between separators? */
@@ -150,7 +150,7 @@ static bool cut_maker(struct text *name, struct text maker)
     return cut;
 }
 
-struct search {
+struct lensdb_sensors_search {
     struct text name;
     struct text maker, model; /* of the last row; the name without this maker */
     bool by_maker;            /* is the maker part of the name? */
@@ -160,7 +160,8 @@ struct search {
 };
 
 /* How well does a sensor answer to a name? 0 not at all, 1 by model, 2 fully. */
-static int answers_to(const struct lensdb_sensor *sensor, struct search *search)
+static int lensdb_sensors_answers_to(const struct lensdb_sensor *sensor,
+                                     struct lensdb_sensors_search *search)
 {
     if (sensor->maker.length == 0) {
         bool named = text_same_name(sensor->name, search->name);
@@ -183,7 +184,7 @@ static int answers_to(const struct lensdb_sensor *sensor, struct search *search)
 /* Look through one table; stops at a full match. What is not found is not read as numbers, but in
    the user's own table, whose faults are to be told. */
 static bool search_table(struct lensdb *db, enum lensdb_place place, bool cameras,
-                         struct search *search, struct error *error)
+                         struct lensdb_sensors_search *search, struct error *error)
 {
     struct lensdb_sensors sensors;
     struct lensdb_sensor sensor;
@@ -191,9 +192,10 @@ static bool search_table(struct lensdb *db, enum lensdb_place place, bool camera
         return error->code == ERROR_NONE;
     }
     while (search->quality < 2 && next_words(&sensors, &sensor, error)) {
-        int quality = answers_to(&sensor, search);
+        int quality = lensdb_sensors_answers_to(&sensor, search);
         bool counts = quality > search->quality || (quality == 1 && search->quality == 1);
-        if ((counts || place == LENSDB_USER) && !read_sensor(&sensors, &sensor, error)) {
+        if ((counts || place == LENSDB_USER) &&
+            !lensdb_sensors_read_sensor(&sensors, &sensor, error)) {
             return false;
         }
         if (quality > search->quality) {
@@ -212,7 +214,7 @@ static bool search_table(struct lensdb *db, enum lensdb_place place, bool camera
 enum { MOST_RELATIVES = 3, MOST_NAME = 96 };
 
 /* The cameras whose names begin most like the one that was typed. */
-struct family {
+struct lensdb_sensors_family {
     struct text typed;
     struct text maker; /* where the maker alone was typed; else its start is null */
     struct nearest format, nearest;
@@ -224,7 +226,7 @@ struct family {
 };
 
 /* Keep it among the relatives, the longest beginnings first, then the shortest names. */
-static void offer_relative(struct family *family, const struct lensdb_sensor *sensor)
+static void offer_relative(struct lensdb_sensors_family *family, const struct lensdb_sensor *sensor)
 {
     struct text model = family->typed;
     bool by_maker = sensor->maker.length > 0 && cut_maker(&model, sensor->maker);
@@ -251,7 +253,8 @@ static void offer_relative(struct family *family, const struct lensdb_sensor *se
 }
 
 /* "maker model" stands nowhere in one piece; a name that is kept is copied. */
-static void offer_full_name(struct family *family, const struct lensdb_sensor *sensor)
+static void offer_full_name(struct lensdb_sensors_family *family,
+                            const struct lensdb_sensor *sensor)
 {
     char name[MOST_NAME];
     snprintf(name, sizeof name, "%.*s %.*s", (int)sensor->maker.length, sensor->maker.start,
@@ -264,8 +267,8 @@ static void offer_full_name(struct family *family, const struct lensdb_sensor *s
 }
 
 /* Offer all names of one table. */
-static void offer_names(struct lensdb *db, enum lensdb_place place, bool cameras,
-                        struct family *family)
+static void lensdb_sensors_offer_names(struct lensdb *db, enum lensdb_place place, bool cameras,
+                                       struct lensdb_sensors_family *family)
 {
     struct lensdb_sensors sensors;
     struct lensdb_sensor sensor;
@@ -290,7 +293,7 @@ static void offer_names(struct lensdb *db, enum lensdb_place place, bool cameras
 }
 
 /* "'EOS R5' (36 x 24 mm), 'EOS R50' (22.3 x 14.9 mm)": the family, with its formats. */
-static void name_relatives(const struct family *family, char *words, size_t room)
+static void name_relatives(const struct lensdb_sensors_family *family, char *words, size_t room)
 {
     size_t used = 0;
     words[0] = '\0';
@@ -310,10 +313,11 @@ static void name_relatives(const struct family *family, char *words, size_t room
 static bool not_found(struct lensdb *db, struct text name, struct error *error)
 {
     char relatives[140];
-    struct family family = {.typed = name, .format = {.typed = name}, .nearest = {.typed = name}};
+    struct lensdb_sensors_family family = {
+        .typed = name, .format = {.typed = name}, .nearest = {.typed = name}};
     for (enum lensdb_place place = LENSDB_USER; place < LENSDB_PLACES; place++) {
-        offer_names(db, place, false, &family);
-        offer_names(db, place, true, &family);
+        lensdb_sensors_offer_names(db, place, false, &family);
+        lensdb_sensors_offer_names(db, place, true, &family);
     }
     name_relatives(&family, relatives, sizeof relatives);
     fail(error, ERROR_USAGE, "there is no format or camera '%.*s'", text_shown(name), name.start);
@@ -337,7 +341,7 @@ static bool not_found(struct lensdb *db, struct text name, struct error *error)
 bool lensdb_find_sensor(struct lensdb *db, struct text name, struct lensdb_sensor *sensor,
                         struct error *error)
 {
-    struct search search = {.name = text_trim(name)};
+    struct lensdb_sensors_search search = {.name = text_trim(name)};
     for (enum lensdb_place place = LENSDB_USER; place < LENSDB_PLACES && search.quality == 0;
          place++) {
         if (!search_table(db, place, false, &search, error) ||

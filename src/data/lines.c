@@ -15,8 +15,8 @@ static bool open_lines(struct lensdb *db, enum lensdb_place place, struct tsv *t
 }
 
 /* The wavelength in the present row, rounded once. */
-static bool read_line(const struct tsv *tsv, size_t nm, struct number_scale from_nm,
-                      double *wavelength, struct error *error)
+static bool lines_read_line(const struct tsv *tsv, size_t nm, struct number_scale from_nm,
+                            double *wavelength, struct error *error)
 {
     struct text cell = tsv->cells[nm];
     const char *end = cell.start + cell.length;
@@ -44,7 +44,7 @@ static bool find_from(struct lensdb *db, enum lensdb_place first, struct text na
                 struct text cell = tsv.cells[column];
                 if (text_identical(cell, name)) {
                     *found = true;
-                    return read_line(&tsv, nm, from_nm, wavelength, error);
+                    return lines_read_line(&tsv, nm, from_nm, wavelength, error);
                 }
             }
         }
@@ -82,7 +82,7 @@ struct text lines_name(struct lensdb *db, double wavelength)
             continue;
         }
         while (tsv_next(&tsv, &ignored)) {
-            if (read_line(&tsv, nm, (struct number_scale){1, -6}, &line, &ignored) &&
+            if (lines_read_line(&tsv, nm, (struct number_scale){1, -6}, &line, &ignored) &&
                 fabs(line - wavelength) <= 1e-15 * line) {
                 return tsv.cells[column];
             }

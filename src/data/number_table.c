@@ -6,8 +6,8 @@
 
 #include <math.h>
 
-static bool begin(const char *path, struct text content, const char *first, struct tsv *tsv,
-                  struct error *error)
+static bool number_table_begin(const char *path, struct text content, const char *first,
+                               struct tsv *tsv, struct error *error)
 {
     if (!tsv_open_foreign(tsv, path, content, error)) {
         return false;
@@ -24,7 +24,7 @@ bool number_table_parse(const char *path, struct text content, const char *first
                         struct arena *arena, struct number_table *table, struct error *error)
 {
     struct tsv tsv;
-    if (!begin(path, content, first, &tsv, error)) {
+    if (!number_table_begin(path, content, first, &tsv, error)) {
         return false;
     }
     *table = (struct number_table){.columns = tsv.columns};

@@ -14,7 +14,7 @@ static bool fail_line(const struct tsv *tsv, struct error *error, const char *wh
 }
 
 /* The next line that is neither blank nor a comment. */
-static bool next_line(struct tsv *tsv, struct text *line)
+static bool tsv_next_line(struct tsv *tsv, struct text *line)
 {
     while (tsv->rest.start != NULL && tsv->rest.length > 0) {
         *line = text_cut(&tsv->rest, '\n');
@@ -30,7 +30,7 @@ static bool next_line(struct tsv *tsv, struct text *line)
 }
 
 /* Cut a line into cells; false if there are more than a table can have. */
-static bool split(struct text line, char separator, struct text *cells, size_t *count)
+static bool tsv_split(struct text line, char separator, struct text *cells, size_t *count)
 {
     *count = 0;
     while (line.start != NULL) {
@@ -43,8 +43,8 @@ static bool split(struct text line, char separator, struct text *cells, size_t *
     return true;
 }
 
-static bool open_table(struct tsv *tsv, const char *source, struct text content, bool foreign,
-                       struct error *error)
+static bool tsv_open_table(struct tsv *tsv, const char *source, struct text content, bool foreign,
+                           struct error *error)
 {
     *tsv = (struct tsv){.source = source, .rest = content, .separator = '\t'};
     if (content.length >= 3 && memcmp(content.start, "\xef\xbb\xbf", 3) == 0) {
@@ -55,13 +55,13 @@ static bool open_table(struct tsv *tsv, const char *source, struct text content,
         return fail_line(tsv, error, "NUL bytes: this is not UTF-8 text (UTF-16?)");
     }
     struct text line;
-    if (!next_line(tsv, &line)) {
+    if (!tsv_next_line(tsv, &line)) {
         return fail_line(tsv, error, "the table has no line of column names");
     }
     if (foreign && memchr(line.start, '\t', line.length) == NULL) {
         tsv->separator = ',';
     }
-    if (!split(line, tsv->separator, tsv->names, &tsv->columns)) {
+    if (!tsv_split(line, tsv->separator, tsv->names, &tsv->columns)) {
         return fail_line(tsv, error, "the table has more than 32 columns");
     }
     for (size_t i = 0; i < tsv->columns; i++) {
@@ -76,12 +76,12 @@ static bool open_table(struct tsv *tsv, const char *source, struct text content,
 
 bool tsv_open(struct tsv *tsv, const char *source, struct text content, struct error *error)
 {
-    return open_table(tsv, source, content, false, error);
+    return tsv_open_table(tsv, source, content, false, error);
 }
 
 bool tsv_open_foreign(struct tsv *tsv, const char *source, struct text content, struct error *error)
 {
-    return open_table(tsv, source, content, true, error);
+    return tsv_open_table(tsv, source, content, true, error);
 }
 
 bool tsv_column(const struct tsv *tsv, const char *name, size_t *column, struct error *error)
@@ -101,10 +101,10 @@ bool tsv_next(struct tsv *tsv, struct error *error)
     struct text line;
     size_t count;
     error->code = ERROR_NONE;
-    if (!next_line(tsv, &line)) {
+    if (!tsv_next_line(tsv, &line)) {
         return false;
     }
-    if (!split(line, tsv->separator, tsv->cells, &count) || count != tsv->columns) {
+    if (!tsv_split(line, tsv->separator, tsv->cells, &count) || count != tsv->columns) {
         fail(error, ERROR_DATA, "the row has %zu cells where there are %zu column names", count,
              tsv->columns);
         return error_locate(error, tsv->source, tsv->line, 0);

@@ -19,14 +19,14 @@ static size_t first_room(int descriptor, size_t most)
 }
 
 /* A file to be read, and how much of it: MiB. */
-struct wanted {
+struct whole_file_wanted {
     const char *path;
     size_t most;
     bool (*begins)(struct text first); /* null: it may begin as it likes */
 };
 
-static bool read_all(int descriptor, const struct wanted *wanted, struct arena *arena,
-                     struct text *content, struct error *error)
+static bool whole_file_read_all(int descriptor, const struct whole_file_wanted *wanted,
+                                struct arena *arena, struct text *content, struct error *error)
 {
     const char *path = wanted->path;
     const size_t most = wanted->most;
@@ -64,8 +64,8 @@ static bool read_all(int descriptor, const struct wanted *wanted, struct arena *
 bool whole_stream(int descriptor, const char *path, struct arena *arena, struct text *content,
                   struct error *error)
 {
-    return read_all(descriptor, &(struct wanted){path, WHOLE_FILE_MOST, NULL}, arena, content,
-                    error);
+    return whole_file_read_all(descriptor, &(struct whole_file_wanted){path, WHOLE_FILE_MOST, NULL},
+                               arena, content, error);
 }
 
 bool file_of_kind(const char *path, size_t most, bool (*begins)(struct text), struct arena *arena,
@@ -77,7 +77,8 @@ bool file_of_kind(const char *path, size_t most, bool (*begins)(struct text), st
         return errno != ENOENT &&
                fail(error, ERROR_IO, "cannot read %s: %s", path, strerror(errno));
     }
-    bool done = read_all(descriptor, &(struct wanted){path, most, begins}, arena, content, error);
+    bool done = whole_file_read_all(descriptor, &(struct whole_file_wanted){path, most, begins},
+                                    arena, content, error);
     close(descriptor);
     return done;
 }

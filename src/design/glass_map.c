@@ -5,26 +5,26 @@
 #include <math.h>
 
 /* A curve Vd(nd), and its slope. */
-struct edge {
+struct glass_map_edge {
     double Vd, slope;
 };
 
-static struct edge lower(double nd)
+static struct glass_map_edge glass_map_lower(double nd)
 {
     double x = nd - 1.2688;
-    return (struct edge){13.07 / x - 2.4, -13.07 / (x * x)};
+    return (struct glass_map_edge){13.07 / x - 2.4, -13.07 / (x * x)};
 }
 
-static struct edge upper(double nd)
+static struct glass_map_edge upper(double nd)
 {
     double y = nd - 1.7;
-    return (struct edge){59.5 + y * (-96.6 + y * (94.4 - 315 * y)),
-                         -96.6 + y * (2 * 94.4 - 3 * 315 * y)};
+    return (struct glass_map_edge){59.5 + y * (-96.6 + y * (94.4 - 315 * y)),
+                                   -96.6 + y * (2 * 94.4 - 3 * 315 * y)};
 }
 
 struct glass_map_point glass_map_at(double nd, double share)
 {
-    const struct edge flint = lower(nd), crown = upper(nd);
+    const struct glass_map_edge flint = glass_map_lower(nd), crown = upper(nd);
     return (struct glass_map_point){.Vd = flint.Vd + share * (crown.Vd - flint.Vd),
                                     .by_nd = flint.slope + share * (crown.slope - flint.slope),
                                     .by_share = crown.Vd - flint.Vd};
@@ -50,13 +50,13 @@ struct glass_map_range glass_map_indices(double low, double high)
 
 struct glass_map_range glass_map_abbes(double low, double high)
 {
-    return (struct glass_map_range){lower(fmin(high, GLASS_MAP_HIGHEST)).Vd,
+    return (struct glass_map_range){glass_map_lower(fmin(high, GLASS_MAP_HIGHEST)).Vd,
                                     upper(fmax(low, GLASS_MAP_LOWEST)).Vd};
 }
 
 double glass_map_share(double nd, double Vd)
 {
-    const struct edge flint = lower(nd), crown = upper(nd);
+    const struct glass_map_edge flint = glass_map_lower(nd), crown = upper(nd);
     bool inside = nd >= GLASS_MAP_LOWEST && nd <= GLASS_MAP_HIGHEST;
     return inside ? (Vd - flint.Vd) / (crown.Vd - flint.Vd) : NAN;
 }

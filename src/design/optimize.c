@@ -8,7 +8,7 @@
 #include <string.h>
 
 /* A run, as its progress is told. */
-struct running {
+struct optimize_progress {
     const struct optimize_task *task;
     struct optimize_answer *answer;
     struct arena *arena;
@@ -27,7 +27,7 @@ static struct optimize_state new_state(const struct merit *merit, struct arena *
 }
 
 /* Evaluate where `state` has its numbers; derivatives of all goals, of those too that are met. */
-static bool look(struct merit *merit, struct optimize_state *state, double *jacobian)
+static bool optimize_look(struct merit *merit, struct optimize_state *state, double *jacobian)
 {
     if (!merit_measure(merit, state->numbers, state->residuals, jacobian)) {
         return false;
@@ -61,7 +61,7 @@ void optimize_find_effects(const struct merit *merit, const double *residuals,
     }
 }
 
-static void note(struct running *running, double merit)
+static void optimize_note(struct optimize_progress *running, double merit)
 {
     struct optimize_answer *answer = running->answer;
     answer->history = arena_grow(running->arena, answer->history, answer->history_count,
@@ -71,8 +71,8 @@ static void note(struct running *running, double merit)
 
 static bool progress(void *context, const struct solver_progress *progress)
 {
-    struct running *running = context;
-    note(running, 2 * progress->cost);
+    struct optimize_progress *running = context;
+    optimize_note(running, 2 * progress->cost);
     return running->task->goes_on == NULL || running->task->goes_on(running->task->context);
 }
 
@@ -97,8 +97,9 @@ static void judge_before(const struct merit *merit, struct optimize_answer *answ
     memcpy(answer->before.values, answer->after.values, size);
 }
 
-static bool begin(const struct optimize_task *task, struct arena *arena,
-                  struct optimize_answer *answer, double *jacobian, struct error *error)
+static bool optimize_report_begin(const struct optimize_task *task, struct arena *arena,
+                                  struct optimize_answer *answer, double *jacobian,
+                                  struct error *error)
 {
     struct merit *merit = task->merit;
     *answer = (struct optimize_answer){.before = new_state(merit, arena),
@@ -107,13 +108,13 @@ static bool begin(const struct optimize_task *task, struct arena *arena,
     variables_get(merit->question.variables, answer->before.numbers);
     memcpy(answer->after.numbers, task->start != NULL ? task->start : answer->before.numbers,
            merit->variable_count * sizeof(double));
-    if (task->start != NULL && !look(merit, &answer->before, NULL)) {
+    if (task->start != NULL && !optimize_look(merit, &answer->before, NULL)) {
         judge_as_nothing(merit, &answer->before);
     }
     if (!optimize_begin(task, answer->after.numbers, arena, &answer->begun, error)) {
         return false;
     }
-    if (!look(merit, &answer->after, jacobian)) {
+    if (!optimize_look(merit, &answer->after, jacobian)) {
         *error = merit->why;
         return error_prefix(error, "the lens cannot be judged where it is begun: ");
     }
@@ -128,16 +129,17 @@ static bool begin(const struct optimize_task *task, struct arena *arena,
 }
 
 /* From the start; ends where the lens has a value. */
-static bool run_once(struct running *running, double *jacobian, struct error *error)
+static bool optimize_run_once(struct optimize_progress *running, double *jacobian,
+                              struct error *error)
 {
     const struct optimize_task *task = running->task;
     struct optimize_answer *answer = running->answer;
     struct merit *merit = task->merit;
     running->room = 0;
-    if (!begin(task, running->arena, answer, jacobian, error)) {
+    if (!optimize_report_begin(task, running->arena, answer, jacobian, error)) {
         return false;
     }
-    note(running, answer->after.merit);
+    optimize_note(running, answer->after.merit);
     const struct solver_problem problem = optimize_problem(merit);
     const struct solver_options options = {.engine = task->engine,
                                            .iterations = task->iterations,
@@ -149,7 +151,7 @@ static bool run_once(struct running *running, double *jacobian, struct error *er
                     error)) {
         return false;
     }
-    if (!look(merit, &answer->after, jacobian)) {
+    if (!optimize_look(merit, &answer->after, jacobian)) {
         *error = merit->why;
         return error_prefix(error, "the lens that was found cannot be judged: ");
     }
@@ -160,17 +162,17 @@ bool optimize_run(const struct optimize_task *task, struct arena *arena,
                   struct optimize_answer *answer, struct error *error)
 {
     struct merit *merit = task->merit;
-    struct running running = {.task = task, .answer = answer, .arena = arena};
+    struct optimize_progress running = {.task = task, .answer = answer, .arena = arena};
     double *jacobian =
         ARENA_ARRAY(arena, merit->residual_count * merit->variable_count + 1, double);
-    if (!run_once(&running, jacobian, error)) {
+    if (!optimize_run_once(&running, jacobian, error)) {
         /* where rays are just lost, some are found only from a lens that still has them */
         merit->forgets = true;
-        if (!run_once(&running, jacobian, error)) {
+        if (!optimize_run_once(&running, jacobian, error)) {
             return false;
         }
     }
     optimize_find_effects(merit, answer->after.residuals, jacobian, answer->is_idle);
-    note(&running, answer->after.merit);
+    optimize_note(&running, answer->after.merit);
     return true;
 }

@@ -56,21 +56,22 @@ static bool open_fresh(const struct merit *like, struct arena *arena, struct fre
 
 /* -------- the search -------- */
 
-struct searching {
+struct global_run {
     const struct optimize_global *global;
     struct global_range range;
     size_t first; /* of the starts of this round */
 };
 
-static struct searching open_search(const struct optimize_global *global, struct arena *arena)
+static struct global_run optimize_global_open_search(const struct optimize_global *global,
+                                                     struct arena *arena)
 {
     const struct variables *variables = global->merit->question.variables;
-    return (struct searching){.global = global,
-                              .range = optimize_global_range(variables, global->spread, arena),
-                              .first = global->begin};
+    return (struct global_run){.global = global,
+                               .range = optimize_global_range(variables, global->spread, arena),
+                               .first = global->begin};
 }
 
-static struct global_search search_of(const struct searching *searching,
+static struct global_search search_of(const struct global_run *searching,
                                       const struct solver_problem *problem)
 {
     const struct optimize_global *global = searching->global;
@@ -85,7 +86,7 @@ static struct global_search search_of(const struct searching *searching,
 }
 
 /* A start that has a merit, as it is or made so. */
-static bool begin_at(const struct searching *searching, const struct global_search *search,
+static bool begin_at(const struct global_run *searching, const struct global_search *search,
                      size_t start, struct merit *merit, double *numbers)
 {
     const struct optimize_task task = {.merit = merit,
@@ -102,7 +103,7 @@ static bool begin_at(const struct searching *searching, const struct global_sear
 }
 
 /* Minima in the arena. Result: it came to its end */
-static bool search_from(const struct searching *searching, size_t start, struct arena *arena,
+static bool search_from(const struct global_run *searching, size_t start, struct arena *arena,
                         struct global_chain *chain)
 {
     const struct optimize_global *global = searching->global;
@@ -128,7 +129,7 @@ static bool search_from(const struct searching *searching, size_t start, struct 
 
 bool optimize_global_idle(const struct optimize_global *global, struct arena *arena, bool *is_idle)
 {
-    const struct searching searching = open_search(global, arena);
+    const struct global_run searching = optimize_global_open_search(global, arena);
     const size_t n = global->merit->variable_count, m = global->merit->residual_count;
     double *numbers = ARENA_ARRAY(arena, n + 1, double);
     double *residuals = ARENA_ARRAY(arena, m + 1, double);
@@ -155,20 +156,20 @@ bool optimize_global_idle(const struct optimize_global *global, struct arena *ar
     return found;
 }
 
-static bool goes_on(const struct optimize_global *global)
+static bool optimize_global_goes_on(const struct optimize_global *global)
 {
     return !watch_is_ended(global->watch) &&
            (global->goes_on == NULL || global->goes_on(global->context));
 }
 
-static void work(void *context, const struct parallel_piece *piece)
+static void optimize_global_work(void *context, const struct parallel_piece *piece)
 {
-    struct searching *searching = context;
+    struct global_run *searching = context;
     const struct optimize_global *global = searching->global;
     for (size_t k = searching->first + piece->begin; k < searching->first + piece->end; k++) {
         struct global_result *result = &global->results[k];
         struct global_chain chain;
-        if (!result->is_done && goes_on(global) &&
+        if (!result->is_done && optimize_global_goes_on(global) &&
             search_from(searching, k, piece->arena, &chain)) {
             *result = (struct global_result){true, chain.count, chain.minima, chain.evaluations};
             watch_add(global->watch, 1);
@@ -180,13 +181,13 @@ void optimize_global_search(struct optimize_global *global, struct arena *arena)
 {
     const size_t all = global->end - global->begin;
     const size_t round = global->pause == NULL ? all : (size_t)global->threads * STARTS_A_THREAD;
-    struct searching searching = open_search(global, arena);
+    struct global_run searching = optimize_global_open_search(global, arena);
     struct parallel *team = ARENA_NEW(arena, struct parallel);
     team->threads = global->threads;
     for (; searching.first < global->end; searching.first += round) {
         const size_t left = global->end - searching.first;
-        parallel_pieces(team, left < round ? left : round, 1, work, &searching);
-        if (!goes_on(global)) {
+        parallel_pieces(team, left < round ? left : round, 1, optimize_global_work, &searching);
+        if (!optimize_global_goes_on(global)) {
             break;
         }
         if (global->pause != NULL) {
@@ -208,7 +209,7 @@ struct candidate {
 };
 
 /* The best first; of two alike that of the earlier start. */
-static int order(const struct candidate *a, const struct candidate *b)
+static int optimize_global_order(const struct candidate *a, const struct candidate *b)
 {
     if (global_is_better(a->minimum, b->minimum)) {
         return -1;
@@ -219,9 +220,9 @@ static int order(const struct candidate *a, const struct candidate *b)
     return a->start < b->start ? -1 : a->start > b->start;
 }
 
-static int compare(const void *one, const void *other)
+static int optimize_global_compare(const void *one, const void *other)
 {
-    return order(one, other);
+    return optimize_global_order(one, other);
 }
 
 static int compare_kept(const void *one, const void *other)
@@ -229,7 +230,8 @@ static int compare_kept(const void *one, const void *other)
     const struct global_kept *a = one, *b = other;
     const struct global_minimum first = {NULL, a->answer.after.merit, a->answer.summary.excess},
                                 second = {NULL, b->answer.after.merit, b->answer.summary.excess};
-    return order(&(struct candidate){&first, a->start}, &(struct candidate){&second, b->start});
+    return optimize_global_order(&(struct candidate){&first, a->start},
+                                 &(struct candidate){&second, b->start});
 }
 
 static struct candidate *list_candidates(const struct optimize_global *global, size_t *count,
@@ -246,13 +248,14 @@ static struct candidate *list_candidates(const struct optimize_global *global, s
             list[(*count)++] = (struct candidate){&global->results[k].minima[i], k};
         }
     }
-    qsort(list, *count, sizeof *list, compare);
+    qsort(list, *count, sizeof *list, optimize_global_compare);
     return list;
 }
 
 /* Does a lens that is there already lie there? */
-static bool is_known(const struct solver_problem *problem, const struct global_kept *kept,
-                     size_t count, const double *numbers)
+static bool optimize_global_is_known(const struct solver_problem *problem,
+                                     const struct global_kept *kept, size_t count,
+                                     const double *numbers)
 {
     bool found = false;
     for (size_t i = 0; i < count; i++) {
@@ -279,8 +282,9 @@ static size_t count_hits(const struct optimize_global *global, const struct solv
 }
 
 /* Down to its minimum. */
-static bool finish(const struct optimize_task *task, const struct candidate *candidate,
-                   struct arena *arena, struct global_kept *kept)
+static bool optimize_global_finish(const struct optimize_task *task,
+                                   const struct candidate *candidate, struct arena *arena,
+                                   struct global_kept *kept)
 {
     struct optimize_task fine = *task;
     struct fresh *fresh = ARENA_NEW(arena, struct fresh);
@@ -305,12 +309,12 @@ size_t optimize_global_keep(const struct optimize_global *global, const struct o
         if (count > 0 && watch_is_ended(global->watch)) {
             break; /* who interrupts gets the best, and does not wait for others */
         }
-        if (is_known(&problem, kept, count, list[i].minimum->parameters)) {
+        if (optimize_global_is_known(&problem, kept, count, list[i].minimum->parameters)) {
             continue;
         }
         tried++;
-        if (finish(task, &list[i], arena, &kept[count]) &&
-            !is_known(&problem, kept, count, kept[count].answer.after.numbers)) {
+        if (optimize_global_finish(task, &list[i], arena, &kept[count]) &&
+            !optimize_global_is_known(&problem, kept, count, kept[count].answer.after.numbers)) {
             count++;
         }
     }

@@ -11,7 +11,7 @@ enum { STAGES = 24, ITERATIONS = 40 };
 static const double shares[] = {1, 0.85, 0.7, 0.55, 0.4, 0.28, 0.2, 0.1, 0.05};
 
 /* The merit that takes the place of the real one, and that one. */
-struct easing {
+struct eased_merit {
     const struct optimize_task *task;
     struct arena *arena;
     struct merit eased;
@@ -29,7 +29,7 @@ static bool has_value(struct merit *merit, const double *numbers, double *residu
 }
 
 /* The same question with less of the aperture and the fields. */
-static bool open_eased(struct easing *easing, const struct operand *operands, size_t count,
+static bool open_eased(struct eased_merit *easing, const struct operand *operands, size_t count,
                        struct error *error)
 {
     const struct merit *merit = easing->task->merit;
@@ -56,14 +56,15 @@ static bool open_eased(struct easing *easing, const struct operand *operands, si
     return true;
 }
 
-static bool eased_has_value(struct easing *easing)
+static bool eased_has_value(struct eased_merit *easing)
 {
     double *residuals = ARENA_ARRAY(easing->arena, easing->eased.residual_count + 1, double);
     return has_value(&easing->eased, easing->numbers, residuals);
 }
 
 /* What keeps rays from loss looks at those of other goals. */
-static size_t add_grazing(const struct merit_question *question, struct operand *some, size_t count)
+static size_t optimize_start_add_grazing(const struct merit_question *question,
+                                         struct operand *some, size_t count)
 {
     bool has_rays = false;
     for (size_t i = 0; i < count; i++) {
@@ -78,7 +79,7 @@ static size_t add_grazing(const struct merit_question *question, struct operand 
 }
 
 /* Goals that have a value by themselves. */
-static bool open_some(struct easing *easing, struct error *error)
+static bool open_some(struct eased_merit *easing, struct error *error)
 {
     const struct merit_question *question = &easing->task->merit->question;
     struct operand *some = ARENA_ARRAY(easing->arena, question->operand_count, struct operand);
@@ -92,14 +93,14 @@ static bool open_some(struct easing *easing, struct error *error)
         count += open_eased(easing, &some[count], 1, error) && eased_has_value(easing);
     }
     easing->is_whole = false;
-    count = add_grazing(question, some, count);
+    count = optimize_start_add_grazing(question, some, count);
     return (count > 0 || fail(error, ERROR_DOMAIN, "no goal has a value")) &&
            open_eased(easing, some, count, error) &&
            (eased_has_value(easing) || fail(error, ERROR_DOMAIN, "no goal has a value"));
 }
 
 /* As much as has a value. */
-static bool open_most(struct easing *easing, struct error *error)
+static bool open_most(struct eased_merit *easing, struct error *error)
 {
     const struct merit_question *question = &easing->task->merit->question;
     easing->is_whole = true;
@@ -132,9 +133,9 @@ struct solver_problem optimize_problem(struct merit *merit)
 }
 
 /* Until the real merit has a value. */
-static bool goes_on(void *context, const struct solver_progress *progress)
+static bool optimize_start_goes_on(void *context, const struct solver_progress *progress)
 {
-    struct easing *easing = context;
+    struct eased_merit *easing = context;
     const struct optimize_task *task = easing->task;
     if (has_value(task->merit, progress->parameters, easing->residuals)) {
         memcpy(easing->numbers, progress->parameters, task->merit->variable_count * sizeof(double));
@@ -145,14 +146,14 @@ static bool goes_on(void *context, const struct solver_progress *progress)
     return !easing->is_stopped;
 }
 
-static bool run_stage(struct easing *easing, struct error *error)
+static bool run_stage(struct eased_merit *easing, struct error *error)
 {
     struct merit *merit = &easing->eased;
     const struct solver_problem problem = optimize_problem(merit);
     const struct solver_options options = {.iterations = ITERATIONS,
                                            .function = 1e-4,
                                            .lean = true,
-                                           .progress = goes_on,
+                                           .progress = optimize_start_goes_on,
                                            .progress_context = easing};
     double *numbers = ARENA_ARRAY(easing->arena, merit->variable_count + 1, double);
     struct solver_summary summary;
@@ -166,7 +167,7 @@ static bool run_stage(struct easing *easing, struct error *error)
     return true;
 }
 
-static const char *say(const struct easing *easing)
+static const char *optimize_start_say(const struct eased_merit *easing)
 {
     return easing->is_whole
                ? arena_printf(easing->arena,
@@ -177,7 +178,8 @@ static const char *say(const struct easing *easing)
 }
 
 /* Why it cannot be judged, and what was done. */
-static bool tell(const struct easing *easing, bool is_untried, struct error *error)
+static bool optimize_start_tell(const struct eased_merit *easing, bool is_untried,
+                                struct error *error)
 {
     if (easing->is_stopped) {
         return error_prefix(error, "stopped before the lens became one that can be judged: ");
@@ -196,10 +198,11 @@ bool optimize_begin(const struct optimize_task *task, double *numbers, struct ar
                     const char **words, struct error *error)
 {
     struct merit *merit = task->merit;
-    struct easing easing = {.task = task,
-                            .arena = arena,
-                            .numbers = numbers,
-                            .residuals = ARENA_ARRAY(arena, merit->residual_count + 1, double)};
+    struct eased_merit easing = {.task = task,
+                                 .arena = arena,
+                                 .numbers = numbers,
+                                 .residuals =
+                                     ARENA_ARRAY(arena, merit->residual_count + 1, double)};
     struct error why;
     double last = -1;
     if (has_value(merit, numbers, easing.residuals)) {
@@ -212,7 +215,7 @@ bool optimize_begin(const struct optimize_task *task, double *numbers, struct ar
         if (!open_most(&easing, error)) {
             break;
         }
-        *words = *words == NULL ? say(&easing) : *words;
+        *words = *words == NULL ? optimize_start_say(&easing) : *words;
         const double reached = easing.is_whole ? easing.share : 0;
         if (stage > 0 && !(reached > last)) {
             break; /* no more of it than before */
@@ -232,5 +235,5 @@ bool optimize_begin(const struct optimize_task *task, double *numbers, struct ar
                             why.message, 100 * easing.share);
     }
     *error = why;
-    return tell(&easing, last < 0, error);
+    return optimize_start_tell(&easing, last < 0, error);
 }

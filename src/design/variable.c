@@ -15,7 +15,7 @@ static bool is_inverse(enum parameter_kind kind)
     return kind == PARAMETER_RADIUS || kind == PARAMETER_FOCAL;
 }
 
-static bool is_of_medium(enum parameter_kind kind)
+static bool variable_is_of_medium(enum parameter_kind kind)
 {
     return kind == PARAMETER_INDEX || kind == PARAMETER_ABBE;
 }
@@ -26,7 +26,7 @@ static bool is_cell(const struct figure *figure, size_t word)
 }
 
 /* The word of the positions that stands in the cell; LENS_NONE: none. */
-static size_t word_of(const struct lens *lens, struct parameter what)
+static size_t variable_word_of(const struct lens *lens, struct parameter what)
 {
     const struct figure *figure =
         what.surface < lens->surface_count
@@ -36,7 +36,7 @@ static size_t word_of(const struct lens *lens, struct parameter what)
 }
 
 /* Are there derivatives by it, and a place in a file? */
-static bool check_kind(enum parameter_kind kind, struct error *error)
+static bool variable_check_kind(enum parameter_kind kind, struct error *error)
 {
     bool derived = parameter_type(kind)->basis != PARAMETER_KINDS || kind == PARAMETER_FOCAL;
     return (derived && kind != PARAMETER_TILT_Z) ||
@@ -49,7 +49,7 @@ static bool check_what(const struct lens *lens, const struct variable *one, stru
     if (one->position == LENS_NONE) {
         return parameter_check(lens, one->what, error);
     }
-    size_t word = word_of(lens, one->what);
+    size_t word = variable_word_of(lens, one->what);
     bool known = one->position < lens->position_count && word != LENS_NONE &&
                  (one->what.kind == PARAMETER_THICKNESS || one->what.kind == PARAMETER_FOCAL);
     for (size_t i = 0; known && i < lens->surface_count; i++) {
@@ -73,8 +73,8 @@ static bool check_alone(const struct variables *variables, size_t at, struct err
     const struct lens *lens = variables->lens;
     for (size_t i = 0; i < at; i++) {
         const struct variable *other = &variables->list[i];
-        bool word =
-            one->position != LENS_NONE && word_of(lens, one->what) == word_of(lens, other->what);
+        bool word = one->position != LENS_NONE &&
+                    variable_word_of(lens, one->what) == variable_word_of(lens, other->what);
         if (one->position == other->position &&
             (word || parameter_is_same(one->what, other->what))) {
             return fail(error, ERROR_DOMAIN, "%s and %s are the same number, which varies once",
@@ -83,7 +83,8 @@ static bool check_alone(const struct variables *variables, size_t at, struct err
     }
     for (size_t i = 0; i < lens->pickup_count; i++) {
         const struct lens_pickup *pickup = &lens->pickups[i];
-        bool of_medium = is_of_medium(one->what.kind) && pickup->what.kind == PARAMETER_GLASS &&
+        bool of_medium = variable_is_of_medium(one->what.kind) &&
+                         pickup->what.kind == PARAMETER_GLASS &&
                          pickup->what.surface == one->what.surface;
         if (of_medium || parameter_is_same(pickup->what, one->what)) {
             return fail(error, ERROR_DOMAIN,
@@ -95,7 +96,7 @@ static bool check_alone(const struct variables *variables, size_t at, struct err
 }
 
 /* The number that something of the lens is, made where it is not there yet. */
-static size_t number_of(struct variables *variables, struct parameter what)
+static size_t variable_number_of(struct variables *variables, struct parameter what)
 {
     struct variable_number number = {what, what.kind == PARAMETER_FOCAL};
     number.what.kind = what.kind == PARAMETER_RADIUS ? PARAMETER_CURVATURE : what.kind;
@@ -113,7 +114,7 @@ static size_t number_of(struct variables *variables, struct parameter what)
 static void add_drive(struct variables *variables, size_t at, struct parameter what)
 {
     const struct variable_drive drive = {.variable = at,
-                                         .number = number_of(variables, what),
+                                         .number = variable_number_of(variables, what),
                                          .position = variables->list[at].position,
                                          .share = LENS_NONE};
     variables->drives[variables->drive_count++] = drive;
@@ -128,7 +129,7 @@ static void add_drives(struct variables *variables, size_t at)
         add_drive(variables, at, one->what);
         return;
     }
-    size_t word = word_of(lens, one->what);
+    size_t word = variable_word_of(lens, one->what);
     for (size_t i = 0; i < lens->surface_count; i++) {
         if (is_cell(parameter_figure(&lens->surfaces[i], one->what.kind, 0), word)) {
             add_drive(variables, at, (struct parameter){i, one->what.kind, 0});
@@ -136,7 +137,7 @@ static void add_drives(struct variables *variables, size_t at)
     }
 }
 
-static bool is_free(const struct variable *one)
+static bool variable_is_free(const struct variable *one)
 {
     return isinf(one->low) && isinf(one->high);
 }
@@ -151,7 +152,7 @@ static void pair_glasses(struct variables *variables)
             const struct variable_drive *index = &variables->drives[j];
             const struct variable *n = &variables->list[index->variable];
             if (n->what.kind == PARAMETER_INDEX && n->what.surface == of->what.surface &&
-                is_free(n) && is_free(of)) {
+                variable_is_free(n) && variable_is_free(of)) {
                 abbe->share = abbe->variable;
                 abbe->variable = index->variable;
                 break;
@@ -168,8 +169,8 @@ static void add_rule(struct variables *variables, const struct lens_pickup *pick
     of.kind = from;
     struct variable_rule *rule = &variables->rules[variables->rule_count++];
     *rule = (struct variable_rule){
-        .from = number_of(variables, of),
-        .to = number_of(variables, to),
+        .from = variable_number_of(variables, of),
+        .to = variable_number_of(variables, to),
         .from_inverse = is_inverse(from),
         .to_inverse = is_inverse(what),
         .factor = what == pickup->what.kind ? pickup->factor.value.hi : 1,
@@ -209,7 +210,7 @@ static void add_rules(struct variables *variables)
 }
 
 /* The length that natural scales are counted in: 1, 2 or 5 times a power of ten. */
-static double size_of(const struct lens *lens, struct arena *arena)
+static double variable_size_of(const struct lens *lens, struct arena *arena)
 {
     struct first_order first;
     struct error none;
@@ -229,7 +230,7 @@ static double size_of(const struct lens *lens, struct arena *arena)
     return decade * (steps < 1.4142 ? 1 : steps < 3.1623 ? 2 : steps < 7.0711 ? 5 : 10);
 }
 
-static double scale_of(const struct lens *lens, struct parameter what, double size)
+static double variable_scale_of(const struct lens *lens, struct parameter what, double size)
 {
     switch (what.kind) {
     case PARAMETER_RADIUS:
@@ -269,7 +270,7 @@ static double scale_of(const struct lens *lens, struct parameter what, double si
 }
 
 /* How a number is shown: its value in the unit of messages, and that unit. */
-static const char *unit_of(struct parameter what, double *factor)
+static const char *variable_unit_of(struct parameter what, double *factor)
 {
     int length = parameter_length(what.kind, what.order);
     bool angle = (parameter_type(what.kind)->is & PARAMETER_IS_ANGLE) != 0;
@@ -279,7 +280,7 @@ static const char *unit_of(struct parameter what, double *factor)
 
 /* What was named lies between these bounds: a radius through a plane outside of them. */
 /* A number that was written with fewer digits lies on its bound still. */
-static bool is_within(double value, double low, double high)
+static bool variable_is_within(double value, double low, double high)
 {
     const double slack = 1e-12;
     low -= isfinite(low) ? slack * fabs(low) : 0;
@@ -287,10 +288,10 @@ static bool is_within(double value, double low, double high)
     return low <= high ? low <= value && value <= high : value >= low || value <= high;
 }
 
-static bool check_bounds(const struct variable *one, double value, struct error *error)
+static bool variable_check_bounds(const struct variable *one, double value, struct error *error)
 {
     double factor;
-    const char *unit = unit_of(one->what, &factor);
+    const char *unit = variable_unit_of(one->what, &factor);
     double low = factor * one->low, high = factor * one->high;
     bool inverse = is_inverse(one->what.kind), turned = inverse && one->low > 0 && one->high < 0;
     if (isnan(low) || isnan(high) || (!(low < high) && !turned)) {
@@ -298,13 +299,13 @@ static bool check_bounds(const struct variable *one, double value, struct error 
              one->name, low, high, unit);
         return error_hint(error, "the lower one comes first; what is to stay is held, not varied");
     }
-    if (inverse && low < 0 && high > 0 && !is_free(one)) {
+    if (inverse && low < 0 && high > 0 && !variable_is_free(one)) {
         fail(error, ERROR_DOMAIN, "%s: between the bounds %.10g and %.10g%s lies 0, which is no %s",
              one->name, low, high, unit, parameter_type(one->what.kind)->words);
         return isfinite(low) && isfinite(high) &&
                error_hint(error, "through a plane it is %s[%.10g,%.10g]", one->name, high, low);
     }
-    if (!is_within(value, one->low, one->high)) {
+    if (!variable_is_within(value, one->low, one->high)) {
         fail(error, ERROR_DOMAIN, "%s is %.10g%s, which is not within its bounds %.10g to %.10g%s",
              one->name, factor * value, unit, low, high, unit);
         return error_hint(error, "start within them, or make them wider");
@@ -315,12 +316,12 @@ static bool check_bounds(const struct variable *one, double value, struct error 
 /* The bounds of a radius as those of the curvature; an infinite one is that of a plane. */
 static void turn_bounds(const struct variable *one, double *low, double *high)
 {
-    *low = is_free(one) ? -INFINITY : 1 / one->high;
-    *high = is_free(one) ? INFINITY : 1 / one->low;
-    if (isinf(one->high) && !is_free(one)) {
+    *low = variable_is_free(one) ? -INFINITY : 1 / one->high;
+    *high = variable_is_free(one) ? INFINITY : 1 / one->low;
+    if (isinf(one->high) && !variable_is_free(one)) {
         *low = 0;
     }
-    if (isinf(one->low) && !is_free(one)) {
+    if (isinf(one->low) && !variable_is_free(one)) {
         *high = 0;
     }
 }
@@ -332,7 +333,7 @@ static bool open_variable(struct variables *variables, size_t at, struct error *
     double value = parameter_get(&variables->lenses[position].lens, one->what);
     variables->low[at] = one->low;
     variables->high[at] = one->high;
-    if (!check_bounds(one, value, error)) {
+    if (!variable_check_bounds(one, value, error)) {
         return one->place.source != NULL &&
                error_locate(error, one->place.source, one->place.line, one->place.column);
     }
@@ -343,13 +344,13 @@ static bool open_variable(struct variables *variables, size_t at, struct error *
 }
 
 /* Of a glass within the map; one that was written with fewer digits lies on its border still. */
-static double share_within(double nd, double Vd)
+static double variable_share_within(double nd, double Vd)
 {
-    if (is_within(nd, GLASS_MAP_LOWEST, GLASS_MAP_HIGHEST)) {
+    if (variable_is_within(nd, GLASS_MAP_LOWEST, GLASS_MAP_HIGHEST)) {
         nd = fmin(fmax(nd, GLASS_MAP_LOWEST), GLASS_MAP_HIGHEST);
     }
     const double share = glass_map_share(nd, Vd);
-    return is_within(1 + share, 1, 2) ? fmin(fmax(share, 0), 1) : NAN;
+    return variable_is_within(1 + share, 1, 2) ? fmin(fmax(share, 0), 1) : NAN;
 }
 
 static bool fail_outside(const struct lens *lens, size_t surface, struct error *error)
@@ -371,7 +372,7 @@ static bool open_glass(struct variables *variables, const struct variable_drive 
     double Vd = parameter_get(lens, what);
     what.kind = PARAMETER_INDEX;
     double nd = parameter_get(lens, what);
-    if (isnan(share_within(nd, Vd))) {
+    if (isnan(variable_share_within(nd, Vd))) {
         fail_outside(lens, what.surface, error);
         return error_hint(error, "hold it, or give n%zu and V%zu bounds of their own",
                           what.surface + 1, what.surface + 1);
@@ -391,7 +392,7 @@ static const struct variable *other_number(const struct variables *variables,
     const struct variable *other = NULL;
     for (size_t i = 0; i < variables->count && other == NULL; i++) {
         const struct parameter *what = &variables->list[i].what;
-        if (is_of_medium(what->kind) && what->surface == one->what.surface &&
+        if (variable_is_of_medium(what->kind) && what->surface == one->what.surface &&
             what->kind != one->what.kind) {
             other = &variables->list[i];
         }
@@ -406,8 +407,8 @@ static bool open_lone(struct variables *variables, size_t at, struct error *erro
     const struct variable *one = &variables->list[at], *other = other_number(variables, one);
     const struct lens *lens = &variables->lenses[0].lens;
     const bool is_index = one->what.kind == PARAMETER_INDEX;
-    if (!is_of_medium(one->what.kind) || !is_free(one) || (other != NULL && is_free(other)) ||
-        one->what.surface >= lens->surface_count ||
+    if (!variable_is_of_medium(one->what.kind) || !variable_is_free(one) ||
+        (other != NULL && variable_is_free(other)) || one->what.surface >= lens->surface_count ||
         lens->surfaces[one->what.surface].medium.kind != MEDIUM_MODEL) {
         return true;
     }
@@ -419,7 +420,7 @@ static bool open_lone(struct variables *variables, size_t at, struct error *erro
     const struct glass_map_range range =
         is_index ? glass_map_indices(low, high) : glass_map_abbes(low, high);
     const double value = parameter_get(lens, one->what);
-    if (!(range.low < range.high) || !is_within(value, range.low, range.high)) {
+    if (!(range.low < range.high) || !variable_is_within(value, range.low, range.high)) {
         fail_outside(lens, what.surface, error);
         return error_hint(error, "hold it, or give %s bounds of its own", one->name);
     }
@@ -489,7 +490,7 @@ static void open_values(struct variables *variables, struct arena *arena)
             struct parameter index = variables->numbers[drive->number].what;
             index.kind = PARAMETER_INDEX;
             double nd = parameter_get(&variables->lenses[0].lens, index);
-            variables->start[drive->share] = share_within(nd, value);
+            variables->start[drive->share] = variable_share_within(nd, value);
         }
     }
 }
@@ -497,7 +498,7 @@ static void open_values(struct variables *variables, struct arena *arena)
 static bool open_all(struct variables *variables, struct error *error)
 {
     for (size_t i = 0; i < variables->count; i++) {
-        if (!check_kind(variables->list[i].what.kind, error) ||
+        if (!variable_check_kind(variables->list[i].what.kind, error) ||
             !check_what(variables->lens, &variables->list[i], error) ||
             !check_alone(variables, i, error) || !open_variable(variables, i, error)) {
             return false;
@@ -530,10 +531,10 @@ bool variables_open(const struct lens *lens, const struct variable *list, size_t
     }
     open_room(variables, arena);
     const struct lens *first = &variables->lenses[0].lens;
-    double size = size_of(first, arena);
+    double size = variable_size_of(first, arena);
     for (size_t i = 0; i < count; i++) {
         variables->scale[i] =
-            list[i].scale > 0 ? list[i].scale : scale_of(first, list[i].what, size);
+            list[i].scale > 0 ? list[i].scale : variable_scale_of(first, list[i].what, size);
     }
     if (!open_all(variables, error)) {
         return false;

@@ -15,7 +15,7 @@ void variables_get(const struct variables *variables, double *v)
     memcpy(v, variables->start, variables->count * sizeof v[0]);
 }
 
-static double *values_of(const struct variables *variables, size_t position)
+static double *variable_put_values_of(const struct variables *variables, size_t position)
 {
     return variables->values + position * variables->number_count;
 }
@@ -35,7 +35,7 @@ static double driven(const struct variable_drive *drive, const double *v)
  * A number that follows another, and its derivative by it. Of two reciprocals 1/(a/x + b) is
  * written x/(a + b x), which planes have too.
  */
-static double follow(const struct variable_rule *rule, double x, double *slope)
+static double variable_put_follow(const struct variable_rule *rule, double x, double *slope)
 {
     double a = rule->factor, b = rule->offset;
     if (rule->from_inverse && rule->to_inverse) {
@@ -51,10 +51,11 @@ static double follow(const struct variable_rule *rule, double x, double *slope)
     return rule->to_inverse ? 1 / sum : sum;
 }
 
-static void set(struct variables *variables, size_t position, size_t number, double value)
+static void variable_put_set(struct variables *variables, size_t position, size_t number,
+                             double value)
 {
     const struct variable_number *one = &variables->numbers[number];
-    values_of(variables, position)[number] = value;
+    variable_put_values_of(variables, position)[number] = value;
     lens_numbers_set(&variables->lenses[position], one->what, one->is_inverse ? 1 / value : value);
 }
 
@@ -64,22 +65,22 @@ const struct lens *variables_put(struct variables *variables, const double *v, s
     for (size_t i = 0; i < variables->drive_count; i++) {
         const struct variable_drive *drive = &variables->drives[i];
         if (is_in(drive, position)) {
-            set(variables, position, drive->number, driven(drive, v));
+            variable_put_set(variables, position, drive->number, driven(drive, v));
         }
     }
     for (size_t i = 0; i < variables->rule_count; i++) {
         const struct variable_rule *rule = &variables->rules[i];
-        double from = values_of(variables, position)[rule->from];
-        set(variables, position, rule->to, follow(rule, from, &slope));
+        double from = variable_put_values_of(variables, position)[rule->from];
+        variable_put_set(variables, position, rule->to, variable_put_follow(rule, from, &slope));
     }
     return &variables->lenses[position].lens;
 }
 
 /* The numbers of a position by one variable. */
-static void derive(const struct variables *variables, size_t position, size_t variable)
+static void variable_put_derive(const struct variables *variables, size_t position, size_t variable)
 {
     double *slopes = variables->slopes, slope;
-    const double *values = values_of(variables, position);
+    const double *values = variable_put_values_of(variables, position);
     memset(slopes, 0, variables->number_count * sizeof slopes[0]);
     for (size_t i = 0; i < variables->drive_count; i++) {
         const struct variable_drive *drive = &variables->drives[i];
@@ -100,7 +101,7 @@ static void derive(const struct variables *variables, size_t position, size_t va
     for (size_t i = 0; i < variables->rule_count; i++) {
         const struct variable_rule *rule = &variables->rules[i];
         if (slopes[rule->from] != 0) {
-            follow(rule, values[rule->from], &slope);
+            variable_put_follow(rule, values[rule->from], &slope);
             slopes[rule->to] = slope * slopes[rule->from];
         }
     }
@@ -141,11 +142,11 @@ size_t variables_links(const struct variables *variables, size_t position, doubl
                        struct variable_link *links)
 {
     const struct lens *lens = &variables->lenses[position].lens;
-    const double *values = values_of(variables, position);
+    const double *values = variable_put_values_of(variables, position);
     size_t count = 0;
     for (size_t j = 0; j < variables->count; j++) {
         const size_t first = count;
-        derive(variables, position, j);
+        variable_put_derive(variables, position, j);
         for (size_t i = 0; i < variables->number_count; i++) {
             const struct variable_number *number = &variables->numbers[i];
             struct variable_link link = {j, number->what, variables->slopes[i]};
@@ -168,7 +169,8 @@ size_t variables_links(const struct variables *variables, size_t position, doubl
 }
 
 /* With so many digits of the unit that the lens is written in. */
-static struct figure rounded(double value, struct number_scale unit, struct arena *arena)
+static struct figure variable_put_rounded(double value, struct number_scale unit,
+                                          struct arena *arena)
 {
     char text[PAIR_LENGTH];
     struct figure figure = {.value = pair_of(value), .variable = LENS_NONE};
@@ -188,8 +190,8 @@ static struct figure rounded(double value, struct number_scale unit, struct aren
 }
 
 /* A number into its surface: a curvature as a radius where the surface has one. */
-static void write_number(struct lens *lens, struct parameter what, double value,
-                         struct arena *arena)
+static void variable_put_write_number(struct lens *lens, struct parameter what, double value,
+                                      struct arena *arena)
 {
     struct surface *surface = &lens->surfaces[what.surface];
     if (parameter_get(lens, what) == value) {
@@ -200,7 +202,7 @@ static void write_number(struct lens *lens, struct parameter what, double value,
         value = 1 / value;
     }
     bool is_length = parameter_length(what.kind, what.order) == 1;
-    const struct figure figure = rounded(
+    const struct figure figure = variable_put_rounded(
         value,
         is_length ? unit_find(&dimension_length, text_of(lens->unit))->scale : NUMBER_UNSCALED,
         arena);
@@ -221,8 +223,8 @@ static void write_word(struct lens *lens, const struct variable_drive *drive, st
     struct figure *values = ARENA_ARRAY(arena, lens->position_count, struct figure);
     memcpy(values, word->values, lens->position_count * sizeof values[0]);
     if (values[drive->position].value.hi != value) {
-        values[drive->position] =
-            rounded(value, unit_find(&dimension_length, text_of(lens->unit))->scale, arena);
+        values[drive->position] = variable_put_rounded(
+            value, unit_find(&dimension_length, text_of(lens->unit))->scale, arena);
     }
     word->values = values;
 }
@@ -240,7 +242,7 @@ struct lens *variables_lens(const struct variables *variables, const double *v, 
         const struct variable_number *number = &variables->numbers[drive->number];
         double value = number->is_inverse ? 1 / driven(drive, v) : driven(drive, v);
         if (drive->position == LENS_NONE) {
-            write_number(to, number->what, value, arena);
+            variable_put_write_number(to, number->what, value, arena);
         } else {
             write_word(to, drive, number->what, value, arena);
         }

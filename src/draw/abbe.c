@@ -19,25 +19,25 @@ enum { MOST_LABELLED = 400, COLOURS = 7, SHAPES = 3 };
 static const char *const colours[COLOURS] = {"#0072b2", "#d55e00", "#009e73", "#cc79a7",
                                              "#000000", "#e69f00", "#56b4e9"};
 
-struct axis {
+struct abbe_axis {
     double low, high;   /* values at the ends */
     double start, stop; /* px */
     struct ticks ticks;
 };
 
-struct box {
+struct abbe_box {
     double left, top, right, bottom; /* px */
 };
 
-struct drawing {
+struct abbe_drawing {
     const struct abbe *abbe;
     struct svg *svg;
-    struct axis x, y;
-    struct box *taken; /* what labels must keep off: dots and labels */
+    struct abbe_axis x, y;
+    struct abbe_box *taken; /* what labels must keep off: dots and labels */
     size_t taken_count;
 };
 
-static double page_at(const struct axis *axis, double v)
+static double abbe_page_at(const struct abbe_axis *axis, double v)
 {
     return axis->start + (v - axis->low) / (axis->high - axis->low) * (axis->stop - axis->start);
 }
@@ -47,7 +47,7 @@ static bool is_drawable(const struct abbe_point *point)
     return isfinite(point->nd) && isfinite(point->Vd) && fabs(point->Vd) < 1e6;
 }
 
-static bool find_range(const struct abbe *abbe, struct axis *x, struct axis *y)
+static bool abbe_find_range(const struct abbe *abbe, struct abbe_axis *x, struct abbe_axis *y)
 {
     x->low = y->low = INFINITY;
     x->high = y->high = -INFINITY;
@@ -67,7 +67,7 @@ static bool find_range(const struct abbe *abbe, struct axis *x, struct axis *y)
 static const double LEAST_ND = 0.001, LEAST_VD = 1;
 
 /* From tick to tick, with a little room around the outermost points. */
-static void set_axis(struct axis *axis, double least, double start, double stop)
+static void set_axis(struct abbe_axis *axis, double least, double start, double stop)
 {
     double span = axis->high - axis->low;
     double room = fmax(0.02 * span, 0.5 * (least - span));
@@ -80,26 +80,26 @@ static void set_axis(struct axis *axis, double least, double start, double stop)
     axis->stop = stop;
 }
 
-static void write_text(struct svg *svg, double x, double y, double size, enum svg_anchor anchor,
-                       const char *colour, const char *text)
+static void abbe_write_text(struct svg *svg, double x, double y, double size,
+                            enum svg_anchor anchor, const char *colour, const char *text)
 {
     const struct svg_label label = {
         .x = x, .y = y, .size = size, .anchor = anchor, .colour = colour};
     svg_text(svg, &label, text);
 }
 
-static void draw_grid(const struct drawing *drawing)
+static void abbe_draw_grid(const struct abbe_drawing *drawing)
 {
-    const struct axis *x = &drawing->x, *y = &drawing->y;
+    const struct abbe_axis *x = &drawing->x, *y = &drawing->y;
     struct svg *svg = drawing->svg;
     const struct svg_style grid = {.stroke = "#dddddd", .width = 0.7};
     svg_group_begin(svg, &grid);
     for (size_t i = 0; i < x->ticks.count; i++) {
-        double at = page_at(x, x->ticks.value[i]);
+        double at = abbe_page_at(x, x->ticks.value[i]);
         svg_line(svg, at, y->start, at, y->stop);
     }
     for (size_t i = 0; i < y->ticks.count; i++) {
-        double at = page_at(y, y->ticks.value[i]);
+        double at = abbe_page_at(y, y->ticks.value[i]);
         svg_line(svg, x->start, at, x->stop, at);
     }
     svg_group_end(svg);
@@ -110,20 +110,20 @@ static void draw_grid(const struct drawing *drawing)
     svg_group_end(svg);
 }
 
-static void draw_numbers(const struct drawing *drawing)
+static void draw_numbers(const struct abbe_drawing *drawing)
 {
-    const struct axis *x = &drawing->x, *y = &drawing->y;
+    const struct abbe_axis *x = &drawing->x, *y = &drawing->y;
     struct svg *svg = drawing->svg;
     for (size_t i = 0; i < x->ticks.count; i++) {
-        write_text(svg, page_at(x, x->ticks.value[i]), y->start + 18, NUMBER_SIZE, SVG_MIDDLE, NULL,
-                   ticks_text(svg->arena, &x->ticks, i));
+        abbe_write_text(svg, abbe_page_at(x, x->ticks.value[i]), y->start + 18, NUMBER_SIZE,
+                        SVG_MIDDLE, NULL, ticks_text(svg->arena, &x->ticks, i));
     }
     for (size_t i = 0; i < y->ticks.count; i++) {
-        write_text(svg, x->start - 8, page_at(y, y->ticks.value[i]) + 4, NUMBER_SIZE, SVG_END, NULL,
-                   ticks_text(svg->arena, &y->ticks, i));
+        abbe_write_text(svg, x->start - 8, abbe_page_at(y, y->ticks.value[i]) + 4, NUMBER_SIZE,
+                        SVG_END, NULL, ticks_text(svg->arena, &y->ticks, i));
     }
-    write_text(svg, (x->start + x->stop) / 2, y->start + 42, AXIS_SIZE, SVG_MIDDLE, NULL,
-               "Abbe number Vd");
+    abbe_write_text(svg, (x->start + x->stop) / 2, y->start + 42, AXIS_SIZE, SVG_MIDDLE, NULL,
+                    "Abbe number Vd");
     const struct svg_label label = {.x = 20,
                                     .y = (y->start + y->stop) / 2,
                                     .size = AXIS_SIZE,
@@ -140,9 +140,9 @@ static void draw_numbers(const struct drawing *drawing)
 }
 
 /* Crown left, flint right; the border is that of the makers' diagrams. */
-static void draw_border(const struct drawing *drawing)
+static void draw_border(const struct abbe_drawing *drawing)
 {
-    const struct axis *x = &drawing->x, *y = &drawing->y;
+    const struct abbe_axis *x = &drawing->x, *y = &drawing->y;
     struct svg *svg = drawing->svg;
     const double Vd[] = {55, 55, 50, 50};
     const double nd[] = {y->low, 1.6, 1.6, y->high};
@@ -152,18 +152,18 @@ static void draw_border(const struct drawing *drawing)
         return;
     }
     for (int i = 0; i < 4; i++) {
-        page_x[i] = page_at(x, Vd[i]);
-        page_y[i] = page_at(y, nd[i]);
+        page_x[i] = abbe_page_at(x, Vd[i]);
+        page_y[i] = abbe_page_at(y, nd[i]);
     }
     svg_group_begin(svg, &style);
     svg_polyline(svg, page_x, page_y, 4);
     svg_group_end(svg);
-    write_text(svg, page_x[0] - 8, y->start - 8, NUMBER_SIZE, SVG_END, "#666666", "crown");
-    write_text(svg, page_x[0] + 8, y->start - 8, NUMBER_SIZE, SVG_START, "#666666", "flint");
+    abbe_write_text(svg, page_x[0] - 8, y->start - 8, NUMBER_SIZE, SVG_END, "#666666", "crown");
+    abbe_write_text(svg, page_x[0] + 8, y->start - 8, NUMBER_SIZE, SVG_START, "#666666", "flint");
 }
 
 /* One of the three shapes, about as large as the others. */
-static void draw_mark(struct svg *svg, size_t group, double x, double y, double radius)
+static void abbe_draw_mark(struct svg *svg, size_t group, double x, double y, double radius)
 {
     const double triangle_x[] = {x - radius, x + radius, x};
     const double triangle_y[] = {y + 0.8 * radius, y + 0.8 * radius, y - 1.1 * radius};
@@ -186,12 +186,12 @@ static double mark_radius(const struct abbe *abbe, bool chosen)
     return chosen ? usual + 2 : usual;
 }
 
-static void take(struct drawing *drawing, struct box box)
+static void abbe_take(struct abbe_drawing *drawing, struct abbe_box box)
 {
     drawing->taken[drawing->taken_count++] = box;
 }
 
-static void draw_points(struct drawing *drawing, bool chosen)
+static void draw_points(struct abbe_drawing *drawing, bool chosen)
 {
     const struct abbe *abbe = drawing->abbe;
     struct svg *svg = drawing->svg;
@@ -206,29 +206,31 @@ static void draw_points(struct drawing *drawing, bool chosen)
         for (size_t i = 0; i < abbe->count; i++) {
             const struct abbe_point *point = &abbe->points[i];
             if (point->group == group && point->chosen == chosen && is_drawable(point)) {
-                double x = page_at(&drawing->x, point->Vd), y = page_at(&drawing->y, point->nd);
-                draw_mark(svg, group, x, y, radius);
-                take(drawing, (struct box){x - radius, y - radius, x + radius, y + radius});
+                double x = abbe_page_at(&drawing->x, point->Vd),
+                       y = abbe_page_at(&drawing->y, point->nd);
+                abbe_draw_mark(svg, group, x, y, radius);
+                abbe_take(drawing,
+                          (struct abbe_box){x - radius, y - radius, x + radius, y + radius});
             }
         }
         svg_group_end(svg);
     }
 }
 
-static bool overlap(const struct box *a, const struct box *b)
+static bool abbe_overlap(const struct abbe_box *a, const struct abbe_box *b)
 {
     return a->left < b->right && b->left < a->right && a->top < b->bottom && b->top < a->bottom;
 }
 
-static bool is_free(const struct drawing *drawing, const struct box *box)
+static bool abbe_is_free(const struct abbe_drawing *drawing, const struct abbe_box *box)
 {
-    const struct axis *x = &drawing->x, *y = &drawing->y;
+    const struct abbe_axis *x = &drawing->x, *y = &drawing->y;
     if (box->left < x->start || box->right > x->stop || box->top < y->stop ||
         box->bottom > y->start) {
         return false;
     }
     for (size_t i = 0; i < drawing->taken_count; i++) {
-        if (overlap(box, &drawing->taken[i])) {
+        if (abbe_overlap(box, &drawing->taken[i])) {
             return false;
         }
     }
@@ -236,7 +238,7 @@ static bool is_free(const struct drawing *drawing, const struct box *box)
 }
 
 /* Beside the point where there is room: right, left, above, below, then the corners. */
-static void label_point(struct drawing *drawing, const struct abbe_point *point)
+static void label_point(struct abbe_drawing *drawing, const struct abbe_point *point)
 {
     static const struct {
         double x, y; /* place of the label's middle, in half widths and heights */
@@ -244,23 +246,23 @@ static void label_point(struct drawing *drawing, const struct abbe_point *point)
     double size = point->chosen ? LABEL_SIZE + 2.5 : LABEL_SIZE;
     double half_width = svg_text_width(point->label, size) / 2, half_height = 0.42 * size;
     double gap = mark_radius(drawing->abbe, point->chosen) + 1.5;
-    double x = page_at(&drawing->x, point->Vd), y = page_at(&drawing->y, point->nd);
+    double x = abbe_page_at(&drawing->x, point->Vd), y = abbe_page_at(&drawing->y, point->nd);
     for (size_t i = 0; i < sizeof places / sizeof places[0]; i++) {
         double shift_x = places[i].x * (half_width + gap);
         double shift_y = places[i].y * (half_height + gap);
-        struct box box = {x + shift_x - half_width, y + shift_y - half_height,
-                          x + shift_x + half_width, y + shift_y + half_height};
+        struct abbe_box box = {x + shift_x - half_width, y + shift_y - half_height,
+                               x + shift_x + half_width, y + shift_y + half_height};
         bool last = i + 1 == sizeof places / sizeof places[0];
-        if (is_free(drawing, &box) || (last && point->chosen)) {
-            write_text(drawing->svg, x + shift_x, box.bottom - 0.06 * size, size, SVG_MIDDLE,
-                       point->chosen ? NULL : "#333333", point->label);
-            take(drawing, box);
+        if (abbe_is_free(drawing, &box) || (last && point->chosen)) {
+            abbe_write_text(drawing->svg, x + shift_x, box.bottom - 0.06 * size, size, SVG_MIDDLE,
+                            point->chosen ? NULL : "#333333", point->label);
+            abbe_take(drawing, box);
             return;
         }
     }
 }
 
-static void draw_labels(struct drawing *drawing, bool chosen)
+static void draw_labels(struct abbe_drawing *drawing, bool chosen)
 {
     const struct abbe *abbe = drawing->abbe;
     for (size_t i = 0; i < abbe->count; i++) {
@@ -272,23 +274,24 @@ static void draw_labels(struct drawing *drawing, bool chosen)
     }
 }
 
-static void draw_legend(const struct drawing *drawing)
+static void abbe_draw_legend(const struct abbe_drawing *drawing)
 {
     const struct abbe *abbe = drawing->abbe;
     double x = ABBE_WIDTH - LEGEND_WIDTH + 14, y = TOP + 10;
     for (size_t group = 0; group < abbe->group_count; group++, y += 19) {
         const struct svg_style style = {.fill = colours[group % COLOURS]};
         svg_group_begin(drawing->svg, &style);
-        draw_mark(drawing->svg, group, x, y, 4);
+        abbe_draw_mark(drawing->svg, group, x, y, 4);
         svg_group_end(drawing->svg);
-        write_text(drawing->svg, x + 11, y + 4, NUMBER_SIZE, SVG_START, NULL, abbe->groups[group]);
+        abbe_write_text(drawing->svg, x + 11, y + 4, NUMBER_SIZE, SVG_START, NULL,
+                        abbe->groups[group]);
     }
 }
 
 bool abbe_draw(const struct abbe *abbe, struct svg *svg, struct error *error)
 {
-    struct drawing drawing = {.abbe = abbe, .svg = svg};
-    if (!find_range(abbe, &drawing.x, &drawing.y)) {
+    struct abbe_drawing drawing = {.abbe = abbe, .svg = svg};
+    if (!abbe_find_range(abbe, &drawing.x, &drawing.y)) {
         return fail(error, ERROR_DOMAIN, "nothing to draw: no glass with nd and Vd");
     }
     set_axis(&drawing.y, LEAST_ND, ABBE_HEIGHT - BOTTOM, TOP);
@@ -296,17 +299,17 @@ bool abbe_draw(const struct abbe *abbe, struct svg *svg, struct error *error)
     /* Vd falls to the right: the axis is turned round once its ticks are chosen */
     double high = drawing.x.high;
     drawing.x =
-        (struct axis){high, drawing.x.low, LEFT, ABBE_WIDTH - LEGEND_WIDTH, drawing.x.ticks};
-    drawing.taken = ARENA_ARRAY(svg->arena, 2 * abbe->count + 1, struct box);
+        (struct abbe_axis){high, drawing.x.low, LEFT, ABBE_WIDTH - LEGEND_WIDTH, drawing.x.ticks};
+    drawing.taken = ARENA_ARRAY(svg->arena, 2 * abbe->count + 1, struct abbe_box);
     svg_begin(svg, ABBE_WIDTH, ABBE_HEIGHT, abbe->title);
-    draw_grid(&drawing);
+    abbe_draw_grid(&drawing);
     draw_border(&drawing);
     draw_numbers(&drawing);
     draw_points(&drawing, false);
     draw_points(&drawing, true);
     draw_labels(&drawing, true);
     draw_labels(&drawing, false);
-    draw_legend(&drawing);
+    abbe_draw_legend(&drawing);
     svg_end(svg);
     return true;
 }

@@ -33,7 +33,7 @@ static const size_t ALWAYS_TICKED = 4, CLOSELY_SET = 8;
 #define SPANS 128
 
 /* Stretches of a row that are taken already. */
-struct row {
+struct barrel_row {
     double from[SPANS], to[SPANS]; /* px */
     size_t count;
 };
@@ -43,7 +43,7 @@ struct scale {
     double left_diopter, right_diopter;
 };
 
-static double position(const struct scale *scale, double diopter)
+static double barrel_position(const struct scale *scale, double diopter)
 {
     double part = (scale->left_diopter - diopter) / (scale->left_diopter - scale->right_diopter);
     return SCALE_LEFT + part * (SCALE_RIGHT - SCALE_LEFT);
@@ -54,7 +54,7 @@ static bool on_scale(const struct scale *scale, double diopter)
     return diopter <= scale->left_diopter && diopter >= scale->right_diopter;
 }
 
-static bool is_free(const struct row *row, double middle, double width, double gap)
+static bool barrel_is_free(const struct barrel_row *row, double middle, double width, double gap)
 {
     double from = middle - width / 2, to = middle + width / 2;
     for (size_t i = 0; i < row->count; i++) {
@@ -65,7 +65,7 @@ static bool is_free(const struct row *row, double middle, double width, double g
     return row->count < SPANS;
 }
 
-static void occupy(struct row *row, double middle, double width)
+static void occupy(struct barrel_row *row, double middle, double width)
 {
     if (row->count == SPANS) {
         return;
@@ -75,9 +75,9 @@ static void occupy(struct row *row, double middle, double width)
 }
 
 /* Take a stretch of a row if it is free. */
-static bool claim(struct row *row, double middle, double width, double gap)
+static bool claim(struct barrel_row *row, double middle, double width, double gap)
 {
-    bool free = is_free(row, middle, width, gap);
+    bool free = barrel_is_free(row, middle, width, gap);
     if (free) {
         occupy(row, middle, width);
     }
@@ -105,7 +105,7 @@ static double nearest_of(const struct barrel *barrel)
 }
 
 /* As far as the marks reach, within limits, and a little margin. */
-static struct scale scale_of(const struct barrel *barrel, double nearest)
+static struct scale barrel_scale_of(const struct barrel *barrel, double nearest)
 {
     struct scale scale = {nearest, 0};
     for (size_t i = 0; i < barrel->mark_count; i++) {
@@ -166,7 +166,7 @@ static bool check_barrel(const struct barrel *barrel, struct error *error)
 /* -------- the focus ring -------- */
 
 /* One engraved row of distances. */
-struct engraving {
+struct engraved_row {
     double unit; /* m */
     const char *name;
     const char *colour;
@@ -179,7 +179,7 @@ static double metres_in_foot(void)
     return unit_to_own(unit_find(&dimension_length, text_of("ft")), 1) / 1000;
 }
 
-static void engrave(struct svg *svg, const struct engraving *row, double x, const char *text,
+static void engrave(struct svg *svg, const struct engraved_row *row, double x, const char *text,
                     double size)
 {
     if (text) {
@@ -195,14 +195,14 @@ static void engrave(struct svg *svg, const struct engraving *row, double x, cons
 
 /* A distance's number with its tick where there is room; a very round one gets a tick at least. */
 static void engrave_distance(struct svg *svg, const struct scale *scale,
-                             const struct engraving *row, double distance, size_t rank,
-                             struct row *numbers, struct row *ticks)
+                             const struct engraved_row *row, double distance, size_t rank,
+                             struct barrel_row *numbers, struct barrel_row *ticks)
 {
-    double x = position(scale, 1 / (distance * row->unit));
+    double x = barrel_position(scale, 1 / (distance * row->unit));
     const char *text = number_text(svg->arena, distance);
     double gap = rank < CLOSELY_SET ? LABEL_GAP : WIDE_GAP;
     bool room = claim(numbers, x, svg_text_width(text, 15), gap);
-    bool tick = rank < ALWAYS_TICKED && is_free(ticks, x, 0, TICK_GAP);
+    bool tick = rank < ALWAYS_TICKED && barrel_is_free(ticks, x, 0, TICK_GAP);
     if (!room && !tick) {
         return;
     }
@@ -212,11 +212,11 @@ static void engrave_distance(struct svg *svg, const struct scale *scale,
 
 /* Round distances, the roundest first, so that these get their numbers. */
 static void engrave_row(struct svg *svg, const struct scale *scale, double nearest,
-                        const struct engraving *row)
+                        const struct engraved_row *row)
 {
-    struct row numbers = {.count = 0}, ticks = {.count = 0};
+    struct barrel_row numbers = {.count = 0}, ticks = {.count = 0};
     double closest = 1 / (nearest * row->unit);
-    double x = position(scale, 0);
+    double x = barrel_position(scale, 0);
     occupy(&numbers, x, 24);
     occupy(&ticks, x, 0);
     engrave(svg, row, x, "∞", 24);
@@ -241,7 +241,7 @@ static void engrave_row(struct svg *svg, const struct scale *scale, double neare
 static void draw_focus_ring(struct svg *svg, const struct scale *scale, double nearest)
 {
     static const char *const names[] = {"ft", "m"};
-    const struct engraving rows[] = {
+    const struct engraved_row rows[] = {
         {metres_in_foot(), names[0], AMBER, RING_TOP + 34, RING_TOP, 1},
         {1, names[1], IVORY, RING_BOTTOM - 24, RING_BOTTOM, -1},
     };
@@ -255,13 +255,13 @@ static void draw_focus_ring(struct svg *svg, const struct scale *scale, double n
 /* -------- the fixed ring -------- */
 
 /* What the fixed ring holds already. */
-struct pairs {
-    struct row numbers, ticks;
+struct barrel_pairs {
+    struct barrel_row numbers, ticks;
 };
 
 /* One tick with its number, or without (null), beside the tick if so anchored. */
-static void draw_mark(struct svg *svg, double x, const char *text, enum svg_anchor anchor,
-                      bool chosen)
+static void barrel_draw_mark(struct svg *svg, double x, const char *text, enum svg_anchor anchor,
+                             bool chosen)
 {
     svg_line(svg, x, FIXED_TOP, x, FIXED_TOP + (text ? 22 : 12));
     struct svg_label label = {.x = anchor == SVG_END     ? x - 4
@@ -278,12 +278,13 @@ static void draw_mark(struct svg *svg, double x, const char *text, enum svg_anch
 }
 
 /* Take the places of a pair in one row: both or none, but only those on the scale. */
-static bool claim_pair(struct row *row, const struct scale *scale, const double limit[2],
+static bool claim_pair(struct barrel_row *row, const struct scale *scale, const double limit[2],
                        double width, double gap)
 {
-    struct row before = *row;
+    struct barrel_row before = *row;
     for (size_t i = 0; i < 2; i++) {
-        if (on_scale(scale, limit[i]) && !claim(row, position(scale, limit[i]), width, gap)) {
+        if (on_scale(scale, limit[i]) &&
+            !claim(row, barrel_position(scale, limit[i]), width, gap)) {
             *row = before;
             return false;
         }
@@ -293,7 +294,7 @@ static bool claim_pair(struct row *row, const struct scale *scale, const double 
 
 /* The pair of one f-number; the chosen one's numbers move outwards if they have no room. */
 static void draw_pair(struct svg *svg, const struct scale *scale, const struct barrel_mark *mark,
-                      bool chosen, struct pairs *pairs)
+                      bool chosen, struct barrel_pairs *pairs)
 {
     const char *text = number_text(svg->arena, mark->fnumber);
     double limit[] = {mark->near_diopter, mark->far_diopter};
@@ -304,7 +305,7 @@ static void draw_pair(struct svg *svg, const struct scale *scale, const struct b
         return;
     }
     for (size_t i = 0; i < 2; i++) {
-        double x = position(scale, limit[i]);
+        double x = barrel_position(scale, limit[i]);
         enum svg_anchor outward = i == 0 ? SVG_END : SVG_START;
         if (!on_scale(scale, limit[i])) {
             continue;
@@ -312,7 +313,7 @@ static void draw_pair(struct svg *svg, const struct scale *scale, const struct b
         if (chosen && !room) {
             occupy(&pairs->numbers, x + (i == 0 ? -1 : 1) * (width / 2 + 4), width);
         }
-        draw_mark(svg, x, room || chosen ? text : NULL, room ? SVG_MIDDLE : outward, chosen);
+        barrel_draw_mark(svg, x, room || chosen ? text : NULL, room ? SVG_MIDDLE : outward, chosen);
     }
 }
 
@@ -332,8 +333,8 @@ static size_t next_mark(const struct barrel *barrel, double limit)
 /* The chosen pair first, then by falling f-number: so numbers are lost where it is crowded. */
 static void draw_pairs(struct svg *svg, const struct scale *scale, const struct barrel *barrel)
 {
-    struct pairs pairs = {.numbers.count = 0};
-    occupy(&pairs.numbers, position(scale, barrel->focus_diopter), 10);
+    struct barrel_pairs pairs = {.numbers.count = 0};
+    occupy(&pairs.numbers, barrel_position(scale, barrel->focus_diopter), 10);
     svg_group_begin(svg, &(struct svg_style){.stroke = BLUE, .width = 2.4});
     draw_pair(svg, scale, &barrel->marks[barrel->chosen], true, &pairs);
     svg_group_end(svg);
@@ -359,8 +360,8 @@ static void draw_index(struct svg *svg, double x)
 
 /* -------- the page -------- */
 
-static void draw_area(struct svg *svg, const struct svg_style *style, double left, double top,
-                      double right, double bottom)
+static void barrel_draw_area(struct svg *svg, const struct svg_style *style, double left,
+                             double top, double right, double bottom)
 {
     svg_group_begin(svg, style);
     svg_rect(svg, left, top, right - left, bottom - top);
@@ -370,25 +371,25 @@ static void draw_area(struct svg *svg, const struct svg_style *style, double lef
 /* Both rings, and over them what is sharp at the chosen f-number. */
 static void draw_rings(struct svg *svg, const struct scale *scale, const struct barrel_mark *mark)
 {
-    double left = fmax(position(scale, mark->near_diopter), MARGIN);
-    double right = fmin(position(scale, mark->far_diopter), BARREL_WIDTH - MARGIN);
+    double left = fmax(barrel_position(scale, mark->near_diopter), MARGIN);
+    double right = fmin(barrel_position(scale, mark->far_diopter), BARREL_WIDTH - MARGIN);
     struct svg_style black = {.fill = BLACK}, chrome = {.fill = CHROME, .stroke = "#999"};
     struct svg_style dim = {.fill = "#4fa3d8", .opacity = 0.45};
     struct svg_style tint = {.fill = "#56b4e9", .opacity = 0.4};
-    draw_area(svg, &black, MARGIN, RING_TOP, BARREL_WIDTH - MARGIN, RING_BOTTOM);
-    draw_area(svg, &chrome, MARGIN, FIXED_TOP, BARREL_WIDTH - MARGIN, FIXED_BOTTOM);
-    draw_area(svg, &dim, left, RING_TOP, right, RING_BOTTOM);
-    draw_area(svg, &tint, left, FIXED_TOP, right, FIXED_BOTTOM);
+    barrel_draw_area(svg, &black, MARGIN, RING_TOP, BARREL_WIDTH - MARGIN, RING_BOTTOM);
+    barrel_draw_area(svg, &chrome, MARGIN, FIXED_TOP, BARREL_WIDTH - MARGIN, FIXED_BOTTOM);
+    barrel_draw_area(svg, &dim, left, RING_TOP, right, RING_BOTTOM);
+    barrel_draw_area(svg, &tint, left, FIXED_TOP, right, FIXED_BOTTOM);
 }
 
-static void draw_axis(struct svg *svg, const struct scale *scale)
+static void barrel_draw_axis(struct svg *svg, const struct scale *scale)
 {
     struct ticks ticks;
     ticks_linear(scale->right_diopter, scale->left_diopter, &ticks);
     svg_group_begin(svg, &(struct svg_style){.stroke = "#555", .width = 1});
     svg_line(svg, MARGIN, AXIS, BARREL_WIDTH - MARGIN, AXIS);
     for (size_t i = 0; i < ticks.count; i++) {
-        double x = position(scale, ticks.value[i]);
+        double x = barrel_position(scale, ticks.value[i]);
         if (!on_scale(scale, ticks.value[i])) {
             continue;
         }
@@ -418,7 +419,7 @@ static const char *distance_text(struct arena *arena, double diopter)
                         number_text(arena, 1 / diopter / metres_in_foot()));
 }
 
-static void draw_legend(struct svg *svg, const struct barrel *barrel)
+static void barrel_draw_legend(struct svg *svg, const struct barrel *barrel)
 {
     const struct barrel_mark *mark = &barrel->marks[barrel->chosen];
     struct arena *arena = svg->arena;
@@ -429,14 +430,14 @@ static void draw_legend(struct svg *svg, const struct barrel *barrel)
     svg_text(svg, &(struct svg_label){.x = MARGIN + 20, .y = y, .size = 13, .width = 280},
              arena_printf(arena, "focused at %s", distance_text(arena, barrel->focus_diopter)));
     struct svg_style tint = {.fill = "#56b4e9", .stroke = BLUE, .opacity = 0.5};
-    draw_area(svg, &tint, 330, y - 11, 352, y + 1);
+    barrel_draw_area(svg, &tint, 330, y - 11, 352, y + 1);
     svg_text(svg, &(struct svg_label){.x = 360, .y = y, .size = 13, .width = 510},
              arena_printf(arena, "sharp at f/%s: %s to %s", number_text(arena, mark->fnumber),
                           distance_text(arena, mark->near_diopter),
                           distance_text(arena, mark->far_diopter)));
 }
 
-static void draw_words(struct svg *svg, const struct barrel *barrel)
+static void barrel_draw_words(struct svg *svg, const struct barrel *barrel)
 {
     double width = BARREL_WIDTH - 2 * MARGIN;
     svg_text(svg,
@@ -454,15 +455,15 @@ bool barrel_draw(const struct barrel *barrel, struct svg *svg, struct error *err
         return false;
     }
     double nearest = nearest_of(barrel);
-    struct scale scale = scale_of(barrel, nearest);
+    struct scale scale = barrel_scale_of(barrel, nearest);
     svg_begin(svg, BARREL_WIDTH, BARREL_HEIGHT, barrel->title);
-    draw_words(svg, barrel);
+    barrel_draw_words(svg, barrel);
     draw_rings(svg, &scale, &barrel->marks[barrel->chosen]);
     draw_focus_ring(svg, &scale, nearest);
     draw_pairs(svg, &scale, barrel);
-    draw_index(svg, position(&scale, barrel->focus_diopter));
-    draw_axis(svg, &scale);
-    draw_legend(svg, barrel);
+    draw_index(svg, barrel_position(&scale, barrel->focus_diopter));
+    barrel_draw_axis(svg, &scale);
+    barrel_draw_legend(svg, barrel);
     svg_end(svg);
     return true;
 }

@@ -16,19 +16,19 @@ static const double NUMBER_SIZE = 12, LABEL_SIZE = 13, TITLE_SIZE = 17;
 static const double LEGEND_TOP = 74, LEGEND_STEP = 19, SWATCH = 11;
 
 /* Where everything is, px. */
-struct page {
+struct bars_page {
     double width, top, bottom;
     double pitch, bar; /* from group to group; one bar */
     struct ticks ticks;
 };
 
-static double y_at(const struct page *page, double value)
+static double bars_y_at(const struct bars_page *page, double value)
 {
     const double low = page->ticks.value[0], high = page->ticks.value[page->ticks.count - 1];
     return page->bottom - (value - low) / (high - low) * (page->bottom - page->top);
 }
 
-static bool find_range(const struct bars *bars, double *low, double *high, struct error *error)
+static bool bars_find_range(const struct bars *bars, double *low, double *high, struct error *error)
 {
     const double longest = 1e100;
     bool any = false;
@@ -47,7 +47,7 @@ static bool find_range(const struct bars *bars, double *low, double *high, struc
            fail(error, ERROR_DOMAIN, "no bar has a length that can be drawn");
 }
 
-static void draw_words(const struct bars *bars, const struct page *page, struct svg *svg)
+static void bars_draw_words(const struct bars *bars, const struct bars_page *page, struct svg *svg)
 {
     const double room = page->width - LEFT - 12;
     const struct svg_label title = {
@@ -70,7 +70,7 @@ static void draw_words(const struct bars *bars, const struct page *page, struct 
 }
 
 /* In as many lines as it takes. Result: the y of the last; `svg` null: nothing is drawn. */
-static double draw_legend(const struct bars *bars, double width, struct svg *svg)
+static double bars_draw_legend(const struct bars *bars, double width, struct svg *svg)
 {
     double x = LEFT, y = LEGEND_TOP;
     for (size_t k = 0; k < bars->kind_count; k++) {
@@ -91,11 +91,11 @@ static double draw_legend(const struct bars *bars, double width, struct svg *svg
     return y;
 }
 
-static void draw_grid(const struct page *page, struct svg *svg)
+static void bars_draw_grid(const struct bars_page *page, struct svg *svg)
 {
     const double right = page->width - RIGHT;
     for (size_t i = 0; i < page->ticks.count; i++) {
-        const double y = y_at(page, page->ticks.value[i]);
+        const double y = bars_y_at(page, page->ticks.value[i]);
         svg_group_begin(svg, &(struct svg_style){.stroke = "#d4d4d4", .width = 0.8});
         svg_line(svg, LEFT, y, right, y);
         svg_group_end(svg);
@@ -109,13 +109,14 @@ static void draw_grid(const struct page *page, struct svg *svg)
     }
 }
 
-static void draw_group(const struct bars *bars, size_t g, const struct page *page, struct svg *svg)
+static void draw_group(const struct bars *bars, size_t g, const struct bars_page *page,
+                       struct svg *svg)
 {
     const struct bar_group *group = &bars->groups[g];
-    const double left = LEFT + (double)g * page->pitch, zero = y_at(page, 0);
+    const double left = LEFT + (double)g * page->pitch, zero = bars_y_at(page, 0);
     const double first = left + (page->pitch - page->bar * (double)bars->kind_count) / 2;
     for (size_t k = 0; k < bars->kind_count; k++) {
-        const double value = group->values[k], y = y_at(page, value);
+        const double value = group->values[k], y = bars_y_at(page, value);
         svg_group_begin(svg, &(struct svg_style){.fill = palette_colour(k)});
         svg_rect(svg, first + (double)k * page->bar, fmin(y, zero), page->bar * 0.92,
                  fabs(y - zero));
@@ -132,7 +133,7 @@ static void draw_group(const struct bars *bars, size_t g, const struct page *pag
     }
 }
 
-static void draw_ground(const struct bars *bars, const struct page *page, struct svg *svg)
+static void draw_ground(const struct bars *bars, const struct bars_page *page, struct svg *svg)
 {
     svg_group_begin(svg, &(struct svg_style){.fill = "#f0f0f0"});
     for (size_t g = 0; g < bars->group_count; g++) {
@@ -149,32 +150,32 @@ bool bars_draw(const struct bars *bars, struct svg *svg, struct error *error)
     enum { MOST_GROUPS = 200 };
     const double count = (double)bars->group_count, kinds = (double)bars->kind_count;
     double low, high;
-    struct page page = {.width =
-                            fmax(NARROWEST, LEFT + RIGHT + count * (kinds * NARROWEST_BAR + GAP)),
-                        .bottom = HEIGHT - BELOW};
+    struct bars_page page = {
+        .width = fmax(NARROWEST, LEFT + RIGHT + count * (kinds * NARROWEST_BAR + GAP)),
+        .bottom = HEIGHT - BELOW};
     if (bars->group_count > MOST_GROUPS) {
         return fail(error, ERROR_USAGE, "%zu groups of bars: at most %d can be read",
                     bars->group_count, MOST_GROUPS);
     }
-    if (!find_range(bars, &low, &high, error)) {
+    if (!bars_find_range(bars, &low, &high, error)) {
         return false;
     }
     page.pitch = (page.width - LEFT - RIGHT) / count;
     page.bar = fmin(WIDEST_BAR, (page.pitch - GAP) / kinds);
-    page.top = draw_legend(bars, page.width, NULL) + 16;
+    page.top = bars_draw_legend(bars, page.width, NULL) + 16;
     ticks_linear(low, high, &page.ticks);
     svg_begin(svg, page.width, HEIGHT, bars->title);
     draw_ground(bars, &page, svg);
-    draw_grid(&page, svg);
+    bars_draw_grid(&page, svg);
     for (size_t g = 0; g < bars->group_count; g++) {
         draw_group(bars, g, &page, svg);
     }
     svg_group_begin(svg, &(struct svg_style){.stroke = "#333"});
-    svg_line(svg, LEFT, y_at(&page, 0), page.width - RIGHT, y_at(&page, 0));
+    svg_line(svg, LEFT, bars_y_at(&page, 0), page.width - RIGHT, bars_y_at(&page, 0));
     svg_line(svg, LEFT, page.top, LEFT, page.bottom);
     svg_group_end(svg);
-    draw_legend(bars, page.width, svg);
-    draw_words(bars, &page, svg);
+    bars_draw_legend(bars, page.width, svg);
+    bars_draw_words(bars, &page, svg);
     svg_end(svg);
     return true;
 }

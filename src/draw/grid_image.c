@@ -13,30 +13,30 @@ static const double LEFT = 76, TOP = 104, SIDE = 520, RIGHT = 28, BOTTOM = 92; /
 static const double TICK = 5, MARGIN = 1.04;
 
 /* The page: a square of the image, its centre on the axis. */
-struct page {
+struct grid_image_page {
     const struct grid_image *grid;
     struct svg *svg;
     double reach; /* of the axes from the centre, mm */
 };
 
-static double page_x(const struct page *page, double x)
+static double page_x(const struct grid_image_page *page, double x)
 {
     return LEFT + SIDE / 2 * (1 + x / page->reach);
 }
 
-static double page_y(const struct page *page, double y)
+static double page_y(const struct grid_image_page *page, double y)
 {
     return TOP + SIDE / 2 * (1 - y / page->reach);
 }
 
-static void write_text(const struct page *page, double x, double y, double size,
-                       enum svg_anchor anchor, const char *text)
+static void grid_image_write_text(const struct grid_image_page *page, double x, double y,
+                                  double size, enum svg_anchor anchor, const char *text)
 {
     const struct svg_label label = {.x = x, .y = y, .size = size, .anchor = anchor};
     svg_text(page->svg, &label, text);
 }
 
-static bool find_reach(const struct grid_image *grid, double *reach, struct error *error)
+static bool grid_image_find_reach(const struct grid_image *grid, double *reach, struct error *error)
 {
     const size_t count = 2 * grid->lines * grid->points;
     bool any = false;
@@ -54,7 +54,7 @@ static bool find_reach(const struct grid_image *grid, double *reach, struct erro
                        "draw");
 }
 
-static void draw_axes(const struct page *page)
+static void grid_image_draw_axes(const struct grid_image_page *page)
 {
     struct ticks ticks;
     const struct svg_style frame = {.stroke = "#444444"};
@@ -73,11 +73,14 @@ static void draw_axes(const struct page *page)
     for (size_t i = 0; i < ticks.count; i++) {
         if (fabs(ticks.value[i]) <= page->reach) {
             const char *text = ticks_text(svg->arena, &ticks, i);
-            write_text(page, page_x(page, ticks.value[i]), TOP + SIDE + 20, 12, SVG_MIDDLE, text);
-            write_text(page, LEFT - 9, page_y(page, ticks.value[i]) + 4, 12, SVG_END, text);
+            grid_image_write_text(page, page_x(page, ticks.value[i]), TOP + SIDE + 20, 12,
+                                  SVG_MIDDLE, text);
+            grid_image_write_text(page, LEFT - 9, page_y(page, ticks.value[i]) + 4, 12, SVG_END,
+                                  text);
         }
     }
-    write_text(page, LEFT + SIDE / 2, TOP + SIDE + 40, 13, SVG_MIDDLE, "x in the image (mm)");
+    grid_image_write_text(page, LEFT + SIDE / 2, TOP + SIDE + 40, 13, SVG_MIDDLE,
+                          "x in the image (mm)");
     const struct svg_label up = {
         .x = 22, .y = TOP + SIDE / 2, .size = 13, .rotation = -90, .anchor = SVG_MIDDLE};
     svg_text(svg, &up, "y in the image (mm)");
@@ -86,7 +89,7 @@ static void draw_axes(const struct page *page)
 static const struct svg_style ideal_style = {.stroke = "#777777", .dash = "5 4", .width = 1};
 static const struct svg_style image_style = {.stroke = "#0060a0", .width = 1.6};
 
-static void draw_ideal(const struct page *page)
+static void draw_ideal(const struct grid_image_page *page)
 {
     const struct grid_image *grid = page->grid;
     svg_group_begin(page->svg, &ideal_style);
@@ -101,7 +104,7 @@ static void draw_ideal(const struct page *page)
     svg_group_end(page->svg);
 }
 
-static void draw_image(const struct page *page, double *x, double *y)
+static void draw_image(const struct grid_image_page *page, double *x, double *y)
 {
     const struct grid_image *grid = page->grid;
     svg_clip_begin(page->svg, LEFT, TOP, SIDE, SIDE);
@@ -117,24 +120,24 @@ static void draw_image(const struct page *page, double *x, double *y)
     svg_group_end(page->svg);
 }
 
-static void draw_legend(const struct page *page)
+static void grid_image_draw_legend(const struct grid_image_page *page)
 {
     const double y = TOP + SIDE + 66, middle = LEFT + SIDE / 2;
     const struct grid_image *grid = page->grid;
     svg_group_begin(page->svg, &image_style);
     svg_line(page->svg, LEFT, y - 4, LEFT + 34, y - 4);
     svg_group_end(page->svg);
-    write_text(page, LEFT + 42, y, 12, SVG_START, grid->image_label);
+    grid_image_write_text(page, LEFT + 42, y, 12, SVG_START, grid->image_label);
     svg_group_begin(page->svg, &ideal_style);
     svg_line(page->svg, middle, y - 4, middle + 34, y - 4);
     svg_group_end(page->svg);
-    write_text(page, middle + 42, y, 12, SVG_START, grid->ideal_label);
+    grid_image_write_text(page, middle + 42, y, 12, SVG_START, grid->ideal_label);
 }
 
 bool grid_image_draw(const struct grid_image *grid, struct svg *svg, struct error *error)
 {
-    struct page page = {.grid = grid, .svg = svg};
-    if (!find_reach(grid, &page.reach, error)) {
+    struct grid_image_page page = {.grid = grid, .svg = svg};
+    if (!grid_image_find_reach(grid, &page.reach, error)) {
         return false;
     }
     const double width = LEFT + SIDE + RIGHT, room = width - 48;
@@ -148,10 +151,10 @@ bool grid_image_draw(const struct grid_image *grid, struct svg *svg, struct erro
     svg_text(svg, &subtitle, grid->subtitle);
     const struct svg_label note = {.x = 24, .y = 72, .size = 12, .width = room};
     svg_text(svg, &note, grid->note);
-    draw_axes(&page);
+    grid_image_draw_axes(&page);
     draw_ideal(&page);
     draw_image(&page, x, y);
-    draw_legend(&page);
+    grid_image_draw_legend(&page);
     svg_end(svg);
     return true;
 }

@@ -16,16 +16,16 @@ static const double HALF = 76; /* of the largest shape */
 
 static const char *const BLUE = "#0060a0", *const TINT = "#56b4e9", *const GREY = "#888";
 
-struct page {
+struct outlines_page {
     double scale; /* px a unit */
     double x, y;  /* origin of the cell's shape */
 };
 
-static double farthest(const struct outlines *outlines)
+static double outlines_farthest(const struct outlines *outlines)
 {
     double most = 0;
     for (size_t i = 0; i < outlines->count; i++) {
-        const struct outline *shape = &outlines->shapes[i];
+        const struct pupil_outline *shape = &outlines->shapes[i];
         for (size_t k = 0; k < shape->count; k++) {
             most = fmax(most, fmax(fabs(shape->points[k][0]), fabs(shape->points[k][1])));
         }
@@ -36,7 +36,7 @@ static double farthest(const struct outlines *outlines)
     return most;
 }
 
-static void draw_shape(struct svg *svg, const struct page *page, const double (*points)[2],
+static void draw_shape(struct svg *svg, const struct outlines_page *page, const double (*points)[2],
                        size_t count)
 {
     double *x = ARENA_ARRAY(svg->arena, count + 1, double);
@@ -50,7 +50,7 @@ static void draw_shape(struct svg *svg, const struct page *page, const double (*
     }
 }
 
-static void draw_words(struct svg *svg, double x, double y, bool bold, const char *words)
+static void outlines_draw_words(struct svg *svg, double x, double y, bool bold, const char *words)
 {
     if (words != NULL) {
         const struct svg_label label = {.x = x,
@@ -64,7 +64,8 @@ static void draw_words(struct svg *svg, double x, double y, bool bold, const cha
     }
 }
 
-static void draw_cell(struct svg *svg, const struct page *page, const struct outline *shape)
+static void draw_cell(struct svg *svg, const struct outlines_page *page,
+                      const struct pupil_outline *shape)
 {
     svg_group_begin(svg, &(struct svg_style){.stroke = "#ccc", .width = 1});
     svg_line(svg, page->x - HALF - 6, page->y, page->x + HALF + 6, page->y);
@@ -77,8 +78,8 @@ static void draw_cell(struct svg *svg, const struct page *page, const struct out
     svg_group_begin(svg, &(struct svg_style){.stroke = GREY, .width = 1, .dash = "4 3"});
     draw_shape(svg, page, shape->dashed, shape->dashed_count);
     svg_group_end(svg);
-    draw_words(svg, page->x, page->y - HALF - 16, true, shape->label);
-    draw_words(svg, page->x, page->y + HALF + 24, false, shape->note);
+    outlines_draw_words(svg, page->x, page->y - HALF - 16, true, shape->label);
+    outlines_draw_words(svg, page->x, page->y + HALF + 24, false, shape->note);
 }
 
 /* A round length of about half a cell. */
@@ -129,7 +130,7 @@ static double page_width(const struct outlines *outlines, size_t across)
 
 bool outlines_draw(const struct outlines *outlines, struct svg *svg, struct error *error)
 {
-    double most = farthest(outlines);
+    double most = outlines_farthest(outlines);
     if (outlines->count > MOST) {
         return fail(error, ERROR_USAGE, "a drawing of %zu shapes: at most %d can be distinguished",
                     outlines->count, MOST);
@@ -154,7 +155,7 @@ bool outlines_draw(const struct outlines *outlines, struct svg *svg, struct erro
             outlines->subtitle);
     }
     for (size_t i = 0; i < outlines->count; i++) {
-        const struct page page = {
+        const struct outlines_page page = {
             .scale = scale,
             .x = MARGIN + ((double)(i % across) + 0.5) * CELL,
             .y = TOP + (double)(i / across) * tall + HEAD + HALF,

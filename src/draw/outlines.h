@@ -10,7 +10,7 @@ struct error;
 struct svg;
 
 /* One shape. Lengths in the unit of the drawing, y up. */
-struct outline {
+struct pupil_outline {
     const char *label, *note; /* above and below it; null = none */
     const double (*points)[2];
     size_t count;              /* 0: nothing is left of it; the note says why */
@@ -22,7 +22,7 @@ struct outlines {
     const char *title, *subtitle; /* null = none */
     const char *unit;             /* of the scale bar: "mm" */
     const char *legend[2];        /* what the area and the dashed line are; null = none */
-    const struct outline *shapes;
+    const struct pupil_outline *shapes;
     size_t count;
 };
 

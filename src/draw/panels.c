@@ -15,7 +15,7 @@ static const double FARTHEST = 1e12;
 
 /* -------- ranges -------- */
 
-static void include(struct panels_scale *scale, double low, double high)
+static void panels_include(struct panels_scale *scale, double low, double high)
 {
     scale->low = fmin(scale->low, low);
     scale->high = fmax(scale->high, high);
@@ -27,14 +27,14 @@ static void include_panel(const struct panel *panel, struct panels_scale *x, str
         const struct panel_series *series = &panel->series[s];
         for (size_t i = 0; i < series->count; i++) {
             if (isfinite(series->x[i]) && isfinite(series->y[i])) {
-                include(x, series->x[i], series->x[i]);
-                include(y, series->y[i], series->y[i]);
+                panels_include(x, series->x[i], series->x[i]);
+                panels_include(y, series->y[i], series->y[i]);
             }
         }
     }
 }
 
-static bool has_range(double low, double high)
+static bool panels_has_range(double low, double high)
 {
     return low < high;
 }
@@ -42,19 +42,19 @@ static bool has_range(double low, double high)
 /* To round numbers; an x range that was given keeps its ends. */
 static void set_axes(const struct panels *panels, struct panels_scale *x, struct panels_scale *y)
 {
-    bool given = !panels->own_x && has_range(panels->x_low, panels->x_high);
+    bool given = !panels->own_x && panels_has_range(panels->x_low, panels->x_high);
     if (given) {
-        include(x, panels->x_low, panels->x_high);
+        panels_include(x, panels->x_low, panels->x_high);
     }
-    if (!panels->own_y && has_range(panels->y_low, panels->y_high)) {
-        include(y, panels->y_low, panels->y_high);
+    if (!panels->own_y && panels_has_range(panels->y_low, panels->y_high)) {
+        panels_include(y, panels->y_low, panels->y_high);
     }
     ticks_linear(x->low, x->high, &x->ticks);
     ticks_linear(y->low, y->high, &y->ticks);
     if (!given) {
-        include(x, x->ticks.value[0], x->ticks.value[x->ticks.count - 1]);
+        panels_include(x, x->ticks.value[0], x->ticks.value[x->ticks.count - 1]);
     }
-    include(y, y->ticks.value[0], y->ticks.value[y->ticks.count - 1]);
+    panels_include(y, y->ticks.value[0], y->ticks.value[y->ticks.count - 1]);
 }
 
 /* One scale for both directions, the origin in the middle. */

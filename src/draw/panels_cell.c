@@ -13,7 +13,7 @@ static const double WORDS = 13, NUMBER = 11, NOTE = 11; /* px */
 
 static const char *const DARK = "#1d1d1d", *const SOFT = "#444", *const GREY = "#888";
 
-static void write_at(struct svg *svg, const struct svg_label *label, const char *words)
+static void panels_cell_write_at(struct svg *svg, const struct svg_label *label, const char *words)
 {
     if (words != NULL) {
         svg_text(svg, label, words);
@@ -29,19 +29,19 @@ double panels_cell_number(struct svg *svg, const struct ticks *ticks)
     return width;
 }
 
-static double part_of(const struct panels_scale *scale, double v)
+static double panels_cell_part_of(const struct panels_scale *scale, double v)
 {
     return (v - scale->low) / (scale->high - scale->low);
 }
 
 static double at_x(const struct panels_cell *cell, double v)
 {
-    return cell->left + cell->width * part_of(&cell->x, v);
+    return cell->left + cell->width * panels_cell_part_of(&cell->x, v);
 }
 
 static double at_y(const struct panels_cell *cell, double v)
 {
-    return cell->top + cell->height * (1 - part_of(&cell->y, v));
+    return cell->top + cell->height * (1 - panels_cell_part_of(&cell->y, v));
 }
 
 /* Every how many ticks one has room, if each needs so many px. */
@@ -56,7 +56,7 @@ static double stride_of(const struct panels_scale *scale, double length, double 
     return strides[i];
 }
 
-static bool is_marked(const struct panels_scale *scale, size_t i, double stride)
+static bool panels_cell_is_marked(const struct panels_scale *scale, size_t i, double stride)
 {
     double v = scale->ticks.value[i], slack = 1e-9 * (scale->high - scale->low);
     double steps = round(v / scale->ticks.step);
@@ -69,7 +69,7 @@ static void draw_x_ticks(struct svg *svg, const struct panels_cell *cell, bool l
     double stride = stride_of(&cell->x, cell->width, panels_cell_number(svg, &cell->x.ticks) + 8);
     double bottom = cell->top + cell->height;
     for (size_t i = 0; i < cell->x.ticks.count; i++) {
-        if (!is_marked(&cell->x, i, stride)) {
+        if (!panels_cell_is_marked(&cell->x, i, stride)) {
             continue;
         }
         double x = at_x(cell, cell->x.ticks.value[i]);
@@ -88,7 +88,7 @@ static void draw_y_ticks(struct svg *svg, const struct panels_cell *cell, bool l
 {
     double stride = stride_of(&cell->y, cell->height, 16);
     for (size_t i = 0; i < cell->y.ticks.count; i++) {
-        if (!is_marked(&cell->y, i, stride)) {
+        if (!panels_cell_is_marked(&cell->y, i, stride)) {
             continue;
         }
         double y = at_y(cell, cell->y.ticks.value[i]);
@@ -109,7 +109,8 @@ static bool holds_zero(const struct panels_scale *scale)
 }
 
 /* lines: of the ticks and of zero; through the words in a panel without points there are none. */
-static void draw_frame(struct svg *svg, const struct panels_cell *cell, bool ticks, bool lines)
+static void panels_cell_draw_frame(struct svg *svg, const struct panels_cell *cell, bool ticks,
+                                   bool lines)
 {
     if (ticks) {
         svg_group_begin(svg, &(struct svg_style){.stroke = "#e6e6e6", .width = 1});
@@ -182,14 +183,14 @@ static void draw_note(struct svg *svg, const struct panels_cell *cell, const str
                               .width = cell->room,
                               .anchor = SVG_MIDDLE,
                               .colour = SOFT};
-    write_at(svg, &label, panel->note);
+    panels_cell_write_at(svg, &label, panel->note);
 }
 
 void panels_cell_draw(const struct panels *panels, struct svg *svg, const struct panels_cell *cell,
                       const struct panel *panel)
 {
     const bool any = has_points(cell, panel);
-    draw_frame(svg, cell, panels->unit == NULL, any);
+    panels_cell_draw_frame(svg, cell, panels->unit == NULL, any);
     if (any) {
         draw_series(panels, svg, cell, panel);
     }
@@ -200,10 +201,10 @@ void panels_cell_draw(const struct panels *panels, struct svg *svg, const struct
                               .width = cell->room,
                               .anchor = SVG_MIDDLE,
                               .colour = DARK};
-    write_at(svg, &title, panel->title);
+    panels_cell_write_at(svg, &title, panel->title);
     if (panels->own_x && panels->unit == NULL) {
         title.y = cell->top + cell->height + 32;
-        write_at(svg, &title, panel->x_label);
+        panels_cell_write_at(svg, &title, panel->x_label);
     }
     if (panels->own_y && panels->unit == NULL) {
         const struct svg_label label = {.x = cell->left - PANELS_NUMBERS - 6,
@@ -212,6 +213,6 @@ void panels_cell_draw(const struct panels *panels, struct svg *svg, const struct
                                         .rotation = -90,
                                         .width = cell->height + 20,
                                         .anchor = SVG_MIDDLE};
-        write_at(svg, &label, panel->y_label);
+        panels_cell_write_at(svg, &label, panel->y_label);
     }
 }

@@ -53,8 +53,8 @@ static const struct {
 
 static const double RADIUS = 1.5, LARGE = 3; /* px, of a spot */
 
-static void draw_spots(struct svg *svg, size_t look, const char *colour,
-                       const struct panels_mark *mark)
+static void panels_marks_draw_spots(struct svg *svg, size_t look, const char *colour,
+                                    const struct panels_mark *mark)
 {
     size_t shape = look % COUNT(shapes), corners = shapes[shape].count;
     size_t each = (corners > 0 ? corners : 1) + 1;
@@ -85,7 +85,7 @@ void panels_marks_draw(const struct panels *panels, struct svg *svg, const struc
     const char *colour = colour_of(panels, mark->key);
     size_t look = look_of(panels, mark->key);
     if (mark->spots) {
-        draw_spots(svg, look, colour, mark);
+        panels_marks_draw_spots(svg, look, colour, mark);
         return;
     }
     svg_group_begin(svg, &(struct svg_style){

@@ -15,7 +15,7 @@ static const double SAMPLE = 28;                                    /* px of a l
 
 static const char *const DARK = "#1d1d1d", *const SOFT = "#444";
 
-static void write_at(struct svg *svg, const struct svg_label *label, const char *words)
+static void panels_page_write_at(struct svg *svg, const struct svg_label *label, const char *words)
 {
     if (words != NULL) {
         svg_text(svg, label, words);
@@ -29,7 +29,7 @@ struct pen {
 };
 
 /* Room for an entry: on the next line if it does not end within the page. */
-static void advance(struct pen *pen, double width, double limit)
+static void panels_page_advance(struct pen *pen, double width, double limit)
 {
     if (pen->x + width > limit && pen->x > MARGIN) {
         pen->x = MARGIN;
@@ -105,7 +105,7 @@ static double lay_legend(const struct panels_page *page, double y, bool drawn)
             continue;
         }
         double width = entry_width(words, spots || key == count);
-        advance(&pen, width, page->total_x - MARGIN);
+        panels_page_advance(&pen, width, page->total_x - MARGIN);
         if (drawn) {
             draw_entry(page, key, &pen, spots);
         }
@@ -166,7 +166,7 @@ static double gap_across(const struct panels_page *page, double beside_each)
     return panels->own_y ? beside_each + 12 : ends + 10;
 }
 
-static void set_grid(struct panels_page *page)
+static void panels_page_set_grid(struct panels_page *page)
 {
     const struct panels *panels = page->panels;
     bool square = panels->unit != NULL;
@@ -191,13 +191,14 @@ void panels_page_begin(struct panels_page *page)
 {
     const struct panels *panels = page->panels;
     set_size(page);
-    set_grid(page);
+    panels_page_set_grid(page);
     svg_begin(page->svg, page->total_x, page->total_y, panels->title);
     double room = page->total_x - 2 * MARGIN;
-    write_at(page->svg,
-             &(struct svg_label){.x = MARGIN, .y = 30, .size = TITLE, .width = room, .bold = true},
-             panels->title);
-    write_at(
+    panels_page_write_at(
+        page->svg,
+        &(struct svg_label){.x = MARGIN, .y = 30, .size = TITLE, .width = room, .bold = true},
+        panels->title);
+    panels_page_write_at(
         page->svg,
         &(struct svg_label){.x = MARGIN, .y = 52, .size = WORDS, .width = room, .colour = SOFT},
         panels->subtitle);
@@ -235,7 +236,7 @@ static void draw_heads(const struct panels_page *page)
                                         .width = page->across - 4,
                                         .anchor = SVG_MIDDLE,
                                         .bold = true};
-        write_at(page->svg, &label, panels->column_heads[i]);
+        panels_page_write_at(page->svg, &label, panels->column_heads[i]);
     }
     for (size_t i = 0; panels->row_heads != NULL && i < rows; i++) {
         const struct panels_cell cell = panels_page_cell(page, i * panels->columns);
@@ -254,7 +255,7 @@ static void draw_heads(const struct panels_page *page)
 }
 
 /* A round length of at most half a panel. */
-static void draw_bar(const struct panels_page *page, double y)
+static void panels_page_draw_bar(const struct panels_page *page, double y)
 {
     double scale = page->width / (page->x.high - page->x.low), most = page->width / 2 / scale;
     double power = pow(10, floor(log10(most)));
@@ -288,10 +289,10 @@ void panels_page_end(const struct panels_page *page)
                                    .rotation = -90,
                                    .width = down + 60,
                                    .anchor = SVG_MIDDLE};
-    write_at(page->svg, &below, panels->x_label);
-    write_at(page->svg, &side, panels->y_label);
+    panels_page_write_at(page->svg, &below, panels->x_label);
+    panels_page_write_at(page->svg, &side, panels->y_label);
     if (panels->unit != NULL) {
-        draw_bar(page, page->total_y - 16);
+        panels_page_draw_bar(page, page->total_y - 16);
     }
     svg_end(page->svg);
 }

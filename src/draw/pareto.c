@@ -15,21 +15,21 @@ static const double ROW = 18, BAR = 11, WIDEST_LABEL = 240;
 static const double NUMBER_SIZE = 11, LABEL_SIZE = 13, TITLE_SIZE = 17;
 
 /* Where everything is, px. */
-struct page {
+struct pareto_page {
     double left, bottom;
     struct ticks ticks;
     const struct pareto_bar *bars;
     size_t count;
 };
 
-static double x_at(const struct page *page, double share)
+static double pareto_x_at(const struct pareto_page *page, double share)
 {
     const double high = page->ticks.value[page->ticks.count - 1];
     return page->left + share / high * (WIDTH - RIGHT - page->left);
 }
 
 /* The rows that are drawn: the last stands for all that are left. */
-static void choose_rows(const struct pareto *pareto, struct arena *arena, struct page *page)
+static void choose_rows(const struct pareto *pareto, struct arena *arena, struct pareto_page *page)
 {
     struct pareto_bar *rows = ARENA_ARRAY(arena, pareto->count + 1, struct pareto_bar);
     const bool has_others = pareto->count > pareto->most;
@@ -46,7 +46,7 @@ static void choose_rows(const struct pareto *pareto, struct arena *arena, struct
     }
 }
 
-static bool find_scale(struct page *page, struct error *error)
+static bool pareto_find_scale(struct pareto_page *page, struct error *error)
 {
     double longest = 0, widest = 0;
     for (size_t i = 0; i < page->count; i++) {
@@ -62,15 +62,15 @@ static bool find_scale(struct page *page, struct error *error)
     return true;
 }
 
-static const char *percent(struct arena *arena, double share)
+static const char *pareto_percent(struct arena *arena, double share)
 {
     return arena_printf(arena, share < 0.001 ? "%.2f %%" : "%.1f %%", 100 * share);
 }
 
-static void draw_grid(const struct page *page, struct svg *svg)
+static void pareto_draw_grid(const struct pareto_page *page, struct svg *svg)
 {
     for (size_t i = 0; i < page->ticks.count; i++) {
-        const double x = x_at(page, page->ticks.value[i]);
+        const double x = pareto_x_at(page, page->ticks.value[i]);
         svg_group_begin(svg, &(struct svg_style){.stroke = i == 0 ? "#333" : "#d4d4d4"});
         svg_line(svg, x, TOP, x, page->bottom + 4);
         svg_group_end(svg);
@@ -81,16 +81,16 @@ static void draw_grid(const struct page *page, struct svg *svg)
     }
 }
 
-static void draw_bar(const struct page *page, double y, double share, size_t colour, double opacity,
-                     struct svg *svg)
+static void pareto_draw_bar(const struct pareto_page *page, double y, double share, size_t colour,
+                            double opacity, struct svg *svg)
 {
     const struct svg_style style = {.fill = palette_colour(colour), .opacity = opacity};
     svg_group_begin(svg, &style);
-    svg_rect(svg, page->left, y + (ROW - BAR) / 2, x_at(page, share) - page->left, BAR);
+    svg_rect(svg, page->left, y + (ROW - BAR) / 2, pareto_x_at(page, share) - page->left, BAR);
     svg_group_end(svg);
 }
 
-static void draw_row(const struct page *page, size_t i, struct svg *svg)
+static void draw_row(const struct pareto_page *page, size_t i, struct svg *svg)
 {
     const struct pareto_bar *bar = &page->bars[i];
     const double y = TOP + ROW * (double)i, base = y + ROW / 2 + 4;
@@ -100,14 +100,15 @@ static void draw_row(const struct page *page, size_t i, struct svg *svg)
                                    .width = WIDEST_LABEL,
                                    .anchor = SVG_END};
     const struct svg_label number = {
-        .x = x_at(page, bar->whole) + 5, .y = base, .size = NUMBER_SIZE, .colour = "#444"};
-    draw_bar(page, y, bar->whole, 0, 0.35, svg);
-    draw_bar(page, y, bar->part, 0, 1, svg);
+        .x = pareto_x_at(page, bar->whole) + 5, .y = base, .size = NUMBER_SIZE, .colour = "#444"};
+    pareto_draw_bar(page, y, bar->whole, 0, 0.35, svg);
+    pareto_draw_bar(page, y, bar->part, 0, 1, svg);
     svg_text(svg, &name, bar->label);
-    svg_text(svg, &number, percent(svg->arena, bar->whole));
+    svg_text(svg, &number, pareto_percent(svg->arena, bar->whole));
 }
 
-static void draw_legend(const struct pareto *pareto, const struct page *page, struct svg *svg)
+static void pareto_draw_legend(const struct pareto *pareto, const struct pareto_page *page,
+                               struct svg *svg)
 {
     const char *const names[] = {pareto->part_name, pareto->whole_name};
     double x = page->left;
@@ -123,9 +124,9 @@ static void draw_legend(const struct pareto *pareto, const struct page *page, st
 
 bool pareto_draw(const struct pareto *pareto, struct svg *svg, struct error *error)
 {
-    struct page page;
+    struct pareto_page page;
     choose_rows(pareto, svg->arena, &page);
-    if (!find_scale(&page, error)) {
+    if (!pareto_find_scale(&page, error)) {
         return false;
     }
     const struct svg_label title = {
@@ -137,11 +138,11 @@ bool pareto_draw(const struct pareto *pareto, struct svg *svg, struct error *err
                                     .size = LABEL_SIZE,
                                     .anchor = SVG_MIDDLE};
     svg_begin(svg, WIDTH, page.bottom + BELOW, pareto->title);
-    draw_grid(&page, svg);
+    pareto_draw_grid(&page, svg);
     for (size_t i = 0; i < page.count; i++) {
         draw_row(&page, i, svg);
     }
-    draw_legend(pareto, &page, svg);
+    pareto_draw_legend(pareto, &page, svg);
     svg_text(svg, &title, pareto->title != NULL ? pareto->title : "");
     svg_text(svg, &subtitle, pareto->subtitle != NULL ? pareto->subtitle : "");
     svg_text(svg, &below, pareto->x_label != NULL ? pareto->x_label : "");

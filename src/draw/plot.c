@@ -24,20 +24,21 @@ static const char *const dashes[] = {NULL,        "7 5",      "0.1 4.5",
 
 #define COUNT(array) (sizeof(array) / sizeof((array)[0]))
 
-struct frame {
+struct plot_frame {
     struct plot_axis x, y;
     double arrow_x[ARROWS]; /* px, of the infinity signs drawn so far */
     size_t arrow_count;
 };
 
-struct points {
+struct plot_points {
     double *x, *y; /* px */
     size_t count;
 };
 
 /* -------- grid and axes -------- */
 
-static void draw_minor(struct svg *svg, const struct frame *frame, const struct plot_axis *axis)
+static void draw_minor(struct svg *svg, const struct plot_frame *frame,
+                       const struct plot_axis *axis)
 {
     double decades = log10(axis->high) - log10(axis->low);
     if (!axis->log || decades > 6) {
@@ -58,7 +59,7 @@ static void draw_minor(struct svg *svg, const struct frame *frame, const struct 
     }
 }
 
-static void draw_grid(struct svg *svg, const struct plot *plot, const struct frame *frame)
+static void plot_draw_grid(struct svg *svg, const struct plot *plot, const struct plot_frame *frame)
 {
     const struct plot_axis *x = &frame->x, *y = &frame->y;
     svg_group_begin(svg, &(struct svg_style){.stroke = "#eee", .width = 0.7});
@@ -80,8 +81,8 @@ static void draw_grid(struct svg *svg, const struct plot *plot, const struct fra
 }
 
 /* One mark of the x axis; its number only where it is clear of the one before. */
-static void draw_x_tick(struct svg *svg, const struct frame *frame, double at, const char *text,
-                        double *clear)
+static void draw_x_tick(struct svg *svg, const struct plot_frame *frame, double at,
+                        const char *text, double *clear)
 {
     double half = svg_text_width(text, NUMBER_SIZE) / 2, bottom = frame->y.start;
     svg_line(svg, at, bottom, at, bottom + 5);
@@ -95,7 +96,7 @@ static void draw_x_tick(struct svg *svg, const struct frame *frame, double at, c
     *clear = at + half + 6;
 }
 
-static void draw_x_numbers(struct svg *svg, const struct plot *plot, const struct frame *frame)
+static void draw_x_numbers(struct svg *svg, const struct plot *plot, const struct plot_frame *frame)
 {
     const struct plot_axis *x = &frame->x;
     double clear = 0;
@@ -111,7 +112,7 @@ static void draw_x_numbers(struct svg *svg, const struct plot *plot, const struc
     }
 }
 
-static void draw_axes(struct svg *svg, const struct plot *plot, const struct frame *frame)
+static void plot_draw_axes(struct svg *svg, const struct plot *plot, const struct plot_frame *frame)
 {
     const struct plot_axis *x = &frame->x, *y = &frame->y;
     svg_group_begin(svg, &(struct svg_style){.stroke = "#333", .width = 1});
@@ -129,7 +130,8 @@ static void draw_axes(struct svg *svg, const struct plot *plot, const struct fra
     svg_group_end(svg);
 }
 
-static void draw_words(struct svg *svg, const struct plot *plot, const struct frame *frame)
+static void plot_draw_words(struct svg *svg, const struct plot *plot,
+                            const struct plot_frame *frame)
 {
     const struct plot_axis *x = &frame->x, *y = &frame->y;
     double left = x->start, room = PLOT_WIDTH - left - 12;
@@ -184,7 +186,7 @@ static size_t thin(const struct plot *plot, const struct plot_series *series, si
     return count;
 }
 
-static void add_point(struct points *points, double x, double y)
+static void plot_add_point(struct plot_points *points, double x, double y)
 {
     points->x[points->count] = x;
     points->y[points->count++] = y;
@@ -194,49 +196,50 @@ static void add_point(struct points *points, double x, double y)
  * The points of a curve on the page. Between a finite and an infinite value it runs vertically to
  * the edge at the finite one's x, and on along the edge if it is the `edge` of an area.
  */
-static struct points trace(const struct plot *plot, const struct frame *frame,
-                           const struct plot_series *series, size_t from, size_t to, bool edge,
-                           struct arena *arena)
+static struct plot_points plot_trace(const struct plot *plot, const struct plot_frame *frame,
+                                     const struct plot_series *series, size_t from, size_t to,
+                                     bool edge, struct arena *arena)
 {
     size_t *index = ARENA_ARRAY(arena, 2 * STRETCHES + 2, size_t);
     size_t count = thin(plot, series, from, to, index);
-    struct points points = {ARENA_ARRAY(arena, 2 * count, double),
-                            ARENA_ARRAY(arena, 2 * count, double), 0};
+    struct plot_points points = {ARENA_ARRAY(arena, 2 * count, double),
+                                 ARENA_ARRAY(arena, 2 * count, double), 0};
     double before = NAN, before_x = NAN;
     for (size_t i = 0; i < count; i++) {
         double v = plot_y_at(plot, series, index[i]);
         double x = plot_page_at(&frame->x, plot_x_at(plot, series, index[i]));
         double off = (isinf(v) ? v : before) > 0 ? frame->y.stop : frame->y.start;
         if (isinf(v) && isfinite(before)) {
-            add_point(&points, before_x, off);
+            plot_add_point(&points, before_x, off);
         }
         if (isinf(before) && isfinite(v)) {
-            add_point(&points, x, off);
+            plot_add_point(&points, x, off);
         }
         double inside = isnan(v) ? NAN : plot_near_page(&frame->y, plot_page_at(&frame->y, v));
-        add_point(&points, x, !isinf(v) ? inside : edge ? off : NAN);
+        plot_add_point(&points, x, !isinf(v) ? inside : edge ? off : NAN);
         before = v;
         before_x = x;
     }
     return points;
 }
 
-static void draw_area(struct svg *svg, const struct points *low, const struct points *high)
+static void plot_draw_area(struct svg *svg, const struct plot_points *low,
+                           const struct plot_points *high)
 {
     size_t count = low->count + high->count;
-    struct points area = {ARENA_ARRAY(svg->arena, count, double),
-                          ARENA_ARRAY(svg->arena, count, double), 0};
+    struct plot_points area = {ARENA_ARRAY(svg->arena, count, double),
+                               ARENA_ARRAY(svg->arena, count, double), 0};
     for (size_t i = 0; i < high->count; i++) {
-        add_point(&area, high->x[i], high->y[i]);
+        plot_add_point(&area, high->x[i], high->y[i]);
     }
     for (size_t i = low->count; i-- > 0;) {
-        add_point(&area, low->x[i], low->y[i]);
+        plot_add_point(&area, low->x[i], low->y[i]);
     }
     svg_polygon(svg, area.x, area.y, area.count);
 }
 
 /* The band in every stretch where both curves have values; stretches below a pixel are left out. */
-static void draw_band(struct svg *svg, const struct plot *plot, const struct frame *frame,
+static void draw_band(struct svg *svg, const struct plot *plot, const struct plot_frame *frame,
                       const struct plot_band *band)
 {
     const struct plot_series *low = &plot->series[band->low];
@@ -253,15 +256,15 @@ static void draw_band(struct svg *svg, const struct plot *plot, const struct fra
             continue;
         }
         if (i - start > 1 && i - start > count / STRETCHES) {
-            struct points below = trace(plot, frame, low, start, i, true, svg->arena);
-            struct points above = trace(plot, frame, &high, start, i, true, svg->arena);
-            draw_area(svg, &below, &above);
+            struct plot_points below = plot_trace(plot, frame, low, start, i, true, svg->arena);
+            struct plot_points above = plot_trace(plot, frame, &high, start, i, true, svg->arena);
+            plot_draw_area(svg, &below, &above);
         }
         start = i + 1;
     }
 }
 
-static struct svg_style line_of(const struct plot_series *series)
+static struct svg_style plot_line_of(const struct plot_series *series)
 {
     const size_t dash = series->dash > 0 ? series->dash - 1 : series->style;
     return (struct svg_style){
@@ -269,7 +272,7 @@ static struct svg_style line_of(const struct plot_series *series)
 }
 
 /* An arrow at the edge that says where a curve goes; one where several would lie together. */
-static void draw_arrow(struct svg *svg, struct frame *frame, double x, bool up)
+static void draw_arrow(struct svg *svg, struct plot_frame *frame, double x, bool up)
 {
     for (size_t i = 0; i < frame->arrow_count; i++) {
         if (fabs(frame->arrow_x[i] - x) < 12) {
@@ -291,7 +294,7 @@ static void draw_arrow(struct svg *svg, struct frame *frame, double x, bool up)
              up ? "∞" : "−∞");
 }
 
-static void draw_arrows(struct svg *svg, const struct plot *plot, struct frame *frame,
+static void draw_arrows(struct svg *svg, const struct plot *plot, struct plot_frame *frame,
                         const struct plot_series *series)
 {
     for (size_t i = 0; i + 1 < plot_series_count(plot, series); i++) {
@@ -305,7 +308,7 @@ static void draw_arrows(struct svg *svg, const struct plot *plot, struct frame *
 }
 
 /* A dot at each sample, where they are few; what was put between them is the curve's alone. */
-static void draw_dots(struct svg *svg, const struct plot *plot, const struct frame *frame,
+static void draw_dots(struct svg *svg, const struct plot *plot, const struct plot_frame *frame,
                       const struct plot_series *series)
 {
     const size_t count = plot_series_count(plot, series);
@@ -322,7 +325,7 @@ static void draw_dots(struct svg *svg, const struct plot *plot, const struct fra
     }
 }
 
-static void draw_curves(struct svg *svg, const struct plot *plot, struct frame *frame)
+static void plot_draw_curves(struct svg *svg, const struct plot *plot, struct plot_frame *frame)
 {
     const struct plot_axis *x = &frame->x, *y = &frame->y;
     svg_clip_begin(svg, x->start, y->stop - 1, x->stop - x->start + 1, y->start - y->stop + 2);
@@ -333,9 +336,10 @@ static void draw_curves(struct svg *svg, const struct plot *plot, struct frame *
         svg_group_end(svg);
     }
     for (size_t s = 0; s < plot->series_count; s++) {
-        struct svg_style style = line_of(&plot->series[s]);
-        struct points line = trace(plot, frame, &plot->series[s], 0,
-                                   plot_series_count(plot, &plot->series[s]), false, svg->arena);
+        struct svg_style style = plot_line_of(&plot->series[s]);
+        struct plot_points line =
+            plot_trace(plot, frame, &plot->series[s], 0, plot_series_count(plot, &plot->series[s]),
+                       false, svg->arena);
         svg_group_begin(svg, &style);
         svg_polyline(svg, line.x, line.y, line.count);
         svg_group_end(svg);
@@ -352,14 +356,14 @@ static void draw_curves(struct svg *svg, const struct plot *plot, struct frame *
 
 /* -------- labels of the curves -------- */
 
-struct key {
+struct plot_key {
     const struct plot_series *series;
     double y; /* px */
 };
 
 /* Where a curve ends on the page. */
-static double end_of(const struct plot *plot, const struct frame *frame,
-                     const struct plot_series *series)
+static double plot_end_of(const struct plot *plot, const struct plot_frame *frame,
+                          const struct plot_series *series)
 {
     const struct plot_axis *axis = &frame->y;
     for (size_t i = plot_series_count(plot, series); i-- > 0;) {
@@ -375,14 +379,15 @@ static double end_of(const struct plot *plot, const struct frame *frame,
 }
 
 /* The labelled series from top to bottom, as their curves end. */
-static size_t collect_keys(const struct plot *plot, const struct frame *frame, struct key *keys)
+static size_t collect_keys(const struct plot *plot, const struct plot_frame *frame,
+                           struct plot_key *keys)
 {
     size_t count = 0;
     for (size_t s = 0; s < plot->series_count; s++) {
         if (!plot->series[s].label) {
             continue;
         }
-        struct key key = {&plot->series[s], end_of(plot, frame, &plot->series[s])};
+        struct plot_key key = {&plot->series[s], plot_end_of(plot, frame, &plot->series[s])};
         size_t at = count++;
         for (; at > 0 && keys[at - 1].y > key.y; at--) {
             keys[at] = keys[at - 1];
@@ -393,7 +398,7 @@ static size_t collect_keys(const struct plot *plot, const struct frame *frame, s
 }
 
 /* Move the labels apart: down from the top, then up again from the lower edge. */
-static void spread_keys(struct key *keys, size_t count, double top, double bottom, double gap)
+static void spread_keys(struct plot_key *keys, size_t count, double top, double bottom, double gap)
 {
     double next = top;
     for (size_t i = 0; i < count; i++) {
@@ -407,15 +412,15 @@ static void spread_keys(struct key *keys, size_t count, double top, double botto
     }
 }
 
-static void draw_keys(struct svg *svg, const struct plot *plot, const struct frame *frame)
+static void draw_keys(struct svg *svg, const struct plot *plot, const struct plot_frame *frame)
 {
-    struct key *keys = ARENA_ARRAY(svg->arena, plot->series_count, struct key);
+    struct plot_key *keys = ARENA_ARRAY(svg->arena, plot->series_count, struct plot_key);
     size_t count = collect_keys(plot, frame, keys);
     double left = frame->x.stop + 12, height = frame->y.start - frame->y.stop;
     double gap = fmin(18, height / (double)(count + 1));
     spread_keys(keys, count, frame->y.stop, frame->y.start, gap);
     for (size_t i = 0; i < count; i++) {
-        struct svg_style style = line_of(keys[i].series);
+        struct svg_style style = plot_line_of(keys[i].series);
         svg_group_begin(svg, &style);
         svg_line(svg, left, keys[i].y, left + 28, keys[i].y);
         svg_group_end(svg);
@@ -451,7 +456,7 @@ static double widest_label(const struct plot *plot)
 }
 
 /* Place the frame so that all words fit around it. */
-static void set_frame(struct svg *svg, const struct plot *plot, struct frame *frame)
+static void plot_set_frame(struct svg *svg, const struct plot *plot, struct plot_frame *frame)
 {
     double label = widest_label(plot);
     frame->x.start = 44 + widest_number(svg, &frame->y.ticks);
@@ -462,19 +467,19 @@ static void set_frame(struct svg *svg, const struct plot *plot, struct frame *fr
 
 bool plot_draw(const struct plot *plot, struct svg *svg, struct error *error)
 {
-    struct frame frame = {.x.log = plot->log_x, .y.log = plot->log_y};
+    struct plot_frame frame = {.x.log = plot->log_x, .y.log = plot->log_y};
     if (!plot_find_range(plot, &frame.x, &frame.y)) {
         return fail(error, ERROR_DOMAIN, "nothing to plot: no value is finite%s",
                     plot->log_x || plot->log_y ? " and positive" : "");
     }
     plot_set_x_axis(&frame.x);
     plot_set_y_axis(&frame.y);
-    set_frame(svg, plot, &frame);
+    plot_set_frame(svg, plot, &frame);
     svg_begin(svg, PLOT_WIDTH, PLOT_HEIGHT, plot->title);
-    draw_grid(svg, plot, &frame);
-    draw_curves(svg, plot, &frame);
-    draw_axes(svg, plot, &frame);
-    draw_words(svg, plot, &frame);
+    plot_draw_grid(svg, plot, &frame);
+    plot_draw_curves(svg, plot, &frame);
+    plot_draw_axes(svg, plot, &frame);
+    plot_draw_words(svg, plot, &frame);
     draw_keys(svg, plot, &frame);
     svg_end(svg);
     return true;

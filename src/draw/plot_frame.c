@@ -45,7 +45,7 @@ enum plot_place plot_place_at(const struct plot_series *series, size_t i)
 
 /* -------- axes -------- */
 
-static void include(struct plot_axis *axis, double v)
+static void plot_frame_include(struct plot_axis *axis, double v)
 {
     axis->low = fmin(axis->low, v);
     axis->high = fmax(axis->high, v);
@@ -60,10 +60,10 @@ bool plot_find_range(const struct plot *plot, struct plot_axis *x, struct plot_a
         for (size_t i = 0; i < plot_series_count(plot, series); i++) {
             double v = plot_y_at(plot, series, i);
             if (!isnan(v)) {
-                include(x, plot_x_at(plot, series, i));
+                plot_frame_include(x, plot_x_at(plot, series, i));
             }
             if (isfinite(v) && plot_place_at(series, i) != PLOT_BEYOND) {
-                include(y, v);
+                plot_frame_include(y, v);
             }
         }
     }

@@ -17,27 +17,27 @@ static const double WIDE = 8;                  /* px that are halved twice in an
 enum { ROUNDS = 40 };
 
 /* A point of all curves, and what is known of the interval behind it. */
-struct node {
+struct plot_sample_node {
     double x, at; /* at: px */
     double *y;    /* values */
     bool is_sample, is_open;
     int depth;
 };
 
-struct sampler {
+struct plot_sample_sampler {
     const struct plot *plot;
     const struct plot_source *source;
     struct plot_axis x, y;
     struct arena *arena;
-    struct node *nodes;
+    struct plot_sample_node *nodes;
     size_t count, asked;
     bool is_over;
 };
 
 /* How a value is drawn: nowhere, off an edge, or on the page. */
-enum state { STATE_NONE, STATE_BELOW, STATE_ABOVE, STATE_FINITE };
+enum plot_sample_state { STATE_NONE, STATE_BELOW, STATE_ABOVE, STATE_FINITE };
 
-static enum state state_of(const struct sampler *sampler, double y)
+static enum plot_sample_state state_of(const struct plot_sample_sampler *sampler, double y)
 {
     const double v = plot_drawable(y, sampler->plot->log_y);
     if (isfinite(v)) {
@@ -50,13 +50,14 @@ static enum state state_of(const struct sampler *sampler, double y)
 }
 
 /* Where a finite value lies, px from the lower edge, hardly beyond what is seen. */
-static double height_of(const struct sampler *sampler, double y)
+static double plot_sample_height_of(const struct plot_sample_sampler *sampler, double y)
 {
     const double at = plot_page_at(&sampler->y, plot_drawable(y, sampler->plot->log_y));
     return fmin(fmax(at, -HEIGHT / 2), HEIGHT * 1.5);
 }
 
-static bool is_alike(const struct sampler *sampler, const struct node *a, const struct node *b)
+static bool plot_sample_is_alike(const struct plot_sample_sampler *sampler,
+                                 const struct plot_sample_node *a, const struct plot_sample_node *b)
 {
     bool alike = true;
     for (size_t k = 0; k < sampler->source->curves && alike; k++) {
@@ -66,63 +67,72 @@ static bool is_alike(const struct sampler *sampler, const struct node *a, const 
 }
 
 /* The longest way up or down from one point to the next, px, of curves that both have. */
-static double leap_of(const struct sampler *sampler, const struct node *a, const struct node *b)
+static double leap_of(const struct plot_sample_sampler *sampler, const struct plot_sample_node *a,
+                      const struct plot_sample_node *b)
 {
     double leap = 0;
     for (size_t k = 0; k < sampler->source->curves; k++) {
         if (state_of(sampler, a->y[k]) == STATE_FINITE &&
             state_of(sampler, b->y[k]) == STATE_FINITE) {
-            leap = fmax(leap, fabs(height_of(sampler, a->y[k]) - height_of(sampler, b->y[k])));
+            leap = fmax(leap, fabs(plot_sample_height_of(sampler, a->y[k]) -
+                                   plot_sample_height_of(sampler, b->y[k])));
         }
     }
     return leap;
 }
 
 /* How far the middle is off the chord, px. */
-static double bend_of(const struct sampler *sampler, const struct node *a, const struct node *m,
-                      const struct node *b)
+static double plot_sample_bend_of(const struct plot_sample_sampler *sampler,
+                                  const struct plot_sample_node *a,
+                                  const struct plot_sample_node *m,
+                                  const struct plot_sample_node *b)
 {
     double bend = 0;
     for (size_t k = 0; k < sampler->source->curves; k++) {
         if (state_of(sampler, a->y[k]) == STATE_FINITE &&
             state_of(sampler, m->y[k]) == STATE_FINITE &&
             state_of(sampler, b->y[k]) == STATE_FINITE) {
-            const double chord = (height_of(sampler, a->y[k]) + height_of(sampler, b->y[k])) / 2;
-            bend = fmax(bend, fabs(height_of(sampler, m->y[k]) - chord));
+            const double chord = (plot_sample_height_of(sampler, a->y[k]) +
+                                  plot_sample_height_of(sampler, b->y[k])) /
+                                 2;
+            bend = fmax(bend, fabs(plot_sample_height_of(sampler, m->y[k]) - chord));
         }
     }
     return bend;
 }
 
 /* Is half of an interval worth a look? `bent`: the whole was. */
-static bool half_is_open(const struct sampler *sampler, const struct node *a, const struct node *b,
+static bool half_is_open(const struct plot_sample_sampler *sampler,
+                         const struct plot_sample_node *a, const struct plot_sample_node *b,
                          bool bent, int depth)
 {
     const double width = fabs(b->at - a->at);
-    if (!is_alike(sampler, a, b) || leap_of(sampler, a, b) > JUMP) {
+    if (!plot_sample_is_alike(sampler, a, b) || leap_of(sampler, a, b) > JUMP) {
         return width > EXACT;
     }
     return width > CLOSE && (bent || (depth < 2 && width > WIDE / 2));
 }
 
 /* The node in the middle of an interval; false if there is none. */
-static bool halve(struct sampler *sampler, struct node *a, const struct node *b, struct node *m)
+static bool plot_sample_halve(struct plot_sample_sampler *sampler, struct plot_sample_node *a,
+                              const struct plot_sample_node *b, struct plot_sample_node *m)
 {
     const double at = (a->at + b->at) / 2, x = plot_value_at(&sampler->x, at);
     if (sampler->is_over || sampler->asked == sampler->source->most ||
         !((a->x < x && x < b->x) || (b->x < x && x < a->x))) {
         return false;
     }
-    *m = (struct node){.x = x,
-                       .at = at,
-                       .y = ARENA_ARRAY(sampler->arena, sampler->source->curves, double),
-                       .depth = a->depth + 1};
+    *m =
+        (struct plot_sample_node){.x = x,
+                                  .at = at,
+                                  .y = ARENA_ARRAY(sampler->arena, sampler->source->curves, double),
+                                  .depth = a->depth + 1};
     sampler->asked++;
     if (!sampler->source->at(sampler->source->context, x, m->y)) {
         sampler->is_over = true;
         return false;
     }
-    const bool bent = bend_of(sampler, a, m, b) > BENT;
+    const bool bent = plot_sample_bend_of(sampler, a, m, b) > BENT;
     a->depth++;
     a->is_open = half_is_open(sampler, a, m, bent, a->depth);
     m->is_open = half_is_open(sampler, m, b, bent, m->depth);
@@ -130,16 +140,18 @@ static bool halve(struct sampler *sampler, struct node *a, const struct node *b,
 }
 
 /* Halve every interval that is open. */
-static bool sample_round(struct sampler *sampler)
+static bool sample_round(struct plot_sample_sampler *sampler)
 {
-    struct node *nodes = ARENA_ARRAY(sampler->arena, 2 * sampler->count, struct node);
+    struct plot_sample_node *nodes =
+        ARENA_ARRAY(sampler->arena, 2 * sampler->count, struct plot_sample_node);
     size_t count = 0;
     bool any = false;
     for (size_t i = 0; i < sampler->count; i++) {
-        struct node *here = &sampler->nodes[i], middle;
+        struct plot_sample_node *here = &sampler->nodes[i], middle;
         const bool was_open = here->is_open && i + 1 < sampler->count;
         here->is_open = false;
-        const bool has = was_open && halve(sampler, here, &sampler->nodes[i + 1], &middle);
+        const bool has =
+            was_open && plot_sample_halve(sampler, here, &sampler->nodes[i + 1], &middle);
         nodes[count++] = *here;
         if (has) {
             nodes[count++] = middle;
@@ -152,24 +164,25 @@ static bool sample_round(struct sampler *sampler)
 }
 
 /* Does a curve leave the page at one edge and come back at the other? */
-static bool has_pole(const struct sampler *sampler, size_t curve, const struct node *a,
-                     const struct node *b)
+static bool has_pole(const struct plot_sample_sampler *sampler, size_t curve,
+                     const struct plot_sample_node *a, const struct plot_sample_node *b)
 {
     if (state_of(sampler, a->y[curve]) != STATE_FINITE ||
         state_of(sampler, b->y[curve]) != STATE_FINITE || fabs(b->at - a->at) > 2 * EXACT) {
         return false;
     }
-    const double from = height_of(sampler, a->y[curve]), to = height_of(sampler, b->y[curve]);
+    const double from = plot_sample_height_of(sampler, a->y[curve]),
+                 to = plot_sample_height_of(sampler, b->y[curve]);
     return fmin(from, to) < 0 && fmax(from, to) > HEIGHT;
 }
 
 /* Does a curve become infinite, or has a pole, between a sample and the next? */
-static bool is_steep(const struct sampler *sampler, size_t first, size_t last)
+static bool is_steep(const struct plot_sample_sampler *sampler, size_t first, size_t last)
 {
     bool steep = false;
     for (size_t i = first; i <= last && !steep; i++) {
         for (size_t k = 0; k < sampler->source->curves; k++) {
-            const enum state state = state_of(sampler, sampler->nodes[i].y[k]);
+            const enum plot_sample_state state = state_of(sampler, sampler->nodes[i].y[k]);
             steep = steep || state == STATE_ABOVE || state == STATE_BELOW ||
                     (i > first && has_pole(sampler, k, &sampler->nodes[i - 1], &sampler->nodes[i]));
         }
@@ -178,11 +191,12 @@ static bool is_steep(const struct sampler *sampler, size_t first, size_t last)
 }
 
 /* Is any curve as far off the page as its height here? */
-static bool is_far(const struct sampler *sampler, const struct node *node)
+static bool plot_sample_is_far(const struct plot_sample_sampler *sampler,
+                               const struct plot_sample_node *node)
 {
     bool far = false;
     for (size_t k = 0; k < sampler->source->curves && !far; k++) {
-        const double height = height_of(sampler, node->y[k]);
+        const double height = plot_sample_height_of(sampler, node->y[k]);
         far = state_of(sampler, node->y[k]) == STATE_FINITE &&
               (height <= -HEIGHT / 2 || height >= HEIGHT * 1.5);
     }
@@ -190,8 +204,8 @@ static bool is_far(const struct sampler *sampler, const struct node *node)
 }
 
 /* Add a point to the curves. */
-static void curves_add(struct plot_curves *curves, const struct node *node, size_t count,
-                       enum plot_place place)
+static void curves_add(struct plot_curves *curves, const struct plot_sample_node *node,
+                       size_t count, enum plot_place place)
 {
     curves->x[curves->count] = node->x;
     curves->places[curves->count] = (unsigned char)place;
@@ -202,9 +216,10 @@ static void curves_add(struct plot_curves *curves, const struct node *node, size
 }
 
 /* A gap in the curves that have a pole between two points. */
-static void curves_break(struct plot_curves *curves, const struct sampler *sampler, size_t i)
+static void curves_break(struct plot_curves *curves, const struct plot_sample_sampler *sampler,
+                         size_t i)
 {
-    const struct node *here = &sampler->nodes[i];
+    const struct plot_sample_node *here = &sampler->nodes[i];
     bool any = false;
     for (size_t k = 0; k < sampler->source->curves; k++) {
         const bool pole = has_pole(sampler, k, here, here + 1);
@@ -217,7 +232,8 @@ static void curves_break(struct plot_curves *curves, const struct sampler *sampl
     }
 }
 
-static void curves_collect(const struct sampler *sampler, struct plot_curves *curves)
+static void plot_sample_curves_collect(const struct plot_sample_sampler *sampler,
+                                       struct plot_curves *curves)
 {
     const size_t room = 2 * sampler->count, kinds = sampler->source->curves;
     *curves = (struct plot_curves){ARENA_ARRAY(sampler->arena, room, double),
@@ -230,7 +246,7 @@ static void curves_collect(const struct sampler *sampler, struct plot_curves *cu
         size_t last = first + 1; /* the next sample */
         bool far = false;
         while (last < sampler->count && !sampler->nodes[last].is_sample) {
-            far = far || is_far(sampler, &sampler->nodes[last]);
+            far = far || plot_sample_is_far(sampler, &sampler->nodes[last]);
             last++;
         }
         const bool steep = far || (last < sampler->count && is_steep(sampler, first, last));
@@ -248,7 +264,7 @@ static void curves_collect(const struct sampler *sampler, struct plot_curves *cu
 }
 
 /* The page as the samples have it. */
-static bool find_page(struct sampler *sampler)
+static bool find_page(struct plot_sample_sampler *sampler)
 {
     sampler->x = (struct plot_axis){.log = sampler->plot->log_x};
     sampler->y = (struct plot_axis){.log = sampler->plot->log_y};
@@ -265,28 +281,30 @@ static bool find_page(struct sampler *sampler)
 void plot_sample(const struct plot *plot, const double *x, const double *const *y, size_t count,
                  const struct plot_source *source, struct plot_curves *curves, struct arena *arena)
 {
-    struct sampler sampler = {.plot = plot,
-                              .source = source,
-                              .arena = arena,
-                              .nodes = ARENA_ARRAY(arena, count, struct node),
-                              .count = count};
+    struct plot_sample_sampler sampler = {.plot = plot,
+                                          .source = source,
+                                          .arena = arena,
+                                          .nodes =
+                                              ARENA_ARRAY(arena, count, struct plot_sample_node),
+                                          .count = count};
     const bool has_page = find_page(&sampler);
     for (size_t i = 0; i < count; i++) {
-        struct node *node = &sampler.nodes[i];
-        *node = (struct node){.x = x[i],
-                              .at = plot_page_at(&sampler.x, plot_drawable(x[i], plot->log_x)),
-                              .y = ARENA_ARRAY(arena, source->curves, double),
-                              .is_sample = true};
+        struct plot_sample_node *node = &sampler.nodes[i];
+        *node = (struct plot_sample_node){
+            .x = x[i],
+            .at = plot_page_at(&sampler.x, plot_drawable(x[i], plot->log_x)),
+            .y = ARENA_ARRAY(arena, source->curves, double),
+            .is_sample = true};
         for (size_t k = 0; k < source->curves; k++) {
             node->y[k] = isfinite(node->at) ? y[k][i] : (double)NAN;
         }
     }
     for (size_t i = 0; i + 1 < count && has_page; i++) {
-        struct node *node = &sampler.nodes[i];
+        struct plot_sample_node *node = &sampler.nodes[i];
         const double width = fabs(node[1].at - node->at);
         node->is_open = width < INFINITY && half_is_open(&sampler, node, node + 1, true, 0);
     }
     for (int i = 0; i < ROUNDS && has_page && sample_round(&sampler); i++) {
     }
-    curves_collect(&sampler, curves);
+    plot_sample_curves_collect(&sampler, curves);
 }

@@ -19,13 +19,13 @@ static const double MARGIN = 24, BOLDER = 0.93, TITLES_MOST = 760; /* wide, of p
 enum { CHANNELS = 4, BAR_STEPS = 256 };
 
 /* A page at work. */
-struct page {
+struct raster_page {
     const struct rasters *rasters;
     struct svg *svg;
     double low, high; /* of the scale; logarithms to the base 10 where it is one */
 };
 
-static double scaled(const struct rasters *rasters, double value)
+static double raster_scaled(const struct rasters *rasters, double value)
 {
     return rasters->colours == RASTER_LOG ? log10(fmax(value, 1e-300)) : value;
 }
@@ -43,8 +43,8 @@ static bool find_highest(const struct raster_map *map, double *highest)
     return any;
 }
 
-static bool find_scale(const struct rasters *rasters, double *low, double *high,
-                       struct error *error)
+static bool raster_find_scale(const struct rasters *rasters, double *low, double *high,
+                              struct error *error)
 {
     double highest = 0;
     bool any = false;
@@ -56,7 +56,7 @@ static bool find_scale(const struct rasters *rasters, double *low, double *high,
     }
     highest = rasters->own_scale ? 1 : fmax(highest, rasters->highest);
     highest = highest > 0 ? highest : 1;
-    *high = scaled(rasters, highest);
+    *high = raster_scaled(rasters, highest);
     *low = rasters->colours == RASTER_LOG      ? *high - rasters->decades
            : rasters->colours == RASTER_SIGNED ? -*high
                                                : 0;
@@ -72,8 +72,8 @@ static void put_pixel(float *pixel, const double colour[3], bool is_there)
 }
 
 /* The pixels of a map, or of the bar beside it. */
-static bool paint(const struct page *page, const struct raster_map *map, struct arena *arena,
-                  struct text *file, struct error *error)
+static bool raster_paint(const struct raster_page *page, const struct raster_map *map,
+                         struct arena *arena, struct text *file, struct error *error)
 {
     const struct rasters *rasters = page->rasters;
     const size_t width = map != NULL ? map->size : 1;
@@ -92,7 +92,7 @@ static bool paint(const struct page *page, const struct raster_map *map, struct 
         double share = ((double)row + 0.5) / BAR_STEPS, colour[3];
         if (map != NULL) {
             const double value = map->values[row * width + i % width] / (own > 0 ? own : 1);
-            share = (scaled(rasters, value) - page->low) / (page->high - page->low);
+            share = (raster_scaled(rasters, value) - page->low) / (page->high - page->low);
             share = isnan(value) ? (double)NAN : share;
         }
         palette_scale(rasters->colours == RASTER_SIGNED, isnan(share) ? 0 : share, colour);
@@ -101,8 +101,8 @@ static bool paint(const struct page *page, const struct raster_map *map, struct 
     return png_write(&image, &way, arena, file, error);
 }
 
-static void write_text(const struct page *page, double x, double y, double size,
-                       enum svg_anchor anchor, const char *text)
+static void raster_write_text(const struct raster_page *page, double x, double y, double size,
+                              enum svg_anchor anchor, const char *text)
 {
     const struct svg_label label = {.x = x, .y = y, .size = size, .anchor = anchor};
     if (text != NULL) {
@@ -110,7 +110,7 @@ static void write_text(const struct page *page, double x, double y, double size,
     }
 }
 
-static void write_upwards(const struct page *page, double x, double y, const char *text)
+static void write_upwards(const struct raster_page *page, double x, double y, const char *text)
 {
     const struct svg_label label = {
         .x = x, .y = y, .size = 12, .rotation = -90, .anchor = SVG_MIDDLE};
@@ -120,13 +120,13 @@ static void write_upwards(const struct page *page, double x, double y, const cha
 static const struct svg_style frame = {.stroke = "#444444"}, nothing = {.fill = "#dddddd"};
 
 /* Ticks from low to high: along x, or upwards with their numbers on one side. */
-struct axis {
+struct raster_axis {
     double low, high, x, y, length;
     int upwards; /* 0: along x; -1: upwards, numbers on the left; 1: on the right */
     bool is_log; /* of powers of ten */
 };
 
-static void draw_tick(const struct page *page, const struct axis *axis, double share,
+static void draw_tick(const struct raster_page *page, const struct raster_axis *axis, double share,
                       const char *text)
 {
     const double at = share * axis->length, side = axis->upwards;
@@ -135,13 +135,13 @@ static void draw_tick(const struct page *page, const struct axis *axis, double s
     svg_line(page->svg, x, y, x + side * TICK, side == 0 ? y + TICK : y);
     svg_group_end(page->svg);
     if (axis->upwards == 0) {
-        write_text(page, x, y + 17, 11, SVG_MIDDLE, text);
+        raster_write_text(page, x, y + 17, 11, SVG_MIDDLE, text);
     } else {
-        write_text(page, x + 8 * side, y + 4, 11, side < 0 ? SVG_END : SVG_START, text);
+        raster_write_text(page, x + 8 * side, y + 4, 11, side < 0 ? SVG_END : SVG_START, text);
     }
 }
 
-static void draw_axis(const struct page *page, const struct axis *axis)
+static void raster_draw_axis(const struct raster_page *page, const struct raster_axis *axis)
 {
     struct ticks ticks;
     struct arena *arena = page->svg->arena;
@@ -158,14 +158,14 @@ static void draw_axis(const struct page *page, const struct axis *axis)
     }
 }
 
-static bool draw_map(const struct page *page, size_t i, struct error *error)
+static bool draw_map(const struct raster_page *page, size_t i, struct error *error)
 {
     const struct rasters *rasters = page->rasters;
     const struct raster_map *map = &rasters->maps[i];
     struct text png;
     const double x = LEFT + ACROSS * (double)(i % rasters->columns);
     const double y = TOP + DOWN * (double)(i / rasters->columns);
-    if (!paint(page, map, page->svg->arena, &png, error)) {
+    if (!raster_paint(page, map, page->svg->arena, &png, error)) {
         return false;
     }
     svg_group_begin(page->svg, &nothing);
@@ -175,47 +175,47 @@ static bool draw_map(const struct page *page, size_t i, struct error *error)
     svg_group_begin(page->svg, &frame);
     svg_rect(page->svg, x, y, SIDE, SIDE);
     svg_group_end(page->svg);
-    const struct axis along = {-map->half, map->half, x, y + SIDE, SIDE, 0, false};
-    const struct axis up = {-map->half, map->half, x, y + SIDE, SIDE, -1, false};
-    draw_axis(page, &along);
-    draw_axis(page, &up);
-    write_text(page, x + SIDE / 2, y - 10, 13, SVG_MIDDLE, map->title);
-    write_text(page, x + SIDE / 2, y + SIDE + 34, 12, SVG_MIDDLE, rasters->x_label);
+    const struct raster_axis along = {-map->half, map->half, x, y + SIDE, SIDE, 0, false};
+    const struct raster_axis up = {-map->half, map->half, x, y + SIDE, SIDE, -1, false};
+    raster_draw_axis(page, &along);
+    raster_draw_axis(page, &up);
+    raster_write_text(page, x + SIDE / 2, y - 10, 13, SVG_MIDDLE, map->title);
+    raster_write_text(page, x + SIDE / 2, y + SIDE + 34, 12, SVG_MIDDLE, rasters->x_label);
     write_upwards(page, x - 48, y + SIDE / 2, rasters->y_label);
-    write_text(page, x + SIDE / 2, y + SIDE + 54, 12, SVG_MIDDLE, map->note);
+    raster_write_text(page, x + SIDE / 2, y + SIDE + 54, 12, SVG_MIDDLE, map->note);
     return true;
 }
 
-static bool draw_bar(const struct page *page, double x, struct error *error)
+static bool raster_draw_bar(const struct raster_page *page, double x, struct error *error)
 {
     struct text png;
-    if (!paint(page, NULL, page->svg->arena, &png, error)) {
+    if (!raster_paint(page, NULL, page->svg->arena, &png, error)) {
         return false;
     }
     svg_image(page->svg, x, TOP, BAR_WIDTH, SIDE, png);
     svg_group_begin(page->svg, &frame);
     svg_rect(page->svg, x, TOP, BAR_WIDTH, SIDE);
     svg_group_end(page->svg);
-    const struct axis up = {page->low,
-                            page->high,
-                            x + BAR_WIDTH,
-                            TOP + SIDE,
-                            SIDE,
-                            1,
-                            page->rasters->colours == RASTER_LOG};
-    draw_axis(page, &up);
+    const struct raster_axis up = {page->low,
+                                   page->high,
+                                   x + BAR_WIDTH,
+                                   TOP + SIDE,
+                                   SIDE,
+                                   1,
+                                   page->rasters->colours == RASTER_LOG};
+    raster_draw_axis(page, &up);
     write_upwards(page, x + BAR_WIDTH + 62, TOP + SIDE / 2, page->rasters->scale_label);
     return true;
 }
 
 bool rasters_draw(const struct rasters *rasters, struct svg *svg, struct error *error)
 {
-    struct page page = {.rasters = rasters, .svg = svg};
+    struct raster_page page = {.rasters = rasters, .svg = svg};
     if (rasters->count > RASTER_MAPS_MOST) {
         return fail(error, ERROR_USAGE, "a page has room for %d maps, not for %zu",
                     RASTER_MAPS_MOST, rasters->count);
     }
-    if (!find_scale(rasters, &page.low, &page.high, error)) {
+    if (!raster_find_scale(rasters, &page.low, &page.high, error)) {
         return false;
     }
     const size_t columns = rasters->count < rasters->columns ? rasters->count : rasters->columns;
@@ -240,7 +240,7 @@ bool rasters_draw(const struct rasters *rasters, struct svg *svg, struct error *
             return false;
         }
     }
-    if (!draw_bar(&page, bar, error)) {
+    if (!raster_draw_bar(&page, bar, error)) {
         return false;
     }
     svg_end(svg);
@@ -250,7 +250,7 @@ bool rasters_draw(const struct rasters *rasters, struct svg *svg, struct error *
 bool raster_png(const struct rasters *rasters, size_t map, struct arena *arena, struct text *file,
                 struct error *error)
 {
-    struct page page = {.rasters = rasters};
-    return find_scale(rasters, &page.low, &page.high, error) &&
-           paint(&page, &rasters->maps[map], arena, file, error);
+    struct raster_page page = {.rasters = rasters};
+    return raster_find_scale(rasters, &page.low, &page.high, error) &&
+           raster_paint(&page, &rasters->maps[map], arena, file, error);
 }

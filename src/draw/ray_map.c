@@ -16,13 +16,13 @@ static const double ARROW = 0.25; /* longest arrow, in radii of the pupil */
 /* From nothing to the largest error: ever darker, in grey too. */
 static const unsigned char shades[SHADES][3] = {{158, 202, 225}, {253, 141, 60}, {140, 10, 20}};
 
-struct drawing {
+struct map_drawing {
     const struct ray_map *map;
     struct svg *svg;
     double largest;
 };
 
-static const char *shade_of(const struct drawing *drawing, double share)
+static const char *shade_of(const struct map_drawing *drawing, double share)
 {
     double place = fmin(fmax(share, 0), 1) * (SHADES - 1);
     size_t low = (size_t)fmin(floor(place), SHADES - 2);
@@ -35,8 +35,8 @@ static const char *shade_of(const struct drawing *drawing, double share)
                         (unsigned)colour[1], (unsigned)colour[2]);
 }
 
-static void write_text(const struct drawing *drawing, double x, double y, double size,
-                       enum svg_anchor anchor, const char *text)
+static void ray_map_write_text(const struct map_drawing *drawing, double x, double y, double size,
+                               enum svg_anchor anchor, const char *text)
 {
     const struct svg_label label = {.x = x, .y = y, .size = size, .anchor = anchor};
     svg_text(drawing->svg, &label, text);
@@ -52,7 +52,7 @@ static double centre_y(size_t row)
     return TOP + CELL * ((double)row + 0.5);
 }
 
-static void draw_ray(const struct drawing *drawing, const struct ray_map_point *point)
+static void draw_ray(const struct map_drawing *drawing, const struct ray_map_point *point)
 {
     struct svg *svg = drawing->svg;
     double x = centre_x(point->column) + RADIUS * point->x;
@@ -76,7 +76,7 @@ static void draw_ray(const struct drawing *drawing, const struct ray_map_point *
     svg_group_end(svg);
 }
 
-static void draw_pupils(const struct drawing *drawing)
+static void draw_pupils(const struct map_drawing *drawing)
 {
     const struct ray_map *map = drawing->map;
     const struct svg_style rim = {.stroke = "#bbbbbb"};
@@ -94,18 +94,19 @@ static void draw_pupils(const struct drawing *drawing)
             svg_circle(drawing->svg, centre_x(column), centre_y(row), RADIUS);
             svg_group_end(drawing->svg);
             if (!found) {
-                write_text(drawing, centre_x(column), centre_y(row) + RADIUS + 14, 11, SVG_MIDDLE,
-                           "no ray comes through");
+                ray_map_write_text(drawing, centre_x(column), centre_y(row) + RADIUS + 14, 11,
+                                   SVG_MIDDLE, "no ray comes through");
             }
         }
     }
     for (size_t column = 0; column < map->column_count; column++) {
-        write_text(drawing, centre_x(column), TOP - 8, 13, SVG_MIDDLE, map->columns[column]);
+        ray_map_write_text(drawing, centre_x(column), TOP - 8, 13, SVG_MIDDLE,
+                           map->columns[column]);
     }
 }
 
 /* Colours from 0 to the largest error, and the longest arrow. */
-static void draw_legend(const struct drawing *drawing, double y)
+static void ray_map_draw_legend(const struct map_drawing *drawing, double y)
 {
     const struct ray_map *map = drawing->map;
     double width = fmin(260, CELL * (double)map->column_count - 20), left = LEFT + 10;
@@ -117,15 +118,16 @@ static void draw_legend(const struct drawing *drawing, double y)
         svg_group_end(drawing->svg);
     }
     for (int i = 0; i <= 2; i++) {
-        write_text(drawing, left + width * i / 2, y + 28, 12, SVG_MIDDLE,
-                   arena_printf(arena, "%.3g%s%s", drawing->largest * i / 2, i == 2 ? " " : "",
-                                i == 2 ? map->unit : ""));
+        ray_map_write_text(drawing, left + width * i / 2, y + 28, 12, SVG_MIDDLE,
+                           arena_printf(arena, "%.3g%s%s", drawing->largest * i / 2,
+                                        i == 2 ? " " : "", i == 2 ? map->unit : ""));
     }
-    write_text(drawing, left, y - 8, 12, SVG_START,
-               "error in the image, colour and arrow; the circle is the stop, crosses are lost");
+    ray_map_write_text(
+        drawing, left, y - 8, 12, SVG_START,
+        "error in the image, colour and arrow; the circle is the stop, crosses are lost");
 }
 
-static bool check_map(const struct ray_map *map, double *largest, struct error *error)
+static bool ray_map_check_map(const struct ray_map *map, double *largest, struct error *error)
 {
     size_t count = 0;
     *largest = 0;
@@ -148,8 +150,8 @@ static bool check_map(const struct ray_map *map, double *largest, struct error *
 
 bool ray_map_draw(const struct ray_map *map, struct svg *svg, struct error *error)
 {
-    struct drawing drawing = {.map = map, .svg = svg};
-    if (!check_map(map, &drawing.largest, error)) {
+    struct map_drawing drawing = {.map = map, .svg = svg};
+    if (!ray_map_check_map(map, &drawing.largest, error)) {
         return false;
     }
     double width = fmax(LEFT + CELL * (double)map->column_count + 30, 620);
@@ -164,7 +166,7 @@ bool ray_map_draw(const struct ray_map *map, struct svg *svg, struct error *erro
     for (size_t i = 0; i < map->count; i++) {
         draw_ray(&drawing, &map->points[i]);
     }
-    draw_legend(&drawing, bottom + 38);
+    ray_map_draw_legend(&drawing, bottom + 38);
     svg_end(svg);
     return true;
 }

@@ -16,17 +16,17 @@
 #define LINE       18.0 /* of the legend */
 
 /* A place on the page, px. */
-struct box {
+struct section_box {
     double left, right, top, bottom;
 };
 
 /* Millimetres to px: x = x0 + scale z, y = y0 - scale y. */
-struct page {
+struct section_page {
     struct svg *svg;
     const struct section *section;
     double x0, y0, scale;
-    double bottom, height; /* of the lens; of the page */
-    struct box *taken;     /* by labels */
+    double bottom, height;     /* of the lens; of the page */
+    struct section_box *taken; /* by labels */
     size_t taken_count;
 };
 
@@ -73,7 +73,7 @@ struct extent {
     double left, right, low, high;
 };
 
-static struct extent measure(const struct section *section)
+static struct extent section_measure(const struct section *section)
 {
     struct extent box = {INFINITY, -INFINITY, INFINITY, -INFINITY};
     for (size_t i = 0; i < section->layout->part_count; i++) {
@@ -88,8 +88,8 @@ static struct extent measure(const struct section *section)
     return box;
 }
 
-static void write_text(const struct page *page, double x, double y, enum svg_anchor anchor,
-                       const char *colour, const char *text)
+static void section_write_text(const struct section_page *page, double x, double y,
+                               enum svg_anchor anchor, const char *colour, const char *text)
 {
     const struct svg_label label = {.x = x,
                                     .y = y,
@@ -101,7 +101,8 @@ static void write_text(const struct page *page, double x, double y, enum svg_anc
 }
 
 /* The end of what lies under or over a label of this width: the element's rim, or `end` (px). */
-static double clear_of_glass(const struct page *page, double x, double width, double end, double up)
+static double clear_of_glass(const struct section_page *page, double x, double width, double end,
+                             double up)
 {
     for (size_t i = 0; i < page->section->layout->part_count; i++) {
         const struct layout_part *part = &page->section->layout->parts[i];
@@ -116,10 +117,10 @@ static double clear_of_glass(const struct page *page, double x, double width, do
     return end;
 }
 
-static bool is_taken(const struct page *page, const struct box *box)
+static bool is_taken(const struct section_page *page, const struct section_box *box)
 {
     for (size_t i = 0; i < page->taken_count; i++) {
-        const struct box *other = &page->taken[i];
+        const struct section_box *other = &page->taken[i];
         if (box->left < other->right && other->left < box->right && box->top < other->bottom &&
             other->top < box->bottom) {
             return true;
@@ -129,7 +130,7 @@ static bool is_taken(const struct page *page, const struct box *box)
 }
 
 /* Above or below its part, outwards until it touches no other label. */
-static void write_label(struct page *page, const struct layout_part *part)
+static void section_write_label(struct section_page *page, const struct layout_part *part)
 {
     bool point = part->kind == LAYOUT_POINT, below = part->kind == LAYOUT_PUPIL || point;
     double width = svg_text_width(part->label, SMALL), x = page->x0 + page->scale * part->z[0];
@@ -138,7 +139,7 @@ static void write_label(struct page *page, const struct layout_part *part)
     x += point ? 5 + width / 2 : 0;
     x = fmax(8 + width / 2, fmin(SECTION_WIDTH - 8 - width / 2, x));
     y = (point ? y : clear_of_glass(page, x, width, y, up)) + (below ? 15 : -6);
-    struct box box = {x - width / 2 - 2, x + width / 2 + 2, y - 10, y + 2};
+    struct section_box box = {x - width / 2 - 2, x + width / 2 + 2, y - 10, y + 2};
     while (is_taken(page, &box)) {
         y -= 13 * up;
         box.top = y - 10;
@@ -146,12 +147,12 @@ static void write_label(struct page *page, const struct layout_part *part)
     }
     page->taken[page->taken_count++] = box;
     const struct svg_style *style = &styles[part->kind];
-    write_text(page, x, y, SVG_MIDDLE, style->stroke != NULL ? style->stroke : style->fill,
-               part->label);
+    section_write_text(page, x, y, SVG_MIDDLE, style->stroke != NULL ? style->stroke : style->fill,
+                       part->label);
 }
 
 /* Labels from left to right, so that each sees what is taken. */
-static void write_labels(struct page *page)
+static void write_labels(struct section_page *page)
 {
     const struct section *section = page->section;
     double from = -INFINITY;
@@ -171,13 +172,13 @@ static void write_labels(struct page *page)
         if (next == NULL) {
             return;
         }
-        write_label(page, next);
+        section_write_label(page, next);
         from = next->z[0];
         index = place;
     }
 }
 
-static void draw_tip(const struct page *page, const double *x, const double *y, size_t last)
+static void draw_tip(const struct section_page *page, const double *x, const double *y, size_t last)
 {
     const struct svg_style style = {.fill = styles[LAYOUT_ARROW].stroke};
     double down = y[last] > y[0] ? -9 : 9;
@@ -188,7 +189,7 @@ static void draw_tip(const struct page *page, const double *x, const double *y, 
     svg_group_end(page->svg);
 }
 
-static void draw_part(const struct page *page, const struct layout_part *part)
+static void draw_part(const struct section_page *page, const struct layout_part *part)
 {
     struct svg *svg = page->svg;
     struct svg_style style = styles[part->kind];
@@ -217,7 +218,7 @@ static void draw_part(const struct page *page, const struct layout_part *part)
 }
 
 /* 1, 2 or 5 times a power of ten, at most a sixth of the page. */
-static void draw_bar(const struct page *page, double y)
+static void section_draw_bar(const struct section_page *page, double y)
 {
     double most = SECTION_WIDTH / 6 / page->scale, decade = pow(10, floor(log10(most)));
     double length = most >= 5 * decade ? 5 * decade : most >= 2 * decade ? 2 * decade : decade;
@@ -228,8 +229,8 @@ static void draw_bar(const struct page *page, double y)
     svg_line(page->svg, x, y - 4, x, y + 4);
     svg_line(page->svg, end, y - 4, end, y + 4);
     svg_group_end(page->svg);
-    write_text(page, end + 8, y + 4, SVG_START, NULL,
-               arena_printf(page->svg->arena, "%.10g mm", length));
+    section_write_text(page, end + 8, y + 4, SVG_START, NULL,
+                       arena_printf(page->svg->arena, "%.10g mm", length));
 }
 
 static bool occurs(const struct section *section, enum layout_kind kind)
@@ -243,7 +244,7 @@ static bool occurs(const struct section *section, enum layout_kind kind)
 }
 
 /* Go on behind a text of the legend, or in the next line. */
-static void place(double *x, double *y, double width)
+static void section_place(double *x, double *y, double width)
 {
     if (*x > MARGIN && *x + width > SECTION_WIDTH - MARGIN) {
         *x = MARGIN;
@@ -252,7 +253,7 @@ static void place(double *x, double *y, double width)
 }
 
 /* The legend from y down; returns where it ends. With `draw` false it is only measured. */
-static double draw_legend(const struct page *page, double y, bool draw)
+static double section_draw_legend(const struct section_page *page, double y, bool draw)
 {
     const struct section *section = page->section;
     double x = MARGIN;
@@ -268,7 +269,7 @@ static double draw_legend(const struct page *page, double y, bool draw)
             continue;
         }
         double width = 28 + svg_text_width(name, SMALL) + 14;
-        place(&x, &y, width);
+        section_place(&x, &y, width);
         if (draw) {
             struct svg_style style = styles[kind];
             style.fill = glass ? tints[i % TINTS] : NULL;
@@ -279,20 +280,20 @@ static double draw_legend(const struct page *page, double y, bool draw)
                 svg_line(page->svg, x, y - 4, x + 22, y - 4);
             }
             svg_group_end(page->svg);
-            write_text(page, x + 28, y, SVG_START, NULL, name);
+            section_write_text(page, x + 28, y, SVG_START, NULL, name);
         }
         x += width;
     }
     y += x > MARGIN ? LINE : 0;
     for (size_t i = 0; i < section->layout->note_count; i++, y += LINE) {
         if (draw) {
-            write_text(page, MARGIN, y, SVG_START, "#444444", section->layout->notes[i]);
+            section_write_text(page, MARGIN, y, SVG_START, "#444444", section->layout->notes[i]);
         }
     }
     return y;
 }
 
-static void draw_head(const struct page *page)
+static void draw_head(const struct section_page *page)
 {
     const struct section *section = page->section;
     struct svg_label label = {.x = SECTION_WIDTH / 2,
@@ -327,8 +328,8 @@ static double label_room(const struct section *section, bool below)
 
 bool section_draw(const struct section *section, struct svg *svg, struct error *error)
 {
-    struct page page = {.svg = svg, .section = section};
-    const struct extent box = measure(section);
+    struct section_page page = {.svg = svg, .section = section};
+    const struct extent box = section_measure(section);
     double across = box.right - box.left, high = box.high - box.low;
     if (!(across > 0 && high > 0)) {
         return fail(error, ERROR_DOMAIN, "nothing to draw: the lens has no extent");
@@ -341,8 +342,8 @@ bool section_draw(const struct section *section, struct svg *svg, struct error *
     page.x0 = (SECTION_WIDTH - page.scale * (box.left + box.right)) / 2;
     page.y0 = above + room / 2 + page.scale * (box.low + box.high) / 2;
     page.bottom = above + room + label_room(section, true);
-    page.height = draw_legend(&page, page.bottom + 46, false) + 8;
-    page.taken = ARENA_ARRAY(svg->arena, section->layout->part_count, struct box);
+    page.height = section_draw_legend(&page, page.bottom + 46, false) + 8;
+    page.taken = ARENA_ARRAY(svg->arena, section->layout->part_count, struct section_box);
     svg_begin(svg, SECTION_WIDTH, page.height, section->title);
     draw_head(&page);
     for (int kind = 0; kind < LAYOUT_KINDS; kind++) {
@@ -353,8 +354,8 @@ bool section_draw(const struct section *section, struct svg *svg, struct error *
         }
     }
     write_labels(&page);
-    draw_bar(&page, page.bottom + 12);
-    draw_legend(&page, page.bottom + 46, true);
+    section_draw_bar(&page, page.bottom + 12);
+    section_draw_legend(&page, page.bottom + 46, true);
     svg_end(svg);
     return true;
 }

@@ -28,12 +28,12 @@ static void put_bytes(struct svg *svg, const char *start, size_t length)
     svg->data[svg->length] = '\0';
 }
 
-static void put(struct svg *svg, const char *text)
+static void svg_put(struct svg *svg, const char *text)
 {
     put_bytes(svg, text, strlen(text));
 }
 
-static void put_number(struct svg *svg, double x)
+static void svg_put_number(struct svg *svg, double x)
 {
     char digits[NUMBER_LENGTH];
     x = fmax(-COORDINATE_MAX, fmin(COORDINATE_MAX, x));
@@ -41,22 +41,22 @@ static void put_number(struct svg *svg, double x)
     put_bytes(svg, digits, (size_t)(number_write_digits(digits, x, 9) - digits));
 }
 
-static void put_attribute(struct svg *svg, const char *name, double x)
+static void svg_put_attribute(struct svg *svg, const char *name, double x)
 {
-    put(svg, " ");
-    put(svg, name);
-    put(svg, "=\"");
-    put_number(svg, x);
-    put(svg, "\"");
+    svg_put(svg, " ");
+    svg_put(svg, name);
+    svg_put(svg, "=\"");
+    svg_put_number(svg, x);
+    svg_put(svg, "\"");
 }
 
-static void put_colour(struct svg *svg, const char *name, const char *value)
+static void svg_put_colour(struct svg *svg, const char *name, const char *value)
 {
-    put(svg, " ");
-    put(svg, name);
-    put(svg, "=\"");
-    put(svg, value ? value : "none");
-    put(svg, "\"");
+    svg_put(svg, " ");
+    svg_put(svg, name);
+    svg_put(svg, "=\"");
+    svg_put(svg, value ? value : "none");
+    svg_put(svg, "\"");
 }
 
 static void put_escaped(struct svg *svg, const char *text, size_t length)
@@ -108,27 +108,27 @@ static size_t fitting_length(const char *text, double size, double width)
     return length;
 }
 
-static bool all_finite(double a, double b, double c, double d)
+static bool svg_all_finite(double a, double b, double c, double d)
 {
     return isfinite(a) && isfinite(b) && isfinite(c) && isfinite(d);
 }
 
 void svg_begin(struct svg *svg, double width, double height, const char *title)
 {
-    put(svg, "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n"
-             "<svg xmlns=\"http://www.w3.org/2000/svg\" version=\"1.1\"");
-    put_attribute(svg, "width", width);
-    put_attribute(svg, "height", height);
-    put(svg, " viewBox=\"0 0 ");
-    put_number(svg, width);
-    put(svg, " ");
-    put_number(svg, height);
-    put(svg, "\" font-family=\"Helvetica, Arial, sans-serif\" fill=\"none\" "
-             "stroke-linejoin=\"round\" stroke-linecap=\"round\">\n<title>");
+    svg_put(svg, "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n"
+                 "<svg xmlns=\"http://www.w3.org/2000/svg\" version=\"1.1\"");
+    svg_put_attribute(svg, "width", width);
+    svg_put_attribute(svg, "height", height);
+    svg_put(svg, " viewBox=\"0 0 ");
+    svg_put_number(svg, width);
+    svg_put(svg, " ");
+    svg_put_number(svg, height);
+    svg_put(svg, "\" font-family=\"Helvetica, Arial, sans-serif\" fill=\"none\" "
+                 "stroke-linejoin=\"round\" stroke-linecap=\"round\">\n<title>");
     if (title) {
         put_escaped(svg, title, strlen(title));
     }
-    put(svg, "</title>\n");
+    svg_put(svg, "</title>\n");
     svg_group_begin(svg, &(struct svg_style){.fill = "#fff"});
     svg_rect(svg, 0, 0, width, height);
     svg_group_end(svg);
@@ -136,91 +136,91 @@ void svg_begin(struct svg *svg, double width, double height, const char *title)
 
 void svg_end(struct svg *svg)
 {
-    put(svg, "</svg>\n");
+    svg_put(svg, "</svg>\n");
 }
 
 void svg_group_begin(struct svg *svg, const struct svg_style *style)
 {
-    put(svg, "<g");
-    put_colour(svg, "fill", style->fill);
-    put_colour(svg, "stroke", style->stroke);
+    svg_put(svg, "<g");
+    svg_put_colour(svg, "fill", style->fill);
+    svg_put_colour(svg, "stroke", style->stroke);
     if (style->width > 0) {
-        put_attribute(svg, "stroke-width", style->width);
+        svg_put_attribute(svg, "stroke-width", style->width);
     }
     if (style->dash) {
-        put_colour(svg, "stroke-dasharray", style->dash);
+        svg_put_colour(svg, "stroke-dasharray", style->dash);
     }
     if (style->opacity > 0) {
-        put_attribute(svg, "opacity", style->opacity);
+        svg_put_attribute(svg, "opacity", style->opacity);
     }
-    put(svg, ">\n");
+    svg_put(svg, ">\n");
 }
 
 void svg_clip_begin(struct svg *svg, double x, double y, double width, double height)
 {
     double name = (double)(svg->length % 1000000); /* where it stands: no other has it */
-    put(svg, "<clipPath id=\"clip");
-    put_number(svg, name);
-    put(svg, "\">");
+    svg_put(svg, "<clipPath id=\"clip");
+    svg_put_number(svg, name);
+    svg_put(svg, "\">");
     svg_rect(svg, x, y, width, height);
-    put(svg, "</clipPath>\n<g clip-path=\"url(#clip");
-    put_number(svg, name);
-    put(svg, ")\">\n");
+    svg_put(svg, "</clipPath>\n<g clip-path=\"url(#clip");
+    svg_put_number(svg, name);
+    svg_put(svg, ")\">\n");
 }
 
 void svg_group_end(struct svg *svg)
 {
-    put(svg, "</g>\n");
+    svg_put(svg, "</g>\n");
 }
 
 void svg_line(struct svg *svg, double x1, double y1, double x2, double y2)
 {
-    if (!all_finite(x1, y1, x2, y2)) {
+    if (!svg_all_finite(x1, y1, x2, y2)) {
         return;
     }
-    put(svg, "<line");
-    put_attribute(svg, "x1", x1);
-    put_attribute(svg, "y1", y1);
-    put_attribute(svg, "x2", x2);
-    put_attribute(svg, "y2", y2);
-    put(svg, "/>\n");
+    svg_put(svg, "<line");
+    svg_put_attribute(svg, "x1", x1);
+    svg_put_attribute(svg, "y1", y1);
+    svg_put_attribute(svg, "x2", x2);
+    svg_put_attribute(svg, "y2", y2);
+    svg_put(svg, "/>\n");
 }
 
 void svg_rect(struct svg *svg, double x, double y, double width, double height)
 {
-    if (!all_finite(x, y, width, height) || width < 0 || height < 0) {
+    if (!svg_all_finite(x, y, width, height) || width < 0 || height < 0) {
         return;
     }
-    put(svg, "<rect");
-    put_attribute(svg, "x", x);
-    put_attribute(svg, "y", y);
-    put_attribute(svg, "width", width);
-    put_attribute(svg, "height", height);
-    put(svg, "/>\n");
+    svg_put(svg, "<rect");
+    svg_put_attribute(svg, "x", x);
+    svg_put_attribute(svg, "y", y);
+    svg_put_attribute(svg, "width", width);
+    svg_put_attribute(svg, "height", height);
+    svg_put(svg, "/>\n");
 }
 
 void svg_circle(struct svg *svg, double x, double y, double radius)
 {
-    if (!all_finite(x, y, radius, 0) || radius < 0) {
+    if (!svg_all_finite(x, y, radius, 0) || radius < 0) {
         return;
     }
-    put(svg, "<circle");
-    put_attribute(svg, "cx", x);
-    put_attribute(svg, "cy", y);
-    put_attribute(svg, "r", radius);
-    put(svg, "/>\n");
+    svg_put(svg, "<circle");
+    svg_put_attribute(svg, "cx", x);
+    svg_put_attribute(svg, "cy", y);
+    svg_put_attribute(svg, "r", radius);
+    svg_put(svg, "/>\n");
 }
 
 static void put_run(struct svg *svg, const double *x, const double *y, size_t count)
 {
     for (size_t i = 0; i < count; i++) {
-        put(svg, i == 0 ? "M" : i == 1 ? "L" : " ");
-        put_number(svg, x[i]);
-        put(svg, " ");
-        put_number(svg, y[i]);
+        svg_put(svg, i == 0 ? "M" : i == 1 ? "L" : " ");
+        svg_put_number(svg, x[i]);
+        svg_put(svg, " ");
+        svg_put_number(svg, y[i]);
     }
     if (count == 1) {
-        put(svg, "h0"); /* round line ends make a dot of it */
+        svg_put(svg, "h0"); /* round line ends make a dot of it */
     }
 }
 
@@ -235,14 +235,14 @@ static void put_runs(struct svg *svg, const double *x, const double *y, size_t c
             continue;
         }
         if (i > start) {
-            put(svg, open ? "" : "<path d=\"");
+            svg_put(svg, open ? "" : "<path d=\"");
             put_run(svg, x + start, y + start, i - start);
-            put(svg, ending);
+            svg_put(svg, ending);
             open = true;
         }
         start = i + 1;
     }
-    put(svg, open ? "\"/>\n" : "");
+    svg_put(svg, open ? "\"/>\n" : "");
 }
 
 void svg_polyline(struct svg *svg, const double *x, const double *y, size_t count)
@@ -257,27 +257,27 @@ void svg_polygon(struct svg *svg, const double *x, const double *y, size_t count
 
 void svg_path(struct svg *svg, double x, double y, const char *words)
 {
-    if (!all_finite(x, y, 0, 0)) {
+    if (!svg_all_finite(x, y, 0, 0)) {
         return;
     }
-    put(svg, "<path transform=\"translate(");
-    put_number(svg, x);
-    put(svg, " ");
-    put_number(svg, y);
-    put(svg, ")\" d=\"");
+    svg_put(svg, "<path transform=\"translate(");
+    svg_put_number(svg, x);
+    svg_put(svg, " ");
+    svg_put_number(svg, y);
+    svg_put(svg, ")\" d=\"");
     put_escaped(svg, words, strlen(words));
-    put(svg, "\"/>\n");
+    svg_put(svg, "\"/>\n");
 }
 
 static void put_rotation(struct svg *svg, const struct svg_label *label)
 {
-    put(svg, " transform=\"rotate(");
-    put_number(svg, label->rotation);
-    put(svg, " ");
-    put_number(svg, label->x);
-    put(svg, " ");
-    put_number(svg, label->y);
-    put(svg, ")\"");
+    svg_put(svg, " transform=\"rotate(");
+    svg_put_number(svg, label->rotation);
+    svg_put(svg, " ");
+    svg_put_number(svg, label->x);
+    svg_put(svg, " ");
+    svg_put_number(svg, label->y);
+    svg_put(svg, ")\"");
 }
 
 /* Three bytes become four letters (RFC 4648). */
@@ -301,37 +301,37 @@ static void put_base64(struct svg *svg, struct text bytes)
 
 void svg_image(struct svg *svg, double x, double y, double width, double height, struct text png)
 {
-    put(svg, "<image xmlns:xlink=\"http://www.w3.org/1999/xlink\"");
-    put_attribute(svg, "x", x);
-    put_attribute(svg, "y", y);
-    put_attribute(svg, "width", width);
-    put_attribute(svg, "height", height);
-    put(svg, " preserveAspectRatio=\"none\" image-rendering=\"optimizeSpeed\" "
-             "style=\"image-rendering:pixelated\" xlink:href=\"data:image/png;base64,");
+    svg_put(svg, "<image xmlns:xlink=\"http://www.w3.org/1999/xlink\"");
+    svg_put_attribute(svg, "x", x);
+    svg_put_attribute(svg, "y", y);
+    svg_put_attribute(svg, "width", width);
+    svg_put_attribute(svg, "height", height);
+    svg_put(svg, " preserveAspectRatio=\"none\" image-rendering=\"optimizeSpeed\" "
+                 "style=\"image-rendering:pixelated\" xlink:href=\"data:image/png;base64,");
     put_base64(svg, png);
-    put(svg, "\"/>\n");
+    svg_put(svg, "\"/>\n");
 }
 
 void svg_text(struct svg *svg, const struct svg_label *label, const char *text)
 {
     static const char *const anchors[] = {"", " text-anchor=\"middle\"", " text-anchor=\"end\""};
-    if (!all_finite(label->x, label->y, label->size, label->rotation)) {
+    if (!svg_all_finite(label->x, label->y, label->size, label->rotation)) {
         return;
     }
-    put(svg, "<text");
-    put_attribute(svg, "x", label->x);
-    put_attribute(svg, "y", label->y);
-    put_attribute(svg, "font-size", label->size);
-    put(svg, anchors[label->anchor]);
-    put(svg, label->bold ? " font-weight=\"bold\"" : "");
-    put_colour(svg, "fill", label->colour ? label->colour : "#000");
-    put(svg, " stroke=\"none\"");
+    svg_put(svg, "<text");
+    svg_put_attribute(svg, "x", label->x);
+    svg_put_attribute(svg, "y", label->y);
+    svg_put_attribute(svg, "font-size", label->size);
+    svg_put(svg, anchors[label->anchor]);
+    svg_put(svg, label->bold ? " font-weight=\"bold\"" : "");
+    svg_put_colour(svg, "fill", label->colour ? label->colour : "#000");
+    svg_put(svg, " stroke=\"none\"");
     if (fabs(label->rotation) > 0) {
         put_rotation(svg, label);
     }
-    put(svg, ">");
+    svg_put(svg, ">");
     bool fits = !(label->width > 0) || svg_text_width(text, label->size) <= label->width;
     double room = label->width - label->size; /* beside the ellipsis */
     put_escaped(svg, text, fits ? strlen(text) : fitting_length(text, label->size, room));
-    put(svg, fits ? "</text>\n" : "…</text>\n");
+    svg_put(svg, fits ? "</text>\n" : "…</text>\n");
 }

@@ -17,24 +17,25 @@ static const double NUMBER_SIZE = 12, LABEL_SIZE = 13, TITLE_SIZE = 17;
 /* Colours: of what passes, and what fails. */
 enum { PASSES = 0, FAILS = 1 };
 
-struct page {
+struct tally_plot_page {
     struct ticks x, y;
     double low, high; /* of x */
     double bottom;
 };
 
-static double x_at(const struct page *page, double value)
+static double tally_plot_x_at(const struct tally_plot_page *page, double value)
 {
     return LEFT + (value - page->low) / (page->high - page->low) * (WIDTH - LEFT - RIGHT);
 }
 
-static double y_at(const struct page *page, double value)
+static double tally_plot_y_at(const struct tally_plot_page *page, double value)
 {
     const double high = page->y.value[page->y.count - 1];
     return page->bottom - value / high * (page->bottom - TOP);
 }
 
-static bool find_range(const struct tally_plot *plot, struct page *page, struct error *error)
+static bool tally_plot_find_range(const struct tally_plot *plot, struct tally_plot_page *page,
+                                  struct error *error)
 {
     const double marks[2] = {plot->nominal, plot->limit};
     const size_t count = plot->count + (plot->is_curve ? 1 : 0);
@@ -60,10 +61,10 @@ static bool find_range(const struct tally_plot *plot, struct page *page, struct 
     return true;
 }
 
-static void draw_y_axis(const struct page *page, struct svg *svg)
+static void draw_y_axis(const struct tally_plot_page *page, struct svg *svg)
 {
     for (size_t i = 0; i < page->y.count; i++) {
-        const double y = y_at(page, page->y.value[i]);
+        const double y = tally_plot_y_at(page, page->y.value[i]);
         const struct svg_label number = {
             .x = LEFT - 9, .y = y + 4, .size = NUMBER_SIZE, .anchor = SVG_END};
         svg_group_begin(svg, &(struct svg_style){.stroke = "#d4d4d4", .width = 0.8});
@@ -73,14 +74,14 @@ static void draw_y_axis(const struct page *page, struct svg *svg)
     }
 }
 
-static void draw_x_axis(const struct page *page, struct svg *svg)
+static void draw_x_axis(const struct tally_plot_page *page, struct svg *svg)
 {
     svg_group_begin(svg, &(struct svg_style){.stroke = "#333"});
     svg_line(svg, LEFT, page->bottom, WIDTH - RIGHT, page->bottom);
     svg_line(svg, LEFT, TOP, LEFT, page->bottom);
     svg_group_end(svg);
     for (size_t i = 0; i < page->x.count; i++) {
-        const double value = page->x.value[i], x = x_at(page, value);
+        const double value = page->x.value[i], x = tally_plot_x_at(page, value);
         if (value < page->low || value > page->high) {
             continue;
         }
@@ -98,13 +99,14 @@ static bool fails(const struct tally_plot *plot, double value)
     return plot->fails_above ? value > plot->limit : value < plot->limit;
 }
 
-static void draw_bars(const struct tally_plot *plot, const struct page *page, struct svg *svg)
+static void draw_bars(const struct tally_plot *plot, const struct tally_plot_page *page,
+                      struct svg *svg)
 {
     const double part = (plot->high - plot->low) / (double)plot->count;
     for (size_t i = 0; i < plot->count; i++) {
         const double from = plot->low + part * (double)i;
-        const double left = x_at(page, from), right = x_at(page, from + part);
-        const double y = y_at(page, plot->values[i]);
+        const double left = tally_plot_x_at(page, from), right = tally_plot_x_at(page, from + part);
+        const double y = tally_plot_y_at(page, plot->values[i]);
         const size_t colour = fails(plot, from + part / 2) ? FAILS : PASSES;
         svg_group_begin(svg, &(struct svg_style){.fill = palette_colour(colour), .opacity = 0.8});
         svg_rect(svg, left, y, (right - left) * 0.94, page->bottom - y);
@@ -112,14 +114,15 @@ static void draw_bars(const struct tally_plot *plot, const struct page *page, st
     }
 }
 
-static void draw_curve(const struct tally_plot *plot, const struct page *page, struct svg *svg)
+static void draw_curve(const struct tally_plot *plot, const struct tally_plot_page *page,
+                       struct svg *svg)
 {
     const size_t count = plot->count + 1;
     double *x = ARENA_ARRAY(svg->arena, count, double), *y = ARENA_ARRAY(svg->arena, count, double);
     const double part = (plot->high - plot->low) / (double)plot->count;
     for (size_t i = 0; i < count; i++) {
-        x[i] = x_at(page, plot->low + part * (double)i);
-        y[i] = y_at(page, plot->values[i]);
+        x[i] = tally_plot_x_at(page, plot->low + part * (double)i);
+        y[i] = tally_plot_y_at(page, plot->values[i]);
     }
     svg_group_begin(svg, &(struct svg_style){.stroke = palette_colour(PASSES), .width = 2});
     svg_polyline(svg, x, y, count);
@@ -129,22 +132,23 @@ static void draw_curve(const struct tally_plot *plot, const struct page *page, s
 enum { WORDS = 160 }; /* room of the words beside a mark */
 
 /* Do the words stand left of the line? Away from the other one, where there is room. */
-static bool turns_left(double x, double other)
+static bool tally_plot_turns_left(double x, double other)
 {
     const bool wants = isnan(other) ? x > (LEFT + WIDTH - RIGHT) / 2 : x < other;
     return wants ? x > LEFT + WORDS : x > WIDTH - RIGHT - WORDS;
 }
 
 /* A line from top to bottom; the words of the two stand in lines of their own. */
-static void draw_mark(const struct tally_plot *plot, int which, const struct page *page,
-                      struct svg *svg)
+static void tally_plot_draw_mark(const struct tally_plot *plot, int which,
+                                 const struct tally_plot_page *page, struct svg *svg)
 {
     const double value = which == 0 ? plot->nominal : plot->limit;
-    const double x = x_at(page, value), base = TOP - 22 + 16 * which;
+    const double x = tally_plot_x_at(page, value), base = TOP - 22 + 16 * which;
     if (isnan(value)) {
         return;
     }
-    const bool turns = turns_left(x, x_at(page, which == 0 ? plot->limit : plot->nominal));
+    const bool turns =
+        tally_plot_turns_left(x, tally_plot_x_at(page, which == 0 ? plot->limit : plot->nominal));
     const struct svg_style style = {.stroke = which == 0 ? "#000" : palette_colour(FAILS),
                                     .width = 1.6,
                                     .dash = which == 0 ? NULL : "6 4"};
@@ -158,7 +162,8 @@ static void draw_mark(const struct tally_plot *plot, int which, const struct pag
     svg_text(svg, &words, plot->marks[which] != NULL ? plot->marks[which] : "");
 }
 
-static void draw_words(const struct tally_plot *plot, const struct page *page, struct svg *svg)
+static void tally_plot_draw_words(const struct tally_plot *plot, const struct tally_plot_page *page,
+                                  struct svg *svg)
 {
     const struct svg_label labels[] = {
         {.x = 20, .y = 30, .size = TITLE_SIZE, .width = WIDTH - 32, .bold = true},
@@ -181,8 +186,8 @@ static void draw_words(const struct tally_plot *plot, const struct page *page, s
 
 bool tally_plot_draw(const struct tally_plot *plot, struct svg *svg, struct error *error)
 {
-    struct page page;
-    if (!find_range(plot, &page, error)) {
+    struct tally_plot_page page;
+    if (!tally_plot_find_range(plot, &page, error)) {
         return false;
     }
     svg_begin(svg, WIDTH, HEIGHT, plot->title);
@@ -190,9 +195,9 @@ bool tally_plot_draw(const struct tally_plot *plot, struct svg *svg, struct erro
     (plot->is_curve ? draw_curve : draw_bars)(plot, &page, svg);
     draw_x_axis(&page, svg);
     for (int which = 0; which < 2; which++) {
-        draw_mark(plot, which, &page, svg);
+        tally_plot_draw_mark(plot, which, &page, svg);
     }
-    draw_words(plot, &page, svg);
+    tally_plot_draw_words(plot, &page, svg);
     svg_end(svg);
     return true;
 }

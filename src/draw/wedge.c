@@ -167,7 +167,7 @@ static void draw_meetings(struct svg *svg, const struct view *view, const struct
 /* -------- frame, scales, legend -------- */
 
 /* Ticks in metres along one side of the frame. */
-static void draw_scale(struct svg *svg, const struct view *view, bool along)
+static void wedge_draw_scale(struct svg *svg, const struct view *view, bool along)
 {
     struct ticks ticks;
     double low = along ? 0 : (view->y0 - view->bottom) / view->scale;
@@ -192,13 +192,13 @@ static void draw_scale(struct svg *svg, const struct view *view, bool along)
     svg_group_end(svg);
 }
 
-static void draw_frame(struct svg *svg, const struct view *view)
+static void wedge_draw_frame(struct svg *svg, const struct view *view)
 {
     svg_group_begin(svg, &(struct svg_style){.stroke = "#555"});
     svg_rect(svg, view->left, view->top, view->right - view->left, view->bottom - view->top);
     svg_group_end(svg);
-    draw_scale(svg, view, true);
-    draw_scale(svg, view, false);
+    wedge_draw_scale(svg, view, true);
+    wedge_draw_scale(svg, view, false);
     struct svg_label label = {.x = (view->x0 + view->right) / 2,
                               .y = view->bottom + 44,
                               .size = 13,
@@ -212,7 +212,8 @@ static void draw_frame(struct svg *svg, const struct view *view)
 }
 
 /* One line of the legend: how it is drawn, and what it is. */
-static void explain(struct svg *svg, double y, const struct svg_style *style, const char *words)
+static void wedge_explain(struct svg *svg, double y, const struct svg_style *style,
+                          const char *words)
 {
     svg_group_begin(svg, style);
     if (style->fill != NULL) {
@@ -242,7 +243,7 @@ static const char *angle_words(struct arena *arena, const char *name, double A, 
     return arena_printf(arena, "%s, %s to sensor", name, wedge_degrees(arena, atan2(B, A)));
 }
 
-static void draw_legend(struct svg *svg, const struct wedge *wedge)
+static void wedge_draw_legend(struct svg *svg, const struct wedge *wedge)
 {
     struct arena *arena = svg->arena;
     double B = wedge->B;
@@ -264,11 +265,11 @@ static void draw_legend(struct svg *svg, const struct wedge *wedge)
                       metres(arena, wedge_ahead(wedge, wedge->A_far)))},
     };
     for (size_t i = 0; i < sizeof entries / sizeof entries[0]; i++) {
-        explain(svg, LEGEND + 24 * (double)i, &entries[i].style, entries[i].words);
+        wedge_explain(svg, LEGEND + 24 * (double)i, &entries[i].style, entries[i].words);
     }
 }
 
-static void draw_words(struct svg *svg, const struct wedge *wedge)
+static void wedge_draw_words(struct svg *svg, const struct wedge *wedge)
 {
     double width = WEDGE_WIDTH - 2 * MARGIN;
     svg_text(svg,
@@ -317,7 +318,7 @@ bool wedge_draw(const struct wedge *wedge, struct svg *svg, struct error *error)
         .left = MARGIN, .right = CAMERA_RIGHT, .top = CAMERA_TOP, .bottom = CAMERA_BOTTOM};
     view_choose(&view, wedge, NAMES);
     svg_begin(svg, WEDGE_WIDTH, WEDGE_HEIGHT, wedge->title);
-    draw_words(svg, wedge);
+    wedge_draw_words(svg, wedge);
     wedge_draw_close_view(svg, &camera, wedge);
     svg_clip_begin(svg, view.left, view.top, view.right - view.left, view.bottom - view.top);
     draw_sharpness(svg, &view, wedge);
@@ -326,8 +327,8 @@ bool wedge_draw(const struct wedge *wedge, struct svg *svg, struct error *error)
     wedge_draw_camera(svg, &view, wedge);
     svg_group_end(svg);
     draw_meetings(svg, &view, wedge);
-    draw_frame(svg, &view);
-    draw_legend(svg, wedge);
+    wedge_draw_frame(svg, &view);
+    wedge_draw_legend(svg, wedge);
     svg_end(svg);
     return true;
 }

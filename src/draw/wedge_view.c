@@ -75,7 +75,7 @@ void view_choose(struct view *view, const struct wedge *wedge, double names_px)
 }
 
 /* Keep the part of a convex area where a u + b y >= c. */
-static struct area cut(const struct area *area, double a, double b, double c)
+static struct area wedge_view_cut(const struct area *area, double a, double b, double c)
 {
     struct area kept = {.count = 0};
     for (size_t i = 0; i < area->count; i++) {
@@ -107,12 +107,13 @@ static struct area scene(const struct view *view)
 struct area view_sharp(const struct view *view, const struct wedge *wedge)
 {
     struct area area = scene(view);
-    area = cut(&area, wedge->A_near, -wedge->B, wedge->f);
-    return cut(&area, -wedge->A_far, wedge->B, -wedge->f);
+    area = wedge_view_cut(&area, wedge->A_near, -wedge->B, wedge->f);
+    return wedge_view_cut(&area, -wedge->A_far, wedge->B, -wedge->f);
 }
 
 /* Narrow from..to to where low <= start + t step <= high. */
-static void narrow(double start, double step, double low, double high, double *from, double *to)
+static void wedge_view_narrow(double start, double step, double low, double high, double *from,
+                              double *to)
 {
     if (fabs(step) > 0) {
         double a = (low - start) / step, b = (high - start) / step;
@@ -129,8 +130,8 @@ struct stretch view_plane(const struct view *view, const struct wedge *wedge, do
     double B = wedge->B, square = A * A + B * B;
     double u = wedge->f * A / square, y = -wedge->f * B / square; /* nearest to the lens */
     double from = -(double)INFINITY, to = (double)INFINITY;
-    narrow(u, B, all.u[0], all.u[1], &from, &to);
-    narrow(y, A, all.y[0], all.y[2], &from, &to);
+    wedge_view_narrow(u, B, all.u[0], all.u[1], &from, &to);
+    wedge_view_narrow(y, A, all.y[0], all.y[2], &from, &to);
     struct stretch part = {{u + from * B, u + to * B}, {y + from * A, y + to * A}, from < to};
     if (part.u[0] > part.u[1]) {
         part = (struct stretch){{part.u[1], part.u[0]}, {part.y[1], part.y[0]}, part.shown};

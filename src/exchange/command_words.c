@@ -14,18 +14,18 @@ void commands_open(struct commands *commands, struct foreign_job *job, struct te
     *commands = (struct commands){.job = job, .grammar = grammar, .rest = content, .scale = {1, 0}};
 }
 
-static bool is_blank(char c)
+static bool command_words_is_blank(char c)
 {
     return c == ' ' || c == '\t' || c == '\r' || c == '\f';
 }
 
-static bool is_quote(const struct commands *commands, char c)
+static bool command_words_is_quote(const struct commands *commands, char c)
 {
     return c != '\0' && strchr(commands->grammar->quotes, c) != NULL;
 }
 
 /* The line up to its comment; what looks like one inside of quotes is none. */
-static struct text without_comment(const struct commands *commands, struct text line)
+static struct text command_words_without_comment(const struct commands *commands, struct text line)
 {
     const char *comment = commands->grammar->comment;
     size_t length = strlen(comment);
@@ -36,21 +36,21 @@ static struct text without_comment(const struct commands *commands, struct text 
             closing = c == closing ? '\0' : closing;
         } else if (line.length - i >= length && memcmp(line.start + i, comment, length) == 0) {
             line.length = i;
-        } else if (is_quote(commands, c)) {
+        } else if (command_words_is_quote(commands, c)) {
             closing = c;
         }
     }
-    while (line.length > 0 && is_blank(line.start[line.length - 1])) {
+    while (line.length > 0 && command_words_is_blank(line.start[line.length - 1])) {
         line.length--;
     }
     return line;
 }
 
 /* Go to the next line that has something; false at the end of the file. */
-static bool next_line(struct commands *commands)
+static bool command_words_next_line(struct commands *commands)
 {
     while (commands->rest.start != NULL && commands->rest.length > 0) {
-        commands->line = without_comment(commands, text_cut(&commands->rest, '\n'));
+        commands->line = command_words_without_comment(commands, text_cut(&commands->rest, '\n'));
         commands->at = commands->line.start;
         commands->number++;
         if (commands->line.length > 0) {
@@ -62,8 +62,8 @@ static bool next_line(struct commands *commands)
     return false;
 }
 
-static bool add_word(struct commands *commands, struct text text, bool is_quoted,
-                     struct error *error)
+static bool command_words_add_word(struct commands *commands, struct text text, bool is_quoted,
+                                   struct error *error)
 {
     commands->words = arena_grow(commands->job->arena, commands->words, commands->count,
                                  &commands->room, sizeof commands->words[0]);
@@ -87,33 +87,34 @@ static bool read_quoted(struct commands *commands, const char *end, struct error
         return commands_fail(commands, &word, error, "the text does not end with %c", *start);
     }
     /* CODE V writes names that have quotes of their own as ""name"" */
-    if (close == start + 1 && end - close > 1 && !is_blank(close[1]) &&
+    if (close == start + 1 && end - close > 1 && !command_words_is_blank(close[1]) &&
         close[1] != commands->grammar->separator) {
         const char *inner = memchr(close + 1, *start, (size_t)(end - close - 1));
         if (inner != NULL && end - inner > 1 && inner[1] == *start) {
             commands->at = inner + 2;
-            return add_word(commands, text_between(close + 1, inner), true, error);
+            return command_words_add_word(commands, text_between(close + 1, inner), true, error);
         }
     }
     commands->at = close + 1;
-    return add_word(commands, text_between(start + 1, close), true, error);
+    return command_words_add_word(commands, text_between(start + 1, close), true, error);
 }
 
 /* A word goes up to a blank or a separator outside of quotes: S'front' is one word. */
-static bool read_word(struct commands *commands, const char *end, struct error *error)
+static bool command_words_read_word(struct commands *commands, const char *end, struct error *error)
 {
     const char *start = commands->at, *at = start;
     char closing = '\0';
-    for (; at < end && (closing != '\0' || (!is_blank(*at) && *at != commands->grammar->separator));
+    for (; at < end && (closing != '\0' ||
+                        (!command_words_is_blank(*at) && *at != commands->grammar->separator));
          at++) {
         if (closing != '\0') {
             closing = *at == closing ? '\0' : closing;
-        } else if (is_quote(commands, *at)) {
+        } else if (command_words_is_quote(commands, *at)) {
             closing = *at;
         }
     }
     commands->at = at;
-    return add_word(commands, text_between(start, at), false, error);
+    return command_words_add_word(commands, text_between(start, at), false, error);
 }
 
 /* The mark of continuation may touch the last word of its line. */
@@ -136,13 +137,13 @@ bool commands_next(struct commands *commands, struct error *error)
         const char *end =
             commands->at != NULL ? commands->line.start + commands->line.length : NULL;
         if (commands->at == NULL || commands->at >= end) {
-            if ((commands->count > 0 && !commands->goes_on) || !next_line(commands)) {
+            if ((commands->count > 0 && !commands->goes_on) || !command_words_next_line(commands)) {
                 return commands->count > 0;
             }
             commands->goes_on = cut_continuation(commands);
             continue;
         }
-        if (is_blank(*commands->at)) {
+        if (command_words_is_blank(*commands->at)) {
             commands->at++;
             continue;
         }
@@ -153,8 +154,9 @@ bool commands_next(struct commands *commands, struct error *error)
             }
             continue;
         }
-        bool read = is_quote(commands, *commands->at) ? read_quoted(commands, end, error)
-                                                      : read_word(commands, end, error);
+        bool read = command_words_is_quote(commands, *commands->at)
+                        ? read_quoted(commands, end, error)
+                        : command_words_read_word(commands, end, error);
         if (!read) {
             return false;
         }

@@ -163,7 +163,7 @@ struct same_losses {
     size_t count;
 };
 
-static int by_first(const void *a, const void *b)
+static int foreign_by_first(const void *a, const void *b)
 {
     const struct same_losses *left = a, *right = b;
     if (left->first[0]->effect != right->first[0]->effect) {
@@ -187,7 +187,7 @@ static struct same_losses *same_losses(const struct foreign_job *job, size_t *co
             all[(*count)++] = (struct same_losses){&losses[i], 1};
         }
     }
-    qsort(all, *count, sizeof all[0], by_first);
+    qsort(all, *count, sizeof all[0], foreign_by_first);
     return all;
 }
 
@@ -197,7 +197,7 @@ static const char *const changes[LOSS_EFFECTS] = {[LOSS_OF_LENS] = "all",
                                                   [LOSS_OF_NOTHING] = "nothing"};
 
 /* "12,15,18": the lines of a loss but for the first `after`, with a character before them. */
-static void put_lines(struct growing *list, const struct same_losses *same, size_t after,
+static void put_lines(struct text_buffer *list, const struct same_losses *same, size_t after,
                       const char *before)
 {
     for (size_t k = after; k < same->count && same->first[k]->line > 0; k++) {
@@ -209,7 +209,7 @@ static void put_lines(struct growing *list, const struct same_losses *same, size
 static const char *list_of(const struct foreign_job *job, const struct same_losses *all,
                            size_t count, size_t after)
 {
-    struct growing list = {.arena = job->arena};
+    struct text_buffer list = {.arena = job->arena};
     enum loss_effect head = LOSS_EFFECTS;
     for (size_t i = 0; i < count; i++, after = 0) {
         if (all[i].count == after) {
@@ -228,7 +228,7 @@ static const char *list_of(const struct foreign_job *job, const struct same_loss
     return list.length > 0 ? arena_string(job->arena, list.data, list.length) : NULL;
 }
 
-void foreign_summary(const struct foreign_job *job, struct growing *line)
+void foreign_summary(const struct foreign_job *job, struct text_buffer *line)
 {
     size_t count = 0;
     const struct same_losses *all = job->loss_count > 0 ? same_losses(job, &count) : NULL;
@@ -308,7 +308,7 @@ bool foreign_lack(struct foreign_job *job, const struct file_words *words, struc
     return foreign_loss(job, words, word, &unused, "%s" LOSS_IS_FATAL, message);
 }
 
-void foreign_losses(const struct foreign_job *job, struct growing *list)
+void foreign_losses(const struct foreign_job *job, struct text_buffer *list)
 {
     const struct foreign_loss **losses = sorted(job, by_line);
     for (size_t i = 0; i < job->loss_count; i++) {
@@ -335,7 +335,7 @@ static struct text without_blanks(struct arena *arena, const char *name)
 }
 
 /* Without what a .lens file refuses: blanks, delete and the control characters of C0 and C1. */
-static bool is_plain(struct text name)
+static bool foreign_is_plain(struct text name)
 {
     unsigned char before = 0;
     for (size_t i = 0; i < name.length; i++) {
@@ -353,7 +353,7 @@ static bool is_glass_word(struct text name)
 {
     char c = name.length > 0 ? name.start[0] : '\0';
     bool letter = (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_';
-    return letter && is_plain(name) && memchr(name.start, '#', name.length) == NULL &&
+    return letter && foreign_is_plain(name) && memchr(name.start, '#', name.length) == NULL &&
            memchr(name.start, '{', name.length) == NULL &&
            memchr(name.start, '"', name.length) == NULL && !text_equal(name, "air") &&
            !text_equal(name, "mirror");
@@ -362,38 +362,38 @@ static bool is_glass_word(struct text name)
 typedef bool find_function(void *context, struct medium *medium, struct error *error);
 
 /* Is it within these distances of what the file says? */
-static bool is_near(struct glass_abbe abbe, const struct foreign_name *named, double most_nd,
-                    double most_Vd)
+static bool foreign_is_near(struct glass_abbe abbe, const struct foreign_name *named,
+                            double most_nd, double most_Vd)
 {
     return fabs(abbe.nd - named->nd) <= most_nd &&
            (!(named->Vd > 0) || !(fabs(abbe.Vd - named->Vd) > most_Vd));
 }
 
 /* Of a glass that is for the d line, where the file has figures of it. */
-static bool is_within(const struct medium *medium, const struct foreign_name *named, double most_nd,
-                      double most_Vd)
+static bool foreign_is_within(const struct medium *medium, const struct foreign_name *named,
+                              double most_nd, double most_Vd)
 {
     const struct glass *glass = lens_glass_of(medium);
     if (glass == NULL || !(named->nd > 1) || WAVELENGTH_D < glass->shortest ||
         WAVELENGTH_D > glass->longest) {
         return true;
     }
-    return is_near(glass_abbe(glass), named, most_nd, most_Vd) ||
-           is_near(lens_glass_printed(medium), named, most_nd, most_Vd);
+    return foreign_is_near(glass_abbe(glass), named, most_nd, most_Vd) ||
+           foreign_is_near(lens_glass_printed(medium), named, most_nd, most_Vd);
 }
 
 /* Within 6e-5 and 0.1 % of what the formula gives or the catalogue prints. */
 static bool glass_agrees(const struct medium *medium, const struct foreign_name *named)
 {
-    return is_within(medium, named, fmax(6e-5, named->nd_rounding),
-                     fmax(1e-3 * fabs(named->Vd), named->Vd_rounding));
+    return foreign_is_within(medium, named, fmax(6e-5, named->nd_rounding),
+                             fmax(1e-3 * fabs(named->Vd), named->Vd_rounding));
 }
 
 bool foreign_is_rounded(const struct medium *medium, const struct foreign_name *named)
 {
     const double printed_nd = 5.5e-6, printed_Vd = 5.5e-3; /* half of the last digit */
-    return is_within(medium, named, named->nd_rounding + printed_nd,
-                     named->Vd_rounding + printed_Vd);
+    return foreign_is_within(medium, named, named->nd_rounding + printed_nd,
+                             named->Vd_rounding + printed_Vd);
 }
 
 char *foreign_difference(const struct foreign_job *job, const struct foreign_name *named,
@@ -439,8 +439,8 @@ static void warn_of_homonym(const struct glass_search *search)
 }
 
 /* Ask the source for one name; true if it knows it, and it is the one that the file describes. */
-static bool ask(struct glass_search *search, find_function *find, const char *written,
-                struct error *error)
+static bool foreign_ask(struct glass_search *search, find_function *find, const char *written,
+                        struct error *error)
 {
     const struct foreign_job *job = search->job;
     const struct foreign_name *named = search->named;
@@ -486,7 +486,7 @@ static bool ask_catalog(struct glass_search *search, struct text catalog, struct
     find_function *const finds[] = {named->has_homonyms ? job->glasses->find_homonym : NULL,
                                     job->glasses->find_foreign};
     for (size_t i = 0; i < sizeof finds / sizeof finds[0]; i++) {
-        if (finds[i] != NULL && ask(search, finds[i], written, error)) {
+        if (finds[i] != NULL && foreign_ask(search, finds[i], written, error)) {
             return true;
         }
         if (finds[i] != NULL && is_damage(error)) {
@@ -520,8 +520,8 @@ static bool ask_editions(struct glass_search *search, struct text catalog, struc
 static bool ask_all(struct glass_search *search, struct error *error)
 {
     const struct text name = search->named->name;
-    return ask(search, search->job->glasses->find_foreign,
-               arena_string(search->job->arena, name.start, name.length), error);
+    return foreign_ask(search, search->job->glasses->find_foreign,
+                       arena_string(search->job->arena, name.start, name.length), error);
 }
 
 bool foreign_glass(struct foreign_job *job, const struct file_words *words,

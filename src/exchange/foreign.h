@@ -157,10 +157,10 @@ bool foreign_settle(const struct foreign_job *job, bool done, struct error *erro
  * List the losses as "FILE:LINE: lost: WHAT", one a line, in the order of the file; those of
  * writing come last.
  */
-void foreign_losses(const struct foreign_job *job, struct growing *list);
+void foreign_losses(const struct foreign_job *job, struct text_buffer *list);
 
 /* The same in one line: "rays: 16: WHAT; vignetting: 12,20: WHAT", those that change most first. */
-void foreign_summary(const struct foreign_job *job, struct growing *line);
+void foreign_summary(const struct foreign_job *job, struct text_buffer *line);
 
 /*
  * Record that neither a catalogue nor the file has a glass: the lens is refused, when all is read.

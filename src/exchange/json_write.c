@@ -6,7 +6,7 @@
 
 #include <math.h>
 
-void json_put_text(struct growing *to, struct text text)
+void json_put_text(struct text_buffer *to, struct text text)
 {
     growing_string(to, "\"");
     for (size_t i = 0; i < text.length;) {
@@ -26,7 +26,7 @@ void json_put_text(struct growing *to, struct text text)
     growing_string(to, "\"");
 }
 
-void json_put_string(struct growing *to, const char *string)
+void json_put_string(struct text_buffer *to, const char *string)
 {
     if (string == NULL) {
         growing_string(to, "null");
@@ -35,7 +35,7 @@ void json_put_string(struct growing *to, const char *string)
     }
 }
 
-void json_put_number(struct growing *to, double value)
+void json_put_number(struct text_buffer *to, double value)
 {
     if (isfinite(value)) {
         char text[NUMBER_LENGTH];
@@ -46,7 +46,7 @@ void json_put_number(struct growing *to, double value)
 }
 
 /* All digits that a pair has: what is read again has the same bits. */
-void json_put_pair(struct growing *to, struct pair value)
+void json_put_pair(struct text_buffer *to, struct pair value)
 {
     char text[PAIR_LENGTH];
     if (!isfinite(value.hi)) {

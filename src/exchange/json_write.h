@@ -6,11 +6,11 @@
 #include "optics/growing.h"
 
 /* In quotes, escaped; what is no UTF-8 becomes the replacement character. A null one is null. */
-void json_put_text(struct growing *to, struct text text);
-void json_put_string(struct growing *to, const char *string);
+void json_put_text(struct text_buffer *to, struct text text);
+void json_put_string(struct text_buffer *to, const char *string);
 
 /* With the shortest digits that read back to the same bits; null where it is not finite. */
-void json_put_number(struct growing *to, double value);
-void json_put_pair(struct growing *to, struct pair value);
+void json_put_number(struct text_buffer *to, double value);
+void json_put_pair(struct text_buffer *to, struct pair value);
 
 #endif

@@ -15,13 +15,13 @@ static const char *const names[KEEP_NOTES] = {
     [KEEP_NOTE_STATED + STATED_TSTOP] = "stated tstop ",
 };
 
-static struct number_scale scale_of(int stated, struct number_scale unit)
+static struct number_scale keep_notes_scale_of(int stated, struct number_scale unit)
 {
     return stated_is_length(stated) ? unit : NUMBER_UNSCALED;
 }
 
-static void put_line(struct growing *out, const char *begin, enum keep_note note, const char *text,
-                     const char *end)
+static void keep_notes_put_line(struct text_buffer *out, const char *begin, enum keep_note note,
+                                const char *text, const char *end)
 {
     if (text != NULL) {
         growing_string(out, begin);
@@ -31,16 +31,16 @@ static void put_line(struct growing *out, const char *begin, enum keep_note note
     }
 }
 
-void keep_notes_write(struct growing *out, const struct lens *lens, struct number_scale unit,
+void keep_notes_write(struct text_buffer *out, const struct lens *lens, struct number_scale unit,
                       const char *begin, const char *end)
 {
-    put_line(out, begin, KEEP_NOTE_SOURCE, lens->source, end);
-    put_line(out, begin, KEEP_NOTE_KIND, lens->kind, end);
+    keep_notes_put_line(out, begin, KEEP_NOTE_SOURCE, lens->source, end);
+    keep_notes_put_line(out, begin, KEEP_NOTE_KIND, lens->kind, end);
     for (int i = 0; i < STATED_COUNT; i++) {
         for (size_t k = 0; k < lens->stated_count[i]; k++) {
             growing_string(out, k == 0 ? begin : " ");
             growing_string(out, k == 0 ? names[KEEP_NOTE_STATED + i] : "");
-            growing_figure(out, &lens->stated[i][k], scale_of(i, unit));
+            growing_figure(out, &lens->stated[i][k], keep_notes_scale_of(i, unit));
         }
         growing_string(out, lens->stated_count[i] > 0 ? end : "");
     }
@@ -61,7 +61,7 @@ bool keep_notes_take(struct keep_notes *notes, struct text text)
 static void set_stated(struct text rest, struct lens_build *build, int what)
 {
     struct lens *lens = build->lens;
-    struct number_scale unit = scale_of(what, lens_unit_scale(lens->unit));
+    struct number_scale unit = keep_notes_scale_of(what, lens_unit_scale(lens->unit));
     size_t most = lens->position_count > 0 ? lens->position_count : 1, count = 0;
     struct figure *figures = ARENA_ARRAY(build->arena, most, struct figure);
     while (rest.start != NULL && rest.length > 0 && count < most) {

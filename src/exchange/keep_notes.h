@@ -29,7 +29,7 @@ struct keep_notes {
  * Given     begin, end  of a line: "NOTE 0 lenscalc ", "\r\n"
  *           unit        of the file's lengths
  */
-void keep_notes_write(struct growing *out, const struct lens *lens, struct number_scale unit,
+void keep_notes_write(struct text_buffer *out, const struct lens *lens, struct number_scale unit,
                       const char *begin, const char *end);
 
 /* Is the text behind such a beginning a note of these? Then it is kept. */

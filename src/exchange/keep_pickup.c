@@ -7,8 +7,8 @@
 #include <math.h>
 
 /* Does the lens have what the pick-up gives? */
-static bool is_followed(const struct lens *lens, const struct lens_pickup *pickup,
-                        struct arena *arena)
+static bool keep_pickup_is_followed(const struct lens *lens, const struct lens_pickup *pickup,
+                                    struct arena *arena)
 {
     const struct parameter what = pickup->what;
     struct lens_pickup alone = *pickup;
@@ -48,7 +48,7 @@ void keep_pickup(struct lens *lens, struct parameter what, struct parameter from
     }
     if (there && parameter_suits(what.kind, &lens->surfaces[what.surface]) &&
         parameter_suits(from.kind, &lens->surfaces[from.surface])) {
-        there = is_followed(lens, &pickup, arena);
+        there = keep_pickup_is_followed(lens, &pickup, arena);
         arena_reset(arena, mark);
         if (there) {
             lens_pickup_add(lens, pickup, arena);

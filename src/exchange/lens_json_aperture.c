@@ -6,7 +6,7 @@
 #include <string.h>
 
 /* Two lengths, as x and y. */
-static bool read_two(struct json_reading *reading, const struct json_value *value,
+static bool read_two(struct json_reader *reading, const struct json_value *value,
                      struct figure pair[2], struct error *error)
 {
     struct figure *figures = NULL;
@@ -23,8 +23,9 @@ static bool read_two(struct json_reading *reading, const struct json_value *valu
     return true;
 }
 
-static bool read_sizes(struct json_reading *reading, const struct json_value *object,
-                       struct aperture *aperture, struct error *error)
+static bool lens_json_aperture_read_sizes(struct json_reader *reading,
+                                          const struct json_value *object,
+                                          struct aperture *aperture, struct error *error)
 {
     const struct json_value *sizes = json_item(object, "size_mm");
     struct figure *figures = NULL;
@@ -42,8 +43,9 @@ static bool read_sizes(struct json_reading *reading, const struct json_value *ob
     return true;
 }
 
-static bool read_points(struct json_reading *reading, const struct json_value *value,
-                        struct aperture *aperture, struct error *error)
+static bool lens_json_aperture_read_points(struct json_reader *reading,
+                                           const struct json_value *value,
+                                           struct aperture *aperture, struct error *error)
 {
     if (json_is_null(value)) {
         return true;
@@ -61,8 +63,9 @@ static bool read_points(struct json_reading *reading, const struct json_value *v
     return true;
 }
 
-static bool read_arms(struct json_reading *reading, const struct json_value *value,
-                      struct aperture *aperture, struct error *error)
+static bool lens_json_aperture_read_arms(struct json_reader *reading,
+                                         const struct json_value *value, struct aperture *aperture,
+                                         struct error *error)
 {
     struct figure figure;
     if (json_is_null(value)) {
@@ -77,8 +80,9 @@ static bool read_arms(struct json_reading *reading, const struct json_value *val
            json_wrong(reading, value, error, "a spider has 1 to %d arms", APERTURE_MOST_ARMS);
 }
 
-static bool read_shape(struct json_reading *reading, const struct json_value *object,
-                       struct aperture *aperture, struct error *error)
+static bool lens_json_aperture_read_shape(struct json_reader *reading,
+                                          const struct json_value *object,
+                                          struct aperture *aperture, struct error *error)
 {
     const char *words[APERTURE_SHAPES];
     const struct json_value *shape = json_item(object, "shape"),
@@ -99,8 +103,9 @@ static bool read_shape(struct json_reading *reading, const struct json_value *ob
     return true;
 }
 
-static bool read_aperture(struct json_reading *reading, const struct json_value *object,
-                          struct aperture *aperture, struct error *error)
+static bool lens_json_aperture_read_aperture(struct json_reader *reading,
+                                             const struct json_value *object,
+                                             struct aperture *aperture, struct error *error)
 {
     static const char *const keys[] = {"shape",     "blocks",      "size_mm",  "arms",
                                        "points_mm", "decenter_mm", "turn_deg", NULL};
@@ -110,10 +115,10 @@ static bool read_aperture(struct json_reading *reading, const struct json_value 
         return json_wrong(reading, object, error, "an aperture is an object");
     }
     if (!json_check_keys(reading, object, keys, error) ||
-        !read_shape(reading, object, aperture, error) ||
-        !read_sizes(reading, object, aperture, error) ||
-        !read_arms(reading, json_item(object, "arms"), aperture, error) ||
-        !read_points(reading, json_item(object, "points_mm"), aperture, error) ||
+        !lens_json_aperture_read_shape(reading, object, aperture, error) ||
+        !lens_json_aperture_read_sizes(reading, object, aperture, error) ||
+        !lens_json_aperture_read_arms(reading, json_item(object, "arms"), aperture, error) ||
+        !lens_json_aperture_read_points(reading, json_item(object, "points_mm"), aperture, error) ||
         !read_two(reading, json_item(object, "decenter_mm"), aperture->decenter, error) ||
         (!json_is_null(turn) &&
          !json_read_figure(reading, turn, JSON_ANGLE, &aperture->turn, error))) {
@@ -123,7 +128,7 @@ static bool read_aperture(struct json_reading *reading, const struct json_value 
            json_wrong(reading, object, error, "%s", wrong.message);
 }
 
-bool json_read_apertures(struct json_reading *reading, const struct json_value *value,
+bool json_read_apertures(struct json_reader *reading, const struct json_value *value,
                          struct surface *surface, struct error *error)
 {
     if (json_is_null(value)) {
@@ -135,7 +140,8 @@ bool json_read_apertures(struct json_reading *reading, const struct json_value *
     struct aperture *all = ARENA_ARRAY(reading->job->arena, value->count, struct aperture);
     surface->apertures = all;
     for (const struct json_value *item = value->first; item != NULL; item = item->next) {
-        if (!read_aperture(reading, item, &all[surface->aperture_count++], error)) {
+        if (!lens_json_aperture_read_aperture(reading, item, &all[surface->aperture_count++],
+                                              error)) {
             return false;
         }
     }

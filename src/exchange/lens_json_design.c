@@ -12,38 +12,39 @@
 #include <string.h>
 
 /* One more line of a list. */
-static void put_line(struct growing *text, const char *key, size_t i, struct text line)
+static void lens_json_design_put_line(struct text_buffer *text, const char *key, size_t i,
+                                      struct text line)
 {
     growing_string(text, i == 0 ? key : ",");
     json_put_text(text, line);
 }
 
-void json_put_design(struct growing *text, const struct lens *lens, struct arena *arena)
+void json_put_design(struct text_buffer *text, const struct lens *lens, struct arena *arena)
 {
     const struct lens *in_mm = lens_in_unit(lens, "mm", arena);
     for (size_t i = 0; i < lens->pickup_count; i++) {
-        struct growing line = {.arena = arena};
+        struct text_buffer line = {.arena = arena};
         lens_pickup_write(&in_mm->pickups[i], "mm", &line);
-        put_line(text, ",\"pickups\":[", i, growing_done(&line));
+        lens_json_design_put_line(text, ",\"pickups\":[", i, growing_done(&line));
     }
     growing_string(text, lens->pickup_count > 0 ? "]" : "");
     for (size_t i = 0; i < lens->goal_count; i++) {
-        put_line(text, ",\"goals\":[", i, lens->goals[i].text);
+        lens_json_design_put_line(text, ",\"goals\":[", i, lens->goals[i].text);
     }
     growing_string(text, lens->goal_count > 0 ? "]" : "");
     for (size_t i = 0; i < lens->tolerance_count; i++) {
-        struct growing line = {.arena = arena};
+        struct text_buffer line = {.arena = arena};
         lens_tolerance_write(&in_mm->tolerances[i], "mm", &line);
-        put_line(text, ",\"tolerances\":[", i, growing_done(&line));
+        lens_json_design_put_line(text, ",\"tolerances\":[", i, growing_done(&line));
     }
     growing_string(text, lens->tolerance_count > 0 ? "]" : "");
 }
 
 /* Texts as the lines of a .lens file in mm have them. */
-static bool read_lines(struct json_reading *reading, const struct json_value *value,
-                       bool (*read)(struct file_words *words, struct lens *lens,
-                                    struct error *error),
-                       struct error *error)
+static bool lens_json_design_read_lines(struct json_reader *reading, const struct json_value *value,
+                                        bool (*read)(struct file_words *words, struct lens *lens,
+                                                     struct error *error),
+                                        struct error *error)
 {
     if (!json_check_array(reading, value, "texts", error)) {
         return false;
@@ -65,14 +66,14 @@ static bool read_lines(struct json_reading *reading, const struct json_value *va
     return true;
 }
 
-bool json_read_design(struct json_reading *reading, const struct json_value *pickups,
+bool json_read_design(struct json_reader *reading, const struct json_value *pickups,
                       const struct json_value *goals, const struct json_value *tolerances,
                       struct error *error)
 {
     struct lens *lens = reading->build.lens;
-    if (!read_lines(reading, pickups, lens_pickup_read, error) ||
-        !read_lines(reading, goals, lens_goal_read, error) ||
-        !read_lines(reading, tolerances, lens_tolerance_read, error)) {
+    if (!lens_json_design_read_lines(reading, pickups, lens_pickup_read, error) ||
+        !lens_json_design_read_lines(reading, goals, lens_goal_read, error) ||
+        !lens_json_design_read_lines(reading, tolerances, lens_tolerance_read, error)) {
         return false;
     }
     lens_pickups_begin(lens, reading->job->arena);

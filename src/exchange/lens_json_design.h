@@ -12,10 +12,10 @@
  *
  * Given     text  receives them, each list behind a comma
  */
-void json_put_design(struct growing *text, const struct lens *lens, struct arena *arena);
+void json_put_design(struct text_buffer *text, const struct lens *lens, struct arena *arena);
 
 /* Such lists; the lens has all else. */
-bool json_read_design(struct json_reading *reading, const struct json_value *pickups,
+bool json_read_design(struct json_reader *reading, const struct json_value *pickups,
                       const struct json_value *goals, const struct json_value *tolerances,
                       struct error *error);
 

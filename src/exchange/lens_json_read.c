@@ -10,8 +10,8 @@
 
 #include <math.h>
 
-static bool read_wave(struct json_reading *reading, const struct json_value *item,
-                      struct error *error)
+static bool lens_json_read_wave(struct json_reader *reading, const struct json_value *item,
+                                struct error *error)
 {
     static const char *const keys[] = {"name", "wavelength_nm", "weight", NULL};
     const struct json_value *name = json_item(item, "name"),
@@ -45,15 +45,15 @@ static bool read_wave(struct json_reading *reading, const struct json_value *ite
     return true;
 }
 
-static bool read_waves(struct json_reading *reading, const struct json_value *value,
-                       struct error *error)
+static bool lens_json_read_waves(struct json_reader *reading, const struct json_value *value,
+                                 struct error *error)
 {
     if (!json_check_array(reading, value, "wavelengths", error)) {
         return false;
     }
     for (const struct json_value *item = json_is_null(value) ? NULL : value->first; item != NULL;
          item = item->next) {
-        if (!read_wave(reading, item, error)) {
+        if (!lens_json_read_wave(reading, item, error)) {
             return false;
         }
     }
@@ -61,8 +61,8 @@ static bool read_waves(struct json_reading *reading, const struct json_value *va
 }
 
 /* The object's distance: null is infinite. */
-static bool read_distance(struct json_reading *reading, const struct json_value *value,
-                          struct figure *figure, struct error *error)
+static bool lens_json_read_distance(struct json_reader *reading, const struct json_value *value,
+                                    struct figure *figure, struct error *error)
 {
     if (json_is_null(value)) {
         *figure = (struct figure){{INFINITY, 0}, text_of("inf"), LENS_NONE};
@@ -73,19 +73,19 @@ static bool read_distance(struct json_reading *reading, const struct json_value 
             json_wrong(reading, value, error, "the object's distance is above 0"));
 }
 
-static bool read_object(struct json_reading *reading, const struct json_value *value,
-                        struct error *error)
+static bool lens_json_read_object(struct json_reader *reading, const struct json_value *value,
+                                  struct error *error)
 {
     struct lens *lens = reading->build.lens;
     if (json_is_null(value) || value->kind != JSON_ARRAY) {
-        bool done = read_distance(reading, value, &lens->object, error);
+        bool done = lens_json_read_distance(reading, value, &lens->object, error);
         lens->object_is_infinite = done && isinf(lens->object.value.hi);
         return done;
     }
     struct figure *objects = ARENA_ARRAY(reading->job->arena, value->count, struct figure);
     size_t i = 0;
     for (const struct json_value *item = value->first; item != NULL; item = item->next) {
-        if (!read_distance(reading, item, &objects[i++], error)) {
+        if (!lens_json_read_distance(reading, item, &objects[i++], error)) {
             return false;
         }
     }
@@ -99,7 +99,7 @@ static bool read_object(struct json_reading *reading, const struct json_value *v
 }
 
 /* Whether the object is infinite: one truth, or one for each position. */
-static bool check_infinite(struct json_reading *reading, const struct json_value *value,
+static bool check_infinite(struct json_reader *reading, const struct json_value *value,
                            struct error *error)
 {
     static const char key[] = "object_is_infinite", other[] = "object_mm";
@@ -121,8 +121,8 @@ static bool check_infinite(struct json_reading *reading, const struct json_value
 }
 
 /* An array of as many numbers as there are fields, or nothing: `figures` becomes null. */
-static bool read_beside(struct json_reading *reading, const struct json_value *numbers, int power,
-                        struct figure **figures, struct error *error)
+static bool lens_json_read_beside(struct json_reader *reading, const struct json_value *numbers,
+                                  int power, struct figure **figures, struct error *error)
 {
     *figures = NULL;
     if (json_is_null(numbers)) {
@@ -139,15 +139,15 @@ static bool read_beside(struct json_reading *reading, const struct json_value *n
 }
 
 /* x, and the weights. */
-static bool complete_fields(struct json_reading *reading, const struct json_value *root, int power,
+static bool complete_fields(struct json_reader *reading, const struct json_value *root, int power,
                             struct error *error)
 {
     struct lens *lens = reading->build.lens;
     const struct json_value *weights = json_item(root, "field_weights"),
                             *beside = json_item(root, "fields_x");
     struct figure *all, *weight;
-    if (!read_beside(reading, beside, power, &all, error) ||
-        !read_beside(reading, weights, JSON_PLAIN, &weight, error)) {
+    if (!lens_json_read_beside(reading, beside, power, &all, error) ||
+        !lens_json_read_beside(reading, weights, JSON_PLAIN, &weight, error)) {
         return false;
     }
     for (size_t i = 0; i < lens->field_count; i++) {
@@ -164,8 +164,8 @@ static bool complete_fields(struct json_reading *reading, const struct json_valu
     return true;
 }
 
-static bool read_fields(struct json_reading *reading, const struct json_value *root,
-                        struct error *error)
+static bool lens_json_read_fields(struct json_reader *reading, const struct json_value *root,
+                                  struct error *error)
 {
     static const char *const kinds[] = {"none", "angle_deg", "height_mm", "image_mm", "real_mm"};
     struct lens *lens = reading->build.lens;
@@ -204,8 +204,8 @@ static bool read_fields(struct json_reading *reading, const struct json_value *r
     return true;
 }
 
-static bool read_aperture(struct json_reading *reading, const struct json_value *root,
-                          struct error *error)
+static bool lens_json_read_aperture(struct json_reader *reading, const struct json_value *root,
+                                    struct error *error)
 {
     static const char *const kinds[] = {"none", "stop", "fnumber", "epd_mm", "na"};
     struct lens *lens = reading->build.lens;
@@ -248,8 +248,8 @@ static bool read_aperture(struct json_reading *reading, const struct json_value 
     return true;
 }
 
-static bool read_stated(struct json_reading *reading, const struct json_value *root,
-                        struct error *error)
+static bool lens_json_read_stated(struct json_reader *reading, const struct json_value *root,
+                                  struct error *error)
 {
     static const char *const keys[] = {"stated_efl_mm", "stated_bfl_mm", "stated_fnumber",
                                        "stated_tstop"};
@@ -276,7 +276,7 @@ static bool read_stated(struct json_reading *reading, const struct json_value *r
     return true;
 }
 
-static bool read_notes(struct json_reading *reading, const struct json_value *value,
+static bool read_notes(struct json_reader *reading, const struct json_value *value,
                        struct error *error)
 {
     if (!json_check_array(reading, value, "texts", error)) {
@@ -292,7 +292,7 @@ static bool read_notes(struct json_reading *reading, const struct json_value *va
     return true;
 }
 
-static bool is_position_name(struct text name)
+static bool lens_json_read_is_position_name(struct text name)
 {
     for (size_t i = 0; i < name.length; i++) {
         unsigned char c = (unsigned char)name.start[i];
@@ -303,8 +303,8 @@ static bool is_position_name(struct text name)
     return name.length > 0 && !text_equal(name, "all");
 }
 
-static bool read_positions(struct json_reading *reading, const struct json_value *value,
-                           struct error *error)
+static bool lens_json_read_positions(struct json_reader *reading, const struct json_value *value,
+                                     struct error *error)
 {
     enum { MOST = 1000 };
     struct lens *lens = reading->build.lens;
@@ -319,7 +319,7 @@ static bool read_positions(struct json_reading *reading, const struct json_value
     }
     lens->positions = ARENA_ARRAY(reading->job->arena, value->count, const char *);
     for (const struct json_value *item = value->first; item != NULL; item = item->next) {
-        if (item->kind != JSON_STRING || !is_position_name(item->text) ||
+        if (item->kind != JSON_STRING || !lens_json_read_is_position_name(item->text) ||
             lens_position_find(lens, item->text) != LENS_NONE) {
             return json_wrong(reading, item, error,
                               "a position's name is a word, not 'all', and appears once");
@@ -330,8 +330,8 @@ static bool read_positions(struct json_reading *reading, const struct json_value
     return true;
 }
 
-static bool read_unit(struct json_reading *reading, const struct json_value *value,
-                      struct error *error)
+static bool lens_json_read_unit(struct json_reader *reading, const struct json_value *value,
+                                struct error *error)
 {
     const char *units[LENS_UNITS];
     int choice = 0;
@@ -346,8 +346,8 @@ static bool read_unit(struct json_reading *reading, const struct json_value *val
     return true;
 }
 
-static bool read_focus(struct json_reading *reading, const struct json_value *value,
-                       struct error *error)
+static bool lens_json_read_focus(struct json_reader *reading, const struct json_value *value,
+                                 struct error *error)
 {
     static const char *const words[] = {"paraxial", "table", "best", "afocal"};
     int choice = 0;
@@ -357,8 +357,8 @@ static bool read_focus(struct json_reading *reading, const struct json_value *va
     return done;
 }
 
-static bool read_surfaces(struct json_reading *reading, const struct json_value *value,
-                          struct error *error)
+static bool lens_json_read_surfaces(struct json_reader *reading, const struct json_value *value,
+                                    struct error *error)
 {
     for (const struct json_value *item = value->first; item != NULL; item = item->next) {
         if (!json_read_surface(reading, item, error)) {
@@ -378,8 +378,8 @@ static bool read_surfaces(struct json_reading *reading, const struct json_value 
 }
 
 /* The number of the surface that says it is the stop. */
-static bool check_stop(struct json_reading *reading, const struct json_value *value,
-                       struct error *error)
+static bool lens_json_read_check_stop(struct json_reader *reading, const struct json_value *value,
+                                      struct error *error)
 {
     const struct lens *lens = reading->build.lens;
     struct figure number = {.value = {0, 0}};
@@ -395,8 +395,8 @@ static bool check_stop(struct json_reading *reading, const struct json_value *va
 }
 
 /* What the lens is called and what is said of it. */
-static bool read_words(struct json_reading *reading, const struct json_value *root,
-                       struct error *error)
+static bool lens_json_read_words(struct json_reader *reading, const struct json_value *root,
+                                 struct error *error)
 {
     struct lens *lens = reading->build.lens;
     return json_read_text(reading, json_item(root, "lens"), &lens->title, error) &&
@@ -405,7 +405,7 @@ static bool read_words(struct json_reading *reading, const struct json_value *ro
            read_notes(reading, json_item(root, "notes"), error);
 }
 
-static bool read_object_space(struct json_reading *reading, const struct json_value *root,
+static bool read_object_space(struct json_reader *reading, const struct json_value *root,
                               struct error *error)
 {
     const struct json_value *value = json_item(root, "object_is_telecentric");
@@ -416,7 +416,7 @@ static bool read_object_space(struct json_reading *reading, const struct json_va
                             &reading->build.lens->object_medium, error);
 }
 
-static bool read_root(struct json_reading *reading, const struct json_value *root,
+static bool read_root(struct json_reader *reading, const struct json_value *root,
                       struct error *error)
 {
     static const char *const keys[] = {"lens",
@@ -448,23 +448,24 @@ static bool read_root(struct json_reading *reading, const struct json_value *roo
                                        "goals",
                                        "tolerances",
                                        NULL};
-    return json_check_keys(reading, root, keys, error) && read_words(reading, root, error) &&
-           read_unit(reading, json_item(root, "unit"), error) &&
-           read_positions(reading, json_item(root, "positions"), error) &&
-           read_waves(reading, json_item(root, "wavelengths"), error) &&
-           read_object(reading, json_item(root, "object_mm"), error) &&
-           read_object_space(reading, root, error) && read_fields(reading, root, error) &&
-           read_aperture(reading, root, error) &&
-           read_focus(reading, json_item(root, "focus"), error) &&
-           read_stated(reading, root, error) &&
-           read_surfaces(reading, json_item(root, "surfaces"), error) &&
-           check_stop(reading, json_item(root, "stop_surface"), error) &&
+    return json_check_keys(reading, root, keys, error) &&
+           lens_json_read_words(reading, root, error) &&
+           lens_json_read_unit(reading, json_item(root, "unit"), error) &&
+           lens_json_read_positions(reading, json_item(root, "positions"), error) &&
+           lens_json_read_waves(reading, json_item(root, "wavelengths"), error) &&
+           lens_json_read_object(reading, json_item(root, "object_mm"), error) &&
+           read_object_space(reading, root, error) && lens_json_read_fields(reading, root, error) &&
+           lens_json_read_aperture(reading, root, error) &&
+           lens_json_read_focus(reading, json_item(root, "focus"), error) &&
+           lens_json_read_stated(reading, root, error) &&
+           lens_json_read_surfaces(reading, json_item(root, "surfaces"), error) &&
+           lens_json_read_check_stop(reading, json_item(root, "stop_surface"), error) &&
            json_read_settings(reading, json_item(root, "settings"), error) &&
            json_read_design(reading, json_item(root, "pickups"), json_item(root, "goals"),
                             json_item(root, "tolerances"), error);
 }
 
-static bool refuse(struct json_reading *reading, struct error *error)
+static bool lens_json_read_refuse(struct json_reader *reading, struct error *error)
 {
     const struct json_value start = {.at = 1};
     json_wrong(reading, &start, error,
@@ -474,14 +475,14 @@ static bool refuse(struct json_reading *reading, struct error *error)
 }
 
 /* Why there is no tree: JSON of another program may hold what JSON has no words for. */
-static bool fail_tree(struct json_reading *reading, const struct json *json, struct error *error)
+static bool fail_tree(struct json_reader *reading, const struct json *json, struct error *error)
 {
     const struct error found = *error;
     const struct json_value at = {.at = (size_t)(json->at - reading->content.start) + 1};
     struct json first = json_open(reading->content, reading->job->arena, error);
     struct text key = {NULL, 0};
     if (!json_take(&first, '{') || !json_string(&first, &key) || !text_equal(key, "lens")) {
-        return refuse(reading, error);
+        return lens_json_read_refuse(reading, error);
     }
     return json_wrong(reading, &at, error, "%s", found.message);
 }
@@ -489,7 +490,7 @@ static bool fail_tree(struct json_reading *reading, const struct json *json, str
 bool lens_json_read(struct foreign_job *job, struct text content, struct lens *lens,
                     struct error *error)
 {
-    struct json_reading reading = {.job = job, .content = content, .line = 1};
+    struct json_reader reading = {.job = job, .content = content, .line = 1};
     struct json json = json_open(content, job->arena, error);
     struct json_value root;
     if (!json_tree(&json, &root)) {
@@ -499,7 +500,7 @@ bool lens_json_read(struct foreign_job *job, struct text content, struct lens *l
     const struct json_value *surfaces = json_item(&root, "surfaces");
     if (root.kind != JSON_OBJECT || surfaces == NULL || surfaces->kind != JSON_ARRAY ||
         json_item(&root, "lens") == NULL) {
-        return refuse(&reading, error);
+        return lens_json_read_refuse(&reading, error);
     }
     lens_build_begin(&reading.build, lens, job->arena);
     return read_root(&reading, &root, error);

@@ -14,7 +14,7 @@
 enum { MOST_KEYS = 32 };
 
 /* The line of a value, for messages. */
-struct file_words json_place(struct json_reading *reading, const struct json_value *value)
+struct file_words json_place(struct json_reader *reading, const struct json_value *value)
 {
     const char *start = reading->content.start;
     size_t at = value->at - 1, length = reading->content.length;
@@ -36,7 +36,7 @@ struct file_words json_place(struct json_reading *reading, const struct json_val
                                .arena = reading->job->arena};
 }
 
-bool json_wrong(struct json_reading *reading, const struct json_value *value, struct error *error,
+bool json_wrong(struct json_reader *reading, const struct json_value *value, struct error *error,
                 const char *format, ...)
 {
     char message[200];
@@ -50,7 +50,7 @@ bool json_wrong(struct json_reading *reading, const struct json_value *value, st
 }
 
 /* Each key once, and none that is not in the list: that is a loss. */
-bool json_check_keys(struct json_reading *reading, const struct json_value *object,
+bool json_check_keys(struct json_reader *reading, const struct json_value *object,
                      const char *const *keys, struct error *error)
 {
     const struct json_value *seen[MOST_KEYS] = {NULL};
@@ -80,7 +80,7 @@ bool json_is_null(const struct json_value *value)
 }
 
 /* A text, or null where there is none; as a .lens file can hold it. */
-bool json_read_text(struct json_reading *reading, const struct json_value *value, const char **text,
+bool json_read_text(struct json_reader *reading, const struct json_value *value, const char **text,
                     struct error *error)
 {
     *text = NULL;
@@ -95,7 +95,7 @@ bool json_read_text(struct json_reading *reading, const struct json_value *value
 }
 
 /* Which of the words a text is. */
-bool json_read_choice(struct json_reading *reading, const struct json_value *value,
+bool json_read_choice(struct json_reader *reading, const struct json_value *value,
                       const char *const *words, size_t count, int *choice, struct error *error)
 {
     for (size_t i = 0; value->kind == JSON_STRING && i < count; i++) {
@@ -108,7 +108,7 @@ bool json_read_choice(struct json_reading *reading, const struct json_value *val
                       words[count - 1]);
 }
 
-bool json_read_truth(struct json_reading *reading, const struct json_value *value, bool *truth,
+bool json_read_truth(struct json_reader *reading, const struct json_value *value, bool *truth,
                      struct error *error)
 {
     *truth = value->kind == JSON_BARE && text_equal(value->text, "true");
@@ -116,7 +116,8 @@ bool json_read_truth(struct json_reading *reading, const struct json_value *valu
            json_wrong(reading, value, error, "expected true or false here");
 }
 
-static struct figure in_unit(const struct json_reading *reading, struct pair value, int power)
+static struct figure lens_json_reading_in_unit(const struct json_reader *reading, struct pair value,
+                                               int power)
 {
     static const struct figure one = {.typed = {"1", 1}, .variable = LENS_NONE};
     const char *unit = reading->build.lens->unit;
@@ -130,7 +131,7 @@ static struct figure in_unit(const struct json_reading *reading, struct pair val
     return figure;
 }
 
-bool json_read_figure(struct json_reading *reading, const struct json_value *value, int power,
+bool json_read_figure(struct json_reader *reading, const struct json_value *value, int power,
                       struct figure *figure, struct error *error)
 {
     struct pair number = {0, 0};
@@ -141,7 +142,7 @@ bool json_read_figure(struct json_reading *reading, const struct json_value *val
         return json_wrong(reading, value, error, "expected a number below 1e100 here");
     }
     if (power != JSON_PLAIN && power != JSON_ANGLE) {
-        *figure = in_unit(reading, number, power);
+        *figure = lens_json_reading_in_unit(reading, number, power);
         return true;
     }
     *figure = (struct figure){number, text, LENS_NONE};
@@ -152,7 +153,7 @@ bool json_read_figure(struct json_reading *reading, const struct json_value *val
 }
 
 /* An array of numbers. */
-bool json_read_figures(struct json_reading *reading, const struct json_value *value, int power,
+bool json_read_figures(struct json_reader *reading, const struct json_value *value, int power,
                        struct figure **figures, struct error *error)
 {
     if (value->kind != JSON_ARRAY) {
@@ -168,14 +169,14 @@ bool json_read_figures(struct json_reading *reading, const struct json_value *va
     return true;
 }
 
-bool json_check_array(struct json_reading *reading, const struct json_value *value,
-                      const char *what, struct error *error)
+bool json_check_array(struct json_reader *reading, const struct json_value *value, const char *what,
+                      struct error *error)
 {
     return json_is_null(value) || value->kind == JSON_ARRAY ||
            json_wrong(reading, value, error, "expected an array of %s here", what);
 }
 
-bool json_check_truth(struct json_reading *reading, const struct json_value *value, bool truth,
+bool json_check_truth(struct json_reader *reading, const struct json_value *value, bool truth,
                       const char *key, const char *other, struct error *error)
 {
     bool said;
@@ -186,7 +187,7 @@ bool json_check_truth(struct json_reading *reading, const struct json_value *val
            (said == truth || json_wrong(reading, value, error, "%s contradicts %s", key, other));
 }
 
-bool json_check_count(struct json_reading *reading, const struct json_value *value,
+bool json_check_count(struct json_reader *reading, const struct json_value *value,
                       struct error *error)
 {
     size_t count = reading->build.lens->position_count;
@@ -195,7 +196,7 @@ bool json_check_count(struct json_reading *reading, const struct json_value *val
                       value->count, count);
 }
 
-bool json_read_medium(struct json_reading *reading, const struct json_value *value,
+bool json_read_medium(struct json_reader *reading, const struct json_value *value,
                       struct medium *medium, struct error *error)
 {
     struct foreign_job *job = reading->job;

@@ -8,7 +8,7 @@
 #include "file/file_words.h"
 #include "file/lens_build.h"
 
-struct json_reading {
+struct json_reader {
     struct foreign_job *job;
     struct text content;
     struct lens_build build;
@@ -17,71 +17,71 @@ struct json_reading {
 };
 
 /* The line of a value, for messages. */
-struct file_words json_place(struct json_reading *reading, const struct json_value *value);
+struct file_words json_place(struct json_reader *reading, const struct json_value *value);
 
 /* ERROR_DATA with line, column and caret at the value. Returns false. */
-bool json_wrong(struct json_reading *reading, const struct json_value *value, struct error *error,
+bool json_wrong(struct json_reader *reading, const struct json_value *value, struct error *error,
                 const char *format, ...) __attribute__((format(printf, 4, 5)));
 
 /* Each key once, and none that is not in the list, which null ends: that is a loss. */
-bool json_check_keys(struct json_reading *reading, const struct json_value *object,
+bool json_check_keys(struct json_reader *reading, const struct json_value *object,
                      const char *const *keys, struct error *error);
 
 /* Absent, or null. */
 bool json_is_null(const struct json_value *value);
 
 /* A text as a .lens file can hold it, in the arena; null where there is none. */
-bool json_read_text(struct json_reading *reading, const struct json_value *value, const char **text,
+bool json_read_text(struct json_reader *reading, const struct json_value *value, const char **text,
                     struct error *error);
 
 /* Which of the words a text is. */
-bool json_read_choice(struct json_reading *reading, const struct json_value *value,
+bool json_read_choice(struct json_reader *reading, const struct json_value *value,
                       const char *const *words, size_t count, int *choice, struct error *error);
 
-bool json_read_truth(struct json_reading *reading, const struct json_value *value, bool *truth,
+bool json_read_truth(struct json_reader *reading, const struct json_value *value, bool *truth,
                      struct error *error);
 
 /* What a number is: mm, degrees, without a unit; of 1/mm^n the power is -n. */
 enum { JSON_PLAIN = 0, JSON_LENGTH = 1, JSON_ANGLE = 100 };
 
 /* A number, with its digits in the lens's unit. */
-bool json_read_figure(struct json_reading *reading, const struct json_value *value, int power,
+bool json_read_figure(struct json_reader *reading, const struct json_value *value, int power,
                       struct figure *figure, struct error *error);
 
 /* An array of numbers, in the arena. */
-bool json_read_figures(struct json_reading *reading, const struct json_value *value, int power,
+bool json_read_figures(struct json_reader *reading, const struct json_value *value, int power,
                        struct figure **figures, struct error *error);
 
 /* An array of what the word says, or nothing. */
-bool json_check_array(struct json_reading *reading, const struct json_value *value,
-                      const char *what, struct error *error);
+bool json_check_array(struct json_reader *reading, const struct json_value *value, const char *what,
+                      struct error *error);
 
 /*
  * What a key says that another one says too: nothing, or the same.
  *
  * Given     key, other  their names, for the message
  */
-bool json_check_truth(struct json_reading *reading, const struct json_value *value, bool truth,
+bool json_check_truth(struct json_reader *reading, const struct json_value *value, bool truth,
                       const char *key, const char *other, struct error *error);
 
 /* As many items as the lens has positions, at least one. */
-bool json_check_count(struct json_reading *reading, const struct json_value *value,
+bool json_check_count(struct json_reader *reading, const struct json_value *value,
                       struct error *error);
 
 /* A medium as a .lens file has it; null or absent leaves *medium. */
-bool json_read_medium(struct json_reading *reading, const struct json_value *value,
+bool json_read_medium(struct json_reader *reading, const struct json_value *value,
                       struct medium *medium, struct error *error);
 
 /* The list of apertures of a surface. */
-bool json_read_apertures(struct json_reading *reading, const struct json_value *value,
+bool json_read_apertures(struct json_reader *reading, const struct json_value *value,
                          struct surface *surface, struct error *error);
 
 /* One surface more of the lens. */
-bool json_read_surface(struct json_reading *reading, const struct json_value *object,
+bool json_read_surface(struct json_reader *reading, const struct json_value *object,
                        struct error *error);
 
 /* What the positions set anew; the lens has its surfaces, and its stop if it has one. */
-bool json_read_settings(struct json_reading *reading, const struct json_value *value,
+bool json_read_settings(struct json_reader *reading, const struct json_value *value,
                         struct error *error);
 
 #endif

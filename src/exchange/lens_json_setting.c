@@ -8,15 +8,16 @@
 #include <math.h>
 #include <string.h>
 
-static bool report(struct json_reading *reading, const struct json_value *value, const char *why,
-                   struct error *error)
+static bool lens_json_setting_report(struct json_reader *reading, const struct json_value *value,
+                                     const char *why, struct error *error)
 {
     return why == NULL || json_wrong(reading, value, error, "%s", why);
 }
 
 /* Numbers; a radius that is null is that of a plane. */
-static bool read_figures(struct json_reading *reading, const struct json_value *values,
-                         struct lens_setting setting, struct error *error)
+static bool lens_json_setting_read_figures(struct json_reader *reading,
+                                           const struct json_value *values,
+                                           struct lens_setting setting, struct error *error)
 {
     struct lens *lens = reading->build.lens;
     struct arena *arena = reading->job->arena;
@@ -36,11 +37,12 @@ static bool read_figures(struct json_reading *reading, const struct json_value *
         }
     }
     setting.figures = figures;
-    return report(reading, values, lens_setting_add(lens, setting, arena), error);
+    return lens_json_setting_report(reading, values, lens_setting_add(lens, setting, arena), error);
 }
 
-static bool read_media(struct json_reading *reading, const struct json_value *values,
-                       struct lens_setting setting, struct error *error)
+static bool lens_json_setting_read_media(struct json_reader *reading,
+                                         const struct json_value *values,
+                                         struct lens_setting setting, struct error *error)
 {
     struct lens *lens = reading->build.lens;
     struct arena *arena = reading->job->arena;
@@ -55,11 +57,11 @@ static bool read_media(struct json_reading *reading, const struct json_value *va
         }
     }
     setting.media = media;
-    return report(reading, values, lens_setting_add(lens, setting, arena), error);
+    return lens_json_setting_report(reading, values, lens_setting_add(lens, setting, arena), error);
 }
 
-static bool read_stops(struct json_reading *reading, const struct json_value *values,
-                       struct error *error)
+static bool lens_json_setting_read_stops(struct json_reader *reading,
+                                         const struct json_value *values, struct error *error)
 {
     struct lens *lens = reading->build.lens;
     size_t *stops = ARENA_ARRAY(reading->job->arena, lens->position_count, size_t), i = 0;
@@ -75,11 +77,12 @@ static bool read_stops(struct json_reading *reading, const struct json_value *va
         }
         stops[i] = (size_t)value - 1;
     }
-    return report(reading, values, lens_setting_stops(lens, stops, reading->job->arena), error);
+    return lens_json_setting_report(reading, values,
+                                    lens_setting_stops(lens, stops, reading->job->arena), error);
 }
 
-static bool read_lights(struct json_reading *reading, const struct json_value *values,
-                        struct error *error)
+static bool lens_json_setting_read_lights(struct json_reader *reading,
+                                          const struct json_value *values, struct error *error)
 {
     struct lens *lens = reading->build.lens;
     struct lens_light *lights =
@@ -95,11 +98,11 @@ static bool read_lights(struct json_reading *reading, const struct json_value *v
             return false;
         }
     }
-    return report(reading, values, lens_setting_lights(lens, lights), error);
+    return lens_json_setting_report(reading, values, lens_setting_lights(lens, lights), error);
 }
 
-static bool read_points(struct json_reading *reading, const struct json_value *values,
-                        struct error *error)
+static bool lens_json_setting_read_points(struct json_reader *reading,
+                                          const struct json_value *values, struct error *error)
 {
     struct lens *lens = reading->build.lens;
     struct lens_points *points =
@@ -116,10 +119,10 @@ static bool read_points(struct json_reading *reading, const struct json_value *v
             return false;
         }
     }
-    return report(reading, values, lens_setting_points(lens, points), error);
+    return lens_json_setting_report(reading, values, lens_setting_points(lens, points), error);
 }
 
-static bool read_setting(struct json_reading *reading, const struct json_value *object,
+static bool read_setting(struct json_reader *reading, const struct json_value *object,
                          struct error *error)
 {
     static const char *const keys[] = {"name", "values", NULL};
@@ -135,24 +138,24 @@ static bool read_setting(struct json_reading *reading, const struct json_value *
         return false;
     }
     if (text_equal(name->text, "stop")) {
-        return read_stops(reading, values, error);
+        return lens_json_setting_read_stops(reading, values, error);
     }
     if (text_equal(name->text, "wavelength")) {
-        return read_lights(reading, values, error);
+        return lens_json_setting_read_lights(reading, values, error);
     }
     if (text_equal(name->text, "field")) {
-        return read_points(reading, values, error);
+        return lens_json_setting_read_points(reading, values, error);
     }
     if (!parameter_read(name->text, lens_setting_takes, &setting.parameter, error) ||
         !lens_setting_takes(setting.parameter.kind)) {
         return json_wrong(reading, name, error, "nothing that a position sets: R3, k2, glass1");
     }
     return setting.parameter.kind == PARAMETER_GLASS
-               ? read_media(reading, values, setting, error)
-               : read_figures(reading, values, setting, error);
+               ? lens_json_setting_read_media(reading, values, setting, error)
+               : lens_json_setting_read_figures(reading, values, setting, error);
 }
 
-bool json_read_settings(struct json_reading *reading, const struct json_value *value,
+bool json_read_settings(struct json_reader *reading, const struct json_value *value,
                         struct error *error)
 {
     if (!json_check_array(reading, value, "settings", error)) {

@@ -7,8 +7,9 @@
 #include <string.h>
 
 /* A number, or one for each position as a variable; null or absent is not given. */
-static bool read_cell(struct json_reading *reading, const struct json_value *value,
-                      const char *name, struct figure *figure, bool *is_given, struct error *error)
+static bool lens_json_surface_read_cell(struct json_reader *reading, const struct json_value *value,
+                                        const char *name, struct figure *figure, bool *is_given,
+                                        struct error *error)
 {
     struct figure *values = NULL;
     *is_given = !json_is_null(value);
@@ -27,7 +28,7 @@ static bool read_cell(struct json_reading *reading, const struct json_value *val
     return true;
 }
 
-static bool read_displacement(struct json_reading *reading, const struct json_value *value,
+static bool read_displacement(struct json_reader *reading, const struct json_value *value,
                               size_t turns, const struct displacement **displacement,
                               struct error *error)
 {
@@ -56,8 +57,9 @@ static bool read_displacement(struct json_reading *reading, const struct json_va
            json_wrong(reading, turn, error, "a surface is not turned about z");
 }
 
-static bool read_coefficients(struct json_reading *reading, const struct json_value *value,
-                              struct surface *surface, struct error *error)
+static bool lens_json_surface_read_coefficients(struct json_reader *reading,
+                                                const struct json_value *value,
+                                                struct surface *surface, struct error *error)
 {
     if (json_is_null(value)) {
         return true;
@@ -84,15 +86,17 @@ static bool read_coefficients(struct json_reading *reading, const struct json_va
 }
 
 /* A bound; null is none. */
-static bool read_bound(struct json_reading *reading, const struct json_value *value, int power,
-                       double none, struct figure *figure, struct error *error)
+static bool lens_json_surface_read_bound(struct json_reader *reading,
+                                         const struct json_value *value, int power, double none,
+                                         struct figure *figure, struct error *error)
 {
     *figure = (struct figure){{none, 0}, text_of(none < 0 ? "-inf" : "inf"), LENS_NONE};
     return value->kind == JSON_NULL || json_read_figure(reading, value, power, figure, error);
 }
 
-static bool read_bounds(struct json_reading *reading, const struct json_value *value,
-                        struct vary *vary, struct error *error)
+static bool lens_json_surface_read_bounds(struct json_reader *reading,
+                                          const struct json_value *value, struct vary *vary,
+                                          struct error *error)
 {
     const struct json_value *low = json_item(value, "low"), *high = json_item(value, "high");
     bool angle = (parameter_type(vary->kind)->is & PARAMETER_IS_ANGLE) != 0;
@@ -104,15 +108,16 @@ static bool read_bounds(struct json_reading *reading, const struct json_value *v
     if (vary->kind == PARAMETER_GLASS) {
         return json_wrong(reading, low, error, "a glass has no bounds");
     }
-    return read_bound(reading, low, power, -INFINITY, &vary->low, error) &&
-           read_bound(reading, high, power, INFINITY, &vary->high, error) &&
+    return lens_json_surface_read_bound(reading, low, power, -INFINITY, &vary->low, error) &&
+           lens_json_surface_read_bound(reading, high, power, INFINITY, &vary->high, error) &&
            (lens_bounds_are_sound(vary) ||
             json_wrong(reading, low, error, "the lower bound is above the upper"));
 }
 
 /* A mark of what the surface has, and where it has one: the position. */
-static bool read_vary(struct json_reading *reading, const struct json_value *value,
-                      const struct surface *surface, struct vary *vary, struct error *error)
+static bool lens_json_surface_read_vary(struct json_reader *reading, const struct json_value *value,
+                                        const struct surface *surface, struct vary *vary,
+                                        struct error *error)
 {
     static const char *const keys[] = {"what", "low", "high", "position", NULL};
     const struct json_value *what = json_item(value, "what"), *low = json_item(value, "low"),
@@ -129,11 +134,12 @@ static bool read_vary(struct json_reading *reading, const struct json_value *val
         return json_wrong(reading, value, error, "'%.*s' is marked twice", text_shown(what->text),
                           what->text.start);
     }
-    return json_check_keys(reading, value, keys, error) && read_bounds(reading, value, vary, error);
+    return json_check_keys(reading, value, keys, error) &&
+           lens_json_surface_read_bounds(reading, value, vary, error);
 }
 
 /* The mark of a number of one position. */
-static bool add_to_position(struct json_reading *reading, const struct json_value *position,
+static bool add_to_position(struct json_reader *reading, const struct json_value *position,
                             const struct surface *surface, const struct vary *vary,
                             struct error *error)
 {
@@ -161,7 +167,7 @@ static bool add_to_position(struct json_reading *reading, const struct json_valu
     return true;
 }
 
-static bool read_varies(struct json_reading *reading, const struct json_value *value,
+static bool read_varies(struct json_reader *reading, const struct json_value *value,
                         struct surface *surface, struct error *error)
 {
     if (json_is_null(value)) {
@@ -175,7 +181,7 @@ static bool read_varies(struct json_reading *reading, const struct json_value *v
     for (const struct json_value *item = value->first; item != NULL; item = item->next) {
         const struct json_value *position = json_item(item, "position");
         struct vary *vary = &varies[surface->vary_count];
-        if (!read_vary(reading, item, surface, vary, error) ||
+        if (!lens_json_surface_read_vary(reading, item, surface, vary, error) ||
             (position != NULL && !add_to_position(reading, position, surface, vary, error))) {
             return false;
         }
@@ -185,8 +191,9 @@ static bool read_varies(struct json_reading *reading, const struct json_value *v
 }
 
 /* A radius or a curvature; neither is a plane. */
-static bool read_curve(struct json_reading *reading, const struct json_value *object,
-                       struct surface *surface, struct error *error)
+static bool lens_json_surface_read_curve(struct json_reader *reading,
+                                         const struct json_value *object, struct surface *surface,
+                                         struct error *error)
 {
     const struct json_value *radius = json_item(object, "radius_mm"),
                             *curvature = json_item(object, "curvature_per_mm");
@@ -205,8 +212,8 @@ static bool read_curve(struct json_reading *reading, const struct json_value *ob
 }
 
 /* A .lens file has names in double quotes. */
-static bool read_name(struct json_reading *reading, const struct json_value *value,
-                      struct surface *surface, struct error *error)
+static bool lens_json_surface_read_name(struct json_reader *reading, const struct json_value *value,
+                                        struct surface *surface, struct error *error)
 {
     bool quoted = !json_is_null(value) && value->kind == JSON_STRING && value->text.length > 0 &&
                   memchr(value->text.start, '"', value->text.length) != NULL;
@@ -215,8 +222,9 @@ static bool read_name(struct json_reading *reading, const struct json_value *val
 }
 
 /* 0 is no conic. */
-static bool read_conic(struct json_reading *reading, const struct json_value *value,
-                       struct figure *conic, struct error *error)
+static bool lens_json_surface_read_conic(struct json_reader *reading,
+                                         const struct json_value *value, struct figure *conic,
+                                         struct error *error)
 {
     struct figure figure;
     if (!json_read_figure(reading, value, JSON_PLAIN, &figure, error)) {
@@ -226,8 +234,9 @@ static bool read_conic(struct json_reading *reading, const struct json_value *va
     return true;
 }
 
-static bool read_kind(struct json_reading *reading, const struct json_value *object,
-                      struct surface *surface, struct error *error)
+static bool lens_json_surface_read_kind(struct json_reader *reading,
+                                        const struct json_value *object, struct surface *surface,
+                                        struct error *error)
 {
     enum { SECTIONS = sizeof surface_sections / sizeof surface_sections[0] };
     const char *kinds[SURFACE_KINDS], *curved[SECTIONS];
@@ -257,8 +266,9 @@ static bool read_kind(struct json_reading *reading, const struct json_value *obj
 }
 
 /* What only a thick lens has, and must have. */
-static bool read_thick(struct json_reading *reading, const struct json_value *object,
-                       struct surface *surface, struct error *error)
+static bool lens_json_surface_read_thick(struct json_reader *reading,
+                                         const struct json_value *object, struct surface *surface,
+                                         struct error *error)
 {
     const struct json_value *focal = json_item(object, "focal_mm");
     const struct json_value *hiatus = json_item(object, "hiatus_mm");
@@ -272,12 +282,14 @@ static bool read_thick(struct json_reading *reading, const struct json_value *ob
     if (json_is_null(focal) || !surface->is_plane || surface->has_curvature) {
         return json_wrong(reading, object, error, "a thick lens has a focal length and no radius");
     }
-    if (!read_cell(reading, focal,
-                   arena_printf(reading->job->arena, "f%zu", reading->build.lens->surface_count),
-                   &surface->focal, &is_given, error) ||
-        !read_cell(reading, hiatus,
-                   arena_printf(reading->job->arena, "h%zu", reading->build.lens->surface_count),
-                   &surface->hiatus, &is_given, error)) {
+    if (!lens_json_surface_read_cell(
+            reading, focal,
+            arena_printf(reading->job->arena, "f%zu", reading->build.lens->surface_count),
+            &surface->focal, &is_given, error) ||
+        !lens_json_surface_read_cell(
+            reading, hiatus,
+            arena_printf(reading->job->arena, "h%zu", reading->build.lens->surface_count),
+            &surface->hiatus, &is_given, error)) {
         return false;
     }
     if (json_is_null(distortion)) {
@@ -294,8 +306,8 @@ static bool read_thick(struct json_reading *reading, const struct json_value *ob
 }
 
 /* Surfaces are counted from 1. */
-static bool check_number(struct json_reading *reading, const struct json_value *value,
-                         struct error *error)
+static bool lens_json_surface_check_number(struct json_reader *reading,
+                                           const struct json_value *value, struct error *error)
 {
     struct figure number;
     size_t count = reading->build.lens->surface_count;
@@ -309,7 +321,7 @@ static bool check_number(struct json_reading *reading, const struct json_value *
 }
 
 /* What a surface without a curve has not. */
-static bool check_curve(struct json_reading *reading, const struct json_value *object,
+static bool check_curve(struct json_reader *reading, const struct json_value *object,
                         const struct surface *surface, struct error *error)
 {
     static const char *const keys[] = {"conic", "coefficients_mm", "cylinder"};
@@ -325,8 +337,9 @@ static bool check_curve(struct json_reading *reading, const struct json_value *o
 }
 
 /* The indices are for others: the medium decides, and must not say anything else. */
-static bool check_index(struct json_reading *reading, const struct json_value *value,
-                        const struct surface *surface, struct error *error)
+static bool lens_json_surface_check_index(struct json_reader *reading,
+                                          const struct json_value *value,
+                                          const struct surface *surface, struct error *error)
 {
     const struct lens *lens = reading->build.lens;
     const double rounding = 1e-9; /* of another program that has written them again */
@@ -357,8 +370,9 @@ static bool check_index(struct json_reading *reading, const struct json_value *v
 }
 
 /* A mirror has no medium of its own. */
-static bool read_medium(struct json_reading *reading, const struct json_value *object,
-                        struct surface *surface, struct error *error)
+static bool lens_json_surface_read_medium(struct json_reader *reading,
+                                          const struct json_value *object, struct surface *surface,
+                                          struct error *error)
 {
     const struct json_value *medium = json_item(object, "medium");
     bool is_mirror =
@@ -371,39 +385,44 @@ static bool read_medium(struct json_reading *reading, const struct json_value *o
         return true;
     }
     return json_read_medium(reading, medium, &surface->medium, error) &&
-           check_index(reading, json_item(object, "index"), surface, error);
+           lens_json_surface_check_index(reading, json_item(object, "index"), surface, error);
 }
 
 /* Thickness and diameter: numbers, or d3 and a3 in the positions. */
-static bool read_sizes(struct json_reading *reading, const struct json_value *object,
-                       struct surface *surface, struct error *error)
+static bool lens_json_surface_read_sizes(struct json_reader *reading,
+                                         const struct json_value *object, struct surface *surface,
+                                         struct error *error)
 {
     struct arena *arena = reading->job->arena;
     size_t number = reading->build.lens->surface_count;
-    return read_cell(reading, json_item(object, "thickness_mm"),
-                     arena_printf(arena, "d%zu", number), &surface->thickness,
-                     &surface->has_thickness, error) &&
-           read_cell(reading, json_item(object, "diameter_mm"), arena_printf(arena, "a%zu", number),
-                     &surface->diameter, &surface->has_diameter, error);
+    return lens_json_surface_read_cell(reading, json_item(object, "thickness_mm"),
+                                       arena_printf(arena, "d%zu", number), &surface->thickness,
+                                       &surface->has_thickness, error) &&
+           lens_json_surface_read_cell(reading, json_item(object, "diameter_mm"),
+                                       arena_printf(arena, "a%zu", number), &surface->diameter,
+                                       &surface->has_diameter, error);
 }
 
 /* What may stand beside: it shapes, moves or marks the surface. */
-static bool read_beside(struct json_reading *reading, const struct json_value *object,
-                        struct surface *surface, struct error *error)
+static bool lens_json_surface_read_beside(struct json_reader *reading,
+                                          const struct json_value *object, struct surface *surface,
+                                          struct error *error)
 {
     const struct json_value *conic = json_item(object, "conic");
-    return (json_is_null(conic) || read_conic(reading, conic, &surface->conic, error)) &&
+    return (json_is_null(conic) ||
+            lens_json_surface_read_conic(reading, conic, &surface->conic, error)) &&
            check_curve(reading, object, surface, error) &&
-           read_coefficients(reading, json_item(object, "coefficients_mm"), surface, error) &&
+           lens_json_surface_read_coefficients(reading, json_item(object, "coefficients_mm"),
+                                               surface, error) &&
            read_displacement(reading, json_item(object, "moved"), 2, &surface->decentre, error) &&
            read_displacement(reading, json_item(object, "bend_before"), 3,
                              &surface->coordinate_break, error) &&
            json_read_apertures(reading, json_item(object, "apertures"), surface, error) &&
-           read_thick(reading, object, surface, error) &&
+           lens_json_surface_read_thick(reading, object, surface, error) &&
            read_varies(reading, json_item(object, "vary"), surface, error);
 }
 
-bool json_read_surface(struct json_reading *reading, const struct json_value *object,
+bool json_read_surface(struct json_reader *reading, const struct json_value *object,
                        struct error *error)
 {
     static const char *const keys[] = {"surface",          "kind",
@@ -425,9 +444,9 @@ bool json_read_surface(struct json_reading *reading, const struct json_value *ob
                                                    : lens->object_medium;
     struct surface *surface = lens_build_surface(&reading->build);
     if (!json_check_keys(reading, object, keys, error) ||
-        !check_number(reading, json_item(object, "surface"), error) ||
-        !read_curve(reading, object, surface, error) ||
-        !read_kind(reading, object, surface, error)) {
+        !lens_json_surface_check_number(reading, json_item(object, "surface"), error) ||
+        !lens_json_surface_read_curve(reading, object, surface, error) ||
+        !lens_json_surface_read_kind(reading, object, surface, error)) {
         return false;
     }
     surface->medium = surface_reflects(surface) ? medium : medium_air;
@@ -435,8 +454,8 @@ bool json_read_surface(struct json_reading *reading, const struct json_value *ob
         return json_wrong(reading, object, error, "a second stop");
     }
     lens->stop = surface->is_stop ? lens->surface_count - 1 : lens->stop;
-    return read_medium(reading, object, surface, error) &&
-           read_name(reading, json_item(object, "name"), surface, error) &&
-           read_sizes(reading, object, surface, error) &&
-           read_beside(reading, object, surface, error);
+    return lens_json_surface_read_medium(reading, object, surface, error) &&
+           lens_json_surface_read_name(reading, json_item(object, "name"), surface, error) &&
+           lens_json_surface_read_sizes(reading, object, surface, error) &&
+           lens_json_surface_read_beside(reading, object, surface, error);
 }

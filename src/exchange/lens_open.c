@@ -37,7 +37,7 @@ static bool is_path(struct text name)
     return memchr(name.start, '/', name.length) != NULL || ends_as_lens(name);
 }
 
-static const char *copy(struct arena *arena, struct text text)
+static const char *lens_open_copy(struct arena *arena, struct text text)
 {
     return arena_string(arena, text.start, text.length);
 }
@@ -56,7 +56,8 @@ static bool user_names(struct lensdb *db, struct arena *arena, const char ***nam
     *names = ARENA_ARRAY(arena, *count + 1, const char *);
     for (size_t i = 0; i < *count; i++) {
         const struct text name = text_of(files[i]);
-        (*names)[i] = copy(arena, (struct text){name.start + FOLDER_LENGTH,
+        (*names)[i] =
+            lens_open_copy(arena, (struct text){name.start + FOLDER_LENGTH,
                                                 name.length - FOLDER_LENGTH - ENDING_LENGTH});
     }
     return true;
@@ -81,7 +82,7 @@ bool lens_open_names(struct lensdb *db, enum lensdb_place place, struct arena *a
         for (size_t i = 0; i < files; i++) {
             struct text name = embedded_lens(&embedded_files[i]);
             if (name.length > 0) {
-                all[count++] = copy(arena, name);
+                all[count++] = lens_open_copy(arena, name);
             }
         }
     }
@@ -145,7 +146,7 @@ static bool fail_unknown(struct lensdb *db, struct text name, struct arena *aren
 bool lens_open_text(struct lensdb *db, struct text name, struct arena *arena, const char **source,
                     struct text *content, struct error *error)
 {
-    const char *path = copy(arena, name);
+    const char *path = lens_open_copy(arena, name);
     if (text_equal(name, "-")) {
         *source = "standard input";
         return whole_stream(STDIN_FILENO, *source, arena, content, error);
@@ -179,12 +180,12 @@ const char *lens_open_path(struct lensdb *db, struct text name, struct arena *ar
     struct text content;
     struct error ignored;
     if (is_path(name) || text_equal(name, "-")) {
-        return copy(arena, name);
+        return lens_open_copy(arena, name);
     }
     if (lensdb_find(db, "lenses", ending, name, &file, &ignored) && file != NULL) {
         return ARENA_JOIN(arena, db->directory, "/", file);
     }
-    return find_embedded(name, &embedded, &content) ? NULL : copy(arena, name);
+    return find_embedded(name, &embedded, &content) ? NULL : lens_open_copy(arena, name);
 }
 
 struct lensdb_told {
@@ -201,7 +202,7 @@ static void tell_losses(struct lensdb *db, const struct foreign_job *job)
         }
     }
     struct lensdb_told *told = ARENA_NEW(db->arena, struct lensdb_told);
-    *told = (struct lensdb_told){copy(db->arena, text_of(job->source)), db->told_of};
+    *told = (struct lensdb_told){lens_open_copy(db->arena, text_of(job->source)), db->told_of};
     db->told_of = told;
     db->losses.arena = db->arena;
     foreign_losses(job, &db->losses);

@@ -18,18 +18,19 @@ struct merge {
     size_t setting_count, setting_room;
 };
 
-static bool is_same_value(const struct figure *a, const struct figure *b)
+static bool merge_positions_is_same_value(const struct figure *a, const struct figure *b)
 {
     return a->value.hi == b->value.hi && a->value.lo == b->value.lo;
 }
 
-static const struct surface *surface_at(const struct merge *merge, size_t position, size_t index)
+static const struct surface *merge_positions_surface_at(const struct merge *merge, size_t position,
+                                                        size_t index)
 {
     return &merge->lenses[position].surfaces[index];
 }
 
 /* A plane that is only the stop counts as any other: it may be the stop in one position. */
-static enum surface_kind kind_of(const struct surface *surface)
+static enum surface_kind merge_positions_kind_of(const struct surface *surface)
 {
     return surface->kind == SURFACE_STOP ? SURFACE_REFRACT : surface->kind;
 }
@@ -37,14 +38,15 @@ static enum surface_kind kind_of(const struct surface *surface)
 static bool is_same_aperture(const struct aperture *a, const struct aperture *b)
 {
     bool same = a->shape == b->shape && a->blocks == b->blocks && a->arms == b->arms &&
-                a->point_count == b->point_count && is_same_value(&a->turn, &b->turn);
+                a->point_count == b->point_count &&
+                merge_positions_is_same_value(&a->turn, &b->turn);
     for (int i = 0; i < 2; i++) {
-        same = same && is_same_value(&a->size[i], &b->size[i]) &&
-               is_same_value(&a->decenter[i], &b->decenter[i]);
+        same = same && merge_positions_is_same_value(&a->size[i], &b->size[i]) &&
+               merge_positions_is_same_value(&a->decenter[i], &b->decenter[i]);
     }
     for (size_t i = 0; same && i < a->point_count; i++) {
-        same = is_same_value(&a->points[i][0], &b->points[i][0]) &&
-               is_same_value(&a->points[i][1], &b->points[i][1]);
+        same = merge_positions_is_same_value(&a->points[i][0], &b->points[i][0]) &&
+               merge_positions_is_same_value(&a->points[i][1], &b->points[i][1]);
     }
     return same;
 }
@@ -59,22 +61,22 @@ static bool are_same_apertures(const struct surface *a, const struct surface *b)
 }
 
 /* What no position can set. */
-static bool is_alike(const struct surface *a, const struct surface *b)
+static bool merge_positions_is_alike(const struct surface *a, const struct surface *b)
 {
-    bool same =
-        kind_of(a) == kind_of(b) && a->curved == b->curved && a->has_thickness == b->has_thickness;
+    bool same = merge_positions_kind_of(a) == merge_positions_kind_of(b) &&
+                a->curved == b->curved && a->has_thickness == b->has_thickness;
     for (int i = 0; i < 3 && same && surface_has(a, SURFACE_HAS_FOCAL); i++) {
-        same = is_same_value(&a->distortion[i], &b->distortion[i]);
+        same = merge_positions_is_same_value(&a->distortion[i], &b->distortion[i]);
     }
     return same;
 }
 
 /* One number a position, all the same? */
-static bool are_same(const struct figure *figures, size_t count)
+static bool merge_positions_are_same(const struct figure *figures, size_t count)
 {
     bool same = true;
     for (size_t p = 1; p < count; p++) {
-        same = same && is_same_value(&figures[p], &figures[0]);
+        same = same && merge_positions_is_same_value(&figures[p], &figures[0]);
     }
     return same;
 }
@@ -94,17 +96,17 @@ static bool merge_cells(struct merge *merge, size_t index, struct error *error)
     struct figure *gaps = ARENA_ARRAY(merge->arena, merge->count, struct figure);
     struct figure *diameters = ARENA_ARRAY(merge->arena, merge->count, struct figure);
     for (size_t p = 0; p < merge->count; p++) {
-        gaps[p] = surface_at(merge, p, index)->thickness;
-        diameters[p] = surface_at(merge, p, index)->diameter;
+        gaps[p] = merge_positions_surface_at(merge, p, index)->thickness;
+        diameters[p] = merge_positions_surface_at(merge, p, index)->diameter;
     }
-    if (to->has_thickness && !are_same(gaps, merge->count)) {
+    if (to->has_thickness && !merge_positions_are_same(gaps, merge->count)) {
         to->thickness = variable(merge, "d", index + 1, gaps);
     }
     size_t clear = 0;
     for (size_t p = 0; p < merge->count; p++) {
-        clear += surface_at(merge, p, index)->has_diameter;
+        clear += merge_positions_surface_at(merge, p, index)->has_diameter;
     }
-    if (clear == merge->count && !are_same(diameters, merge->count)) {
+    if (clear == merge->count && !merge_positions_are_same(diameters, merge->count)) {
         to->diameter = variable(merge, "D", index + 1, diameters);
     }
     to->has_diameter = clear == merge->count;
@@ -129,10 +131,11 @@ static void merge_curve(struct merge *merge, size_t index)
     struct figure *figures = ARENA_ARRAY(merge->arena, merge->count, struct figure);
     enum parameter_kind kind = PARAMETER_RADIUS;
     for (size_t p = 0; p < merge->count; p++) {
-        kind = surface_at(merge, p, index)->has_curvature ? PARAMETER_CURVATURE : kind;
+        kind =
+            merge_positions_surface_at(merge, p, index)->has_curvature ? PARAMETER_CURVATURE : kind;
     }
     for (size_t p = 0; p < merge->count; p++) {
-        const struct surface *from = surface_at(merge, p, index);
+        const struct surface *from = merge_positions_surface_at(merge, p, index);
         const struct figure *figure = parameter_figure(from, kind, 0);
         struct figure flat = {{INFINITY, 0}, text_of("inf"), LENS_NONE};
         if (figure != NULL) {
@@ -144,7 +147,7 @@ static void merge_curve(struct merge *merge, size_t index)
                 (struct figure){.value = surface_base_curvature(from), .variable = LENS_NONE};
         }
     }
-    if (are_same(figures, merge->count)) {
+    if (merge_positions_are_same(figures, merge->count)) {
         return;
     }
     parameter_put(to, kind, 0, figures[0], merge->arena);
@@ -156,10 +159,10 @@ static void merge_medium(struct merge *merge, size_t index)
     struct medium *media = ARENA_ARRAY(merge->arena, merge->count, struct medium);
     bool same = true;
     for (size_t p = 0; p < merge->count; p++) {
-        media[p] = surface_at(merge, p, index)->medium;
+        media[p] = merge_positions_surface_at(merge, p, index)->medium;
         same = same && medium_is_same(&media[p], &media[0]);
     }
-    if (!same && !surface_reflects(surface_at(merge, 0, index))) {
+    if (!same && !surface_reflects(merge_positions_surface_at(merge, 0, index))) {
         add_setting(merge, (struct lens_setting){{index, PARAMETER_GLASS, 0}, NULL, media});
     }
 }
@@ -172,11 +175,11 @@ static void merge_number(struct merge *merge, size_t index, struct parameter eac
     bool any = false;
     for (size_t p = 0; p < merge->count; p++) {
         const struct figure *figure =
-            parameter_figure(surface_at(merge, p, index), each.kind, each.order);
+            parameter_figure(merge_positions_surface_at(merge, p, index), each.kind, each.order);
         any = any || figure != NULL;
         figures[p] = figure != NULL ? *figure : figure_zero();
     }
-    if (any && !are_same(figures, merge->count)) {
+    if (any && !merge_positions_are_same(figures, merge->count)) {
         parameter_put(to, each.kind, each.order, figures[0], merge->arena);
         each.surface = index;
         add_setting(merge, (struct lens_setting){each, figures, NULL});
@@ -184,7 +187,8 @@ static void merge_number(struct merge *merge, size_t index, struct parameter eac
 }
 
 /* What no position can set: the first alone is kept. */
-static void keep_first(const struct merge *merge, const char *in, struct error *error)
+static void merge_positions_keep_first(const struct merge *merge, const char *in,
+                                       struct error *error)
 {
     struct lens *to = merge->build->lens;
     *to = merge->lenses[0];
@@ -204,14 +208,14 @@ static void keep_first(const struct merge *merge, const char *in, struct error *
 /* False where only the first is kept. */
 static bool merge_surface(struct merge *merge, size_t index, struct error *error)
 {
-    const struct surface *first = surface_at(merge, 0, index);
+    const struct surface *first = merge_positions_surface_at(merge, 0, index);
     for (size_t p = 1; p < merge->count; p++) {
-        if (!is_alike(first, surface_at(merge, p, index))) {
-            keep_first(merge, arena_printf(merge->arena, "the kind of surface %zu", index + 1),
-                       error);
+        if (!merge_positions_is_alike(first, merge_positions_surface_at(merge, p, index))) {
+            merge_positions_keep_first(
+                merge, arena_printf(merge->arena, "the kind of surface %zu", index + 1), error);
             return false;
         }
-        if (!are_same_apertures(first, surface_at(merge, p, index)) &&
+        if (!are_same_apertures(first, merge_positions_surface_at(merge, p, index)) &&
             !foreign_loss(merge->job, NULL, (struct text){NULL, 0}, error,
                           LOSS_VIGNETTES "the apertures of surface %zu differ between the "
                                          "configurations" LOSS_INSTEAD
@@ -250,8 +254,9 @@ static void merge_system(struct merge *merge)
             objects[p] = (struct figure){{INFINITY, 0}, text_of("inf"), LENS_NONE};
         }
     }
-    lens->objects = are_same(objects, merge->count) ? NULL : objects;
-    bool one = lens->aperture_kind <= APERTURE_STOP || are_same(apertures, merge->count);
+    lens->objects = merge_positions_are_same(objects, merge->count) ? NULL : objects;
+    bool one =
+        lens->aperture_kind <= APERTURE_STOP || merge_positions_are_same(apertures, merge->count);
     lens->apertures = one ? NULL : apertures;
 }
 
@@ -338,7 +343,7 @@ bool merge_positions(struct lens_build *build, const struct lens *lenses, struct
     for (size_t p = 1; p < merge.count; p++) {
         const char *why = against(first, &lenses[p]);
         if (why != NULL) {
-            keep_first(&merge, why, error);
+            merge_positions_keep_first(&merge, why, error);
             return true;
         }
     }
@@ -364,8 +369,8 @@ bool merge_positions(struct lens_build *build, const struct lens *lenses, struct
 }
 
 /* Position 0: the file has none. */
-static bool read_one(const struct merge_file *file, size_t position, struct lens *lens,
-                     struct arena *arena, struct error *error)
+static bool merge_positions_read_one(const struct merge_file *file, size_t position,
+                                     struct lens *lens, struct arena *arena, struct error *error)
 {
     void *state = arena_array(arena, 1, file->size);
     memcpy(state, file->state, file->size);
@@ -376,14 +381,14 @@ bool merge_read(struct lens_build *build, struct foreign_job *job, const struct 
                 struct error *error)
 {
     if (file->count == 0) {
-        return read_one(file, 0, build->lens, job->arena, error);
+        return merge_positions_read_one(file, 0, build->lens, job->arena, error);
     }
     struct lens *lenses = ARENA_ARRAY(job->arena, file->count, struct lens);
     const char **numbers = ARENA_ARRAY(job->arena, file->count, const char *);
     for (size_t p = 0; p < file->count; p++) {
         const size_t losses = job->loss_count;
         numbers[p] = arena_printf(job->arena, "%zu", p + 1);
-        if (!read_one(file, p + 1, &lenses[p], job->arena, error)) {
+        if (!merge_positions_read_one(file, p + 1, &lenses[p], job->arena, error)) {
             return false;
         }
         foreign_forget_repeated(job, p > 0 ? losses : job->loss_count);

@@ -9,12 +9,12 @@
 #include <math.h>
 #include <string.h>
 
-enum cell { RADIUS, THICKNESS, INDEX, DIAMETER, CELLS };
+enum pbrt_cell { RADIUS, THICKNESS, INDEX, DIAMETER, CELLS };
 
 static const char *const names[CELLS] = {"radius", "thickness", "index", "diameter"};
 
 /* The next line without its comment; false at the end. */
-static bool next_line(struct text *rest, struct text *line, struct text *comment)
+static bool pbrt_next_line(struct text *rest, struct text *line, struct text *comment)
 {
     if (rest->start == NULL || rest->length == 0) {
         return false;
@@ -26,11 +26,11 @@ static bool next_line(struct text *rest, struct text *line, struct text *comment
 }
 
 /* Numbers in fours and comments, and nothing else. */
-static bool is_like(struct text content)
+static bool pbrt_is_like(struct text content)
 {
     struct text rest = content, line, comment;
     size_t numbers = 0;
-    while (next_line(&rest, &line, &comment)) {
+    while (pbrt_next_line(&rest, &line, &comment)) {
         const char *at = line.start, *end = line.start + line.length;
         while (at < end) {
             double value;
@@ -52,7 +52,7 @@ static bool is_like(struct text content)
 static void read_comments(struct lens_build *build, struct text content)
 {
     struct text rest = content, line, comment;
-    while (next_line(&rest, &line, &comment)) {
+    while (pbrt_next_line(&rest, &line, &comment)) {
         if (comment.length > 0 && build->lens->title == NULL) {
             build->lens->title = lens_build_string(build, comment);
         } else if (comment.length > 0) {
@@ -62,12 +62,13 @@ static void read_comments(struct lens_build *build, struct text content)
 }
 
 /* A surface being read: its numbers, and the word that says each. */
-struct row {
+struct pbrt_row {
     struct figure figures[CELLS];
     struct text words[CELLS];
 };
 
-static bool check_row(const struct file_words *words, const struct row *row, struct error *error)
+static bool pbrt_check_row(const struct file_words *words, const struct pbrt_row *row,
+                           struct error *error)
 {
     for (int i = INDEX; i < CELLS; i++) {
         if (!(row->figures[i].value.hi >= 0)) {
@@ -78,7 +79,7 @@ static bool check_row(const struct file_words *words, const struct row *row, str
            file_words_fail(words, row->words[DIAMETER], error, "a surface without diameter");
 }
 
-static struct medium medium_of(const struct figure *index)
+static struct medium pbrt_medium_of(const struct figure *index)
 {
     if (!(index->value.hi > 0) ||
         (!(fabs(index->value.hi - 1) > 0) && !(fabs(index->value.lo) > 0))) {
@@ -93,8 +94,8 @@ static bool is_same_index(const struct medium *a, const struct medium *b)
 }
 
 /* Radius 0: a stop, unless it is between two media. */
-static bool read_stop(struct lens_build *build, const struct file_words *words,
-                      const struct row *row, struct surface *surface, struct error *error)
+static bool pbrt_read_stop(struct lens_build *build, const struct file_words *words,
+                           const struct pbrt_row *row, struct surface *surface, struct error *error)
 {
     size_t at = build->lens->surface_count - 1;
     const struct medium *before = at > 0 ? &surface[-1].medium : &medium_air;
@@ -115,10 +116,10 @@ static bool read_stop(struct lens_build *build, const struct file_words *words,
     return true;
 }
 
-static bool add_surface(struct lens_build *build, const struct file_words *words,
-                        const struct row *row, struct error *error)
+static bool pbrt_add_surface(struct lens_build *build, const struct file_words *words,
+                             const struct pbrt_row *row, struct error *error)
 {
-    if (!check_row(words, row, error)) {
+    if (!pbrt_check_row(words, row, error)) {
         return false;
     }
     if (build->lens->surface_count == LENS_MOST_SURFACES) {
@@ -130,18 +131,18 @@ static bool add_surface(struct lens_build *build, const struct file_words *words
     surface->has_thickness = true;
     surface->diameter = row->figures[DIAMETER];
     surface->has_diameter = true;
-    surface->medium = medium_of(&row->figures[INDEX]);
+    surface->medium = pbrt_medium_of(&row->figures[INDEX]);
     if (fabs(row->figures[RADIUS].value.hi) > 0) {
         surface->is_plane = false;
         surface->radius = row->figures[RADIUS];
         return true;
     }
-    return read_stop(build, words, row, surface, error);
+    return pbrt_read_stop(build, words, row, surface, error);
 }
 
-static bool read_words(struct lens_build *build, struct file_words *words, struct error *error)
+static bool pbrt_read_words(struct lens_build *build, struct file_words *words, struct error *error)
 {
-    struct row row;
+    struct pbrt_row row;
     int cell = RADIUS;
     struct text last = {words->rest.start, 0};
     struct file_words there = *words; /* in the line of the last word */
@@ -156,7 +157,7 @@ static bool read_words(struct lens_build *build, struct file_words *words, struc
             }
             if (++cell == CELLS) {
                 cell = RADIUS;
-                if (!add_surface(build, words, &row, error)) {
+                if (!pbrt_add_surface(build, words, &row, error)) {
                     return false;
                 }
             }
@@ -175,7 +176,7 @@ static bool read_words(struct lens_build *build, struct file_words *words, struc
 }
 
 /* The camera has air before its film, and its lens a stop. */
-static void check_end(struct foreign_job *job, const struct lens *lens)
+static void pbrt_check_end(struct foreign_job *job, const struct lens *lens)
 {
     const struct surface *last = &lens->surfaces[lens->surface_count - 1];
     if (!medium_is_air(&last->medium)) {
@@ -185,24 +186,24 @@ static void check_end(struct foreign_job *job, const struct lens *lens)
     }
 }
 
-static bool read(struct foreign_job *job, struct text content, struct lens *lens,
-                 struct error *error)
+static bool pbrt_read(struct foreign_job *job, struct text content, struct lens *lens,
+                      struct error *error)
 {
     struct file_words words;
     struct lens_build build;
     lens_build_begin(&build, lens, job->arena);
     read_comments(&build, content);
     if (!file_words_open(&words, job->source, content, job->arena, error) ||
-        !read_words(&build, &words, error)) {
+        !pbrt_read_words(&build, &words, error)) {
         return false;
     }
-    check_end(job, lens);
+    pbrt_check_end(job, lens);
     return true;
 }
 
 const struct foreign_format pbrt_format = {
     .type = {{"dat", "pbrt"}, ".dat"},
-    .is_like = is_like,
-    .read = read,
+    .is_like = pbrt_is_like,
+    .read = pbrt_read,
     .write = pbrt_write,
 };

@@ -11,33 +11,35 @@
 /* What stands for a plane that refracts, mm; see pbrt.h. */
 static const char LONG_RADIUS[] = "100000";
 
-struct writer {
-    struct writing out;
+struct pbrt_write_writer {
+    struct lens_writer out;
     struct foreign_job *job;
     const struct lens *lens; /* in one position */
     struct error *error;
 };
 
-static void put(struct writer *writer, const char *string)
+static void pbrt_write_put(struct pbrt_write_writer *writer, const char *string)
 {
     growing_text(&writer->out.text, text_of(string));
 }
 
 /* As typed, or the digits that read back to its pair. */
-static struct text digits_of(const struct writer *writer, const struct figure *figure)
+static struct text pbrt_write_digits_of(const struct pbrt_write_writer *writer,
+                                        const struct figure *figure)
 {
     return figure->typed.start != NULL
                ? figure->typed
                : figure_computed(figure->value, NUMBER_UNSCALED, writer->job->arena).typed;
 }
 
-static bool refuse(const struct writer *writer, size_t number, const char *what)
+static bool pbrt_write_refuse(const struct pbrt_write_writer *writer, size_t number,
+                              const char *what)
 {
     fail(writer->error, ERROR_DATA, "surface %zu %s: a .dat file cannot hold it", number, what);
     return error_locate(writer->error, writer->job->source, 0, 0);
 }
 
-static bool lose_header(struct writer *writer)
+static bool lose_header(struct pbrt_write_writer *writer)
 {
     const struct lens *lens = writer->lens;
     bool only_d = lens->wavelength_count == 0 ||
@@ -61,16 +63,17 @@ static bool lose_header(struct writer *writer)
             foreign_lose(writer->job, writer->error, "a .dat file has no choice of focus"));
 }
 
-static bool lose_shape(struct writer *writer, const struct surface *surface, size_t number)
+static bool lose_shape(struct pbrt_write_writer *writer, const struct surface *surface,
+                       size_t number)
 {
     if (surface_reflects(surface)) {
-        return refuse(writer, number, "is a mirror");
+        return pbrt_write_refuse(writer, number, "is a mirror");
     }
     if (!surface_is_round(surface)) {
-        return refuse(writer, number, "is a cylinder");
+        return pbrt_write_refuse(writer, number, "is a cylinder");
     }
     if (!surface->has_diameter) {
-        return refuse(writer, number, "has no diameter");
+        return pbrt_write_refuse(writer, number, "has no diameter");
     }
     bool is_displaced = surface->decentre != NULL || surface->coordinate_break != NULL;
     bool aspheric = fabs(surface->conic.value.hi) > 0 || surface->coefficients != 0;
@@ -91,23 +94,24 @@ static bool lose_shape(struct writer *writer, const struct surface *surface, siz
 }
 
 /* Digits of a length in mm. */
-static void put_length(struct writer *writer, const struct figure *figure)
+static void pbrt_write_put_length(struct pbrt_write_writer *writer, const struct figure *figure)
 {
     struct figure in_mm = *figure;
     if (strcmp(writer->lens->unit, "mm") != 0) {
         in_mm.typed = (struct text){NULL, 0};
     }
-    growing_text(&writer->out.text, digits_of(writer, &in_mm));
+    growing_text(&writer->out.text, pbrt_write_digits_of(writer, &in_mm));
 }
 
-static bool put_radius(struct writer *writer, const struct surface *surface, size_t number)
+static bool pbrt_write_put_radius(struct pbrt_write_writer *writer, const struct surface *surface,
+                                  size_t number)
 {
     if (surface->kind == SURFACE_STOP) {
         if (!surface->is_stop && !foreign_lose(writer->job, writer->error,
                                                "surface %zu: pbrt takes it for a stop", number)) {
             return false;
         }
-        put(writer, "0");
+        pbrt_write_put(writer, "0");
         return true;
     }
     if (surface->is_stop &&
@@ -118,14 +122,14 @@ static bool put_radius(struct writer *writer, const struct surface *surface, siz
     const struct figure reciprocal = {.value = pair_divide(pair_of(1), surface->curvature.value),
                                       .variable = LENS_NONE};
     if (surface->has_curvature && fabs(reciprocal.value.hi) < 1e100) {
-        put_length(writer, &reciprocal);
+        pbrt_write_put_length(writer, &reciprocal);
         return true;
     }
     if (!surface->is_plane && !surface->has_curvature) {
-        put_length(writer, &surface->radius);
+        pbrt_write_put_length(writer, &surface->radius);
         return true;
     }
-    put(writer, LONG_RADIUS);
+    pbrt_write_put(writer, LONG_RADIUS);
     return foreign_lose(writer->job, writer->error,
                         "surface %zu: a plane is pbrt's stop" LOSS_INSTEAD
                         "a radius of %s mm is used instead",
@@ -133,8 +137,8 @@ static bool put_radius(struct writer *writer, const struct surface *surface, siz
 }
 
 /* The index behind a surface, at the primary wavelength. */
-static bool find_index(struct writer *writer, const struct surface *surface, size_t number,
-                       struct text *digits)
+static bool find_index(struct pbrt_write_writer *writer, const struct surface *surface,
+                       size_t number, struct text *digits)
 {
     const struct medium *medium = &surface->medium;
     struct figure index = {.variable = LENS_NONE};
@@ -155,27 +159,27 @@ static bool find_index(struct writer *writer, const struct surface *surface, siz
                              medium->written.start, 1000 * wavelength)) {
         return false;
     }
-    *digits = digits_of(writer, &index);
+    *digits = pbrt_write_digits_of(writer, &index);
     return true;
 }
 
 /* The plane of a stop that refracts, which stands before it then. */
-static bool put_plane(struct writer *writer, const struct surface *surface, size_t number,
-                      struct text index)
+static bool put_plane(struct pbrt_write_writer *writer, const struct surface *surface,
+                      size_t number, struct text index)
 {
-    put(writer, LONG_RADIUS);
-    put(writer, "\t0\t");
+    pbrt_write_put(writer, LONG_RADIUS);
+    pbrt_write_put(writer, "\t0\t");
     growing_text(&writer->out.text, index);
-    put(writer, "\t");
-    put_length(writer, &surface->diameter);
-    put(writer, "\n");
+    pbrt_write_put(writer, "\t");
+    pbrt_write_put_length(writer, &surface->diameter);
+    pbrt_write_put(writer, "\n");
     return foreign_lose(writer->job, writer->error,
                         "surface %zu: a stop that refracts" LOSS_INSTEAD
                         "a radius of %s mm stands before the stop",
                         number, LONG_RADIUS);
 }
 
-static bool put_surface(struct writer *writer, size_t i)
+static bool pbrt_write_put_surface(struct pbrt_write_writer *writer, size_t i)
 {
     const struct lens *lens = writer->lens;
     const struct surface *surface = &lens->surfaces[i];
@@ -185,38 +189,38 @@ static bool put_surface(struct writer *writer, size_t i)
     if (!lose_shape(writer, surface, i + 1) || !find_index(writer, surface, i + 1, &index) ||
         (is_stop && !medium_is_same(before, &surface->medium) &&
          !put_plane(writer, surface, i + 1, index)) ||
-        !put_radius(writer, surface, i + 1)) {
+        !pbrt_write_put_radius(writer, surface, i + 1)) {
         return false;
     }
-    put(writer, "\t");
+    pbrt_write_put(writer, "\t");
     if (surface->has_thickness) {
-        put_length(writer, &surface->thickness);
+        pbrt_write_put_length(writer, &surface->thickness);
     } else {
-        put(writer, "0");
+        pbrt_write_put(writer, "0");
     }
-    put(writer, "\t");
+    pbrt_write_put(writer, "\t");
     growing_text(&writer->out.text,
                  is_stop && medium_is_air(&surface->medium) ? text_of("0") : index);
-    put(writer, "\t");
-    put_length(writer, &surface->diameter);
-    put(writer, "\n");
+    pbrt_write_put(writer, "\t");
+    pbrt_write_put_length(writer, &surface->diameter);
+    pbrt_write_put(writer, "\n");
     return true;
 }
 
-static void put_comment(struct writer *writer, const char *word, const char *text)
+static void put_comment(struct pbrt_write_writer *writer, const char *word, const char *text)
 {
     if (text != NULL) {
-        put(writer, "# ");
-        put(writer, word);
-        put(writer, text);
-        put(writer, "\n");
+        pbrt_write_put(writer, "# ");
+        pbrt_write_put(writer, word);
+        pbrt_write_put(writer, text);
+        pbrt_write_put(writer, "\n");
     }
 }
 
 bool pbrt_write(struct foreign_job *job, const struct lens *lens, struct text *text,
                 struct error *error)
 {
-    struct writer writer = {
+    struct pbrt_write_writer writer = {
         .job = job, .lens = lens_at_position(lens, 0, job->arena), .error = error};
     writing_begin(&writer.out, writer.lens, false, job->arena);
     if (lens->position_count > 1 &&
@@ -233,9 +237,9 @@ bool pbrt_write(struct foreign_job *job, const struct lens *lens, struct text *t
     for (size_t i = 0; i < lens->note_count; i++) {
         put_comment(&writer, "", lens->notes[i]);
     }
-    put(&writer, "# radius\tthickness\tindex\tdiameter\n");
+    pbrt_write_put(&writer, "# radius\tthickness\tindex\tdiameter\n");
     for (size_t i = 0; i < lens->surface_count; i++) {
-        if (!put_surface(&writer, i)) {
+        if (!pbrt_write_put_surface(&writer, i)) {
             return false;
         }
     }

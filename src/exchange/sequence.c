@@ -46,8 +46,8 @@ static struct figure with_extra(const struct sequence *sequence, const struct fi
                                            sequence->job->arena);
 }
 
-static void put_curve(const struct sequence *sequence, const struct sequence_surface *from,
-                      struct surface *surface)
+static void sequence_put_curve(const struct sequence *sequence, const struct sequence_surface *from,
+                               struct surface *surface)
 {
     const char *unit = sequence->build->lens->unit;
     if (!sequence_is_some(&from->curve)) {
@@ -72,8 +72,8 @@ static bool has_circle(const struct sequence_surface *from)
 }
 
 /* One that passes as a circle about the vertex is the diameter, and another takes it along. */
-static bool put_aperture(const struct sequence *sequence, struct sequence_aperture *one,
-                         struct surface *surface, struct aperture *to, struct error *error)
+static bool sequence_put_aperture(const struct sequence *sequence, struct sequence_aperture *one,
+                                  struct surface *surface, struct aperture *to, struct error *error)
 {
     struct error wrong;
     *to = one->aperture;
@@ -92,15 +92,16 @@ static bool put_aperture(const struct sequence *sequence, struct sequence_apertu
                         text_shown(one->at.text), one->at.text.start);
 }
 
-static bool put_apertures(const struct sequence *sequence, const struct sequence_surface *from,
-                          struct surface *surface, struct error *error)
+static bool sequence_put_apertures(const struct sequence *sequence,
+                                   const struct sequence_surface *from, struct surface *surface,
+                                   struct error *error)
 {
     struct arena *arena = sequence->job->arena;
     struct aperture *all = ARENA_ARRAY(arena, from->aperture_count, struct aperture);
     surface->apertures = all;
     for (size_t i = 0; i < from->aperture_count; i++) {
-        if (!put_aperture(sequence, &from->apertures[i], surface, &all[surface->aperture_count],
-                          error)) {
+        if (!sequence_put_aperture(sequence, &from->apertures[i], surface,
+                                   &all[surface->aperture_count], error)) {
             return false;
         }
     }
@@ -108,8 +109,8 @@ static bool put_apertures(const struct sequence *sequence, const struct sequence
 }
 
 /* The surface, and behind a bend a plane that turns the axis. */
-static bool put_surface(const struct sequence *sequence, size_t index, size_t *lens_index,
-                        struct error *error)
+static bool sequence_put_surface(const struct sequence *sequence, size_t index, size_t *lens_index,
+                                 struct error *error)
 {
     struct sequence_surface *from = &sequence->surfaces[index];
     struct lens_build *build = sequence->build;
@@ -121,7 +122,7 @@ static bool put_surface(const struct sequence *sequence, size_t index, size_t *l
     sequence_turn_first(sequence, from);
     struct surface *surface = lens_build_surface(build);
     *lens_index = from->place = lens->surface_count - 1;
-    put_curve(sequence, from, surface);
+    sequence_put_curve(sequence, from, surface);
     const struct medium *before = *lens_index > 0 ? &surface[-1].medium : &lens->object_medium;
     surface->kind = from->reflects ? SURFACE_REFLECT : SURFACE_REFRACT;
     surface->medium = from->reflects ? *before : from->medium;
@@ -139,7 +140,7 @@ static bool put_surface(const struct sequence *sequence, size_t index, size_t *l
     if (surface->has_diameter) {
         surface->diameter = from->diameter;
     }
-    if (!put_apertures(sequence, from, surface, error)) {
+    if (!sequence_put_apertures(sequence, from, surface, error)) {
         return false;
     }
     if (from->is_stop) {
@@ -163,7 +164,7 @@ bool sequence_is_near(const struct sequence *sequence)
     return sequence->count > 0 && !is_infinite(sequence, &sequence->surfaces[0].thickness);
 }
 
-static bool put_object(const struct sequence *sequence, struct error *error)
+static bool sequence_put_object(const struct sequence *sequence, struct error *error)
 {
     struct lens *lens = sequence->build->lens;
     struct sequence_surface *object = &sequence->surfaces[0];
@@ -202,7 +203,7 @@ static bool check_telecentric(const struct sequence *sequence, struct error *err
 }
 
 /* The image plane: its distance is the last thickness; a tilted or bent one stays as a surface. */
-static bool put_image(const struct sequence *sequence, bool is_solved, struct error *error)
+static bool sequence_put_image(const struct sequence *sequence, bool is_solved, struct error *error)
 {
     struct sequence_surface *image = &sequence->surfaces[sequence->count - 1];
     const struct file_words place = commands_place(sequence->commands, &image->at);
@@ -219,7 +220,7 @@ static bool put_image(const struct sequence *sequence, bool is_solved, struct er
         image->extra = pair_of(0);
         image->medium = lens->surfaces[last - 1].medium;
         lens->focus = FOCUS_TABLE;
-        return put_surface(sequence, sequence->count - 1, &last, error);
+        return sequence_put_surface(sequence, sequence->count - 1, &last, error);
     }
     return true;
 }
@@ -249,11 +250,11 @@ bool sequence_finish(struct sequence *sequence, struct error *error)
     }
     sequence_spread_z(sequence);
     size_t *indices = ARENA_ARRAY(sequence->job->arena, sequence->count, size_t);
-    if (!put_object(sequence, error) || !check_telecentric(sequence, error)) {
+    if (!sequence_put_object(sequence, error) || !check_telecentric(sequence, error)) {
         return false;
     }
     for (size_t i = 1; i + 1 < sequence->count; i++) {
-        if (!put_surface(sequence, i, &indices[i], error)) {
+        if (!sequence_put_surface(sequence, i, &indices[i], error)) {
             return false;
         }
     }
@@ -263,7 +264,8 @@ bool sequence_finish(struct sequence *sequence, struct error *error)
         solve->is_set = false; /* 'focus paraxial' solves it whenever it is asked for */
     }
     foreign_mark_power(sequence->job, sequence->build);
-    if (!put_image(sequence, is_solved, error) || !sequence_solve_all(sequence, indices, error)) {
+    if (!sequence_put_image(sequence, is_solved, error) ||
+        !sequence_solve_all(sequence, indices, error)) {
         return false;
     }
     sequence_keep_pickups(sequence);

@@ -14,8 +14,9 @@ void sequence_pick_up(struct sequence *sequence, struct sequence_pickup pickup)
 }
 
 /* scale * figure + offset; digits are kept where nothing but the sign changes. */
-static struct figure follow(const struct sequence *sequence, struct figure source,
-                            const struct sequence_pickup *pickup, struct number_scale unit)
+static struct figure sequence_pickup_follow(const struct sequence *sequence, struct figure source,
+                                            const struct sequence_pickup *pickup,
+                                            struct number_scale unit)
 {
     if (pickup->offset.hi == 0 && fabs(pickup->scale.hi) == 1 && pickup->scale.lo == 0) {
         return pickup->scale.hi == 1 ? source : figure_negate(source, sequence->job->arena);
@@ -36,12 +37,12 @@ static void follow_curve(const struct sequence *sequence, const struct sequence_
     }
     if (plain) {
         target->is_radius = source->is_radius;
-        target->curve = follow(sequence, curve, pickup, scale);
+        target->curve = sequence_pickup_follow(sequence, curve, pickup, scale);
         return;
     }
     const struct number_scale inverse = {1, 0}; /* digits of a computed curvature are of 1/mm */
     target->is_radius = as_radius;
-    target->curve = follow(sequence, curve, pickup, as_radius ? scale : inverse);
+    target->curve = sequence_pickup_follow(sequence, curve, pickup, as_radius ? scale : inverse);
     if (!as_radius) {
         struct pair per_unit = lens_words_per_length(pair_of(1), scale, 1);
         target->curve = figure_computed(pair_divide(target->curve.value, per_unit), inverse,
@@ -70,8 +71,8 @@ static void follow_turns(const struct sequence *sequence, const struct sequence_
 {
     const struct number_scale plain = {1, 0};
     for (int i = 0; i < 3; i++) {
-        target->shift[i] = follow(sequence, source->shift[i], pickup, plain);
-        target->turn[i] = follow(sequence, source->turn[i], pickup, plain);
+        target->shift[i] = sequence_pickup_follow(sequence, source->shift[i], pickup, plain);
+        target->turn[i] = sequence_pickup_follow(sequence, source->turn[i], pickup, plain);
     }
     target->turns_first = source->turns_first != (pickup->scale.hi < 0);
     target->decentred_at = pickup->at;
@@ -109,16 +110,17 @@ static bool apply_pickup(const struct sequence *sequence, const struct sequence_
         follow_profile(sequence, pickup, source, target);
         break;
     case SEQUENCE_THICKNESS:
-        target->thickness = follow(sequence, source->thickness, pickup, scale);
+        target->thickness = sequence_pickup_follow(sequence, source->thickness, pickup, scale);
         break;
     case SEQUENCE_LENGTH:
         follow_length(sequence, pickup, target);
         break;
     case SEQUENCE_DIAMETER:
-        target->diameter = follow(sequence, source->diameter, pickup, scale);
+        target->diameter = sequence_pickup_follow(sequence, source->diameter, pickup, scale);
         break;
     case SEQUENCE_CONIC:
-        target->conic = follow(sequence, source->conic, pickup, (struct number_scale){1, 0});
+        target->conic =
+            sequence_pickup_follow(sequence, source->conic, pickup, (struct number_scale){1, 0});
         break;
     case SEQUENCE_TURNS:
         follow_turns(sequence, pickup, source, target);
@@ -131,7 +133,7 @@ static bool apply_pickup(const struct sequence *sequence, const struct sequence_
 }
 
 /* What a pick-up changes, and so what it follows: bits. */
-static unsigned kinds_of(enum sequence_what what)
+static unsigned sequence_pickup_kinds_of(enum sequence_what what)
 {
     enum { CURVE = 1, CONIC = 2, THICKNESS = 4, DIAMETER = 8, MEDIUM = 16, TURNS = 32 };
     static const unsigned kinds[] = {[SEQUENCE_RADIUS] = CURVE,
@@ -147,17 +149,17 @@ static unsigned kinds_of(enum sequence_what what)
 }
 
 /* The pick-ups of a file while they are put in order. */
-struct ordering {
+struct pickup_order {
     const struct sequence *sequence;
     size_t *first; /* pick-up of each surface, pickup_count = none */
     size_t *next;  /* pick-up of the same surface */
     enum { WAITING, BEGUN, DONE } * state;
 };
 
-static bool apply_in_order(const struct ordering *ordering, size_t at, struct error *error);
+static bool apply_in_order(const struct pickup_order *ordering, size_t at, struct error *error);
 
 /* What the pick-up follows may be picked up too. */
-static bool apply_sources(const struct ordering *ordering, size_t at, struct error *error)
+static bool apply_sources(const struct pickup_order *ordering, size_t at, struct error *error)
 {
     const struct sequence *sequence = ordering->sequence;
     const struct sequence_pickup *pickup = &sequence->pickups[at];
@@ -166,7 +168,8 @@ static bool apply_sources(const struct ordering *ordering, size_t at, struct err
         for (size_t i = ordering->first[surface]; i < sequence->pickup_count;
              i = ordering->next[i]) {
             const struct sequence_pickup *other = &sequence->pickups[i];
-            if ((kinds_of(other->what) & kinds_of(pickup->what)) != 0 &&
+            if ((sequence_pickup_kinds_of(other->what) & sequence_pickup_kinds_of(pickup->what)) !=
+                    0 &&
                 !apply_in_order(ordering, i, error)) {
                 return false;
             }
@@ -175,7 +178,7 @@ static bool apply_sources(const struct ordering *ordering, size_t at, struct err
     return true;
 }
 
-static bool apply_in_order(const struct ordering *ordering, size_t at, struct error *error)
+static bool apply_in_order(const struct pickup_order *ordering, size_t at, struct error *error)
 {
     const struct sequence *sequence = ordering->sequence;
     const struct sequence_pickup *pickup = &sequence->pickups[at];
@@ -201,9 +204,9 @@ bool sequence_apply_pickups(const struct sequence *sequence, struct error *error
 {
     struct arena *arena = sequence->job->arena;
     size_t count = sequence->pickup_count;
-    struct ordering ordering = {.sequence = sequence,
-                                .first = ARENA_ARRAY(arena, sequence->count + 1, size_t),
-                                .next = ARENA_ARRAY(arena, count + 1, size_t)};
+    struct pickup_order ordering = {.sequence = sequence,
+                                    .first = ARENA_ARRAY(arena, sequence->count + 1, size_t),
+                                    .next = ARENA_ARRAY(arena, count + 1, size_t)};
     ordering.state = arena_array(arena, count + 1, sizeof ordering.state[0]);
     for (size_t i = 0; i < sequence->count; i++) {
         ordering.first[i] = count;
@@ -223,8 +226,9 @@ bool sequence_apply_pickups(const struct sequence *sequence, struct error *error
     return true;
 }
 
-static void keep(const struct sequence *sequence, const struct sequence_pickup *pickup,
-                 enum parameter_kind kind, int order, struct pair factor)
+static void sequence_pickup_keep(const struct sequence *sequence,
+                                 const struct sequence_pickup *pickup, enum parameter_kind kind,
+                                 int order, struct pair factor)
 {
     const struct parameter what = {sequence->surfaces[pickup->target].place, kind, order};
     const struct parameter from = {sequence->surfaces[pickup->source].place, kind, order};
@@ -235,14 +239,14 @@ static void keep(const struct sequence *sequence, const struct sequence_pickup *
 static void keep_profile(const struct sequence *sequence, const struct sequence_pickup *pickup)
 {
     const struct sequence_surface *source = &sequence->surfaces[pickup->source];
-    keep(sequence, pickup, PARAMETER_CURVATURE, 0, pickup->scale);
+    sequence_pickup_keep(sequence, pickup, PARAMETER_CURVATURE, 0, pickup->scale);
     if (sequence_is_some(&source->conic)) {
-        keep(sequence, pickup, PARAMETER_CONIC, 0, pair_of(1));
+        sequence_pickup_keep(sequence, pickup, PARAMETER_CONIC, 0, pair_of(1));
     }
     for (int i = 0; i < LENS_COEFFICIENTS; i++) {
         if ((source->coefficients & 1u << i) != 0) {
-            keep(sequence, pickup, PARAMETER_COEFFICIENT, surface_order(i),
-                 pair_of(pickup->scale.hi < 0 ? -1 : 1));
+            sequence_pickup_keep(sequence, pickup, PARAMETER_COEFFICIENT, surface_order(i),
+                                 pair_of(pickup->scale.hi < 0 ? -1 : 1));
         }
     }
 }
@@ -262,25 +266,25 @@ void sequence_keep_pickups(const struct sequence *sequence)
         }
         switch (pickup->what) {
         case SEQUENCE_RADIUS:
-            keep(sequence, pickup, PARAMETER_RADIUS, 0, pickup->scale);
+            sequence_pickup_keep(sequence, pickup, PARAMETER_RADIUS, 0, pickup->scale);
             break;
         case SEQUENCE_CURVATURE:
-            keep(sequence, pickup, PARAMETER_CURVATURE, 0, pickup->scale);
+            sequence_pickup_keep(sequence, pickup, PARAMETER_CURVATURE, 0, pickup->scale);
             break;
         case SEQUENCE_PROFILE:
             keep_profile(sequence, pickup);
             break;
         case SEQUENCE_CONIC:
-            keep(sequence, pickup, PARAMETER_CONIC, 0, pickup->scale);
+            sequence_pickup_keep(sequence, pickup, PARAMETER_CONIC, 0, pickup->scale);
             break;
         case SEQUENCE_THICKNESS:
         case SEQUENCE_LENGTH:
             if (gaps && one) {
-                keep(sequence, pickup, PARAMETER_THICKNESS, 0, pickup->scale);
+                sequence_pickup_keep(sequence, pickup, PARAMETER_THICKNESS, 0, pickup->scale);
             }
             break;
         case SEQUENCE_MEDIUM:
-            keep(sequence, pickup, PARAMETER_GLASS, 0, pair_of(1));
+            sequence_pickup_keep(sequence, pickup, PARAMETER_GLASS, 0, pair_of(1));
             break;
         case SEQUENCE_DIAMETER:
         case SEQUENCE_TURNS:

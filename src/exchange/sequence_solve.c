@@ -12,7 +12,7 @@ enum { MOST_PASSES = 20 };
 static const double same_enough = 4e-16;
 
 /* One solve being applied. */
-struct solving {
+struct solve_application {
     const struct sequence *sequence;
     const struct sequence_surface *from;
     const struct sequence_solve *solve;
@@ -20,7 +20,8 @@ struct solving {
     bool is_thickness;
 };
 
-static bool solve_one(const struct solving *solving, struct pair *value, struct error *error)
+static bool solve_one(const struct solve_application *solving, struct pair *value,
+                      struct error *error)
 {
     struct arena *arena = solving->sequence->job->arena;
     const struct lens *lens = solving->sequence->build->lens;
@@ -42,7 +43,7 @@ static bool solve_one(const struct solving *solving, struct pair *value, struct 
 }
 
 /* A curvature comes with the digits of the file's unit. */
-static struct figure figure_solved(const struct solving *solving, struct pair value)
+static struct figure figure_solved(const struct solve_application *solving, struct pair value)
 {
     const struct commands *commands = solving->sequence->commands;
     const struct number_scale plain = {1, 0};
@@ -56,22 +57,24 @@ static struct figure figure_solved(const struct solving *solving, struct pair va
     return figure;
 }
 
-static bool is_near(struct pair a, struct pair b)
+static bool sequence_solve_is_near(struct pair a, struct pair b)
 {
     return fabs(pair_subtract(a, b).hi) <= same_enough * (fabs(a.hi) + 1);
 }
 
 /* Result: was it so already? */
-static bool set_thickness(const struct solving *solving, struct figure value)
+static bool sequence_solve_set_thickness(const struct solve_application *solving,
+                                         struct figure value)
 {
     struct lens *lens = solving->sequence->build->lens;
     struct figure *figure = &lens->surfaces[solving->surface].thickness;
-    const bool near = is_near(figure->value, value.value);
+    const bool near = sequence_solve_is_near(figure->value, value.value);
     *figure = value;
     return near;
 }
 
-static bool set_curvature(const struct solving *solving, struct figure value)
+static bool sequence_solve_set_curvature(const struct solve_application *solving,
+                                         struct figure value)
 {
     struct surface *surface = &solving->sequence->build->lens->surfaces[solving->surface];
     const struct pair old = surface_curvature(surface, SECTION_Y);
@@ -79,19 +82,19 @@ static bool set_curvature(const struct solving *solving, struct figure value)
     surface->radius = sequence_nothing;
     surface->has_curvature = value.value.hi != 0;
     surface->curvature = value;
-    return is_near(old, value.value);
+    return sequence_solve_is_near(old, value.value);
 }
 
 static const char through_loss[] = "it follows rays through what is lost";
 
 /* What the file has for it; typed.start is null where it has nothing. */
-static const struct figure *stored_of(const struct solving *solving)
+static const struct figure *stored_of(const struct solve_application *solving)
 {
     const struct sequence_surface *from = solving->from;
     return solving->is_thickness ? &from->thickness : &from->curve;
 }
 
-static bool is_stored(const struct solving *solving)
+static bool is_stored(const struct solve_application *solving)
 {
     return stored_of(solving)->typed.start != NULL;
 }
@@ -100,7 +103,8 @@ static bool is_stored(const struct solving *solving)
  * The number of the file stands; false with ERROR_NONE, or the error where that is refused. Of one
  * position it is what the program solved, and a note says so.
  */
-static bool keep(const struct solving *solving, const char *why, struct error *error)
+static bool sequence_solve_keep(const struct solve_application *solving, const char *why,
+                                struct error *error)
 {
     const struct sequence *sequence = solving->sequence;
     const struct file_words place = commands_place(sequence->commands, &solving->solve->at);
@@ -118,31 +122,34 @@ static bool keep(const struct solving *solving, const char *why, struct error *e
 }
 
 /* Result: false with ERROR_NONE where the stored number stands, as a loss that is listed. */
-static bool apply(const struct solving *solving, bool *near, struct error *error)
+static bool sequence_solve_apply(const struct solve_application *solving, bool *near,
+                                 struct error *error)
 {
     struct pair value;
     if (solving->sequence->job->lost_power != NULL && is_stored(solving)) {
-        return keep(solving, through_loss, error);
+        return sequence_solve_keep(solving, through_loss, error);
     }
     bool by_size = solving->solve->of_angle || solving->solve->target.value.hi != 0;
     if (solving->sequence->is_open && solving->solve->ray == SOLVE_MARGINAL && by_size) {
-        return keep(solving, "it follows a ray whose height follows from the lens", error);
+        return sequence_solve_keep(solving, "it follows a ray whose height follows from the lens",
+                                   error);
     }
     if (solving->solve->is_unknown) {
-        return keep(solving, "it is not known", error);
+        return sequence_solve_keep(solving, "it is not known", error);
     }
     if (!solve_one(solving, &value, error)) {
         const struct error found = *error;
-        return keep(solving, found.message, error);
+        return sequence_solve_keep(solving, found.message, error);
     }
     const struct figure figure = figure_solved(solving, value);
-    *near = solving->is_thickness ? set_thickness(solving, figure) : set_curvature(solving, figure);
+    *near = solving->is_thickness ? sequence_solve_set_thickness(solving, figure)
+                                  : sequence_solve_set_curvature(solving, figure);
     return true;
 }
 
 /* Result: whether nothing moved any more; false with a code where it failed. */
-static bool pass(const struct sequence *sequence, const size_t *indices, bool *settled,
-                 struct error *error)
+static bool sequence_solve_pass(const struct sequence *sequence, const size_t *indices,
+                                bool *settled, struct error *error)
 {
     *settled = true;
     for (size_t i = 1; i + 1 < sequence->count; i++) {
@@ -151,12 +158,12 @@ static bool pass(const struct sequence *sequence, const size_t *indices, bool *s
         for (int j = 0; j < 2; j++) {
             /* behind a bend the thickness is that of the plane that turns the axis */
             size_t surface = indices[i] + (j == 1 ? from->planes_behind : 0);
-            struct solving solving = {sequence, from, solves[j], surface, j == 1};
+            struct solve_application solving = {sequence, from, solves[j], surface, j == 1};
             bool near = true;
             if (!solves[j]->is_set) {
                 continue;
             }
-            if (!apply(&solving, &near, error)) {
+            if (!sequence_solve_apply(&solving, &near, error)) {
                 solves[j]->is_set = false;
                 if (error->code != ERROR_NONE) {
                     return false;
@@ -169,7 +176,7 @@ static bool pass(const struct sequence *sequence, const size_t *indices, bool *s
 }
 
 /* A note where a solve gives another number than the file has, beyond its rounding. */
-static void remark(const struct solving *solving, size_t number)
+static void remark(const struct solve_application *solving, size_t number)
 {
     const struct sequence *sequence = solving->sequence;
     const struct surface *surface = &sequence->build->lens->surfaces[solving->surface];
@@ -202,9 +209,10 @@ static void remark_all(const struct sequence *sequence, const size_t *indices)
 {
     for (size_t i = 1; i + 1 < sequence->count; i++) {
         const struct sequence_surface *from = &sequence->surfaces[i];
-        const struct solving curve = {sequence, from, &from->curvature_solve, indices[i], false};
-        const struct solving gap = {sequence, from, &from->thickness_solve,
-                                    indices[i] + from->planes_behind, true};
+        const struct solve_application curve = {sequence, from, &from->curvature_solve, indices[i],
+                                                false};
+        const struct solve_application gap = {sequence, from, &from->thickness_solve,
+                                              indices[i] + from->planes_behind, true};
         bool is_image = i + 2 == sequence->count && sequence->build->lens->focus == FOCUS_PARAXIAL;
         if (curve.solve->is_set && is_stored(&curve)) {
             remark(&curve, i);
@@ -219,7 +227,7 @@ bool sequence_solve_all(const struct sequence *sequence, const size_t *indices, 
 {
     bool settled = false;
     for (int i = 0; i < MOST_PASSES && !settled; i++) {
-        if (!pass(sequence, indices, &settled, error)) {
+        if (!sequence_solve_pass(sequence, indices, &settled, error)) {
             return false;
         }
     }

@@ -18,7 +18,7 @@ struct varied_lens {
 };
 
 /* |da| over the step, of a number that has just been changed. */
-static double slope_of(const struct varied_lens *varied)
+static double solve_doubt_slope_of(const struct varied_lens *varied)
 {
     double value;
     return varied->answer(varied->context, &varied->lens, varied->arena, &value)
@@ -34,7 +34,7 @@ static double slope_of_figure(const struct varied_lens *varied, struct figure *f
         return 0;
     }
     figure->value = pair_multiply(was, pair_of(1 + step));
-    const double slope = slope_of(varied);
+    const double slope = solve_doubt_slope_of(varied);
     figure->value = was;
     return slope;
 }
@@ -66,7 +66,7 @@ static double doubt_of_index(const struct varied_lens *varied, struct surface *s
     }
     surface->medium = (struct medium){
         .kind = MEDIUM_CONSTANT, .written = was.written, .index = pair_add(index, pair_of(step))};
-    const double slope = slope_of(varied);
+    const double slope = solve_doubt_slope_of(varied);
     surface->medium = was;
     return slope * index_doubt(&was, index);
 }

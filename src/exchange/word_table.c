@@ -15,7 +15,7 @@ const char *word_fate_name(enum word_fate fate)
     return names[fate];
 }
 
-static bool is_same(const char *word, struct text typed)
+static bool word_table_is_same(const char *word, struct text typed)
 {
     for (size_t i = 0; i < typed.length; i++) {
         char c = typed.start[i];
@@ -27,11 +27,11 @@ static bool is_same(const char *word, struct text typed)
 }
 
 /* Words of a table are in capitals. */
-static bool has_word(const char *words, struct text word)
+static bool word_table_has_word(const char *words, struct text word)
 {
     for (const char *at = words; *at != '\0';) {
         size_t length = strcspn(at, " ");
-        if (length == word.length && is_same(at, word)) {
+        if (length == word.length && word_table_is_same(at, word)) {
             return true;
         }
         at += length + (at[length] == ' ');
@@ -43,7 +43,8 @@ const struct word_group *word_group_of(const struct word_group *table, const cha
                                        struct text word)
 {
     for (; table->words != NULL; table++) {
-        if ((place == NULL || strcmp(place, table->place) == 0) && has_word(table->words, word)) {
+        if ((place == NULL || strcmp(place, table->place) == 0) &&
+            word_table_has_word(table->words, word)) {
             return table;
         }
     }

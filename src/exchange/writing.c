@@ -13,26 +13,28 @@
 #include <math.h>
 #include <string.h>
 
-void writing_begin(struct writing *writing, const struct lens *lens, bool has_metres,
+void writing_begin(struct lens_writer *writing, const struct lens *lens, bool has_metres,
                    struct arena *arena)
 {
     bool is_metre = strcmp(lens->unit, "m") == 0 && !has_metres;
-    *writing = (struct writing){
+    *writing = (struct lens_writer){
         .arena = arena, .lens = lens, .text = {.arena = arena}, .shift = is_metre ? 3 : 0};
     writing->unit = is_metre ? "mm" : lens->unit;
     writing->scale = lens_unit_scale(writing->unit);
 }
 
 /* The figure in the first position, where a variable stands for it. */
-static struct figure first_of(const struct writing *writing, const struct figure *figure)
+static struct figure writing_first_of(const struct lens_writer *writing,
+                                      const struct figure *figure)
 {
     return figure->variable != LENS_NONE ? writing->lens->variables[figure->variable].values[0]
                                          : *figure;
 }
 
-struct text writing_length(const struct writing *writing, const struct figure *figure, int power)
+struct text writing_length(const struct lens_writer *writing, const struct figure *figure,
+                           int power)
 {
-    const struct figure first = first_of(writing, figure);
+    const struct figure first = writing_first_of(writing, figure);
     struct arena *arena = writing->arena;
     if (first.typed.start != NULL) {
         return writing->shift == 0 || power == 0
@@ -47,7 +49,7 @@ struct text writing_length(const struct writing *writing, const struct figure *f
     return figure_computed(plain, (struct number_scale){1, 0}, arena).typed;
 }
 
-struct text writing_degrees(const struct writing *writing, const struct figure *figure)
+struct text writing_degrees(const struct lens_writer *writing, const struct figure *figure)
 {
     return figure->typed.start != NULL
                ? figure->typed
@@ -56,7 +58,7 @@ struct text writing_degrees(const struct writing *writing, const struct figure *
                      .typed;
 }
 
-struct text writing_wave(const struct writing *writing, double micrometres, struct text typed,
+struct text writing_wave(const struct lens_writer *writing, double micrometres, struct text typed,
                          int power)
 {
     const char *unit = typed.length > 2 ? typed.start + typed.length - 2 : "";
@@ -72,7 +74,7 @@ struct text writing_wave(const struct writing *writing, double micrometres, stru
     return decimal_shift(shortest, power, writing->arena);
 }
 
-struct text writing_quotable(const struct writing *writing, const char *string, const char *bad,
+struct text writing_quotable(const struct lens_writer *writing, const char *string, const char *bad,
                              bool *has_lost)
 {
     char *copy = arena_string(writing->arena, string, strlen(string));
@@ -84,7 +86,7 @@ struct text writing_quotable(const struct writing *writing, const char *string, 
     return text_of(copy);
 }
 
-bool writing_pupil(const struct writing *writing, size_t position, struct figure *pupil)
+bool writing_pupil(const struct lens_writer *writing, size_t position, struct figure *pupil)
 {
     const struct lens *lens = lens_at_position(writing->lens, position, writing->arena);
     struct aperture_setting aperture = lens_aperture(lens);
@@ -125,7 +127,7 @@ static const char *bare_name(struct text name, struct arena *arena)
     return bare;
 }
 
-void writing_glass(const struct writing *writing, const struct foreign_job *job,
+void writing_glass(const struct lens_writer *writing, const struct foreign_job *job,
                    const struct medium *medium, struct text *name, struct text *catalog)
 {
     const struct glass *glass = lens_glass_of(medium);

@@ -16,7 +16,7 @@ struct decimal {
 
 enum { DECIMAL_ROOM = 80 };
 
-static struct decimal take_apart(struct text typed, struct arena *arena)
+static struct decimal decimal_take_apart(struct text typed, struct arena *arena)
 {
     struct decimal decimal = {.digits = arena_array(arena, typed.length + 2 * DECIMAL_ROOM, 1)};
     decimal.digits += DECIMAL_ROOM;
@@ -72,7 +72,7 @@ static struct text put_together(struct decimal decimal, struct arena *arena)
     return text_between(start, at + decimal.exponent.length);
 }
 
-static void multiply(struct decimal *decimal, int factor)
+static void decimal_multiply(struct decimal *decimal, int factor)
 {
     int carry = 0;
     for (size_t i = decimal->count; i-- > 0;) {
@@ -89,15 +89,15 @@ static void multiply(struct decimal *decimal, int factor)
 
 struct text decimal_double(struct text typed, struct arena *arena)
 {
-    struct decimal decimal = take_apart(typed, arena);
-    multiply(&decimal, 2);
+    struct decimal decimal = decimal_take_apart(typed, arena);
+    decimal_multiply(&decimal, 2);
     return put_together(decimal, arena);
 }
 
 struct text decimal_half(struct text typed, struct arena *arena)
 {
-    struct decimal decimal = take_apart(typed, arena);
-    multiply(&decimal, 5);
+    struct decimal decimal = decimal_take_apart(typed, arena);
+    decimal_multiply(&decimal, 5);
     decimal.before--;
     while ((long)decimal.count > decimal.before && decimal.count > 1 &&
            decimal.digits[decimal.count - 1] == '0') {
@@ -108,7 +108,7 @@ struct text decimal_half(struct text typed, struct arena *arena)
 
 struct text decimal_negate(struct text typed, struct arena *arena)
 {
-    struct decimal decimal = take_apart(typed, arena);
+    struct decimal decimal = decimal_take_apart(typed, arena);
     bool is_zero = true;
     for (size_t i = 0; i < decimal.count; i++) {
         is_zero = is_zero && decimal.digits[i] == '0';
@@ -119,7 +119,7 @@ struct text decimal_negate(struct text typed, struct arena *arena)
 
 struct text decimal_shift(struct text typed, int power, struct arena *arena)
 {
-    struct decimal decimal = take_apart(typed, arena);
+    struct decimal decimal = decimal_take_apart(typed, arena);
     decimal.before += power;
     return put_together(decimal, arena);
 }

@@ -39,7 +39,7 @@ bool file_words_open(struct file_words *words, const char *source, struct text c
     return true;
 }
 
-static bool is_blank(char c)
+static bool file_words_is_blank(char c)
 {
     return c == ' ' || c == '\t' || c == '\r';
 }
@@ -53,13 +53,13 @@ static size_t behind_quotes(struct text line, size_t at)
 }
 
 /* A comment begins where a word may begin. */
-static struct text without_comment(struct text line, const char *mark, bool has_quotes)
+static struct text file_words_without_comment(struct text line, const char *mark, bool has_quotes)
 {
     size_t length = mark != NULL ? strlen(mark) : 0;
     for (size_t i = 0; length > 0 && i + length <= line.length; i++) {
         i = has_quotes ? behind_quotes(line, i) : i;
         if (i + length <= line.length && memcmp(line.start + i, mark, length) == 0 &&
-            (i == 0 || is_blank(line.start[i - 1]))) {
+            (i == 0 || file_words_is_blank(line.start[i - 1]))) {
             line.length = i;
         }
     }
@@ -69,10 +69,10 @@ static struct text without_comment(struct text line, const char *mark, bool has_
 bool file_words_line(struct file_words *words)
 {
     while (words->rest.start != NULL && words->rest.length > 0) {
-        struct text line =
-            without_comment(text_cut(&words->rest, '\n'), words->comment, words->has_quotes);
+        struct text line = file_words_without_comment(text_cut(&words->rest, '\n'), words->comment,
+                                                      words->has_quotes);
         words->number++;
-        while (line.length > 0 && is_blank(line.start[line.length - 1])) {
+        while (line.length > 0 && file_words_is_blank(line.start[line.length - 1])) {
             line.length--;
         }
         words->line = line;
@@ -84,20 +84,20 @@ bool file_words_line(struct file_words *words)
     return false;
 }
 
-static const char *line_end(const struct file_words *words)
+static const char *file_words_line_end(const struct file_words *words)
 {
     return words->line.start + words->line.length;
 }
 
 struct text file_words_next(struct file_words *words)
 {
-    const char *end = line_end(words), *at = words->at;
-    while (at < end && is_blank(*at)) {
+    const char *end = file_words_line_end(words), *at = words->at;
+    while (at < end && file_words_is_blank(*at)) {
         at++;
     }
     const char *start = at;
     char closing = '\0';
-    for (; at < end && (closing != '\0' || !is_blank(*at)); at++) {
+    for (; at < end && (closing != '\0' || !file_words_is_blank(*at)); at++) {
         if (closing != '\0') {
             closing = *at == closing ? '\0' : closing;
         } else if (*at == '{' || *at == '"') {
@@ -110,8 +110,9 @@ struct text file_words_next(struct file_words *words)
 
 struct text file_words_rest(struct file_words *words)
 {
-    struct text rest = text_trim((struct text){words->at, (size_t)(line_end(words) - words->at)});
-    words->at = line_end(words);
+    struct text rest =
+        text_trim((struct text){words->at, (size_t)(file_words_line_end(words) - words->at)});
+    words->at = file_words_line_end(words);
     return rest;
 }
 

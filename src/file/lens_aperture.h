@@ -19,6 +19,6 @@ bool lens_aperture_read(struct file_words *words, bool blocks, struct surface *s
 
 /* The line of an aperture, with its end; lengths in the unit of the lens. */
 void lens_aperture_write(const struct aperture *aperture, struct number_scale unit,
-                         struct growing *text);
+                         struct text_buffer *text);
 
 #endif

@@ -16,7 +16,7 @@
 const struct file_type lens_file_type = {{"lens", "lenscalc's own"}, ".lens"};
 
 /* Lines that are read when all surfaces are there, in this order, by their first words. */
-enum kept { KEPT_SETTING, KEPT_PICKUP, KEPT_TOLERANCE, KEPT_KINDS };
+enum lens_file_kept { KEPT_SETTING, KEPT_PICKUP, KEPT_TOLERANCE, KEPT_KINDS };
 static const char *const kept_words[KEPT_KINDS] = {"set", "pickup", "tolerance"};
 
 /* A file being read. Arrays grow by doubling in the arena. */
@@ -43,28 +43,28 @@ static const char *rest_string(struct parser *parser)
     return arena_string(parser->words.arena, rest.start, rest.length);
 }
 
-static bool read_title(struct parser *parser, struct error *error)
+static bool lens_file_read_title(struct parser *parser, struct error *error)
 {
     (void)error;
     parser->lens->title = rest_string(parser);
     return true;
 }
 
-static bool read_source(struct parser *parser, struct error *error)
+static bool lens_file_read_source(struct parser *parser, struct error *error)
 {
     (void)error;
     parser->lens->source = rest_string(parser);
     return true;
 }
 
-static bool read_kind(struct parser *parser, struct error *error)
+static bool lens_file_read_kind(struct parser *parser, struct error *error)
 {
     (void)error;
     parser->lens->kind = rest_string(parser);
     return true;
 }
 
-static bool read_note(struct parser *parser, struct error *error)
+static bool lens_file_read_note(struct parser *parser, struct error *error)
 {
     struct lens *lens = parser->lens;
     (void)error;
@@ -74,7 +74,7 @@ static bool read_note(struct parser *parser, struct error *error)
     return true;
 }
 
-static bool read_unit(struct parser *parser, struct error *error)
+static bool lens_file_read_unit(struct parser *parser, struct error *error)
 {
     struct text word = file_words_next(&parser->words);
     const char *unit = lens_unit_named(word);
@@ -107,8 +107,8 @@ static bool read_wavelengths(struct parser *parser, struct error *error)
 }
 
 /* A distance of the object: positive, or inf. */
-static bool read_distance(struct parser *parser, struct text word, struct figure *figure,
-                          struct error *error)
+static bool lens_file_read_distance(struct parser *parser, struct text word, struct figure *figure,
+                                    struct error *error)
 {
     if (text_equal(word, "inf")) {
         *figure = (struct figure){{INFINITY, 0}, word, LENS_NONE};
@@ -134,10 +134,10 @@ static void take_telecentric(struct parser *parser)
     }
 }
 
-static bool read_object(struct parser *parser, struct error *error)
+static bool lens_file_read_object(struct parser *parser, struct error *error)
 {
     struct lens *lens = parser->lens;
-    if (!read_distance(parser, file_words_next(&parser->words), &lens->object, error)) {
+    if (!lens_file_read_distance(parser, file_words_next(&parser->words), &lens->object, error)) {
         return false;
     }
     lens->object_is_infinite = isinf(lens->object.value.hi);
@@ -145,7 +145,7 @@ static bool read_object(struct parser *parser, struct error *error)
     return file_words_end(&parser->words, error);
 }
 
-static bool read_medium(struct parser *parser, struct error *error)
+static bool lens_file_read_medium(struct parser *parser, struct error *error)
 {
     if (parser->lens->surface_count > 0) {
         return file_words_fail(&parser->words, parser->words.line, error,
@@ -157,7 +157,7 @@ static bool read_medium(struct parser *parser, struct error *error)
            file_words_end(&parser->words, error);
 }
 
-static bool read_field(struct parser *parser, struct error *error)
+static bool lens_file_read_field(struct parser *parser, struct error *error)
 {
     static const struct {
         const char *name;
@@ -217,7 +217,7 @@ static bool read_aperture_value(struct parser *parser, struct text word, struct 
            file_words_fail(words, word, error, "the aperture must be above 0");
 }
 
-static bool read_aperture(struct parser *parser, struct error *error)
+static bool lens_file_read_aperture(struct parser *parser, struct error *error)
 {
     parser->aperture_word = file_words_next(&parser->words);
     parser->aperture_line = parser->words;
@@ -226,7 +226,7 @@ static bool read_aperture(struct parser *parser, struct error *error)
            file_words_end(&parser->words, error);
 }
 
-static bool read_focus(struct parser *parser, struct error *error)
+static bool lens_file_read_focus(struct parser *parser, struct error *error)
 {
     static const char *const names[] = {"paraxial", "table", "best", "afocal"};
     struct text word = file_words_next(&parser->words);
@@ -260,7 +260,7 @@ static size_t find_variable(void *context, struct text name)
     return lens->variable_count++;
 }
 
-static bool read_positions(struct parser *parser, struct error *error)
+static bool lens_file_read_positions(struct parser *parser, struct error *error)
 {
     struct lens *lens = parser->lens;
     struct file_words *words = &parser->words;
@@ -282,7 +282,8 @@ static bool read_positions(struct parser *parser, struct error *error)
     return true;
 }
 
-static bool check_count(struct parser *parser, struct text name, size_t count, struct error *error)
+static bool line_count_check(struct parser *parser, struct text name, size_t count,
+                             struct error *error)
 {
     return count == parser->lens->position_count ||
            file_words_fail(&parser->words, name, error, "%zu numbers for %zu positions", count,
@@ -297,13 +298,13 @@ static bool let_objects(struct parser *parser, struct text name, struct error *e
     take_telecentric(parser);
     struct text word = file_words_next(&parser->words);
     for (; word.length > 0 && count < lens->position_count; count++) {
-        if (!read_distance(parser, word, &values[count], error)) {
+        if (!lens_file_read_distance(parser, word, &values[count], error)) {
             return false;
         }
         word = file_words_next(&parser->words);
     }
     lens->objects = values;
-    return check_count(parser, name, count + (word.length > 0), error);
+    return line_count_check(parser, name, count + (word.length > 0), error);
 }
 
 static bool let_apertures(struct parser *parser, struct text name, struct error *error)
@@ -325,7 +326,7 @@ static bool let_apertures(struct parser *parser, struct text name, struct error 
         word = file_words_next(&parser->words);
     }
     lens->apertures = values;
-    return check_count(parser, name, count + (word.length > 0), error);
+    return line_count_check(parser, name, count + (word.length > 0), error);
 }
 
 static bool read_let(struct parser *parser, struct error *error)
@@ -352,7 +353,7 @@ static bool read_let(struct parser *parser, struct error *error)
                                text_shown(name), name.start);
     }
     return lens_let_read(&parser->words, lens->position_count, variable, &count, error) &&
-           check_count(parser, name, count, error);
+           line_count_check(parser, name, count, error);
 }
 
 static bool keep_line(struct parser *parser, struct error *error)
@@ -369,12 +370,12 @@ static bool keep_line(struct parser *parser, struct error *error)
     return true;
 }
 
-static bool read_goal(struct parser *parser, struct error *error)
+static bool lens_file_read_goal(struct parser *parser, struct error *error)
 {
     return lens_goal_read(&parser->words, parser->lens, error);
 }
 
-static bool read_stated(struct parser *parser, struct error *error)
+static bool lens_file_read_stated(struct parser *parser, struct error *error)
 {
     static const char *const names[STATED_COUNT] = {"efl", "bfl", "fnumber", "tstop"};
     struct lens *lens = parser->lens;
@@ -391,13 +392,13 @@ static bool read_stated(struct parser *parser, struct error *error)
         }
         lens->stated[i] = values;
         size_t count = lens->stated_count[i];
-        return count == 1 || check_count(parser, word, count, error);
+        return count == 1 || line_count_check(parser, word, count, error);
     }
     return file_words_fail(words, word, error, "what is stated is efl, bfl, fnumber or tstop");
 }
 
 /* One surface more, with the coordinate break before it. */
-static bool add_surface(struct parser *parser, enum surface_kind kind, struct error *error)
+static bool surface_line_add(struct parser *parser, enum surface_kind kind, struct error *error)
 {
     struct lens *lens = parser->lens;
     struct text word = {parser->words.line.start, 0};
@@ -436,19 +437,19 @@ static bool add_surface(struct parser *parser, enum surface_kind kind, struct er
     return true;
 }
 
-static bool read_surface(struct parser *parser, struct error *error)
+static bool lens_file_read_surface(struct parser *parser, struct error *error)
 {
-    return add_surface(parser, SURFACE_REFRACT, error);
+    return surface_line_add(parser, SURFACE_REFRACT, error);
 }
 
-static bool read_stop(struct parser *parser, struct error *error)
+static bool lens_file_read_stop(struct parser *parser, struct error *error)
 {
-    return add_surface(parser, SURFACE_STOP, error);
+    return surface_line_add(parser, SURFACE_STOP, error);
 }
 
-static bool read_thick(struct parser *parser, struct error *error)
+static bool lens_file_read_thick(struct parser *parser, struct error *error)
 {
-    return add_surface(parser, SURFACE_THICK, error);
+    return surface_line_add(parser, SURFACE_THICK, error);
 }
 
 static bool add_aperture(struct parser *parser, bool blocks, struct error *error)
@@ -464,7 +465,7 @@ static bool read_pass(struct parser *parser, struct error *error)
     return add_aperture(parser, false, error);
 }
 
-static bool read_block(struct parser *parser, struct error *error)
+static bool lens_file_read_block(struct parser *parser, struct error *error)
 {
     return add_aperture(parser, true, error);
 }
@@ -484,30 +485,30 @@ static const struct {
     unsigned once;
     bool (*read)(struct parser *parser, struct error *error);
 } keywords[] = {
-    {"unit", 1, read_unit},
-    {"object", 2, read_object},
-    {"field", 4, read_field},
-    {"aperture", 8, read_aperture},
-    {"lens", 0, read_title},
-    {"source", 0, read_source},
-    {"kind", 0, read_kind},
-    {"note", 0, read_note},
+    {"unit", 1, lens_file_read_unit},
+    {"object", 2, lens_file_read_object},
+    {"field", 4, lens_file_read_field},
+    {"aperture", 8, lens_file_read_aperture},
+    {"lens", 0, lens_file_read_title},
+    {"source", 0, lens_file_read_source},
+    {"kind", 0, lens_file_read_kind},
+    {"note", 0, lens_file_read_note},
     {"wavelength", 0, read_wavelengths},
-    {"focus", 0, read_focus},
-    {"medium", 0, read_medium},
-    {"position", 0, read_positions},
+    {"focus", 0, lens_file_read_focus},
+    {"medium", 0, lens_file_read_medium},
+    {"position", 0, lens_file_read_positions},
     {"let", 0, read_let},
     {"set", 0, keep_line},
     {"pickup", 0, keep_line},
-    {"goal", 0, read_goal},
+    {"goal", 0, lens_file_read_goal},
     {"tolerance", 0, keep_line},
-    {"stated", 16, read_stated},
-    {"surface", 0, read_surface},
-    {"stop", 0, read_stop},
-    {"thick", 0, read_thick},
+    {"stated", 16, lens_file_read_stated},
+    {"surface", 0, lens_file_read_surface},
+    {"stop", 0, lens_file_read_stop},
+    {"thick", 0, lens_file_read_thick},
     {"bend", 0, read_coordinate_break},
     {"pass", 0, read_pass},
-    {"block", 0, read_block},
+    {"block", 0, lens_file_read_block},
 };
 
 /* Not the beginning of a line: one of the table may have been meant. */
@@ -523,7 +524,7 @@ static bool refuse_keyword(struct parser *parser, struct text word, struct error
            error_hint(error, "did you mean '%.*s'?", (int)nearest.best.length, nearest.best.start);
 }
 
-static bool read_line(struct parser *parser, struct error *error)
+static bool lens_file_read_line(struct parser *parser, struct error *error)
 {
     const struct text word = file_words_next(&parser->words);
     size_t i = 0, count = sizeof keywords / sizeof keywords[0];
@@ -534,9 +535,9 @@ static bool read_line(struct parser *parser, struct error *error)
         return refuse_keyword(parser, word, error);
     }
     bool twice = (keywords[i].once & parser->given) != 0 && keywords[i].once != 16;
-    twice = twice || (keywords[i].read == read_title && parser->lens->title != NULL) ||
+    twice = twice || (keywords[i].read == lens_file_read_title && parser->lens->title != NULL) ||
             (keywords[i].read == read_wavelengths && parser->lens->wavelength_count > 0) ||
-            (keywords[i].read == read_positions && parser->lens->position_count > 0);
+            (keywords[i].read == lens_file_read_positions && parser->lens->position_count > 0);
     if (twice) {
         return file_words_fail(&parser->words, word, error, "'%s' stands here twice",
                                keywords[i].word);
@@ -547,7 +548,7 @@ static bool read_line(struct parser *parser, struct error *error)
 }
 
 /* What only the whole file shows. */
-static bool finish(struct parser *parser, struct error *error)
+static bool lens_file_finish(struct parser *parser, struct error *error)
 {
     struct lens *lens = parser->lens;
     if (lens->surface_count == 0) {
@@ -591,9 +592,9 @@ bool lens_read(const char *source, struct text content, const struct glass_sourc
         return false;
     }
     while (file_words_line(&parser.words)) {
-        if (!read_line(&parser, error)) {
+        if (!lens_file_read_line(&parser, error)) {
             return false;
         }
     }
-    return finish(&parser, error);
+    return lens_file_finish(&parser, error);
 }

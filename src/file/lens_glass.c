@@ -28,8 +28,8 @@ static bool index_of_named(const void *named, double wavelength, struct pair *in
     return index_of(&found->glass, wavelength, index, error);
 }
 
-static bool find_named(const struct lens_glasses *glasses, enum glass_naming naming,
-                       struct medium *medium, struct error *error)
+static bool lens_glass_find_named(const struct lens_glasses *glasses, enum glass_naming naming,
+                                  struct medium *medium, struct error *error)
 {
     struct glass_record record;
     if (!glass_find(glasses->db, medium->written, naming, glasses->arena, &record, error)) {
@@ -49,19 +49,19 @@ static bool find_named(const struct lens_glasses *glasses, enum glass_naming nam
     return true;
 }
 
-static bool find(void *context, struct medium *medium, struct error *error)
+static bool lens_glass_find(void *context, struct medium *medium, struct error *error)
 {
-    return find_named(context, GLASS_OWN_NAMES, medium, error);
+    return lens_glass_find_named(context, GLASS_OWN_NAMES, medium, error);
 }
 
 static bool find_foreign(void *context, struct medium *medium, struct error *error)
 {
-    return find_named(context, GLASS_ALIASES, medium, error);
+    return lens_glass_find_named(context, GLASS_ALIASES, medium, error);
 }
 
 static bool find_homonym(void *context, struct medium *medium, struct error *error)
 {
-    return find_named(context, GLASS_HOMONYMS, medium, error);
+    return lens_glass_find_named(context, GLASS_HOMONYMS, medium, error);
 }
 
 struct medium lens_glass_medium(const struct glass *glass)
@@ -87,5 +87,5 @@ struct glass_abbe lens_glass_printed(const struct medium *medium)
 
 struct glass_source lens_glass_source(struct lens_glasses *glasses)
 {
-    return (struct glass_source){find, find_foreign, find_homonym, glasses};
+    return (struct glass_source){lens_glass_find, find_foreign, find_homonym, glasses};
 }

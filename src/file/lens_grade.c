@@ -7,8 +7,8 @@
 #include "file/lens_unit.h"
 
 /* A row as the line that a lens file would have for all surfaces. */
-static bool add_row(const struct lensdb_tolerance *row, struct lens *lens, struct arena *arena,
-                    struct error *error)
+static bool lens_grade_add_row(const struct lensdb_tolerance *row, struct lens *lens,
+                               struct arena *arena, struct error *error)
 {
     const struct text of_element = text_behind(row->quantity, "element ");
     const struct text quantity = of_element.start != NULL ? of_element : row->quantity;
@@ -31,15 +31,17 @@ static bool add_row(const struct lensdb_tolerance *row, struct lens *lens, struc
 }
 
 /* Those of one place; `names` receives all grades that it has. */
-static bool read_place(struct lensdb *db, enum lensdb_place place, struct nearest *nearest,
-                       struct lens *lens, struct arena *arena, struct error *error)
+static bool lens_grade_read_place(struct lensdb *db, enum lensdb_place place,
+                                  struct nearest *nearest, struct lens *lens, struct arena *arena,
+                                  struct error *error)
 {
     struct lensdb_grades grades;
     struct lensdb_tolerance row;
     bool open = lensdb_grades_open(&grades, db, place, error);
     while (open && lensdb_grades_next(&grades, &row, error)) {
         nearest_offer(nearest, row.grade);
-        if (text_same_name(row.grade, nearest->typed) && !add_row(&row, lens, arena, error)) {
+        if (text_same_name(row.grade, nearest->typed) &&
+            !lens_grade_add_row(&row, lens, arena, error)) {
             return false;
         }
     }
@@ -55,7 +57,7 @@ bool lens_grade_read(struct lensdb *db, struct text name, const struct lens *len
     graded.tolerance_count = 0;
     error->code = ERROR_NONE;
     for (int place = 0; place < LENSDB_PLACES && graded.tolerance_count == 0; place++) {
-        if (!read_place(db, (enum lensdb_place)place, &nearest, &graded, arena, error)) {
+        if (!lens_grade_read_place(db, (enum lensdb_place)place, &nearest, &graded, arena, error)) {
             return false;
         }
     }

@@ -17,8 +17,9 @@ bool lens_bounds_are_sound(const struct vary *mark)
     return low <= high || through_plane;
 }
 
-static bool read_bound(const struct file_words *words, struct text text, const struct vary *mark,
-                       struct figure *figure, struct error *error)
+static bool lens_mark_read_bound(const struct file_words *words, struct text text,
+                                 const struct vary *mark, struct figure *figure,
+                                 struct error *error)
 {
     double sign = text_equal(text, "inf") ? 1 : text_equal(text, "-inf") ? -1 : 0;
     if (sign != 0) {
@@ -43,8 +44,8 @@ bool lens_bounds_read(const struct file_words *words, struct text bounds, struct
     if (bounds.start[0] != '[' || bounds.start[bounds.length - 1] != ']' || high.start == NULL) {
         return file_words_fail(words, bounds, error, "bounds are written [low,high]");
     }
-    if (!read_bound(words, low, mark, &mark->low, error) ||
-        !read_bound(words, high, mark, &mark->high, error)) {
+    if (!lens_mark_read_bound(words, low, mark, &mark->low, error) ||
+        !lens_mark_read_bound(words, high, mark, &mark->high, error)) {
         return false;
     }
     mark->has_bounds = true;
@@ -52,8 +53,8 @@ bool lens_bounds_read(const struct file_words *words, struct text bounds, struct
            file_words_fail(words, bounds, error, "the lower bound is above the upper");
 }
 
-void lens_number_write(struct growing *text, const struct figure *figure, enum parameter_kind kind,
-                       int order, const char *unit)
+void lens_number_write(struct text_buffer *text, const struct figure *figure,
+                       enum parameter_kind kind, int order, const char *unit)
 {
     int length = parameter_length(kind, order);
     bool angle = (parameter_type(kind)->is & PARAMETER_IS_ANGLE) != 0;
@@ -67,7 +68,7 @@ void lens_number_write(struct growing *text, const struct figure *figure, enum p
 }
 
 void lens_mark_write(const struct vary *mark, const char *name, const char *unit,
-                     struct growing *text)
+                     struct text_buffer *text)
 {
     growing_format(text, "%s~", name);
     if (mark->has_bounds) {

@@ -19,11 +19,11 @@ bool lens_bounds_read(const struct file_words *words, struct text bounds, struct
 
 /* "t~[2,10]"; without a name "~[2,10]". */
 void lens_mark_write(const struct vary *mark, const char *name, const char *unit,
-                     struct growing *text);
+                     struct text_buffer *text);
 
 /* As typed; a computed one with the shortest digits of the unit ("mm"), or of degrees. */
-void lens_number_write(struct growing *text, const struct figure *figure, enum parameter_kind kind,
-                       int order, const char *unit);
+void lens_number_write(struct text_buffer *text, const struct figure *figure,
+                       enum parameter_kind kind, int order, const char *unit);
 
 /* Are the bounds in the right order? */
 bool lens_bounds_are_sound(const struct vary *mark);

@@ -18,12 +18,12 @@ struct sum {
     bool has_from, has_offset;
 };
 
-static bool is_name(char c)
+static bool lens_pickup_is_name(char c)
 {
     return ((c | 32) >= 'a' && (c | 32) <= 'z') || char_is_digit(c) || c == '_';
 }
 
-static struct text cut(struct sum *sum, size_t length)
+static struct text lens_pickup_cut(struct sum *sum, size_t length)
 {
     const struct text head = {sum->rest.start, length};
     sum->rest = text_trim((struct text){sum->rest.start + length, sum->rest.length - length});
@@ -31,7 +31,7 @@ static struct text cut(struct sum *sum, size_t length)
 }
 
 /* The plain number that the rest begins with; its length is 0 where there is none. */
-static struct text cut_number(struct sum *sum)
+static struct text lens_pickup_cut_number(struct sum *sum)
 {
     double ignored;
     const char *end = sum->rest.start + sum->rest.length;
@@ -39,21 +39,21 @@ static struct text cut_number(struct sum *sum)
         sum->rest.length > 0 && (char_is_digit(*sum->rest.start) || *sum->rest.start == '.');
     const char *behind =
         digits ? number_read(sum->rest.start, end, NUMBER_UNSCALED, &ignored) : NULL;
-    return cut(sum, behind != NULL ? (size_t)(behind - sum->rest.start) : 0);
+    return lens_pickup_cut(sum, behind != NULL ? (size_t)(behind - sum->rest.start) : 0);
 }
 
 static struct text cut_name(struct sum *sum)
 {
     size_t length = 0;
-    while (length < sum->rest.length && is_name(sum->rest.start[length])) {
+    while (length < sum->rest.length && lens_pickup_is_name(sum->rest.start[length])) {
         length++;
     }
-    return cut(sum, length);
+    return lens_pickup_cut(sum, length);
 }
 
 /* Digits of the term with its sign, so that it is written as it was typed. */
-static bool read_figure(struct sum *sum, bool minus, struct text digits, bool is_factor,
-                        struct figure *figure, struct error *error)
+static bool lens_pickup_read_figure(struct sum *sum, bool minus, struct text digits, bool is_factor,
+                                    struct figure *figure, struct error *error)
 {
     const struct parameter what = sum->pickup->what;
     bool read =
@@ -66,9 +66,9 @@ static bool read_figure(struct sum *sum, bool minus, struct text digits, bool is
 static bool read_term(struct sum *sum, bool minus, struct error *error)
 {
     struct lens_pickup *pickup = sum->pickup;
-    const struct text digits = cut_number(sum);
+    const struct text digits = lens_pickup_cut_number(sum);
     if (digits.length > 0 && sum->rest.length > 0 && *sum->rest.start == '*') {
-        cut(sum, 1);
+        lens_pickup_cut(sum, 1);
     }
     const struct text name = cut_name(sum);
     const struct text at = name.length > 0 || digits.length == 0 ? name : digits;
@@ -84,12 +84,12 @@ static bool read_term(struct sum *sum, bool minus, struct error *error)
     }
     if (name.length == 0) {
         sum->has_offset = true;
-        return read_figure(sum, minus, digits, false, &pickup->offset, error);
+        return lens_pickup_read_figure(sum, minus, digits, false, &pickup->offset, error);
     }
     sum->has_from = true;
     const struct text one = digits.length > 0 ? digits : text_of("1");
     return lens_words_parameter(sum->words, name, NULL, &pickup->from, error) &&
-           read_figure(sum, minus, one, true, &pickup->factor, error);
+           lens_pickup_read_figure(sum, minus, one, true, &pickup->factor, error);
 }
 
 static bool read_sum(struct sum *sum, struct error *error)
@@ -102,7 +102,7 @@ static bool read_sum(struct sum *sum, struct error *error)
         if (!is_signed && sum->rest.start != whole.start) {
             return file_words_fail(sum->words, sum->rest, error, "expected '+' or '-' here");
         }
-        cut(sum, is_signed ? 1 : 0);
+        lens_pickup_cut(sum, is_signed ? 1 : 0);
         if (!read_term(sum, minus, error)) {
             return false;
         }
@@ -136,7 +136,7 @@ bool lens_pickup_read(struct file_words *words, struct lens *lens, struct error 
     return against == NULL || file_words_fail(words, name, error, "%s", against);
 }
 
-void lens_pickup_write(const struct lens_pickup *pickup, const char *unit, struct growing *text)
+void lens_pickup_write(const struct lens_pickup *pickup, const char *unit, struct text_buffer *text)
 {
     const double factor = pickup->factor.value.hi, offset = pickup->offset.value.hi;
     struct figure apart = pickup->offset;
@@ -163,7 +163,7 @@ struct before {
     double number;
 };
 
-static struct before look(const struct lens *lens, struct parameter what)
+static struct before lens_pickup_look(const struct lens *lens, struct parameter what)
 {
     const struct surface *surface = &lens->surfaces[what.surface];
     const struct figure *figure = parameter_figure(surface, what.kind, what.order);
@@ -173,8 +173,9 @@ static struct before look(const struct lens *lens, struct parameter what)
     return before;
 }
 
-static const char *warning_of(const struct lens_pickup *pickup, const struct before *was,
-                              const struct before *is, struct arena *arena)
+static const char *lens_pickup_warning_of(const struct lens_pickup *pickup,
+                                          const struct before *was, const struct before *is,
+                                          struct arena *arena)
 {
     const char *name = parameter_mark_write(pickup->what, arena);
     const unsigned angle = PARAMETER_IS_ANGLE;
@@ -205,15 +206,15 @@ void lens_pickups_begin(struct lens *lens, struct arena *arena)
     }
     struct before *all = ARENA_ARRAY(arena, lens->pickup_count, struct before);
     for (size_t i = 0; i < lens->pickup_count; i++) {
-        all[i] = look(lens, lens->pickups[i].what);
+        all[i] = lens_pickup_look(lens, lens->pickups[i].what);
     }
     lens_pickups_put(lens, lens_at_position(lens, 0, arena), arena);
     for (size_t i = 0; i < lens->pickup_count; i++) {
         struct lens_pickup *pickup = &lens->pickups[i];
         const struct parameter what = pickup->what;
-        const struct before is = look(lens, what);
+        const struct before is = lens_pickup_look(lens, what);
         const struct figure *typed = &all[i].figure;
-        pickup->warning = warning_of(pickup, &all[i], &is, arena);
+        pickup->warning = lens_pickup_warning_of(pickup, &all[i], &is, arena);
         if (typed->typed.start != NULL && typed->value.hi == is.figure.value.hi &&
             typed->value.lo == is.figure.value.lo) {
             parameter_put(&lens->surfaces[what.surface], what.kind, what.order, *typed, arena);

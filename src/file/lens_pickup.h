@@ -15,7 +15,8 @@
  *           them, and what lens_pickup_add refuses
  */
 bool lens_pickup_read(struct file_words *words, struct lens *lens, struct error *error);
-void lens_pickup_write(const struct lens_pickup *pickup, const char *unit, struct growing *text);
+void lens_pickup_write(const struct lens_pickup *pickup, const char *unit,
+                       struct text_buffer *text);
 
 /*
  * Put the numbers of all pick-ups in, once the lens is whole.

@@ -32,31 +32,34 @@ struct turn {
 };
 
 /* Has the number the other sign in the lens turned around? */
-static bool turns(const struct turn *turn, enum parameter_kind kind)
+static bool lens_reverse_turns(const struct turn *turn, enum parameter_kind kind)
 {
     enum parameter_turn with = parameter_type(kind)->turn;
     return with == (turn->flips ? TURN_WITH_AXES : TURN_WITH_MIRRORS);
 }
 
-static struct figure turned(const struct turn *turn, enum parameter_kind kind, struct figure figure)
+static struct figure lens_reverse_turned(const struct turn *turn, enum parameter_kind kind,
+                                         struct figure figure)
 {
-    return turns(turn, kind) ? figure_negate(figure, turn->arena) : figure;
+    return lens_reverse_turns(turn, kind) ? figure_negate(figure, turn->arena) : figure;
 }
 
 /* Undone, and then turned. */
-static struct figure undone(const struct turn *turn, enum parameter_kind kind, struct figure figure)
+static struct figure lens_reverse_undone(const struct turn *turn, enum parameter_kind kind,
+                                         struct figure figure)
 {
-    return turns(turn, kind) ? figure : figure_negate(figure, turn->arena);
+    return lens_reverse_turns(turn, kind) ? figure : figure_negate(figure, turn->arena);
 }
 
-static void set_thickness(const struct turn *turn, struct surface *to, const struct surface *from)
+static void lens_reverse_set_thickness(const struct turn *turn, struct surface *to,
+                                       const struct surface *from)
 {
     to->has_thickness = from->has_thickness;
-    to->thickness = turned(turn, PARAMETER_THICKNESS, from->thickness);
+    to->thickness = lens_reverse_turned(turn, PARAMETER_THICKNESS, from->thickness);
 }
 
 /* The plane behind a surface on which one part of a coordinate break is undone. */
-static struct displacement *add_plane(struct turn *turn)
+static struct displacement *lens_reverse_add_plane(struct turn *turn)
 {
     const struct lens *lens = turn->build.lens;
     const struct medium medium = lens->surfaces[lens->surface_count - 1].medium;
@@ -76,22 +79,23 @@ static void add_breaks(struct turn *turn, const struct displacement *coordinate_
     for (int i = 2; i >= 0; i--) {
         if (coordinate_break->tilt[i].value.hi != 0) {
             const enum parameter_kind kind = (enum parameter_kind)(PARAMETER_BREAK_TILT_X + i);
-            add_plane(turn)->tilt[i] = undone(turn, kind, coordinate_break->tilt[i]);
+            lens_reverse_add_plane(turn)->tilt[i] =
+                lens_reverse_undone(turn, kind, coordinate_break->tilt[i]);
         }
     }
     if (coordinate_break->decenter[0].value.hi != 0 ||
         coordinate_break->decenter[1].value.hi != 0) {
-        struct displacement *shift = add_plane(turn);
+        struct displacement *shift = lens_reverse_add_plane(turn);
         shift->decenter[0] =
-            undone(turn, PARAMETER_BREAK_DECENTER_X, coordinate_break->decenter[0]);
+            lens_reverse_undone(turn, PARAMETER_BREAK_DECENTER_X, coordinate_break->decenter[0]);
         shift->decenter[1] =
-            undone(turn, PARAMETER_BREAK_DECENTER_Y, coordinate_break->decenter[1]);
+            lens_reverse_undone(turn, PARAMETER_BREAK_DECENTER_Y, coordinate_break->decenter[1]);
     }
 }
 
 static void turn_mark(const struct turn *turn, struct vary *vary)
 {
-    if (vary->has_bounds && turns(turn, vary->kind)) {
+    if (vary->has_bounds && lens_reverse_turns(turn, vary->kind)) {
         struct figure low = vary->low;
         vary->low = figure_negate(vary->high, turn->arena);
         vary->high = figure_negate(low, turn->arena);
@@ -99,8 +103,8 @@ static void turn_mark(const struct turn *turn, struct vary *vary)
 }
 
 /* Marks of one owner, from a surface as it was to where the owner lies now. */
-static void add_marks(const struct turn *turn, struct surface *to, const struct surface *from,
-                      enum owner owner)
+static void lens_reverse_add_marks(const struct turn *turn, struct surface *to,
+                                   const struct surface *from, enum owner owner)
 {
     struct vary *all = ARENA_ARRAY(turn->arena, to->vary_count + from->vary_count + 1, struct vary);
     for (size_t i = 0; i < to->vary_count; i++) {
@@ -120,13 +124,13 @@ static void add_marks_behind(struct turn *turn, struct surface *to, size_t index
 {
     const struct surface *surfaces = turn->from->surfaces;
     size_t medium = index - 1;
-    add_marks(turn, to, &surfaces[index - 1], OWNED_BY_GAP);
+    lens_reverse_add_marks(turn, to, &surfaces[index - 1], OWNED_BY_GAP);
     while (medium > 0 && surface_reflects(&surfaces[medium])) {
         medium--;
     }
     turn->places[OWNED_BY_GAP][index - 1] = turn->build.lens->surface_count - 1;
     if (!surface_reflects(&surfaces[index])) {
-        add_marks(turn, to, &surfaces[medium], OWNED_BY_MEDIUM);
+        lens_reverse_add_marks(turn, to, &surfaces[medium], OWNED_BY_MEDIUM);
         turn->places[OWNED_BY_MEDIUM][medium] = turn->build.lens->surface_count - 1;
     }
 }
@@ -147,7 +151,7 @@ static const char *join_marks(const char *all, const struct surface *surface, si
 }
 
 /* What lies behind the whole lens comes before it, and a coordinate break becomes planes. */
-static bool has_place(const struct lens *lens, struct parameter one)
+static bool lens_reverse_has_place(const struct lens *lens, struct parameter one)
 {
     size_t last = lens->surface_count - 1;
     enum owner owner = owner_of(one.kind);
@@ -162,7 +166,7 @@ static bool has_place(const struct lens *lens, struct parameter one)
 
 static bool pickup_has_place(const struct lens *lens, const struct lens_pickup *pickup)
 {
-    return has_place(lens, pickup->what) && has_place(lens, pickup->from);
+    return lens_reverse_has_place(lens, pickup->what) && lens_reverse_has_place(lens, pickup->from);
 }
 
 /* -------- tolerances -------- */
@@ -184,7 +188,7 @@ static bool tolerance_has_place(const struct lens *lens, enum tolerance_kind kin
         [OWNED_BY_MEDIUM] = PARAMETER_INDEX,
     };
     const struct parameter one = {surface, of_owner[owner_of_tolerance(kind)], 0};
-    return has_place(lens, one);
+    return lens_reverse_has_place(lens, one);
 }
 
 /* What is of one end of an element by itself is of the other end now, and must be named. */
@@ -207,8 +211,8 @@ struct turned_tolerances {
     size_t count, room;
 };
 
-static void add_tolerance(const struct turn *turn, struct turned_tolerances *all,
-                          struct lens_tolerance one)
+static void lens_reverse_add_tolerance(const struct turn *turn, struct turned_tolerances *all,
+                                       struct lens_tolerance one)
 {
     all->list = arena_grow(turn->arena, all->list, all->count, &all->room, sizeof all->list[0]);
     all->list[all->count++] = one;
@@ -232,7 +236,7 @@ static void turn_tolerance(const struct turn *turn, struct turned_tolerances *al
     }
     if (to.first != LENS_NONE) {
         to.pivot = turn_pivot(turn, from, &to);
-        add_tolerance(turn, all, to);
+        lens_reverse_add_tolerance(turn, all, to);
     }
 }
 
@@ -259,7 +263,7 @@ static void turn_tolerances(const struct turn *turn)
     for (size_t i = 0; i < turn->from->tolerance_count; i++) {
         const struct lens_tolerance *one = &turn->from->tolerances[i];
         if (one->kind == TOLERANCE_FOCUS) {
-            add_tolerance(turn, &all, *one);
+            lens_reverse_add_tolerance(turn, &all, *one);
         } else if (one->is_range &&
                    (one->kind == TOLERANCE_WEDGE || one->kind == TOLERANCE_ELEMENT_ROLL)) {
             turn_elements(turn, &all, one);
@@ -318,10 +322,10 @@ static void turn_pickups(const struct turn *turn)
         if (!pickup_has_place(from, &one)) {
             continue;
         }
-        if (turns(turn, one.what.kind) != turns(turn, one.from.kind)) {
+        if (lens_reverse_turns(turn, one.what.kind) != lens_reverse_turns(turn, one.from.kind)) {
             one.factor = figure_negate(one.factor, turn->arena);
         }
-        one.offset = turned(turn, one.what.kind, one.offset);
+        one.offset = lens_reverse_turned(turn, one.what.kind, one.offset);
         one.what.surface = turn->places[owner_of(one.what.kind)][one.what.surface];
         one.from.surface = turn->places[owner_of(one.from.kind)][one.from.surface];
         lens->pickups[lens->pickup_count++] = one;
@@ -334,7 +338,7 @@ static void turn_numbers(const struct turn *turn, struct surface *surface)
     for (struct parameter each = {0}; each.kind < PARAMETER_KINDS; each = parameter_next(each)) {
         const struct figure *figure = parameter_figure(surface, each.kind, each.order);
         bool is_behind = (parameter_type(each.kind)->is & PARAMETER_IS_BEHIND) != 0;
-        if (figure != NULL && !is_behind && turns(turn, each.kind)) {
+        if (figure != NULL && !is_behind && lens_reverse_turns(turn, each.kind)) {
             parameter_put(surface, each.kind, each.order, figure_negate(*figure, turn->arena),
                           turn->arena);
         }
@@ -369,7 +373,7 @@ static const struct aperture *turn_apertures(const struct turn *turn, const stru
     return copy;
 }
 
-static void add_surface(struct turn *turn, size_t index)
+static void lens_reverse_add_surface(struct turn *turn, size_t index)
 {
     const struct lens *from = turn->from;
     struct surface *to = lens_build_surface(&turn->build);
@@ -381,7 +385,7 @@ static void add_surface(struct turn *turn, size_t index)
     to->apertures = turn->flips ? turn_apertures(turn, to) : to->apertures;
     to->varies = NULL;
     to->vary_count = 0;
-    add_marks(turn, to, &from->surfaces[index], OWNED_BY_SURFACE);
+    lens_reverse_add_marks(turn, to, &from->surfaces[index], OWNED_BY_SURFACE);
     to->has_thickness = true;
     to->thickness = figure_zero();
     if (from->surfaces[index].is_stop) {
@@ -393,7 +397,7 @@ static void add_surface(struct turn *turn, size_t index)
     if (index > 0) {
         struct lens *lens = turn->build.lens;
         struct surface *last = &lens->surfaces[lens->surface_count - 1];
-        set_thickness(turn, last, &from->surfaces[index - 1]);
+        lens_reverse_set_thickness(turn, last, &from->surfaces[index - 1]);
         add_marks_behind(turn, last, index);
     }
 }
@@ -428,9 +432,9 @@ static void turn_conjugates(struct turn *turn)
         last->thickness = (struct figure){.variable = LENS_NONE};
         return;
     }
-    lens->object = turned(turn, PARAMETER_THICKNESS, back->thickness);
+    lens->object = lens_reverse_turned(turn, PARAMETER_THICKNESS, back->thickness);
     last->has_thickness = true;
-    last->thickness = turned(turn, PARAMETER_THICKNESS, from->object);
+    last->thickness = lens_reverse_turned(turn, PARAMETER_THICKNESS, from->object);
     /* the chief ray of a real image is that of the object where it goes, turned around */
     static const enum field_kind kinds[] = {[FIELD_NONE] = FIELD_NONE,
                                             [FIELD_ANGLE] = FIELD_ANGLE,
@@ -498,7 +502,7 @@ static bool surface_distorts(const struct surface *surface)
     return distorts;
 }
 
-static bool check(const struct turn *turn, struct error *error)
+static bool lens_reverse_check(const struct turn *turn, struct error *error)
 {
     const struct lens *from = turn->from;
     if (from->objects != NULL || from->apertures != NULL) {
@@ -538,7 +542,7 @@ const struct lens *lens_reversed(const struct lens *lens, struct arena *arena, s
     for (size_t i = 0; i < lens->surface_count; i++) {
         turn.flips = turn.flips != surface_reflects(&lens->surfaces[i]);
     }
-    if (!check(&turn, error)) {
+    if (!lens_reverse_check(&turn, error)) {
         return NULL;
     }
     for (int i = 0; i < OWNERS; i++) {
@@ -552,7 +556,7 @@ const struct lens *lens_reversed(const struct lens *lens, struct arena *arena, s
     to->stated[STATED_BFL] = NULL;
     to->stated_count[STATED_BFL] = 0;
     for (size_t i = lens->surface_count; i-- > 0;) {
-        add_surface(&turn, i);
+        lens_reverse_add_surface(&turn, i);
     }
     turn_pickups(&turn);
     turn_tolerances(&turn);

@@ -20,7 +20,7 @@ bool lens_words_glass(const struct file_words *words, const struct glass_source 
     return error_hint(error, "%s", found.hint);
 }
 
-static bool is_same_value(const struct figure *a, const struct figure *b)
+static bool lens_setting_is_same_value(const struct figure *a, const struct figure *b)
 {
     return a->value.hi == b->value.hi && a->value.lo == b->value.lo;
 }
@@ -48,7 +48,7 @@ static const char *against_surface(const struct surface *surface,
     if (figure != NULL && figure->variable != LENS_NONE) {
         return arena_printf(arena, "%s is a variable, which has its numbers by 'let'", name);
     }
-    return plane || is_same_value(figure, &setting->figures[0])
+    return plane || lens_setting_is_same_value(figure, &setting->figures[0])
                ? NULL
                : arena_printf(arena, "%s: the first position has not the number of its surface",
                               name);
@@ -137,15 +137,15 @@ const char *lens_setting_lights(struct lens *lens, const struct lens_light *ligh
 }
 
 /* Says what lens_setting_ functions answered. */
-static bool report(const struct file_words *words, struct text name, const char *why,
-                   struct error *error)
+static bool lens_setting_report(const struct file_words *words, struct text name, const char *why,
+                                struct error *error)
 {
     return why == NULL || file_words_fail(words, name, error, "%s", why);
 }
 
 /* The next value of the line: there is one for each position and no more. */
-static bool next_value(struct file_words *words, const struct lens *lens, size_t at,
-                       struct text *word, struct error *error)
+static bool lens_setting_next_value(struct file_words *words, const struct lens *lens, size_t at,
+                                    struct text *word, struct error *error)
 {
     *word = file_words_next(words);
     if ((word->length > 0) == (at < lens->position_count)) {
@@ -155,8 +155,9 @@ static bool next_value(struct file_words *words, const struct lens *lens, size_t
                            lens->position_count);
 }
 
-static bool read_number(struct file_words *words, struct text word, struct parameter parameter,
-                        struct figure *figure, struct error *error)
+static bool lens_setting_read_number(struct file_words *words, struct text word,
+                                     struct parameter parameter, struct figure *figure,
+                                     struct error *error)
 {
     const struct parameter_type *type = parameter_type(parameter.kind);
     bool flat = text_equal(word, "inf") || text_equal(word, "-inf") || text_equal(word, "-");
@@ -172,46 +173,48 @@ static bool read_number(struct file_words *words, struct text word, struct param
            figure->value.hi != 0 || file_words_fail(words, word, error, "the %s is 0", type->words);
 }
 
-static bool read_figures(struct file_words *words, struct text name, struct lens_setting setting,
-                         struct lens *lens, struct error *error)
+static bool lens_setting_read_figures(struct file_words *words, struct text name,
+                                      struct lens_setting setting, struct lens *lens,
+                                      struct error *error)
 {
     struct figure *figures = ARENA_ARRAY(words->arena, lens->position_count, struct figure);
     struct text word;
     for (size_t i = 0; i <= lens->position_count; i++) {
-        if (!next_value(words, lens, i, &word, error) ||
+        if (!lens_setting_next_value(words, lens, i, &word, error) ||
             (i < lens->position_count &&
-             !read_number(words, word, setting.parameter, &figures[i], error))) {
+             !lens_setting_read_number(words, word, setting.parameter, &figures[i], error))) {
             return false;
         }
     }
     setting.figures = figures;
-    return report(words, name, lens_setting_add(lens, setting, words->arena), error);
+    return lens_setting_report(words, name, lens_setting_add(lens, setting, words->arena), error);
 }
 
-static bool read_media(struct file_words *words, struct text name, struct lens_setting setting,
-                       const struct glass_source *glasses, struct lens *lens, struct error *error)
+static bool lens_setting_read_media(struct file_words *words, struct text name,
+                                    struct lens_setting setting, const struct glass_source *glasses,
+                                    struct lens *lens, struct error *error)
 {
     struct medium *media = ARENA_ARRAY(words->arena, lens->position_count, struct medium);
     struct text word;
     for (size_t i = 0; i <= lens->position_count; i++) {
-        if (!next_value(words, lens, i, &word, error) ||
+        if (!lens_setting_next_value(words, lens, i, &word, error) ||
             (i < lens->position_count && !(lens_words_medium(words, word, &media[i], error) &&
                                            lens_words_glass(words, glasses, &media[i], error)))) {
             return false;
         }
     }
     setting.media = media;
-    return report(words, name, lens_setting_add(lens, setting, words->arena), error);
+    return lens_setting_report(words, name, lens_setting_add(lens, setting, words->arena), error);
 }
 
-static bool read_stops(struct file_words *words, struct text name, struct lens *lens,
-                       struct error *error)
+static bool lens_setting_read_stops(struct file_words *words, struct text name, struct lens *lens,
+                                    struct error *error)
 {
     size_t *stops = ARENA_ARRAY(words->arena, lens->position_count, size_t);
     struct text word;
     for (size_t i = 0; i <= lens->position_count; i++) {
         struct figure number = {.variable = LENS_NONE};
-        if (!next_value(words, lens, i, &word, error)) {
+        if (!lens_setting_next_value(words, lens, i, &word, error)) {
             return false;
         }
         if (i == lens->position_count) {
@@ -227,7 +230,7 @@ static bool read_stops(struct file_words *words, struct text name, struct lens *
         }
         stops[i] = (size_t)value - 1;
     }
-    return report(words, name, lens_setting_stops(lens, stops, words->arena), error);
+    return lens_setting_report(words, name, lens_setting_stops(lens, stops, words->arena), error);
 }
 
 const char *lens_light_write(const struct lens_light *light, struct arena *arena)
@@ -259,30 +262,30 @@ bool lens_light_read(const struct file_words *words, struct text list, struct le
     return true;
 }
 
-static bool read_lights(struct file_words *words, struct text name, struct lens *lens,
-                        struct error *error)
+static bool lens_setting_read_lights(struct file_words *words, struct text name, struct lens *lens,
+                                     struct error *error)
 {
     struct lens_light *lights = ARENA_ARRAY(words->arena, lens->position_count, struct lens_light);
     struct text word;
     for (size_t i = 0; i <= lens->position_count; i++) {
-        if (!next_value(words, lens, i, &word, error)) {
+        if (!lens_setting_next_value(words, lens, i, &word, error)) {
             return false;
         }
         if (i < lens->position_count && !lens_light_read(words, word, &lights[i], error)) {
             return false;
         }
     }
-    return report(words, name, lens_setting_lights(lens, lights), error);
+    return lens_setting_report(words, name, lens_setting_lights(lens, lights), error);
 }
 
-static bool read_points(struct file_words *words, struct text name, struct lens *lens,
-                        struct error *error)
+static bool lens_setting_read_points(struct file_words *words, struct text name, struct lens *lens,
+                                     struct error *error)
 {
     struct lens_points *points =
         ARENA_ARRAY(words->arena, lens->position_count, struct lens_points);
     struct text word;
     for (size_t i = 0; i <= lens->position_count; i++) {
-        if (!next_value(words, lens, i, &word, error)) {
+        if (!lens_setting_next_value(words, lens, i, &word, error)) {
             return false;
         }
         if (i < lens->position_count &&
@@ -290,7 +293,7 @@ static bool read_points(struct file_words *words, struct text name, struct lens 
             return false;
         }
     }
-    return report(words, name, lens_setting_points(lens, points), error);
+    return lens_setting_report(words, name, lens_setting_points(lens, points), error);
 }
 
 bool lens_setting_takes(enum parameter_kind kind)
@@ -307,13 +310,13 @@ bool lens_setting_read(struct file_words *words, const struct glass_source *glas
         return file_words_fail(words, name, error, "'set' needs a line with 'position' before it");
     }
     if (text_equal(name, "stop")) {
-        return read_stops(words, name, lens, error);
+        return lens_setting_read_stops(words, name, lens, error);
     }
     if (text_equal(name, "wavelength")) {
-        return read_lights(words, name, lens, error);
+        return lens_setting_read_lights(words, name, lens, error);
     }
     if (text_equal(name, "field")) {
-        return read_points(words, name, lens, error);
+        return lens_setting_read_points(words, name, lens, error);
     }
     if (!parameter_read(name, lens_setting_takes, &setting.parameter, error)) {
         const struct error found = *error;
@@ -326,6 +329,6 @@ bool lens_setting_read(struct file_words *words, const struct glass_source *glas
                                setting.parameter.surface + 1);
     }
     return setting.parameter.kind == PARAMETER_GLASS
-               ? read_media(words, name, setting, glasses, lens, error)
-               : read_figures(words, name, setting, lens, error);
+               ? lens_setting_read_media(words, name, setting, glasses, lens, error)
+               : lens_setting_read_figures(words, name, setting, lens, error);
 }

@@ -9,7 +9,7 @@
 #include <string.h>
 
 /* A surface being read: the displacement and the marks live in the arena once there is one. */
-struct reading {
+struct surface_reader {
     struct file_words *words;
     struct surface *surface;
     struct displacement *decentre;
@@ -19,13 +19,13 @@ struct reading {
     unsigned seen; /* bit i: extras[i] stands there already */
 };
 
-static bool is_name(struct text text)
+static bool lens_surface_is_name(struct text text)
 {
     char c = text.length > 0 ? text.start[0] : '\0';
     return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z');
 }
 
-static bool is_flat(struct text text)
+static bool lens_surface_is_flat(struct text text)
 {
     return text_equal(text, "-") || text_equal(text, "inf") || text_equal(text, "-inf");
 }
@@ -33,7 +33,7 @@ static bool is_flat(struct text text)
 static bool read_radius(struct file_words *words, struct surface *surface, struct error *error)
 {
     struct text word = file_words_next(words);
-    surface->is_plane = is_flat(word);
+    surface->is_plane = lens_surface_is_flat(word);
     surface->radius = (struct figure){.typed = word, .variable = LENS_NONE};
     if (surface->is_plane) {
         return true;
@@ -48,9 +48,9 @@ static bool read_radius(struct file_words *words, struct surface *surface, struc
 }
 
 /* A length, or the name of a variable, or '-' for none. */
-static bool read_cell(struct file_words *words, const char *what,
-                      const struct lens_surface_line *line, struct figure *figure, bool *is_given,
-                      struct error *error)
+static bool lens_surface_read_cell(struct file_words *words, const char *what,
+                                   const struct lens_surface_line *line, struct figure *figure,
+                                   bool *is_given, struct error *error)
 {
     struct text word = file_words_next(words);
     *figure = (struct figure){.typed = word, .variable = LENS_NONE};
@@ -58,7 +58,7 @@ static bool read_cell(struct file_words *words, const char *what,
     if (!*is_given) {
         return true;
     }
-    if (is_name(word) && !text_equal(word, "inf")) {
+    if (lens_surface_is_name(word) && !text_equal(word, "inf")) {
         figure->variable = line->variable(line->context, word);
         return true;
     }
@@ -75,7 +75,8 @@ static bool rescale(const struct file_words *words, int power, struct figure *fi
     return true;
 }
 
-static bool read_curvature(struct reading *reading, struct text value, struct error *error)
+static bool lens_surface_read_curvature(struct surface_reader *reading, struct text value,
+                                        struct error *error)
 {
     struct surface *surface = reading->surface;
     if (!surface->is_plane) {
@@ -88,13 +89,14 @@ static bool read_curvature(struct reading *reading, struct text value, struct er
            rescale(reading->words, 1, &surface->curvature);
 }
 
-static bool read_conic(struct reading *reading, struct text value, struct error *error)
+static bool lens_surface_read_conic(struct surface_reader *reading, struct text value,
+                                    struct error *error)
 {
     return lens_words_figure(reading->words, value, NUMBER_UNSCALED, "conic",
                              &reading->surface->conic, error);
 }
 
-static struct displacement *displacement_of(struct reading *reading)
+static struct displacement *lens_surface_displacement_of(struct surface_reader *reading)
 {
     if (reading->decentre == NULL) {
         reading->decentre = ARENA_NEW(reading->words->arena, struct displacement);
@@ -104,20 +106,21 @@ static struct displacement *displacement_of(struct reading *reading)
     return reading->decentre;
 }
 
-static bool read_decenter(struct reading *reading, struct text value, struct error *error)
+static bool read_decenter(struct surface_reader *reading, struct text value, struct error *error)
 {
     const struct vector_form form = {"decentre", 2, reading->words->scale, 0};
-    return lens_words_vector(reading->words, value, &form, displacement_of(reading)->decenter,
-                             error);
+    return lens_words_vector(reading->words, value, &form,
+                             lens_surface_displacement_of(reading)->decenter, error);
 }
 
-static bool read_tilt(struct reading *reading, struct text value, struct error *error)
+static bool read_tilt(struct surface_reader *reading, struct text value, struct error *error)
 {
     const struct vector_form form = {"tilt", 2, NUMBER_UNSCALED, RADIANS_PER_DEGREE};
-    return lens_words_vector(reading->words, value, &form, displacement_of(reading)->tilt, error);
+    return lens_words_vector(reading->words, value, &form,
+                             lens_surface_displacement_of(reading)->tilt, error);
 }
 
-static bool read_cylinder(struct reading *reading, struct text value, struct error *error)
+static bool read_cylinder(struct surface_reader *reading, struct text value, struct error *error)
 {
     for (size_t i = 0; i < sizeof surface_sections / sizeof surface_sections[0]; i++) {
         const char *word = surface_sections[i].word;
@@ -129,7 +132,8 @@ static bool read_cylinder(struct reading *reading, struct text value, struct err
     return file_words_fail(reading->words, value, error, "a cylinder is cyl=x or cyl=y");
 }
 
-static bool read_name(struct reading *reading, struct text value, struct error *error)
+static bool lens_surface_read_name(struct surface_reader *reading, struct text value,
+                                   struct error *error)
 {
     bool quoted = value.length >= 2 && value.start[0] == '"';
     if (quoted && value.start[value.length - 1] != '"') {
@@ -141,10 +145,10 @@ static bool read_name(struct reading *reading, struct text value, struct error *
     return true;
 }
 
-static bool read_hiatus(struct reading *reading, struct text value, struct error *error)
+static bool read_hiatus(struct surface_reader *reading, struct text value, struct error *error)
 {
     struct surface *surface = reading->surface;
-    if (is_name(value)) {
+    if (lens_surface_is_name(value)) {
         surface->hiatus = (struct figure){
             .typed = value, .variable = reading->line->variable(reading->line->context, value)};
         return true;
@@ -153,7 +157,7 @@ static bool read_hiatus(struct reading *reading, struct text value, struct error
                              &surface->hiatus, error);
 }
 
-static bool read_distortion(struct reading *reading, struct text value, struct error *error)
+static bool read_distortion(struct surface_reader *reading, struct text value, struct error *error)
 {
     const struct vector_form form = {"distortion", 3, NUMBER_UNSCALED, 0};
     return lens_words_vector(reading->words, value, &form, reading->surface->distortion, error);
@@ -162,14 +166,14 @@ static bool read_distortion(struct reading *reading, struct text value, struct e
 /* What may stand behind the diameter, and what a surface must have for it: 0 is nothing. */
 static const struct {
     const char *key;
-    bool (*read)(struct reading *reading, struct text value, struct error *error);
+    bool (*read)(struct surface_reader *reading, struct text value, struct error *error);
     unsigned of;
-} extras[] = {{"c", read_curvature, SURFACE_HAS_CURVE},
-              {"k", read_conic, SURFACE_HAS_CURVE},
+} extras[] = {{"c", lens_surface_read_curvature, SURFACE_HAS_CURVE},
+              {"k", lens_surface_read_conic, SURFACE_HAS_CURVE},
               {"decenter", read_decenter, 0},
               {"tilt", read_tilt, 0},
               {"cyl", read_cylinder, SURFACE_HAS_CURVE},
-              {"name", read_name, 0},
+              {"name", lens_surface_read_name, 0},
               {"hiatus", read_hiatus, SURFACE_HAS_FOCAL},
               {"distortion", read_distortion, SURFACE_HAS_FOCAL}};
 
@@ -180,8 +184,8 @@ static bool refuse_twice(const struct file_words *words, struct text word, struc
                            key.start, sign);
 }
 
-static bool read_coefficient(struct reading *reading, int order, struct text value,
-                             struct error *error)
+static bool lens_surface_read_coefficient(struct surface_reader *reading, int order,
+                                          struct text value, struct error *error)
 {
     struct figure figure = {.variable = LENS_NONE};
     if (!lens_words_figure(reading->words, value, NUMBER_UNSCALED, "coefficient", &figure, error)) {
@@ -193,8 +197,8 @@ static bool read_coefficient(struct reading *reading, int order, struct text val
 }
 
 /* R~, t~[2,10], glass~ */
-static bool read_vary(struct reading *reading, struct text what, struct text bounds,
-                      struct error *error)
+static bool lens_surface_read_vary(struct surface_reader *reading, struct text what,
+                                   struct text bounds, struct error *error)
 {
     struct surface *surface = reading->surface;
     struct file_words *words = reading->words;
@@ -223,7 +227,7 @@ static bool read_vary(struct reading *reading, struct text what, struct text bou
 }
 
 /* Not a word of a surface: one of the table may have been meant. */
-static bool refuse_extra(struct reading *reading, struct text word, struct text key,
+static bool refuse_extra(struct surface_reader *reading, struct text word, struct text key,
                          struct error *error)
 {
     struct nearest nearest = {.typed = key};
@@ -252,7 +256,7 @@ static size_t find_extra(const struct surface *surface, struct text key)
 }
 
 /* A word behind the diameter: stop, a mark (R~), or key=value. */
-static bool read_extra(struct reading *reading, struct text word, struct error *error)
+static bool read_extra(struct surface_reader *reading, struct text word, struct error *error)
 {
     struct text value = word, key = text_cut(&value, '=');
     const char *tilde = memchr(word.start, '~', word.length);
@@ -262,8 +266,8 @@ static bool read_extra(struct reading *reading, struct text word, struct error *
         return !again || refuse_twice(reading->words, word, word, "", error);
     }
     if (tilde != NULL && (value.start == NULL || tilde < value.start)) {
-        return read_vary(reading, text_between(word.start, tilde),
-                         text_between(tilde + 1, word.start + word.length), error);
+        return lens_surface_read_vary(reading, text_between(word.start, tilde),
+                                      text_between(tilde + 1, word.start + word.length), error);
     }
     if (value.start == NULL) {
         return refuse_extra(reading, word, key, error);
@@ -284,11 +288,11 @@ static bool read_extra(struct reading *reading, struct text word, struct error *
     }
     return parameter_figure(reading->surface, kind, order) != NULL
                ? refuse_twice(reading->words, word, key, "=", error)
-               : read_coefficient(reading, order, value, error);
+               : lens_surface_read_coefficient(reading, order, value, error);
 }
 
-static bool read_medium(struct file_words *words, const struct medium *before,
-                        struct surface *surface, struct error *error)
+static bool lens_surface_read_medium(struct file_words *words, const struct medium *before,
+                                     struct surface *surface, struct error *error)
 {
     struct text word = file_words_next(words);
     if (!text_equal(word, "mirror")) {
@@ -313,7 +317,7 @@ static bool read_focal(struct file_words *words, const struct lens_surface_line 
     bool is_given;
     surface->is_plane = true;
     surface->radius = (struct figure){.variable = LENS_NONE};
-    if (!read_cell(words, "focal length", line, &surface->focal, &is_given, error)) {
+    if (!lens_surface_read_cell(words, "focal length", line, &surface->focal, &is_given, error)) {
         return false;
     }
     bool is_number = surface->focal.variable == LENS_NONE;
@@ -325,7 +329,7 @@ static bool read_focal(struct file_words *words, const struct lens_surface_line 
 bool lens_surface_read(struct file_words *words, const struct lens_surface_line *line,
                        struct surface *surface, struct error *error)
 {
-    struct reading reading = {.words = words, .surface = surface, .line = line};
+    struct surface_reader reading = {.words = words, .surface = surface, .line = line};
     bool is_stop = line->kind == SURFACE_STOP;
     *surface = (struct surface){.kind = line->kind, .is_stop = is_stop};
     surface->curvature.variable = surface->conic.variable = LENS_NONE;
@@ -342,9 +346,11 @@ bool lens_surface_read(struct file_words *words, const struct lens_surface_line 
                                "a stop is a plane: for a stop on glass put the word stop behind "
                                "the diameter of its surface");
     }
-    if (!read_cell(words, "thickness", line, &surface->thickness, &surface->has_thickness, error) ||
-        !read_medium(words, line->before, surface, error) ||
-        !read_cell(words, "diameter", line, &surface->diameter, &surface->has_diameter, error)) {
+    if (!lens_surface_read_cell(words, "thickness", line, &surface->thickness,
+                                &surface->has_thickness, error) ||
+        !lens_surface_read_medium(words, line->before, surface, error) ||
+        !lens_surface_read_cell(words, "diameter", line, &surface->diameter, &surface->has_diameter,
+                                error)) {
         return false;
     }
     if (surface->has_diameter && surface->diameter.variable == LENS_NONE &&

@@ -13,7 +13,7 @@
 enum { MOST_TOLERANCES = 1000 }; /* lines; each may be of a range */
 
 /* A line being read. */
-struct reading {
+struct tolerance_line_reader {
     struct file_words *words;
     const struct lens *lens;
     struct lens_tolerance *one;
@@ -22,7 +22,7 @@ struct reading {
 /* -------- what it is of -------- */
 
 /* The kind that such a number of a surface is; TOLERANCE_KINDS: none. */
-static enum tolerance_kind kind_of(enum parameter_kind parameter)
+static enum tolerance_kind lens_tolerance_kind_of(enum parameter_kind parameter)
 {
     int kind = 0;
     while (kind < TOLERANCE_KINDS &&
@@ -32,13 +32,13 @@ static enum tolerance_kind kind_of(enum parameter_kind parameter)
     return (enum tolerance_kind)kind;
 }
 
-static bool takes(enum parameter_kind parameter)
+static bool lens_tolerance_takes(enum parameter_kind parameter)
 {
-    return kind_of(parameter) != TOLERANCE_KINDS;
+    return lens_tolerance_kind_of(parameter) != TOLERANCE_KINDS;
 }
 
-static bool check_surface(const struct reading *reading, struct text word, size_t surface,
-                          struct error *error)
+static bool lens_tolerance_check_surface(const struct tolerance_line_reader *reading,
+                                         struct text word, size_t surface, struct error *error)
 {
     return surface < reading->lens->surface_count ||
            file_words_fail(reading->words, word, error,
@@ -47,8 +47,8 @@ static bool check_surface(const struct reading *reading, struct text word, size_
 }
 
 /* A number from 1. */
-static bool read_surface(const struct reading *reading, struct text word, size_t *surface,
-                         struct error *error)
+static bool lens_tolerance_read_surface(const struct tolerance_line_reader *reading,
+                                        struct text word, size_t *surface, struct error *error)
 {
     size_t number = 0;
     for (size_t i = 0; i < word.length; i++) {
@@ -60,13 +60,14 @@ static bool read_surface(const struct reading *reading, struct text word, size_t
     }
     *surface = number - 1;
     return number > 0
-               ? check_surface(reading, word, *surface, error)
+               ? lens_tolerance_check_surface(reading, word, *surface, error)
                : file_words_fail(reading->words, word, error,
                                  "'%.*s' is no surface: they are counted from 1, as in 3 or 3..5",
                                  text_shown(word), word.start);
 }
 
-static bool check_order(const struct reading *reading, struct text word, struct error *error)
+static bool check_order(const struct tolerance_line_reader *reading, struct text word,
+                        struct error *error)
 {
     return reading->one->first <= reading->one->last ||
            file_words_fail(reading->words, word, error, "the range %.*s ends before it begins",
@@ -74,10 +75,10 @@ static bool check_order(const struct reading *reading, struct text word, struct 
 }
 
 /* Kinds of an owner, for messages. */
-static bool fail_kind(const struct reading *reading, enum tolerance_owner owner, struct text word,
-                      struct error *error)
+static bool fail_kind(const struct tolerance_line_reader *reading, enum tolerance_owner owner,
+                      struct text word, struct error *error)
 {
-    struct growing all = {.arena = reading->words->arena};
+    struct text_buffer all = {.arena = reading->words->arena};
     struct nearest nearest = {.typed = word};
     for (int i = 0; i < TOLERANCE_KINDS; i++) {
         const struct tolerance_type *type = tolerance_type((enum tolerance_kind)i);
@@ -99,13 +100,15 @@ static bool fail_kind(const struct reading *reading, enum tolerance_owner owner,
 }
 
 /* `surface 3..5 tilt`, `element 3..5 tilt`, `elements 1..11 tilt` */
-static bool read_owned(struct reading *reading, enum tolerance_owner owner, struct error *error)
+static bool read_owned(struct tolerance_line_reader *reading, enum tolerance_owner owner,
+                       struct error *error)
 {
     struct lens_tolerance *one = reading->one;
     const struct text range = file_words_next(reading->words);
     struct text last = range, first = text_cut_range(&last);
-    if (!read_surface(reading, first, &one->first, error) ||
-        !read_surface(reading, last, &one->last, error) || !check_order(reading, range, error)) {
+    if (!lens_tolerance_read_surface(reading, first, &one->first, error) ||
+        !lens_tolerance_read_surface(reading, last, &one->last, error) ||
+        !check_order(reading, range, error)) {
         return false;
     }
     const struct text word = file_words_next(reading->words);
@@ -120,22 +123,23 @@ static bool read_owned(struct reading *reading, enum tolerance_owner owner, stru
 }
 
 /* `R1`, `t3..t5` */
-static bool read_named(struct reading *reading, struct text word, struct error *error)
+static bool lens_tolerance_read_named(struct tolerance_line_reader *reading, struct text word,
+                                      struct error *error)
 {
     struct lens_tolerance *one = reading->one;
     struct parameter from, to;
     struct text last = word, first = text_cut_range(&last);
-    if (!lens_words_parameter(reading->words, first, takes, &from, error) ||
-        !lens_words_parameter(reading->words, last, takes, &to, error) ||
-        !check_surface(reading, first, from.surface, error) ||
-        !check_surface(reading, last, to.surface, error)) {
+    if (!lens_words_parameter(reading->words, first, lens_tolerance_takes, &from, error) ||
+        !lens_words_parameter(reading->words, last, lens_tolerance_takes, &to, error) ||
+        !lens_tolerance_check_surface(reading, first, from.surface, error) ||
+        !lens_tolerance_check_surface(reading, last, to.surface, error)) {
         return false;
     }
     if (from.kind != to.kind || from.order != to.order) {
         return file_words_fail(reading->words, word, error,
                                "a range is of one kind of numbers: R1..R11");
     }
-    one->kind = kind_of(from.kind);
+    one->kind = lens_tolerance_kind_of(from.kind);
     one->order = from.order;
     one->first = from.surface;
     one->last = to.surface;
@@ -151,7 +155,7 @@ static bool read_named(struct reading *reading, struct text word, struct error *
     return check_order(reading, word, error);
 }
 
-static bool read_subject(struct reading *reading, struct error *error)
+static bool read_subject(struct tolerance_line_reader *reading, struct error *error)
 {
     static const struct {
         const char *word;
@@ -180,7 +184,7 @@ static bool read_subject(struct reading *reading, struct error *error)
         one->kind = TOLERANCE_FOCUS;
         return true;
     }
-    if (read_named(reading, word, error)) {
+    if (lens_tolerance_read_named(reading, word, error)) {
         return true;
     }
     struct nearest nearest = {.typed = word};
@@ -210,7 +214,8 @@ static const char *amounts_of(const struct tolerance_type *type, struct arena *a
 }
 
 /* What an amount was typed in; `named` is null without a unit, for percent and fringes. */
-static bool find_unit(struct text text, enum tolerance_unit *unit, const struct unit **named)
+static bool lens_tolerance_find_unit(struct text text, enum tolerance_unit *unit,
+                                     const struct unit **named)
 {
     *named = NULL;
     if (text_equal(text, "%")) {
@@ -231,7 +236,7 @@ static bool find_unit(struct text text, enum tolerance_unit *unit, const struct 
 }
 
 /* What a bare number is: of the kind's units the first but percent and fringes. */
-static bool bare_unit(const struct tolerance_type *type, enum tolerance_unit *unit)
+static bool lens_tolerance_bare_unit(const struct tolerance_type *type, enum tolerance_unit *unit)
 {
     for (int i = 0; i < TOLERANCE_PERCENT; i++) {
         if ((type->units & 1U << i) != 0) {
@@ -257,8 +262,9 @@ static const char *bare_length(const struct file_words *words)
 }
 
 /* The number, in the unit that was found. */
-static bool read_number(const struct reading *reading, struct text digits, const struct unit *named,
-                        struct error *error)
+static bool lens_tolerance_read_number(const struct tolerance_line_reader *reading,
+                                       struct text digits, const struct unit *named,
+                                       struct error *error)
 {
     struct file_words *words = reading->words;
     struct lens_tolerance *one = reading->one;
@@ -289,7 +295,8 @@ static bool read_number(const struct reading *reading, struct text digits, const
     return true;
 }
 
-static bool check_amount(const struct reading *reading, struct text word, struct error *error)
+static bool check_amount(const struct tolerance_line_reader *reading, struct text word,
+                         struct error *error)
 {
     const struct lens_tolerance *one = reading->one;
     const double value = one->amount.value.hi;
@@ -306,7 +313,7 @@ static bool check_amount(const struct reading *reading, struct text word, struct
            file_words_fail(reading->words, word, error, "a tilt is below 90deg");
 }
 
-static bool read_amount(struct reading *reading, struct error *error)
+static bool read_amount(struct tolerance_line_reader *reading, struct error *error)
 {
     struct file_words *words = reading->words;
     struct lens_tolerance *one = reading->one;
@@ -321,7 +328,8 @@ static bool read_amount(struct reading *reading, struct error *error)
     }
     const struct text digits = text_between(word.start, behind), name = text_between(behind, end);
     const struct unit *named = NULL;
-    if (name.length == 0 ? !bare_unit(type, &one->unit) : !find_unit(name, &one->unit, &named)) {
+    if (name.length == 0 ? !lens_tolerance_bare_unit(type, &one->unit)
+                         : !lens_tolerance_find_unit(name, &one->unit, &named)) {
         name.length == 0 ? file_words_fail(words, word, error, "'%.*s' has no unit",
                                            text_shown(word), word.start)
                          : file_words_fail(words, name, error, "unknown unit '%.*s'",
@@ -333,7 +341,7 @@ static bool read_amount(struct reading *reading, struct error *error)
                                type->word, text_shown(name), name.start,
                                amounts_of(type, words->arena));
     }
-    if (!read_number(reading, digits, named, error)) {
+    if (!lens_tolerance_read_number(reading, digits, named, error)) {
         return false;
     }
     if (name.length > 0) {
@@ -345,7 +353,8 @@ static bool read_amount(struct reading *reading, struct error *error)
 /* -------- how it is spread -------- */
 
 /* "3sigma" */
-static bool read_sigmas(struct reading *reading, struct text word, struct error *error)
+static bool read_sigmas(struct tolerance_line_reader *reading, struct text word,
+                        struct error *error)
 {
     struct lens_tolerance *one = reading->one;
     struct figure figure;
@@ -366,7 +375,7 @@ static bool read_sigmas(struct reading *reading, struct text word, struct error 
                            DISTRIBUTION_SIGMAS_MOST);
 }
 
-static bool read_pivot(struct reading *reading, struct text word, struct error *error)
+static bool read_pivot(struct tolerance_line_reader *reading, struct text word, struct error *error)
 {
     const struct lens_tolerance *one = reading->one;
     if (tolerance_type(one->kind)->owner != TOLERANCE_OF_ELEMENT || one->is_range ||
@@ -374,17 +383,19 @@ static bool read_pivot(struct reading *reading, struct text word, struct error *
         return file_words_fail(reading->words, word, error,
                                "a pivot belongs to the tilt, the roll or the wedge of one element");
     }
-    return read_surface(reading, file_words_next(reading->words), &reading->one->pivot, error);
+    return lens_tolerance_read_surface(reading, file_words_next(reading->words),
+                                       &reading->one->pivot, error);
 }
 
-static bool fail_word(const struct reading *reading, struct text word, struct error *error)
+static bool fail_word(const struct tolerance_line_reader *reading, struct text word,
+                      struct error *error)
 {
     struct nearest nearest = {.typed = word};
     enum tolerance_unit unit;
     const struct unit *named;
     file_words_fail(reading->words, word, error, "unknown distribution '%.*s'", text_shown(word),
                     word.start);
-    if (find_unit(word, &unit, &named)) {
+    if (lens_tolerance_find_unit(word, &unit, &named)) {
         return error_hint(error, "no blank stands between a number and its unit");
     }
     for (const struct word *each = distribution_words; each->word != NULL; each++) {
@@ -398,7 +409,7 @@ static bool fail_word(const struct reading *reading, struct text word, struct er
 }
 
 /* How it is spread, and about what: up to the end of the line. */
-static bool read_rest(struct reading *reading, struct error *error)
+static bool read_rest(struct tolerance_line_reader *reading, struct error *error)
 {
     struct lens_tolerance *one = reading->one;
     bool has_distribution = false;
@@ -426,7 +437,8 @@ static bool read_rest(struct reading *reading, struct error *error)
 }
 
 /* One more; the list, which nobody else grows, has room for the next power of two. */
-static void add(struct lens *lens, const struct lens_tolerance *one, struct arena *arena)
+static void lens_tolerance_add(struct lens *lens, const struct lens_tolerance *one,
+                               struct arena *arena)
 {
     const size_t count = lens->tolerance_count;
     if ((count & (count - 1)) == 0) {
@@ -446,7 +458,7 @@ bool lens_tolerance_read(struct file_words *words, struct lens *lens, struct err
                                  .pivot = LENS_NONE,
                                  .source = words->source,
                                  .line = words->number};
-    struct reading reading = {words, lens, &one};
+    struct tolerance_line_reader reading = {words, lens, &one};
     if (lens->tolerance_count == MOST_TOLERANCES) {
         return file_words_fail(words, file_words_next(words), error, "more than %d tolerances",
                                MOST_TOLERANCES);
@@ -455,7 +467,7 @@ bool lens_tolerance_read(struct file_words *words, struct lens *lens, struct err
         !read_rest(&reading, error)) {
         return false;
     }
-    add(lens, &one, words->arena);
+    lens_tolerance_add(lens, &one, words->arena);
     return true;
 }
 
@@ -494,7 +506,7 @@ bool lens_tolerances_read(const char *source, struct text content, const struct 
 
 /* A computed amount, in mm and degrees. */
 static void write_amount(const struct lens_tolerance *tolerance, const char *unit,
-                         struct growing *text)
+                         struct text_buffer *text)
 {
     static const char *const endings[TOLERANCE_UNITS] = {"mm", "deg", "", "%", "fringes"};
     const struct figure *amount = &tolerance->amount;
@@ -511,7 +523,7 @@ static void write_amount(const struct lens_tolerance *tolerance, const char *uni
 }
 
 void lens_tolerance_write(const struct lens_tolerance *tolerance, const char *unit,
-                          struct growing *text)
+                          struct text_buffer *text)
 {
     growing_format(text, "%s ", tolerance_name(tolerance, text->arena));
     write_amount(tolerance, unit, text);

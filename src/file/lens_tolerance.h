@@ -21,7 +21,7 @@ bool lens_tolerance_read(struct file_words *words, struct lens *lens, struct err
 
 /* The same, as a line of a file in this unit has it. */
 void lens_tolerance_write(const struct lens_tolerance *tolerance, const char *unit,
-                          struct growing *text);
+                          struct text_buffer *text);
 
 /*
  * Read a file that has nothing but such lines and comments.

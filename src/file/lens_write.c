@@ -16,140 +16,143 @@
 /* The table of surfaces. */
 enum { CELL_RADIUS, CELL_THICKNESS, CELL_MEDIUM, CELL_DIAMETER, CELLS };
 
-struct writer {
+struct lens_write_writer {
     struct arena *arena;
     const struct lens *lens;
-    struct growing text;
+    struct text_buffer text;
     double unit;        /* mm */
     size_t tabs[CELLS]; /* where the columns of the table begin */
 };
 
-static void put(struct writer *writer, const char *start, size_t length)
+static void lens_write_put(struct lens_write_writer *writer, const char *start, size_t length)
 {
     growing_put(&writer->text, start, length);
 }
 
-static void put_string(struct writer *writer, const char *string)
+static void lens_write_put_string(struct lens_write_writer *writer, const char *string)
 {
-    put(writer, string, strlen(string));
+    lens_write_put(writer, string, strlen(string));
 }
 
 /* Blanks up to a column of the present line, at least one. */
-static void put_tab(struct writer *writer, size_t line_start, size_t column)
+static void put_tab(struct lens_write_writer *writer, size_t line_start, size_t column)
 {
     do {
-        put(writer, " ", 1);
+        lens_write_put(writer, " ", 1);
     } while (writer->text.length - line_start < column);
 }
 
 /* As typed; a computed value with the shortest digits. */
-static void put_figure(struct writer *writer, const struct figure *figure, double unit)
+static void lens_write_put_figure(struct lens_write_writer *writer, const struct figure *figure,
+                                  double unit)
 {
     char number[NUMBER_LENGTH];
     if (figure->typed.start != NULL) {
-        put(writer, figure->typed.start, figure->typed.length);
+        lens_write_put(writer, figure->typed.start, figure->typed.length);
     } else {
-        put(writer, number,
-            (size_t)(number_write_shortest(number, figure->value.hi / unit) - number));
+        lens_write_put(writer, number,
+                       (size_t)(number_write_shortest(number, figure->value.hi / unit) - number));
     }
 }
 
-static void put_cell(struct writer *writer, bool is_given, const struct figure *figure)
+static void put_cell(struct lens_write_writer *writer, bool is_given, const struct figure *figure)
 {
     if (!is_given) {
-        put(writer, "-", 1);
+        lens_write_put(writer, "-", 1);
     } else if (figure->variable != LENS_NONE) {
         struct text name = writer->lens->variables[figure->variable].name;
-        put(writer, name.start, name.length);
+        lens_write_put(writer, name.start, name.length);
     } else {
-        put_figure(writer, figure, writer->unit);
+        lens_write_put_figure(writer, figure, writer->unit);
     }
 }
 
-static void put_vector(struct writer *writer, const char *key, const struct figure *figures,
-                       size_t count, double unit)
+static void lens_write_put_vector(struct lens_write_writer *writer, const char *key,
+                                  const struct figure *figures, size_t count, double unit)
 {
-    put_string(writer, key);
+    lens_write_put_string(writer, key);
     for (size_t i = 0; i < count; i++) {
-        put(writer, ",", i > 0);
-        put_figure(writer, &figures[i], unit);
+        lens_write_put(writer, ",", i > 0);
+        lens_write_put_figure(writer, &figures[i], unit);
     }
 }
 
-static void put_displacement(struct writer *writer, const struct displacement *all, size_t turns)
+static void lens_write_put_displacement(struct lens_write_writer *writer,
+                                        const struct displacement *all, size_t turns)
 {
-    put_vector(writer, " decenter=", all->decenter, 2, writer->unit);
-    put_vector(writer, " tilt=", all->tilt, turns, RADIANS_PER_DEGREE);
+    lens_write_put_vector(writer, " decenter=", all->decenter, 2, writer->unit);
+    lens_write_put_vector(writer, " tilt=", all->tilt, turns, RADIANS_PER_DEGREE);
 }
 
 /* Of a thick lens, where they are not 0. */
-static void put_thick(struct writer *writer, const struct surface *surface)
+static void lens_write_put_thick(struct lens_write_writer *writer, const struct surface *surface)
 {
     size_t terms = 3;
     while (terms > 0 && surface->distortion[terms - 1].value.hi == 0) {
         terms--;
     }
     if (surface->hiatus.variable != LENS_NONE || surface->hiatus.value.hi != 0) {
-        put_string(writer, " hiatus=");
+        lens_write_put_string(writer, " hiatus=");
         put_cell(writer, true, &surface->hiatus);
     }
     if (terms > 0) {
-        put_vector(writer, " distortion=", surface->distortion, terms, 1);
+        lens_write_put_vector(writer, " distortion=", surface->distortion, terms, 1);
     }
 }
 
 /* In which a file has the number. */
-static double unit_of(const struct writer *writer, enum parameter_kind kind, int order)
+static double lens_write_unit_of(const struct lens_write_writer *writer, enum parameter_kind kind,
+                                 int order)
 {
     return (parameter_type(kind)->is & PARAMETER_IS_ANGLE) != 0
                ? RADIANS_PER_DEGREE
                : pow(writer->unit, parameter_length(kind, order));
 }
 
-static void put_extras(struct writer *writer, const struct surface *surface)
+static void put_extras(struct lens_write_writer *writer, const struct surface *surface)
 {
     if (surface_has(surface, SURFACE_HAS_FOCAL)) {
-        put_thick(writer, surface);
+        lens_write_put_thick(writer, surface);
     }
     if (surface->has_curvature) {
-        put_string(writer, " c=");
-        put_figure(writer, &surface->curvature, 1 / writer->unit);
+        lens_write_put_string(writer, " c=");
+        lens_write_put_figure(writer, &surface->curvature, 1 / writer->unit);
     }
     if (surface->conic.typed.start != NULL || surface->conic.value.hi != 0) {
-        put_string(writer, " k=");
-        put_figure(writer, &surface->conic, 1);
+        lens_write_put_string(writer, " k=");
+        lens_write_put_figure(writer, &surface->conic, 1);
     }
     for (int order = 1; order <= LENS_COEFFICIENTS; order++) {
         const enum parameter_kind kind = PARAMETER_COEFFICIENT;
         const struct figure *figure = parameter_figure(surface, kind, order);
         if (figure != NULL) {
             const char *name = parameter_name(kind, order, writer->arena);
-            put_string(writer, arena_printf(writer->arena, " %s=", name));
-            put_figure(writer, figure, pow(writer->unit, parameter_length(kind, order)));
+            lens_write_put_string(writer, arena_printf(writer->arena, " %s=", name));
+            lens_write_put_figure(writer, figure, pow(writer->unit, parameter_length(kind, order)));
         }
     }
     if (surface->is_stop && surface->kind != SURFACE_STOP) {
-        put_string(writer, " stop");
+        lens_write_put_string(writer, " stop");
     }
     if (surface->decentre != NULL) {
-        put_displacement(writer, surface->decentre, 2);
+        lens_write_put_displacement(writer, surface->decentre, 2);
     }
     if (!surface_is_round(surface)) {
-        put_string(writer, " cyl=");
-        put_string(writer, surface_section(surface)->word);
+        lens_write_put_string(writer, " cyl=");
+        lens_write_put_string(writer, surface_section(surface)->word);
     }
     for (size_t i = 0; i < surface->vary_count; i++) {
         const struct vary *vary = &surface->varies[i];
         const char *name = parameter_mark_name(vary->kind, vary->order, writer->arena);
-        put(writer, " ", 1);
+        lens_write_put(writer, " ", 1);
         lens_mark_write(vary, name, writer->lens->unit, &writer->text);
     }
     if (surface->name != NULL) {
-        put_string(writer, arena_printf(writer->arena, " name=\"%s\"", surface->name));
+        lens_write_put_string(writer, arena_printf(writer->arena, " name=\"%s\"", surface->name));
     }
 }
 
-static void put_in_table(struct writer *writer, const struct surface *surface, int cell)
+static void put_in_table(struct lens_write_writer *writer, const struct surface *surface, int cell)
 {
     const bool is_thick = surface_has(surface, SURFACE_HAS_FOCAL);
     switch (cell) {
@@ -162,9 +165,9 @@ static void put_in_table(struct writer *writer, const struct surface *surface, i
         break;
     case CELL_MEDIUM:
         if (surface_reflects(surface)) {
-            put_string(writer, "mirror");
+            lens_write_put_string(writer, "mirror");
         } else {
-            put(writer, surface->medium.written.start, surface->medium.written.length);
+            lens_write_put(writer, surface->medium.written.start, surface->medium.written.length);
         }
         break;
     default:
@@ -173,7 +176,7 @@ static void put_in_table(struct writer *writer, const struct surface *surface, i
 }
 
 /* Columns as usual, wider where numbers are long. */
-static void set_tabs(struct writer *writer)
+static void set_tabs(struct lens_write_writer *writer)
 {
     static const size_t usual[CELLS] = {12, 26, 38, 58};
     const size_t end = writer->text.length;
@@ -194,33 +197,33 @@ static void set_tabs(struct writer *writer)
     }
 }
 
-static void put_table_head(struct writer *writer)
+static void put_table_head(struct lens_write_writer *writer)
 {
     static const char *const names[CELLS] = {"radius", "thickness", "medium", "diameter"};
     const size_t start = writer->text.length;
-    put_string(writer, "#");
+    lens_write_put_string(writer, "#");
     for (int cell = 0; cell < CELLS; cell++) {
         put_tab(writer, start, writer->tabs[cell]);
-        put_string(writer, names[cell]);
+        lens_write_put_string(writer, names[cell]);
     }
-    put(writer, "\n", 1);
+    lens_write_put(writer, "\n", 1);
 }
 
-static void put_surface(struct writer *writer, const struct surface *surface)
+static void lens_write_put_surface(struct lens_write_writer *writer, const struct surface *surface)
 {
     if (surface->coordinate_break != NULL) {
-        put_string(writer, "bend");
-        put_displacement(writer, surface->coordinate_break, 3);
-        put(writer, "\n", 1);
+        lens_write_put_string(writer, "bend");
+        lens_write_put_displacement(writer, surface->coordinate_break, 3);
+        lens_write_put(writer, "\n", 1);
     }
     size_t start = writer->text.length;
-    put_string(writer, surface_traits(surface)->word);
+    lens_write_put_string(writer, surface_traits(surface)->word);
     for (int cell = 0; cell < CELLS; cell++) {
         put_tab(writer, start, writer->tabs[cell]);
         put_in_table(writer, surface, cell);
     }
     put_extras(writer, surface);
-    put(writer, "\n", 1);
+    lens_write_put(writer, "\n", 1);
     for (size_t i = 0; i < surface->aperture_count; i++) {
         lens_aperture_write(&surface->apertures[i], lens_unit_scale(writer->lens->unit),
                             &writer->text);
@@ -228,148 +231,152 @@ static void put_surface(struct writer *writer, const struct surface *surface)
 }
 
 /* `keyword     text`, where there is a text. */
-static void put_line(struct writer *writer, const char *keyword, const char *text)
+static void lens_write_put_line(struct lens_write_writer *writer, const char *keyword,
+                                const char *text)
 {
     if (text != NULL) {
-        put_string(writer, arena_printf(writer->arena, "%-11s %s\n", keyword, text));
+        lens_write_put_string(writer, arena_printf(writer->arena, "%-11s %s\n", keyword, text));
     }
 }
 
-static void put_figures(struct writer *writer, const char *keyword, const struct figure *figures,
-                        size_t count, double unit)
+static void put_figures(struct lens_write_writer *writer, const char *keyword,
+                        const struct figure *figures, size_t count, double unit)
 {
-    put_string(writer, keyword);
+    lens_write_put_string(writer, keyword);
     for (size_t i = 0; i < count; i++) {
-        put(writer, " ", 1);
-        put_figure(writer, &figures[i], unit);
+        lens_write_put(writer, " ", 1);
+        lens_write_put_figure(writer, &figures[i], unit);
     }
-    put(writer, "\n", 1);
+    lens_write_put(writer, "\n", 1);
 }
 
 /* `:weight`, where there is one. */
-static void put_weight(struct writer *writer, struct text weight)
+static void put_weight(struct lens_write_writer *writer, struct text weight)
 {
     if (weight.start != NULL) {
-        put(writer, ":", 1);
-        put(writer, weight.start, weight.length);
+        lens_write_put(writer, ":", 1);
+        lens_write_put(writer, weight.start, weight.length);
     }
 }
 
 /* A point of the field, behind what stands between it and the one before. */
-static void put_field(struct writer *writer, const char *between, const struct lens_field *field)
+static void lens_write_put_field(struct lens_write_writer *writer, const char *between,
+                                 const struct lens_field *field)
 {
     double unit = writer->lens->field_kind == FIELD_ANGLE ? RADIANS_PER_DEGREE : writer->unit;
     bool beside = field->at[0].value.hi != 0;
-    put_vector(writer, between, beside ? field->at : &field->at[1], beside ? 2 : 1, unit);
+    lens_write_put_vector(writer, between, beside ? field->at : &field->at[1], beside ? 2 : 1,
+                          unit);
     put_weight(writer, field->weight_typed);
 }
 
-static void put_fields(struct writer *writer)
+static void lens_write_put_fields(struct lens_write_writer *writer)
 {
     static const char *const kinds[] = {[FIELD_ANGLE] = "angle",
                                         [FIELD_HEIGHT] = "height",
                                         [FIELD_IMAGE] = "image",
                                         [FIELD_REAL] = "real"};
     const struct lens *lens = writer->lens;
-    put_string(writer, "field       ");
-    put_string(writer, kinds[lens->field_kind]);
+    lens_write_put_string(writer, "field       ");
+    lens_write_put_string(writer, kinds[lens->field_kind]);
     for (size_t i = 0; i < lens->field_count; i++) {
-        put_field(writer, " ", &lens->fields[i]);
+        lens_write_put_field(writer, " ", &lens->fields[i]);
     }
-    put(writer, "\n", 1);
+    lens_write_put(writer, "\n", 1);
 }
 
-static void put_wavelengths(struct writer *writer)
+static void put_wavelengths(struct lens_write_writer *writer)
 {
     const struct lens *lens = writer->lens;
     for (size_t i = 0; i < lens->wavelength_count; i++) {
         const struct lens_wavelength *one = &lens->wavelengths[i];
-        put_string(writer, i == 0 ? "wavelength  " : " ");
-        put(writer, one->typed.start, one->typed.length);
+        lens_write_put_string(writer, i == 0 ? "wavelength  " : " ");
+        lens_write_put(writer, one->typed.start, one->typed.length);
         put_weight(writer, one->weight_typed);
     }
-    put_string(writer, lens->wavelength_count > 0 ? "\n" : "");
+    lens_write_put_string(writer, lens->wavelength_count > 0 ? "\n" : "");
 }
 
-static void put_apertures(struct writer *writer, const char *before, const struct figure *figures,
-                          size_t count)
+static void lens_write_put_apertures(struct lens_write_writer *writer, const char *before,
+                                     const struct figure *figures, size_t count)
 {
     static const char *const words[] = {"", "stop", "f/", "epd ", "na "};
     enum aperture_kind kind = writer->lens->aperture_kind;
     double unit = kind == APERTURE_EPD ? writer->unit : 1;
-    put_string(writer, before);
+    lens_write_put_string(writer, before);
     for (size_t i = 0; i < count; i++) {
-        put_string(writer, i == 0 || kind != APERTURE_STOP ? words[kind] : "");
+        lens_write_put_string(writer, i == 0 || kind != APERTURE_STOP ? words[kind] : "");
         if (kind != APERTURE_STOP) {
-            put_figure(writer, &figures[i], unit);
+            lens_write_put_figure(writer, &figures[i], unit);
         }
-        put_string(writer, i + 1 < count ? " " : "\n");
+        lens_write_put_string(writer, i + 1 < count ? " " : "\n");
     }
 }
 
-static void put_object(struct writer *writer)
+static void lens_write_put_object(struct lens_write_writer *writer)
 {
     const struct lens *lens = writer->lens;
-    put_string(writer, "object      ");
-    put_figure(writer, &lens->object, writer->unit);
-    put_string(writer, lens->is_telecentric ? " telecentric\n" : "\n");
+    lens_write_put_string(writer, "object      ");
+    lens_write_put_figure(writer, &lens->object, writer->unit);
+    lens_write_put_string(writer, lens->is_telecentric ? " telecentric\n" : "\n");
 }
 
-static void put_header(struct writer *writer)
+static void lens_write_put_header(struct lens_write_writer *writer)
 {
     static const char *const focuses[] = {"paraxial", "table", "best", "afocal"};
     const struct lens *lens = writer->lens;
-    put_line(writer, "lens", lens->title);
-    put_line(writer, "kind", lens->kind);
-    put_line(writer, "source", lens->source);
+    lens_write_put_line(writer, "lens", lens->title);
+    lens_write_put_line(writer, "kind", lens->kind);
+    lens_write_put_line(writer, "source", lens->source);
     for (size_t i = 0; i < lens->note_count; i++) {
-        put_line(writer, "note", lens->notes[i]);
+        lens_write_put_line(writer, "note", lens->notes[i]);
     }
-    put_line(writer, "unit", lens->unit);
+    lens_write_put_line(writer, "unit", lens->unit);
     put_wavelengths(writer);
     if (lens->objects == NULL) {
-        put_object(writer);
+        lens_write_put_object(writer);
     }
     if (!text_equal(lens->object_medium.written, "air")) {
-        put_string(writer, "medium      ");
-        put(writer, lens->object_medium.written.start, lens->object_medium.written.length);
-        put_string(writer, "\n");
+        lens_write_put_string(writer, "medium      ");
+        lens_write_put(writer, lens->object_medium.written.start,
+                       lens->object_medium.written.length);
+        lens_write_put_string(writer, "\n");
     }
     if (lens->field_kind != FIELD_NONE) {
-        put_fields(writer);
+        lens_write_put_fields(writer);
     }
     if (lens->aperture_kind != APERTURE_NONE && lens->apertures == NULL) {
-        put_apertures(writer, "aperture    ", &lens->aperture, 1);
+        lens_write_put_apertures(writer, "aperture    ", &lens->aperture, 1);
     }
-    put_line(writer, "focus", focuses[lens->focus]);
+    lens_write_put_line(writer, "focus", focuses[lens->focus]);
 }
 
 /* The stop, wavelengths and points of the field. */
-static void put_system_settings(struct writer *writer)
+static void put_system_settings(struct lens_write_writer *writer)
 {
     const struct lens *lens = writer->lens;
     struct arena *arena = writer->arena;
     for (size_t p = 0; p < lens->position_count && lens->stops != NULL; p++) {
-        put_string(writer,
-                   arena_printf(arena, "%s %zu%s", p == 0 ? "set stop" : "", lens->stops[p] + 1,
-                                p + 1 == lens->position_count ? "\n" : ""));
+        lens_write_put_string(writer, arena_printf(arena, "%s %zu%s", p == 0 ? "set stop" : "",
+                                                   lens->stops[p] + 1,
+                                                   p + 1 == lens->position_count ? "\n" : ""));
     }
     for (size_t p = 0; p < lens->position_count && lens->lights != NULL; p++) {
-        put_string(writer, arena_printf(arena, "%s %s%s", p == 0 ? "set wavelength" : "",
-                                        lens_light_write(&lens->lights[p], arena),
-                                        p + 1 == lens->position_count ? "\n" : ""));
+        lens_write_put_string(writer, arena_printf(arena, "%s %s%s", p == 0 ? "set wavelength" : "",
+                                                   lens_light_write(&lens->lights[p], arena),
+                                                   p + 1 == lens->position_count ? "\n" : ""));
     }
     for (size_t p = 0; p < lens->position_count && lens->points != NULL; p++) {
-        put_string(writer, p == 0 ? "set field" : "");
+        lens_write_put_string(writer, p == 0 ? "set field" : "");
         for (size_t i = 0; i < lens->points[p].count; i++) {
-            put_field(writer, i == 0 ? " " : ";", &lens->points[p].fields[i]);
+            lens_write_put_field(writer, i == 0 ? " " : ";", &lens->points[p].fields[i]);
         }
-        put_string(writer, p + 1 == lens->position_count ? "\n" : "");
+        lens_write_put_string(writer, p + 1 == lens->position_count ? "\n" : "");
     }
 }
 
 /* What the positions set anew. */
-static void put_settings(struct writer *writer)
+static void lens_write_put_settings(struct lens_write_writer *writer)
 {
     const struct lens *lens = writer->lens;
     struct arena *arena = writer->arena;
@@ -380,66 +387,67 @@ static void put_settings(struct writer *writer)
             arena_printf(arena, "set %s", parameter_write(parameter, writer->arena));
         if (one->media == NULL) {
             put_figures(writer, begin, one->figures, lens->position_count,
-                        unit_of(writer, parameter.kind, parameter.order));
+                        lens_write_unit_of(writer, parameter.kind, parameter.order));
             continue;
         }
-        put_string(writer, begin);
+        lens_write_put_string(writer, begin);
         for (size_t p = 0; p < lens->position_count; p++) {
-            put(writer, " ", 1);
-            put(writer, one->media[p].written.start, one->media[p].written.length);
+            lens_write_put(writer, " ", 1);
+            lens_write_put(writer, one->media[p].written.start, one->media[p].written.length);
         }
-        put(writer, "\n", 1);
+        lens_write_put(writer, "\n", 1);
     }
     put_system_settings(writer);
 }
 
 /* A word of the positions, with its marks. */
-static void put_variable(struct writer *writer, const struct lens_variable *variable)
+static void put_variable(struct lens_write_writer *writer, const struct lens_variable *variable)
 {
-    put_string(writer, "let ");
-    put(writer, variable->name.start, variable->name.length);
+    lens_write_put_string(writer, "let ");
+    lens_write_put(writer, variable->name.start, variable->name.length);
     for (size_t p = 0; p < writer->lens->position_count; p++) {
-        put(writer, " ", 1);
-        put_figure(writer, &variable->values[p], writer->unit);
+        lens_write_put(writer, " ", 1);
+        lens_write_put_figure(writer, &variable->values[p], writer->unit);
         if (variable->varies != NULL && variable->varies[p] != NULL) {
             lens_mark_write(variable->varies[p], "", writer->lens->unit, &writer->text);
         }
     }
-    put(writer, "\n", 1);
+    lens_write_put(writer, "\n", 1);
 }
 
 /* What follows what, what is wanted, and how well it is made. */
-static void put_design(struct writer *writer)
+static void put_design(struct lens_write_writer *writer)
 {
     const struct lens *lens = writer->lens;
     for (size_t i = 0; i < lens->pickup_count; i++) {
-        put_string(writer, "pickup      ");
+        lens_write_put_string(writer, "pickup      ");
         lens_pickup_write(&lens->pickups[i], lens->unit, &writer->text);
-        put(writer, "\n", 1);
+        lens_write_put(writer, "\n", 1);
     }
     for (size_t i = 0; i < lens->goal_count; i++) {
-        put_string(writer, "goal        ");
-        put(writer, lens->goals[i].text.start, lens->goals[i].text.length);
-        put(writer, "\n", 1);
+        lens_write_put_string(writer, "goal        ");
+        lens_write_put(writer, lens->goals[i].text.start, lens->goals[i].text.length);
+        lens_write_put(writer, "\n", 1);
     }
     for (size_t i = 0; i < lens->tolerance_count; i++) {
-        put_string(writer, "tolerance   ");
+        lens_write_put_string(writer, "tolerance   ");
         lens_tolerance_write(&lens->tolerances[i], lens->unit, &writer->text);
-        put(writer, "\n", 1);
+        lens_write_put(writer, "\n", 1);
     }
 }
 
-static void put_positions(struct writer *writer)
+static void put_positions(struct lens_write_writer *writer)
 {
     static const char *const stated[STATED_COUNT] = {"stated efl", "stated bfl", "stated fnumber",
                                                      "stated tstop"};
     const struct lens *lens = writer->lens;
     size_t count = lens->position_count;
     for (size_t i = 0; i < count; i++) {
-        put_string(writer, arena_printf(writer->arena, "%s %s", i == 0 ? "position   " : "",
-                                        lens->positions[i]));
+        lens_write_put_string(
+            writer,
+            arena_printf(writer->arena, "%s %s", i == 0 ? "position   " : "", lens->positions[i]));
     }
-    put_string(writer, count > 0 ? "\n" : "");
+    lens_write_put_string(writer, count > 0 ? "\n" : "");
     for (int i = 0; i < STATED_COUNT; i++) {
         if (lens->stated[i] != NULL) {
             put_figures(writer, stated[i], lens->stated[i], lens->stated_count[i],
@@ -449,27 +457,27 @@ static void put_positions(struct writer *writer)
     for (size_t i = 0; i < lens->variable_count; i++) {
         put_variable(writer, &lens->variables[i]);
     }
-    put_settings(writer);
+    lens_write_put_settings(writer);
     if (lens->objects != NULL) {
         put_figures(writer, lens->is_telecentric ? "let object telecentric" : "let object",
                     lens->objects, count, writer->unit);
     }
     if (lens->apertures != NULL) {
-        put_apertures(writer, "let aperture ", lens->apertures, count);
+        lens_write_put_apertures(writer, "let aperture ", lens->apertures, count);
     }
 }
 
 struct text lens_write(const struct lens *lens, struct arena *arena)
 {
-    struct writer writer = {
+    struct lens_write_writer writer = {
         .arena = arena, .lens = lens, .text = {.arena = arena}, .unit = lens_unit_mm(lens->unit)};
-    put_header(&writer);
+    lens_write_put_header(&writer);
     put_positions(&writer);
     put_design(&writer);
     set_tabs(&writer);
     put_table_head(&writer);
     for (size_t i = 0; i < lens->surface_count; i++) {
-        put_surface(&writer, &lens->surfaces[i]);
+        lens_write_put_surface(&writer, &lens->surfaces[i]);
     }
     return growing_done(&writer.text);
 }

@@ -12,7 +12,7 @@
 #define NONE ((size_t)-1)
 
 /* What faces count: positions, places in a texture, normals. */
-enum part { PART_POSITION, PART_PLACE, PART_NORMAL, PARTS };
+enum obj_file_part { PART_POSITION, PART_PLACE, PART_NORMAL, PARTS };
 static const char *const part_words[PARTS] = {"v", "vt", "vn"};
 
 /* Position, place and normal, from 0; NONE: it has none. */
@@ -21,7 +21,7 @@ struct corner {
 };
 
 /* A face of more than three corners: a fan, until all corners are known. */
-struct fan {
+struct obj_file_fan {
     size_t first, corner_count; /* of its triangles */
 };
 
@@ -38,7 +38,7 @@ struct obj {
     size_t *slots, slot_count; /* of the corners, by what they are; one more than the number */
     size_t (*triangles)[3];
     size_t triangle_count, triangle_room;
-    struct fan *fans;
+    struct obj_file_fan *fans;
     size_t fan_count, fan_room;
 };
 
@@ -50,7 +50,7 @@ static uint64_t mixed(uint64_t hash, uint64_t word)
 
 /* -------- corners of which no two are alike -------- */
 
-static size_t slot_of(const struct obj *obj, const struct corner *corner)
+static size_t obj_file_slot_of(const struct obj *obj, const struct corner *corner)
 {
     uint64_t hash = 0;
     for (size_t i = 0; i < PARTS; i++) {
@@ -78,10 +78,10 @@ static size_t corner_number(struct obj *obj, const struct corner *corner)
         obj->slot_count = obj->slot_count > 0 ? 2 * obj->slot_count : 1024;
         obj->slots = ARENA_ARRAY(obj->arena, obj->slot_count, size_t);
         for (size_t i = 0; i < obj->corner_count; i++) {
-            obj->slots[slot_of(obj, &obj->corners[i])] = i + 1;
+            obj->slots[obj_file_slot_of(obj, &obj->corners[i])] = i + 1;
         }
     }
-    const size_t slot = slot_of(obj, corner);
+    const size_t slot = obj_file_slot_of(obj, corner);
     if (obj->slots[slot] == 0) {
         obj->slots[slot] = append_corner(obj, corner) + 1;
     }
@@ -91,7 +91,7 @@ static size_t corner_number(struct obj *obj, const struct corner *corner)
 /* -------- words -------- */
 
 /* The next word of a line, which goes on behind a backslash; a comment ends it. */
-static struct text next_word(struct obj *obj)
+static struct text obj_file_next_word(struct obj *obj)
 {
     struct text word = file_words_next(&obj->words);
     while (text_equal(word, "\\") && file_words_line(&obj->words)) {
@@ -104,8 +104,8 @@ static struct text next_word(struct obj *obj)
     return word;
 }
 
-static bool read_number(const struct obj *obj, struct text word, double most, double *value,
-                        struct error *error)
+static bool obj_file_read_number(const struct obj *obj, struct text word, double most,
+                                 double *value, struct error *error)
 {
     const char *end = word.start + word.length;
     const char *behind =
@@ -123,19 +123,19 @@ static bool read_number(const struct obj *obj, struct text word, double most, do
 }
 
 /* v x y z, with a weight or a colour behind; vt u, with v, and a depth; vn x y z. */
-static bool read_part(struct obj *obj, enum part part, struct error *error)
+static bool obj_file_read_part(struct obj *obj, enum obj_file_part part, struct error *error)
 {
     static const size_t least[PARTS] = {3, 1, 3}, most[PARTS] = {7, 3, 3};
     const double farthest =
         part == PART_POSITION ? obj->question->farthest / obj->question->scale : 1e9;
     double number[7] = {0};
     size_t count = 0;
-    struct text word = next_word(obj);
+    struct text word = obj_file_next_word(obj);
     for (; count < least[part] || (word.length > 0 && count < most[part]); count++) {
-        if (!read_number(obj, word, farthest, &number[count], error)) {
+        if (!obj_file_read_number(obj, word, farthest, &number[count], error)) {
             return false;
         }
-        word = next_word(obj);
+        word = obj_file_next_word(obj);
     }
     if (word.length > 0) {
         return file_words_fail(&obj->words, word, error, "'%.*s' does not belong here",
@@ -149,8 +149,8 @@ static bool read_part(struct obj *obj, enum part part, struct error *error)
 }
 
 /* A number from 1, or from -1 for the last one so far. */
-static bool read_index(const struct obj *obj, struct text text, enum part part, size_t *index,
-                       struct error *error)
+static bool obj_file_read_index(const struct obj *obj, struct text text, enum obj_file_part part,
+                                size_t *index, struct error *error)
 {
     const bool is_behind = text.length > 0 && text.start[0] == '-';
     size_t value = 0, i = is_behind ? 1 : 0;
@@ -179,7 +179,7 @@ static bool read_corner(struct obj *obj, struct text word, size_t *number, struc
     for (int part = 0; part < PARTS && rest.start != NULL; part++) {
         const struct text text = text_cut(&rest, '/');
         if ((part == PART_POSITION || text.length > 0) &&
-            !read_index(obj, text, (enum part)part, &corner.of[part], error)) {
+            !obj_file_read_index(obj, text, (enum obj_file_part)part, &corner.of[part], error)) {
             return false;
         }
     }
@@ -194,7 +194,8 @@ static bool read_corner(struct obj *obj, struct text word, size_t *number, struc
 static bool read_face(struct obj *obj, struct error *error)
 {
     size_t corner[3], count = 0;
-    for (struct text word = next_word(obj); word.length > 0; word = next_word(obj)) {
+    for (struct text word = obj_file_next_word(obj); word.length > 0;
+         word = obj_file_next_word(obj)) {
         const size_t here = count < 2 ? count : 2;
         if (!read_corner(obj, word, &corner[here], error)) {
             return false;
@@ -214,7 +215,8 @@ static bool read_face(struct obj *obj, struct error *error)
     if (count > 3) {
         obj->fans =
             arena_grow(obj->arena, obj->fans, obj->fan_count, &obj->fan_room, sizeof obj->fans[0]);
-        obj->fans[obj->fan_count++] = (struct fan){obj->triangle_count - (count - 2), count};
+        obj->fans[obj->fan_count++] =
+            (struct obj_file_fan){obj->triangle_count - (count - 2), count};
     }
     const struct text end = {obj->words.line.start + obj->words.line.length, 0};
     return count >= 3 || file_words_fail(&obj->words, end, error,
@@ -257,7 +259,7 @@ static bool read_other(struct obj *obj, struct text head, struct error *error)
         }
         obj->passed->materials = obj->passed->materials || others[i].action == ACTION_MATERIAL;
         obj->passed->lines = obj->passed->lines || others[i].action == ACTION_LINE;
-        while (next_word(obj).length > 0) {
+        while (obj_file_next_word(obj).length > 0) {
         }
         return true;
     }
@@ -265,9 +267,9 @@ static bool read_other(struct obj *obj, struct text head, struct error *error)
                            head.start);
 }
 
-static bool read_line(struct obj *obj, struct error *error)
+static bool obj_file_read_line(struct obj *obj, struct error *error)
 {
-    const struct text head = next_word(obj);
+    const struct text head = obj_file_next_word(obj);
     if (head.length == 0) {
         return true;
     }
@@ -276,7 +278,7 @@ static bool read_line(struct obj *obj, struct error *error)
     }
     for (int part = 0; part < PARTS; part++) {
         if (text_equal(head, part_words[part])) {
-            return read_part(obj, (enum part)part, error);
+            return obj_file_read_part(obj, (enum obj_file_part)part, error);
         }
     }
     return read_other(obj, head, error);
@@ -287,11 +289,11 @@ static void count_parts(struct obj *obj)
 {
     const struct file_words begin = obj->words;
     while (file_words_line(&obj->words)) {
-        const struct text head = next_word(obj);
+        const struct text head = obj_file_next_word(obj);
         for (int part = 0; part < PARTS; part++) {
             obj->total[part] += text_equal(head, part_words[part]) ? 1 : 0;
         }
-        while (next_word(obj).length > 0) {
+        while (obj_file_next_word(obj).length > 0) {
         }
     }
     obj->words = begin;
@@ -299,13 +301,13 @@ static void count_parts(struct obj *obj)
 
 /* -------- the mesh -------- */
 
-static struct vector position(const struct obj *obj, size_t corner)
+static struct vector obj_file_position(const struct obj *obj, size_t corner)
 {
     return obj->all[PART_POSITION][obj->corners[corner].of[PART_POSITION]];
 }
 
 /* Into other triangles, as many. */
-static void cut_face(struct obj *obj, const struct fan *fan)
+static void cut_face(struct obj *obj, const struct obj_file_fan *fan)
 {
     size_t(*triangles)[3] = &obj->triangles[fan->first];
     size_t(*cut)[3] = arena_array(obj->arena, fan->corner_count - 2, sizeof cut[0]);
@@ -313,7 +315,7 @@ static void cut_face(struct obj *obj, const struct fan *fan)
     struct vector *at = ARENA_ARRAY(obj->arena, fan->corner_count, struct vector);
     for (size_t i = 0; i < fan->corner_count; i++) {
         corners[i] = i < 2 ? triangles[0][i] : triangles[i - 2][2];
-        at[i] = position(obj, corners[i]);
+        at[i] = obj_file_position(obj, corners[i]);
     }
     const enum polygon_cut way = polygon_triangles(at, fan->corner_count, cut, obj->arena);
     obj->passed->crossed += way == POLYGON_CROSSED ? 1 : 0;
@@ -349,7 +351,7 @@ static struct places places_of(const struct obj *obj, const size_t triangle[3])
 {
     struct places places;
     for (size_t k = 0; k < 3; k++) {
-        const struct vector own = position(obj, triangle[k]);
+        const struct vector own = obj_file_position(obj, triangle[k]);
         const struct vector at = {own.x + 0, own.y + 0, own.z + 0}; /* of which -0 becomes 0 */
         size_t to = k;
         for (; to > 0 && in_order(places.at[to - 1], at) > 0; to--) {
@@ -360,7 +362,7 @@ static struct places places_of(const struct obj *obj, const size_t triangle[3])
     return places;
 }
 
-static uint64_t hash_of(const struct places *places)
+static uint64_t obj_file_hash_of(const struct places *places)
 {
     uint64_t words[sizeof *places / sizeof(uint64_t)], hash = 0;
     memcpy(words, places, sizeof words);
@@ -380,7 +382,7 @@ static void leave_out_twice(struct obj *obj)
     size_t *first = ARENA_ARRAY(obj->arena, slots, size_t); /* one more than its number */
     for (size_t i = 0; i < obj->triangle_count; i++) {
         const struct places here = places_of(obj, obj->triangles[i]);
-        size_t slot = (size_t)hash_of(&here) & (slots - 1);
+        size_t slot = (size_t)obj_file_hash_of(&here) & (slots - 1);
         bool is_there = false;
         for (; first[slot] != 0 && !is_there; slot = (slot + 1) & (slots - 1)) {
             const struct places other = places_of(obj, obj->triangles[first[slot] - 1]);
@@ -398,9 +400,9 @@ static void leave_out_twice(struct obj *obj)
 /* Any direction for a triangle without area, which nothing meets. */
 static struct vector face_normal(const struct obj *obj, const size_t triangle[3])
 {
-    const struct vector a = position(obj, triangle[0]);
-    const struct vector across = vector_cross(vector_minus(position(obj, triangle[1]), a),
-                                              vector_minus(position(obj, triangle[2]), a));
+    const struct vector a = obj_file_position(obj, triangle[0]);
+    const struct vector across = vector_cross(vector_minus(obj_file_position(obj, triangle[1]), a),
+                                              vector_minus(obj_file_position(obj, triangle[2]), a));
     const double length = vector_length(across);
     return length > 0 && isfinite(length) ? vector_times(1 / length, across)
                                           : (struct vector){0, 0, 1};
@@ -438,7 +440,7 @@ static void give_normals(struct obj *obj)
 }
 
 /* Have some corners this part? */
-static bool has_part(const struct obj *obj, enum part part)
+static bool has_part(const struct obj *obj, enum obj_file_part part)
 {
     for (size_t i = 0; i < obj->corner_count; i++) {
         if (part == PART_NORMAL ? has_normal(obj, i) : obj->corners[i].of[part] != NONE) {
@@ -505,11 +507,11 @@ static void make_mesh(struct obj *obj, struct arena *arena, struct scene_mesh *m
     };
 }
 
-static bool read_lines(struct obj *obj, struct error *error)
+static bool obj_file_read_lines(struct obj *obj, struct error *error)
 {
     count_parts(obj);
     while (file_words_line(&obj->words)) {
-        if (!read_line(obj, error)) {
+        if (!obj_file_read_line(obj, error)) {
             return false;
         }
     }
@@ -528,7 +530,7 @@ bool obj_read(const struct obj_question *question, struct text content, struct a
     *passed = (struct obj_passed){.unplaced = 0};
     bool is_read = file_words_open(&obj.words, question->source, content, &own, error);
     obj.words.comment = NULL;
-    is_read = is_read && read_lines(&obj, error);
+    is_read = is_read && obj_file_read_lines(&obj, error);
     if (is_read) {
         cut_faces(&obj);
         leave_out_twice(&obj);

@@ -22,7 +22,7 @@ static bool take_whole(const char **at, const char *end, uint64_t *value)
 }
 
 /* "3/8"; `at` stands where it goes wrong. */
-static bool take_part(const char **at, const char *end, struct part *part)
+static bool part_take_part(const char **at, const char *end, struct part *part)
 {
     uint64_t number, count;
     const char *start = *at;
@@ -41,7 +41,7 @@ static bool take_part(const char **at, const char *end, struct part *part)
 bool part_parse(struct text text, struct part *part, struct error *error)
 {
     const char *at = text.start;
-    return take_part(&at, text.start + text.length, part) ||
+    return part_take_part(&at, text.start + text.length, part) ||
            fail_at(error, ERROR_USAGE, text, (size_t)(at - text.start) + 1,
                    "part '%.*s' must be like 3/8, from 1/N to N/N with N up to %d",
                    text_shown(text), text.start, PART_MOST);
@@ -142,7 +142,8 @@ char **part_split(struct text line, int *count, struct arena *arena)
 /* -------- a part is read -------- */
 
 /* The value of the next line, which must begin with `word` and a blank. */
-static bool take_line(struct text *rest, const char *word, struct text *value, struct error *error)
+static bool part_take_line(struct text *rest, const char *word, struct text *value,
+                           struct error *error)
 {
     const char *end = rest->length > 0 ? memchr(rest->start, '\n', rest->length) : NULL;
     const size_t length = strlen(word);
@@ -173,7 +174,7 @@ static bool digest_of_line(struct text value, struct digest_name *name)
 }
 
 /* Something that can be printed. */
-static bool is_plain(struct text value)
+static bool part_is_plain(struct text value)
 {
     size_t i = 0;
     while (i < value.length && value.start[i] >= ' ' && value.start[i] <= '~') {
@@ -182,7 +183,7 @@ static bool is_plain(struct text value)
     return i == value.length;
 }
 
-enum line { COMMAND, WORDS, VERSION, INPUT, SEED, PART, ITEMS, DONE, LENGTH, BODY, LINES };
+enum part_line { COMMAND, WORDS, VERSION, INPUT, SEED, PART, ITEMS, DONE, LENGTH, BODY, LINES };
 static const char *const line_words[LINES] = {"command", "words", "version", "input",  "seed",
                                               "part",    "items", "done",    "length", "body"};
 
@@ -194,19 +195,19 @@ static uint64_t items_of(const struct part_head *head)
 }
 
 /* The values of the head's lines, made what they are. Result: the line that is wrong, or LINES. */
-static enum line understand(const struct text values[LINES], struct part_head *head,
-                            uint64_t *length, struct digest_name *body)
+static enum part_line understand(const struct text values[LINES], struct part_head *head,
+                                 uint64_t *length, struct digest_name *body)
 {
     const char *at = values[PART].start;
     head->command = values[COMMAND];
     head->words = values[WORDS];
     head->version = values[VERSION];
-    return !is_plain(values[COMMAND])                                            ? COMMAND
-           : !is_plain(values[WORDS])                                            ? WORDS
-           : !is_plain(values[VERSION])                                          ? VERSION
+    return !part_is_plain(values[COMMAND])                                       ? COMMAND
+           : !part_is_plain(values[WORDS])                                       ? WORDS
+           : !part_is_plain(values[VERSION])                                     ? VERSION
            : !digest_of_line(values[INPUT], &head->input)                        ? INPUT
            : !whole_of(values[SEED], &head->seed)                                ? SEED
-           : !take_part(&at, at + values[PART].length, &head->part)              ? PART
+           : !part_take_part(&at, at + values[PART].length, &head->part)         ? PART
            : !whole_of(values[ITEMS], &head->total)                              ? ITEMS
            : !whole_of(values[DONE], &head->done) || head->done > items_of(head) ? DONE
            : !whole_of(values[LENGTH], length)                                   ? LENGTH
@@ -234,11 +235,11 @@ bool part_read(const char *path, struct text content, struct part_file *file, st
     }
     rest = (struct text){content.start + first + 1, content.length - first - 1};
     for (int i = 0; i < LINES; i++) {
-        if (!take_line(&rest, line_words[i], &values[i], error)) {
+        if (!part_take_line(&rest, line_words[i], &values[i], error)) {
             return error_locate(error, path, i + 2, 1);
         }
     }
-    const enum line wrong = understand(values, &file->head, &length, &body);
+    const enum part_line wrong = understand(values, &file->head, &length, &body);
     if (wrong != LINES) {
         fail(error, ERROR_DATA, "'%s %.*s' is not what the head of a part says", line_words[wrong],
              text_shown(values[wrong]), values[wrong].start);
@@ -259,7 +260,7 @@ bool part_read(const char *path, struct text content, struct part_file *file, st
 }
 
 /* Which line of a head is not that of its run's; LINES: none. */
-static enum line different(const struct part_head *run, const struct part_head *head)
+static enum part_line different(const struct part_head *run, const struct part_head *head)
 {
     return !text_identical(run->command, head->command)     ? COMMAND
            : !text_identical(run->words, head->words)       ? WORDS
@@ -272,7 +273,7 @@ static enum line different(const struct part_head *run, const struct part_head *
 }
 
 /* An option without its value: "--size" of "--size=60x40". */
-static struct text option_of(struct text word)
+static struct text part_option_of(struct text word)
 {
     return text_cut(&word, '=');
 }
@@ -283,7 +284,7 @@ static struct text word_like(struct text line, struct text word)
     struct text found = {0};
     while (line.length > 0 && found.length == 0) {
         const struct text next = text_cut(&line, ' ');
-        found = text_identical(option_of(next), option_of(word)) ? next : found;
+        found = text_identical(part_option_of(next), part_option_of(word)) ? next : found;
     }
     return found;
 }
@@ -302,14 +303,14 @@ static struct text first_word(struct text line, struct text other)
 /* What one line asks of the option in which it differs first from another, which may lack it. */
 static const char *asked(struct text line, struct text word, struct arena *arena)
 {
-    const struct text found = word_like(line, word), option = option_of(word);
+    const struct text found = word_like(line, word), option = part_option_of(word);
     return found.length > 0  ? arena_string(arena, found.start, found.length)
            : word.length > 0 ? arena_printf(arena, "no %.*s", (int)option.length, option.start)
                              : "in another order";
 }
 
 /* What a head says in a line; `word` is one that heads differ in. */
-static const char *said(const struct part_head *head, struct text word, enum line line,
+static const char *said(const struct part_head *head, struct text word, enum part_line line,
                         struct arena *arena)
 {
     switch (line) {
@@ -333,7 +334,7 @@ static const char *said(const struct part_head *head, struct text word, enum lin
 bool part_is_of_run(const struct part_file *file, const struct part_head *run, const char *which,
                     struct arena *arena, struct error *error)
 {
-    const enum line line = different(run, &file->head);
+    const enum part_line line = different(run, &file->head);
     const struct text own = first_word(file->head.words, run->words);
     const struct text word = own.length > 0 ? own : first_word(run->words, file->head.words);
     return line == LINES ||

@@ -12,13 +12,13 @@
 
 enum { CELLS_MOST = 1024 }; /* of the grid, side by side */
 
-struct point {
+struct polygon_point {
     double x, y;
 };
 
 /* Corners that do not turn the polygon's way, by where they are. */
-struct grid {
-    struct point low, high;
+struct polygon_grid {
+    struct polygon_point low, high;
     size_t cells;  /* along each side */
     size_t *first; /* corner of each cell; NONE: no more */
     size_t *next;  /* of each corner */
@@ -26,31 +26,31 @@ struct grid {
 
 struct polygon {
     size_t count; /* that are left */
-    const struct point *at;
+    const struct polygon_point *at;
     size_t *before, *behind;     /* corners next to each other */
     bool *is_cut, *is_waiting;   /* in the queue */
     size_t *queue, head, length; /* corners that may be ears, in a ring */
     size_t room;                 /* of the ring */
-    struct grid grid;
+    struct polygon_grid grid;
 };
 
-static struct point minus(struct point a, struct point b)
+static struct polygon_point minus(struct polygon_point a, struct polygon_point b)
 {
-    return (struct point){a.x - b.x, a.y - b.y};
+    return (struct polygon_point){a.x - b.x, a.y - b.y};
 }
 
-static double cross(struct point a, struct point b)
+static double polygon_cross(struct polygon_point a, struct polygon_point b)
 {
     return a.x * b.y - a.y * b.x;
 }
 
 /* Above 0: c lies to the left of the way from a to b. */
-static double side(struct point a, struct point b, struct point c)
+static double side(struct polygon_point a, struct polygon_point b, struct polygon_point c)
 {
-    return cross(minus(b, a), minus(c, a));
+    return polygon_cross(minus(b, a), minus(c, a));
 }
 
-static bool is_same(struct point a, struct point b)
+static bool polygon_is_same(struct polygon_point a, struct polygon_point b)
 {
     return !(a.x < b.x || a.x > b.x || a.y < b.y || a.y > b.y);
 }
@@ -70,32 +70,34 @@ static struct vector normal_of(const struct vector *corners, size_t count)
 }
 
 /* Along an axis, so that the polygon goes round to the left: its numbers stay what they are. */
-static void drop(const struct vector *corners, size_t count, struct vector normal, struct point *at)
+static void drop(const struct vector *corners, size_t count, struct vector normal,
+                 struct polygon_point *at)
 {
     const double x = fabs(normal.x), y = fabs(normal.y), z = fabs(normal.z);
     const int axis = x > y && x > z ? 0 : y > z ? 1 : 2;
     const double along = axis == 0 ? normal.x : axis == 1 ? normal.y : normal.z;
     for (size_t i = 0; i < count; i++) {
         const struct vector c = corners[i];
-        const struct point point = axis == 0   ? (struct point){c.y, c.z}
-                                   : axis == 1 ? (struct point){c.z, c.x}
-                                               : (struct point){c.x, c.y};
-        at[i] = along > 0 ? point : (struct point){point.y, point.x};
+        const struct polygon_point point = axis == 0   ? (struct polygon_point){c.y, c.z}
+                                           : axis == 1 ? (struct polygon_point){c.z, c.x}
+                                                       : (struct polygon_point){c.x, c.y};
+        at[i] = along > 0 ? point : (struct polygon_point){point.y, point.x};
     }
 }
 
 /* Angle by which its sides turn all around, the way back being a turn to the left. */
-static double turn_of(const struct point *at, size_t count)
+static double polygon_turn_of(const struct polygon_point *at, size_t count)
 {
-    struct point last = {0, 0};
+    struct polygon_point last = {0, 0};
     double turn = 0;
     for (size_t i = 0; i < 2 * count; i++) { /* the first time round finds the last side */
-        const struct point way = minus(at[(i + 1) % count], at[i % count]);
+        const struct polygon_point way = minus(at[(i + 1) % count], at[i % count]);
         if (!(fabs(way.x) > 0 || fabs(way.y) > 0)) {
             continue;
         }
-        turn =
-            i < count ? 0 : turn + atan2(cross(last, way) + 0.0, last.x * way.x + last.y * way.y);
+        turn = i < count
+                   ? 0
+                   : turn + atan2(polygon_cross(last, way) + 0.0, last.x * way.x + last.y * way.y);
         last = way;
     }
     return turn;
@@ -103,44 +105,44 @@ static double turn_of(const struct point *at, size_t count)
 
 /* -------- corners that may be in the way -------- */
 
-static size_t cell_of(double x, double low, double high, size_t cells)
+static size_t polygon_cell_of(double x, double low, double high, size_t cells)
 {
     const double share = high > low ? (x - low) / (high - low) * (double)cells : 0;
     const size_t cell = share > 0 ? (size_t)share : 0;
     return cell < cells ? cell : cells - 1;
 }
 
-static size_t *first_of(const struct grid *grid, struct point at)
+static size_t *polygon_first_of(const struct polygon_grid *grid, struct polygon_point at)
 {
-    const size_t column = cell_of(at.x, grid->low.x, grid->high.x, grid->cells);
-    const size_t row = cell_of(at.y, grid->low.y, grid->high.y, grid->cells);
+    const size_t column = polygon_cell_of(at.x, grid->low.x, grid->high.x, grid->cells);
+    const size_t row = polygon_cell_of(at.y, grid->low.y, grid->high.y, grid->cells);
     return &grid->first[row * grid->cells + column];
 }
 
-static bool turns_left(const struct polygon *polygon, size_t i)
+static bool polygon_turns_left(const struct polygon *polygon, size_t i)
 {
-    const struct point *at = polygon->at;
+    const struct polygon_point *at = polygon->at;
     return side(at[polygon->before[i]], at[i], at[polygon->behind[i]]) > 0;
 }
 
 static void open_grid(struct polygon *polygon, struct arena *arena)
 {
-    struct grid *grid = &polygon->grid;
+    struct polygon_grid *grid = &polygon->grid;
     size_t others = 0;
     grid->low = grid->high = polygon->at[0];
     for (size_t i = 0; i < polygon->count; i++) {
-        const struct point at = polygon->at[i];
-        grid->low = (struct point){fmin(grid->low.x, at.x), fmin(grid->low.y, at.y)};
-        grid->high = (struct point){fmax(grid->high.x, at.x), fmax(grid->high.y, at.y)};
-        others += turns_left(polygon, i) ? 0 : 1;
+        const struct polygon_point at = polygon->at[i];
+        grid->low = (struct polygon_point){fmin(grid->low.x, at.x), fmin(grid->low.y, at.y)};
+        grid->high = (struct polygon_point){fmax(grid->high.x, at.x), fmax(grid->high.y, at.y)};
+        others += polygon_turns_left(polygon, i) ? 0 : 1;
     }
     grid->cells = (size_t)fmin(1 + sqrt((double)others), CELLS_MOST);
     grid->first = ARENA_ARRAY(arena, grid->cells * grid->cells, size_t);
     grid->next = ARENA_ARRAY(arena, polygon->count, size_t);
     memset(grid->first, 0xff, grid->cells * grid->cells * sizeof grid->first[0]);
     for (size_t i = 0; i < polygon->count; i++) {
-        if (!turns_left(polygon, i)) {
-            size_t *first = first_of(grid, polygon->at[i]);
+        if (!polygon_turns_left(polygon, i)) {
+            size_t *first = polygon_first_of(grid, polygon->at[i]);
             grid->next[i] = *first;
             *first = i;
         }
@@ -150,12 +152,12 @@ static void open_grid(struct polygon *polygon, struct arena *arena)
 /* -------- ears -------- */
 
 /* Does a side of a corner that lies on one of the triangle's go into it? */
-static bool goes_in(const struct polygon *polygon, size_t corner, struct point here,
-                    struct point right, struct point left)
+static bool goes_in(const struct polygon *polygon, size_t corner, struct polygon_point here,
+                    struct polygon_point right, struct polygon_point left)
 {
     const size_t ends[2] = {polygon->before[corner], polygon->behind[corner]};
     for (int i = 0; i < 2; i++) {
-        const struct point end = polygon->at[ends[i]];
+        const struct polygon_point end = polygon->at[ends[i]];
         if (side(here, right, end) > 0 && side(here, left, end) < 0) {
             return true;
         }
@@ -166,16 +168,16 @@ static bool goes_in(const struct polygon *polygon, size_t corner, struct point h
 /* Is another corner in the way of this triangle, which goes round to the left? */
 static bool is_in_way(const struct polygon *polygon, size_t corner, const size_t triangle[3])
 {
-    const struct point at = polygon->at[corner];
+    const struct polygon_point at = polygon->at[corner];
     for (int i = 0; i < 3; i++) {
         if (corner == triangle[i]) {
             return false;
         }
     }
     for (int i = 0; i < 3; i++) {
-        const struct point here = polygon->at[triangle[i]];
-        const struct point next = polygon->at[triangle[(i + 1) % 3]];
-        if (is_same(at, here)) {
+        const struct polygon_point here = polygon->at[triangle[i]];
+        const struct polygon_point next = polygon->at[triangle[(i + 1) % 3]];
+        if (polygon_is_same(at, here)) {
             return goes_in(polygon, corner, here, next, polygon->at[triangle[(i + 2) % 3]]);
         }
         if (side(here, next, at) < 0) {
@@ -190,7 +192,7 @@ static bool is_cell_in_way(struct polygon *polygon, size_t *link, const size_t t
 {
     while (*link != NONE) {
         const size_t corner = *link;
-        if (polygon->is_cut[corner] || turns_left(polygon, corner)) {
+        if (polygon->is_cut[corner] || polygon_turns_left(polygon, corner)) {
             *link = polygon->grid.next[corner];
         } else if (is_in_way(polygon, corner, triangle)) {
             return true;
@@ -204,23 +206,25 @@ static bool is_cell_in_way(struct polygon *polygon, size_t *link, const size_t t
 static bool is_ear(struct polygon *polygon, size_t i)
 {
     const size_t triangle[3] = {polygon->before[i], i, polygon->behind[i]};
-    const struct point *at = polygon->at;
-    struct grid *grid = &polygon->grid;
-    if (is_same(at[triangle[0]], at[triangle[2]]) || is_same(at[i], at[triangle[0]])) {
+    const struct polygon_point *at = polygon->at;
+    struct polygon_grid *grid = &polygon->grid;
+    if (polygon_is_same(at[triangle[0]], at[triangle[2]]) ||
+        polygon_is_same(at[i], at[triangle[0]])) {
         return true; /* the polygon goes out and back, or nowhere */
     }
-    if (!turns_left(polygon, i)) {
+    if (!polygon_turns_left(polygon, i)) {
         return false;
     }
-    struct point low = at[i], high = at[i];
+    struct polygon_point low = at[i], high = at[i];
     for (int k = 0; k < 3; k += 2) {
-        const struct point corner = at[triangle[k]];
-        low = (struct point){fmin(low.x, corner.x), fmin(low.y, corner.y)};
-        high = (struct point){fmax(high.x, corner.x), fmax(high.y, corner.y)};
+        const struct polygon_point corner = at[triangle[k]];
+        low = (struct polygon_point){fmin(low.x, corner.x), fmin(low.y, corner.y)};
+        high = (struct polygon_point){fmax(high.x, corner.x), fmax(high.y, corner.y)};
     }
-    size_t *begin = first_of(grid, low);
-    const size_t rows = (size_t)(first_of(grid, high) - begin) / grid->cells;
-    const size_t columns = (size_t)(first_of(grid, (struct point){high.x, low.y}) - begin);
+    size_t *begin = polygon_first_of(grid, low);
+    const size_t rows = (size_t)(polygon_first_of(grid, high) - begin) / grid->cells;
+    const size_t columns =
+        (size_t)(polygon_first_of(grid, (struct polygon_point){high.x, low.y}) - begin);
     for (size_t row = 0; row <= rows; row++) {
         for (size_t column = 0; column <= columns; column++) {
             if (is_cell_in_way(polygon, &begin[row * grid->cells + column], triangle)) {
@@ -256,7 +260,7 @@ static void cut_off(struct polygon *polygon, size_t i, size_t triangle[3])
 /* Corners on the line between their neighbours make no area. Result: false: there is none. */
 static bool cut_flat(struct polygon *polygon, size_t start, size_t triangle[3])
 {
-    const struct point *at = polygon->at;
+    const struct polygon_point *at = polygon->at;
     size_t i = start;
     do {
         const double turn = side(at[polygon->before[i]], at[i], at[polygon->behind[i]]);
@@ -319,7 +323,7 @@ static size_t cut_halves(size_t first, size_t last, size_t (*triangles)[3])
     return made + cut_halves(middle, last, triangles + made);
 }
 
-static bool cut_concave(const struct point *at, size_t count, size_t (*triangles)[3],
+static bool cut_concave(const struct polygon_point *at, size_t count, size_t (*triangles)[3],
                         struct arena *arena)
 {
     struct polygon polygon = {
@@ -341,7 +345,7 @@ static bool cut_concave(const struct point *at, size_t count, size_t (*triangles
     return cut_ears(&polygon, triangles);
 }
 
-static bool is_convex(const struct point *at, size_t count)
+static bool is_convex(const struct polygon_point *at, size_t count)
 {
     for (size_t i = 0; i < count; i++) {
         const size_t next = i + 1 < count ? i + 1 : 0, other = next + 1 < count ? next + 1 : 0;
@@ -357,7 +361,7 @@ enum polygon_cut polygon_triangles(const struct vector *corners, size_t count,
 {
     const struct vector normal = normal_of(corners, count);
     const double length = vector_length(normal);
-    struct point *at = ARENA_ARRAY(arena, count, struct point);
+    struct polygon_point *at = ARENA_ARRAY(arena, count, struct polygon_point);
     cut_fan(count, triangles);
     if (!(length > 0 && length < (double)INFINITY)) {
         return POLYGON_CROSSED;
@@ -367,7 +371,7 @@ enum polygon_cut polygon_triangles(const struct vector *corners, size_t count,
     if (convex && count <= 4) { /* so few turns to the left are once around */
         return POLYGON_CONVEX;
     }
-    if (!(fabs(turn_of(at, count) - 2 * PI) < 1)) {
+    if (!(fabs(polygon_turn_of(at, count) - 2 * PI) < 1)) {
         return POLYGON_CROSSED;
     }
     if (convex && count > POLYGON_FAN_MOST) {

@@ -11,7 +11,7 @@
 enum { PARTS = 3 };
 #define BRIGHTEST 1e9
 
-static int hex_digit(char c)
+static int scene_colour_hex_digit(char c)
 {
     return c >= '0' && c <= '9'   ? c - '0'
            : c >= 'a' && c <= 'f' ? c - 'a' + 10
@@ -27,7 +27,7 @@ static bool read_code(const struct file_words *words, struct text text, struct s
     int code[DIGITS] = {0};
     bool is_code = text.length == DIGITS + 1 && text.start[0] == '#';
     for (size_t i = 0; i < DIGITS && is_code; i++) {
-        code[i] = hex_digit(text.start[i + 1]);
+        code[i] = scene_colour_hex_digit(text.start[i + 1]);
         is_code = code[i] >= 0;
     }
     if (!is_code) {
@@ -43,8 +43,8 @@ static bool read_code(const struct file_words *words, struct text text, struct s
 }
 
 /* One number is a grey. */
-static bool read_parts(const struct file_words *words, struct text text, struct spectrum *spectrum,
-                       struct error *error)
+static bool scene_colour_read_parts(const struct file_words *words, struct text text,
+                                    struct spectrum *spectrum, struct error *error)
 {
     struct text rest = text;
     size_t count = 0;
@@ -84,8 +84,9 @@ static double largest(const struct spectrum *spectrum)
 }
 
 /* May a surface reflect this, or a lamp give it? */
-static bool check_use(const struct file_words *words, struct text text, enum scene_colour_use use,
-                      const struct scene_colour *colour, struct error *error)
+static bool scene_colour_check_use(const struct file_words *words, struct text text,
+                                   enum scene_colour_use use, const struct scene_colour *colour,
+                                   struct error *error)
 {
     const struct spectrum *spectrum = &colour->spectrum;
     const bool has_numbers = spectrum->kind == SPECTRUM_RGB || spectrum->kind == SPECTRUM_TABLE;
@@ -106,10 +107,11 @@ static bool check_use(const struct file_words *words, struct text text, enum sce
 }
 
 /* Of a line above, or a light that is known. */
-static bool find_named(const struct scene_reader *reader, struct text name,
-                       enum scene_colour_use use, struct scene_colour *colour, struct error *error)
+static bool scene_colour_find_named(const struct scene_reader *reader, struct text name,
+                                    enum scene_colour_use use, struct scene_colour *colour,
+                                    struct error *error)
 {
-    const size_t found = name_index_find(&reader->colours, name);
+    const size_t found = name_table_find(&reader->colours, name);
     struct error unknown;
     if (found != NAME_NONE) {
         *colour = reader->spectra[found];
@@ -132,15 +134,15 @@ static bool find_named(const struct scene_reader *reader, struct text name,
 }
 
 /* "0.5" and "0.2,0.5,0.1", but not "5600K". */
-static bool is_number(struct text text)
+static bool scene_colour_is_number(struct text text)
 {
     const char last = text.start[text.length - 1];
     return strchr("0123456789.+-", text.start[0]) != NULL && last != 'K';
 }
 
 /* Any grey is white light, and who writes a number above 1 means something else by it. */
-static bool check_grey(const struct file_words *words, struct text text,
-                       const struct spectrum *spectrum, struct error *error)
+static bool scene_colour_check_grey(const struct file_words *words, struct text text,
+                                    const struct spectrum *spectrum, struct error *error)
 {
     const double least_kelvin = 100;
     if (spectrum->rgb[0] <= 1 || memchr(text.start, ',', text.length) != NULL) {
@@ -162,11 +164,12 @@ bool scene_colour_of(const struct scene_reader *reader, const struct scene_line 
     struct scene_colour colour = {.spectrum = {.kind = SPECTRUM_RGB, .rgb = {1, 1, 1}}};
     if (scene_line_has(line, key)) {
         const bool is_read = text.start[0] == '#' ? read_code(words, text, &colour.spectrum, error)
-                             : is_number(text)    ? read_parts(words, text, &colour.spectrum, error)
-                                                  : find_named(reader, text, use, &colour, error);
-        if (!is_read || !check_use(words, text, use, &colour, error) ||
-            (use == COLOUR_OF_LIGHT && is_number(text) &&
-             !check_grey(words, text, &colour.spectrum, error))) {
+                             : scene_colour_is_number(text)
+                                 ? scene_colour_read_parts(words, text, &colour.spectrum, error)
+                                 : scene_colour_find_named(reader, text, use, &colour, error);
+        if (!is_read || !scene_colour_check_use(words, text, use, &colour, error) ||
+            (use == COLOUR_OF_LIGHT && scene_colour_is_number(text) &&
+             !scene_colour_check_grey(words, text, &colour.spectrum, error))) {
             return false;
         }
     }
@@ -179,18 +182,20 @@ static bool read_colour(struct scene_reader *reader, const struct scene_line *li
 {
     *colour = (struct scene_colour){.is_light = false};
     if (scene_line_has(line, KEY_RGB)) {
-        return read_parts(line->words, line->value[KEY_RGB], &colour->spectrum, error);
+        return scene_colour_read_parts(line->words, line->value[KEY_RGB], &colour->spectrum, error);
     }
     if (scene_line_has(line, KEY_TABLE)) {
         return scene_load_table(reader, line, &colour->spectrum, error);
     }
     return scene_line_has(line, KEY_SRGB)
                ? read_code(line->words, line->value[KEY_SRGB], &colour->spectrum, error)
-               : find_named(reader, line->value[KEY_SPECTRUM], COLOUR_OF_LIGHT, colour, error);
+               : scene_colour_find_named(reader, line->value[KEY_SPECTRUM], COLOUR_OF_LIGHT, colour,
+                                         error);
 }
 
 /* A name that is no light's of the program. */
-static bool read_name(const struct scene_reader *reader, struct text name, struct error *error)
+static bool scene_colour_read_name(const struct scene_reader *reader, struct text name,
+                                   struct error *error)
 {
     struct spectrum known;
     struct error unknown;
@@ -212,7 +217,7 @@ bool scene_colour_read(struct scene_reader *reader, struct text head, struct err
     if (reader->colours.count == SCENE_COLOURS_MOST) {
         return file_words_fail(words, head, error, "more than %d colours", SCENE_COLOURS_MOST);
     }
-    if (!read_name(reader, name, error) ||
+    if (!scene_colour_read_name(reader, name, error) ||
         !scene_line_read(words, &reader->units, head, (struct scene_keys){ways, 0}, &line, error)) {
         return false;
     }
@@ -227,6 +232,6 @@ bool scene_colour_read(struct scene_reader *reader, struct text head, struct err
     reader->spectra = arena_grow(arena, reader->spectra, reader->colours.count,
                                  &reader->spectrum_room, sizeof colour);
     reader->spectra[reader->colours.count] = colour;
-    name_index_add(&reader->colours, name, arena);
+    name_table_add(&reader->colours, name, arena);
     return true;
 }

@@ -6,7 +6,8 @@
 
 #include <math.h>
 
-static bool read_title(struct scene_reader *reader, struct text head, struct error *error)
+static bool scene_file_read_title(struct scene_reader *reader, struct text head,
+                                  struct error *error)
 {
     const struct text rest = file_words_rest(&reader->words);
     if (reader->scene->title != NULL) {
@@ -17,7 +18,8 @@ static bool read_title(struct scene_reader *reader, struct text head, struct err
 }
 
 /* Who made the scene, and from what: for those who read the file. */
-static bool read_source(struct scene_reader *reader, struct text head, struct error *error)
+static bool scene_file_read_source(struct scene_reader *reader, struct text head,
+                                   struct error *error)
 {
     (void)head;
     (void)error;
@@ -32,7 +34,7 @@ static struct scene_units units_of(const struct unit *length)
     return (struct scene_units){*length, speed};
 }
 
-static bool read_unit(struct scene_reader *reader, struct text head, struct error *error)
+static bool scene_file_read_unit(struct scene_reader *reader, struct text head, struct error *error)
 {
     const struct scene *scene = reader->scene;
     const struct text word = file_words_next(&reader->words);
@@ -103,13 +105,14 @@ static const struct {
     const char *word;
     bool (*read)(struct scene_reader *reader, struct text head, struct error *error);
 } keywords[] = {
-    {"scene", read_title},       {"source", read_source},       {"unit", read_unit},
-    {"camera", read_camera},     {"colour", scene_colour_read}, {"material", scene_material_read},
+    {"scene", scene_file_read_title}, {"source", scene_file_read_source},
+    {"unit", scene_file_read_unit},   {"camera", read_camera},
+    {"colour", scene_colour_read},    {"material", scene_material_read},
     {"light", scene_light_read},
 };
 enum { KEYWORDS = sizeof keywords / sizeof keywords[0] };
 
-static bool read_line(struct scene_reader *reader, struct error *error)
+static bool scene_file_read_line(struct scene_reader *reader, struct error *error)
 {
     const struct text word = file_words_next(&reader->words);
     struct nearest nearest = {.typed = word};
@@ -142,7 +145,7 @@ bool scene_file_read(const char *path, struct text content, const struct scene_f
     }
     reader.words.has_quotes = true;
     while (file_words_line(&reader.words)) {
-        if (!read_line(&reader, error)) {
+        if (!scene_file_read_line(&reader, error)) {
             return false;
         }
     }

@@ -66,8 +66,8 @@ static bool read_direction(const struct scene_line *line, struct vector *way, st
 }
 
 /* One of two ways to say how much light there is. */
-static bool choose(const struct scene_line *line, enum scene_key one, enum scene_key other,
-                   const char *words, struct error *error)
+static bool scene_light_choose(const struct scene_line *line, enum scene_key one,
+                               enum scene_key other, const char *words, struct error *error)
 {
     return scene_line_has(line, one) != scene_line_has(line, other) ||
            file_words_fail(line->words, line->head, error, "'%.*s' needs %s: one of them",
@@ -92,7 +92,8 @@ static bool read_star(struct scene_reader *reader, const struct scene_line *line
                         ? illuminant_star(line->number[KEY_MAGNITUDE][0])
                         : line->number[KEY_ILLUMINANCE][0];
     light->diameter = scene_line_has(line, KEY_DIAMETER) ? line->number[KEY_DIAMETER][0] : NAN;
-    return choose(line, KEY_MAGNITUDE, KEY_ILLUMINANCE, "magnitude= or illuminance=", error) &&
+    return scene_light_choose(line, KEY_MAGNITUDE, KEY_ILLUMINANCE,
+                              "magnitude= or illuminance=", error) &&
            read_direction(line, &light->direction, error);
 }
 
@@ -115,19 +116,19 @@ static bool read_sky(struct scene_reader *reader, const struct scene_line *line,
     return read_direction(line, &light->direction, error);
 }
 
-static bool read_point(struct scene_reader *reader, const struct scene_line *line,
-                       struct scene_light *light, struct error *error)
+static bool scene_light_read_point(struct scene_reader *reader, const struct scene_line *line,
+                                   struct scene_light *light, struct error *error)
 {
     (void)reader;
     light->amount = scene_line_has(line, KEY_POWER) ? line->number[KEY_POWER][0] / (4 * PI)
                                                     : line->number[KEY_INTENSITY][0];
     light->at = scene_line_vector(line, KEY_AT);
     light->velocity = scene_line_vector(line, KEY_MOVE);
-    return choose(line, KEY_INTENSITY, KEY_POWER, "intensity= or power=", error);
+    return scene_light_choose(line, KEY_INTENSITY, KEY_POWER, "intensity= or power=", error);
 }
 
-static bool read_environment(struct scene_reader *reader, const struct scene_line *line,
-                             struct scene_light *light, struct error *error)
+static bool scene_light_read_environment(struct scene_reader *reader, const struct scene_line *line,
+                                         struct scene_light *light, struct error *error)
 {
     light->amount = line->number[KEY_LUMINANCE][0];
     light->turn = -line->number[KEY_AZIMUTH][0];
@@ -144,8 +145,8 @@ static bool read_environment(struct scene_reader *reader, const struct scene_lin
                            light->picture->width, light->picture->height);
 }
 
-static bool read_kind(struct scene_reader *reader, size_t *kind, enum scene_sky *sky,
-                      struct error *error)
+static bool scene_light_read_kind(struct scene_reader *reader, size_t *kind, enum scene_sky *sky,
+                                  struct error *error)
 {
     struct file_words *words = &reader->words;
     struct text word = file_words_next(words);
@@ -174,8 +175,10 @@ bool scene_light_read(struct scene_reader *reader, struct text head, struct erro
 {
     static bool (*const readers[])(struct scene_reader * reader, const struct scene_line *line,
                                    struct scene_light *light, struct error *error) = {
-        [LIGHT_SUN] = read_sun,     [LIGHT_SKY] = read_sky,
-        [LIGHT_POINT] = read_point, [LIGHT_ENVIRONMENT] = read_environment,
+        [LIGHT_SUN] = read_sun,
+        [LIGHT_SKY] = read_sky,
+        [LIGHT_POINT] = scene_light_read_point,
+        [LIGHT_ENVIRONMENT] = scene_light_read_environment,
         [LIGHT_STAR] = read_star,
     };
     struct scene *scene = reader->scene;
@@ -186,7 +189,7 @@ bool scene_light_read(struct scene_reader *reader, struct text head, struct erro
     if (scene->light_count == SCENE_LIGHTS_MOST) {
         return file_words_fail(words, head, error, "more than %d lights", SCENE_LIGHTS_MOST);
     }
-    if (!read_kind(reader, &kind, &light.sky, error) ||
+    if (!scene_light_read_kind(reader, &kind, &light.sky, error) ||
         !scene_line_read(words, &reader->units, text_between(head.start, words->at),
                          kinds[kind].keys, &line, error)) {
         return false;

@@ -34,7 +34,7 @@ static const char *path_beside(const struct scene_reader *reader, struct text na
 }
 
 /* Where it is wanted, and in whose memory. */
-struct wanted {
+struct scene_load_wanted {
     const struct scene_line *line;
     enum scene_key key;
     const char *path;
@@ -42,8 +42,9 @@ struct wanted {
 };
 
 /* Read it, and let it count in the scene's digest. */
-static bool read_file(struct scene_reader *reader, const struct wanted *wanted,
-                      struct text *content, struct error *error)
+static bool scene_load_read_file(struct scene_reader *reader,
+                                 const struct scene_load_wanted *wanted, struct text *content,
+                                 struct error *error)
 {
     struct error found;
     if (reader->files == NULL) {
@@ -59,7 +60,7 @@ static bool read_file(struct scene_reader *reader, const struct wanted *wanted,
 
 /* -------- notes -------- */
 
-static void take_note(struct scene_reader *reader, const char *note)
+static void scene_load_take_note(struct scene_reader *reader, const char *note)
 {
     struct scene *scene = reader->scene;
     scene->notes = arena_grow(reader->words.arena, scene->notes, scene->note_count,
@@ -117,8 +118,8 @@ static bool find_beyond(const struct image *image, size_t first, size_t last, bo
     return false;
 }
 
-static bool check_picture(const struct image *image, bool with_alpha, enum scene_picture kind,
-                          struct error *error)
+static bool scene_load_check_picture(const struct image *image, bool with_alpha,
+                                     enum scene_picture kind, struct error *error)
 {
     const bool may_have_alpha = kind == PICTURE_OF_CARD || kind == PICTURE_THAT_SHINES;
     const bool reflects = kind == PICTURE_OF_CARD || kind == PICTURE_OF_SURFACE;
@@ -142,8 +143,9 @@ static bool check_picture(const struct image *image, bool with_alpha, enum scene
 }
 
 /* The picture lies in `arena`, what is given up in that of what is wanted. */
-static bool parse_picture(const struct wanted *wanted, struct text content, enum scene_picture kind,
-                          struct arena *arena, struct image *image, struct error *error)
+static bool parse_picture(const struct scene_load_wanted *wanted, struct text content,
+                          enum scene_picture kind, struct arena *arena, struct image *image,
+                          struct error *error)
 {
     struct arena *own = wanted->arena;
     const struct image_wish wish = {IMAGE_LIGHT, IMAGE_SEEN_MOST};
@@ -159,18 +161,18 @@ static bool parse_picture(const struct wanted *wanted, struct text content, enum
         return false;
     }
     image->beyond_srgb = whole.beyond_srgb;
-    return check_picture(image, with_alpha, kind, error);
+    return scene_load_check_picture(image, with_alpha, kind, error);
 }
 
 /* What the file holds is given up, and what it becomes at first: both are as large as pictures. */
-static bool read_picture(struct scene_reader *reader, struct wanted *wanted,
+static bool read_picture(struct scene_reader *reader, struct scene_load_wanted *wanted,
                          enum scene_picture kind, struct image *image, struct error *error)
 {
     struct arena own = {0};
     struct text content;
     struct error found;
     wanted->arena = &own;
-    bool is_read = read_file(reader, wanted, &content, error);
+    bool is_read = scene_load_read_file(reader, wanted, &content, error);
     if (is_read && !parse_picture(wanted, content, kind, reader->words.arena, image, &found)) {
         is_read = scene_line_fail(wanted->line, wanted->key, error, "%.200s: %s", wanted->path,
                                   found.message);
@@ -186,24 +188,25 @@ bool scene_load_picture(struct scene_reader *reader, const struct scene_line *li
     struct arena *arena = reader->words.arena;
     const char *path = path_beside(reader, line->value[key]);
     const char *name = arena_printf(arena, "%d %s", (int)kind, path);
-    const size_t known = name_index_find(&reader->images, text_of(name));
+    const size_t known = name_table_find(&reader->images, text_of(name));
     if (known != NAME_NONE) {
         *loaded = reader->loaded[known];
         return true;
     }
     struct image *read = ARENA_NEW(arena, struct image);
-    if (!read_picture(reader, &(struct wanted){line, key, path, arena}, kind, read, error)) {
+    if (!read_picture(reader, &(struct scene_load_wanted){line, key, path, arena}, kind, read,
+                      error)) {
         return false;
     }
     const char *remark = image_file_remark(path, read, arena);
     if (remark != NULL) {
-        take_note(reader, remark);
+        scene_load_take_note(reader, remark);
     }
     reader->loaded = arena_grow(arena, reader->loaded, reader->images.count, &reader->image_room,
                                 sizeof reader->loaded[0]);
     *loaded = (struct scene_loaded){read, texture_luminance(read)};
     reader->loaded[reader->images.count] = *loaded;
-    name_index_add(&reader->images, text_of(name), arena);
+    name_table_add(&reader->images, text_of(name), arena);
     return true;
 }
 
@@ -220,14 +223,14 @@ static void note_ends(struct scene_reader *reader, const char *path,
 {
     const double first = spectrum->wavelength[0], last = spectrum->wavelength[spectrum->count - 1];
     if (first > LEAST_WAVELENGTH || last < MOST_WAVELENGTH) {
-        take_note(reader,
-                  arena_printf(reader->words.arena, "%s: from %g to %g nm, and 0 beside that", path,
-                               first / UM_PER_NM, last / UM_PER_NM));
+        scene_load_take_note(reader, arena_printf(reader->words.arena,
+                                                  "%s: from %g to %g nm, and 0 beside that", path,
+                                                  first / UM_PER_NM, last / UM_PER_NM));
     }
 }
 
 /* Are wavelengths above 0 and rise, and are values light or shares of it? */
-static bool check_row(const struct number_table *table, size_t row, struct error *error)
+static bool scene_load_check_row(const struct number_table *table, size_t row, struct error *error)
 {
     const double nm = table->column[0][row], value = table->column[1][row];
     if (!(nm > 0 && nm < (double)INFINITY)) {
@@ -251,7 +254,7 @@ static bool take_spectrum(const char *path, const struct number_table *table,
         return error_locate(error, path, 0, 0);
     }
     for (size_t i = 0; i < table->rows; i++) {
-        if (!check_row(table, i, error)) {
+        if (!scene_load_check_row(table, i, error)) {
             return error_locate(error, path, table->line[i], 0);
         }
     }
@@ -273,16 +276,16 @@ bool scene_load_table(struct scene_reader *reader, const struct scene_line *line
                       struct spectrum *spectrum, struct error *error)
 {
     struct arena *arena = reader->words.arena;
-    const struct wanted wanted = {line, KEY_TABLE, path_beside(reader, line->value[KEY_TABLE]),
-                                  arena};
-    const size_t known = name_index_find(&reader->tables, text_of(wanted.path));
+    const struct scene_load_wanted wanted = {line, KEY_TABLE,
+                                             path_beside(reader, line->value[KEY_TABLE]), arena};
+    const size_t known = name_table_find(&reader->tables, text_of(wanted.path));
     struct number_table table;
     struct text content;
     if (known != NAME_NONE) {
         *spectrum = reader->tabled[known];
         return true;
     }
-    if (!read_file(reader, &wanted, &content, error) ||
+    if (!scene_load_read_file(reader, &wanted, &content, error) ||
         !number_table_parse(wanted.path, content, "wavelength_nm", arena, &table, error) ||
         !take_spectrum(wanted.path, &table, spectrum, error)) {
         return false;
@@ -291,7 +294,7 @@ bool scene_load_table(struct scene_reader *reader, const struct scene_line *line
     reader->tabled = arena_grow(arena, reader->tabled, reader->tables.count, &reader->table_room,
                                 sizeof reader->tabled[0]);
     reader->tabled[reader->tables.count] = *spectrum;
-    name_index_add(&reader->tables, text_of(wanted.path), arena);
+    name_table_add(&reader->tables, text_of(wanted.path), arena);
     return true;
 }
 
@@ -306,20 +309,21 @@ static void note_passed(struct scene_reader *reader, const char *path,
                                  passed->colours ? ", colours of corners" : ""};
     const char *all = ARENA_JOIN(arena, words[0], words[1], words[2]);
     if (all[0] != '\0') {
-        take_note(reader, arena_printf(arena, "%s: passed over: %s", path, all + 2));
+        scene_load_take_note(reader, arena_printf(arena, "%s: passed over: %s", path, all + 2));
     }
     if (passed->crossed > 0) {
-        take_note(reader, arena_printf(arena, "%s: %zu face%s no area: %s about the first corner",
-                                       path, passed->crossed,
-                                       passed->crossed == 1 ? " crosses itself or has"
-                                                            : "s cross themselves or have",
-                                       passed->crossed == 1 ? "a fan" : "fans"));
+        scene_load_take_note(
+            reader, arena_printf(arena, "%s: %zu face%s no area: %s about the first corner", path,
+                                 passed->crossed,
+                                 passed->crossed == 1 ? " crosses itself or has"
+                                                      : "s cross themselves or have",
+                                 passed->crossed == 1 ? "a fan" : "fans"));
     }
     if (passed->twice > 0) {
-        take_note(reader,
-                  arena_printf(arena, "%s: %zu triangle%s where another does, and %s left out",
-                               path, passed->twice, passed->twice == 1 ? " lies" : "s lie",
-                               passed->twice == 1 ? "is" : "are"));
+        scene_load_take_note(
+            reader, arena_printf(arena, "%s: %zu triangle%s where another does, and %s left out",
+                                 path, passed->twice, passed->twice == 1 ? " lies" : "s lie",
+                                 passed->twice == 1 ? "is" : "are"));
     }
 }
 
@@ -327,19 +331,20 @@ static void note_passed(struct scene_reader *reader, const char *path,
 static void note_unplaced(struct scene_reader *reader, struct scene_model *model)
 {
     if (model->unplaced > 0) {
-        take_note(reader, arena_printf(reader->words.arena,
-                                       "%s: %zu triangle%s no places in a texture, and take%s "
-                                       "its lower left corner",
-                                       model->mesh->file, model->unplaced,
-                                       model->unplaced == 1 ? " has" : "s have",
-                                       model->unplaced == 1 ? "s" : ""));
+        scene_load_take_note(reader,
+                             arena_printf(reader->words.arena,
+                                          "%s: %zu triangle%s no places in a texture, and take%s "
+                                          "its lower left corner",
+                                          model->mesh->file, model->unplaced,
+                                          model->unplaced == 1 ? " has" : "s have",
+                                          model->unplaced == 1 ? "s" : ""));
     }
     model->unplaced = 0;
 }
 
 /* What the file holds is given up: it is as large as the mesh. */
-static bool read_mesh(struct scene_reader *reader, struct wanted *wanted, double scale,
-                      struct scene_model *model, struct error *error)
+static bool scene_load_read_mesh(struct scene_reader *reader, struct scene_load_wanted *wanted,
+                                 double scale, struct scene_model *model, struct error *error)
 {
     struct scene_mesh *mesh = ARENA_NEW(reader->words.arena, struct scene_mesh);
     const struct obj_question question = {
@@ -352,7 +357,7 @@ static bool read_mesh(struct scene_reader *reader, struct wanted *wanted, double
     struct text content;
     struct obj_passed passed;
     wanted->arena = &own;
-    const bool is_read = read_file(reader, wanted, &content, error) &&
+    const bool is_read = scene_load_read_file(reader, wanted, &content, error) &&
                          obj_read(&question, content, reader->words.arena, mesh, &passed, error);
     arena_free(&own);
     if (is_read) {
@@ -367,20 +372,21 @@ bool scene_load_mesh(struct scene_reader *reader, const struct scene_line *line,
                      const struct scene_mesh **mesh, struct error *error)
 {
     struct arena *arena = reader->words.arena;
-    struct wanted wanted = {line, KEY_FILE, path_beside(reader, line->value[KEY_FILE]), arena};
+    struct scene_load_wanted wanted = {line, KEY_FILE, path_beside(reader, line->value[KEY_FILE]),
+                                       arena};
     const double scale = unit_to_own(&reader->units.length, 1) *
                          (scene_line_has(line, KEY_SCALE) ? line->number[KEY_SCALE][0] : 1);
     const char *name = arena_printf(arena, "%.17g %s", scale, wanted.path);
-    size_t which = name_index_find(&reader->meshes, text_of(name));
+    size_t which = name_table_find(&reader->meshes, text_of(name));
     if (which == NAME_NONE) {
         struct scene_model read;
-        if (!read_mesh(reader, &wanted, scale, &read, error)) {
+        if (!scene_load_read_mesh(reader, &wanted, scale, &read, error)) {
             return false;
         }
         reader->models = arena_grow(arena, reader->models, reader->meshes.count, &reader->mesh_room,
                                     sizeof read);
         reader->models[reader->meshes.count] = read;
-        which = name_index_add(&reader->meshes, text_of(name), arena);
+        which = name_table_add(&reader->meshes, text_of(name), arena);
     }
     if (has_texture) {
         note_unplaced(reader, &reader->models[which]);

@@ -36,7 +36,7 @@ static bool face(const struct scene_line *line, struct vector z, struct frame *f
 }
 
 /* Turned about its own axis from y to z, z to x, x to y: the axis is the first of the three. */
-static void turn(struct vector *y, struct vector *z, double angle)
+static void scene_place_turn(struct vector *y, struct vector *z, double angle)
 {
     double cosine, sine;
     turns_of(angle / (2 * PI), &cosine, &sine);
@@ -68,9 +68,9 @@ static bool read_frame(const struct scene_line *line, struct scene_place *place,
     struct frame *own = &place->turned;
     const double *angle = line->number[KEY_TURN];
     if (scene_line_has(line, KEY_TURN)) {
-        turn(&own->y, &own->z, angle[0]);
-        turn(&own->z, &own->x, angle[1]);
-        turn(&own->x, &own->y, angle[2]);
+        scene_place_turn(&own->y, &own->z, angle[0]);
+        scene_place_turn(&own->z, &own->x, angle[1]);
+        scene_place_turn(&own->x, &own->y, angle[2]);
     }
     return true;
 }

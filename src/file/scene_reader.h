@@ -32,7 +32,7 @@ struct scene_reader {
     const struct scene_files *files; /* null: none may be named */
     struct scene_units units;
     struct digest digest;
-    struct name_index colours, materials, images, meshes, tables;
+    struct name_table colours, materials, images, meshes, tables;
     struct scene_colour *spectra; /* of the colours */
     struct scene_loaded *loaded;  /* of the images */
     struct spectrum *tabled;      /* of the tables */

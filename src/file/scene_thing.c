@@ -44,7 +44,7 @@ static bool find_material(const struct scene_reader *reader, const struct scene_
     if (!scene_line_has(line, KEY_MATERIAL)) {
         return true;
     }
-    *material = name_index_find(&reader->materials, name);
+    *material = name_table_find(&reader->materials, name);
     if (*material != NAME_NONE) {
         return true;
     }
@@ -54,8 +54,8 @@ static bool find_material(const struct scene_reader *reader, const struct scene_
     return scene_word_fail(line->words, name, &nearest, "no line above has the material", error);
 }
 
-static bool read_mesh(struct scene_reader *reader, const struct scene_line *line, bool has_texture,
-                      struct scene_thing *thing, struct error *error)
+static bool scene_thing_read_mesh(struct scene_reader *reader, const struct scene_line *line,
+                                  bool has_texture, struct scene_thing *thing, struct error *error)
 {
     if (!scene_load_mesh(reader, line, has_texture, &thing->mesh, error)) {
         return false;
@@ -95,8 +95,8 @@ static bool read_card(struct scene_reader *reader, const struct scene_line *line
 }
 
 /* A texture has the proportions of its picture. */
-static bool read_plane(const struct scene_line *line, const struct image *texture,
-                       struct scene_thing *thing, struct error *error)
+static bool scene_thing_read_plane(const struct scene_line *line, const struct image *texture,
+                                   struct scene_thing *thing, struct error *error)
 {
     if ((texture != NULL) != scene_line_has(line, KEY_REPEAT)) {
         return scene_line_fail(line, KEY_REPEAT, error, "%s",
@@ -113,8 +113,8 @@ static bool read_plane(const struct scene_line *line, const struct image *textur
     return true;
 }
 
-static bool check_size(const struct scene_line *line, const struct shape *shape, bool has_picture,
-                       struct error *error)
+static bool scene_thing_check_size(const struct scene_line *line, const struct shape *shape,
+                                   bool has_picture, struct error *error)
 {
     const size_t count = line->count[KEY_SIZE];
     if (count == shape->sizes || (has_picture && count == 1)) {
@@ -125,21 +125,22 @@ static bool check_size(const struct scene_line *line, const struct shape *shape,
                            has_picture ? ", or the width of its picture" : "", count);
 }
 
-static bool read_shape(struct scene_reader *reader, const struct scene_line *line,
-                       const struct shape *shape, struct scene_thing *thing, struct error *error)
+static bool scene_thing_read_shape(struct scene_reader *reader, const struct scene_line *line,
+                                   const struct shape *shape, struct scene_thing *thing,
+                                   struct error *error)
 {
     const struct image *texture =
         thing->material != SCENE_NONE ? reader->scene->materials[thing->material].texture : NULL;
-    if (!check_size(line, shape, scene_line_has(line, KEY_FILE), error)) {
+    if (!scene_thing_check_size(line, shape, scene_line_has(line, KEY_FILE), error)) {
         return false;
     }
     switch (shape->shape) {
     case SHAPE_CARD:
         return read_card(reader, line, thing, error);
     case SHAPE_MESH:
-        return read_mesh(reader, line, texture != NULL, thing, error);
+        return scene_thing_read_mesh(reader, line, texture != NULL, thing, error);
     case SHAPE_PLANE:
-        return read_plane(line, texture, thing, error);
+        return scene_thing_read_plane(line, texture, thing, error);
     default:
         return true;
     }
@@ -168,7 +169,7 @@ bool scene_thing_read(struct scene_reader *reader, struct text head, struct erro
     };
     if (!scene_place_read(&line, &thing.where, error) ||
         !find_material(reader, &line, &thing.material, error) ||
-        !read_shape(reader, &line, &shapes[i], &thing, error)) {
+        !scene_thing_read_shape(reader, &line, &shapes[i], &thing, error)) {
         return false;
     }
     scene->things = arena_grow(words->arena, scene->things, scene->thing_count, &reader->thing_room,

@@ -33,7 +33,7 @@ static const struct dimension flux = {
 #define BRIGHTEST 1e15
 #define DARKEST   1e-15
 
-static const struct form {
+static const struct scene_words_form {
     const char *name;
     const struct dimension *dimension; /* null: a text */
     size_t least, most;                /* numbers */
@@ -82,8 +82,8 @@ static const struct form {
     [KEY_AZIMUTH] = {"azimuth", &dimension_angle, 1, 1, -100, 100, "-5729 deg to 5729 deg"},
 };
 
-static const struct unit *bare_unit(const struct scene_units *units,
-                                    const struct dimension *dimension)
+static const struct unit *scene_words_bare_unit(const struct scene_units *units,
+                                                const struct dimension *dimension)
 {
     return dimension == &dimension_length     ? &units->length
            : dimension == &dimension_speed    ? &units->speed
@@ -112,7 +112,7 @@ bool scene_word_fail(const struct file_words *words, struct text word, const str
            error_hint(error, "did you mean '%.*s'?", (int)meant->best.length, meant->best.start);
 }
 
-bool scene_name_check(const struct file_words *words, const struct name_index *index,
+bool scene_name_check(const struct file_words *words, const struct name_table *index,
                       struct text name, const char *what, struct error *error)
 {
     const char first = name.length > 0 ? name.start[0] : '\0';
@@ -127,14 +127,15 @@ bool scene_name_check(const struct file_words *words, const struct name_index *i
                                "or has '=' or a quotation mark",
                                text_shown(name), name.start);
     }
-    return name_index_find(index, name) == NAME_NONE ||
+    return name_table_find(index, name) == NAME_NONE ||
            file_words_fail(words, name, error, "'%.*s' is there twice", text_shown(name),
                            name.start);
 }
 
 /* One number of a value; `text` is a part of the line. */
-static bool read_number(const struct scene_line *line, const struct form *form, struct text text,
-                        const struct unit *unit, double *value, struct error *error)
+static bool scene_words_read_number(const struct scene_line *line,
+                                    const struct scene_words_form *form, struct text text,
+                                    const struct unit *unit, double *value, struct error *error)
 {
     enum { LONGEST = 60 }; /* what messages show whole, so that carets are counted from its start */
     struct error found;
@@ -158,11 +159,11 @@ static bool read_number(const struct scene_line *line, const struct form *form, 
     return true;
 }
 
-static bool read_numbers(const struct scene_units *units, enum scene_key key,
-                         struct scene_line *line, struct error *error)
+static bool scene_words_read_numbers(const struct scene_units *units, enum scene_key key,
+                                     struct scene_line *line, struct error *error)
 {
-    const struct form *form = &forms[key];
-    const struct unit *unit = bare_unit(units, form->dimension);
+    const struct scene_words_form *form = &forms[key];
+    const struct unit *unit = scene_words_bare_unit(units, form->dimension);
     struct text rest = line->value[key];
     for (size_t i = 0; rest.start != NULL; i++) {
         const struct text part = text_cut(&rest, ',');
@@ -170,7 +171,7 @@ static bool read_numbers(const struct scene_units *units, enum scene_key key,
             return file_words_fail(line->words, part, error, "%s= has more than %zu number%s",
                                    form->name, form->most, form->most == 1 ? "" : "s");
         }
-        if (!read_number(line, form, part, unit, &line->number[key][i], error)) {
+        if (!scene_words_read_number(line, form, part, unit, &line->number[key][i], error)) {
             return false;
         }
         line->count[key] = i + 1;
@@ -182,8 +183,8 @@ static bool read_numbers(const struct scene_units *units, enum scene_key key,
 }
 
 /* Not a key of such a line. */
-static bool refuse(const struct scene_line *line, struct text word, uint64_t allowed,
-                   struct error *error)
+static bool scene_words_refuse(const struct scene_line *line, struct text word, uint64_t allowed,
+                               struct error *error)
 {
     struct text rest = word;
     const struct text name = text_cut(&rest, '=');
@@ -223,8 +224,8 @@ static bool take_quotes(const struct scene_line *line, struct text *value, struc
     return true;
 }
 
-static bool read_word(const struct scene_units *units, struct text word, uint64_t allowed,
-                      struct scene_line *line, struct error *error)
+static bool scene_words_read_word(const struct scene_units *units, struct text word,
+                                  uint64_t allowed, struct scene_line *line, struct error *error)
 {
     struct text value = word;
     const struct text name = text_cut(&value, '=');
@@ -234,7 +235,7 @@ static bool read_word(const struct scene_units *units, struct text word, uint64_
         key++;
     }
     if (key == SCENE_KEYS || value.start == NULL) {
-        return refuse(line, word, allowed, error);
+        return scene_words_refuse(line, word, allowed, error);
     }
     if (scene_line_has(line, (enum scene_key)key)) {
         return file_words_fail(line->words, word, error, "'%s=' is there twice", forms[key].name);
@@ -247,7 +248,8 @@ static bool read_word(const struct scene_units *units, struct text word, uint64_
     }
     line->given |= SCENE_BIT(key);
     line->value[key] = value;
-    return forms[key].dimension == NULL || read_numbers(units, (enum scene_key)key, line, error);
+    return forms[key].dimension == NULL ||
+           scene_words_read_numbers(units, (enum scene_key)key, line, error);
 }
 
 bool scene_line_read(struct file_words *words, const struct scene_units *units, struct text head,
@@ -256,7 +258,7 @@ bool scene_line_read(struct file_words *words, const struct scene_units *units, 
     *line = (struct scene_line){.words = words, .head = head};
     for (struct text word = file_words_next(words); word.length > 0;
          word = file_words_next(words)) {
-        if (!read_word(units, word, keys.allowed, line, error)) {
+        if (!scene_words_read_word(units, word, keys.allowed, line, error)) {
             return false;
         }
     }

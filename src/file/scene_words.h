@@ -109,7 +109,7 @@ bool scene_word_fail(const struct file_words *words, struct text word, const str
                      const char *what, struct error *error);
 
 /* May this be the name of another one of a list? */
-bool scene_name_check(const struct file_words *words, const struct name_index *index,
+bool scene_name_check(const struct file_words *words, const struct name_table *index,
                       struct text name, const char *what, struct error *error);
 
 #endif

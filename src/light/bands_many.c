@@ -90,7 +90,7 @@ static void set_basis(struct bands *bands, size_t primary)
  * The mixture of the primaries' shares by which X, Y or Z of each band must be multiplied so that
  * the primaries have it as they should.
  */
-static struct colour mixture_of(const struct bands *bands, double (*xyz)[3], int i)
+static struct colour bands_many_mixture_of(const struct bands *bands, double (*xyz)[3], int i)
 {
     const double *looks = colour_xyz_of_srgb.at[i];
     struct colour_matrix shared = {{{0}}};
@@ -113,7 +113,7 @@ static struct colour mixture_of(const struct bands *bands, double (*xyz)[3], int
 static void set_colours(struct bands *bands, double (*xyz)[3])
 {
     for (int i = 0; i < 3; i++) {
-        const struct colour mixture = mixture_of(bands, xyz, i);
+        const struct colour mixture = bands_many_mixture_of(bands, xyz, i);
         for (size_t k = 0; k < bands->count; k++) {
             const double *basis = bands->basis[k];
             xyz[k][i] *= mixture.part[0] * basis[0] + mixture.part[1] * basis[1] +

@@ -12,7 +12,7 @@ const struct word air_models[] = {
 };
 
 /* Edlen's density of air over that of his standard state. */
-static double density(double t, double p)
+static double air_density(double t, double p)
 {
     return p / 96095.43 * (1 + 1e-8 * (0.613 - 0.00998 * t) * p) / (1 + 0.003661 * t);
 }
@@ -21,14 +21,14 @@ static double edlen(const struct air *air, double l)
 {
     double s = 1 / (l * l);
     return 1e-8 * (8342.13 + 2406030 / (130 - s) + 15997 / (38.9 - s)) *
-           density(air->temperature, air->pressure);
+           air_density(air->temperature, air->pressure);
 }
 
 static double ciddor(const struct air *air, double l)
 {
     double s = 1 / (l * l);
     return (0.05792105 / (238.0185 - s) + 0.00167917 / (57.362 - s)) *
-           (density(air->temperature, air->pressure) / density(15, AIR_STANDARD_PRESSURE));
+           (air_density(air->temperature, air->pressure) / air_density(15, AIR_STANDARD_PRESSURE));
 }
 
 static double kohlrausch(const struct air *air, double l)

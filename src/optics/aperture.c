@@ -165,7 +165,7 @@ int aperture_sizes(enum aperture_shape shape)
 
 /* -------- soundness -------- */
 
-static bool is_sound(const struct figure *figure)
+static bool aperture_is_sound(const struct figure *figure)
 {
     return fabs(figure->value.hi) < 1e100;
 }
@@ -182,29 +182,31 @@ static double twice_area(const struct aperture *aperture)
     return fabs(sum);
 }
 
-static double at(const struct figure *point, int axis)
+static double aperture_at(const struct figure *point, int axis)
 {
     return point[axis].value.hi;
 }
 
 /* Do the ranges of two sides along an axis not even touch? Most pairs are apart. */
-static bool are_apart(const struct figure *const side[4], int axis)
+static bool aperture_are_apart(const struct figure *const side[4], int axis)
 {
-    const double a = at(side[0], axis), b = at(side[1], axis);
-    const double c = at(side[2], axis), d = at(side[3], axis);
+    const double a = aperture_at(side[0], axis), b = aperture_at(side[1], axis);
+    const double c = aperture_at(side[2], axis), d = aperture_at(side[3], axis);
     return (a < c && a < d && b < c && b < d) || (a > c && a > d && b > c && b > d);
 }
 
 /* Is `c` to the left of the line from `a` to `b` (1), to its right (-1), on it? */
-static int side_of(const struct figure *a, const struct figure *b, const struct figure *c)
+static int aperture_side_of(const struct figure *a, const struct figure *b, const struct figure *c)
 {
-    const double left = (at(b, 0) - at(a, 0)) * (at(c, 1) - at(a, 1));
-    const double right = (at(b, 1) - at(a, 1)) * (at(c, 0) - at(a, 0));
+    const double left =
+        (aperture_at(b, 0) - aperture_at(a, 0)) * (aperture_at(c, 1) - aperture_at(a, 1));
+    const double right =
+        (aperture_at(b, 1) - aperture_at(a, 1)) * (aperture_at(c, 0) - aperture_at(a, 0));
     return (left > right) - (left < right);
 }
 
 /* How often do sides cross within both, up to one more than `most`? */
-static size_t crossings(const struct aperture *aperture, size_t most)
+static size_t aperture_crossings(const struct aperture *aperture, size_t most)
 {
     const size_t count = aperture->point_count;
     size_t found = 0;
@@ -213,21 +215,25 @@ static size_t crossings(const struct aperture *aperture, size_t most)
             const struct figure *const pair[] = {aperture->points[i], aperture->points[i + 1],
                                                  aperture->points[j],
                                                  aperture->points[(j + 1) % count]};
-            if (!are_apart(pair, 0) && !are_apart(pair, 1)) {
-                found +=
-                    side_of(pair[0], pair[1], pair[2]) * side_of(pair[0], pair[1], pair[3]) < 0 &&
-                    side_of(pair[2], pair[3], pair[0]) * side_of(pair[2], pair[3], pair[1]) < 0;
+            if (!aperture_are_apart(pair, 0) && !aperture_are_apart(pair, 1)) {
+                found += aperture_side_of(pair[0], pair[1], pair[2]) *
+                                 aperture_side_of(pair[0], pair[1], pair[3]) <
+                             0 &&
+                         aperture_side_of(pair[2], pair[3], pair[0]) *
+                                 aperture_side_of(pair[2], pair[3], pair[1]) <
+                             0;
             }
         }
     }
     return found;
 }
 
-static bool check_points(const struct aperture *aperture, struct error *error)
+static bool aperture_check_points(const struct aperture *aperture, struct error *error)
 {
     bool sound = true;
     for (size_t i = 0; i < aperture->point_count; i++) {
-        sound = sound && is_sound(&aperture->points[i][0]) && is_sound(&aperture->points[i][1]);
+        sound = sound && aperture_is_sound(&aperture->points[i][0]) &&
+                aperture_is_sound(&aperture->points[i][1]);
     }
     if (!sound) {
         return fail(error, ERROR_DATA, "a polygon with a corner beyond 1e100");
@@ -242,7 +248,7 @@ static bool check_points(const struct aperture *aperture, struct error *error)
     if (!(twice_area(aperture) > 0)) {
         return fail(error, ERROR_DATA, "a polygon without any area");
     }
-    return crossings(aperture, APERTURE_MOST_CROSSINGS) <= APERTURE_MOST_CROSSINGS ||
+    return aperture_crossings(aperture, APERTURE_MOST_CROSSINGS) <= APERTURE_MOST_CROSSINGS ||
            fail(error, ERROR_DATA, "a polygon whose sides cross each other more than %d times",
                 APERTURE_MOST_CROSSINGS);
 }
@@ -270,11 +276,11 @@ bool aperture_check(const struct aperture *aperture, struct error *error)
     if (traits->has_arms && !(aperture->arms >= 1 && aperture->arms <= APERTURE_MOST_ARMS)) {
         return fail(error, ERROR_DATA, "a %s has 1 to %d arms", traits->word, APERTURE_MOST_ARMS);
     }
-    if (!is_sound(&aperture->decenter[0]) || !is_sound(&aperture->decenter[1]) ||
-        !is_sound(&aperture->turn)) {
+    if (!aperture_is_sound(&aperture->decenter[0]) || !aperture_is_sound(&aperture->decenter[1]) ||
+        !aperture_is_sound(&aperture->turn)) {
         return fail(error, ERROR_DATA, "a decentre or turn beyond 1e100");
     }
-    return !traits->has_points || check_points(aperture, error);
+    return !traits->has_points || aperture_check_points(aperture, error);
 }
 
 bool aperture_is_round(const struct aperture *aperture)
@@ -296,7 +302,7 @@ struct aperture aperture_of(enum aperture_shape shape, bool blocks)
 /* -------- numbers -------- */
 
 /* Quarters of a turn exactly. */
-static void turn_of(double angle, double *cosine, double *sine)
+static void aperture_turn_of(double angle, double *cosine, double *sine)
 {
     static const double quarter[4][2] = {{1, 0}, {0, 1}, {-1, 0}, {0, -1}};
     double quarters = angle / (PI / 2), nearest = rint(quarters);
@@ -314,13 +320,13 @@ static const double (*arms_of(unsigned count, struct arena *arena))[2]
 {
     double(*ways)[2] = arena_array(arena, count, sizeof *ways);
     for (unsigned i = 0; i < count; i++) {
-        turn_of(2 * PI * (double)i / count, &ways[i][0], &ways[i][1]);
+        aperture_turn_of(2 * PI * (double)i / count, &ways[i][0], &ways[i][1]);
     }
     return (const double(*)[2])ways;
 }
 
 /* No point of it is farther from its centre, mm. */
-static double radius_of(const struct aperture *aperture)
+static double aperture_radius_of(const struct aperture *aperture)
 {
     double a = aperture->size[0].value.hi / 2, b = aperture->size[1].value.hi / 2;
     double radius = aperture->shape == SHAPE_RECTANGLE ? hypot(a, b)
@@ -340,8 +346,8 @@ double aperture_reach(const struct surface *surface)
         const struct aperture *aperture = &surface->apertures[i];
         const struct figure *centre = aperture->decenter;
         if (!aperture->blocks) {
-            reach =
-                fmin(reach, hypot(centre[0].value.hi, centre[1].value.hi) + radius_of(aperture));
+            reach = fmin(reach, hypot(centre[0].value.hi, centre[1].value.hi) +
+                                    aperture_radius_of(aperture));
         }
     }
     return reach;
@@ -400,8 +406,8 @@ struct aperture_form aperture_form_of(const struct aperture *aperture, struct ar
         form.half[i] = aperture->size[i].value.hi / 2;
         form.centre[i] = aperture->decenter[i].value.hi;
     }
-    turn_of(aperture->turn.value.hi, &form.cosine, &form.sine);
-    form.radius = radius_of(aperture);
+    aperture_turn_of(aperture->turn.value.hi, &form.cosine, &form.sine);
+    form.radius = aperture_radius_of(aperture);
     if (aperture->shape == SHAPE_CIRCLE) {
         form.half[1] = form.half[0];
     } else if (aperture->shape == SHAPE_SPIDER) {
@@ -470,7 +476,7 @@ struct aperture_form aperture_hull(const struct aperture *aperture, struct arena
 }
 
 /* From the vertex to the centre, unturned. */
-static void to_own(const struct aperture_form *form, double *x, double *y)
+static void aperture_to_own(const struct aperture_form *form, double *x, double *y)
 {
     double dx = *x - form->centre[0], dy = *y - form->centre[1];
     *x = form->cosine * dx + form->sine * dy;
@@ -479,12 +485,12 @@ static void to_own(const struct aperture_form *form, double *x, double *y)
 
 double aperture_excess(const struct aperture_form *form, double x, double y)
 {
-    to_own(form, &x, &y);
+    aperture_to_own(form, &x, &y);
     return aperture_shapes[form->shape].excess(form, x, y);
 }
 
 size_t aperture_part(const struct aperture_form *form, double x, double y)
 {
-    to_own(form, &x, &y);
+    aperture_to_own(form, &x, &y);
     return aperture_shapes[form->shape].part(form, x, y);
 }

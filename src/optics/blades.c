@@ -30,14 +30,14 @@ static bool check_blades(const struct blades *blades, double radius, struct erro
 }
 
 /* Half the angle by which an edge turns. */
-static double bend_of(const struct blades *blades)
+static double blades_bend_of(const struct blades *blades)
 {
     return asin(fmin(1, blades->rounding * sin(PI / blades->count)));
 }
 
 double blades_area(const struct blades *blades, double radius)
 {
-    const double n = blades->count, q = blades->rounding, a = bend_of(blades);
+    const double n = blades->count, q = blades->rounding, a = blades_bend_of(blades);
     double area = n / 2 * sin(2 * PI / n);
     if (q > straight) {
         /* a - sin a cos a; by its series where the two cancel */
@@ -57,7 +57,7 @@ static size_t sides_of(const struct blades *blades)
         return 1;
     }
     /* the largest distance is angle^2 R/6, where there are two */
-    const double sides = ceil(2 * bend_of(blades) / sqrt(6 * q * near_arc));
+    const double sides = ceil(2 * blades_bend_of(blades) / sqrt(6 * q * near_arc));
     return sides > 2 ? (size_t)sides : 2;
 }
 
@@ -71,7 +71,7 @@ static double push_of(double x, size_t sides)
     return area / (1 + sqrt(1 + (s - 2) * area));
 }
 
-static struct figure figure_of(double value)
+static struct figure blades_figure_of(double value)
 {
     return (struct figure){.value = {value, 0}, .variable = LENS_NONE};
 }
@@ -81,19 +81,19 @@ static void put_blade(const struct blades *blades, double radius, unsigned blade
                       struct figure (*points)[2])
 {
     const double half = PI / blades->count, first = 2 * half * blade;
-    points[0][0] = figure_of(radius * cos(first));
-    points[0][1] = figure_of(radius * sin(first));
+    points[0][0] = blades_figure_of(radius * cos(first));
+    points[0][1] = blades_figure_of(radius * sin(first));
     if (sides < 2) {
         return;
     }
-    const double bend = bend_of(blades), x = 2 * bend / (double)sides;
+    const double bend = blades_bend_of(blades), x = 2 * bend / (double)sides;
     const double arc = radius / blades->rounding, from = radius * cos(half) - arc * cos(bend);
     const double pushed = arc * push_of(x, sides), c = cos(first + half), s = sin(first + half);
     for (size_t i = 1; i < sides; i++) {
         const double angle = (double)i * x - bend;
         const double along = from + pushed * cos(angle), across = pushed * sin(angle);
-        points[i][0] = figure_of(along * c - across * s);
-        points[i][1] = figure_of(along * s + across * c);
+        points[i][0] = blades_figure_of(along * c - across * s);
+        points[i][1] = blades_figure_of(along * s + across * c);
     }
 }
 
@@ -111,7 +111,7 @@ bool blades_aperture(const struct blades *blades, double radius, struct arena *a
     *aperture = aperture_of(SHAPE_POLYGON, false);
     aperture->points = (const struct figure(*)[2])points;
     aperture->point_count = count;
-    aperture->turn = figure_of(blades->turn);
+    aperture->turn = blades_figure_of(blades->turn);
     return true;
 }
 

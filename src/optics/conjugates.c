@@ -42,7 +42,7 @@ static struct optics optics_of(const struct paraxial_system *system,
 }
 
 /* a x + b y, 0 where the two cancel to rounding. */
-static struct pair combine(struct pair a, struct pair x, struct pair b, struct pair y)
+static struct pair conjugates_combine(struct pair a, struct pair x, struct pair b, struct pair y)
 {
     struct pair first = pair_multiply(a, x), second = pair_multiply(b, y);
     struct pair sum = pair_add(first, second);
@@ -52,8 +52,8 @@ static struct pair combine(struct pair a, struct pair x, struct pair b, struct p
 
 static struct conjugate_ray backwards(const struct optics *o, struct conjugate_ray image)
 {
-    return (struct conjugate_ray){combine(o->d, image.y, pair_negate(o->b), image.v),
-                                  combine(pair_negate(o->c), image.y, o->a, image.v)};
+    return (struct conjugate_ray){conjugates_combine(o->d, image.y, pair_negate(o->b), image.v),
+                                  conjugates_combine(pair_negate(o->c), image.y, o->a, image.v)};
 }
 
 static bool check_reference(const struct optics *o, enum conjugate_from from, bool is_image,
@@ -250,7 +250,8 @@ void conjugate_compute(const struct paraxial_system *system, const struct paraxi
                        const struct conjugate_ray *ray, struct conjugate_points *points)
 {
     const struct optics o = optics_of(system, trace);
-    struct pair y = combine(o.a, ray->y, o.b, ray->v), v = combine(o.c, ray->y, o.d, ray->v);
+    struct pair y = conjugates_combine(o.a, ray->y, o.b, ray->v),
+                v = conjugates_combine(o.c, ray->y, o.d, ray->v);
     if (o.is_afocal) {
         v = pair_multiply(o.d, ray->v);
     }

@@ -30,7 +30,7 @@ struct aperture_setting lens_aperture(const struct lens *lens)
 static const double LEFT_POWER = 1e-3;
 
 /* n a; most often n is 1. */
-INLINE struct pair times(struct pair n, struct pair a, bool fused)
+INLINE struct pair first_order_times(struct pair n, struct pair a, bool fused)
 {
     return n.hi == 1 && n.lo == 0 ? a : fused_multiply(n, a, fused);
 }
@@ -48,14 +48,15 @@ INLINE void set_cardinal_points(struct first_order *all, const struct paraxial_m
                                 struct pair n, struct pair n_image, bool fused)
 {
     struct pair r = fused_reciprocal(m->c, fused);
-    struct pair n_d = times(n, m->d, fused), n_a = times(n_image, m->a, fused), one = pair_of(1);
+    struct pair n_d = first_order_times(n, m->d, fused),
+                n_a = first_order_times(n_image, m->a, fused), one = pair_of(1);
     /* d - 1 and 1 - a first: in weak lenses that is all there is */
-    struct pair H = times(n, quick_difference(m->d, one), fused);
-    struct pair H_rear = times(n_image, quick_difference(one, m->a), fused);
+    struct pair H = first_order_times(n, quick_difference(m->d, one), fused);
+    struct pair H_rear = first_order_times(n_image, quick_difference(one, m->a), fused);
     all->power = -m->c.hi;
     all->efl = -r.hi;
-    all->front_focal = times(n, r, fused).hi;
-    all->rear_focal = -times(n_image, r, fused).hi;
+    all->front_focal = first_order_times(n, r, fused).hi;
+    all->rear_focal = -first_order_times(n_image, r, fused).hi;
     all->ffl = fused_quotient(n_d, r, fused);
     all->bfl = -fused_quotient(n_a, r, fused);
     all->front_principal = fused_quotient(H, r, fused);
@@ -75,15 +76,16 @@ INLINE struct pair vanishing(struct pair a)
     return fabs(a.hi) > PARAXIAL_NOTHING ? a : pair_of(0);
 }
 
-INLINE void set_pupils(struct first_order *all, const struct paraxial_trace *trace, struct pair n,
-                       struct pair n_image, bool fused)
+INLINE void first_order_set_pupils(struct first_order *all, const struct paraxial_trace *trace,
+                                   struct pair n, struct pair n_image, bool fused)
 {
     struct pair a1 = vanishing(trace->front.a), b1 = trace->front.b;
     struct pair b2 = trace->rear.b, d2 = vanishing(trace->rear.d);
     struct pair by_a1 = fused_reciprocal(a1, fused), by_d2 = fused_reciprocal(d2, fused);
-    all->entrance_pupil = fused_quotient(times(n, b1, fused), by_a1, fused);
+    all->entrance_pupil = fused_quotient(first_order_times(n, b1, fused), by_a1, fused);
     all->entrance_scale = by_a1.hi;
-    all->exit_pupil = fused_quotient(pair_negate(times(n_image, b2, fused)), by_d2, fused);
+    all->exit_pupil =
+        fused_quotient(pair_negate(first_order_times(n_image, b2, fused)), by_d2, fused);
     all->exit_scale = by_d2.hi;
     all->pupil_magnification = fused_quotient(a1, by_d2, fused);
 }
@@ -101,7 +103,7 @@ INLINE void set_image(struct first_order *all, const struct paraxial_matrix *m,
     struct pair y = pair_add(fused_multiply(m->a, reduced, fused), m->b);
     struct pair v = pair_add(fused_multiply(m->c, reduced, fused), m->d);
     struct pair by_v = fused_reciprocal(v, fused);
-    all->image = fused_quotient(pair_negate(times(n_image, y, fused)), by_v, fused);
+    all->image = fused_quotient(pair_negate(first_order_times(n_image, y, fused)), by_v, fused);
     all->magnification = by_v.hi;
 }
 
@@ -120,8 +122,10 @@ static void set_declared(struct first_order *all, const struct conjugate_object 
     }
 }
 
-INLINE void compute(const struct paraxial_system *system, const struct paraxial_trace *trace,
-                    const struct conjugate_object *object, struct first_order *all, bool fused)
+INLINE void first_order_trace(const struct paraxial_system *system,
+                              const struct paraxial_trace *trace,
+                              const struct conjugate_object *object, struct first_order *all,
+                              bool fused)
 {
     struct pair n = system->index[0], n_image = system->index[system->count];
     all->index_object = n.hi;
@@ -138,7 +142,7 @@ INLINE void compute(const struct paraxial_system *system, const struct paraxial_
         set_cardinal_points(all, &trace->whole, n, n_image, fused);
     }
     if (system->stop != LENS_NONE) {
-        set_pupils(all, trace, n, n_image, fused);
+        first_order_set_pupils(all, trace, n, n_image, fused);
     } else {
         all->entrance_pupil = all->exit_pupil = all->pupil_magnification = NAN;
         all->entrance_scale = all->exit_scale = NAN;
@@ -159,7 +163,7 @@ void first_order_compute_portable(const struct paraxial_system *system,
                                   const struct conjugate_object *object,
                                   struct first_order *first_order)
 {
-    compute(system, trace, object, first_order, false);
+    first_order_trace(system, trace, object, first_order, false);
 }
 
 #ifdef HAS_FUSED
@@ -167,7 +171,7 @@ FUSED static void compute_fused(const struct paraxial_system *system,
                                 const struct paraxial_trace *trace,
                                 const struct conjugate_object *object, struct first_order *all)
 {
-    compute(system, trace, object, all, true);
+    first_order_trace(system, trace, object, all, true);
 }
 #endif
 
@@ -180,7 +184,7 @@ void first_order_compute(const struct paraxial_system *system, const struct para
         return;
     }
 #endif
-    compute(system, trace, object, first_order, false);
+    first_order_trace(system, trace, object, first_order, false);
 }
 
 /* n u of the chief ray in object space, through the centre of the entrance pupil. */
@@ -202,7 +206,7 @@ static double chief_slope(const struct first_order *all, const struct conjugate_
 }
 
 /* What the paraxial marginal ray behind the lens says; v = n' u'. */
-static void set_cone(struct first_order *all, double v)
+static void first_order_set_cone(struct first_order *all, double v)
 {
     double slope = v / all->index_image;
     all->working_fnumber = 1 / (2 * fabs(v));
@@ -219,7 +223,7 @@ static void set_telecentric_beam(struct first_order *all, const struct conjugate
     all->entrance_diameter = INFINITY;
     all->exit_diameter = 2 * fabs(all->marginal_v / all->power);
     all->stop_radius = all->fnumber = NAN;
-    set_cone(all, object->is_afocal ? 0 : all->marginal_v / all->magnification);
+    first_order_set_cone(all, object->is_afocal ? 0 : all->marginal_v / all->magnification);
     if (kind == FIELD_NONE || isnan(field)) {
         return;
     }
@@ -248,7 +252,7 @@ static void set_beam(struct first_order *all, const struct conjugate_object *obj
     }
     double v = object->is_infinite ? -radius * all->power : all->marginal_v / all->magnification;
     v = object->is_infinite || all->magnification != 0 ? v : NAN;
-    set_cone(all, object->is_afocal && !object->is_infinite ? 0 : v);
+    first_order_set_cone(all, object->is_afocal && !object->is_infinite ? 0 : v);
     if (kind == FIELD_NONE || isnan(field)) {
         return;
     }
@@ -268,8 +272,9 @@ void first_order_use_stop(struct first_order *all, const struct conjugate_object
 }
 
 /* The slope of the marginal ray of a numerical aperture. */
-static bool slope_of(const struct first_order *all, const struct conjugate_object *object,
-                     double aperture, double *tangent, struct error *error)
+static bool first_order_slope_of(const struct first_order *all,
+                                 const struct conjugate_object *object, double aperture,
+                                 double *tangent, struct error *error)
 {
     double n = all->index_object;
     if (object->is_infinite) {
@@ -283,8 +288,10 @@ static bool slope_of(const struct first_order *all, const struct conjugate_objec
     return true;
 }
 
-static bool radius_of(const struct first_order *all, const struct conjugate_object *object,
-                      const struct aperture_setting *aperture, double *radius, struct error *error)
+static bool first_order_radius_of(const struct first_order *all,
+                                  const struct conjugate_object *object,
+                                  const struct aperture_setting *aperture, double *radius,
+                                  struct error *error)
 {
     double value = aperture->value;
     if (aperture->kind == APERTURE_STOP) {
@@ -301,7 +308,7 @@ static bool radius_of(const struct first_order *all, const struct conjugate_obje
         *radius = fabs(all->rear_focal) / value / 2;
     } else {
         double tangent;
-        if (!slope_of(all, object, value, &tangent, error)) {
+        if (!first_order_slope_of(all, object, value, &tangent, error)) {
             return false;
         }
         *radius = tangent * (object->distance.hi + all->entrance_pupil);
@@ -324,13 +331,13 @@ bool first_order_aperture(struct first_order *first_order, const struct conjugat
     }
     if (object->is_telecentric) {
         double slope;
-        bool done = slope_of(first_order, object, aperture->value, &slope, error);
+        bool done = first_order_slope_of(first_order, object, aperture->value, &slope, error);
         if (done) {
             set_telecentric_beam(first_order, object, slope, field_kind, field);
         }
         return done;
     }
-    if (!radius_of(first_order, object, aperture, &radius, error)) {
+    if (!first_order_radius_of(first_order, object, aperture, &radius, error)) {
         return false;
     }
     double scale = first_order->entrance_scale;

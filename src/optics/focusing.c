@@ -8,8 +8,8 @@
 #include <stdlib.h>
 
 /* The system as functions of the movement. */
-struct moving {
-    const struct focusing *focusing;
+struct movement_polynomials {
+    const struct focus_mechanism *focusing;
     const struct conjugate_question *question;
     struct paraxial_system system;
     struct polynomial a, b, c, d; /* the whole */
@@ -19,7 +19,7 @@ struct moving {
     double low, high;             /* of the movement */
 };
 
-static struct polynomial constant(double value)
+static struct polynomial focusing_constant(double value)
 {
     return (struct polynomial){0, {pair_of(value)}};
 }
@@ -37,7 +37,7 @@ static struct polynomial plus_times(const struct polynomial *a, const struct pol
     return polynomial_add(a, &product);
 }
 
-static double weight_of(const struct focusing *focusing, size_t surface)
+static double focusing_weight_of(const struct focus_mechanism *focusing, size_t surface)
 {
     double weight = 0;
     for (size_t i = 0; i < focusing->gap_count; i++) {
@@ -46,27 +46,28 @@ static double weight_of(const struct focusing *focusing, size_t surface)
     return weight;
 }
 
-static struct pair thickness_of(const struct focusing *focusing, size_t surface)
+static struct pair focusing_thickness_of(const struct focus_mechanism *focusing, size_t surface)
 {
     bool last = surface + 1 == focusing->lens->surface_count;
     return last ? focusing->image_plane : focusing->lens->surfaces[surface].thickness.value;
 }
 
 /* t + w e, without a term that is always 0. */
-static struct polynomial gap_of(const struct focusing *focusing, size_t surface)
+static struct polynomial focusing_gap_of(const struct focus_mechanism *focusing, size_t surface)
 {
-    double weight = weight_of(focusing, surface);
-    struct polynomial gap = polynomial_linear(thickness_of(focusing, surface), pair_of(weight));
+    double weight = focusing_weight_of(focusing, surface);
+    struct polynomial gap =
+        polynomial_linear(focusing_thickness_of(focusing, surface), pair_of(weight));
     gap.degree = weight == 0 ? 0 : 1;
     return gap;
 }
 
-static void trace_moving(struct moving *all)
+static void trace_moving(struct movement_polynomials *all)
 {
     const struct paraxial_system *system = &all->system;
     struct polynomial gap, power;
-    all->a = all->d = all->a1 = constant(1);
-    all->b = all->c = all->b1 = all->length = constant(0);
+    all->a = all->d = all->a1 = focusing_constant(1);
+    all->b = all->c = all->b1 = all->length = focusing_constant(0);
     for (size_t i = 0; i < system->count; i++) {
         if (i == system->stop) {
             all->a1 = all->a;
@@ -75,7 +76,7 @@ static void trace_moving(struct moving *all)
         power = (struct polynomial){0, {pair_negate(system->surfaces[i].power)}};
         all->c = plus_times(&all->c, &power, &all->a);
         all->d = plus_times(&all->d, &power, &all->b);
-        gap = gap_of(all->focusing, i);
+        gap = focusing_gap_of(all->focusing, i);
         if (i + 1 < system->count) {
             all->length = polynomial_add(&all->length, &gap);
             gap = polynomial_scale(&gap, pair_divide(pair_of(1), system->index[i + 1]));
@@ -88,13 +89,13 @@ static void trace_moving(struct moving *all)
 }
 
 /* No moved gap may change its sign. */
-static void limit_gaps(struct moving *all)
+static void limit_gaps(struct movement_polynomials *all)
 {
-    const struct focusing *focusing = all->focusing;
+    const struct focus_mechanism *focusing = all->focusing;
     all->low = -INFINITY;
     all->high = INFINITY;
     for (size_t i = 0; i < all->system.count; i++) {
-        double weight = weight_of(focusing, i), t = thickness_of(focusing, i).hi;
+        double weight = focusing_weight_of(focusing, i), t = focusing_thickness_of(focusing, i).hi;
         double sign = t != 0 ? t : all->system.index[i + 1].hi;
         if (weight * sign > 0) {
             all->low = fmax(all->low, -t / weight);
@@ -105,7 +106,7 @@ static void limit_gaps(struct moving *all)
 }
 
 /* An object at a distance from the image plane stays before the first vertex. */
-static bool limit_object(struct moving *all, struct error *error)
+static bool limit_object(struct movement_polynomials *all, struct error *error)
 {
     const struct conjugate_question *question = all->question;
     bool from_sensor = question->asked == CONJUGATE_OBJECT &&
@@ -130,14 +131,15 @@ static bool limit_object(struct moving *all, struct error *error)
 }
 
 /* The ray from the axial object point before the lens. */
-static void start(const struct moving *all, struct polynomial *y, struct polynomial *v)
+static void focusing_start(const struct movement_polynomials *all, struct polynomial *y,
+                           struct polynomial *v)
 {
     const struct conjugate_question *question = all->question;
     const struct pair n = all->system.index[0];
-    struct polynomial one = constant(1), rest;
+    struct polynomial one = focusing_constant(1), rest;
     if (isinf(question->distance)) {
         *y = one;
-        *v = constant(0);
+        *v = focusing_constant(0);
         return;
     }
     const struct polynomial s = {0, {pair_divide(pair_of(question->distance), n)}};
@@ -167,23 +169,23 @@ static void start(const struct moving *all, struct polynomial *y, struct polynom
 }
 
 /* The polynomial that is 0 when the image lies in its plane. */
-static struct polynomial condition(const struct moving *all)
+static struct polynomial condition(const struct movement_polynomials *all)
 {
     const struct pair n_image = all->system.index[all->system.count];
     const struct polynomial back = polynomial_scale(&all->plane, pair_divide(pair_of(1), n_image));
     const struct polynomial top = plus_times(&all->a, &back, &all->c);
     if (all->question->asked == CONJUGATE_MAGNIFICATION) {
-        const struct polynomial m = constant(-all->question->magnification);
+        const struct polynomial m = focusing_constant(-all->question->magnification);
         return polynomial_add(&top, &m);
     }
     struct polynomial y, v;
     const struct polynomial bottom = plus_times(&all->b, &back, &all->d);
-    start(all, &y, &v);
+    focusing_start(all, &y, &v);
     const struct polynomial right = polynomial_multiply(&bottom, &v);
     return plus_times(&right, &top, &y);
 }
 
-static struct focused state_at(const struct focusing *focusing, struct pair movement,
+static struct focused state_at(const struct focus_mechanism *focusing, struct pair movement,
                                struct arena *arena)
 {
     const struct lens *lens = focusing->lens;
@@ -193,12 +195,12 @@ static struct focused state_at(const struct focusing *focusing, struct pair move
     copy->surfaces = ARENA_ARRAY(arena, lens->surface_count, struct surface);
     for (size_t i = 0; i < lens->surface_count; i++) {
         copy->surfaces[i] = lens->surfaces[i];
-        double weight = weight_of(focusing, i);
+        double weight = focusing_weight_of(focusing, i);
         if (weight == 0) {
             continue;
         }
         struct pair t =
-            pair_add(thickness_of(focusing, i), pair_multiply(pair_of(weight), movement));
+            pair_add(focusing_thickness_of(focusing, i), pair_multiply(pair_of(weight), movement));
         copy->surfaces[i].thickness = (struct figure){.value = t, .variable = LENS_NONE};
         if (i + 1 == lens->surface_count) {
             focused.image_plane = t;
@@ -208,9 +210,10 @@ static struct focused state_at(const struct focusing *focusing, struct pair move
 }
 
 /* What the lens focuses on after a movement: "850.3 mm", "inf". */
-static const char *reach_at(const struct moving *all, double movement, struct arena *arena)
+static const char *reach_at(const struct movement_polynomials *all, double movement,
+                            struct arena *arena)
 {
-    const struct focusing *focusing = all->focusing;
+    const struct focus_mechanism *focusing = all->focusing;
     const struct focused focused = state_at(focusing, pair_of(movement), arena);
     const struct conjugate_question image = {CONJUGATE_IMAGE, CONJUGATE_FROM_FRONT,
                                              focused.image_plane.hi, 0};
@@ -231,19 +234,19 @@ static const char *reach_at(const struct moving *all, double movement, struct ar
     return fabs(points.object) > 1e12 ? "infinity" : arena_printf(arena, "%.5g mm", points.object);
 }
 
-static double scale_of(const struct moving *all)
+static double focusing_scale_of(const struct movement_polynomials *all)
 {
     double sum = 1e-3;
     for (size_t i = 0; i < all->system.count; i++) {
-        sum += fabs(thickness_of(all->focusing, i).hi);
+        sum += fabs(focusing_thickness_of(all->focusing, i).hi);
     }
     return sum;
 }
 
 /* The whole lens between a subject and a sensor: is there such a distance at all? */
-static bool is_too_near(const struct moving *all, struct error *error)
+static bool is_too_near(const struct movement_polynomials *all, struct error *error)
 {
-    const struct focusing *focusing = all->focusing;
+    const struct focus_mechanism *focusing = all->focusing;
     struct paraxial_trace trace;
     struct conjugate_ray rays[2];
     bool whole =
@@ -256,14 +259,14 @@ static bool is_too_near(const struct moving *all, struct error *error)
     return conjugate_find(&all->system, &trace, all->question, rays, error) == 0;
 }
 
-static void refuse(const struct moving *all, const struct polynomial *g, struct arena *arena,
-                   struct error *error)
+static void focusing_refuse(const struct movement_polynomials *all, const struct polynomial *g,
+                            struct arena *arena, struct error *error)
 {
     const char *range, *reach;
     if (is_too_near(all, error)) {
         return;
     }
-    if (polynomial_is_constant(g, scale_of(all))) {
+    if (polynomial_is_constant(g, focusing_scale_of(all))) {
         fail(error, ERROR_DOMAIN, "this movement does not move the image");
         return;
     }
@@ -287,17 +290,17 @@ static void refuse(const struct moving *all, const struct polynomial *g, struct 
          "no movement brings the image to its plane; no gap becomes negative %s%s", range, reach);
 }
 
-static int by_size(const void *left, const void *right)
+static int focusing_by_size(const void *left, const void *right)
 {
     double a = fabs(((const struct pair *)left)->hi), b = fabs(((const struct pair *)right)->hi);
     return (a > b) - (a < b);
 }
 
-size_t focus_solve(const struct focusing *focusing, const struct conjugate_question *question,
-                   struct arena *arena, struct focused solutions[FOCUS_SOLUTIONS],
-                   struct error *error)
+size_t focus_solve(const struct focus_mechanism *focusing,
+                   const struct conjugate_question *question, struct arena *arena,
+                   struct focused solutions[FOCUS_SOLUTIONS], struct error *error)
 {
-    struct moving all = {.focusing = focusing, .question = question};
+    struct movement_polynomials all = {.focusing = focusing, .question = question};
     struct pair roots[POLYNOMIAL_DEGREE];
     if (question->asked == CONJUGATE_IMAGE) {
         fail(error, ERROR_USAGE, "focusing has its image plane: give an object or a magnification");
@@ -317,12 +320,12 @@ size_t focus_solve(const struct focusing *focusing, const struct conjugate_quest
         return 0;
     }
     const struct polynomial g = condition(&all);
-    size_t count = polynomial_roots(&g, all.low, all.high, scale_of(&all), roots);
+    size_t count = polynomial_roots(&g, all.low, all.high, focusing_scale_of(&all), roots);
     if (count == 0) {
-        refuse(&all, &g, arena, error);
+        focusing_refuse(&all, &g, arena, error);
         return 0;
     }
-    qsort(roots, count, sizeof roots[0], by_size);
+    qsort(roots, count, sizeof roots[0], focusing_by_size);
     for (size_t i = 0; i < count; i++) {
         solutions[i] = state_at(focusing, roots[i], arena);
     }

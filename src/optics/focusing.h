@@ -17,7 +17,7 @@ struct focus_gap {
 };
 
 /* How a lens is focused. */
-struct focusing {
+struct focus_mechanism {
     const struct lens *lens; /* in one position, as it stands before */
     double wavelength;       /* um, at which it is focused */
     enum lens_section section;
@@ -50,9 +50,9 @@ struct focused {
  *           the lens focuses on at its ends. As conjugate_find; a question for an image
  * Limits    paraxial; decimals of gaps count exactly, the movement is right to 1 ulp
  */
-size_t focus_solve(const struct focusing *focusing, const struct conjugate_question *question,
-                   struct arena *arena, struct focused solutions[FOCUS_SOLUTIONS],
-                   struct error *error);
+size_t focus_solve(const struct focus_mechanism *focusing,
+                   const struct conjugate_question *question, struct arena *arena,
+                   struct focused solutions[FOCUS_SOLUTIONS], struct error *error);
 
 /* The object that the question means, for the lens once it is focused. */
 bool focus_object(const struct focused *focused, const struct paraxial_system *system,

@@ -7,7 +7,7 @@
 #include <math.h>
 
 /* What a formula gives: n or n^2, and its derivative. */
-struct value {
+struct glass_figure {
     struct pair y;
     double dy; /* by l, 1/um */
 };
@@ -17,36 +17,38 @@ struct light {
     struct pair l, square; /* um, um^2 */
 };
 
-static struct pair inverse(struct pair a)
+static struct pair glass_inverse(struct pair a)
 {
     return pair_divide(pair_of(1), a);
 }
 
-static struct value constant(const struct glass *glass, const struct light *light)
+static struct glass_figure glass_constant_index(const struct glass *glass,
+                                                const struct light *light)
 {
     (void)light;
-    return (struct value){glass->coefficients[0], 0};
+    return (struct glass_figure){glass->coefficients[0], 0};
 }
 
-static struct pair inverse_square(double wavelength)
+static struct pair glass_inverse_square(double wavelength)
 {
-    return inverse(pair_product(wavelength, wavelength));
+    return glass_inverse(pair_product(wavelength, wavelength));
 }
 
-static struct value nd_vd(const struct glass *glass, const struct light *light)
+static struct glass_figure nd_vd(const struct glass *glass, const struct light *light)
 {
     const struct pair *c = glass->coefficients;
-    struct pair one = pair_of(1), d = inverse_square(WAVELENGTH_D);
-    struct pair span = pair_subtract(inverse_square(WAVELENGTH_F), inverse_square(WAVELENGTH_C));
+    struct pair one = pair_of(1), d = glass_inverse_square(WAVELENGTH_D);
+    struct pair span =
+        pair_subtract(glass_inverse_square(WAVELENGTH_F), glass_inverse_square(WAVELENGTH_C));
     struct pair B = pair_divide(pair_subtract(c[0], one), pair_multiply(c[1], span));
-    struct pair from_d = pair_subtract(inverse(light->square), d);
+    struct pair from_d = pair_subtract(glass_inverse(light->square), d);
     double l = light->l.hi;
-    return (struct value){pair_add(c[0], pair_multiply(B, from_d)), -2 * B.hi / (l * l * l)};
+    return (struct glass_figure){pair_add(c[0], pair_multiply(B, from_d)), -2 * B.hi / (l * l * l)};
 }
 
 /* Add B l^2/(l^2 - C). */
-static void add_resonance(struct value *value, const struct light *light, struct pair B,
-                          struct pair C)
+static void glass_add_resonance(struct glass_figure *value, const struct light *light,
+                                struct pair B, struct pair C)
 {
     struct pair gap = pair_subtract(light->square, C);
     struct pair term = pair_divide(pair_multiply(B, light->square), gap);
@@ -54,27 +56,28 @@ static void add_resonance(struct value *value, const struct light *light, struct
     value->dy -= 2 * B.hi * C.hi * light->l.hi / (gap.hi * gap.hi);
 }
 
-static struct value sellmeier(const struct glass *glass, const struct light *light)
+static struct glass_figure glass_sellmeier(const struct glass *glass, const struct light *light)
 {
-    struct value value = {{1, 0}, 0};
+    struct glass_figure value = {{1, 0}, 0};
     for (size_t i = 0; i + 1 < glass->count; i += 2) {
-        add_resonance(&value, light, glass->coefficients[i], glass->coefficients[i + 1]);
+        glass_add_resonance(&value, light, glass->coefficients[i], glass->coefficients[i + 1]);
     }
     return value;
 }
 
-static struct value sellmeier_sq(const struct glass *glass, const struct light *light)
+static struct glass_figure sellmeier_sq(const struct glass *glass, const struct light *light)
 {
     const struct pair *c = glass->coefficients;
-    struct value value = {pair_add(pair_of(1), c[0]), 0};
+    struct glass_figure value = {pair_add(pair_of(1), c[0]), 0};
     for (size_t i = 1; i + 1 < glass->count; i += 2) {
-        add_resonance(&value, light, c[i], pair_multiply(c[i + 1], c[i + 1]));
+        glass_add_resonance(&value, light, c[i], pair_multiply(c[i + 1], c[i + 1]));
     }
     return value;
 }
 
 /* Add c l^p for an even p. */
-static void add_power(struct value *value, const struct light *light, struct pair c, int p)
+static void glass_add_power(struct glass_figure *value, const struct light *light, struct pair c,
+                            int p)
 {
     struct pair power = pair_of(1);
     for (int i = 0; i < (p < 0 ? -p : p); i += 2) {
@@ -85,11 +88,11 @@ static void add_power(struct value *value, const struct light *light, struct pai
     value->dy += p * term.hi / light->l.hi;
 }
 
-static struct value schott(const struct glass *glass, const struct light *light)
+static struct glass_figure glass_schott(const struct glass *glass, const struct light *light)
 {
     static const int powers[] = {0, 2, -2, -4, -6, -8};
     const struct pair *c = glass->coefficients;
-    struct pair x = inverse(light->square);
+    struct pair x = glass_inverse(light->square);
     /* the negative powers by Horner's rule */
     struct pair sum = pair_multiply(c[5], x);
     double slope = powers[5] * c[5].hi;
@@ -99,46 +102,48 @@ static struct value schott(const struct glass *glass, const struct light *light)
     }
     sum = pair_add(sum, pair_multiply(c[1], light->square));
     double l = light->l.hi;
-    return (struct value){pair_add(c[0], sum), slope * x.hi / l + 2 * c[1].hi * l};
+    return (struct glass_figure){pair_add(c[0], sum), slope * x.hi / l + 2 * c[1].hi * l};
 }
 
-static struct value power(const struct glass *glass, const struct light *light)
+static struct glass_figure power(const struct glass *glass, const struct light *light)
 {
-    struct value value = {glass->coefficients[0], 0};
+    struct glass_figure value = {glass->coefficients[0], 0};
     for (size_t i = 1; i + 1 < glass->count; i += 2) {
-        add_power(&value, light, glass->coefficients[i], (int)glass->coefficients[i + 1].hi);
+        glass_add_power(&value, light, glass->coefficients[i], (int)glass->coefficients[i + 1].hi);
     }
     return value;
 }
 
-static struct value conrady(const struct glass *glass, const struct light *light)
+static struct glass_figure glass_conrady(const struct glass *glass, const struct light *light)
 {
     const struct pair *c = glass->coefficients;
     struct pair cube = pair_multiply(light->l, light->square);
     struct pair a = pair_divide(c[1], light->l);
     struct pair b = pair_divide(c[2], pair_multiply(cube, pair_root(light->l)));
-    return (struct value){pair_add(c[0], pair_add(a, b)), -(a.hi + 3.5 * b.hi) / light->l.hi};
+    return (struct glass_figure){pair_add(c[0], pair_add(a, b)),
+                                 -(a.hi + 3.5 * b.hi) / light->l.hi};
 }
 
-static struct value herzberger(const struct glass *glass, const struct light *light)
+static struct glass_figure herzberger(const struct glass *glass, const struct light *light)
 {
     const struct pair *c = glass->coefficients;
     const struct pair pole = pair_divide(pair_of(28), pair_of(1000));
-    struct pair z = inverse(pair_subtract(light->square, pole));
+    struct pair z = glass_inverse(pair_subtract(light->square, pole));
     struct pair sum = pair_multiply(pair_add(pair_multiply(c[2], z), c[1]), z);
     double dz = -2 * light->l.hi * z.hi * z.hi;
-    struct value value = {pair_add(c[0], sum), (c[1].hi + 2 * c[2].hi * z.hi) * dz};
+    struct glass_figure value = {pair_add(c[0], sum), (c[1].hi + 2 * c[2].hi * z.hi) * dz};
     for (int i = 3; i < 6; i++) {
-        add_power(&value, light, c[i], 2 * (i - 2));
+        glass_add_power(&value, light, c[i], 2 * (i - 2));
     }
     return value;
 }
 
-static struct value resonances(const struct glass *glass, const struct light *light)
+static struct glass_figure resonances(const struct glass *glass, const struct light *light)
 {
     const struct pair *c = glass->coefficients;
     const double l = light->l.hi;
-    struct value value = {pair_add(c[0], pair_multiply(c[1], light->square)), 2 * c[1].hi * l};
+    struct glass_figure value = {pair_add(c[0], pair_multiply(c[1], light->square)),
+                                 2 * c[1].hi * l};
     for (size_t i = 2; i + 2 < glass->count; i += 3) {
         struct pair gap = pair_subtract(light->square, c[i + 2]);
         struct pair top = pair_add(pair_multiply(c[i], light->square), c[i + 1]);
@@ -149,9 +154,9 @@ static struct value resonances(const struct glass *glass, const struct light *li
 }
 
 /* A polynomial by Horner's rule, and its derivative. */
-static struct value polynomial(const struct pair *c, size_t count, struct pair x)
+static struct glass_figure glass_polynomial(const struct pair *c, size_t count, struct pair x)
 {
-    struct value value = {c[count - 1], 0};
+    struct glass_figure value = {c[count - 1], 0};
     for (size_t i = count - 1; i-- > 0;) {
         value.dy = value.dy * x.hi + value.y.hi;
         value.y = pair_add(pair_multiply(value.y, x), c[i]);
@@ -159,20 +164,21 @@ static struct value polynomial(const struct pair *c, size_t count, struct pair x
     return value;
 }
 
-static struct value cauchy(const struct glass *glass, const struct light *light)
+static struct glass_figure glass_cauchy(const struct glass *glass, const struct light *light)
 {
     struct pair x = pair_divide(pair_of(1), light->square);
-    struct value value = polynomial(glass->coefficients, glass->count, x);
+    struct glass_figure value = glass_polynomial(glass->coefficients, glass->count, x);
     value.dy *= -2 * x.hi / light->l.hi;
     return value;
 }
 
-static struct value buchdahl(const struct glass *glass, const struct light *light)
+static struct glass_figure glass_buchdahl(const struct glass *glass, const struct light *light)
 {
     const struct pair *c = glass->coefficients;
     struct pair step = pair_subtract(light->l, c[0]);
     struct pair bottom = pair_add(pair_of(1), pair_multiply(step, pair_of(2.5)));
-    struct value value = polynomial(c + 1, glass->count - 1, pair_divide(step, bottom));
+    struct glass_figure value =
+        glass_polynomial(c + 1, glass->count - 1, pair_divide(step, bottom));
     value.dy /= bottom.hi * bottom.hi;
     return value;
 }
@@ -189,15 +195,15 @@ static size_t first_entry(const struct glass *glass, double l, size_t wanted)
 }
 
 /* Lagrange's polynomial in x = 1/l^2, and its derivative by l. */
-static struct value table(const struct glass *glass, const struct light *light)
+static struct glass_figure table(const struct glass *glass, const struct light *light)
 {
     enum { POINTS = 4 };
     size_t count = glass->table_count < POINTS ? glass->table_count : POINTS;
     const struct glass_point *at = glass->table + first_entry(glass, light->l.hi, count);
-    struct pair x = inverse(light->square), nodes[POINTS];
-    struct value value = {{0, 0}, 0};
+    struct pair x = glass_inverse(light->square), nodes[POINTS];
+    struct glass_figure value = {{0, 0}, 0};
     for (size_t i = 0; i < count; i++) {
-        nodes[i] = inverse(pair_multiply(at[i].wavelength, at[i].wavelength));
+        nodes[i] = glass_inverse(pair_multiply(at[i].wavelength, at[i].wavelength));
     }
     for (size_t i = 0; i < count; i++) {
         struct pair weight = at[i].value;
@@ -225,14 +231,20 @@ static const struct {
     const char *name;
     size_t least, most, step; /* numbers of coefficients */
     bool is_square;           /* gives n^2 */
-    struct value (*compute)(const struct glass *glass, const struct light *light);
+    struct glass_figure (*compute)(const struct glass *glass, const struct light *light);
 } formulas[] = {
-    {"constant", 1, 1, 1, false, constant},     {"nd_vd", 2, 2, 1, false, nd_vd},
-    {"sellmeier", 2, 16, 2, true, sellmeier},   {"sellmeier_sq", 3, 15, 2, true, sellmeier_sq},
-    {"schott", 6, 6, 1, true, schott},          {"power", 1, 17, 2, true, power},
-    {"conrady", 3, 3, 1, false, conrady},       {"herzberger", 6, 6, 1, false, herzberger},
-    {"resonances", 5, 17, 3, true, resonances}, {"table", 0, 0, 1, false, table},
-    {"cauchy", 1, 6, 1, false, cauchy},         {"buchdahl", 3, 8, 1, false, buchdahl},
+    {"constant", 1, 1, 1, false, glass_constant_index},
+    {"nd_vd", 2, 2, 1, false, nd_vd},
+    {"sellmeier", 2, 16, 2, true, glass_sellmeier},
+    {"sellmeier_sq", 3, 15, 2, true, sellmeier_sq},
+    {"schott", 6, 6, 1, true, glass_schott},
+    {"power", 1, 17, 2, true, power},
+    {"conrady", 3, 3, 1, false, glass_conrady},
+    {"herzberger", 6, 6, 1, false, herzberger},
+    {"resonances", 5, 17, 3, true, resonances},
+    {"table", 0, 0, 1, false, table},
+    {"cauchy", 1, 6, 1, false, glass_cauchy},
+    {"buchdahl", 3, 8, 1, false, glass_buchdahl},
 };
 
 enum glass_formula glass_formula_of(struct text name)
@@ -281,7 +293,7 @@ struct glass glass_nd_vd(struct pair nd, struct pair Vd)
 struct glass_index glass_index(const struct glass *glass, struct pair wavelength)
 {
     const struct light light = {wavelength, pair_multiply(wavelength, wavelength)};
-    struct value value = formulas[glass->formula].compute(glass, &light);
+    struct glass_figure value = formulas[glass->formula].compute(glass, &light);
     if (!formulas[glass->formula].is_square) {
         return (struct glass_index){value.y, value.dy};
     }

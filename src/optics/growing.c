@@ -7,7 +7,7 @@
 #include <string.h>
 
 /* The end, with room for so many characters more. */
-static char *make_room(struct growing *growing, size_t length)
+static char *growing_make_room(struct text_buffer *growing, size_t length)
 {
     if (growing->length + length > growing->room) {
         size_t room = 2 * (growing->room + length) + 1024;
@@ -21,25 +21,25 @@ static char *make_room(struct growing *growing, size_t length)
     return growing->data + growing->length;
 }
 
-void growing_put(struct growing *growing, const char *start, size_t length)
+void growing_put(struct text_buffer *growing, const char *start, size_t length)
 {
     if (length > 0) {
-        memcpy(make_room(growing, length), start, length);
+        memcpy(growing_make_room(growing, length), start, length);
         growing->length += length;
     }
 }
 
-void growing_text(struct growing *growing, struct text text)
+void growing_text(struct text_buffer *growing, struct text text)
 {
     growing_put(growing, text.start, text.length);
 }
 
-void growing_string(struct growing *growing, const char *string)
+void growing_string(struct text_buffer *growing, const char *string)
 {
     growing_put(growing, string, strlen(string));
 }
 
-void growing_format(struct growing *growing, const char *format, ...)
+void growing_format(struct text_buffer *growing, const char *format, ...)
 {
     va_list arguments, again;
     va_start(arguments, format);
@@ -47,20 +47,21 @@ void growing_format(struct growing *growing, const char *format, ...)
     int length = vsnprintf(NULL, 0, format, arguments);
     va_end(arguments);
     if (length > 0) {
-        char *end = make_room(growing, (size_t)length + 1); /* and its null */
+        char *end = growing_make_room(growing, (size_t)length + 1); /* and its null */
         vsnprintf(end, (size_t)length + 1, format, again);
         growing->length += (size_t)length;
     }
     va_end(again);
 }
 
-void growing_number(struct growing *growing, double value)
+void growing_number(struct text_buffer *growing, double value)
 {
     char number[NUMBER_LENGTH];
     growing_put(growing, number, (size_t)(number_write_shortest(number, value) - number));
 }
 
-void growing_figure(struct growing *growing, const struct figure *figure, struct number_scale unit)
+void growing_figure(struct text_buffer *growing, const struct figure *figure,
+                    struct number_scale unit)
 {
     char number[PAIR_LENGTH];
     if (figure->typed.start != NULL) {
@@ -71,7 +72,7 @@ void growing_figure(struct growing *growing, const struct figure *figure, struct
     }
 }
 
-struct text growing_done(const struct growing *growing)
+struct text growing_done(const struct text_buffer *growing)
 {
     return (struct text){growing->data, growing->length};
 }

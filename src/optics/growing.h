@@ -8,24 +8,25 @@
 #include "optics/lens.h"
 
 /* Start with { .arena = arena }. */
-struct growing {
+struct text_buffer {
     struct arena *arena;
     char *data;
     size_t length, room;
 };
 
-void growing_put(struct growing *growing, const char *start, size_t length);
-void growing_text(struct growing *growing, struct text text);
-void growing_string(struct growing *growing, const char *string);
-void growing_format(struct growing *growing, const char *format, ...)
+void growing_put(struct text_buffer *growing, const char *start, size_t length);
+void growing_text(struct text_buffer *growing, struct text text);
+void growing_string(struct text_buffer *growing, const char *string);
+void growing_format(struct text_buffer *growing, const char *format, ...)
     __attribute__((format(printf, 2, 3)));
 
 /* A double with the shortest digits. */
-void growing_number(struct growing *growing, double value);
+void growing_number(struct text_buffer *growing, double value);
 
 /* A figure as it was typed; a computed one with the digits that read back to its pair. */
-void growing_figure(struct growing *growing, const struct figure *figure, struct number_scale unit);
+void growing_figure(struct text_buffer *growing, const struct figure *figure,
+                    struct number_scale unit);
 
-struct text growing_done(const struct growing *growing);
+struct text growing_done(const struct text_buffer *growing);
 
 #endif

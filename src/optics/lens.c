@@ -183,7 +183,7 @@ struct check {
 
 enum { MOST_WARNINGS = 20 };
 
-static void warn(const struct check *check, const char *text)
+static void lens_warn(const struct check *check, const char *text)
 {
     struct lens_warnings *warnings = check->warnings;
     for (size_t i = 0; i < warnings->count; i++) {
@@ -202,7 +202,7 @@ bool lens_hint_stop(struct error *error)
                              "'stop' behind another one, says where it is");
 }
 
-static bool is_sound(struct pair value)
+static bool lens_is_sound(struct pair value)
 {
     return fabs(value.hi) < 1e100;
 }
@@ -214,7 +214,7 @@ static bool are_sound(const struct surface *surface)
                                   surface->conic.value,     surface->focal.value,
                                   surface->hiatus.value};
     for (size_t i = 0; i < sizeof values / sizeof values[0]; i++) {
-        if (!is_sound(values[i])) {
+        if (!lens_is_sound(values[i])) {
             return false;
         }
     }
@@ -257,19 +257,21 @@ static bool check_numbers(const struct surface *surface, size_t number, struct e
 static void check_sag(const struct check *check, const struct surface *surface, size_t number)
 {
     if (surface->has_diameter && isnan(surface_sag(surface, surface->diameter.value.hi / 2))) {
-        warn(check, arena_printf(check->arena,
-                                 "surface %zu: the diameter %.6g mm is beyond the sag's domain",
-                                 number, surface->diameter.value.hi));
+        lens_warn(check,
+                  arena_printf(check->arena,
+                               "surface %zu: the diameter %.6g mm is beyond the sag's domain",
+                               number, surface->diameter.value.hi));
     }
 }
 
 static void check_cone(const struct check *check, const struct surface *surface, size_t number)
 {
     if (surface_is_cone(surface)) {
-        warn(check, arena_printf(check->arena,
-                                 "surface %zu is a cone at its vertex (A1): no ray is paraxial "
-                                 "there, and paraxial results leave A1 out",
-                                 number));
+        lens_warn(check,
+                  arena_printf(check->arena,
+                               "surface %zu is a cone at its vertex (A1): no ray is paraxial "
+                               "there, and paraxial results leave A1 out",
+                               number));
     }
 }
 
@@ -283,8 +285,9 @@ static void check_gap(const struct check *check, size_t i, double direction)
     }
     double gap = direction * left->thickness.value.hi;
     if (gap < 0) {
-        warn(check, arena_printf(check->arena, "the %s after surface %zu is negative: %.6g mm",
-                                 air ? "air gap" : "thickness", i + 1, left->thickness.value.hi));
+        lens_warn(check,
+                  arena_printf(check->arena, "the %s after surface %zu is negative: %.6g mm",
+                               air ? "air gap" : "thickness", i + 1, left->thickness.value.hi));
         return;
     }
     if (!left->has_diameter || !right->has_diameter) {
@@ -294,11 +297,11 @@ static void check_gap(const struct check *check, size_t i, double direction)
     double edge = gap + direction * (surface_sag(right, r) - surface_sag(left, r));
     if (edge < -1e-9 * (1 + r) && surface_has(left, SURFACE_HAS_CURVE) &&
         surface_has(right, SURFACE_HAS_CURVE)) {
-        warn(check,
-             arena_printf(check->arena,
-                          "surfaces %zu and %zu overlap inside their apertures (by %.3g mm at "
-                          "%.6g mm from the axis)",
-                          i + 1, i + 2, -edge, r));
+        lens_warn(check,
+                  arena_printf(check->arena,
+                               "surfaces %zu and %zu overlap inside their apertures (by %.3g mm at "
+                               "%.6g mm from the axis)",
+                               i + 1, i + 2, -edge, r));
     }
 }
 
@@ -314,24 +317,24 @@ static bool check_position(const struct check *check, struct error *error)
         check_sag(check, surface, i + 1);
         check_cone(check, surface, i + 1);
         if (surface->medium.warning != NULL) {
-            warn(check, surface->medium.warning);
+            lens_warn(check, surface->medium.warning);
         }
         direction = surface_reflects(surface) ? -direction : direction;
         if (i + 1 < lens->surface_count) {
             check_gap(check, i, direction);
         }
     }
-    if (!lens->object_is_infinite && !is_sound(lens->object.value)) {
+    if (!lens->object_is_infinite && !lens_is_sound(lens->object.value)) {
         return fail(error, ERROR_DATA, "the object's distance is beyond 1e100");
     }
     bool needs_value = lens->aperture_kind > APERTURE_STOP;
-    if (needs_value && !(lens->aperture.value.hi > 0 && is_sound(lens->aperture.value))) {
+    if (needs_value && !(lens->aperture.value.hi > 0 && lens_is_sound(lens->aperture.value))) {
         return fail(error, ERROR_DATA, "the aperture %.6g is not above 0", lens->aperture.value.hi);
     }
     return true;
 }
 
-static bool check_stop(const struct lens *lens, struct error *error)
+static bool lens_check_stop(const struct lens *lens, struct error *error)
 {
     size_t stops = 0, last = 0;
     for (size_t i = 0; i < lens->surface_count; i++) {
@@ -411,7 +414,7 @@ bool lens_check(const struct lens *lens, struct arena *arena, struct lens_warnin
         for (size_t j = 0; j < lens->surface_count; j++) {
             check.has_thick = check.has_thick || surface_has(&lens->surfaces[j], SURFACE_HAS_FOCAL);
         }
-        if (!check_stop(check.lens, error) || !check_position(&check, error)) {
+        if (!lens_check_stop(check.lens, error) || !check_position(&check, error)) {
             return false;
         }
     }

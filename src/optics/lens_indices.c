@@ -8,17 +8,17 @@ static bool is_equal(struct pair a, struct pair b)
 }
 
 /* Has it the same index at every wavelength? Whatever is written of it. */
-static bool is_known(const struct medium *medium, const struct medium *asked)
+static bool lens_indices_is_known(const struct medium *medium, const struct medium *asked)
 {
     return medium->kind == asked->kind && is_equal(medium->index, asked->index) &&
            is_equal(medium->abbe, asked->abbe) && medium->points == asked->points &&
            medium->glass_index == asked->glass_index && medium->glass == asked->glass;
 }
 
-static bool ask(const struct medium *medium, double wavelength, struct medium *asked,
-                struct pair *n, struct error *error)
+static bool lens_indices_ask(const struct medium *medium, double wavelength, struct medium *asked,
+                             struct pair *n, struct error *error)
 {
-    if (asked != NULL && is_known(medium, asked)) {
+    if (asked != NULL && lens_indices_is_known(medium, asked)) {
         return true;
     }
     const bool found = medium_index(medium, wavelength, n, error);
@@ -31,15 +31,15 @@ static bool ask(const struct medium *medium, double wavelength, struct medium *a
 bool lens_indices(const struct lens *lens, double wavelength, struct medium *asked, struct pair *n,
                   struct error *error)
 {
-    if (!ask(&lens->object_medium, wavelength, asked, &n[0], error)) {
+    if (!lens_indices_ask(&lens->object_medium, wavelength, asked, &n[0], error)) {
         return error_prefix(error, "object medium: ");
     }
     for (size_t i = 0; i < lens->surface_count; i++) {
         const struct surface *surface = &lens->surfaces[i];
         if (surface_reflects(surface)) {
             n[i + 1] = n[i];
-        } else if (!ask(&surface->medium, wavelength, asked != NULL ? &asked[i + 1] : NULL,
-                        &n[i + 1], error)) {
+        } else if (!lens_indices_ask(&surface->medium, wavelength,
+                                     asked != NULL ? &asked[i + 1] : NULL, &n[i + 1], error)) {
             return error_prefix(error, "surface %zu: ", i + 1);
         }
     }

@@ -5,7 +5,8 @@
 #include <string.h>
 
 /* Its own memory for a displacement that is there already. */
-static const struct displacement *own(const struct displacement *from, struct displacement *room)
+static const struct displacement *lens_numbers_own(const struct displacement *from,
+                                                   struct displacement *room)
 {
     if (from == NULL) {
         return NULL;
@@ -26,8 +27,8 @@ void lens_numbers_open(const struct lens *lens, struct arena *arena, struct lens
     memcpy(surfaces, lens->surfaces, count * sizeof *surfaces);
     for (size_t i = 0; i < count; i++) {
         struct displacement *room = &numbers->displacements[2 * i];
-        surfaces[i].decentre = own(surfaces[i].decentre, room);
-        surfaces[i].coordinate_break = own(surfaces[i].coordinate_break, room + 1);
+        surfaces[i].decentre = lens_numbers_own(surfaces[i].decentre, room);
+        surfaces[i].coordinate_break = lens_numbers_own(surfaces[i].coordinate_break, room + 1);
     }
     numbers->lens.surfaces = surfaces;
 }

@@ -8,7 +8,7 @@
 #include <stddef.h>
 
 /* Differences of products that nearly cancel are made of pairs. */
-static struct pair scaled(struct pair a, double k)
+static struct pair lensmaker_scaled(struct pair a, double k)
 {
     return pair_multiply(a, pair_of(k));
 }
@@ -18,13 +18,13 @@ struct radius {
     double a, b;
 };
 
-static struct radius radius_of(double R)
+static struct radius lensmaker_radius_of(double R)
 {
     return isinf(R) ? (struct radius){1, 0} : (struct radius){R, 1};
 }
 
 /* What all formulas are made of: n - n0, n1 - n and the products with R1, R2. */
-struct terms {
+struct lensmaker_terms {
     struct radius r1, r2;
     struct pair step1, step2;  /* n - n0, n1 - n */
     struct pair first, second; /* n (n - n0) b1 a2, n (n1 - n) b2 a1 */
@@ -32,14 +32,15 @@ struct terms {
     struct pair M;             /* their sum: n a1 a2 P */
 };
 
-static struct terms terms_of(const struct lensmaker *lens)
+static struct lensmaker_terms terms_of(const struct lensmaker *lens)
 {
-    struct terms t = {.r1 = radius_of(lens->R1), .r2 = radius_of(lens->R2)};
+    struct lensmaker_terms t = {.r1 = lensmaker_radius_of(lens->R1),
+                                .r2 = lensmaker_radius_of(lens->R2)};
     t.step1 = pair_sum(lens->n, -lens->n0);
     t.step2 = pair_sum(lens->n1, -lens->n);
-    t.first = scaled(scaled(t.step1, lens->n), t.r1.b * t.r2.a);
-    t.second = scaled(scaled(t.step2, lens->n), t.r2.b * t.r1.a);
-    t.between = scaled(pair_multiply(t.step1, t.step2), -lens->d * (t.r1.b * t.r2.b));
+    t.first = lensmaker_scaled(lensmaker_scaled(t.step1, lens->n), t.r1.b * t.r2.a);
+    t.second = lensmaker_scaled(lensmaker_scaled(t.step2, lens->n), t.r2.b * t.r1.a);
+    t.between = lensmaker_scaled(pair_multiply(t.step1, t.step2), -lens->d * (t.r1.b * t.r2.b));
     t.M = pair_add(pair_add(t.first, t.second), t.between);
     return t;
 }
@@ -47,16 +48,17 @@ static struct terms terms_of(const struct lensmaker *lens)
 /* n a - d step b: what the other surface sees of one of radius a/b. */
 static struct pair reduced(const struct lensmaker *lens, struct radius r, struct pair step)
 {
-    return pair_add(pair_multiply(pair_of(lens->n), pair_of(r.a)), scaled(step, -lens->d * r.b));
+    return pair_add(pair_multiply(pair_of(lens->n), pair_of(r.a)),
+                    lensmaker_scaled(step, -lens->d * r.b));
 }
 
 void lensmaker_facts(const struct lensmaker *lens, struct lensmaker_facts *facts)
 {
-    struct terms t = terms_of(lens);
+    struct lensmaker_terms t = terms_of(lens);
     double n0 = lens->n0, n = lens->n, n1 = lens->n1, d = lens->d;
     double a1 = t.r1.a, a2 = t.r2.a, M = t.M.hi;
-    struct pair back = scaled(reduced(lens, t.r1, t.step1), n1);
-    struct pair front = scaled(reduced(lens, t.r2, t.step2), -n0);
+    struct pair back = lensmaker_scaled(reduced(lens, t.r1, t.step1), n1);
+    struct pair front = lensmaker_scaled(reduced(lens, t.r2, t.step2), -n0);
     facts->P1 = t.r1.b == 0 ? 0 : t.step1.hi / a1;
     facts->P2 = t.r2.b == 0 ? 0 : t.step2.hi / a2;
     facts->power = M / (n * a1 * a2);
@@ -70,10 +72,10 @@ void lensmaker_facts(const struct lensmaker *lens, struct lensmaker_facts *facts
     facts->H_rear = H_rear == 0 && M != 0 ? 0 : H_rear / M;
     facts->H = H == 0 && M != 0 ? 0 : H / M;
     /* N' - F' = -n0/P and N - F = n1/P, with the sum made before the division */
-    struct pair media = scaled(pair_multiply(pair_sum(n1, -n0), pair_of(n)), a1);
-    struct pair rear = pair_add(media, scaled(t.step1, -n1 * d * t.r1.b));
-    media = scaled(pair_multiply(pair_sum(n1, -n0), pair_of(n)), a2);
-    struct pair fore = pair_add(media, scaled(t.step2, n0 * d * t.r2.b));
+    struct pair media = lensmaker_scaled(pair_multiply(pair_sum(n1, -n0), pair_of(n)), a1);
+    struct pair rear = pair_add(media, lensmaker_scaled(t.step1, -n1 * d * t.r1.b));
+    media = lensmaker_scaled(pair_multiply(pair_sum(n1, -n0), pair_of(n)), a2);
+    struct pair fore = pair_add(media, lensmaker_scaled(t.step2, n0 * d * t.r2.b));
     facts->N_rear = rear.hi == 0 && M != 0 ? 0 : rear.hi * a2 / M;
     facts->N = fore.hi == 0 && M != 0 ? 0 : fore.hi * a1 / M;
     double size = fabs(t.first.hi) + fabs(t.second.hi) + fabs(t.between.hi);
@@ -91,7 +93,7 @@ static bool check_positive(double value, const char *what, struct error *error)
                 value);
 }
 
-static bool check(const struct lensmaker *lens, struct error *error)
+static bool lensmaker_check(const struct lensmaker *lens, struct error *error)
 {
     if (!check_positive(lens->n0, "before the lens", error) ||
         !check_positive(lens->n, "of the lens", error) ||
@@ -156,13 +158,14 @@ static bool solve_rear_radius(struct lensmaker *lens, const char *which, struct 
                     "effect",
                     lens->n, which);
     }
-    struct radius r1 = radius_of(lens->R1);
+    struct radius r1 = lensmaker_radius_of(lens->R1);
     struct pair step1 = pair_sum(lens->n, -lens->n0), step2 = pair_sum(lens->n1, -lens->n);
     struct pair up = pair_multiply(step2, reduced(lens, r1, step1));
-    struct pair down = scaled(step1, -lens->n * r1.b); /* f infinite: P = 0 */
+    struct pair down = lensmaker_scaled(step1, -lens->n * r1.b); /* f infinite: P = 0 */
     if (isfinite(lens->f)) {
-        down = pair_add(pair_multiply(pair_of(lens->n), pair_of(r1.a)), scaled(down, lens->f));
-        up = scaled(up, lens->f);
+        down = pair_add(pair_multiply(pair_of(lens->n), pair_of(r1.a)),
+                        lensmaker_scaled(down, lens->f));
+        up = lensmaker_scaled(up, lens->f);
     }
     if (up.hi == 0) {
         return fail(error, ERROR_DOMAIN,
@@ -174,18 +177,18 @@ static bool solve_rear_radius(struct lensmaker *lens, const char *which, struct 
     return true;
 }
 
-static struct lensmaker reversed(const struct lensmaker *lens)
+static struct lensmaker lensmaker_reversed(const struct lensmaker *lens)
 {
     return (struct lensmaker){lens->n1,  lens->n, lens->n0, -lens->R2,
                               -lens->R1, lens->d, lens->f,  -lens->q};
 }
 
-static bool solve_radius(struct lensmaker *lens, struct error *error)
+static bool lensmaker_solve_radius(struct lensmaker *lens, struct error *error)
 {
     if (isnan(lens->R2)) {
         return solve_rear_radius(lens, "second", error);
     }
-    struct lensmaker other = reversed(lens);
+    struct lensmaker other = lensmaker_reversed(lens);
     if (!solve_rear_radius(&other, "first", error)) {
         return false;
     }
@@ -197,8 +200,8 @@ static bool solve_thickness(struct lensmaker *lens, struct error *error)
 {
     struct lensmaker thin = *lens;
     thin.d = 0;
-    struct terms t = terms_of(&thin);
-    struct pair step = scaled(pair_multiply(t.step1, t.step2), t.r1.b * t.r2.b);
+    struct lensmaker_terms t = terms_of(&thin);
+    struct pair step = lensmaker_scaled(pair_multiply(t.step1, t.step2), t.r1.b * t.r2.b);
     if (step.hi == 0) {
         return fail(error, ERROR_DOMAIN,
                     "a surface without power: the thickness does not change the focal length");
@@ -206,7 +209,8 @@ static bool solve_thickness(struct lensmaker *lens, struct error *error)
     /* d step = n a1 a2 (P thin - P) */
     struct pair wanted = {0, 0};
     if (isfinite(lens->f)) {
-        struct pair product = scaled(pair_multiply(pair_of(-t.r1.a), pair_of(t.r2.a)), lens->n);
+        struct pair product =
+            lensmaker_scaled(pair_multiply(pair_of(-t.r1.a), pair_of(t.r2.a)), lens->n);
         double q = product.hi / lens->f;
         wanted = (struct pair){q, (fma(-q, lens->f, product.hi) + product.lo) / lens->f};
     }
@@ -248,8 +252,8 @@ static int quadratic(double a, double b, double e, bool e_vanishes, double roots
     return discriminant > 0 ? 2 : 1;
 }
 
-static bool choose(const double *roots, struct lensmaker_choice *choice, double *root,
-                   struct error *error)
+static bool lensmaker_choose(const double *roots, struct lensmaker_choice *choice, double *root,
+                             struct error *error)
 {
     if (choice->second && choice->count < 2) {
         return fail(error, ERROR_DOMAIN, "there is only one such lens, no second one");
@@ -258,10 +262,10 @@ static bool choose(const double *roots, struct lensmaker_choice *choice, double 
     return true;
 }
 
-static bool solve_index(struct lensmaker *lens, struct lensmaker_choice *choice,
-                        struct error *error)
+static bool lensmaker_solve_index(struct lensmaker *lens, struct lensmaker_choice *choice,
+                                  struct error *error)
 {
-    struct radius r1 = radius_of(lens->R1), r2 = radius_of(lens->R2);
+    struct radius r1 = lensmaker_radius_of(lens->R1), r2 = lensmaker_radius_of(lens->R2);
     double P = r1.a * r2.a / lens->f; /* times a1 a2, as everything here */
     double both = lens->d * (r1.b * r2.b), one = r1.b * r2.a, two = r2.b * r1.a;
     double a = pair_add(pair_sum(one, -two), pair_of(both)).hi;
@@ -292,7 +296,7 @@ static bool solve_index(struct lensmaker *lens, struct lensmaker_choice *choice,
                     "no index gives these radii and this thickness a focal length of %.6g mm",
                     lens->f);
     }
-    return choose(legal, choice, &lens->n, error);
+    return lensmaker_choose(legal, choice, &lens->n, error);
 }
 
 /* Both radii from f, n, q. */
@@ -320,7 +324,7 @@ static bool solve_bending(struct lensmaker *lens, struct lensmaker_choice *choic
                     "power is at %s %.6g dioptres, %.6g mm",
                     lens->f, A > 0 ? "least" : "most", 1000 * most, 1 / most);
     }
-    if (!choose(roots, choice, &x, error)) {
+    if (!lensmaker_choose(roots, choice, &x, error)) {
         return false;
     }
     lens->R1 = k1 * x == 0 ? INFINITY : 1 / (k1 * x);
@@ -349,13 +353,13 @@ static bool solve_for_focal_length(struct lensmaker *lens, struct lensmaker_choi
     }
     lens->d = thin ? 0 : lens->d;
     if (radii == 2) {
-        return solve_index(lens, choice, error);
+        return lensmaker_solve_index(lens, choice, error);
     }
     if (isnan(lens->n)) {
         return too_little(error);
     }
     if (radii == 1) {
-        return solve_radius(lens, error);
+        return lensmaker_solve_radius(lens, error);
     }
     return isnan(lens->q) ? too_little(error) : solve_bending(lens, choice, error);
 }
@@ -375,7 +379,8 @@ static bool use_shape(struct lensmaker *lens, struct error *error)
 }
 
 /* Find what is not given. */
-static bool complete(struct lensmaker *lens, struct lensmaker_choice *choice, struct error *error)
+static bool lensmaker_complete(struct lensmaker *lens, struct lensmaker_choice *choice,
+                               struct error *error)
 {
     if (!isnan(lens->f)) {
         return solve_for_focal_length(lens, choice, error);
@@ -388,7 +393,8 @@ bool lensmaker_solve(struct lensmaker *lens, struct lensmaker_choice *choice, st
 {
     choice->count = 1;
     bool shape = !isnan(lens->q);
-    if (!check(lens, error) || !use_shape(lens, error) || !complete(lens, choice, error)) {
+    if (!lensmaker_check(lens, error) || !use_shape(lens, error) ||
+        !lensmaker_complete(lens, choice, error)) {
         return false;
     }
     if (choice->second && choice->count < 2) {
@@ -415,7 +421,7 @@ bool lensmaker_solve_ball(struct lensmaker *lens, struct lensmaker_choice *choic
 {
     double n0 = lens->n0, n = lens->n, n1 = lens->n1;
     choice->count = 1;
-    if (!check(lens, error)) {
+    if (!lensmaker_check(lens, error)) {
         return false;
     }
     if (!isnan(lens->R1) || !isnan(lens->R2) || !isnan(lens->q)) {

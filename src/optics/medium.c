@@ -18,19 +18,20 @@ bool medium_is_same(const struct medium *a, const struct medium *b)
     return a->kind == b->kind && text_identical(a->written, b->written);
 }
 
-static struct pair inverse_square(double wavelength)
+static struct pair medium_inverse_square(double wavelength)
 {
     return pair_divide(pair_of(1), pair_product(wavelength, wavelength));
 }
 
 /* Lagrange's polynomial in 1/l^2. */
-static struct pair interpolate(const struct index_point *points, size_t count, double wavelength)
+static struct pair medium_interpolate(const struct index_point *points, size_t count,
+                                      double wavelength)
 {
-    struct pair x = inverse_square(wavelength), sum = {0, 0};
+    struct pair x = medium_inverse_square(wavelength), sum = {0, 0};
     for (size_t i = 0; i < count; i++) {
-        struct pair term = points[i].index, x_i = inverse_square(points[i].wavelength);
+        struct pair term = points[i].index, x_i = medium_inverse_square(points[i].wavelength);
         for (size_t j = 0; j < count; j++) {
-            struct pair x_j = inverse_square(points[j].wavelength);
+            struct pair x_j = medium_inverse_square(points[j].wavelength);
             if (j != i) {
                 term = pair_multiply(term,
                                      pair_divide(pair_subtract(x, x_j), pair_subtract(x_i, x_j)));
@@ -60,7 +61,7 @@ static bool table_index(const struct medium *medium, double wavelength, struct p
         first += drop_first;
         count--;
     }
-    *index = interpolate(points + first, count, wavelength);
+    *index = medium_interpolate(points + first, count, wavelength);
     return true;
 }
 

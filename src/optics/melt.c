@@ -78,7 +78,7 @@ const struct medium *melt_set(struct melt *melt, double index, double abbe)
     return &melt->now;
 }
 
-static struct text number_of(double value, struct arena *arena)
+static struct text melt_number_of(double value, struct arena *arena)
 {
     char text[NUMBER_LENGTH];
     const char *end = number_write_shortest(text, value);
@@ -86,8 +86,8 @@ static struct text number_of(double value, struct arena *arena)
 }
 
 /* Its index at some wavelengths, which are rising. */
-static struct text table_of(struct melt *melt, const double *wavelengths, size_t count,
-                            struct arena *arena)
+static struct text melt_table_of(struct melt *melt, const double *wavelengths, size_t count,
+                                 struct arena *arena)
 {
     const char *text = "{";
     double last = 0;
@@ -102,7 +102,7 @@ static struct text table_of(struct melt *melt, const double *wavelengths, size_t
             break;
         }
         text = arena_printf(arena, "%s%s%sum %s", text, done > 0 ? ", " : "",
-                            number_of(next, arena).start, number_of(n.hi, arena).start);
+                            melt_number_of(next, arena).start, melt_number_of(n.hi, arena).start);
         last = next;
     }
     return text_of(arena_printf(arena, "%s}", text));
@@ -113,11 +113,11 @@ struct text melt_written(struct melt *melt, const double *wavelengths, size_t co
 {
     const double n = melt->base.index.hi + melt->by;
     if (melt->base.kind == MEDIUM_CONSTANT) {
-        return number_of(n, arena);
+        return melt_number_of(n, arena);
     }
     if (melt->base.kind == MEDIUM_MODEL) {
-        return text_of(arena_printf(arena, "%s/%s", number_of(n, arena).start,
-                                    number_of(melt->Vd + melt->now.abbe.hi, arena).start));
+        return text_of(arena_printf(arena, "%s/%s", melt_number_of(n, arena).start,
+                                    melt_number_of(melt->Vd + melt->now.abbe.hi, arena).start));
     }
-    return table_of(melt, wavelengths, count, arena);
+    return melt_table_of(melt, wavelengths, count, arena);
 }

@@ -26,12 +26,12 @@ static struct figure computed(struct pair value)
     return (struct figure){.value = value, .variable = LENS_NONE};
 }
 
-static const struct figure *at(const void *start, size_t offset)
+static const struct figure *parameter_at(const void *start, size_t offset)
 {
     return (const struct figure *)(const void *)((const char *)start + offset);
 }
 
-static struct figure *place(void *start, size_t offset)
+static struct figure *parameter_place(void *start, size_t offset)
 {
     return (struct figure *)(void *)((char *)start + offset);
 }
@@ -39,77 +39,77 @@ static struct figure *place(void *start, size_t offset)
 /* A member of the surface that is there in any case. */
 static const struct figure *look_member(const struct surface *surface, size_t offset)
 {
-    return at(surface, offset);
+    return parameter_at(surface, offset);
 }
 
 static void put_member(struct surface *surface, size_t offset, struct figure figure,
                        struct displacement *room)
 {
     (void)room;
-    *place(surface, offset) = figure;
+    *parameter_place(surface, offset) = figure;
 }
 
 static const struct figure *look_radius(const struct surface *surface, size_t offset)
 {
-    return surface->is_plane ? NULL : at(surface, offset);
+    return surface->is_plane ? NULL : parameter_at(surface, offset);
 }
 
-static void put_radius(struct surface *surface, size_t offset, struct figure figure,
-                       struct displacement *room)
+static void parameter_put_radius(struct surface *surface, size_t offset, struct figure figure,
+                                 struct displacement *room)
 {
     (void)room;
     surface->is_plane = isinf(figure.value.hi);
     surface->has_curvature = false;
     surface->curvature = computed(pair_of(0));
-    *place(surface, offset) = surface->is_plane ? computed(pair_of(0)) : figure;
+    *parameter_place(surface, offset) = surface->is_plane ? computed(pair_of(0)) : figure;
 }
 
 static double get_radius(const struct surface *surface, size_t offset)
 {
     return surface->has_curvature ? 1 / surface->curvature.value.hi
            : surface->is_plane    ? INFINITY
-                                  : at(surface, offset)->value.hi;
+                                  : parameter_at(surface, offset)->value.hi;
 }
 
 static const struct figure *look_curvature(const struct surface *surface, size_t offset)
 {
-    return surface->has_curvature ? at(surface, offset) : NULL;
+    return surface->has_curvature ? parameter_at(surface, offset) : NULL;
 }
 
-static void put_curvature(struct surface *surface, size_t offset, struct figure figure,
-                          struct displacement *room)
+static void parameter_put_curvature(struct surface *surface, size_t offset, struct figure figure,
+                                    struct displacement *room)
 {
     (void)room;
     surface->is_plane = surface->has_curvature = true;
     surface->radius = computed(pair_of(0));
-    *place(surface, offset) = figure;
+    *parameter_place(surface, offset) = figure;
 }
 
 static double get_curvature(const struct surface *surface, size_t offset)
 {
-    return surface->has_curvature ? at(surface, offset)->value.hi
+    return surface->has_curvature ? parameter_at(surface, offset)->value.hi
            : surface->is_plane    ? 0
                                   : pair_divide(pair_of(1), surface->radius.value).hi;
 }
 
 /* As a curvature only where the surface has one: a file is read with radii. */
-static void set_curvature(struct surface *surface, size_t offset, double value)
+static void parameter_set_curvature(struct surface *surface, size_t offset, double value)
 {
     if (surface->has_curvature) {
-        put_curvature(surface, offset, computed(pair_of(value)), NULL);
+        parameter_put_curvature(surface, offset, computed(pair_of(value)), NULL);
     } else {
-        put_radius(surface, offsetof(struct surface, radius),
-                   computed(pair_divide(pair_of(1), pair_of(value))), NULL);
+        parameter_put_radius(surface, offsetof(struct surface, radius),
+                             computed(pair_divide(pair_of(1), pair_of(value))), NULL);
     }
 }
 
 static const struct figure *look_thickness(const struct surface *surface, size_t offset)
 {
-    return surface->has_thickness ? at(surface, offset) : NULL;
+    return surface->has_thickness ? parameter_at(surface, offset) : NULL;
 }
 
-static void put_thickness(struct surface *surface, size_t offset, struct figure figure,
-                          struct displacement *room)
+static void parameter_put_thickness(struct surface *surface, size_t offset, struct figure figure,
+                                    struct displacement *room)
 {
     surface->has_thickness = true;
     put_member(surface, offset, figure, room);
@@ -122,11 +122,12 @@ static unsigned coefficient_bit(size_t offset)
 
 static const struct figure *look_coefficient(const struct surface *surface, size_t offset)
 {
-    return (surface->coefficients & coefficient_bit(offset)) != 0 ? at(surface, offset) : NULL;
+    return (surface->coefficients & coefficient_bit(offset)) != 0 ? parameter_at(surface, offset)
+                                                                  : NULL;
 }
 
-static void put_coefficient(struct surface *surface, size_t offset, struct figure figure,
-                            struct displacement *room)
+static void parameter_put_coefficient(struct surface *surface, size_t offset, struct figure figure,
+                                      struct displacement *room)
 {
     surface->coefficients |= coefficient_bit(offset);
     put_member(surface, offset, figure, room);
@@ -134,12 +135,13 @@ static void put_coefficient(struct surface *surface, size_t offset, struct figur
 
 static const struct figure *look_decentre(const struct surface *surface, size_t offset)
 {
-    return surface->decentre != NULL ? at(surface->decentre, offset) : NULL;
+    return surface->decentre != NULL ? parameter_at(surface->decentre, offset) : NULL;
 }
 
 static const struct figure *look_break(const struct surface *surface, size_t offset)
 {
-    return surface->coordinate_break != NULL ? at(surface->coordinate_break, offset) : NULL;
+    return surface->coordinate_break != NULL ? parameter_at(surface->coordinate_break, offset)
+                                             : NULL;
 }
 
 /* Another displacement with one number changed, or the same; without one the others are 0. */
@@ -149,7 +151,7 @@ static const struct displacement *displaced(const struct displacement *from, siz
     if (to != from) {
         *to = from != NULL ? *from : displacement_none;
     }
-    *place(to, offset) = figure;
+    *parameter_place(to, offset) = figure;
     return to;
 }
 
@@ -159,20 +161,20 @@ static void put_decentre(struct surface *surface, size_t offset, struct figure f
     surface->decentre = displaced(surface->decentre, offset, figure, room);
 }
 
-static void put_break(struct surface *surface, size_t offset, struct figure figure,
-                      struct displacement *room)
+static void parameter_put_break(struct surface *surface, size_t offset, struct figure figure,
+                                struct displacement *room)
 {
     surface->coordinate_break = displaced(surface->coordinate_break, offset, figure, room);
 }
 
 static const struct storage member = {look_member, put_member, NULL, NULL},
-                            radius = {look_radius, put_radius, get_radius, NULL},
-                            curvature = {look_curvature, put_curvature, get_curvature,
-                                         set_curvature},
-                            thickness = {look_thickness, put_thickness, NULL, NULL},
-                            coefficient = {look_coefficient, put_coefficient, NULL, NULL},
+                            radius = {look_radius, parameter_put_radius, get_radius, NULL},
+                            curvature = {look_curvature, parameter_put_curvature, get_curvature,
+                                         parameter_set_curvature},
+                            thickness = {look_thickness, parameter_put_thickness, NULL, NULL},
+                            coefficient = {look_coefficient, parameter_put_coefficient, NULL, NULL},
                             decentre = {look_decentre, put_decentre, NULL, NULL},
-                            coordinate_break = {look_break, put_break, NULL, NULL};
+                            coordinate_break = {look_break, parameter_put_break, NULL, NULL};
 
 enum {
     MARK = PARAMETER_IS_MARK,
@@ -192,7 +194,7 @@ enum {
     [PARAMETER_##kind] = {{__VA_ARGS__, .basis = PARAMETER_##kind}, 0, where}
 
 /* clang-format off */
-static const struct row {
+static const struct parameter_row {
     struct parameter_type type;
     unsigned wants;               /* SURFACE_HAS_ of the kind of surface; 0 = all have it */
     const struct storage *stored; /* null = in the medium, with its digits in the medium's text */
@@ -331,7 +333,7 @@ static bool is_set(const struct lens *lens, struct parameter parameter)
 
 bool parameter_check(const struct lens *lens, struct parameter parameter, struct error *error)
 {
-    const struct row *row = &rows[parameter.kind];
+    const struct parameter_row *row = &rows[parameter.kind];
     size_t number = parameter.surface + 1, count = lens->surface_count;
     const char *words = row->type.words;
     if (parameter.surface == LENS_NONE && row->stored == NULL) {
@@ -366,7 +368,7 @@ bool parameter_check(const struct lens *lens, struct parameter parameter, struct
     return true;
 }
 
-static const struct medium *medium_of(const struct lens *lens, size_t surface)
+static const struct medium *parameter_medium_of(const struct lens *lens, size_t surface)
 {
     return surface == LENS_NONE ? &lens->object_medium : &lens->surfaces[surface].medium;
 }
@@ -381,7 +383,7 @@ double parameter_get(const struct lens *lens, struct parameter parameter)
     const struct storage *stored = rows[parameter.kind].stored;
     assert(parameter.kind != PARAMETER_GLASS);
     if (stored == NULL) {
-        return medium_number(medium_of(lens, parameter.surface), parameter.kind)->hi;
+        return medium_number(parameter_medium_of(lens, parameter.surface), parameter.kind)->hi;
     }
     const struct surface *surface = &lens->surfaces[parameter.surface];
     size_t offset = offset_of(parameter.kind, parameter.order);
@@ -428,8 +430,8 @@ void parameter_set_in(struct lens *lens, struct parameter parameter, double valu
         return; /* with all that the decimal typed has beyond a double */
     }
     if (stored == NULL) {
-        const struct medium to =
-            medium_with(medium_of(lens, parameter.surface), parameter.kind, value, room->written);
+        const struct medium to = medium_with(parameter_medium_of(lens, parameter.surface),
+                                             parameter.kind, value, room->written);
         parameter_put_medium(lens, parameter.surface, &to);
         return;
     }
@@ -466,7 +468,8 @@ struct lens *parameter_apply(const struct lens *lens, const struct parameter *pa
 }
 
 /* dn by nd, or Vd: of a glass with nd = 2, n - 1 is what nd - 1 is multiplied by. */
-static double index_slope(const struct medium *medium, enum parameter_kind kind, double wavelength)
+static double parameter_index_slope(const struct medium *medium, enum parameter_kind kind,
+                                    double wavelength)
 {
     const struct glass unit = glass_nd_vd(pair_of(2), medium->abbe);
     if (medium->kind != MEDIUM_MODEL) {
@@ -478,12 +481,13 @@ static double index_slope(const struct medium *medium, enum parameter_kind kind,
 
 double parameter_slope(const struct lens *lens, struct parameter parameter, double wavelength)
 {
-    const struct row *row = &rows[parameter.kind];
+    const struct parameter_row *row = &rows[parameter.kind];
     if (row->type.basis == PARAMETER_KINDS) {
         return NAN;
     }
     if (row->stored == NULL) {
-        return index_slope(medium_of(lens, parameter.surface), parameter.kind, wavelength);
+        return parameter_index_slope(parameter_medium_of(lens, parameter.surface), parameter.kind,
+                                     wavelength);
     }
     if (parameter.kind == PARAMETER_RADIUS) {
         double R = parameter_get(lens, parameter);

@@ -95,7 +95,7 @@ static const char *nearest_name(struct text name, bool (*takes)(enum parameter_k
 }
 
 /* What stands before the number of the surface, which is cut off. */
-static struct text cut_number(struct text text, struct text *digits)
+static struct text parameter_name_cut_number(struct text text, struct text *digits)
 {
     size_t length = text.length;
     while (length > 0 && char_is_digit(text.start[length - 1])) {
@@ -109,8 +109,8 @@ static struct text cut_number(struct text text, struct text *digits)
 }
 
 /* "A42": A4 of surface 2; "r1": R1. */
-static void suggest(struct text name, struct text digits, bool (*takes)(enum parameter_kind kind),
-                    struct error *error)
+static void parameter_name_suggest(struct text name, struct text digits,
+                                   bool (*takes)(enum parameter_kind kind), struct error *error)
 {
     enum parameter_kind kind;
     int order;
@@ -132,7 +132,7 @@ static void suggest(struct text name, struct text digits, bool (*takes)(enum par
 bool parameter_read(struct text text, bool (*takes)(enum parameter_kind kind),
                     struct parameter *parameter, struct error *error)
 {
-    struct text digits, name = cut_number(text, &digits);
+    struct text digits, name = parameter_name_cut_number(text, &digits);
     size_t number = 0;
     *parameter = (struct parameter){0};
     for (size_t i = 0; i < digits.length && i < MOST_DIGITS + 1; i++) {
@@ -142,7 +142,7 @@ bool parameter_read(struct text text, bool (*takes)(enum parameter_kind kind),
     if (!known || digits.length == 0) {
         fail(error, ERROR_USAGE, "'%.*s' names nothing of a surface that may change",
              text_shown(text), text.start);
-        suggest(name, digits, takes, error);
+        parameter_name_suggest(name, digits, takes, error);
         return false;
     }
     if (number == 0 || digits.length > MOST_DIGITS) {

@@ -73,7 +73,7 @@ bool paraxial_compile(const struct lens *lens, double wavelength, enum lens_sect
 typedef double lanes __attribute__((vector_size(32)));
 
 /* y + ey, v + ev */
-struct rays {
+struct paraxial_rays {
     lanes y, ey, v, ev;
 };
 
@@ -82,7 +82,7 @@ struct factor {
     lanes hi, lo;
 };
 
-INLINE struct factor factor_of(struct pair front, struct pair rear)
+INLINE struct factor paraxial_factor_of(struct pair front, struct pair rear)
 {
     return (struct factor){{front.hi, front.hi, rear.hi, rear.hi},
                            {front.lo, front.lo, rear.lo, rear.lo}};
@@ -109,7 +109,8 @@ INLINE lanes rest_of_sum(lanes a, lanes b, lanes sum)
 }
 
 /* (x + ex) + (a + ea) (b + eb), x and ex in place */
-INLINE void add_product(lanes *x, lanes *ex, lanes a, lanes ea, struct factor b, bool fused)
+INLINE void paraxial_add_product(lanes *x, lanes *ex, lanes a, lanes ea, struct factor b,
+                                 bool fused)
 {
     lanes p = a * b.hi, p_rest = rest_of_product(a, b.hi, p, fused);
     lanes sum = *x + p, sum_rest = rest_of_sum(*x, p, sum);
@@ -119,17 +120,17 @@ INLINE void add_product(lanes *x, lanes *ex, lanes a, lanes ea, struct factor b,
 }
 
 /* One surface of each part. */
-INLINE void step(const struct paraxial_surface *front, const struct paraxial_surface *rear,
-                 struct rays *rays, bool fused)
+INLINE void paraxial_step(const struct paraxial_surface *front, const struct paraxial_surface *rear,
+                          struct paraxial_rays *rays, bool fused)
 {
-    struct factor power = factor_of(front->power, rear->power);
+    struct factor power = paraxial_factor_of(front->power, rear->power);
     power.hi = -power.hi;
     power.lo = -power.lo;
     /* v' = v - y P */
-    add_product(&rays->v, &rays->ev, rays->y, rays->ey, power, fused);
+    paraxial_add_product(&rays->v, &rays->ev, rays->y, rays->ey, power, fused);
     /* y' = y + (t/n) v */
-    add_product(&rays->y, &rays->ey, rays->v, rays->ev, factor_of(front->reduced, rear->reduced),
-                fused);
+    paraxial_add_product(&rays->y, &rays->ey, rays->v, rays->ev,
+                         paraxial_factor_of(front->reduced, rear->reduced), fused);
 }
 
 INLINE struct paraxial_matrix matrix_of(lanes y, lanes y_rest, lanes v, lanes v_rest, size_t first)
@@ -141,7 +142,8 @@ INLINE struct paraxial_matrix matrix_of(lanes y, lanes y_rest, lanes v, lanes v_
 }
 
 /* a b + c d */
-INLINE struct pair combine(struct pair a, struct pair b, struct pair c, struct pair d, bool fused)
+INLINE struct pair paraxial_combine(struct pair a, struct pair b, struct pair c, struct pair d,
+                                    bool fused)
 {
     struct pair p = fused_product(a.hi, b.hi, fused), q = fused_product(c.hi, d.hi, fused);
     struct pair high = pair_sum(p.hi, q.hi);
@@ -153,18 +155,18 @@ INLINE void trace_with(const struct paraxial_system *system, struct paraxial_tra
                        bool fused)
 {
     static const struct paraxial_surface nothing = {{0, 0}, {0, 0}};
-    struct rays rays = {{1, 0, 1, 0}, {0, 0, 0, 0}, {0, 1, 0, 1}, {0, 0, 0, 0}};
+    struct paraxial_rays rays = {{1, 0, 1, 0}, {0, 0, 0, 0}, {0, 1, 0, 1}, {0, 0, 0, 0}};
     size_t front = system->stop == LENS_NONE ? 0 : system->stop, rear = system->count - front;
     const struct paraxial_surface *at = system->surfaces, *behind = at + front;
     size_t common = front < rear ? front : rear;
     for (size_t i = 0; i < common; i++) {
-        step(&at[i], &behind[i], &rays, fused);
+        paraxial_step(&at[i], &behind[i], &rays, fused);
     }
     for (size_t i = common; i < front; i++) {
-        step(&at[i], &nothing, &rays, fused);
+        paraxial_step(&at[i], &nothing, &rays, fused);
     }
     for (size_t i = common; i < rear; i++) {
-        step(&nothing, &behind[i], &rays, fused);
+        paraxial_step(&nothing, &behind[i], &rays, fused);
     }
     lanes y = rays.y + rays.ey, y_rest = rest_of_sum(rays.y, rays.ey, y);
     lanes v = rays.v + rays.ev, v_rest = rest_of_sum(rays.v, rays.ev, v);
@@ -173,8 +175,8 @@ INLINE void trace_with(const struct paraxial_system *system, struct paraxial_tra
     trace->front = f;
     trace->rear = r;
     trace->whole = (struct paraxial_matrix){
-        combine(r.a, f.a, r.b, f.c, fused), combine(r.a, f.b, r.b, f.d, fused),
-        combine(r.c, f.a, r.d, f.c, fused), combine(r.c, f.b, r.d, f.d, fused)};
+        paraxial_combine(r.a, f.a, r.b, f.c, fused), paraxial_combine(r.a, f.b, r.b, f.d, fused),
+        paraxial_combine(r.c, f.a, r.d, f.c, fused), paraxial_combine(r.c, f.b, r.d, f.d, fused)};
 }
 
 void paraxial_trace_portable(const struct paraxial_system *system, struct paraxial_trace *trace)

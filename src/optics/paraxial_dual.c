@@ -9,20 +9,20 @@ struct dual_ray {
     struct dual y, v;
 };
 
-static struct dual product(struct dual a, struct dual b, struct dual c)
+static struct dual paraxial_dual_product(struct dual a, struct dual b, struct dual c)
 {
     return dual_multiply(dual_multiply(a, b), c);
 }
 
-static struct dual inverse(struct dual a)
+static struct dual paraxial_dual_inverse(struct dual a)
 {
     return dual_divide(dual_of(1), a);
 }
 
 /* -------- the lens -------- */
 
-static bool set_index(const struct lens *lens, double wavelength, struct dual *index,
-                      struct error *error)
+static bool paraxial_dual_set_index(const struct lens *lens, double wavelength, struct dual *index,
+                                    struct error *error)
 {
     struct pair n;
     if (!medium_index(&lens->object_medium, wavelength, &n, error)) {
@@ -44,7 +44,8 @@ static bool set_index(const struct lens *lens, double wavelength, struct dual *i
     return true;
 }
 
-static struct dual_surface surface_of(const struct surface *surface, enum lens_section section)
+static struct dual_surface paraxial_dual_surface_of(const struct surface *surface,
+                                                    enum lens_section section)
 {
     const size_t axis = section == SECTION_Y ? 1 : 0;
     const bool is_curved = surface_section(surface)->weight[axis] != 0;
@@ -67,9 +68,9 @@ bool paraxial_dual_read(const struct lens *lens, double wavelength, struct parax
 {
     dual->lens = lens;
     for (size_t i = 0; i < dual->count; i++) {
-        dual->surfaces[i] = surface_of(&lens->surfaces[i], dual->section);
+        dual->surfaces[i] = paraxial_dual_surface_of(&lens->surfaces[i], dual->section);
     }
-    return set_index(lens, wavelength, dual->index, error);
+    return paraxial_dual_set_index(lens, wavelength, dual->index, error);
 }
 
 struct paraxial_dual paraxial_dual_new(const struct lens *lens, enum lens_section section,
@@ -97,7 +98,8 @@ void paraxial_dual_rest(struct paraxial_dual *dual)
 }
 
 /* The number of a surface that a parameter is; null: none that counts here. */
-static struct dual *number_of(struct dual_surface *at, struct parameter basis, bool bends)
+static struct dual *paraxial_dual_number_of(struct dual_surface *at, struct parameter basis,
+                                            bool bends)
 {
     switch (basis.kind) {
     case PARAMETER_THICKNESS:
@@ -130,7 +132,7 @@ void paraxial_dual_change(struct paraxial_dual *dual, struct parameter basis, do
     struct dual_surface *at = &dual->surfaces[basis.surface];
     const size_t axis = dual->section == SECTION_Y ? 1 : 0;
     const bool bends = surface_section(&dual->lens->surfaces[basis.surface])->weight[axis] != 0;
-    struct dual *number = number_of(at, basis, bends);
+    struct dual *number = paraxial_dual_number_of(at, basis, bends);
     if (number != NULL) { /* of a focal length the power: d(1/f) = -df/f^2 */
         const bool is_focal = basis.kind == PARAMETER_FOCAL;
         number->slope += is_focal ? -at->power.value * at->power.value * slope : slope;
@@ -143,7 +145,7 @@ static struct dual vertex_curvature(const struct dual_surface *at)
     return dual_add(at->curvature, dual_scale(at->second, 2));
 }
 
-static struct dual power_of(const struct paraxial_dual *dual, size_t i)
+static struct dual paraxial_dual_power_of(const struct paraxial_dual *dual, size_t i)
 {
     const struct dual_surface *at = &dual->surfaces[i];
     return at->is_thick ? at->power
@@ -178,14 +180,14 @@ struct basic {
     struct dual stop_a, stop_b; /* their heights there */
 };
 
-static struct basic trace(const struct paraxial_dual *dual, struct dual_first *first)
+static struct basic paraxial_dual_trace(const struct paraxial_dual *dual, struct dual_first *first)
 {
     const struct dual one = dual_of(1), none = dual_of(0), absent = dual_of(NAN);
     struct basic rays = {{one, none}, {none, one}, absent, absent};
     struct dual petzval = none, length = none;
     for (size_t i = 0; i < dual->count; i++) {
         const struct dual_surface *at = &dual->surfaces[i];
-        const struct dual power = power_of(dual, i), reduced = reduced_of(dual, i);
+        const struct dual power = paraxial_dual_power_of(dual, i), reduced = reduced_of(dual, i);
         if (i == dual->stop) {
             rays.stop_a = rays.height.y;
             rays.stop_b = rays.slope.y;
@@ -210,7 +212,7 @@ static void set_cardinal(const struct paraxial_dual *dual, const struct dual_que
 {
     const struct dual n = dual->index[0], last = dual->index[dual->count], c = rays->height.v;
     first->power = dual_scale(c, -1);
-    first->efl = dual_scale(inverse(c), -1);
+    first->efl = dual_scale(paraxial_dual_inverse(c), -1);
     first->bfl = dual_scale(dual_divide(dual_multiply(last, rays->height.y), c), -1);
     first->ffl = dual_divide(dual_multiply(n, rays->slope.v), c);
     first->image = first->bfl;
@@ -220,9 +222,9 @@ static void set_cardinal(const struct paraxial_dual *dual, const struct dual_que
         const struct dual y = dual_add(dual_multiply(rays->height.y, reach), rays->slope.y);
         const struct dual v = dual_add(dual_multiply(c, reach), rays->slope.v);
         first->image = dual_scale(dual_divide(dual_multiply(last, y), v), -1);
-        first->magnification = inverse(v);
+        first->magnification = paraxial_dual_inverse(v);
     }
-    first->entrance_scale = inverse(rays->stop_a);
+    first->entrance_scale = paraxial_dual_inverse(rays->stop_a);
     first->entrance_pupil = dual_divide(dual_multiply(n, rays->stop_b), rays->stop_a);
     /* where the ray through the centre of the stop, of heights -b1, and a1 the slope, leaves for */
     const struct dual chief_y = dual_subtract(dual_multiply(rays->slope.y, rays->stop_a),
@@ -235,7 +237,7 @@ static void set_cardinal(const struct paraxial_dual *dual, const struct dual_que
 }
 
 /* Of the marginal ray of a numerical aperture: tan(asin(na/n)). */
-static struct dual slope_of(const struct dual_question *question, struct dual n)
+static struct dual paraxial_dual_slope_of(const struct dual_question *question, struct dual n)
 {
     const double na = question->aperture->value;
     if (question->object->is_infinite || !(na < n.value)) {
@@ -246,8 +248,9 @@ static struct dual slope_of(const struct dual_question *question, struct dual n)
 }
 
 /* Radius of the entrance pupil of an aperture that is not the stop's, not signed. */
-static struct dual radius_of(const struct paraxial_dual *dual, const struct dual_question *question,
-                             const struct dual_first *first)
+static struct dual paraxial_dual_radius_of(const struct paraxial_dual *dual,
+                                           const struct dual_question *question,
+                                           const struct dual_first *first)
 {
     const struct aperture_setting *aperture = question->aperture;
     const struct dual last = dual->index[dual->count];
@@ -260,7 +263,7 @@ static struct dual radius_of(const struct paraxial_dual *dual, const struct dual
     }
     return aperture->kind == APERTURE_NA
                ? dual_multiply(
-                     slope_of(question, dual->index[0]),
+                     paraxial_dual_slope_of(question, dual->index[0]),
                      dual_add(dual_of(question->object->distance.hi), first->entrance_pupil))
                : dual_of(NAN);
 }
@@ -279,7 +282,7 @@ static void set_stop(const struct paraxial_dual *dual, const struct dual_questio
                                                    : dual_of(NAN);
         return;
     }
-    first->entrance_radius = radius_of(dual, question, first);
+    first->entrance_radius = paraxial_dual_radius_of(dual, question, first);
     if (has_stop) { /* the marginal ray is positive at the stop */
         first->entrance_radius = dual_with_sign(first->entrance_radius, first->entrance_scale);
     }
@@ -294,7 +297,7 @@ static void set_marginal(const struct paraxial_dual *dual, const struct dual_que
     const struct dual distance = dual_of(object->distance.hi);
     struct dual slope = dual_of(0);
     if (object->is_telecentric) {
-        slope = slope_of(question, n);
+        slope = paraxial_dual_slope_of(question, n);
     } else if (!object->is_infinite) {
         slope = dual_divide(first->entrance_radius, dual_add(distance, first->entrance_pupil));
     }
@@ -304,7 +307,7 @@ static void set_marginal(const struct paraxial_dual *dual, const struct dual_que
     const struct dual behind = object->is_infinite
                                    ? dual_multiply(first->entrance_radius, first->power)
                                    : dual_divide(first->marginal_v, first->magnification);
-    first->working_fnumber = dual_absolute(inverse(dual_scale(behind, 2)));
+    first->working_fnumber = dual_absolute(paraxial_dual_inverse(dual_scale(behind, 2)));
     first->fnumber = dual_absolute(
         dual_divide(dual_multiply(last, first->efl), dual_scale(first->entrance_radius, 2)));
 }
@@ -353,7 +356,7 @@ static void set_chief(const struct paraxial_dual *dual, const struct dual_questi
 void paraxial_dual_first(const struct paraxial_dual *dual, const struct dual_question *question,
                          struct dual_first *first)
 {
-    const struct basic rays = trace(dual, first);
+    const struct basic rays = paraxial_dual_trace(dual, first);
     set_cardinal(dual, question, &rays, first);
     set_stop(dual, question, first);
     set_marginal(dual, question, first);
@@ -368,7 +371,7 @@ void paraxial_dual_reach(const struct paraxial_dual *dual, const struct dual_fir
     struct dual_ray chief = {has_chief ? first->chief_y : dual_of(0),
                              has_chief ? first->chief_v : dual_of(0)};
     for (size_t i = 0; i < dual->count; i++) {
-        const struct dual power = power_of(dual, i), reduced = reduced_of(dual, i);
+        const struct dual power = paraxial_dual_power_of(dual, i), reduced = reduced_of(dual, i);
         reach[i] = dual_add(dual_absolute(marginal.y), dual_absolute(chief.y));
         marginal = transferred(refracted(marginal, power), reduced);
         chief = transferred(refracted(chief, power), reduced);
@@ -378,7 +381,8 @@ void paraxial_dual_reach(const struct paraxial_dual *dual, const struct dual_fir
 /* -------- Seidel sums -------- */
 
 /* after/a - before/b */
-static struct dual change(struct dual after, struct dual a, struct dual before, struct dual b)
+static struct dual quotient_change(struct dual after, struct dual a, struct dual before,
+                                   struct dual b)
 {
     return dual_subtract(dual_divide(after, a), dual_divide(before, b));
 }
@@ -388,13 +392,15 @@ static struct dual strength_of(const struct dual_surface *at, struct dual step)
 {
     const struct dual c0 = at->curvature, c = vertex_curvature(at);
     const struct dual cubes = dual_subtract(
-        dual_multiply(dual_add(at->conic, dual_of(1)), product(c0, c0, c0)), product(c, c, c));
+        dual_multiply(dual_add(at->conic, dual_of(1)), paraxial_dual_product(c0, c0, c0)),
+        paraxial_dual_product(c, c, c));
     return dual_multiply(dual_add(cubes, dual_scale(at->fourth, 8)), step);
 }
 
 /* What a surface adds; rays before it, and the marginal ray behind it. */
-static void add_surface(const struct paraxial_dual *dual, size_t i, const struct dual_ray *marginal,
-                        const struct dual_ray *chief, struct dual sums[DUAL_SUMS])
+static void paraxial_dual_add_surface(const struct paraxial_dual *dual, size_t i,
+                                      const struct dual_ray *marginal, const struct dual_ray *chief,
+                                      struct dual sums[DUAL_SUMS])
 {
     const struct dual_surface *at = &dual->surfaces[i];
     const struct dual n = dual->index[i], after = dual->index[i + 1], one = dual_of(1);
@@ -405,22 +411,26 @@ static void add_surface(const struct paraxial_dual *dual, size_t i, const struct
     const struct dual H =
         dual_subtract(dual_multiply(y, chief->v), dual_multiply(ybar, marginal->v));
     const struct dual nn = dual_multiply(n, n), aa = dual_multiply(after, after);
-    const struct dual v = refracted(*marginal, power_of(dual, i)).v;
-    const struct dual ybend = dual_scale(dual_multiply(y, change(v, aa, marginal->v, nn)), -1);
-    const struct dual petzval = dual_multiply(c, change(one, after, one, n));
+    const struct dual v = refracted(*marginal, paraxial_dual_power_of(dual, i)).v;
+    const struct dual ybend =
+        dual_scale(dual_multiply(y, quotient_change(v, aa, marginal->v, nn)), -1);
+    const struct dual petzval = dual_multiply(c, quotient_change(one, after, one, n));
     const struct dual yAbar = dual_multiply(y, Abar);
     const struct dual inner = dual_subtract(dual_scale(yAbar, 2), dual_multiply(ybar, A));
     const struct dual terms[DUAL_SUMS] = {
-        product(A, A, ybend), product(A, Abar, ybend), product(Abar, Abar, ybend),
-        dual_scale(product(H, H, petzval), -1),
-        dual_multiply(Abar, dual_subtract(product(ybar, petzval, inner),
-                                          product(Abar, yAbar, change(one, aa, one, nn))))};
+        paraxial_dual_product(A, A, ybend), paraxial_dual_product(A, Abar, ybend),
+        paraxial_dual_product(Abar, Abar, ybend),
+        dual_scale(paraxial_dual_product(H, H, petzval), -1),
+        dual_multiply(Abar, dual_subtract(paraxial_dual_product(ybar, petzval, inner),
+                                          paraxial_dual_product(
+                                              Abar, yAbar, quotient_change(one, aa, one, nn))))};
     const struct dual strength = strength_of(at, dual_subtract(after, n));
     const struct dual yy = dual_multiply(y, y), cross = dual_multiply(y, ybar);
     const struct dual barred = dual_multiply(ybar, ybar);
     const struct dual aspheric[DUAL_SUMS] = {
-        product(strength, yy, yy), product(strength, yy, cross), product(strength, yy, barred),
-        dual_of(0), product(strength, cross, barred)};
+        paraxial_dual_product(strength, yy, yy), paraxial_dual_product(strength, yy, cross),
+        paraxial_dual_product(strength, yy, barred), dual_of(0),
+        paraxial_dual_product(strength, cross, barred)};
     for (size_t k = 0; k < DUAL_SUMS; k++) {
         sums[k] = dual_add(sums[k], dual_add(terms[k], aspheric[k]));
     }
@@ -435,9 +445,9 @@ void paraxial_dual_seidel(const struct paraxial_dual *dual, const struct dual_fi
         sums[k] = dual_of(0);
     }
     for (size_t i = 0; i < dual->count; i++) {
-        const struct dual power = power_of(dual, i), reduced = reduced_of(dual, i);
+        const struct dual power = paraxial_dual_power_of(dual, i), reduced = reduced_of(dual, i);
         if (!dual->surfaces[i].is_thick) {
-            add_surface(dual, i, &marginal, &chief, sums);
+            paraxial_dual_add_surface(dual, i, &marginal, &chief, sums);
         }
         marginal = transferred(refracted(marginal, power), reduced);
         chief = transferred(refracted(chief, power), reduced);

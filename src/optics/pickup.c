@@ -6,7 +6,7 @@
 #include <string.h>
 
 /* May numbers of the two kinds follow each other without a unit in the factor? */
-static bool is_alike(struct parameter a, struct parameter b)
+static bool pickup_is_alike(struct parameter a, struct parameter b)
 {
     const unsigned angle = PARAMETER_IS_ANGLE;
     bool glasses = a.kind == PARAMETER_GLASS && b.kind == PARAMETER_GLASS;
@@ -17,7 +17,7 @@ static bool is_alike(struct parameter a, struct parameter b)
 }
 
 /* Does it stand on the mark of a surface? */
-static bool is_marked(const struct lens *lens, struct parameter what)
+static bool pickup_is_marked(const struct lens *lens, struct parameter what)
 {
     const struct surface *surface = &lens->surfaces[what.surface];
     for (size_t i = 0; i < surface->vary_count; i++) {
@@ -114,10 +114,10 @@ const char *lens_pickup_add(struct lens *lens, struct lens_pickup pickup, struct
         return against;
     }
     const char *from = parameter_mark_write(pickup.from, arena);
-    if (!is_alike(pickup.what, pickup.from)) {
+    if (!pickup_is_alike(pickup.what, pickup.from)) {
         return arena_printf(arena, "%s and %s have not the same dimension", name, from);
     }
-    if (is_marked(lens, pickup.what)) {
+    if (pickup_is_marked(lens, pickup.what)) {
         return arena_printf(arena,
                             "%s follows %s, and the mark at surface %zu lets it vary: only "
                             "one of them can be",
@@ -141,7 +141,7 @@ const char *lens_pickup_add(struct lens *lens, struct lens_pickup pickup, struct
 }
 
 /* With all digits that the lens has of it. */
-static struct pair number_of(const struct lens *lens, struct parameter one)
+static struct pair pickup_number_of(const struct lens *lens, struct parameter one)
 {
     const struct surface *surface = &lens->surfaces[one.surface];
     const struct figure *figure = parameter_figure(surface, one.kind, one.order);
@@ -157,7 +157,7 @@ static struct pair number_of(const struct lens *lens, struct parameter one)
     return pair_of(parameter_get(lens, one));
 }
 
-static struct pair follow(const struct lens_pickup *pickup, struct pair value)
+static struct pair pickup_follow(const struct lens_pickup *pickup, struct pair value)
 {
     if (isinf(value.hi)) {
         return pair_of(INFINITY);
@@ -165,8 +165,8 @@ static struct pair follow(const struct lens_pickup *pickup, struct pair value)
     return pair_add(pair_multiply(pickup->factor.value, value), pickup->offset.value);
 }
 
-static void put_number(struct lens *lens, const struct lens_pickup *pickup, const struct lens *from,
-                       struct arena *arena)
+static void pickup_put_number(struct lens *lens, const struct lens_pickup *pickup,
+                              const struct lens *from, struct arena *arena)
 {
     const struct parameter what = pickup->what;
     struct surface *surface = &lens->surfaces[what.surface];
@@ -175,7 +175,8 @@ static void put_number(struct lens *lens, const struct lens_pickup *pickup, cons
         parameter_put_medium(lens, what.surface, &medium);
         return;
     }
-    const struct figure figure = {.value = follow(pickup, number_of(from, pickup->from)),
+    const struct figure figure = {.value =
+                                      pickup_follow(pickup, pickup_number_of(from, pickup->from)),
                                   .variable = LENS_NONE};
     bool in_medium = what.kind == PARAMETER_INDEX || what.kind == PARAMETER_ABBE;
     bool of_radius = what.kind == PARAMETER_CURVATURE && !surface->has_curvature;
@@ -189,6 +190,6 @@ static void put_number(struct lens *lens, const struct lens_pickup *pickup, cons
 void lens_pickups_put(struct lens *lens, const struct lens *from, struct arena *arena)
 {
     for (size_t i = 0; i < lens->pickup_count; i++) {
-        put_number(lens, &lens->pickups[i], from, arena);
+        pickup_put_number(lens, &lens->pickups[i], from, arena);
     }
 }

@@ -20,7 +20,7 @@ double refract_condition(const struct refract_surface *surface)
     return sum > 0 && isfinite(sum) ? sum / fabs(V + P) : 1;
 }
 
-static bool check_index(double n, const char *where, struct error *error)
+static bool refract_check_index(double n, const char *where, struct error *error)
 {
     if (isnan(n) || (n > 0 && isfinite(n))) {
         return true;
@@ -30,15 +30,15 @@ static bool check_index(double n, const char *where, struct error *error)
 }
 
 /* Exactly one of the five may be missing. */
-static bool check(const struct refract_surface *s, struct error *error)
+static bool refract_check(const struct refract_surface *s, struct error *error)
 {
     if (isnan(s->n) + isnan(s->n_after) + isnan(s->R) + isnan(s->z) + isnan(s->z_image) != 1) {
         return fail(error, ERROR_USAGE,
                     "one of the indices, the radius, the object and the image follows from the "
                     "other four: give four");
     }
-    if (!check_index(s->n, "before", error) ||
-        (!s->mirror && !check_index(s->n_after, "after", error))) {
+    if (!refract_check_index(s->n, "before", error) ||
+        (!s->mirror && !refract_check_index(s->n_after, "after", error))) {
         return false;
     }
     if (s->R == 0) {
@@ -53,7 +53,7 @@ static bool check(const struct refract_surface *s, struct error *error)
 }
 
 /* n/z, 0 for infinity. */
-static double vergence(double n, double z)
+static double refract_vergence(double n, double z)
 {
     return isinf(z) ? 0 : n / z;
 }
@@ -73,9 +73,9 @@ static double point_at(double n, double V, double infinity)
     return V == 0 ? infinity : n / V;
 }
 
-static bool solve_radius(struct refract_surface *s, double after, struct error *error)
+static bool refract_solve_radius(struct refract_surface *s, double after, struct error *error)
 {
-    double P = vergence(after, s->z_image) - vergence(s->n, s->z);
+    double P = refract_vergence(after, s->z_image) - refract_vergence(s->n, s->z);
     if (after == s->n) {
         return fail(error, ERROR_DOMAIN,
                     "equal indices %.6g on both sides: no radius has any effect", s->n);
@@ -85,8 +85,8 @@ static bool solve_radius(struct refract_surface *s, double after, struct error *
 }
 
 /* The index on the side of point z from the one on the side of `other`. */
-static bool solve_index(double n, double other, double z, double R, double *found,
-                        struct error *error)
+static bool refract_solve_index(double n, double other, double z, double R, double *found,
+                                struct error *error)
 {
     double near = reciprocal_difference(z, R), far = reciprocal_difference(other, R);
     if (near == 0) {
@@ -113,27 +113,28 @@ bool refract_solve(struct refract_surface *s, struct error *error)
     if (s->mirror && isnan(s->n)) {
         return fail(error, ERROR_USAGE, "a mirror works the same in every medium: give the index");
     }
-    if (!check(s, error)) {
+    if (!refract_check(s, error)) {
         return false;
     }
     double after = s->mirror ? -s->n : s->n_after;
     if (isnan(s->R)) {
-        return solve_radius(s, after, error);
+        return refract_solve_radius(s, after, error);
     }
     if (isnan(s->n_after)) {
-        return solve_index(s->n, s->z, s->z_image, s->R, &s->n_after, error);
+        return refract_solve_index(s->n, s->z, s->z_image, s->R, &s->n_after, error);
     }
     if (isnan(s->n)) {
-        return solve_index(after, s->z_image, s->z, s->R, &s->n, error);
+        return refract_solve_index(after, s->z_image, s->z, s->R, &s->n, error);
     }
     double P = refract_power(s);
     if (!isfinite(P)) {
         return fail(error, ERROR_DOMAIN, "radius %.6g mm is too small for these indices", s->R);
     }
     if (isnan(s->z)) {
-        s->z = s->z_image == 0 ? 0 : point_at(s->n, vergence(after, s->z_image) - P, -INFINITY);
+        s->z = s->z_image == 0 ? 0
+                               : point_at(s->n, refract_vergence(after, s->z_image) - P, -INFINITY);
     } else {
-        s->z_image = s->z == 0 ? 0 : point_at(after, vergence(s->n, s->z) + P, INFINITY);
+        s->z_image = s->z == 0 ? 0 : point_at(after, refract_vergence(s->n, s->z) + P, INFINITY);
     }
     return true;
 }
@@ -143,7 +144,7 @@ static double curvature(const struct refract_surface *s)
     return 1 / s->R; /* 0 for inf */
 }
 
-static bool misses(const struct refract_surface *s, double height, struct error *error)
+static bool refract_misses(const struct refract_surface *s, double height, struct error *error)
 {
     return fail(
         error, ERROR_DOMAIN,
@@ -159,7 +160,7 @@ static bool intersect(const struct refract_surface *s, double y0, struct refract
     double G = ray->cos_u - c * y0 * ray->sin_u;
     double discriminant = (G - c * y0) * (G + c * y0);
     if (!(discriminant >= 0) || !(G > 0)) {
-        return misses(s, y0, error);
+        return refract_misses(s, y0, error);
     }
     double t = c * y0 * y0 / (G + sqrt(discriminant));
     ray->height = y0 + t * ray->sin_u;
@@ -178,7 +179,7 @@ static bool place_height(const struct refract_surface *s, const struct refract_a
 {
     double c = curvature(s), h = aim->height;
     if (!(fabs(c * h) <= 1)) {
-        return misses(s, h, error);
+        return refract_misses(s, h, error);
     }
     ray->height = h;
     ray->sag = c * h * h / (1 + sqrt((1 - c * h) * (1 + c * h)));
@@ -253,7 +254,7 @@ bool refract_place(const struct refract_surface *s, const struct refract_aim *ai
                     "a ray follows from two of its height, its angle and the object: give two");
     }
     if (isinf(aim->height)) {
-        return misses(s, aim->height, error);
+        return refract_misses(s, aim->height, error);
     }
     if (!isnan(aim->angle) && !(fabs(aim->angle) < PI / 2)) {
         return fail(error, ERROR_DOMAIN,
@@ -288,7 +289,7 @@ static double longitudinal(const struct refract_surface *s, const struct refract
                            double after, double K, double gain, double versine_after)
 {
     double z = ray->z;
-    double Kp = vergence(s->n, z) + refract_power(s);
+    double Kp = refract_vergence(s->n, z) + refract_power(s);
     if (z == 0) {
         return ray->height == 0 ? 0 : NAN;
     }

@@ -22,25 +22,26 @@ struct exact_part {
     struct pair sum[SEIDEL_TERMS], asphere[SEIDEL_TERMS];
 };
 
-static struct pair product(struct pair a, struct pair b, struct pair c)
+static struct pair seidel_product(struct pair a, struct pair b, struct pair c)
 {
     return pair_multiply(pair_multiply(a, b), c);
 }
 
-static struct pair scaled(struct pair a, double factor)
+static struct pair seidel_scaled(struct pair a, double factor)
 {
     return pair_multiply(a, pair_of(factor));
 }
 
 /* a + b; 0 where only rounding of the decimals is left. */
-static struct pair sum_of(struct pair a, struct pair b)
+static struct pair seidel_sum_of(struct pair a, struct pair b)
 {
     const struct pair sum = pair_add(a, b);
     return fabs(sum.hi) <= PARAXIAL_NOTHING * fabs(a.hi) ? pair_of(0) : sum;
 }
 
 /* after/a - before/b */
-static struct pair change(struct pair after, struct pair a, struct pair before, struct pair b)
+static struct pair seidel_change(struct pair after, struct pair a, struct pair before,
+                                 struct pair b)
 {
     return pair_subtract(pair_divide(after, a), pair_divide(before, b));
 }
@@ -85,8 +86,8 @@ static bool trace_back(const struct seidel_question *question, struct two_rays *
     return true;
 }
 
-static bool start(const struct seidel_question *question, struct two_rays *rays,
-                  struct error *error)
+static bool seidel_start(const struct seidel_question *question, struct two_rays *rays,
+                         struct error *error)
 {
     const struct first_order *first = question->first;
     if (first->is_telecentric) { /* whose beams no stop limits */
@@ -113,11 +114,11 @@ static struct pair departure_of(const struct surface *surface, struct pair c)
     const struct pair c0 = surface_base_curvature(surface);
     const struct pair k1 = pair_add(surface->conic.value, pair_of(1));
     const struct pair cubes =
-        pair_subtract(pair_multiply(k1, product(c0, c0, c0)), product(c, c, c));
-    return pair_add(scaled(cubes, 0.125), surface->coefficient[surface_term(4)].value);
+        pair_subtract(pair_multiply(k1, seidel_product(c0, c0, c0)), seidel_product(c, c, c));
+    return pair_add(seidel_scaled(cubes, 0.125), surface->coefficient[surface_term(4)].value);
 }
 
-static bool check_surface(const struct surface *surface, size_t i, struct error *error)
+static bool seidel_check_surface(const struct surface *surface, size_t i, struct error *error)
 {
     for (int order = 1; order <= 3; order += 2) {
         if (surface_has(surface, SURFACE_HAS_CURVE) &&
@@ -162,24 +163,26 @@ static void add_sphere(const struct interface *at, const struct two_rays *rays,
                        struct exact_part *part)
 {
     const struct pair nc = pair_multiply(at->n[0], at->c), one = pair_of(1);
-    const struct pair A = sum_of(rays->v, pair_multiply(nc, rays->y));
-    const struct pair Abar = sum_of(rays->chief_v, pair_multiply(nc, rays->chief_y));
+    const struct pair A = seidel_sum_of(rays->v, pair_multiply(nc, rays->y));
+    const struct pair Abar = seidel_sum_of(rays->chief_v, pair_multiply(nc, rays->chief_y));
     const struct pair H = invariant(rays), yAbar = pair_multiply(rays->y, Abar);
     const struct pair squares[2] = {pair_multiply(at->n[0], at->n[0]),
                                     pair_multiply(at->n[1], at->n[1])};
-    const struct pair bend = change(rays->after, squares[1], rays->v, squares[0]);
+    const struct pair bend = seidel_change(rays->after, squares[1], rays->v, squares[0]);
     const struct pair ybend = pair_negate(pair_multiply(rays->y, bend));
-    const struct pair petzval = pair_multiply(at->c, change(one, at->n[1], one, at->n[0]));
-    const struct pair inner = pair_subtract(scaled(yAbar, 2), pair_multiply(rays->chief_y, A));
-    part->sum[SEIDEL_SPHERICAL] = product(A, A, ybend);
-    part->sum[SEIDEL_COMA] = product(A, Abar, ybend);
-    part->sum[SEIDEL_ASTIGMATISM] = product(Abar, Abar, ybend);
-    part->sum[SEIDEL_PETZVAL] = pair_negate(product(H, H, petzval));
+    const struct pair petzval = pair_multiply(at->c, seidel_change(one, at->n[1], one, at->n[0]));
+    const struct pair inner =
+        pair_subtract(seidel_scaled(yAbar, 2), pair_multiply(rays->chief_y, A));
+    part->sum[SEIDEL_SPHERICAL] = seidel_product(A, A, ybend);
+    part->sum[SEIDEL_COMA] = seidel_product(A, Abar, ybend);
+    part->sum[SEIDEL_ASTIGMATISM] = seidel_product(Abar, Abar, ybend);
+    part->sum[SEIDEL_PETZVAL] = pair_negate(seidel_product(H, H, petzval));
     part->sum[SEIDEL_DISTORTION] = pair_multiply(
-        Abar, pair_subtract(product(rays->chief_y, petzval, inner),
-                            product(Abar, yAbar, change(one, squares[1], one, squares[0]))));
+        Abar, pair_subtract(
+                  seidel_product(rays->chief_y, petzval, inner),
+                  seidel_product(Abar, yAbar, seidel_change(one, squares[1], one, squares[0]))));
     const struct pair colour =
-        pair_multiply(rays->y, change(at->dn[1], at->n[1], at->dn[0], at->n[0]));
+        pair_multiply(rays->y, seidel_change(at->dn[1], at->n[1], at->dn[0], at->n[0]));
     part->sum[SEIDEL_AXIAL_COLOR] = pair_multiply(A, colour);
     part->sum[SEIDEL_LATERAL_COLOR] = pair_multiply(Abar, colour);
 }
@@ -197,7 +200,7 @@ static void add_asphere(const struct interface *at, const struct two_rays *rays,
         return;
     }
     const struct pair step = pair_subtract(at->n[1], at->n[0]);
-    const struct pair strength = scaled(pair_multiply(at->departure, step), 8);
+    const struct pair strength = seidel_scaled(pair_multiply(at->departure, step), 8);
     for (size_t i = 0; i < sizeof terms / sizeof terms[0]; i++) {
         struct pair value = strength;
         for (int factor = 0; factor < 4; factor++) {
@@ -209,8 +212,8 @@ static void add_asphere(const struct interface *at, const struct two_rays *rays,
 }
 
 /* Its power is the same for all light: only the media beside it disperse. */
-static void add_thick(const struct interface *at, const struct two_rays *rays,
-                      struct exact_part *part)
+static void seidel_add_thick(const struct interface *at, const struct two_rays *rays,
+                             struct exact_part *part)
 {
     const struct pair ratio[2] = {pair_divide(at->dn[0], at->n[0]),
                                   pair_divide(at->dn[1], at->n[1])};
@@ -226,8 +229,8 @@ static void add_thick(const struct interface *at, const struct two_rays *rays,
 static void refract(const struct paraxial_surface *surface, struct two_rays *rays)
 {
     const struct pair power = pair_negate(surface->power);
-    rays->after = sum_of(rays->v, pair_multiply(rays->y, power));
-    rays->chief_after = sum_of(rays->chief_v, pair_multiply(rays->chief_y, power));
+    rays->after = seidel_sum_of(rays->v, pair_multiply(rays->y, power));
+    rays->chief_after = seidel_sum_of(rays->chief_v, pair_multiply(rays->chief_y, power));
 }
 
 static void transfer(const struct paraxial_surface *surface, struct two_rays *rays)
@@ -239,7 +242,7 @@ static void transfer(const struct paraxial_surface *surface, struct two_rays *ra
 }
 
 /* Rounded once; without -0. */
-static struct seidel_part rounded(const struct exact_part *part)
+static struct seidel_part seidel_rounded(const struct exact_part *part)
 {
     struct seidel_part out;
     for (size_t i = 0; i < SEIDEL_TERMS; i++) {
@@ -255,7 +258,7 @@ bool seidel_compute(const struct seidel_question *question, struct arena *arena,
     const struct paraxial_system *system = question->system;
     struct two_rays rays;
     struct exact_part total = {0};
-    if (!start(question, &rays, error)) {
+    if (!seidel_start(question, &rays, error)) {
         return false;
     }
     *seidel = (struct seidel){.parts = ARENA_ARRAY(arena, system->count, struct seidel_part),
@@ -265,7 +268,7 @@ bool seidel_compute(const struct seidel_question *question, struct arena *arena,
         const struct surface *surface = &question->lens->surfaces[i];
         const struct interface at = interface_at(question, i);
         struct exact_part part = {0};
-        if (!check_surface(surface, i, error)) {
+        if (!seidel_check_surface(surface, i, error)) {
             return false;
         }
         if (i == system->stop && !question->first->is_telecentric && !isnan(rays.chief_y.hi)) {
@@ -273,7 +276,7 @@ bool seidel_compute(const struct seidel_question *question, struct arena *arena,
         }
         refract(&system->surfaces[i], &rays);
         if (at.is_thick) {
-            add_thick(&at, &rays, &part);
+            seidel_add_thick(&at, &rays, &part);
             seidel->distorting = surface->distortion[0].value.hi != 0 ? i : seidel->distorting;
         } else {
             add_sphere(&at, &rays, &part);
@@ -283,12 +286,12 @@ bool seidel_compute(const struct seidel_question *question, struct arena *arena,
             total.sum[k] = pair_add(total.sum[k], part.sum[k]);
             total.asphere[k] = pair_add(total.asphere[k], part.asphere[k]);
         }
-        seidel->parts[i] = rounded(&part);
+        seidel->parts[i] = seidel_rounded(&part);
         seidel->height = rays.y.hi;
         seidel->slope = rays.after.hi;
         transfer(&system->surfaces[i], &rays);
     }
-    seidel->total = rounded(&total);
+    seidel->total = seidel_rounded(&total);
     return true;
 }
 

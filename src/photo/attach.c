@@ -20,7 +20,7 @@ static bool add_tube(struct attach_lens *lens, const struct attach_step *step, s
 }
 
 /* Put a thin lens of focal length F `gap` before the front. */
-static bool put_before(struct attach_lens *lens, double F, double gap, struct error *error)
+static bool attach_put_before(struct attach_lens *lens, double F, double gap, struct error *error)
 {
     if (!check_not_negative("gap", " mm", gap, error)) {
         return false;
@@ -49,7 +49,7 @@ static bool add_close_up(struct attach_lens *lens, const struct attach_step *ste
                          struct error *error)
 {
     return check_positive("close-up lens", " dioptres", step->value, error) &&
-           put_before(lens, 1000 / step->value, step->gap, error);
+           attach_put_before(lens, 1000 / step->value, step->gap, error);
 }
 
 static bool add_converter(struct attach_lens *lens, const struct attach_step *step,
@@ -98,7 +98,7 @@ static bool add_stacked(struct attach_lens *lens, const struct attach_step *step
         return false;
     }
     lens->N = fmax(lens->N, lens->f * step->extra / F); /* the narrower beam */
-    return put_before(lens, F, step->gap, error);
+    return attach_put_before(lens, F, step->gap, error);
 }
 
 /* In the order of enum attach_kind. */

@@ -6,7 +6,7 @@
 
 #include "photo/given.h"
 
-static bool check_shots(double shots, struct error *error)
+static bool bracket_check_shots(double shots, struct error *error)
 {
     if (!(shots >= 1 && shots <= BRACKET_SHOTS)) {
         return fail(error, ERROR_DOMAIN, "%.10g shots lie outside 1 to %d", shots, BRACKET_SHOTS);
@@ -18,7 +18,7 @@ static bool check_shots(double shots, struct error *error)
 }
 
 /* Complete the plan from its longest time, step and number of shots. */
-static bool lay_out(struct bracket *plan, struct error *error)
+static bool bracket_lay_out(struct bracket *plan, struct error *error)
 {
     plan->span = (plan->shots - 1) * plan->step;
     plan->shortest = bracket_time(plan, plan->shots - 1);
@@ -41,7 +41,7 @@ static bool plan_between(const struct bracket_given *given, struct bracket *plan
     plan->residual = 0;
     if (is_given(given->step)) {
         double shots = round(span / given->step) + 1;
-        if (!check_shots(shots, error)) {
+        if (!bracket_check_shots(shots, error)) {
             return false;
         }
         plan->shots = (int)shots;
@@ -55,7 +55,7 @@ static bool plan_between(const struct bracket_given *given, struct bracket *plan
         }
         plan->step = plan->shots > 1 ? span / (plan->shots - 1) : 0;
     }
-    return lay_out(plan, error);
+    return bracket_lay_out(plan, error);
 }
 
 bool bracket_plan(const struct bracket_given *given, struct bracket *plan, struct error *error)
@@ -80,7 +80,7 @@ bool bracket_plan(const struct bracket_given *given, struct bracket *plan, struc
                     "{number of shots}");
     }
     if (!given_positive(numbers, 4, error) ||
-        (is_given(given->shots) && !check_shots(given->shots, error))) {
+        (is_given(given->shots) && !bracket_check_shots(given->shots, error))) {
         return false;
     }
     if (is_given(given->from) && is_given(given->to)) {
@@ -91,21 +91,21 @@ bool bracket_plan(const struct bracket_given *given, struct bracket *plan, struc
     plan->residual = 0;
     plan->longest =
         is_given(given->from) ? given->from : given->to * exp2((plan->shots - 1) * given->step);
-    return lay_out(plan, error);
+    return bracket_lay_out(plan, error);
 }
 
 bool bracket_around(double metered, double step, double shots, struct bracket *plan,
                     struct error *error)
 {
     if (!require_positive("exposure time", " s", metered, error) ||
-        !require_positive("step", " stops", step, error) || !check_shots(shots, error)) {
+        !require_positive("step", " stops", step, error) || !bracket_check_shots(shots, error)) {
         return false;
     }
     plan->shots = (int)shots;
     plan->step = step;
     plan->residual = 0;
     plan->longest = metered * exp2((shots - 1) * step / 2);
-    return lay_out(plan, error);
+    return bracket_lay_out(plan, error);
 }
 
 double bracket_time(const struct bracket *plan, int i)
@@ -143,7 +143,7 @@ bool bracket_shots_needed(double scene, double single, double step, int *shots, 
     }
     /* 1e-9: 12 stops in steps of 0.1 need no extra shot for a rounding */
     double needed = fmax(0, ceil((scene - single) / step - 1e-9)) + 1;
-    if (!check_shots(needed, error)) {
+    if (!bracket_check_shots(needed, error)) {
         return false;
     }
     *shots = (int)needed;

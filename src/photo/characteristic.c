@@ -37,7 +37,7 @@ static double density_at(const struct characteristic *curve, double x)
 }
 
 /* Shift the curve of this gradient so that it goes through the speed point. */
-static void place(struct characteristic *curve, double gradient)
+static void characteristic_place(struct characteristic *curve, double gradient)
 {
     const struct negative *negative = &curve->negative;
     const double speed_point = log10(SPEED_CONSTANT / negative->speed);
@@ -73,7 +73,7 @@ bool characteristic_open(const struct negative *negative, struct characteristic 
     const double second = log10(SPEED_CONSTANT / negative->speed) + SPEED_SPAN;
     double low = 0.3, high = 10;
     for (int i = 0; i < 80; i++) {
-        place(curve, (low + high) / 2);
+        characteristic_place(curve, (low + high) / 2);
         const bool steep = density_at(curve, second) > negative->base + SPEED_DENSITY + SPEED_RISE;
         *(steep ? &high : &low) = curve->gradient;
     }

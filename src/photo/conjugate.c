@@ -189,7 +189,7 @@ static bool given_bits(const struct conjugates_given *given, unsigned *has, stru
 }
 
 /* From f and m everything else; what was given or solved before stays as it is. */
-static void complete(unsigned has, double hiatus, struct conjugates *r)
+static void conjugate_complete(unsigned has, double hiatus, struct conjugates *r)
 {
     r->extension = r->f * r->m;
     r->twin_magnification = 1 / r->m;
@@ -218,7 +218,7 @@ bool conjugates_solve(const struct conjugates_given *given, struct conjugates *r
             if (!solvers[i].solve(given, result, error)) {
                 return false;
             }
-            complete(has, given->hiatus, result);
+            conjugate_complete(has, given->hiatus, result);
             return true;
         }
     }

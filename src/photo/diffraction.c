@@ -18,8 +18,8 @@ static double mm_from_um(double um)
     return um / 1000;
 }
 
-static bool check_range(double x, bool zero, const char *name, const char *unit,
-                        struct error *error)
+static bool diffraction_check_range(double x, bool zero, const char *name, const char *unit,
+                                    struct error *error)
 {
     if (!((x > 0 || (zero && x >= 0)) && isfinite(x))) {
         return fail(error, ERROR_DOMAIN, "{%s} %g%s is out of range (%s, finite)", name, x, unit,
@@ -28,19 +28,19 @@ static bool check_range(double x, bool zero, const char *name, const char *unit,
     return true;
 }
 
-static bool check_light(double wavelength, double m, double P, struct error *error)
+static bool diffraction_check_light(double wavelength, double m, double P, struct error *error)
 {
-    return check_range(wavelength, false, "wavelength", " um", error) &&
-           check_range(m, true, "magnification", "", error) &&
-           check_range(P, false, "pupil magnification", "", error);
+    return diffraction_check_range(wavelength, false, "wavelength", " um", error) &&
+           diffraction_check_range(m, true, "magnification", "", error) &&
+           diffraction_check_range(P, false, "pupil magnification", "", error);
 }
 
-static bool check_setting(const struct diffraction_setting *s, struct error *error)
+static bool diffraction_check_setting(const struct diffraction_setting *s, struct error *error)
 {
-    return check_range(s->N, false, "f-number", "", error) &&
-           check_light(s->wavelength, s->m, s->P, error) &&
-           check_range(s->blur, true, "blur by defocus", " mm", error) &&
-           check_range(s->pitch, true, "pixel pitch", " mm", error);
+    return diffraction_check_range(s->N, false, "f-number", "", error) &&
+           diffraction_check_light(s->wavelength, s->m, s->P, error) &&
+           diffraction_check_range(s->blur, true, "blur by defocus", " mm", error) &&
+           diffraction_check_range(s->pitch, true, "pixel pitch", " mm", error);
 }
 
 /* Wavelength times working f-number, mm: the unit of everything here. */
@@ -52,7 +52,7 @@ static double airy_unit(const struct diffraction_setting *s)
 bool diffraction_compute(const struct diffraction_setting *setting, struct diffraction *result,
                          struct error *error)
 {
-    if (!check_setting(setting, error)) {
+    if (!diffraction_check_setting(setting, error)) {
         return false;
     }
     double unit = airy_unit(setting);
@@ -110,8 +110,8 @@ static struct diffraction_mtf mtf_factors(const struct diffraction_setting *s, d
 bool diffraction_mtf_at(const struct diffraction_setting *setting, double nu,
                         struct diffraction_mtf *mtf, struct error *error)
 {
-    if (!check_setting(setting, error) ||
-        !check_range(nu, true, "spatial frequency", " per mm", error)) {
+    if (!diffraction_check_setting(setting, error) ||
+        !diffraction_check_range(nu, true, "spatial frequency", " per mm", error)) {
         return false;
     }
     *mtf = mtf_factors(setting, nu);
@@ -121,7 +121,7 @@ bool diffraction_mtf_at(const struct diffraction_setting *setting, double nu,
 bool diffraction_frequency(const struct diffraction_setting *setting, double level, double *nu,
                            struct error *error)
 {
-    if (!check_setting(setting, error)) {
+    if (!diffraction_check_setting(setting, error)) {
         return false;
     }
     if (!(level > 0 && level < 1)) {
@@ -146,8 +146,8 @@ bool diffraction_frequency(const struct diffraction_setting *setting, double lev
 bool diffraction_fnumber(double diameter, double wavelength, double m, double P, double *N,
                          struct error *error)
 {
-    if (!check_range(diameter, false, "diameter on the sensor", " mm", error) ||
-        !check_light(wavelength, m, P, error)) {
+    if (!diffraction_check_range(diameter, false, "diameter on the sensor", " mm", error) ||
+        !diffraction_check_light(wavelength, m, P, error)) {
         return false;
     }
     *N = diameter / (2 * DIFFRACTION_AIRY_RADIUS * mm_from_um(wavelength) * (1 + m / P));
@@ -157,8 +157,8 @@ bool diffraction_fnumber(double diameter, double wavelength, double m, double P,
 bool diffraction_optimum(double spread, double wavelength, double m, double P,
                          struct diffraction_optimum *result, struct error *error)
 {
-    if (!check_range(spread, false, "focus spread", " mm", error) ||
-        !check_light(wavelength, m, P, error)) {
+    if (!diffraction_check_range(spread, false, "focus spread", " mm", error) ||
+        !diffraction_check_light(wavelength, m, P, error)) {
         return false;
     }
     double l = mm_from_um(wavelength);
@@ -175,7 +175,7 @@ bool diffraction_optimum(double spread, double wavelength, double m, double P,
 bool diffraction_focus_spread(double f, double near, double far, double *spread,
                               struct error *error)
 {
-    if (!check_range(f, false, "focal length", " mm", error)) {
+    if (!diffraction_check_range(f, false, "focal length", " mm", error)) {
         return false;
     }
     if (!(near > f && isfinite(near))) {
@@ -198,8 +198,8 @@ bool diffraction_focus_spread(double f, double near, double far, double *spread,
 bool diffraction_resolve(double diameter, double wavelength, struct diffraction_angles *angles,
                          struct error *error)
 {
-    if (!check_range(diameter, false, "entrance pupil", " mm", error) ||
-        !check_range(wavelength, false, "wavelength", " um", error)) {
+    if (!diffraction_check_range(diameter, false, "entrance pupil", " mm", error) ||
+        !diffraction_check_range(wavelength, false, "wavelength", " um", error)) {
         return false;
     }
     double unit = mm_from_um(wavelength) / diameter;

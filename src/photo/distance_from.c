@@ -16,7 +16,7 @@ double distance_image(double f, double s)
     return f + f * (f / (s - f));
 }
 
-double distance_offset(const struct dof_setting *a, const struct measuring *measuring)
+double distance_offset(const struct dof_setting *a, const struct distance_reference *measuring)
 {
     switch (measuring->from) {
     case FROM_SENSOR:
@@ -30,7 +30,7 @@ double distance_offset(const struct dof_setting *a, const struct measuring *meas
     }
 }
 
-static bool needs_front(const struct measuring *measuring, struct error *error)
+static bool needs_front(const struct distance_reference *measuring, struct error *error)
 {
     if (measuring->from == FROM_FRONT && isnan(measuring->front)) {
         return fail(error, ERROR_USAGE,
@@ -59,8 +59,9 @@ static bool from_sensor(double f, double distance, double hiatus, double *s, str
     return true;
 }
 
-bool distance_to_principal(double f, double P, double distance, const struct measuring *measuring,
-                           double *s, struct error *error)
+bool distance_to_principal(double f, double P, double distance,
+                           const struct distance_reference *measuring, double *s,
+                           struct error *error)
 {
     if (measuring->from == FROM_SENSOR && !isinf(distance)) {
         return from_sensor(f, distance, measuring->hiatus, s, error);
@@ -91,14 +92,14 @@ static bool has_goals(const struct dof_targets *a)
 }
 
 /* None is negative, so that no two infinities make a NaN. */
-static bool is_complete(const struct dof_setting *a)
+static bool distance_from_is_complete(const struct dof_setting *a)
 {
     return !isnan(a->f + a->N + a->c + a->s);
 }
 
 /* Limits are known, the distance is not: where it is measured from moves with it. */
 static bool solve_by_turns(struct dof_setting *setting, const struct dof_targets *targets,
-                           const struct measuring *measuring, struct error *error)
+                           const struct distance_reference *measuring, struct error *error)
 {
     enum { MOST_TURNS = 200 };
     struct dof_setting answer = *setting;
@@ -121,11 +122,11 @@ static bool solve_by_turns(struct dof_setting *setting, const struct dof_targets
 }
 
 bool distance_solve(struct dof_setting *setting, const struct dof_targets *targets,
-                    const struct measuring *measuring, struct error *error)
+                    const struct distance_reference *measuring, struct error *error)
 {
     enum distance_from from = measuring->from;
     bool measured = from != FROM_PRINCIPAL;
-    if (!measured && is_complete(setting) && !has_goals(targets)) {
+    if (!measured && distance_from_is_complete(setting) && !has_goals(targets)) {
         return true; /* nothing to solve, as in most batches */
     }
     bool has_s = !isnan(setting->s), has_f = !isnan(setting->f);

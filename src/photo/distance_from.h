@@ -17,7 +17,7 @@ enum distance_from { FROM_PRINCIPAL, FROM_SENSOR, FROM_ENTRANCE, FROM_FRONT, DIS
 extern const struct word distances_from[DISTANCES_FROM + 1];
 
 /* A place to measure from, and what a real lens has between its planes. */
-struct measuring {
+struct distance_reference {
     enum distance_from from;
     double hiatus; /* from H to H', mm, may be negative; 0 = thin lens */
     double front;  /* H seen from the first vertex, mm, + towards the sensor; NaN = none is known */
@@ -43,7 +43,8 @@ double distance_image(double f, double s);
  * Source    [Gauss41]; the pupils are conjugates of magnification P, so that the entrance pupil
  *           lies f(1 - 1/P) before H: tests/truth/check_photo_lens.py compares it with its place
  */
-double distance_offset(const struct dof_setting *setting, const struct measuring *measuring);
+double distance_offset(const struct dof_setting *setting,
+                       const struct distance_reference *measuring);
 
 /*
  * The distance from the front principal plane of a subject whose distance from elsewhere is given.
@@ -57,8 +58,9 @@ double distance_offset(const struct dof_setting *setting, const struct measuring
  * Source    Derived here from 1/f = 1/s + 1/v; put back by tests/unit/test_distance_from.c
  * Errors    D below 4 f: no real image; ERROR_USAGE: a front that is not known
  */
-bool distance_to_principal(double f, double P, double distance, const struct measuring *measuring,
-                           double *s, struct error *error);
+bool distance_to_principal(double f, double P, double distance,
+                           const struct distance_reference *measuring, double *s,
+                           struct error *error);
 
 /*
  * dof_solve with s and the targets near and far measured from elsewhere. Where s itself is unknown
@@ -67,6 +69,6 @@ bool distance_to_principal(double f, double P, double distance, const struct mea
  * Errors    as dof_solve and distance_to_principal; no agreement after 200 turns
  */
 bool distance_solve(struct dof_setting *setting, const struct dof_targets *targets,
-                    const struct measuring *measuring, struct error *error);
+                    const struct distance_reference *measuring, struct error *error);
 
 #endif

@@ -13,7 +13,7 @@ const struct word dof_models[DOF_MODELS + 1] = {
 };
 
 /* The refusals of dof_check; apart, so that the checks in the hot path are one branch. */
-static bool refuse(const struct dof_setting *a, struct error *error)
+static bool dof_refuse(const struct dof_setting *a, struct error *error)
 {
     if (!(a->f > 0 && a->f < INFINITY)) {
         return fail(error, ERROR_DOMAIN, "{focal length} %.15g mm must be above 0 mm and finite",
@@ -186,14 +186,14 @@ static bool short_cut(const struct dof_setting *a, enum dof_model model, struct 
 
 bool dof_check(const struct dof_setting *setting, struct error *error)
 {
-    return legal(setting) || refuse(setting, error);
+    return legal(setting) || dof_refuse(setting, error);
 }
 
 bool dof_compute(const struct dof_setting *setting, enum dof_model model, struct dof *dof,
                  struct error *error)
 {
     if (!legal(setting)) {
-        return refuse(setting, error);
+        return dof_refuse(setting, error);
     }
     if (model == DOF_EXACT) {
         return exact(setting, dof) || refuse_range(setting, error);

@@ -9,8 +9,8 @@
 /* A step that rounding alone would add is not taken. */
 #define COUNT_TOLERANCE 1e-9
 
-static bool check_range(const struct dof_setting *a, double near, double far, double overlap,
-                        struct error *error)
+static bool dof_plan_check_range(const struct dof_setting *a, double near, double far,
+                                 double overlap, struct error *error)
 {
     struct dof_setting anywhere = *a;
     anywhere.s = INFINITY;
@@ -48,7 +48,7 @@ static bool check_range(const struct dof_setting *a, double near, double far, do
 bool dof_plan_make(const struct dof_setting *setting, double near, double far, double overlap,
                    struct dof_plan *plan, struct error *error)
 {
-    if (!check_range(setting, near, far, overlap, error)) {
+    if (!dof_plan_check_range(setting, near, far, overlap, error)) {
         return false;
     }
     double f = setting->f, P = setting->P, h = setting->N * setting->c / f / P;

@@ -16,7 +16,7 @@ enum { SCAN_STEPS = 300 };
 
 /* -- what follows directly -- */
 
-static void settle(struct problem *p, unsigned unknown, unsigned target)
+static void dof_solve_settle(struct problem *p, unsigned unknown, unsigned target)
 {
     p->unknown &= ~unknown;
     p->open &= ~target;
@@ -30,13 +30,13 @@ static void set_product(struct problem *p, double Nc)
     } else {
         p->a.c = Nc / p->a.N;
     }
-    settle(p, PRODUCT, 0);
+    dof_solve_settle(p, PRODUCT, 0);
 }
 
 static void set_magnification(struct problem *p, double m)
 {
     p->a.s = p->a.f + p->a.f / m;
-    settle(p, DISTANCE, 0);
+    dof_solve_settle(p, DISTANCE, 0);
 }
 
 static double focal_from_hyperfocal(double H, double Nc)
@@ -80,7 +80,7 @@ static void settle_direct(struct problem *p)
             } else {
                 p->a.f = p->a.s * (m / (1 + m));
             }
-            settle(p, mine, MAGNIFICATION);
+            dof_solve_settle(p, mine, MAGNIFICATION);
         }
         mine = p->unknown & (FOCAL | PRODUCT);
         if (problem_has(p, HYPERFOCAL) && problem_count(mine) == 1) {
@@ -89,33 +89,33 @@ static void settle_direct(struct problem *p)
             } else {
                 set_product(p, p->a.f * (p->a.f / (p->t.hyperfocal - p->a.f)));
             }
-            settle(p, mine, HYPERFOCAL);
+            dof_solve_settle(p, mine, HYPERFOCAL);
         }
     }
 }
 
 /* -- near and far together -- */
 
-struct pair {
+struct dof_solve_pair {
     double m, e;
 };
 
 /* Focus and blur that make these the limits; both inf when the lens is too long for them. */
-static struct pair pair_of(double f, double P, double near, double far)
+static struct dof_solve_pair pair_of(double f, double P, double near, double far)
 {
     double q = f - f / P, a = near - q, b = far - q;
     double half = f / 2 * (1 / a + 1 / b), rest = 1 - half / P;
     if (!(a > 0 && rest > 0)) {
-        return (struct pair){INFINITY, INFINITY};
+        return (struct dof_solve_pair){INFINITY, INFINITY};
     }
     double m = half / rest;
     double between = far < INFINITY ? (far - near) / a / b : 1 / a;
-    return (struct pair){m, f / 2 * (1 + m / P) * between};
+    return (struct dof_solve_pair){m, f / 2 * (1 + m / P) * between};
 }
 
 static bool solve_pair(struct problem *p, struct error *error)
 {
-    struct pair x = pair_of(p->a.f, p->a.P, p->t.near, p->t.far);
+    struct dof_solve_pair x = pair_of(p->a.f, p->a.P, p->t.near, p->t.far);
     if (!(x.m < INFINITY)) {
         return fail(error, ERROR_DOMAIN,
                     "{near limit} %.15g mm and {far limit} %.15g mm are too near for {the focal "
@@ -125,7 +125,7 @@ static bool solve_pair(struct problem *p, struct error *error)
     }
     set_magnification(p, x.m);
     set_product(p, x.e * p->a.f);
-    settle(p, 0, NEAR | FAR);
+    dof_solve_settle(p, 0, NEAR | FAR);
     return true;
 }
 
@@ -161,7 +161,7 @@ static bool solve_distance(struct problem *p, struct error *error)
                     p->a.c);
     }
     set_magnification(p, m);
-    settle(p, 0, NEAR | FAR | TOTAL);
+    dof_solve_settle(p, 0, NEAR | FAR | TOTAL);
     return true;
 }
 
@@ -187,14 +187,14 @@ static bool solve_blur(struct problem *p, struct error *error)
             "{near limit}");
     }
     set_product(p, blur_for(p) * p->a.f);
-    settle(p, 0, NEAR | FAR | TOTAL);
+    dof_solve_settle(p, 0, NEAR | FAR | TOTAL);
     return true;
 }
 
 /* -- unknown focal length -- */
 
 /* The setting that goes with this focal length, the other unknowns following from it. */
-static struct dof_setting complete(const struct problem *p, double f)
+static struct dof_setting dof_solve_complete(const struct problem *p, double f)
 {
     struct dof_setting a = p->a;
     a.f = f;
@@ -209,7 +209,7 @@ static struct dof_setting complete(const struct problem *p, double f)
 }
 
 /* (value - wanted)/(value + wanted): the sign of the difference, never beyond +-1. */
-static double compare(double value, double wanted)
+static double dof_solve_compare(double value, double wanted)
 {
     if (!(value > 0)) {
         return -1;
@@ -220,29 +220,30 @@ static double compare(double value, double wanted)
 static double pair_residual(double f, const void *context)
 {
     const struct problem *p = context;
-    struct pair x = pair_of(f, p->a.P, p->t.near, p->t.far);
+    struct dof_solve_pair x = pair_of(f, p->a.P, p->t.near, p->t.far);
     if (problem_has(p, MAGNIFICATION)) {
-        return compare(x.m, p->t.magnification);
+        return dof_solve_compare(x.m, p->t.magnification);
     }
     if (problem_has(p, HYPERFOCAL)) {
-        return compare(f / x.e + f, p->t.hyperfocal);
+        return dof_solve_compare(f / x.e + f, p->t.hyperfocal);
     }
-    return compare(x.e * f, p->a.N * p->a.c);
+    return dof_solve_compare(x.e * f, p->a.N * p->a.c);
 }
 
 static double single_residual(double f, const void *context)
 {
     const struct problem *p = context;
-    struct dof_setting a = complete(p, f);
+    struct dof_setting a = dof_solve_complete(p, f);
     struct error ignored;
     struct dof d;
     if (!dof_compute(&a, DOF_EXACT, &d, &ignored)) {
         return 1;
     }
     if (problem_has(p, NEAR)) {
-        return compare(d.near, p->t.near);
+        return dof_solve_compare(d.near, p->t.near);
     }
-    return problem_has(p, FAR) ? compare(d.far, p->t.far) : compare(d.total, p->t.total);
+    return problem_has(p, FAR) ? dof_solve_compare(d.far, p->t.far)
+                               : dof_solve_compare(d.total, p->t.total);
 }
 
 /* The longest focal length worth a look. */
@@ -322,7 +323,7 @@ static bool solve_focal_at_hyperfocal(struct problem *p, struct error *error)
             return problem_undetermined(p, error);
         }
         p->a.s = p->t.hyperfocal;
-        settle(p, DISTANCE, FAR | TOTAL);
+        dof_solve_settle(p, DISTANCE, FAR | TOTAL);
         settle_direct(p);
         return true;
     }
@@ -332,7 +333,7 @@ static bool solve_focal_at_hyperfocal(struct problem *p, struct error *error)
     } else {
         p->a.f = focal_from_hyperfocal(p->a.s, Nc);
     }
-    settle(p, FOCAL, FAR | TOTAL);
+    dof_solve_settle(p, FOCAL, FAR | TOTAL);
     settle_direct(p);
     return true;
 }
@@ -352,7 +353,7 @@ static bool solve_focal_single(struct problem *p, struct error *error)
     if (!search_focal(p, single_residual, error)) {
         return false;
     }
-    settle(p, FOCAL, NEAR | FAR | TOTAL);
+    dof_solve_settle(p, FOCAL, NEAR | FAR | TOTAL);
     settle_direct(p);
     return true;
 }
@@ -366,18 +367,18 @@ static bool solve_focal_pair(struct problem *p, struct error *error)
     if (!search_focal(p, pair_residual, error)) {
         return false;
     }
-    struct pair x = pair_of(p->a.f, p->a.P, p->t.near, p->t.far);
+    struct dof_solve_pair x = pair_of(p->a.f, p->a.P, p->t.near, p->t.far);
     set_magnification(p, x.m);
     if (p->unknown & PRODUCT) {
         set_product(p, x.e * p->a.f);
     }
-    settle(p, FOCAL, NEAR | FAR | rest);
+    dof_solve_settle(p, FOCAL, NEAR | FAR | rest);
     return true;
 }
 
 /* -- all together -- */
 
-static bool solve_rest(struct problem *p, struct error *error)
+static bool dof_solve_rest(struct problem *p, struct error *error)
 {
     unsigned limits = p->open & (NEAR | FAR | TOTAL), others = p->open & ~limits;
     if ((p->unknown & PRODUCT) == PRODUCT || (!limits && p->open)) {
@@ -458,7 +459,7 @@ bool dof_solve(struct dof_setting *setting, const struct dof_targets *targets, s
         return false;
     }
     settle_direct(&p);
-    if (!problem_check_limits(&p, error) || !solve_rest(&p, error)) {
+    if (!problem_check_limits(&p, error) || !dof_solve_rest(&p, error)) {
         return false;
     }
     if (targets->far == INFINITY || targets->total == INFINITY) {

@@ -30,7 +30,7 @@ static double size_area(const struct equivalent_format *format)
 static double (*const sizes[])(const struct equivalent_format *) = {size_diagonal, size_width,
                                                                     size_height, size_area};
 
-static bool check_format(const struct equivalent_format *format, struct error *error)
+static bool equivalent_check_format(const struct equivalent_format *format, struct error *error)
 {
     if (!(format->width > 0 && isfinite(format->width) && format->height > 0 &&
           isfinite(format->height))) {
@@ -43,14 +43,15 @@ static bool check_format(const struct equivalent_format *format, struct error *e
 bool equivalent_ratio(const struct equivalent_format *from, const struct equivalent_format *to,
                       enum equivalent_measure measure, double *k, struct error *error)
 {
-    if (!check_format(from, error) || !check_format(to, error)) {
+    if (!equivalent_check_format(from, error) || !equivalent_check_format(to, error)) {
         return false;
     }
     *k = sizes[measure](to) / sizes[measure](from);
     return true;
 }
 
-static bool check_setting(const struct equivalent_setting *s, double k, struct error *error)
+static bool equivalent_check_setting(const struct equivalent_setting *s, double k,
+                                     struct error *error)
 {
     if (!check_positive("focal length", " mm", s->f, error) ||
         !check_positive("f-number", "", s->N, error) ||
@@ -73,7 +74,7 @@ static bool check_setting(const struct equivalent_setting *s, double k, struct e
 bool equivalent_compute(const struct equivalent_setting *setting, double k,
                         enum equivalent_keep keep, struct equivalent *result, struct error *error)
 {
-    if (!check_setting(setting, k, error)) {
+    if (!equivalent_check_setting(setting, k, error)) {
         return false;
     }
     double m = k * setting->m;

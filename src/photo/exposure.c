@@ -21,30 +21,30 @@ static const double ev_limit = 100;
     "{scene}, {exposure value at ISO 100}, {exposure value at the ISO speed}, {luminance} or "     \
     "{illuminance}"
 
-static double or_else(double value, double otherwise)
+static double exposure_or_else(double value, double otherwise)
 {
     return is_given(value) ? value : otherwise;
 }
 
 static void fill_defaults(struct exposure_given *g)
 {
-    g->K = or_else(g->K, EXPOSURE_K);
-    g->C = or_else(g->C, EXPOSURE_C);
-    g->loss = or_else(g->loss, 0);
-    g->compensation = or_else(g->compensation, 0);
+    g->K = exposure_or_else(g->K, EXPOSURE_K);
+    g->C = exposure_or_else(g->C, EXPOSURE_C);
+    g->loss = exposure_or_else(g->loss, 0);
+    g->compensation = exposure_or_else(g->compensation, 0);
 }
 
-static bool check_ranges(const struct exposure_given *g, struct error *error)
+static bool exposure_check_ranges(const struct exposure_given *g, struct error *error)
 {
     const struct given positive[] = {{"f-number", "", g->N},        {"exposure time", " s", g->t},
                                      {"ISO speed", "", g->S},       {"luminance", " cd/m^2", g->L},
                                      {"illuminance", " lx", g->E},  {"meter constant K", "", g->K},
                                      {"meter constant C", "", g->C}};
     return given_positive(positive, sizeof positive / sizeof *positive, error) &&
-           require_within("exposure value at ISO 100", "", or_else(g->ev100, 0), -ev_limit,
+           require_within("exposure value at ISO 100", "", exposure_or_else(g->ev100, 0), -ev_limit,
                           ev_limit, error) &&
-           require_within("exposure value at the ISO speed", "", or_else(g->ev, 0), -ev_limit,
-                          ev_limit, error) &&
+           require_within("exposure value at the ISO speed", "", exposure_or_else(g->ev, 0),
+                          -ev_limit, ev_limit, error) &&
            require_within("loss of light", " stops", g->loss, LOSS_LEAST, 200, error) &&
            require_within("exposure compensation", " stops", g->compensation, -ev_limit, ev_limit,
                           error);
@@ -69,7 +69,7 @@ static double light_ev100(const struct exposure_given *g)
 static const double same_light = 0.005;
 
 /* A light may be given in several units, as the rows of an answer have it, if all say the same. */
-static bool count_lights(const struct exposure_given *g, int *lights, struct error *error)
+static bool exposure_count_lights(const struct exposure_given *g, int *lights, struct error *error)
 {
     const struct {
         const char *name;
@@ -130,10 +130,10 @@ static bool fail_count(int missing, struct error *error)
 }
 
 /* Find the one unknown; a missing speed is either that or assumed. */
-static bool find_unknown(struct exposure_given *g, struct exposure *x, struct error *error)
+static bool exposure_find_unknown(struct exposure_given *g, struct exposure *x, struct error *error)
 {
     int lights = 0;
-    if (!count_lights(g, &lights, error)) {
+    if (!exposure_count_lights(g, &lights, error)) {
         return false;
     }
     int missing = !is_given(g->N) + !is_given(g->t) + (lights == 0);
@@ -159,7 +159,7 @@ static bool find_unknown(struct exposure_given *g, struct exposure *x, struct er
 }
 
 /* The exposure equation in stops: ev_set = ev100 + log2(S/100) - less. */
-static void solve(const struct exposure_given *g, struct exposure *x)
+static void exposure_solve_unknown(const struct exposure_given *g, struct exposure *x)
 {
     double less = g->loss + g->compensation, kept = exp2(-less);
     double speed = log2(g->S) - log2_of_100;
@@ -180,7 +180,7 @@ static void solve(const struct exposure_given *g, struct exposure *x)
     }
 }
 
-static void complete(const struct exposure_given *g, struct exposure *x)
+static void exposure_complete(const struct exposure_given *g, struct exposure *x)
 {
     x->ev = x->ev100 + (log2(x->S) - log2_of_100);
     x->L = is_given(g->L) ? g->L : g->K * power_of_two(x->ev100) / 100;
@@ -195,11 +195,11 @@ bool exposure_solve(const struct exposure_given *given, struct exposure *x, stru
 {
     struct exposure_given g = *given;
     fill_defaults(&g);
-    if (!check_ranges(&g, error) || !find_unknown(&g, x, error)) {
+    if (!exposure_check_ranges(&g, error) || !exposure_find_unknown(&g, x, error)) {
         return false;
     }
-    solve(&g, x);
-    complete(&g, x);
+    exposure_solve_unknown(&g, x);
+    exposure_complete(&g, x);
     return answer_positive("the f-number", x->N, error) &&
            answer_positive("the exposure time", x->t, error) &&
            answer_positive("the ISO speed", x->S, error) &&
@@ -212,8 +212,8 @@ bool exposure_deviation(const struct exposure_given *given, double *stops, struc
     struct exposure_given g = *given;
     int lights = 0;
     fill_defaults(&g);
-    g.S = or_else(g.S, 100);
-    if (!check_ranges(&g, error) || !count_lights(&g, &lights, error) ||
+    g.S = exposure_or_else(g.S, 100);
+    if (!exposure_check_ranges(&g, error) || !exposure_count_lights(&g, &lights, error) ||
         !require_positive("f-number", "", g.N, error) ||
         !require_positive("exposure time", " s", g.t, error)) {
         return false;
@@ -226,7 +226,7 @@ bool exposure_deviation(const struct exposure_given *given, double *stops, struc
     return true;
 }
 
-static bool check_setting(const struct camera_setting *setting, struct error *error)
+static bool exposure_check_setting(const struct camera_setting *setting, struct error *error)
 {
     return require_positive("f-number", "", setting->N, error) &&
            require_positive("exposure time", " s", setting->t, error) &&
@@ -236,7 +236,7 @@ static bool check_setting(const struct camera_setting *setting, struct error *er
 bool exposure_stops(const struct camera_setting *from, const struct camera_setting *to,
                     double *stops, struct error *error)
 {
-    if (!check_setting(from, error) || !check_setting(to, error)) {
+    if (!exposure_check_setting(from, error) || !exposure_check_setting(to, error)) {
         return false;
     }
     *stops = log2(to->t / from->t) + log2(to->S / from->S) + 2 * log2(from->N / to->N);

@@ -6,7 +6,7 @@
 
 #include "photo/given.h"
 
-static bool check_setting(const struct flash_setting *s, struct error *error)
+static bool flash_check_setting(const struct flash_setting *s, struct error *error)
 {
     const struct given numbers[] = {
         {"guide number", " mm", s->GN}, {"f-number", "", s->N},
@@ -22,7 +22,7 @@ static bool check_setting(const struct flash_setting *s, struct error *error)
     return require_within("loss of light", " stops", s->loss, 0, 100, error);
 }
 
-static void assume(double *value, double usual)
+static void flash_assume(double *value, double usual)
 {
     if (!is_given(*value)) {
         *value = usual;
@@ -46,7 +46,8 @@ static bool is_solved(const struct flash_setting *s)
 }
 
 /* Decide what is asked and fill in what may be assumed. */
-static bool find_unknown(struct flash_setting *s, enum flash_unknown *unknown, struct error *error)
+static bool flash_find_unknown(struct flash_setting *s, enum flash_unknown *unknown,
+                               struct error *error)
 {
     int missing = !is_given(s->GN) + !is_given(s->N) + !is_given(s->d);
     if (missing > 1) {
@@ -56,7 +57,7 @@ static bool find_unknown(struct flash_setting *s, enum flash_unknown *unknown, s
     }
     if (missing == 1) {
         *unknown = !is_given(s->GN) ? FLASH_GN : !is_given(s->N) ? FLASH_N : FLASH_D;
-        assume(&s->power, 1);
+        flash_assume(&s->power, 1);
     } else if (!is_given(s->power)) {
         *unknown = FLASH_POWER;
     } else if (!is_given(s->S)) {
@@ -71,15 +72,15 @@ static bool find_unknown(struct flash_setting *s, enum flash_unknown *unknown, s
                     "{distance}, {flash power}, {ISO speed} and {number of flashes}");
     }
     if (*unknown != FLASH_S) {
-        assume(&s->S, 100);
+        flash_assume(&s->S, 100);
     }
     if (*unknown != FLASH_FLASHES) {
-        assume(&s->flashes, 1);
+        flash_assume(&s->flashes, 1);
     }
     return true;
 }
 
-static bool check_power(double power, struct error *error)
+static bool flash_check_power(double power, struct error *error)
 {
     if (!(power <= 1)) {
         return fail(error, ERROR_DOMAIN,
@@ -91,8 +92,8 @@ static bool check_power(double power, struct error *error)
 
 bool flash_solve(struct flash_setting *s, enum flash_unknown *unknown, struct error *error)
 {
-    assume(&s->loss, 0);
-    if (!check_setting(s, error) || !find_unknown(s, unknown, error)) {
+    flash_assume(&s->loss, 0);
+    if (!flash_check_setting(s, error) || !flash_find_unknown(s, unknown, error)) {
         return false;
     }
     if (is_solved(s)) {
@@ -115,7 +116,7 @@ bool flash_solve(struct flash_setting *s, enum flash_unknown *unknown, struct er
         return answer_positive("the ISO speed", s->S, error);
     case FLASH_POWER:
         s->power = needed * needed * lost / (s->flashes * (s->S / 100));
-        return check_power(s->power, error);
+        return flash_check_power(s->power, error);
     case FLASH_FLASHES:
         break;
     }
@@ -215,7 +216,7 @@ bool lighting_stops(double ratio, double *stops, struct error *error)
 static bool check_ambient(const struct flash_ambient *light, struct error *error)
 {
     const struct flash_setting *s = &light->flash;
-    return check_setting(s, error) && require_positive("guide number", " mm", s->GN, error) &&
+    return flash_check_setting(s, error) && require_positive("guide number", " mm", s->GN, error) &&
            require_positive("f-number", "", s->N, error) &&
            require_positive("distance", " mm", s->d, error) &&
            require_positive("ISO speed", "", s->S, error) &&
@@ -245,7 +246,7 @@ bool flash_against_ambient(const struct flash_ambient *light, struct flash_balan
 {
     struct flash_ambient given = *light;
     struct flash_setting *s = &given.flash;
-    assume(&s->loss, 0);
+    flash_assume(&s->loss, 0);
     if (!check_ambient(&given, error) || !check_sync(given.t, given.sync, error)) {
         return false;
     }

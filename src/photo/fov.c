@@ -66,7 +66,7 @@ static double height_orthographic(double t)
     return sin(t);
 }
 
-struct rule {
+struct fov_rule {
     double (*half)(double x);
     double (*height)(double t);
     double largest_height; /* r/f' at the edge of the projection */
@@ -74,7 +74,7 @@ struct rule {
     bool open;             /* the largest angle itself is not reached */
 };
 
-static const struct rule rules[PROJECTIONS] = {
+static const struct fov_rule rules[PROJECTIONS] = {
     [RECTILINEAR] = {half_rectilinear, height_rectilinear, INFINITY, PI, true},
     [EQUIDISTANT] = {half_equidistant, height_equidistant, PI, 2 * PI, false},
     [EQUISOLID] = {half_equisolid, height_equisolid, 2, 2 * PI, false},
@@ -85,7 +85,7 @@ static const struct rule rules[PROJECTIONS] = {
 bool fov_angle(enum projection projection, double scale, double dimension, double *angle,
                struct error *error)
 {
-    const struct rule *rule = &rules[projection];
+    const struct fov_rule *rule = &rules[projection];
     if (!check_positive("focal length", " mm", scale, error) ||
         !check_positive("sensor dimension", " mm", dimension, error)) {
         return false;
@@ -102,7 +102,7 @@ bool fov_angle(enum projection projection, double scale, double dimension, doubl
 
 bool fov_height(enum projection projection, double angle, double *height, struct error *error)
 {
-    const struct rule *rule = &rules[projection];
+    const struct fov_rule *rule = &rules[projection];
     const double largest = rule->largest_angle / 2;
     if (!(angle >= 0 && (rule->open ? angle < largest : angle <= largest))) {
         return fail(error, ERROR_DOMAIN,
@@ -114,7 +114,7 @@ bool fov_height(enum projection projection, double angle, double *height, struct
     return true;
 }
 
-static bool check_setting(const struct fov_setting *a, struct error *error)
+static bool fov_check_setting(const struct fov_setting *a, struct error *error)
 {
     if (!check_positive("focal length", " mm", a->f, error) ||
         !check_positive("pupil magnification", "", a->P, error) ||
@@ -132,7 +132,7 @@ static bool check_setting(const struct fov_setting *a, struct error *error)
 bool fov_compute(const struct fov_setting *setting, const struct sensor *sensor, struct fov *fov,
                  struct error *error)
 {
-    if (!check_setting(setting, error) || !sensor_check(sensor, error)) {
+    if (!fov_check_setting(setting, error) || !sensor_check(sensor, error)) {
         return false;
     }
     struct sensor wide = *sensor;
@@ -154,9 +154,9 @@ bool fov_compute(const struct fov_setting *setting, const struct sensor *sensor,
     return true;
 }
 
-static bool check_angle(enum projection projection, double angle, struct error *error)
+static bool fov_check_angle(enum projection projection, double angle, struct error *error)
 {
-    const struct rule *rule = &rules[projection];
+    const struct fov_rule *rule = &rules[projection];
     if (angle > 0 &&
         (angle < rule->largest_angle || (angle <= rule->largest_angle && !rule->open))) {
         return true;
@@ -173,7 +173,7 @@ bool fov_focal_length(const struct fov_setting *setting, double dimension, doubl
     double s = setting->s, P = setting->P;
     if (!check_positive("sensor dimension", " mm", dimension, error) ||
         !check_positive("pupil magnification", "", P, error) ||
-        !check_angle(setting->projection, angle, error)) {
+        !fov_check_angle(setting->projection, angle, error)) {
         return false;
     }
     if (!(s > 0)) {

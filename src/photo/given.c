@@ -18,14 +18,14 @@ int given_missing(const struct given *numbers, int count)
     return missing;
 }
 
-static bool is_positive(double value)
+static bool given_is_positive(double value)
 {
     return value > 0 && isfinite(value);
 }
 
 bool check_positive(const char *name, const char *unit, double value, struct error *error)
 {
-    return is_positive(value) ||
+    return given_is_positive(value) ||
            fail(error, ERROR_DOMAIN, "{%s} %.10g%s must be above 0 and finite", name, value, unit);
 }
 
@@ -71,7 +71,7 @@ bool require_within(const char *name, const char *unit, double value, double low
 
 bool answer_positive(const char *what, double value, struct error *error)
 {
-    if (!is_positive(value)) {
+    if (!given_is_positive(value)) {
         return fail(error, ERROR_DOMAIN,
                     "%s comes out as %.10g: the given numbers are out of all proportion", what,
                     value);

@@ -8,7 +8,7 @@
 
 #include "photo/given.h"
 
-static bool check_angle(double angle, struct error *error)
+static bool motion_check_angle(double angle, struct error *error)
 {
     if (!(angle >= 0 && angle <= PI)) {
         return fail(error, ERROR_DOMAIN,
@@ -94,7 +94,7 @@ static bool check_motion(const struct motion *motion, struct error *error)
     if (!isfinite(motion->h)) {
         return fail(error, ERROR_DOMAIN, "{image height} %.10g mm must be finite", motion->h);
     }
-    return given_positive(numbers, 4, error) && check_angle(motion->angle, error);
+    return given_positive(numbers, 4, error) && motion_check_angle(motion->angle, error);
 }
 
 bool motion_solve(struct motion *motion, struct error *error)
@@ -168,12 +168,13 @@ bool blur_measure(double blur, double pitch, double c, struct blur_size *size, s
     return true;
 }
 
-bool panning_solve(const struct panning *pan, struct panning_blur *blur, struct error *error)
+bool panning_solve(const struct panning_shot *pan, struct panning_blur *blur, struct error *error)
 {
     double m = 0;
     if (!require_positive("speed", " mm/s", pan->v, error) ||
         !require_positive("exposure time", " s", pan->t, error) ||
-        !check_angle(pan->angle, error) || !motion_magnification(pan->f, pan->s, &m, error)) {
+        !motion_check_angle(pan->angle, error) ||
+        !motion_magnification(pan->f, pan->s, &m, error)) {
         return false;
     }
     if (!(pan->track >= 0 && isfinite(pan->track))) {

@@ -81,7 +81,7 @@ struct blur_size {
 bool blur_measure(double blur, double pitch, double c, struct blur_size *size, struct error *error);
 
 /* A camera following a subject that moves across. */
-struct panning {
+struct panning_shot {
     double v;     /* mm/s, > 0 */
     double angle; /* rad, 0..pi, as in struct motion */
     double t;     /* s, > 0 */
@@ -107,7 +107,7 @@ struct panning_blur {
  * Errors    numbers outside their ranges
  * Limits    as shake_solve; the pan turns about the entrance pupil
  */
-bool panning_solve(const struct panning *pan, struct panning_blur *blur, struct error *error);
+bool panning_solve(const struct panning_shot *pan, struct panning_blur *blur, struct error *error);
 
 /*
  * The hand-held rule "one over focal length".

@@ -10,7 +10,8 @@
 static const double most_frames = 1e6;
 
 /* Above 0 (or from 0 on) up to `most`, with the slack of degrees turned into radians. */
-static bool check_angle(double angle, bool zero, double most, const char *name, struct error *error)
+static bool panorama_check_angle(double angle, bool zero, double most, const char *name,
+                                 struct error *error)
 {
     if (!((angle > 0 || (zero && angle >= 0)) && angle <= most * (1 + 1e-12))) {
         return fail(error, ERROR_DOMAIN, "{%s} %g degrees is out of range (%s 0, up to %g)", name,
@@ -20,7 +21,7 @@ static bool check_angle(double angle, bool zero, double most, const char *name, 
     return true;
 }
 
-static bool check_flat(const struct panorama_frame *frame, struct error *error)
+static bool panorama_check_flat(const struct panorama_frame *frame, struct error *error)
 {
     if (!(frame->horizontal > 0 && frame->horizontal < PI && frame->vertical > 0 &&
           frame->vertical < PI)) {
@@ -31,7 +32,7 @@ static bool check_flat(const struct panorama_frame *frame, struct error *error)
     return true;
 }
 
-static bool check_lens(double m, double P, struct error *error)
+static bool panorama_check_lens(double m, double P, struct error *error)
 {
     return check_not_negative("magnification", "", m, error) &&
            check_positive("pupil magnification", "", P, error);
@@ -46,7 +47,7 @@ bool panorama_frame(const struct panorama_lens *lens, double width, double heigh
                     struct panorama_frame *frame, struct error *error)
 {
     if (!check_positive("focal length", " mm", lens->f, error) ||
-        !check_lens(lens->m, lens->P, error) ||
+        !panorama_check_lens(lens->m, lens->P, error) ||
         !check_positive("sensor width", " mm", width, error) ||
         !check_positive("sensor height", " mm", height, error)) {
         return false;
@@ -65,7 +66,7 @@ bool panorama_focal(double angle, double m, double P, double width, double *f, s
                     "180)",
                     degrees_from_radians(angle));
     }
-    if (!check_lens(m, P, error) || !check_positive("sensor width", " mm", width, error)) {
+    if (!panorama_check_lens(m, P, error) || !check_positive("sensor width", " mm", width, error)) {
         return false;
     }
     *f = width / (2 * tan(angle / 2) * (1 + m / P));
@@ -89,13 +90,14 @@ static bool count_frames(double angle, double total, double overlap, bool closed
     return true;
 }
 
-static bool check_goal(const struct panorama_frame *frame, const struct panorama_goal *goal,
-                       struct error *error)
+static bool panorama_check_goal(const struct panorama_frame *frame,
+                                const struct panorama_goal *goal, struct error *error)
 {
-    if (!check_angle(frame->horizontal, false, 2 * PI, "horizontal angle of view", error) ||
-        !check_angle(frame->vertical, false, 2 * PI, "vertical angle of view", error) ||
-        !check_angle(goal->arc, false, 2 * PI, "arc", error) ||
-        !check_angle(goal->span, true, PI, "span", error)) {
+    if (!panorama_check_angle(frame->horizontal, false, 2 * PI, "horizontal angle of view",
+                              error) ||
+        !panorama_check_angle(frame->vertical, false, 2 * PI, "vertical angle of view", error) ||
+        !panorama_check_angle(goal->arc, false, 2 * PI, "arc", error) ||
+        !panorama_check_angle(goal->span, true, PI, "span", error)) {
         return false;
     }
     if (!(goal->overlap >= 0 && goal->overlap < 1)) {
@@ -110,7 +112,7 @@ bool panorama_plan(const struct panorama_frame *frame, const struct panorama_goa
 {
     bool closed = is_closed(goal->arc);
     struct panorama p = {0};
-    if (!check_goal(frame, goal, error) ||
+    if (!panorama_check_goal(frame, goal, error) ||
         !count_frames(frame->horizontal, closed ? 2 * PI : goal->arc, goal->overlap, closed,
                       &p.columns, &p.step, error) ||
         !count_frames(frame->vertical, goal->span, goal->overlap, false, &p.rows, &p.row_step,
@@ -155,8 +157,9 @@ bool panorama_set_rows(const struct panorama_frame *frame, struct panorama_goal 
 bool panorama_overlap(const struct panorama_frame *frame, double arc, int columns, double *overlap,
                       struct error *error)
 {
-    if (!check_angle(frame->horizontal, false, 2 * PI, "horizontal angle of view", error) ||
-        !check_angle(arc, false, 2 * PI, "arc", error)) {
+    if (!panorama_check_angle(frame->horizontal, false, 2 * PI, "horizontal angle of view",
+                              error) ||
+        !panorama_check_angle(arc, false, 2 * PI, "arc", error)) {
         return false;
     }
     if (columns < 1) {
@@ -176,7 +179,7 @@ bool panorama_row_at(const struct panorama_frame *frame, const struct panorama_g
                      struct panorama_row *row, struct error *error)
 {
     int index = place->index;
-    if (!check_flat(frame, error) || !check_goal(frame, goal, error)) {
+    if (!panorama_check_flat(frame, error) || !panorama_check_goal(frame, goal, error)) {
         return false;
     }
     if (index < 0 || index >= plan->rows) {
@@ -204,7 +207,7 @@ bool panorama_row_at(const struct panorama_frame *frame, const struct panorama_g
 bool panorama_size(const struct panorama_frame *frame, const struct panorama_goal *goal,
                    double pixels, struct panorama_size *size, struct error *error)
 {
-    if (!check_flat(frame, error) || !check_goal(frame, goal, error) ||
+    if (!panorama_check_flat(frame, error) || !panorama_check_goal(frame, goal, error) ||
         !check_positive("pixels of a frame", "", pixels, error)) {
         return false;
     }
@@ -230,7 +233,7 @@ bool panorama_parallax(double offset, double step, double near, double far, doub
                        struct error *error)
 {
     double e = fabs(offset);
-    if (!check_angle(step, false, PI, "step", error)) {
+    if (!panorama_check_angle(step, false, PI, "step", error)) {
         return false;
     }
     if (!(near > e && isfinite(near))) {
@@ -251,7 +254,7 @@ bool panorama_parallax(double offset, double step, double near, double far, doub
 
 static bool check_parallax(double parallax, double step, struct error *error)
 {
-    if (!check_angle(step, false, PI, "step", error)) {
+    if (!panorama_check_angle(step, false, PI, "step", error)) {
         return false;
     }
     if (!(parallax > 0 && parallax < PI - step)) {
@@ -286,7 +289,7 @@ bool panorama_nearest(double offset, double parallax, double step, double *near,
 bool panorama_pupil(double f, double m, double P, double hiatus, double *distance,
                     struct error *error)
 {
-    if (!check_positive("focal length", " mm", f, error) || !check_lens(m, P, error)) {
+    if (!check_positive("focal length", " mm", f, error) || !panorama_check_lens(m, P, error)) {
         return false;
     }
     if (!isfinite(hiatus)) {

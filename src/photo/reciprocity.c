@@ -37,7 +37,7 @@ static double table_corrected(const struct reciprocity *film, double Tm)
                         film->corrected[i], Tm);
 }
 
-static double correct(const struct reciprocity *film, double Tm)
+static double reciprocity_correct(const struct reciprocity *film, double Tm)
 {
     if (film->model == RECIPROCITY_NONE || !(Tm > film->onset)) {
         return Tm;
@@ -62,7 +62,7 @@ bool reciprocity_corrected(const struct reciprocity *film, double Tm, double *Tc
                     "{exposure time} %.10g s lies beyond the film's published range, up to %.10g s",
                     Tm, film->valid_to);
     }
-    *Tc = correct(film, Tm);
+    *Tc = reciprocity_correct(film, Tm);
     return answer_positive("the corrected time", *Tc, error);
 }
 
@@ -116,7 +116,7 @@ static bool table_metered(const struct reciprocity *film, double Tc, double *Tm,
 
 bool reciprocity_metered(const struct reciprocity *film, double Tc, double *Tm, struct error *error)
 {
-    double longest = correct(film, film->valid_to);
+    double longest = reciprocity_correct(film, film->valid_to);
     if (!require_positive("exposure time", " s", Tc, error)) {
         return false;
     }

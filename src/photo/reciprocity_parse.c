@@ -6,20 +6,20 @@
 #include "photo/reciprocity.h"
 
 /* What is being read; `at` moves towards `end`. */
-struct reader {
+struct reciprocity_parse_reader {
     struct text whole;
     const char *at, *end;
     struct error *error;
 };
 
-static bool fail_here(const struct reader *reader, const char *what)
+static bool fail_here(const struct reciprocity_parse_reader *reader, const char *what)
 {
     size_t caret = (size_t)(reader->at - reader->whole.start) + 1;
     return fail_at(reader->error, ERROR_DATA, reader->whole, caret,
                    "bad reciprocity parameters at character %zu: %s", caret, what);
 }
 
-static bool accept(struct reader *reader, char c)
+static bool reciprocity_parse_accept(struct reciprocity_parse_reader *reader, char c)
 {
     if (reader->at < reader->end && *reader->at == c) {
         reader->at++;
@@ -28,7 +28,7 @@ static bool accept(struct reader *reader, char c)
     return false;
 }
 
-static bool read_number(struct reader *reader, double *value)
+static bool reciprocity_parse_read_number(struct reciprocity_parse_reader *reader, double *value)
 {
     const char *next = number_read(reader->at, reader->end, NUMBER_UNSCALED, value);
     if (next == NULL || !isfinite(*value)) {
@@ -39,20 +39,22 @@ static bool read_number(struct reader *reader, double *value)
 }
 
 /* A number, or a fraction like +1/3. */
-static bool read_stops(struct reader *reader, double *stops)
+static bool reciprocity_parse_read_stops(struct reciprocity_parse_reader *reader, double *stops)
 {
     double divisor = 1;
-    if (!read_number(reader, stops)) {
+    if (!reciprocity_parse_read_number(reader, stops)) {
         return false;
     }
-    if (accept(reader, '/') && (!read_number(reader, &divisor) || !(divisor > 0))) {
+    if (reciprocity_parse_accept(reader, '/') &&
+        (!reciprocity_parse_read_number(reader, &divisor) || !(divisor > 0))) {
         return fail_here(reader, "a fraction needs a divisor above 0");
     }
     *stops /= divisor;
     return true;
 }
 
-static bool add_point(struct reader *reader, struct reciprocity *film, double Tm, double Tc)
+static bool reciprocity_parse_add_point(struct reciprocity_parse_reader *reader,
+                                        struct reciprocity *film, double Tm, double Tc)
 {
     int n = film->points;
     if (n == RECIPROCITY_POINTS) {
@@ -71,16 +73,16 @@ static bool add_point(struct reader *reader, struct reciprocity *film, double Tm
 }
 
 /* `name=value` and nothing else. */
-static bool parse_constant(struct reader *reader, char name, double *value)
+static bool parse_constant(struct reciprocity_parse_reader *reader, char name, double *value)
 {
-    if (!accept(reader, name) || !accept(reader, '=')) {
+    if (!reciprocity_parse_accept(reader, name) || !reciprocity_parse_accept(reader, '=')) {
         return fail_here(reader, "name=value is expected");
     }
-    return read_number(reader, value) &&
+    return reciprocity_parse_read_number(reader, value) &&
            (reader->at == reader->end || fail_here(reader, "nothing may follow"));
 }
 
-static bool parse_power(struct reader *reader, struct reciprocity *film)
+static bool parse_power(struct reciprocity_parse_reader *reader, struct reciprocity *film)
 {
     film->model = RECIPROCITY_POWER;
     if (!parse_constant(reader, 'p', &film->p)) {
@@ -92,14 +94,14 @@ static bool parse_power(struct reader *reader, struct reciprocity *film)
     return true;
 }
 
-static bool parse_gainer(struct reader *reader, struct reciprocity *film)
+static bool parse_gainer(struct reciprocity_parse_reader *reader, struct reciprocity *film)
 {
     film->model = RECIPROCITY_GAINER;
     return parse_constant(reader, 'a', &film->a) &&
            (film->a > 0 || fail_here(reader, "a must be above 0"));
 }
 
-static bool parse_none(struct reader *reader, struct reciprocity *film)
+static bool parse_none(struct reciprocity_parse_reader *reader, struct reciprocity *film)
 {
     film->model = RECIPROCITY_NONE;
     return isfinite(film->valid_to) ||
@@ -107,7 +109,7 @@ static bool parse_none(struct reader *reader, struct reciprocity *film)
 }
 
 /* A table ends where its points do, and its onset is its first point. */
-static bool finish_table(struct reader *reader, struct reciprocity *film)
+static bool finish_table(struct reciprocity_parse_reader *reader, struct reciprocity *film)
 {
     if (film->points == 0 || film->corrected[0] > film->metered[0]) {
         return fail_here(reader, "the first point must be one without correction");
@@ -120,53 +122,54 @@ static bool finish_table(struct reader *reader, struct reciprocity *film)
     return true;
 }
 
-static bool parse_table(struct reader *reader, struct reciprocity *film)
+static bool parse_table(struct reciprocity_parse_reader *reader, struct reciprocity *film)
 {
     film->model = RECIPROCITY_TABLE;
     do {
         double Tm = 0, Tc = 0;
-        if (!read_number(reader, &Tm)) {
+        if (!reciprocity_parse_read_number(reader, &Tm)) {
             return false;
         }
-        if (!accept(reader, ':')) {
+        if (!reciprocity_parse_accept(reader, ':')) {
             return fail_here(reader, "':' is expected");
         }
-        if (!read_number(reader, &Tc) || !add_point(reader, film, Tm, Tc)) {
+        if (!reciprocity_parse_read_number(reader, &Tc) ||
+            !reciprocity_parse_add_point(reader, film, Tm, Tc)) {
             return false;
         }
-    } while (accept(reader, ';'));
+    } while (reciprocity_parse_accept(reader, ';'));
     return reader->at == reader->end ? finish_table(reader, film)
                                      : fail_here(reader, "';' is expected");
 }
 
 /* One item: [<|<=] time [-time] : stops [note] */
-static bool parse_stop_item(struct reader *reader, struct reciprocity *film)
+static bool parse_stop_item(struct reciprocity_parse_reader *reader, struct reciprocity *film)
 {
-    bool below = accept(reader, '<');
-    bool included = accept(reader, '=');
+    bool below = reciprocity_parse_accept(reader, '<');
+    bool included = reciprocity_parse_accept(reader, '=');
     double from = 0, stops = 0;
-    if (!read_number(reader, &from)) {
+    if (!reciprocity_parse_read_number(reader, &from)) {
         return false;
     }
     double to = from;
-    if (accept(reader, '-') && !read_number(reader, &to)) {
+    if (reciprocity_parse_accept(reader, '-') && !reciprocity_parse_read_number(reader, &to)) {
         return false;
     }
-    if (!accept(reader, ':')) {
+    if (!reciprocity_parse_accept(reader, ':')) {
         return fail_here(reader, "':' is expected");
     }
-    if (!read_stops(reader, &stops)) {
+    if (!reciprocity_parse_read_stops(reader, &stops)) {
         return false;
     }
     if (below && !included) {
         from = to = nextafter(from, 0); /* the limit itself is not free of correction */
     }
     double factor = exp2(stops);
-    return add_point(reader, film, from, from * factor) &&
-           (!(to > from) || add_point(reader, film, to, to * factor));
+    return reciprocity_parse_add_point(reader, film, from, from * factor) &&
+           (!(to > from) || reciprocity_parse_add_point(reader, film, to, to * factor));
 }
 
-static bool parse_stops(struct reader *reader, struct reciprocity *film)
+static bool parse_stops(struct reciprocity_parse_reader *reader, struct reciprocity *film)
 {
     struct text rest = reader->whole;
     film->model = RECIPROCITY_TABLE;
@@ -195,14 +198,14 @@ bool reciprocity_parse(struct text model, struct text parameters, double onset, 
 {
     static const struct {
         const char *name;
-        bool (*parse)(struct reader *reader, struct reciprocity *film);
+        bool (*parse)(struct reciprocity_parse_reader *reader, struct reciprocity *film);
     } models[] = {{"power", parse_power},
                   {"table", parse_table},
                   {"stops", parse_stops},
                   {"gainer", parse_gainer},
                   {"none", parse_none}};
-    struct reader reader = {parameters, parameters.start, parameters.start + parameters.length,
-                            error};
+    struct reciprocity_parse_reader reader = {parameters, parameters.start,
+                                              parameters.start + parameters.length, error};
     *film = (struct reciprocity){.onset = onset, .valid_to = valid_to > 0 ? valid_to : INFINITY};
     if (!(onset >= 0)) {
         return fail(error, ERROR_DATA, "onset %.10g s of a reciprocity model must be 0 or above",

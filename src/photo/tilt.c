@@ -7,7 +7,7 @@
 
 #include <math.h>
 
-static bool check_lens(const struct tilt_given *g, struct error *error)
+static bool tilt_check_lens(const struct tilt_given *g, struct error *error)
 {
     if (!check_positive("focal length", " mm", g->f, error) ||
         !check_positive("f-number", "", g->N, error)) {
@@ -107,7 +107,7 @@ static bool solve_ratio(const struct tilt_given *g, double tilt, double *ratio, 
 }
 
 /* u where the line meets rise = y/u; inf where it doesn't, before the lens. */
-static double reach(double f, double denominator)
+static double tilt_reach(double f, double denominator)
 {
     return denominator > 0 ? f / denominator : (double)INFINITY;
 }
@@ -115,7 +115,7 @@ static double reach(double f, double denominator)
 bool tilt_solve(const struct tilt_given *given, struct tilt *result, struct error *error)
 {
     double tilt = NAN, ratio = NAN;
-    if (!check_lens(given, error) || !solve_tilt(given, &tilt, error) ||
+    if (!tilt_check_lens(given, error) || !solve_tilt(given, &tilt, error) ||
         !solve_ratio(given, tilt, &ratio, error)) {
         return false;
     }
@@ -128,7 +128,7 @@ bool tilt_solve(const struct tilt_given *given, struct tilt *result, struct erro
                             .tilt = tilt,
                             .hinge = f / B,
                             .image = isnan(given->image) ? image : given->image,
-                            .distance = isnan(given->distance) ? reach(f, A) : given->distance,
+                            .distance = isnan(given->distance) ? tilt_reach(f, A) : given->distance,
                             .angle = isnan(given->angle) ? atan2(B, A) : given->angle,
                             .near_angle = atan2(B, A_near),
                             .far_angle = atan2(B, A_far),
@@ -142,8 +142,8 @@ bool tilt_solve(const struct tilt_given *given, struct tilt *result, struct erro
     return true;
 }
 
-static bool check_points(double f, const struct tilt_point *first, const struct tilt_point *second,
-                         struct error *error)
+static bool tilt_check_points(double f, const struct tilt_point *first,
+                              const struct tilt_point *second, struct error *error)
 {
     if (!check_positive("focal length", " mm", f, error)) {
         return false;
@@ -166,7 +166,7 @@ static bool check_points(double f, const struct tilt_point *first, const struct 
 bool tilt_through(double f, const struct tilt_point *first, const struct tilt_point *second,
                   double *tilt, double *image, struct error *error)
 {
-    if (!check_points(f, first, second, error)) {
+    if (!tilt_check_points(f, first, second, error)) {
         return false;
     }
     double sine = f * (1 / first->distance - 1 / second->distance) / (second->rise - first->rise);
@@ -209,9 +209,9 @@ struct tilt_reach tilt_along(const struct tilt *camera, double rise)
     double top = camera->f / camera->image * camera->N * camera->c; /* f (f/v') (N c/f) */
     double front = D > 0 ? top / (D * D_near) : (double)INFINITY;
     double behind = D > 0 && D_far > 0 ? top / (D * D_far) : (double)INFINITY;
-    return (struct tilt_reach){.sharp = reach(camera->f, D),
-                               .near = reach(camera->f, D_near),
-                               .far = reach(camera->f, D_far),
+    return (struct tilt_reach){.sharp = tilt_reach(camera->f, D),
+                               .near = tilt_reach(camera->f, D_near),
+                               .far = tilt_reach(camera->f, D_far),
                                .front = front,
                                .behind = behind};
 }
@@ -260,7 +260,7 @@ bool tilt_shift_limit(const struct tilt *camera, double circle, const struct til
 }
 
 /* Narrow from..to to where low <= start + t step <= high. */
-static void clip(double start, double step, double low, double high, double *from, double *to)
+static void tilt_clip(double start, double step, double low, double high, double *from, double *to)
 {
     if (!(fabs(step) > 0)) {
         *to = start >= low && start <= high ? *to : -(double)INFINITY;
@@ -277,8 +277,8 @@ static struct tilt_segment clipped(double A, double B, double f, const struct ti
     double square = A * A + B * B;
     double u = f * A / square, y = -f * B / square; /* nearest to the lens; direction (B, A) */
     double from = -(double)INFINITY, to = (double)INFINITY;
-    clip(u, B, 0, view->u_max, &from, &to);
-    clip(y, A, view->y_min, view->y_max, &from, &to);
+    tilt_clip(u, B, 0, view->u_max, &from, &to);
+    tilt_clip(y, A, view->y_min, view->y_max, &from, &to);
     if (!(from < to)) {
         return (struct tilt_segment){.shown = false};
     }
@@ -286,13 +286,12 @@ static struct tilt_segment clipped(double A, double B, double f, const struct ti
         .from = {-(u + from * B), y + from * A}, .to = {-(u + to * B), y + to * A}, .shown = true};
 }
 
-void tilt_draw(const struct tilt *camera, const struct tilt_view *view,
-               struct tilt_drawing *drawing)
+void tilt_draw(const struct tilt *camera, const struct tilt_view *view, struct tilt_sketch *drawing)
 {
     double f = camera->f, B = camera->B, cosine = cos(camera->tilt), v = camera->image;
     double half = view->lens_diameter / 2, bottom = view->sensor_centre - view->sensor_height / 2;
     double back = v * cosine; /* along the axis to about the sensor */
-    *drawing = (struct tilt_drawing){
+    *drawing = (struct tilt_sketch){
         .hinge = {0, -camera->hinge},
         .scheimpflug = {v, -camera->scheimpflug},
         .lens = {{half * B, -half * cosine}, {-half * B, half * cosine}, true},

@@ -80,7 +80,7 @@ struct tilt_view {
     double sensor_centre; /* y of the sensor's middle, mm (shift) */
 };
 
-struct tilt_drawing {
+struct tilt_sketch {
     struct tilt_place hinge, scheimpflug; /* infinite untilted */
     struct tilt_segment lens, sensor, axis, front_focal, sharp, near, far;
 };
@@ -176,6 +176,6 @@ bool tilt_shift_limit(const struct tilt *camera, double circle, const struct til
  *           plane that meets the lens's parallel to the sensor in the hinge line
  */
 void tilt_draw(const struct tilt *camera, const struct tilt_view *view,
-               struct tilt_drawing *drawing);
+               struct tilt_sketch *drawing);
 
 #endif

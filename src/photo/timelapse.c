@@ -21,7 +21,7 @@ static double whole_above(double x)
     return ceil(x - rounding * fmax(1, x));
 }
 
-static bool check_ranges(const struct timelapse_given *g, struct error *error)
+static bool timelapse_check_ranges(const struct timelapse_given *g, struct error *error)
 {
     const struct given positive[] = {{"number of shots", "", g->shots},
                                      {"interval", " s", g->interval},
@@ -46,7 +46,7 @@ static bool check_ranges(const struct timelapse_given *g, struct error *error)
     return !is_given(g->time) || check_not_negative("gap", " s", g->gap, error);
 }
 
-static bool check_use(const struct timelapse_given *g, struct error *error)
+static bool timelapse_check_use(const struct timelapse_given *g, struct error *error)
 {
     if (is_given(g->event) && is_given(g->star_angle)) {
         return fail(error, ERROR_USAGE, "give only one of {event length} and {star angle}");
@@ -119,7 +119,8 @@ static void find_interval(const struct timelapse_given *g, double shots, struct 
     plan->interval = by_length ? interval_of_shots(g, shots) : g->time + g->gap;
 }
 
-static bool check_shots(const struct timelapse_given *g, double shots, struct error *error)
+static bool timelapse_check_shots(const struct timelapse_given *g, double shots,
+                                  struct error *error)
 {
     if (!is_given(shots)) {
         return fail(error, ERROR_USAGE,
@@ -161,7 +162,7 @@ static bool check_agreement(const struct timelapse_given *g, const struct timela
                 g->time, g->gap, plan->interval, needed);
 }
 
-static void complete(const struct timelapse_given *g, struct timelapse *plan)
+static void timelapse_complete(const struct timelapse_given *g, struct timelapse *plan)
 {
     double shots = (double)plan->shots;
     plan->event = shots * plan->interval;
@@ -182,11 +183,11 @@ bool timelapse_solve(const struct timelapse_given *given, struct timelapse *plan
                      struct error *error)
 {
     *plan = (struct timelapse){.interval = given->interval};
-    if (!check_ranges(given, error) || !check_use(given, error)) {
+    if (!timelapse_check_ranges(given, error) || !timelapse_check_use(given, error)) {
         return false;
     }
     double shots = find_shots(given, plan);
-    if (!check_shots(given, shots, error)) {
+    if (!timelapse_check_shots(given, shots, error)) {
         return false;
     }
     plan->shots = (long)shots;
@@ -194,6 +195,6 @@ bool timelapse_solve(const struct timelapse_given *given, struct timelapse *plan
     if (!check_agreement(given, plan, error)) {
         return false;
     }
-    complete(given, plan);
+    timelapse_complete(given, plan);
     return true;
 }

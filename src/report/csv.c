@@ -20,7 +20,7 @@ static bool is_special(const char *start, size_t length, char separator)
     return false;
 }
 
-static void write_text(struct report *report, const char *start, size_t length)
+static void csv_write_text(struct report *report, const char *start, size_t length)
 {
     if (!is_special(start, length, report->format->separator)) {
         output_text(report->output, start, length);
@@ -36,7 +36,7 @@ static void write_text(struct report *report, const char *start, size_t length)
     output_character(report->output, '"');
 }
 
-static void write_value(struct report *report, const void *row, const struct shown *shown)
+static void csv_write_value(struct report *report, const void *row, const struct shown *shown)
 {
     switch (shown->column->type) {
     case COLUMN_NUMBER:
@@ -54,7 +54,7 @@ static void write_value(struct report *report, const void *row, const struct sho
         break;
     case COLUMN_TEXT: {
         const char *text = row_text(row, shown->column);
-        write_text(report, text != NULL ? text : "", text != NULL ? strlen(text) : 0);
+        csv_write_text(report, text != NULL ? text : "", text != NULL ? strlen(text) : 0);
         break;
     }
     }
@@ -72,7 +72,7 @@ static bool has_only_numbers(const struct report *report)
            report->passed_count == 0 && !report->has_error_column;
 }
 
-static void begin(struct report *report)
+static void csv_begin(struct report *report)
 {
     char separator = report->format->separator;
     size_t cells = 0;
@@ -80,7 +80,7 @@ static void begin(struct report *report)
         if (cells++ > 0) {
             output_character(report->output, separator);
         }
-        write_text(report, report->passed_names[i].start, report->passed_names[i].length);
+        csv_write_text(report, report->passed_names[i].start, report->passed_names[i].length);
     }
     for (size_t i = 0; i < report->shown_count; i++) {
         if (cells++ > 0) {
@@ -99,7 +99,7 @@ static void begin(struct report *report)
 }
 
 /* All columns are numbers, as in most pipes: nothing but numbers and separators to write. */
-static void write_numbers(struct report *report, const void *row, char separator)
+static void csv_write_numbers(struct report *report, const void *row, char separator)
 {
     const struct shown *shown = report->shown, *behind = shown + report->shown_count;
     char *to = output_reserve(report->output, report->shown_count * (NUMBER_LENGTH + 1));
@@ -120,14 +120,14 @@ static void write_cells(struct report *report, const void *row, const struct pas
         if (cells++ > 0) {
             output_character(report->output, separator);
         }
-        write_text(report, passed[i].text.start, passed[i].text.length);
+        csv_write_text(report, passed[i].text.start, passed[i].text.length);
     }
     for (size_t i = 0; i < report->shown_count; i++) {
         if (cells++ > 0) {
             output_character(report->output, separator);
         }
         if (row != NULL) {
-            write_value(report, row, &report->shown[i]);
+            csv_write_value(report, row, &report->shown[i]);
         }
     }
     if (row == NULL && cells == 1 && !report->has_error_column) {
@@ -136,7 +136,7 @@ static void write_cells(struct report *report, const void *row, const struct pas
     if (report->has_error_column) {
         output_string(report->output, cells > 0 ? (char[]){separator, '\0'} : "");
         if (failure != NULL) {
-            write_text(report, failure->message, strlen(failure->message));
+            csv_write_text(report, failure->message, strlen(failure->message));
         }
     }
     output_character(report->output, '\n');
@@ -146,13 +146,13 @@ static void row(struct report *report, const void *row, const struct passed_cell
                 const struct error *failure)
 {
     if (row != NULL && report->state != NULL) {
-        write_numbers(report, row, report->format->separator);
+        csv_write_numbers(report, row, report->format->separator);
     } else {
         write_cells(report, row, passed, failure);
     }
 }
 
-static void end(struct report *report)
+static void csv_end(struct report *report)
 {
     (void)report;
 }
@@ -172,12 +172,12 @@ static void tsv_grid(const struct grid *grid, struct output *output, bool with_h
 const struct format format_csv = {{"csv", "comma-separated values"},
                                   .separator = ',',
                                   .write_grid = csv_grid,
-                                  .begin = begin,
+                                  .begin = csv_begin,
                                   .row = row,
-                                  .end = end};
+                                  .end = csv_end};
 const struct format format_tsv = {{"tsv", "tab-separated values"},
                                   .separator = '\t',
                                   .write_grid = tsv_grid,
-                                  .begin = begin,
+                                  .begin = csv_begin,
                                   .row = row,
-                                  .end = end};
+                                  .end = csv_end};

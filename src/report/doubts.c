@@ -6,7 +6,7 @@
 #include <stdio.h>
 #include <string.h>
 
-void doubts_add(struct doubts *doubts, const char *format, ...)
+void warnings_add(struct warnings *doubts, const char *format, ...)
 {
     enum { LONGEST = 4000 }; /* a lens file may have much that is doubtful */
     char text[LONGEST];
@@ -22,14 +22,14 @@ void doubts_add(struct doubts *doubts, const char *format, ...)
             return;
         }
     }
-    if (doubts->count < DOUBTS_MOST) {
+    if (doubts->count < WARNINGS_MOST) {
         doubts->texts[doubts->count++] = arena_string(&doubts->arena, text, strlen(text));
     } else {
         doubts->left_out++;
     }
 }
 
-const char *doubts_left_out(struct doubts *doubts)
+const char *warnings_left_out(struct warnings *doubts)
 {
     return doubts->left_out == 0
                ? NULL

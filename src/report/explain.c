@@ -21,7 +21,7 @@ static const struct column *by_symbol(const struct sheet *sheet, struct text sym
     return NULL;
 }
 
-static const struct column *by_name(const struct sheet *sheet, struct text name)
+static const struct column *explain_by_name(const struct sheet *sheet, struct text name)
 {
     for (size_t i = 0; i < sheet->column_count; i++) {
         if (text_equal(name, sheet->columns[i].name)) {
@@ -32,7 +32,7 @@ static const struct column *by_name(const struct sheet *sheet, struct text name)
 }
 
 /* A value with its unit: "50 mm". */
-static void write_value(char *to, size_t room, const struct column *column, const void *row)
+static void explain_write_value(char *to, size_t room, const struct column *column, const void *row)
 {
     struct column unpadded = *column;
     struct shown shown = {.column = &unpadded, .name = column->name};
@@ -73,7 +73,7 @@ static void render(char *to, const char *formula, const struct sheet *sheet, con
         const struct column *column = by_symbol(sheet, symbol);
         if (row != NULL && column != NULL) {
             char value[VALUE];
-            write_value(value, sizeof value, column, row);
+            explain_write_value(value, sizeof value, column, row);
             snprintf(to + used, LINE - used, power ? "(%s)" : "%s", value);
         } else {
             snprintf(to + used, LINE - used, "%.*s", (int)symbol.length, symbol.start);
@@ -84,7 +84,7 @@ static void render(char *to, const char *formula, const struct sheet *sheet, con
     to[used] = '\0';
 }
 
-static bool is_wanted(const struct report *report, struct text name, const void *row)
+static bool explain_is_wanted(const struct report *report, struct text name, const void *row)
 {
     for (size_t i = 0; i < report->shown_count; i++) {
         const struct column *column = report->shown[i].column;
@@ -103,7 +103,7 @@ static bool applies(const struct report *report, struct text only, const void *r
     }
     const struct text absent = text_behind(only, "!");
     struct text word = absent.start != NULL ? absent : only;
-    const struct column *column = by_name(report->sheet, text_cut(&word, '='));
+    const struct column *column = explain_by_name(report->sheet, text_cut(&word, '='));
     const char *said = *(const char *const *)((const char *)row + column->offset);
     return absent.start != NULL ? said == NULL
                                 : said != NULL && (word.start == NULL || text_equal(word, said));
@@ -113,11 +113,11 @@ static const char *explain_one(const struct report *report, const struct explana
                                struct text name, const void *row)
 {
     char symbols[LINE], numbers[LINE], result[VALUE];
-    const struct column *column = by_name(report->sheet, name);
+    const struct column *column = explain_by_name(report->sheet, name);
     render(symbols, explanation->formula, report->sheet, NULL);
     const char *right = strstr(explanation->formula, " = ");
     render(numbers, right != NULL ? right + 3 : explanation->formula, report->sheet, row);
-    write_value(result, sizeof result, column, row);
+    explain_write_value(result, sizeof result, column, row);
     const char *label = column->label != NULL ? column->label : column->name;
     const bool has_numbers = strchr(explanation->formula, '{') != NULL; /* else it is there twice */
     return arena_printf(report->arena, "%s: %s%s%s\n  = %s\n  %s%s%s", label, symbols,
@@ -133,7 +133,7 @@ const char *explain_row(const struct report *report, const struct explanation *e
     for (size_t i = 0; explanations != NULL && explanations[i].column != NULL; i++) {
         struct text only = text_of(explanations[i].column);
         const struct text name = text_cut(&only, ' ');
-        if (is_wanted(report, name, row) && applies(report, only, row)) {
+        if (explain_is_wanted(report, name, row) && applies(report, only, row)) {
             const char *one = explain_one(report, &explanations[i], name, row);
             text = text == NULL ? one : arena_printf(report->arena, "%s\n%s", text, one);
         }

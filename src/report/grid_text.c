@@ -40,7 +40,7 @@ void grid_measure(const struct grid *grid, size_t *widths)
 /* -------- lines of one cell -------- */
 
 /* Cut off what goes into the next line of a cell: whole words, or a part of one too long for it. */
-static struct text next_line(struct text *rest, size_t width)
+static struct text grid_text_next_line(struct text *rest, size_t width)
 {
     size_t at = 0, used = 0, blank = 0, most = larger(width, 1); /* each takes something */
     while (at < rest->length && (used < most || continues(rest->start[at]))) {
@@ -66,18 +66,18 @@ static size_t count_lines(struct text cell, size_t width)
 {
     size_t count = 0;
     do {
-        next_line(&cell, width);
+        grid_text_next_line(&cell, width);
         count++;
     } while (cell.length > 0);
     return count;
 }
 
 /* Line `k` of a cell; empty behind its last. */
-static struct text line_of(struct text cell, size_t width, size_t k)
+static struct text grid_text_line_of(struct text cell, size_t width, size_t k)
 {
-    struct text line = next_line(&cell, width);
+    struct text line = grid_text_next_line(&cell, width);
     for (; k > 0; k--) {
-        line = cell.length > 0 ? next_line(&cell, width) : (struct text){"", 0};
+        line = cell.length > 0 ? grid_text_next_line(&cell, width) : (struct text){"", 0};
     }
     return line;
 }
@@ -106,7 +106,7 @@ static size_t body_width(const struct grid *grid, size_t column)
 }
 
 /* How narrow a column may be: heads break between words, and so do cells of words. */
-static size_t least_of(const struct grid *grid, size_t column, size_t width)
+static size_t grid_text_least_of(const struct grid *grid, size_t column, size_t width)
 {
     size_t least = grid->left[column] && width > NARROWEST_WORDS ? NARROWEST_WORDS : 0;
     for (size_t i = 0; i < grid->rows; i++) {
@@ -146,8 +146,8 @@ static size_t widest_above(const struct grid *grid, const size_t *bounds)
  * Take from the widest columns what is too much; false if it is not enough. As long as that will
  * do only heads are broken, which takes a line and not one a row.
  */
-static bool narrow(struct grid *grid, size_t width, const size_t *natural, const size_t *least,
-                   const size_t *bodies)
+static bool grid_text_narrow(struct grid *grid, size_t width, const size_t *natural,
+                             const size_t *least, const size_t *bodies)
 {
     memcpy(grid->widths, natural, grid->columns * sizeof *natural);
     for (size_t total = total_width(grid); total > width; total--) {
@@ -171,10 +171,10 @@ size_t grid_fit(struct grid *grid, size_t width, const size_t *least, const size
     grid->hidden = ARENA_ARRAY(grid->arena, grid->columns, bool);
     grid_measure(grid, natural);
     for (size_t j = 0; j < grid->columns; j++) {
-        narrowest[j] = least[j] > 0 ? least[j] : least_of(grid, j, natural[j]);
+        narrowest[j] = least[j] > 0 ? least[j] : grid_text_least_of(grid, j, natural[j]);
         bodies[j] = larger(narrowest[j], body_width(grid, j));
     }
-    while (!narrow(grid, width, natural, narrowest, bodies)) {
+    while (!grid_text_narrow(grid, width, natural, narrowest, bodies)) {
         size_t last = grid->columns;
         for (size_t j = 0; j < grid->columns; j++) {
             if (!grid->hidden[j] && rank[j] > 0 &&
@@ -205,7 +205,7 @@ static void write_padded(struct output *output, size_t gap, struct text text, si
     }
 }
 
-static bool is_hidden(const struct grid *grid, size_t column)
+static bool grid_text_is_hidden(const struct grid *grid, size_t column)
 {
     return grid->hidden != NULL && grid->hidden[column];
 }
@@ -215,7 +215,8 @@ static void write_line(const struct grid *grid, struct output *output, const siz
                        const struct text *pieces, enum style style)
 {
     size_t behind = grid->columns; /* the last that says something */
-    while (behind > 0 && (pieces[behind - 1].length == 0 || is_hidden(grid, behind - 1))) {
+    while (behind > 0 &&
+           (pieces[behind - 1].length == 0 || grid_text_is_hidden(grid, behind - 1))) {
         behind--;
     }
     size_t gap = 0;
@@ -223,7 +224,7 @@ static void write_line(const struct grid *grid, struct output *output, const siz
         output_style(output, style);
     }
     for (size_t j = 0; j < behind; j++) {
-        if (is_hidden(grid, j)) {
+        if (grid_text_is_hidden(grid, j)) {
             continue;
         }
         write_padded(output, gap, pieces[j], widths[j], grid->left[j], j + 1 == behind);
@@ -238,7 +239,7 @@ static void write_line(const struct grid *grid, struct output *output, const siz
 /* Do the cells of this row in this column go on in further lines? */
 static bool wraps(const struct grid *grid, size_t row, size_t column)
 {
-    return grid->widths != NULL && !is_hidden(grid, column) &&
+    return grid->widths != NULL && !grid_text_is_hidden(grid, column) &&
            (row < grid->head_rows || grid->left[column]);
 }
 
@@ -250,11 +251,11 @@ static struct text piece_of(const struct grid *grid, size_t row, size_t column, 
     size_t width = wraps(grid, row, column) ? grid->widths[column] : SIZE_MAX;
     size_t own = count_lines(cell, width);
     size_t above = row < grid->head_rows ? lines - own : 0;
-    return k < above ? (struct text){"", 0} : line_of(cell, width, k - above);
+    return k < above ? (struct text){"", 0} : grid_text_line_of(cell, width, k - above);
 }
 
-static void write_row(const struct grid *grid, struct output *output, const size_t *widths,
-                      struct text *pieces, size_t row)
+static void grid_text_write_row(const struct grid *grid, struct output *output,
+                                const size_t *widths, struct text *pieces, size_t row)
 {
     size_t lines = 1;
     for (size_t j = 0; j < grid->columns; j++) {
@@ -276,7 +277,7 @@ static void write_rows(const struct grid *grid, struct output *output, const siz
 {
     struct text *pieces = ARENA_ARRAY(grid->arena, grid->columns + 1, struct text);
     for (size_t i = with_head ? 0 : grid->head_rows; i < grid->rows; i++) {
-        write_row(grid, output, widths, pieces, i);
+        grid_text_write_row(grid, output, widths, pieces, i);
     }
 }
 

@@ -17,7 +17,7 @@ static unsigned code_point(const char *start, size_t length)
     return code;
 }
 
-static void write_string(struct output *output, const char *start, size_t length)
+static void json_write_string(struct output *output, const char *start, size_t length)
 {
     output_character(output, '"');
     for (size_t i = 0; i < length;) {
@@ -58,7 +58,7 @@ static double shown_number(const void *row, const struct shown *shown)
     return shown->unit != NULL ? unit_from_own(shown->unit, value) : value;
 }
 
-static void write_number(struct report *report, const void *row, const struct shown *shown)
+static void json_write_number(struct report *report, const void *row, const struct shown *shown)
 {
     if (!isfinite(shown_number(row, shown))) {
         output_string(report->output, "null");
@@ -68,24 +68,24 @@ static void write_number(struct report *report, const void *row, const struct sh
     output_advance(report->output, shown_write_number(to, row, shown, report->digits));
 }
 
-static void write_value(struct report *report, const void *row, const struct shown *shown)
+static void json_write_value(struct report *report, const void *row, const struct shown *shown)
 {
     const struct column *column = shown->column;
     if (row == NULL || row_is_absent(row, column)) {
         output_string(report->output, "null");
     } else if (column->type == COLUMN_NUMBER) {
-        write_number(report, row, shown);
+        json_write_number(report, row, shown);
     } else if (column->type == COLUMN_INTEGER) {
         output_printf(report->output, "%ld", row_integer(row, column));
     } else if (column->type == COLUMN_FLAG) {
         output_string(report->output, row_flag(row, column) ? "true" : "false");
     } else {
-        write_string(report->output, row_text(row, column), strlen(row_text(row, column)));
+        json_write_string(report->output, row_text(row, column), strlen(row_text(row, column)));
     }
 }
 
 /* Is the column shown in another unit already? One companion serves both. */
-static bool stands_before(const struct shown *shown, size_t index)
+static bool json_stands_before(const struct shown *shown, size_t index)
 {
     for (size_t i = 0; i < index; i++) {
         if (shown[i].column == shown[index].column) {
@@ -105,8 +105,8 @@ static void write_members(struct report *report, const void *row, const struct s
         }
         comma = true;
         write_key(report->output, shown[i].name, "");
-        write_value(report, row, &shown[i]);
-        if ((shown[i].column->flags & COLUMN_INFINITE) != 0 && !stands_before(shown, i)) {
+        json_write_value(report, row, &shown[i]);
+        if ((shown[i].column->flags & COLUMN_INFINITE) != 0 && !json_stands_before(shown, i)) {
             output_character(report->output, ',');
             write_key(report->output, shown[i].column->name, "_is_infinite");
             bool infinite = row != NULL && isinf(shown_number(row, &shown[i]));
@@ -118,7 +118,7 @@ static void write_members(struct report *report, const void *row, const struct s
 static void write_passed(struct output *output, const struct passed_cell *cell)
 {
     if (!cell->is_bare) {
-        write_string(output, cell->text.start, cell->text.length);
+        json_write_string(output, cell->text.start, cell->text.length);
     } else if (cell->text.length > 0) {
         output_text(output, cell->text.start, cell->text.length);
     } else {
@@ -141,7 +141,7 @@ static void write_object(struct report *report, const void *row, const struct pa
             output_character(report->output, ',');
         }
         comma = true;
-        write_string(report->output, name.start, name.length);
+        json_write_string(report->output, name.start, name.length);
         output_character(report->output, ':');
         write_passed(report->output, &passed[i]);
     }
@@ -149,13 +149,13 @@ static void write_object(struct report *report, const void *row, const struct pa
     if (failure != NULL) {
         output_string(report->output,
                       comma || report->shown_count > 0 ? ",\"error\":" : "\"error\":");
-        write_string(report->output, failure->message, strlen(failure->message));
+        json_write_string(report->output, failure->message, strlen(failure->message));
     }
     output_character(report->output, '}');
 }
 
 /* The head waits for the first good row, which knows the assumptions. */
-static void write_head(struct report *report, const void *row)
+static void json_write_head(struct report *report, const void *row)
 {
     output_printf(report->output, "{\"command\":\"%s\",\"version\":\"%s\",\"assumptions\":{",
                   report->command, LENSCALC_VERSION);
@@ -168,34 +168,34 @@ static void write_head(struct report *report, const void *row)
 }
 
 /* Failed rows that came before the first good one. */
-struct pending {
+struct pending_row {
     struct passed_cell *passed;
     size_t passed_count; /* later rows may have more */
     struct error failure;
-    struct pending *next;
+    struct pending_row *next;
 };
 
 struct json_state {
     bool has_head;
-    struct pending *first, **last;
+    struct pending_row *first, **last;
 };
 
 static void write_start(struct report *report, const void *row)
 {
     struct json_state *state = report->state;
     state->has_head = true;
-    write_head(report, row);
-    for (struct pending *at = state->first; at != NULL; at = at->next) {
+    json_write_head(report, row);
+    for (struct pending_row *at = state->first; at != NULL; at = at->next) {
         output_string(report->output, at == state->first ? "\n" : ",\n");
         write_object(report, NULL, at->passed, at->passed_count, &at->failure);
     }
 }
 
-static void keep(struct report *report, const struct passed_cell *passed,
-                 const struct error *failure)
+static void json_keep(struct report *report, const struct passed_cell *passed,
+                      const struct error *failure)
 {
     struct json_state *state = report->state;
-    struct pending *pending = ARENA_NEW(report->arena, struct pending);
+    struct pending_row *pending = ARENA_NEW(report->arena, struct pending_row);
     pending->failure = *failure;
     pending->passed_count = report->passed_count;
     pending->passed = ARENA_ARRAY(report->arena, report->passed_count, struct passed_cell);
@@ -225,7 +225,7 @@ static void json_row(struct report *report, const void *row, const struct passed
 {
     struct json_state *state = report->state;
     if (!state->has_head && row == NULL && report->rows < MOST_PENDING) {
-        keep(report, passed, failure);
+        json_keep(report, passed, failure);
         return;
     }
     if (!state->has_head) {
@@ -235,20 +235,20 @@ static void json_row(struct report *report, const void *row, const struct passed
     write_object(report, row, passed, report->passed_count, failure);
 }
 
-static void write_doubts(struct report *report)
+static void json_write_doubts(struct report *report)
 {
-    const struct doubts *doubts = report->doubts;
+    const struct warnings *doubts = report->doubts;
     if (doubts == NULL || doubts->count == 0) {
         return;
     }
     for (size_t i = 0; i < doubts->count; i++) {
         output_string(report->output, i == 0 ? ",\"warnings\":[" : ",");
-        write_string(report->output, doubts->texts[i], strlen(doubts->texts[i]));
+        json_write_string(report->output, doubts->texts[i], strlen(doubts->texts[i]));
     }
-    const char *more = doubts_left_out(report->doubts);
+    const char *more = warnings_left_out(report->doubts);
     if (more != NULL) {
         output_string(report->output, ",");
-        write_string(report->output, more, strlen(more));
+        json_write_string(report->output, more, strlen(more));
     }
     output_string(report->output, "]");
 }
@@ -262,9 +262,9 @@ static void json_end(struct report *report)
     output_string(report->output, report->rows > 0 ? "\n]" : "]");
     if (report->explain != NULL) {
         output_string(report->output, ",\"explain\":");
-        write_string(report->output, report->explain, strlen(report->explain));
+        json_write_string(report->output, report->explain, strlen(report->explain));
     }
-    write_doubts(report);
+    json_write_doubts(report);
     output_string(report->output, "}\n");
 }
 

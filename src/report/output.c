@@ -352,7 +352,7 @@ void output_printf(struct output *output, const char *format, ...)
 }
 
 /* What is renamed is on the disk: after a power failure there is the old file or the new one. */
-static void store(struct output *output)
+static void output_store(struct output *output)
 {
     if (fsync(output->descriptor) != 0 && errno != EINVAL && errno != ENOSYS) {
         output->failure = errno; /* neither: a file system that stores nothing by itself */
@@ -360,7 +360,7 @@ static void store(struct output *output)
 }
 
 /* Put the whole file in its place; take one away that is not to be kept. */
-static void settle(struct output *output, bool keep)
+static void output_settle(struct output *output, bool keep)
 {
     bool whole = keep && output->failure == 0;
     if (whole && rename(output->beside, output->path) != 0) {
@@ -411,7 +411,7 @@ bool output_close(struct output *output, bool keep, struct error *error)
     }
     bool whole = output->is_renamed && keep && output->failure == 0;
     if (whole) {
-        store(output);
+        output_store(output);
     }
     if (whole && output->is_nameless && output->failure == 0) {
         output->is_nameless = !name_nameless(output);
@@ -422,7 +422,7 @@ bool output_close(struct output *output, bool keep, struct error *error)
         output->failure = errno;
     }
     if (output->is_renamed) {
-        settle(output, keep);
+        output_settle(output, keep);
     }
     return output->failure == 0 || fail_written(output, error);
 }

@@ -149,7 +149,7 @@ static bool is_short(double value)
 }
 
 /* As much of a text as there is room for. */
-static void copy(char *to, size_t room, const char *text)
+static void readable_copy(char *to, size_t room, const char *text)
 {
     size_t length = strlen(text);
     length = length < room ? length : room - 1;
@@ -174,12 +174,12 @@ static bool write_spoken(char *to, double value, const struct shown *shown, cons
     return true;
 }
 
-static void write_number(char *to, size_t room, const void *row, const struct shown *shown,
-                         const struct unit *unit, int digits)
+static void readable_write_number(char *to, size_t room, const void *row, const struct shown *shown,
+                                  const struct unit *unit, int digits)
 {
     double value = row_number(row, shown->column);
     if (isinf(value)) {
-        copy(to, room, value > 0 ? "inf" : "-inf");
+        readable_copy(to, room, value > 0 ? "inf" : "-inf");
         return;
     }
     int certain = certain_digits(row, shown->column, digits);
@@ -206,18 +206,19 @@ void readable_value(char *to, size_t room, const void *row, const struct shown *
     }
     switch (shown->column->type) {
     case COLUMN_NUMBER:
-        write_number(to, room, row, shown, unit, digits);
+        readable_write_number(to, room, row, shown, unit, digits);
         break;
     case COLUMN_INTEGER:
         snprintf(to, room, "%ld", row_integer(row, shown->column));
         break;
     case COLUMN_FLAG:
-        copy(to, room, row_flag(row, shown->column) ? "yes" : "no");
+        readable_copy(to, room, row_flag(row, shown->column) ? "yes" : "no");
         break;
     case COLUMN_TEXT:
-        copy(to, room, row_text(row, shown->column));
+        readable_copy(to, room, row_text(row, shown->column));
         if (is_spoken_time(shown, unit)) {
-            copy(to + strlen(to), room - strlen(to), " s"); /* a label of a camera: 1/125, 15 */
+            readable_copy(to + strlen(to), room - strlen(to),
+                          " s"); /* a label of a camera: 1/125, 15 */
         }
         break;
     }

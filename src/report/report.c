@@ -15,7 +15,7 @@ const struct word *format_word(size_t i)
     return formats[i] != NULL ? &formats[i]->word : NULL;
 }
 
-static const struct unit *find_unit(const struct column *column, struct text name)
+static const struct unit *report_find_unit(const struct column *column, struct text name)
 {
     return column->dimension != NULL ? unit_find(column->dimension, name) : NULL;
 }
@@ -27,7 +27,8 @@ static void set_divisor(struct shown *shown)
     shown->divisor = whole ? unit_to_own(shown->unit, 1) : 0;
 }
 
-static struct shown show(const struct column *column, const struct unit *unit, struct arena *arena)
+static struct shown report_show(const struct column *column, const struct unit *unit,
+                                struct arena *arena)
 {
     struct shown shown = {.column = column, .unit = unit, .name = column->name, .divisor = 1};
     if (unit != NULL) {
@@ -40,8 +41,8 @@ static struct shown show(const struct column *column, const struct unit *unit, s
 static struct shown show_usual(const struct column *column, struct arena *arena)
 {
     const struct unit *unit =
-        column->unit != NULL ? find_unit(column, text_of(column->unit)) : NULL;
-    return show(column, unit, arena);
+        column->unit != NULL ? report_find_unit(column, text_of(column->unit)) : NULL;
+    return report_show(column, unit, arena);
 }
 
 /* Does `name` ask for this column, by itself or with a unit behind? */
@@ -59,10 +60,10 @@ static bool names_column(struct text name, const struct column *column, struct a
     struct text rest = {name.start + length + 1, name.length - length - 1};
     const struct unit *unit = NULL;
     if (name.start[length] == '_' && column->unit != NULL) {
-        unit = find_unit(column, rest);
+        unit = report_find_unit(column, rest);
     }
     if (unit != NULL && unit->name[0] != '\0') {
-        *shown = show(column, unit, arena);
+        *shown = report_show(column, unit, arena);
         return true;
     }
     return false;
@@ -81,7 +82,7 @@ static bool no_such_unit(const struct column *column, struct text name, struct e
 enum calling { BY_NAME, BY_LABEL, CALLINGS };
 
 /* Is it called so: "Near_M", "near-limit", "H"? */
-static bool is_called(struct text name, const struct column *column, enum calling by)
+static bool report_is_called(struct text name, const struct column *column, enum calling by)
 {
     if (by == BY_NAME) {
         return text_same_name(name, text_of(column->name));
@@ -98,7 +99,8 @@ static const struct unit *cut_unit(struct text *name, const struct column *colum
         at--;
     }
     const struct text last = {name->start + at, name->length - at};
-    const struct unit *unit = at > 1 && column->unit != NULL ? find_unit(column, last) : NULL;
+    const struct unit *unit =
+        at > 1 && column->unit != NULL ? report_find_unit(column, last) : NULL;
     if (unit == NULL || unit->name[0] == '\0') {
         return NULL;
     }
@@ -117,11 +119,11 @@ static bool find_called(const struct sheet *sheet, struct text name, enum callin
         const struct unit *unit = cut_unit(&bare, column);
         const struct shown usual = show_usual(column, arena);
         bool whole = by == BY_NAME && text_same_name(name, text_of(usual.name));
-        if (whole || is_called(name, column, by)) {
+        if (whole || report_is_called(name, column, by)) {
             *shown = usual;
             found++;
-        } else if (unit != NULL && is_called(bare, column, by)) {
-            *shown = show(column, unit, arena);
+        } else if (unit != NULL && report_is_called(bare, column, by)) {
+            *shown = report_show(column, unit, arena);
             found++;
         }
     }
@@ -160,8 +162,8 @@ static void suggest_columns(const struct sheet *sheet, struct text name, struct 
 }
 
 /* By its name, or what else people may call it; `other_unit` but for the unit behind its name. */
-static bool find_column(const struct sheet *sheet, struct text name, struct arena *arena,
-                        struct shown *shown, const struct column **other_unit)
+static bool report_column_named(const struct sheet *sheet, struct text name, struct arena *arena,
+                                struct shown *shown, const struct column **other_unit)
 {
     for (size_t i = 0; i < sheet->column_count; i++) {
         const struct column *column = &sheet->columns[i];
@@ -196,8 +198,8 @@ bool report_find_column(const struct sheet *sheet, struct text name, struct aren
 {
     const struct sheet own = report_own_columns(sheet);
     const struct column *other_unit = NULL;
-    if (find_column(&own, name, arena, shown, &other_unit) ||
-        find_column(sheet, name, arena, shown, &other_unit)) {
+    if (report_column_named(&own, name, arena, shown, &other_unit) ||
+        report_column_named(sheet, name, arena, shown, &other_unit)) {
         return true;
     }
     if (other_unit != NULL) {
@@ -331,7 +333,7 @@ static bool is_assumed(const struct column *column, const struct selection *sele
            ((column->flags & COLUMN_TIED) == 0 || is_brought(column, selection));
 }
 
-static bool is_hidden(const struct column *column, const struct selection *selection)
+static bool report_is_hidden(const struct column *column, const struct selection *selection)
 {
     return (column->flags & (COLUMN_HIDDEN | COLUMN_NOTE)) != 0 && selection->layout != SELECT_ALL;
 }
@@ -359,10 +361,10 @@ static bool belongs(const struct column *column, const struct selection *selecti
         return false;
     }
     if ((column->flags & COLUMN_EXTRA) != 0) {
-        return !is_hidden(column, selection) && is_brought(column, selection);
+        return !report_is_hidden(column, selection) && is_brought(column, selection);
     }
     return selection->layout == SELECT_ALL ||
-           (!is_hidden(column, selection) && is_usual(column, selection));
+           (!report_is_hidden(column, selection) && is_usual(column, selection));
 }
 
 /* Everything a row has, but for extras nobody asked for. */

@@ -69,11 +69,11 @@ struct report {
     const char *nominal; /* what had labels of stop series read as exact values; null = nothing */
     int digits;          /* significant digits, 0 = as the format does */
     enum unit_system units;
-    const char *remedy;    /* what shows columns for which a terminal has no room */
-    const char *explain;   /* text to print after the rows, or null */
-    struct doubts *doubts; /* what to say beside the answer; null = nothing, ever */
-    size_t rows;           /* printed so far */
-    void *state;           /* the format's own */
+    const char *remedy;      /* what shows columns for which a terminal has no room */
+    const char *explain;     /* text to print after the rows, or null */
+    struct warnings *doubts; /* what to say beside the answer; null = nothing, ever */
+    size_t rows;             /* printed so far */
+    void *state;             /* the format's own */
 };
 
 /* Is it among the columns of the rows? */

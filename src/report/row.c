@@ -6,29 +6,29 @@
 
 #include <math.h>
 
-static const void *member(const void *row, const struct column *column)
+static const void *row_member(const void *row, const struct column *column)
 {
     return (const char *)row + column->offset;
 }
 
 double row_number(const void *row, const struct column *column)
 {
-    return *(const double *)member(row, column);
+    return *(const double *)row_member(row, column);
 }
 
 long row_integer(const void *row, const struct column *column)
 {
-    return *(const long *)member(row, column);
+    return *(const long *)row_member(row, column);
 }
 
 bool row_flag(const void *row, const struct column *column)
 {
-    return *(const bool *)member(row, column);
+    return *(const bool *)row_member(row, column);
 }
 
 const char *row_text(const void *row, const struct column *column)
 {
-    return *(const char *const *)member(row, column);
+    return *(const char *const *)row_member(row, column);
 }
 
 bool row_is_absent(const void *row, const struct column *column)

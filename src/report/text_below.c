@@ -142,7 +142,7 @@ static void write_legend(struct report *report)
 }
 
 /* When columns that were asked for, and have no value in any row, would have one. */
-static void write_absent(struct report *report)
+static void text_below_write_absent(struct report *report)
 {
     const struct text_state *state = report->state;
     const bool is_table = report->are_named && state->has_layout && !text_is_list(report);
@@ -183,22 +183,22 @@ static void write_all_notes(struct report *report)
     }
 }
 
-static void write_doubts(struct report *report)
+static void text_below_write_doubts(struct report *report)
 {
-    struct doubts *doubts = report->doubts;
+    struct warnings *doubts = report->doubts;
     for (size_t i = 0; doubts != NULL && i < doubts->count; i++) {
         write_remark(report, STYLE_WARNING,
                      "warning:", arena_printf(&doubts->arena, " %s", doubts->texts[i]));
     }
-    text_write_line(report, doubts != NULL ? doubts_left_out(doubts) : NULL);
+    text_write_line(report, doubts != NULL ? warnings_left_out(doubts) : NULL);
 }
 
 void text_write_below(struct report *report)
 {
     write_left_out(report);
     write_legend(report);
-    write_absent(report);
+    text_below_write_absent(report);
     text_write_line(report, report_assumptions(report, first_good_row(report->state)));
     write_all_notes(report);
-    write_doubts(report);
+    text_below_write_doubts(report);
 }

@@ -15,7 +15,7 @@
  */
 enum { ROWS_LOOKED_AT = 512, DIGITS = 4, CELL = 256 };
 
-static int digits_of(const struct report *report, const struct column *column)
+static int text_format_digits_of(const struct report *report, const struct column *column)
 {
     int usual = column->digits != 0 ? column->digits : DIGITS;
     return report->digits != 0 ? report->digits : usual;
@@ -27,8 +27,8 @@ static struct text copy_text(struct arena *arena, struct text text)
 }
 
 /* Rows are kept whole, with copies of their texts. */
-static void keep(struct report *report, const void *row, const struct passed_cell *passed,
-                 const struct error *failure)
+static void text_format_keep(struct report *report, const void *row,
+                             const struct passed_cell *passed, const struct error *failure)
 {
     struct text_state *state = report->state;
     struct kept *kept = &state->kept[state->kept_count++];
@@ -62,7 +62,7 @@ static void keep(struct report *report, const void *row, const struct passed_cel
 }
 
 /* The median magnitude of a column's finite values; NaN if there are none. */
-static double typical(struct text_state *state, const struct column *column)
+static double text_format_typical(struct text_state *state, const struct column *column)
 {
     double values[ROWS_LOOKED_AT];
     size_t count = 0;
@@ -77,7 +77,7 @@ static double typical(struct text_state *state, const struct column *column)
     return readable_median(values, count);
 }
 
-static void choose_units(struct report *report)
+static void text_format_choose_units(struct report *report)
 {
     struct text_state *state = report->state;
     int places = -1;
@@ -86,10 +86,10 @@ static void choose_units(struct report *report)
         /* only lengths have units that follow their sizes */
         const bool follows =
             shown->column->type == COLUMN_NUMBER && shown->column->dimension == &dimension_length;
-        double size = follows ? typical(state, shown->column) : (double)NAN;
+        double size = follows ? text_format_typical(state, shown->column) : (double)NAN;
         state->units[i] = readable_unit(shown, report->units, size);
-        int own =
-            readable_inch_places(shown, state->units[i], size, digits_of(report, shown->column));
+        int own = readable_inch_places(shown, state->units[i], size,
+                                       text_format_digits_of(report, shown->column));
         places = own > places ? own : places;
         state->is_empty[i] = true;
         for (size_t k = 0; k < state->kept_count && state->is_empty[i]; k++) {
@@ -178,8 +178,8 @@ static struct grid new_grid(struct report *report, size_t rows, struct arena *ar
     return grid;
 }
 
-static void add_row(struct report *report, struct grid *grid, const void *row,
-                    const struct passed_cell *passed, const char *failure)
+static void text_format_add_row(struct report *report, struct grid *grid, const void *row,
+                                const struct passed_cell *passed, const char *failure)
 {
     const struct text_state *state = report->state;
     char cell[CELL];
@@ -191,7 +191,7 @@ static void add_row(struct report *report, struct grid *grid, const void *row,
         const struct column *column = report->shown[i].column;
         const bool is_dash = report->are_named && state->is_empty[i] && row_is_absent(row, column);
         readable_value(cell, sizeof cell, row, &report->shown[i], state->units[i],
-                       digits_of(report, column));
+                       text_format_digits_of(report, column));
         grid_set(grid, report->passed_count + i, is_dash ? "-" : cell);
     }
     if (failure != NULL && state->has_failures) {
@@ -233,7 +233,7 @@ static void write_table(struct report *report)
     struct grid grid = new_grid(report, state->kept_count, report->arena);
     for (size_t i = 0; i < state->kept_count; i++) {
         const struct kept *kept = &state->kept[i];
-        add_row(report, &grid, kept->row, kept->passed, kept->failure);
+        text_format_add_row(report, &grid, kept->row, kept->passed, kept->failure);
     }
     if (has_width(report)) {
         fit_table(report, &grid);
@@ -274,7 +274,7 @@ static void add_list_row(struct report *report, struct grid *grid, size_t i, siz
         return;
     }
     readable_value(cell, sizeof cell, state->kept[0].row, shown, state->units[i],
-                   digits_of(report, column));
+                   text_format_digits_of(report, column));
     if (column->type == COLUMN_NUMBER && strlen(cell) > *value_width) {
         *value_width = strlen(cell); /* words may go on in another line */
     }
@@ -315,7 +315,7 @@ static void write_list(struct report *report)
 static void write_kept(struct report *report)
 {
     struct text_state *state = report->state;
-    choose_units(report);
+    text_format_choose_units(report);
     leave_out_empty(report);
     if (text_is_list(report)) {
         write_list(report);
@@ -337,7 +337,7 @@ static void write_later_row(struct report *report, const void *row,
     } else {
         memcpy(grid.least_width, state->widths, grid.columns * sizeof grid.least_width[0]);
     }
-    add_row(report, &grid, row, passed, failure != NULL ? failure->message : NULL);
+    text_format_add_row(report, &grid, row, passed, failure != NULL ? failure->message : NULL);
     report->format->write_grid(&grid, report->output, false);
     if (failure != NULL && !state->has_failures) {
         output_styled(report->output, STYLE_ERROR, "error:"); /* there is no column for it */
@@ -366,7 +366,7 @@ static void text_row(struct report *report, const void *row, const struct passed
         write_later_row(report, row, passed, failure);
         return;
     }
-    keep(report, row, passed, failure);
+    text_format_keep(report, row, passed, failure);
     if (state->kept_count == ROWS_LOOKED_AT) {
         write_kept(report);
     }

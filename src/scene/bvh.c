@@ -171,7 +171,7 @@ static size_t part_items(struct bvh_item *items, size_t count, const struct bvh_
 }
 
 /* The range becomes its first part; returns the second. */
-static struct bvh_range cut_range(const struct builder *builder, struct bvh_range *range)
+static struct bvh_range bvh_cut_range(const struct builder *builder, struct bvh_range *range)
 {
     struct bvh_item *items = builder->items + range->first;
     struct bvh_cut cut = {.before = 0};
@@ -227,7 +227,7 @@ static size_t make_node(struct builder *builder, const struct bvh_range *range,
         if (next == count) {
             break;
         }
-        parts[count] = cut_range(builder, &parts[next]);
+        parts[count] = bvh_cut_range(builder, &parts[next]);
         count++;
     }
     const uint32_t number = (uint32_t)builder->node_count++;

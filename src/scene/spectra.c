@@ -52,8 +52,8 @@ static const struct banded *spectra_find(struct spectra *spectra, const struct s
 {
     const struct spectrum_key key = spectrum_key_of(spectrum, is_surface);
     struct arena *arena = spectra->arena;
-    struct name_index *index = &spectra->index;
-    const size_t known = name_index_find(index, (struct text){(const char *)&key, sizeof key});
+    struct name_table *index = &spectra->index;
+    const size_t known = name_table_find(index, (struct text){(const char *)&key, sizeof key});
     if (known != NAME_NONE) {
         return spectra->list[known];
     }
@@ -67,7 +67,7 @@ static const struct banded *spectra_find(struct spectra *spectra, const struct s
     spectra->list =
         arena_grow(arena, spectra->list, index->count, &spectra->room, sizeof spectra->list[0]);
     spectra->list[index->count] = banded;
-    name_index_add(index, (struct text){(const char *)kept, sizeof *kept}, arena);
+    name_table_add(index, (struct text){(const char *)kept, sizeof *kept}, arena);
     return banded;
 }
 

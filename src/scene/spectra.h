@@ -22,7 +22,7 @@ struct banded {
 struct spectra {
     const struct bands *bands;
     struct arena *arena;
-    struct name_index index; /* by what tells spectra apart */
+    struct name_table index; /* by what tells spectra apart */
     const struct banded **list;
     size_t room;
 };

@@ -25,8 +25,8 @@ struct pyramid {
 };
 
 /* Means of so many pixels across and down, of parts of them, too. */
-static bool shrink(const struct image *from, const double box[2], struct arena *arena,
-                   struct image *to, struct error *error)
+static bool acuity_shrink(const struct image *from, const double box[2], struct arena *arena,
+                          struct image *to, struct error *error)
 {
     const double enough = 1e-9; /* of a box: less at the edge is rounding */
     const double size[] = {(double)from->width, (double)from->height};
@@ -56,8 +56,8 @@ static bool shrink(const struct image *from, const double box[2], struct arena *
     return true;
 }
 
-static bool halve(const struct image *from, struct arena *arena, struct image *to,
-                  struct error *error)
+static bool acuity_halve(const struct image *from, struct arena *arena, struct image *to,
+                         struct error *error)
 {
     *to = (struct image){
         .width = (from->width + 1) / 2, .height = (from->height + 1) / 2, .channels = CHANNELS};
@@ -96,8 +96,8 @@ static float *samples_of(const struct foveal *foveal, double pixels_a_degree, st
 }
 
 /* A share of a level's light at a pixel of the whole picture, between its pixels. */
-static void add_level(const struct pyramid *pyramid, int level, const double at[2], float share,
-                      float light[CHANNELS])
+static void acuity_add_level(const struct pyramid *pyramid, int level, const double at[2],
+                             float share, float light[CHANNELS])
 {
     const struct image *image = &pyramid->levels[level].image;
     const double *scale = pyramid->levels[level].scale;
@@ -128,9 +128,9 @@ static void blur_pixel(const struct pyramid *pyramid, const double at[2], double
     const float rest =
         beyond > 0 ? (float)(beyond / (levels[below + 1].octaves - levels[below].octaves)) : 0;
     light[0] = light[1] = light[2] = 0;
-    add_level(pyramid, below, at, 1 - rest, light);
+    acuity_add_level(pyramid, below, at, 1 - rest, light);
     if (rest > 0) {
-        add_level(pyramid, below + 1, at, rest, light);
+        acuity_add_level(pyramid, below + 1, at, rest, light);
     }
 }
 
@@ -171,8 +171,8 @@ static bool add_smaller(struct pyramid *pyramid, struct arena *arena, struct err
         next->scale[i] = last->scale[i] / (is_square ? 2 : box[i]);
     }
     pyramid->count++;
-    return is_square ? halve(&last->image, arena, &next->image, error)
-                     : shrink(&last->image, box, arena, &next->image, error);
+    return is_square ? acuity_halve(&last->image, arena, &next->image, error)
+                     : acuity_shrink(&last->image, box, arena, &next->image, error);
 }
 
 bool acuity_blur(const struct foveal *foveal, const struct image *image, struct arena *arena,

@@ -59,7 +59,7 @@ static void grey_of_codes(const struct tone_frame *frame, uint8_t *grey)
     }
 }
 
-static void halve(const struct shades *shades, int level)
+static void align_halve(const struct shades *shades, int level)
 {
     const size_t width = shades->width[level - 1];
     for (size_t y = 0; y < shades->height[level]; y++) {
@@ -84,7 +84,7 @@ static struct shades shades_of(const struct tone_frame *frame, struct arena *are
         shades.height[level] = height;
         shades.of[level] = ARENA_ARRAY(arena, width * height, uint8_t);
         if (level > 0) {
-            halve(&shades, level);
+            align_halve(&shades, level);
         } else if (frame->bits == 0) {
             grey_of_floats(frame, shades.of[0]);
         } else {
@@ -129,7 +129,8 @@ static double choose_quantile(const struct shades *a, const struct shades *b)
 }
 
 /* Bits of each pixel, in an array of its own. */
-static uint8_t *bits_of(const struct shades *shades, int level, double share, struct arena *arena)
+static uint8_t *align_bits_of(const struct shades *shades, int level, double share,
+                              struct arena *arena)
 {
     const size_t count = shades->width[level] * shades->height[level];
     const int middle = quantile(shades, level, share);
@@ -143,13 +144,13 @@ static uint8_t *bits_of(const struct shades *shades, int level, double share, st
 }
 
 /* Two frames as bits. */
-struct pair {
+struct align_pair {
     const uint8_t *a, *b;
     size_t width, height;
 };
 
 /* Share of the pixels compared that differ, b being shifted; NaN: too few are compared. */
-static double differing(const struct pair *pair, long right, long down)
+static double differing(const struct align_pair *pair, long right, long down)
 {
     const size_t step = pair->width * pair->height / LOOK_MOST + 1;
     const long width = (long)pair->width, height = (long)pair->height;
@@ -178,9 +179,9 @@ static void find_shift(const struct shades *a, const struct shades *b, double sh
     struct arena scratch = {0};
     shift[0] = shift[1] = 0;
     for (int level = a->count - 1; level >= 0; level--) {
-        const struct pair pair = {bits_of(a, level, share, &scratch),
-                                  bits_of(b, level, share, &scratch), a->width[level],
-                                  a->height[level]};
+        const struct align_pair pair = {align_bits_of(a, level, share, &scratch),
+                                        align_bits_of(b, level, share, &scratch), a->width[level],
+                                        a->height[level]};
         const long from[2] = {2 * shift[0], 2 * shift[1]};
         double best = differing(&pair, from[0], from[1]);
         shift[0] = from[0];

@@ -15,7 +15,7 @@ enum { APART_MOST = 24 }; /* codes of neighbours */
 static const double SMOOTHNESS = 1000;
 
 /* Equations of one channel: A g = b, of which the lower triangle is used. */
-struct equations {
+struct debevec_equations {
     double *a; /* N x N */
     double b[N];
     double values; /* weighted ones that came in */
@@ -23,7 +23,7 @@ struct equations {
 };
 
 /* A place in all frames. */
-struct seen {
+struct debevec_seen {
     size_t count;
     double code[FRAMES_MOST];                      /* a mean */
     double weight[FRAMES_MOST], time[FRAMES_MOST]; /* w^2; ln t */
@@ -36,7 +36,7 @@ static size_t pixels_of(const struct tone_frame *frame)
     return pixels < PIXELS_MOST ? pixels : PIXELS_MOST;
 }
 
-static size_t place_of(const struct tone_frame *frame, size_t i)
+static size_t debevec_place_of(const struct tone_frame *frame, size_t i)
 {
     const size_t count = pixels_of(frame), row = i * frame->height / count;
     const double turn =
@@ -44,7 +44,7 @@ static size_t place_of(const struct tone_frame *frame, size_t i)
     return row * frame->width + (size_t)((turn - floor(turn)) * (double)frame->width);
 }
 
-static double weight_of(double code)
+static double debevec_weight_of(double code)
 {
     return fmax(0, fmin(code, TOP - code)) / (TOP / 2);
 }
@@ -55,19 +55,20 @@ static size_t held(long at, size_t count)
 }
 
 /* A pixel and its neighbours in a frame. */
-struct spot {
+struct debevec_spot {
     double own, mean;
     bool is_there, is_even, is_exposed; /* none of them at an end */
 };
 
-static struct spot spot_of(const struct tone_frame *frame, size_t at, size_t channel)
+static struct debevec_spot debevec_spot_of(const struct tone_frame *frame, size_t at,
+                                           size_t channel)
 {
     const long x = (long)(at % frame->width) + frame->right;
     const long y = (long)(at / frame->width) + frame->down;
     unsigned sum = 0, least = TOP, most = 0;
     bool is_full = false;
     if (x < 0 || y < 0 || x >= (long)frame->width || y >= (long)frame->height) {
-        return (struct spot){.is_there = false, .is_even = true};
+        return (struct debevec_spot){.is_there = false, .is_even = true};
     }
     for (long i = 0; i < 9; i++) {
         const size_t row = held(y + i / 3 - 1, frame->height);
@@ -80,26 +81,28 @@ static struct spot spot_of(const struct tone_frame *frame, size_t at, size_t cha
         most = code > most ? code : most;
     }
     const bool is_exposed = least > 0 && !is_full;
-    return (struct spot){frame_byte(frame, (size_t)y * frame->width + (size_t)x, channel),
-                         sum / 9.0, true, !is_exposed || most - least <= APART_MOST, is_exposed};
+    return (struct debevec_spot){frame_byte(frame, (size_t)y * frame->width + (size_t)x, channel),
+                                 sum / 9.0, true, !is_exposed || most - least <= APART_MOST,
+                                 is_exposed};
 }
 
 /*
  * The codes of a place, of a channel, in the frames that have it and know something of it: where
  * neighbours are alike in all frames their means, whose noise would flatten the curve.
  */
-static void see(const struct tone_frame *frames, size_t count, size_t at, size_t channel,
-                struct seen *seen)
+static void debevec_see(const struct tone_frame *frames, size_t count, size_t at, size_t channel,
+                        struct debevec_seen *seen)
 {
-    struct spot spots[FRAMES_MOST];
+    struct debevec_spot spots[FRAMES_MOST];
     bool is_even = true;
     for (size_t f = 0; f < count; f++) {
-        spots[f] = spot_of(&frames[f], at, channel);
+        spots[f] = debevec_spot_of(&frames[f], at, channel);
         is_even = is_even && spots[f].is_even;
     }
     seen->count = 0;
     for (size_t f = 0; f < count; f++) {
-        const double code = is_even ? spots[f].mean : spots[f].own, weight = weight_of(code);
+        const double code = is_even ? spots[f].mean : spots[f].own,
+                     weight = debevec_weight_of(code);
         if (spots[f].is_there && (spots[f].is_exposed || !is_even) && weight > 0) {
             seen->code[seen->count] = code;
             seen->weight[seen->count] = weight * weight;
@@ -123,7 +126,7 @@ static void shares_of(double code, double weight, struct share shares[2])
 }
 
 /* ln E is the weighted mean of g - ln t; what is left of the sum of squares is in g alone. */
-static void add_pixel(const struct seen *seen, struct equations *equations)
+static void add_pixel(const struct debevec_seen *seen, struct debevec_equations *equations)
 {
     struct share sums[2 * FRAMES_MOST];
     double weights = 0, times = 0;
@@ -150,11 +153,12 @@ static void add_pixel(const struct seen *seen, struct equations *equations)
     }
 }
 
-static void add_smoothness(struct equations *equations)
+static void add_smoothness(struct debevec_equations *equations)
 {
     for (unsigned z = 1; z < TOP; z++) {
         const double slope = 0.5 / z, second[3] = {1 - slope, -2, 1 + slope};
-        const double w = weight_of(z) * weight_of(z) * SMOOTHNESS * equations->values / N;
+        const double w =
+            debevec_weight_of(z) * debevec_weight_of(z) * SMOOTHNESS * equations->values / N;
         for (unsigned i = 0; i < 3; i++) {
             for (unsigned k = 0; k < 3; k++) {
                 equations->a[(z - 1 + i) * N + z - 1 + k] += w * second[i] * second[k];
@@ -165,7 +169,7 @@ static void add_smoothness(struct equations *equations)
     equations->a[DEBEVEC_MIDDLE * N + DEBEVEC_MIDDLE] += equations->values;
 }
 
-static double between(const double *g, double code)
+static double debevec_between(const double *g, double code)
 {
     struct share shares[2];
     shares_of(code, 1, shares);
@@ -175,16 +179,16 @@ static double between(const double *g, double code)
 static double rms_of(const struct tone_frame *frames, size_t count, size_t channel, const double *g)
 {
     double sum = 0, weights = 0;
-    struct seen seen;
+    struct debevec_seen seen;
     for (size_t at = 0; at < pixels_of(frames); at++) {
         double mean = 0, own = 0;
-        see(frames, count, place_of(frames, at), channel, &seen);
+        debevec_see(frames, count, debevec_place_of(frames, at), channel, &seen);
         for (size_t i = 0; i < seen.count; i++) {
-            mean += seen.weight[i] * (between(g, seen.code[i]) - seen.time[i]);
+            mean += seen.weight[i] * (debevec_between(g, seen.code[i]) - seen.time[i]);
             own += seen.weight[i];
         }
         for (size_t i = 0; i < seen.count && seen.count > 1; i++) {
-            const double off = between(g, seen.code[i]) - seen.time[i] - mean / own;
+            const double off = debevec_between(g, seen.code[i]) - seen.time[i] - mean / own;
             sum += seen.weight[i] * off * off;
             weights += seen.weight[i];
         }
@@ -207,10 +211,10 @@ static void fill_curve(const double *g, struct response_curve *curve)
 static bool recover_channel(const struct tone_frame *frames, size_t count, size_t channel,
                             struct arena *arena, struct response_curve *curve, struct error *error)
 {
-    struct equations equations = {.a = ARENA_ARRAY(arena, (size_t)N * N, double)};
-    struct seen seen;
+    struct debevec_equations equations = {.a = ARENA_ARRAY(arena, (size_t)N * N, double)};
+    struct debevec_seen seen;
     for (size_t at = 0; at < pixels_of(frames); at++) {
-        see(frames, count, place_of(frames, at), channel, &seen);
+        debevec_see(frames, count, debevec_place_of(frames, at), channel, &seen);
         add_pixel(&seen, &equations);
     }
     add_smoothness(&equations);

@@ -9,14 +9,14 @@
 
 enum { CHANNELS = 3, BALANCINGS = 4 };
 
-static size_t between(double x, size_t least, size_t most)
+static size_t clamped_between(double x, size_t least, size_t most)
 {
     return x < (double)least ? least : x > (double)most ? most : (size_t)x;
 }
 
 /* Means over so many cells of a picture that lies so wide on the plane. */
-static struct foveal sample(const struct image *image, double width, size_t columns, size_t rows,
-                            struct arena *arena)
+static struct foveal foveal_sample(const struct image *image, double width, size_t columns,
+                                   size_t rows, struct arena *arena)
 {
     const double high = width / image_proportion(image);
     struct foveal foveal = {.columns = columns,
@@ -54,8 +54,9 @@ static struct foveal sample(const struct image *image, double width, size_t colu
 struct foveal foveal_look(const struct image *image, double angle, struct arena *arena)
 {
     const double width = 2 * tan(angle / 2), high = width / image_proportion(image);
-    return sample(image, width, between(width / RADIANS_PER_DEGREE + 0.5, 1, image->width),
-                  between(high / RADIANS_PER_DEGREE + 0.5, 1, image->height), arena);
+    return foveal_sample(image, width,
+                         clamped_between(width / RADIANS_PER_DEGREE + 0.5, 1, image->width),
+                         clamped_between(high / RADIANS_PER_DEGREE + 0.5, 1, image->height), arena);
 }
 
 double foveal_luminance(const struct foveal *foveal, size_t cell)
@@ -67,16 +68,16 @@ double foveal_luminance(const struct foveal *foveal, size_t cell)
 
 /* Cells side by side, as many as make whole stretches: those that are none have no light. */
 enum { STRETCH = 64 };
-struct cells {
+struct foveal_cells {
     size_t count, room;
     float *x, *y, *z; /* their directions */
     float *light[CHANNELS];
     float *balance; /* the d of each */
 };
 
-static struct cells cells_of(const struct foveal *foveal, struct arena *arena)
+static struct foveal_cells cells_of(const struct foveal *foveal, struct arena *arena)
 {
-    struct cells cells = {.count = foveal->columns * foveal->rows};
+    struct foveal_cells cells = {.count = foveal->columns * foveal->rows};
     cells.room = (cells.count + STRETCH - 1) / STRETCH * STRETCH;
     float **all[] = {&cells.x,        &cells.y,        &cells.z,      &cells.light[0],
                      &cells.light[1], &cells.light[2], &cells.balance};
@@ -105,7 +106,8 @@ static struct cells cells_of(const struct foveal *foveal, struct arena *arena)
  * c^8/3150), the square of the arcsine's series, within 3e-3 up to a right angle, where the cosine
  * ends. Itself has no weight.
  */
-static void weigh(const struct cells *cells, size_t i, size_t from, float weights[STRETCH])
+static void foveal_weigh(const struct foveal_cells *cells, size_t i, size_t from,
+                         float weights[STRETCH])
 {
     const float *xs = cells->x + from, *ys = cells->y + from, *zs = cells->z + from;
     const float *balance = cells->balance + from;
@@ -121,7 +123,7 @@ static void weigh(const struct cells *cells, size_t i, size_t from, float weight
     }
 }
 
-static double sum_of(const float values[STRETCH])
+static double foveal_sum_of(const float values[STRETCH])
 {
     double sum = 0;
     for (int j = 0; j < STRETCH; j++) {
@@ -131,24 +133,24 @@ static double sum_of(const float values[STRETCH])
 }
 
 /* sum_j d_j w_ij of each cell. */
-static double sum_weights(const struct cells *cells, size_t i)
+static double sum_weights(const struct foveal_cells *cells, size_t i)
 {
     float weights[STRETCH], sums[STRETCH] = {0};
     for (size_t from = 0; from < cells->room; from += STRETCH) {
-        weigh(cells, i, from, weights);
+        foveal_weigh(cells, i, from, weights);
         for (int j = 0; j < STRETCH; j++) {
             sums[j] += weights[j];
         }
     }
-    return sum_of(sums);
+    return foveal_sum_of(sums);
 }
 
 /* sum_j d_j w_ij L_j of each channel. */
-static void scatter(const struct cells *cells, size_t i, double light[CHANNELS])
+static void foveal_scatter(const struct foveal_cells *cells, size_t i, double light[CHANNELS])
 {
     float weights[STRETCH], sums[CHANNELS][STRETCH] = {{0}};
     for (size_t from = 0; from < cells->room; from += STRETCH) {
-        weigh(cells, i, from, weights);
+        foveal_weigh(cells, i, from, weights);
         for (size_t k = 0; k < CHANNELS; k++) {
             const float *lights = cells->light[k] + from;
             float *sum = sums[k];
@@ -158,12 +160,12 @@ static void scatter(const struct cells *cells, size_t i, double light[CHANNELS])
         }
     }
     for (size_t k = 0; k < CHANNELS; k++) {
-        light[k] = sum_of(sums[k]);
+        light[k] = foveal_sum_of(sums[k]);
     }
 }
 
 /* The d of each cell: each time the square root of what is missing. */
-static void balance(struct cells *cells, struct arena *arena)
+static void balance(struct foveal_cells *cells, struct arena *arena)
 {
     float *next = ARENA_ARRAY(arena, cells->room, float);
     for (int turn = 0; turn < BALANCINGS; turn++) {
@@ -235,9 +237,10 @@ static struct foveal cells_for_veil(const struct foveal *foveal, const struct im
         return *foveal;
     }
     const double over = sqrt(FOVEAL_VEIL_MOST / count);
-    const size_t columns = between((double)foveal->columns * over, 1, FOVEAL_VEIL_MOST);
-    const size_t rows = between((double)foveal->rows * over, 1, (size_t)FOVEAL_VEIL_MOST / columns);
-    return sample(image, foveal->cell[0] * (double)foveal->columns, columns, rows, arena);
+    const size_t columns = clamped_between((double)foveal->columns * over, 1, FOVEAL_VEIL_MOST);
+    const size_t rows =
+        clamped_between((double)foveal->rows * over, 1, (size_t)FOVEAL_VEIL_MOST / columns);
+    return foveal_sample(image, foveal->cell[0] * (double)foveal->columns, columns, rows, arena);
 }
 
 struct foveal_grid foveal_veil(struct foveal *foveal, struct image *image, struct arena *arena)
@@ -249,12 +252,12 @@ struct foveal_grid foveal_veil(struct foveal *foveal, struct image *image, struc
     if (count < 2) {
         return grid; /* light that goes nowhere else */
     }
-    struct cells cells = cells_of(&coarse, arena);
+    struct foveal_cells cells = cells_of(&coarse, arena);
     balance(&cells, arena);
     float *veil = ARENA_ARRAY(arena, count * CHANNELS, float);
     for (size_t i = 0; i < count; i++) {
         double light[CHANNELS];
-        scatter(&cells, i, light);
+        foveal_scatter(&cells, i, light);
         for (size_t k = 0; k < CHANNELS; k++) {
             veil[CHANNELS * i + k] = (float)(SIGHT_VEIL * (double)cells.balance[i] * light[k]);
         }

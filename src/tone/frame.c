@@ -13,9 +13,9 @@ static const double TRUSTED = 0.9;
 /* Variances that a weight of single precision stands: it is t^2 over them, t up to 1e9 s. */
 static const double SPREAD_LEAST = 1e-18;
 
-enum kind { KIND_GREY, KIND_RGB, KIND_XYZ, KIND_OTHER };
+enum frame_kind { KIND_GREY, KIND_RGB, KIND_XYZ, KIND_OTHER };
 
-static enum kind kind_of(const struct image *image)
+static enum frame_kind frame_kind_of(const struct image *image)
 {
     const char *const *names = image->names;
     if (image->channels <= 2) {
@@ -31,13 +31,13 @@ static enum kind kind_of(const struct image *image)
             is = is && names[k][0] == wanted[k] && names[k][1] == '\0';
         }
         if (is) {
-            return (enum kind)kind;
+            return (enum frame_kind)kind;
         }
     }
     return KIND_OTHER;
 }
 
-static void take_floats(const struct image *image, enum kind kind, float *values)
+static void take_floats(const struct image *image, enum frame_kind kind, float *values)
 {
     const struct colour_matrix to_srgb = colour_inverse(&colour_xyz_of_srgb);
     const size_t step = kind == KIND_GREY ? 0 : 1;
@@ -97,7 +97,7 @@ static void take_levels(const struct image *image, struct arena *arena, struct t
 bool frame_take(const struct image *image, struct arena *arena, struct tone_frame *frame,
                 struct error *error)
 {
-    const enum kind kind = kind_of(image);
+    const enum frame_kind kind = frame_kind_of(image);
     if (kind == KIND_OTHER) {
         return fail(error, ERROR_DATA, "its channels are neither Y, nor R, G, B, nor X, Y, Z");
     }
@@ -134,7 +134,7 @@ const struct frame_level *frame_levels_of(const double *light, size_t count, str
 }
 
 /* The whole number of a value. */
-static size_t code_of(const struct tone_frame *frame, size_t i)
+static size_t frame_code_of(const struct tone_frame *frame, size_t i)
 {
     return frame->bytes != NULL ? frame->bytes[i] : frame->codes[i];
 }
@@ -142,13 +142,13 @@ static size_t code_of(const struct tone_frame *frame, size_t i)
 struct frame_level frame_level_at(const struct tone_frame *frame, size_t i)
 {
     return frame->bits == 0 ? (struct frame_level){frame->values[i], 1, 0}
-                            : frame->levels[i % FRAME_CHANNELS][code_of(frame, i)];
+                            : frame->levels[i % FRAME_CHANNELS][frame_code_of(frame, i)];
 }
 
 bool frame_is_full(const struct tone_frame *frame, size_t i)
 {
     return (frame->trust != NULL && frame->trust[i] == 0) ||
-           (frame->bits != 0 && code_of(frame, i) + 1 == frame_levels(frame->bits));
+           (frame->bits != 0 && frame_code_of(frame, i) + 1 == frame_levels(frame->bits));
 }
 
 unsigned frame_byte(const struct tone_frame *frame, size_t pixel, size_t channel)

@@ -26,7 +26,7 @@ static double brightness(double luminance)
     return log(fmax(luminance, SIGHT_LEAST));
 }
 
-static void find_ends(const struct foveal *foveal, struct histogram *histogram)
+static void histogram_find_ends(const struct foveal *foveal, struct histogram *histogram)
 {
     histogram->low = INFINITY;
     histogram->high = -(double)INFINITY;
@@ -37,7 +37,7 @@ static void find_ends(const struct foveal *foveal, struct histogram *histogram)
     }
 }
 
-static void fill(const struct foveal *foveal, struct histogram *histogram)
+static void histogram_fill(const struct foveal *foveal, struct histogram *histogram)
 {
     const double width = histogram->high - histogram->low;
     for (size_t i = 0; i < foveal->columns * foveal->rows; i++) {
@@ -49,7 +49,7 @@ static void fill(const struct foveal *foveal, struct histogram *histogram)
 }
 
 /* P from the bins; how many are left in all. */
-static double add_up(struct histogram *histogram)
+static double histogram_add_up(struct histogram *histogram)
 {
     double sum = 0;
     for (int i = 0; i < HISTOGRAM_BINS; i++) {
@@ -77,7 +77,8 @@ static double shown_brightness(const struct histogram *histogram, double b)
 }
 
 /* Cut each bin to its ceiling; how much was cut. */
-static double trim(struct histogram *histogram, enum histogram_ceiling ceiling, double total)
+static double histogram_trim(struct histogram *histogram, enum histogram_ceiling ceiling,
+                             double total)
 {
     const double width = (histogram->high - histogram->low) / HISTOGRAM_BINS;
     const double range = log(histogram->display.most / histogram->display.least);
@@ -115,7 +116,7 @@ bool histogram_adjust(const struct foveal *foveal, const struct display *display
 {
     const double log_mean = foveal_log_mean(foveal);
     *histogram = (struct histogram){.display = *display};
-    find_ends(foveal, histogram);
+    histogram_find_ends(foveal, histogram);
     if (isnan(log_mean)) {
         return fail(error, ERROR_DOMAIN, "all is darker than %g cd/m2, which nobody sees",
                     SIGHT_LEAST);
@@ -124,20 +125,20 @@ bool histogram_adjust(const struct foveal *foveal, const struct display *display
         make_linear(log_mean, ceiling, histogram);
         return true;
     }
-    fill(foveal, histogram);
+    histogram_fill(foveal, histogram);
     const double tolerance = HISTOGRAM_TOLERANCE * histogram->total;
     double trimmed = histogram->total;
     while (trimmed > tolerance && histogram->passes < PASSES_MOST) {
-        const double total = add_up(histogram);
+        const double total = histogram_add_up(histogram);
         if (total < tolerance) {
             make_linear(log_mean, ceiling, histogram);
             return true;
         }
-        trimmed = trim(histogram, ceiling, total);
+        trimmed = histogram_trim(histogram, ceiling, total);
         histogram->passes++;
     }
     histogram->trimmed = trimmed / histogram->total;
-    add_up(histogram);
+    histogram_add_up(histogram);
     return true;
 }
 

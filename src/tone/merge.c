@@ -12,38 +12,38 @@ enum { STRETCH = 384, LOOK_MOST = 1 << 20 };
 static const float DEVIATIONS = 6, SHARE = 0.02F;
 
 /* A frame's values of a stretch. */
-struct stretch {
+struct merge_stretch {
     float light[STRETCH], keep[STRETCH], spread[STRETCH];
 };
 
 /* A frame's part in the sums. */
-struct part {
+struct merge_part {
     float time, fixed, photon; /* s; variance in the dark, and of light 1 */
 };
 
-struct sums {
+struct merge_sums {
     float first[STRETCH], first_time[STRETCH]; /* keep v, keep t */
     float above[STRETCH], below[STRETCH];      /* w v/t, w; both over t */
 };
 
 /* What a picture is merged from. */
-struct merging {
+struct merge_job {
     const struct tone_frame *frames;
     size_t count;
     const size_t *order; /* the longest first */
-    struct part parts[FRAMES_MOST];
+    struct merge_part parts[FRAMES_MOST];
     struct merged *merged;
     size_t look; /* rows from one that is looked at to the next */
 };
 
 /* A part of the picture: so many pixels from a column on in a row. */
-struct place {
+struct merge_place {
     size_t row, column, pixels;
 };
 
 /* The pixels of a place that the frame has: from..to, of which the first is its pixel `at`. */
-static void overlap(const struct tone_frame *frame, const struct place *place, size_t *from,
-                    size_t *to, size_t *at)
+static void merge_overlap(const struct tone_frame *frame, const struct merge_place *place,
+                          size_t *from, size_t *to, size_t *at)
 {
     const long row = (long)place->row + frame->down, left = (long)place->column + frame->right;
     const long begin = left < 0 ? -left : 0, room = (long)frame->width - left;
@@ -54,7 +54,7 @@ static void overlap(const struct tone_frame *frame, const struct place *place, s
     *at = is_there ? (size_t)row * frame->width + (size_t)(left + begin) : 0;
 }
 
-static void put(struct stretch *stretch, size_t i, const struct frame_level *level)
+static void merge_put(struct merge_stretch *stretch, size_t i, const struct frame_level *level)
 {
     stretch->light[i] = level->light;
     stretch->keep[i] = level->keep;
@@ -62,11 +62,11 @@ static void put(struct stretch *stretch, size_t i, const struct frame_level *lev
 }
 
 /* What a frame has there; where it has nothing, nothing is kept. */
-static void fetch(const struct tone_frame *frame, const struct place *place,
-                  struct stretch *stretch)
+static void fetch(const struct tone_frame *frame, const struct merge_place *place,
+                  struct merge_stretch *stretch)
 {
     size_t from, to, at;
-    overlap(frame, place, &from, &to, &at);
+    merge_overlap(frame, place, &from, &to, &at);
     if (from > 0 || to < STRETCH / FRAME_CHANNELS) {
         memset(stretch, 0, sizeof *stretch);
     }
@@ -75,11 +75,11 @@ static void fetch(const struct tone_frame *frame, const struct place *place,
          i += FRAME_CHANNELS, j += FRAME_CHANNELS) {
         for (size_t k = 0; k < FRAME_CHANNELS; k++) {
             if (frame->bytes != NULL) {
-                put(stretch, i + k, &frame->levels[k][frame->bytes[j + k]]);
+                merge_put(stretch, i + k, &frame->levels[k][frame->bytes[j + k]]);
             } else if (frame->codes != NULL) {
-                put(stretch, i + k, &frame->levels[k][frame->codes[j + k]]);
+                merge_put(stretch, i + k, &frame->levels[k][frame->codes[j + k]]);
             } else {
-                put(stretch, i + k, &(struct frame_level){frame->values[j + k], 1, 0});
+                merge_put(stretch, i + k, &(struct frame_level){frame->values[j + k], 1, 0});
             }
         }
         for (size_t k = 0; frame->trust != NULL && k < FRAME_CHANNELS; k++) {
@@ -88,7 +88,8 @@ static void fetch(const struct tone_frame *frame, const struct place *place,
     }
 }
 
-static void add_first(const struct part *part, const struct stretch *stretch, struct sums *sums)
+static void add_first(const struct merge_part *part, const struct merge_stretch *stretch,
+                      struct merge_sums *sums)
 {
     for (int i = 0; i < STRETCH; i++) {
         sums->first[i] += stretch->keep[i] * stretch->light[i];
@@ -97,7 +98,7 @@ static void add_first(const struct part *part, const struct stretch *stretch, st
 }
 
 /* The mean where the weights do not follow the noise; 0 where nothing is kept. */
-static void find_first(struct sums *sums)
+static void find_first(struct merge_sums *sums)
 {
     for (int i = 0; i < STRETCH; i++) {
         const float mean = sums->first[i] / (sums->first_time[i] > 0 ? sums->first_time[i] : 1);
@@ -106,7 +107,8 @@ static void find_first(struct sums *sums)
 }
 
 /* w v/t = keep t v/var, w = keep t^2/var: both over t. */
-static void add_weighted(const struct part *part, const struct stretch *stretch, struct sums *sums)
+static void add_weighted(const struct merge_part *part, const struct merge_stretch *stretch,
+                         struct merge_sums *sums)
 {
     const float photon = part->photon * part->time;
     for (int i = 0; i < STRETCH; i++) {
@@ -118,8 +120,8 @@ static void add_weighted(const struct part *part, const struct stretch *stretch,
 }
 
 /* Where no frame keeps anything; counted as pixels and as values. */
-static bool count_full(const struct merging *merging, const struct place *place,
-                       const struct sums *sums)
+static bool merge_count_full(const struct merge_job *merging, const struct merge_place *place,
+                             const struct merge_sums *sums)
 {
     const size_t before = merging->merged->full;
     for (size_t i = 0; i < place->pixels; i++) {
@@ -134,13 +136,14 @@ static bool count_full(const struct merging *merging, const struct place *place,
 }
 
 /* There what the shortest has of those that have the pixel, which is too little. */
-static void fill_full(const struct merging *merging, const struct place *place, struct sums *sums)
+static void fill_full(const struct merge_job *merging, const struct merge_place *place,
+                      struct merge_sums *sums)
 {
-    struct stretch stretch;
+    struct merge_stretch stretch;
     for (size_t f = merging->count; f-- > 0;) {
         const struct tone_frame *frame = &merging->frames[merging->order[f]];
         size_t from, to, at;
-        overlap(frame, place, &from, &to, &at);
+        merge_overlap(frame, place, &from, &to, &at);
         fetch(frame, place, &stretch);
         for (size_t k = FRAME_CHANNELS * from; k < FRAME_CHANNELS * to; k++) {
             if (!(sums->below[k] > 0)) {
@@ -152,12 +155,13 @@ static void fill_full(const struct merging *merging, const struct place *place, 
 }
 
 /* Does a frame say something else than the mean? Green, the middle one of each three. */
-static void look(const struct merging *merging, const struct place *place, const struct sums *sums)
+static void merge_look(const struct merge_job *merging, const struct merge_place *place,
+                       const struct merge_sums *sums)
 {
-    struct stretch stretch;
+    struct merge_stretch stretch;
     bool apart[STRETCH / FRAME_CHANNELS] = {false};
     for (size_t f = 0; f < merging->count; f++) {
-        const struct part *part = &merging->parts[f];
+        const struct merge_part *part = &merging->parts[f];
         fetch(&merging->frames[f], place, &stretch);
         for (size_t i = 0; i < place->pixels; i++) {
             const size_t k = FRAME_CHANNELS * i + 1;
@@ -174,10 +178,10 @@ static void look(const struct merging *merging, const struct place *place, const
     }
 }
 
-static void merge_place(const struct merging *merging, const struct place *place)
+static void merge_place(const struct merge_job *merging, const struct merge_place *place)
 {
-    struct stretch stretch;
-    struct sums sums = {.first = {0}};
+    struct merge_stretch stretch;
+    struct merge_sums sums = {.first = {0}};
     for (size_t f = 0; f < merging->count; f++) {
         fetch(&merging->frames[f], place, &stretch);
         add_first(&merging->parts[f], &stretch, &sums);
@@ -189,11 +193,11 @@ static void merge_place(const struct merging *merging, const struct place *place
         }
         add_weighted(&merging->parts[f], &stretch, &sums);
     }
-    if (count_full(merging, place, &sums)) {
+    if (merge_count_full(merging, place, &sums)) {
         fill_full(merging, place, &sums);
     }
     if (merging->count > 1 && place->row % merging->look == 0) {
-        look(merging, place, &sums);
+        merge_look(merging, place, &sums);
     }
     float *to = image_row(&merging->merged->image, place->row) + place->column * FRAME_CHANNELS;
     for (size_t i = 0; i < FRAME_CHANNELS * place->pixels; i++) {
@@ -201,16 +205,16 @@ static void merge_place(const struct merging *merging, const struct place *place
     }
 }
 
-static void open_parts(struct merging *merging, const struct merge_noise *noise)
+static void merge_open_parts(struct merge_job *merging, const struct merge_noise *noise)
 {
     for (size_t f = 0; f < merging->count; f++) {
         const struct tone_frame *frame = &merging->frames[f];
         const double read = noise->read_noise / noise->full_well;
         /* of floats the variance is some number times the mean: weights by time */
         merging->parts[f] = frame->bits == 0
-                                ? (struct part){(float)frame->time, (float)frame->time, 0}
-                                : (struct part){(float)frame->time, (float)(read * read),
-                                                (float)(1 / noise->full_well)};
+                                ? (struct merge_part){(float)frame->time, (float)frame->time, 0}
+                                : (struct merge_part){(float)frame->time, (float)(read * read),
+                                                      (float)(1 / noise->full_well)};
     }
 }
 
@@ -218,7 +222,7 @@ bool merge_frames(const struct tone_frame *frames, size_t count, const struct me
                   struct arena *arena, struct merged *merged, struct error *error)
 {
     size_t order[FRAMES_MOST];
-    struct merging merging = {.frames = frames, .count = count, .order = order, .merged = merged};
+    struct merge_job merging = {.frames = frames, .count = count, .order = order, .merged = merged};
     *merged = (struct merged){.image = {.width = frames->width,
                                         .height = frames->height,
                                         .channels = FRAME_CHANNELS,
@@ -228,12 +232,12 @@ bool merge_frames(const struct tone_frame *frames, size_t count, const struct me
     }
     const size_t width = frames->width, height = frames->height;
     frames_order(frames, count, order);
-    open_parts(&merging, noise);
+    merge_open_parts(&merging, noise);
     merging.look = width * height / LOOK_MOST + 1;
     for (size_t row = 0; row < height; row++) {
         for (size_t column = 0; column < width; column += STRETCH / FRAME_CHANNELS) {
             const size_t rest = width - column, most = STRETCH / FRAME_CHANNELS;
-            merge_place(&merging, &(struct place){row, column, rest < most ? rest : most});
+            merge_place(&merging, &(struct merge_place){row, column, rest < most ? rest : most});
         }
     }
     return merged->full < FRAME_CHANNELS * width * height ||

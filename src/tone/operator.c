@@ -13,12 +13,12 @@ enum { CHANNELS = 3, STEPS_BITS = 8, FRACTION_BITS = 23 - STEPS_BITS };
 static const float LOWEST = 0x1p-20F, HIGHEST = 0x1p40F;
 
 /* A function of luminance as a table. */
-struct curve {
+struct operator_curve {
     const float *values;
     uint32_t first; /* the upper bits of LOWEST */
 };
 
-struct showing {
+struct tone_display {
     const struct tone_way *way;
     struct toned *toned;
 };
@@ -31,7 +31,7 @@ static double filmic(double x)
 }
 
 /* L_d of a luminance, or of a channel by itself; not yet cut to the display's most. */
-static double shown(const struct showing *showing, double luminance)
+static double shown(const struct tone_display *showing, double luminance)
 {
     const struct tone_way *way = showing->way;
     const double share = luminance / showing->toned->white, most = way->display.most;
@@ -48,7 +48,7 @@ static double shown(const struct showing *showing, double luminance)
     return histogram_shown(&showing->toned->histogram, luminance);
 }
 
-static double result(const struct showing *showing, double luminance)
+static double result(const struct tone_display *showing, double luminance)
 {
     const struct display *display = &showing->way->display;
     const double cut = fmin(fmax(shown(showing, luminance), display->least), display->most);
@@ -56,7 +56,8 @@ static double result(const struct showing *showing, double luminance)
 }
 
 /* Per luminance, unless channels go by themselves. */
-static struct curve curve_of(const struct showing *showing, struct arena *arena)
+static struct operator_curve operator_curve_of(const struct tone_display *showing,
+                                               struct arena *arena)
 {
     const uint32_t first = bytes_bits(LOWEST) >> FRACTION_BITS;
     const uint32_t last = bytes_bits(HIGHEST) >> FRACTION_BITS;
@@ -66,10 +67,10 @@ static struct curve curve_of(const struct showing *showing, struct arena *arena)
         const double luminance = (double)bytes_float(i << FRACTION_BITS);
         values[i - first] = (float)(result(showing, luminance) / (is_single ? 1 : luminance));
     }
-    return (struct curve){values, first};
+    return (struct operator_curve){values, first};
 }
 
-static float look_up(const struct curve *curve, float x)
+static float operator_look_up(const struct operator_curve *curve, float x)
 {
     const float held = x > LOWEST ? (x < HIGHEST ? x : HIGHEST) : LOWEST;
     const uint32_t bits = bytes_bits(held), mask = (1U << FRACTION_BITS) - 1;
@@ -79,7 +80,7 @@ static float look_up(const struct curve *curve, float x)
 }
 
 /* Mixed with a grey of the same luminance so far that no channel is above the most or below 0. */
-static void fit(float pixel[CHANNELS], float luminance, float most)
+static void operator_fit(float pixel[CHANNELS], float luminance, float most)
 {
     float room = 1;
     for (int k = 0; k < CHANNELS; k++) {
@@ -95,7 +96,7 @@ static void fit(float pixel[CHANNELS], float luminance, float most)
     }
 }
 
-static void show_pixel(const struct showing *showing, const struct curve *curve,
+static void show_pixel(const struct tone_display *showing, const struct operator_curve *curve,
                        float pixel[CHANNELS])
 {
     const float luminance = sight_luminance(pixel);
@@ -109,15 +110,15 @@ static void show_pixel(const struct showing *showing, const struct curve *curve,
     }
     if (is_single) {
         for (int k = 0; k < CHANNELS; k++) {
-            pixel[k] = look_up(curve, pixel[k]);
+            pixel[k] = operator_look_up(curve, pixel[k]);
         }
         return;
     }
-    const float factor = look_up(curve, luminance), made = factor * luminance;
+    const float factor = operator_look_up(curve, luminance), made = factor * luminance;
     for (int k = 0; k < CHANNELS; k++) {
         pixel[k] *= factor;
     }
-    fit(pixel, made < most ? made : most, most);
+    operator_fit(pixel, made < most ? made : most, most);
 }
 
 /* What makes the mean by logarithms a middle grey, over that mean. */
@@ -156,12 +157,12 @@ static bool choose_white(const struct tone_way *way, const struct foveal *foveal
 bool tone_show(const struct tone_way *way, const struct foveal *foveal, struct image *image,
                struct arena *arena, struct toned *toned, struct error *error)
 {
-    const struct showing showing = {way, toned};
+    const struct tone_display showing = {way, toned};
     *toned = (struct toned){.white = NAN};
     if (!choose_white(way, foveal, toned, error)) {
         return false;
     }
-    const struct curve curve = curve_of(&showing, arena);
+    const struct operator_curve curve = operator_curve_of(&showing, arena);
     for (size_t i = 0; i < image->width * image->height; i++) {
         show_pixel(&showing, &curve, image->pixels + CHANNELS * i);
     }

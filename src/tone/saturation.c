@@ -63,7 +63,7 @@ struct mixture {
     bool is_seen[FRAME_CHANNELS][FRAME_CHANNELS];  /* colour k by channel j, with more than 0 */
 };
 
-static struct mixture mixture_of(const struct saturation *saturation)
+static struct mixture saturation_mixture_of(const struct saturation *saturation)
 {
     struct mixture mixture = {.fill = saturation->fill};
     const struct colour_matrix back = colour_inverse(&saturation->fill);
@@ -78,8 +78,8 @@ static struct mixture mixture_of(const struct saturation *saturation)
 }
 
 /* What a channel may have of a full pixel at most. */
-static double most_of(const struct mixture *mixture, size_t j, const struct tone_frame *frame,
-                      size_t first)
+static double saturation_most_of(const struct mixture *mixture, size_t j,
+                                 const struct tone_frame *frame, size_t first)
 {
     double sum = 0;
     for (size_t k = 0; k < FRAME_CHANNELS; k++) {
@@ -100,7 +100,7 @@ static uint8_t trust_of(double fill)
     return (uint8_t)(TRUST_MOST * trust);
 }
 
-static void count_full(struct tone_frame *frame)
+static void saturation_count_full(struct tone_frame *frame)
 {
     frame->full = 0;
     for (size_t i = 0; i < frame->width * frame->height * FRAME_CHANNELS; i++) {
@@ -112,12 +112,12 @@ void saturation_apply(struct tone_frame *frame, const struct saturation *saturat
                       struct arena *arena)
 {
     const size_t pixels = frame->width * frame->height;
-    const struct mixture mixture = mixture_of(saturation);
+    const struct mixture mixture = saturation_mixture_of(saturation);
     uint8_t *trust = ARENA_ARRAY(arena, pixels * FRAME_CHANNELS, uint8_t);
     for (size_t i = 0; i < pixels * FRAME_CHANNELS; i += FRAME_CHANNELS) {
         double fill[FRAME_CHANNELS];
         for (size_t j = 0; j < FRAME_CHANNELS; j++) {
-            fill[j] = most_of(&mixture, j, frame, i);
+            fill[j] = saturation_most_of(&mixture, j, frame, i);
         }
         for (size_t k = 0; k < FRAME_CHANNELS; k++) {
             double most = 0;
@@ -128,12 +128,12 @@ void saturation_apply(struct tone_frame *frame, const struct saturation *saturat
         }
     }
     frame->trust = trust;
-    count_full(frame);
+    saturation_count_full(frame);
 }
 
 /* -------- what frames show -------- */
 
-static float light_at(const struct tone_frame *frame, size_t i)
+static float saturation_light_at(const struct tone_frame *frame, size_t i)
 {
     return frame_level_at(frame, i).light;
 }
@@ -156,10 +156,10 @@ static struct pile pile_of(const struct tone_frame *frame, size_t channel)
     const size_t end = frame->width * frame->height * FRAME_CHANNELS;
     struct pile pile = {0};
     for (size_t i = channel; i < end; i += FRAME_CHANNELS) {
-        pile.top = fmaxf(pile.top, light_at(frame, i));
+        pile.top = fmaxf(pile.top, saturation_light_at(frame, i));
     }
     for (size_t i = channel; i < end; i += FRAME_CHANNELS) {
-        const double share = (double)light_at(frame, i) / (double)pile.top;
+        const double share = (double)saturation_light_at(frame, i) / (double)pile.top;
         pile.shared += share >= NEAR;
         pile.below += share >= BELOW && share < NEAR;
     }
@@ -190,12 +190,13 @@ static bool shows_more(const struct tone_frame *frame, const struct tone_frame *
     double own[2] = {0}, other[2] = {0}; /* elsewhere, and there */
     size_t place;
     for (size_t pixel = 0; pixel < frame->width * frame->height; pixel++) {
-        const float light = light_at(frame, pixel * FRAME_CHANNELS + channel);
+        const float light = saturation_light_at(frame, pixel * FRAME_CHANNELS + channel);
         const bool is_there = (double)light >= NEAR * (double)top;
         const bool is_elsewhere = light > 0.1F * top && light < 0.8F * top;
         if ((is_there || is_elsewhere) && place_in(frame, shorter, pixel, &place)) {
             own[is_there] += (double)light;
-            other[is_there] += (double)light_at(shorter, place * FRAME_CHANNELS + channel);
+            other[is_there] +=
+                (double)saturation_light_at(shorter, place * FRAME_CHANNELS + channel);
         }
     }
     const double elsewhere = own[0] > 0 ? other[0] / own[0] : shorter->time / frame->time;
@@ -210,11 +211,11 @@ static void distrust(struct tone_frame *frame, size_t channel, float full, struc
     for (size_t i = 0; i < end; i++) {
         trust[i] = frame->trust != NULL ? frame->trust[i] : TRUST_MOST;
         trust[i] = i % FRAME_CHANNELS == channel
-                       ? trust_of((double)light_at(frame, i) / (double)full)
+                       ? trust_of((double)saturation_light_at(frame, i) / (double)full)
                        : trust[i];
     }
     frame->trust = trust;
-    count_full(frame);
+    saturation_count_full(frame);
 }
 
 static void find_channel(struct tone_frame *const *frames, size_t count, size_t channel,

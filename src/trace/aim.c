@@ -45,12 +45,6 @@ bool aim_open_near(const struct system *system, const struct beam *beam, struct 
     return aim->has_chief;
 }
 
-bool aim_open(const struct system *system, const struct beam *beam, struct arena *arena,
-              struct aim *aim, struct error *error)
-{
-    return aim_open_near(system, beam, NULL, arena, aim, error);
-}
-
 bool aim_open_at(struct aim *aim, const double at[2])
 {
     const struct ray_block *block = aim->work.blocks;
@@ -74,7 +68,7 @@ bool aim_open_at(struct aim *aim, const double at[2])
 }
 
 /* The search of one ray. */
-struct search {
+struct aim_search {
     double at[2], step[2];
     double miss[2];    /* what is left to the target in the stop, mm */
     double inverse[4]; /* d(a, b)/d(x, y in the stop), Broyden's estimate */
@@ -87,7 +81,7 @@ struct search {
 
 enum { STEPS = 60, HALVINGS = 40 };
 
-static void multiply(const double m[4], const double v[2], double out[2])
+static void matrix_times_vector(const double m[4], const double v[2], double out[2])
 {
     double x = m[0] * v[0] + m[1] * v[1], y = m[2] * v[0] + m[3] * v[1];
     out[0] = x;
@@ -95,26 +89,26 @@ static void multiply(const double m[4], const double v[2], double out[2])
 }
 
 static void start_search(const struct aim *aim, const struct pupil_point *point,
-                         struct search *search)
+                         struct aim_search *search)
 {
     const double *m = aim->slope, det = m[0] * m[3] - m[1] * m[2];
     double goal[2];
     aim_goal(aim, point, goal);
-    *search = (struct search){
+    *search = (struct aim_search){
         .at = {aim->chief[0], aim->chief[1]},
         .miss = {goal[0] - aim->centre[0], goal[1] - aim->centre[1]},
         .inverse = {m[3] / det, -m[1] / det, -m[2] / det, m[0] / det},
         .is_fresh = true,
     };
-    multiply(search->inverse, search->miss, search->step);
+    matrix_times_vector(search->inverse, search->miss, search->step);
     search->done = search->miss[0] == 0 && search->miss[1] == 0;
 }
 
 /* J^-1 so that it takes the change of the miss to the step just made (Sherman and Morrison). */
-static void broyden(struct search *search, const double change[2])
+static void aim_search_broyden(struct aim_search *search, const double change[2])
 {
     double *m = search->inverse, moved[2], back[2];
-    multiply(m, change, moved);
+    matrix_times_vector(m, change, moved);
     const double *s = search->step;
     double denominator = s[0] * moved[0] + s[1] * moved[1];
     if (!(fabs(denominator) > 1e-12 * (s[0] * s[0] + s[1] * s[1]))) {
@@ -130,8 +124,8 @@ static void broyden(struct search *search, const double change[2])
 }
 
 /* What the step has brought: the ray in the stop, or lost on the way. */
-static void judge(const struct aim *aim, const struct pupil_point *point, size_t lane,
-                  struct search *search)
+static void aim_search_judge(const struct aim *aim, const struct pupil_point *point, size_t lane,
+                             struct aim_search *search)
 {
     const struct ray_block *block = aim->work.blocks;
     enum ray_status status = ray_block_status(block, lane);
@@ -141,12 +135,12 @@ static void judge(const struct aim *aim, const struct pupil_point *point, size_t
     double before = hypot(search->miss[0], search->miss[1]), after = hypot(miss[0], miss[1]);
     if (status == RAY_OK && after < before) {
         double change[2] = {search->miss[0] - miss[0], search->miss[1] - miss[1]};
-        broyden(search, change);
+        aim_search_broyden(search, change);
         for (int i = 0; i < 2; i++) {
             search->at[i] += search->step[i];
             search->miss[i] = miss[i];
         }
-        multiply(search->inverse, search->miss, search->step);
+        matrix_times_vector(search->inverse, search->miss, search->step);
         search->halvings = 0;
         search->done = after == 0;
         return;
@@ -168,11 +162,11 @@ static void judge(const struct aim *aim, const struct pupil_point *point, size_t
 
 /* One step of all rays of a block that are still searching; are there any? */
 static bool advance_block(const struct aim *aim, const struct pupil_point *points, size_t count,
-                          struct search *searches)
+                          struct aim_search *searches)
 {
     size_t open[RAYS_BLOCK], lanes = 0;
     for (size_t i = 0; i < count; i++) {
-        const struct search *search = &searches[i];
+        const struct aim_search *search = &searches[i];
         if (!search->done) {
             struct ray ray = beam_ray(&aim->beam, search->at[0] + search->step[0],
                                       search->at[1] + search->step[1]);
@@ -185,23 +179,23 @@ static bool advance_block(const struct aim *aim, const struct pupil_point *point
     }
     chief_to_stop(aim, lanes);
     for (size_t k = 0; k < lanes; k++) {
-        judge(aim, &points[open[k]], k, &searches[open[k]]);
+        aim_search_judge(aim, &points[open[k]], k, &searches[open[k]]);
     }
     return true;
 }
 
-static double left_of(const struct search *search)
+static double aim_search_miss(const struct aim_search *search)
 {
     return hypot(search->miss[0], search->miss[1]);
 }
 
-static bool has_reached(const struct aim *aim, const struct search *search)
+static bool has_reached(const struct aim *aim, const struct aim_search *search)
 {
-    return left_of(search) <= fmax(lead_reached * aim->stop_radius, chief_rounding(aim));
+    return aim_search_miss(search) <= fmax(lead_reached * aim->stop_radius, chief_rounding(aim));
 }
 
 /* The Jacobian at where a search stands, for one that got stuck. */
-static bool refresh(const double slope[4], struct search *search)
+static bool aim_search_refresh_jacobian(const double slope[4], struct aim_search *search)
 {
     const double det = slope[0] * slope[3] - slope[1] * slope[2];
     const double fresh[4] = {slope[3] / det, -slope[1] / det, -slope[2] / det, slope[0] / det};
@@ -211,7 +205,7 @@ static bool refresh(const double slope[4], struct search *search)
         }
         search->inverse[i] = fresh[i];
     }
-    multiply(search->inverse, search->miss, search->step);
+    matrix_times_vector(search->inverse, search->miss, search->step);
     search->halvings = 0;
     search->is_fresh = true;
     search->done = false;
@@ -219,7 +213,7 @@ static bool refresh(const double slope[4], struct search *search)
 }
 
 /* Those that begin anew with slopes of where they stand. Result: how many there are in `which`. */
-static size_t refresh_some(const struct aim *aim, struct search *searches, size_t *which,
+static size_t refresh_some(const struct aim *aim, struct aim_search *searches, size_t *which,
                            size_t count)
 {
     double places[RAYS_BLOCK][2], slopes[RAYS_BLOCK][4];
@@ -231,7 +225,7 @@ static size_t refresh_some(const struct aim *aim, struct search *searches, size_
     }
     chief_slopes(aim, (const double(*)[2])places, count, slopes, found);
     for (size_t k = 0; k < count; k++) {
-        if (found[k] && refresh(slopes[k], &searches[which[k]])) {
+        if (found[k] && aim_search_refresh_jacobian(slopes[k], &searches[which[k]])) {
             which[left++] = which[k];
         }
     }
@@ -240,8 +234,8 @@ static size_t refresh_some(const struct aim *aim, struct search *searches, size_
 
 /* Searches that ended short of their targets try again with the slopes of where they stand, as
    long as that brings them nearer. */
-static void retry(const struct aim *aim, const struct pupil_point *points, size_t count,
-                  struct search *searches)
+static void aim_block_retry(const struct aim *aim, const struct pupil_point *points, size_t count,
+                            struct aim_search *searches)
 {
     enum { TURNS = 20 };
     size_t which[RAYS_BLOCK], some = 0;
@@ -254,9 +248,9 @@ static void retry(const struct aim *aim, const struct pupil_point *points, size_
     for (int turn = 0; turn < TURNS && some > 0; turn++) {
         size_t left = 0;
         for (size_t k = 0; k < some; k++) {
-            const struct search *search = &searches[which[k]];
-            if (left_of(search) < 0.99 * before[which[k]] && !has_reached(aim, search)) {
-                before[which[k]] = left_of(search);
+            const struct aim_search *search = &searches[which[k]];
+            if (aim_search_miss(search) < 0.99 * before[which[k]] && !has_reached(aim, search)) {
+                before[which[k]] = aim_search_miss(search);
                 which[left++] = which[k];
             }
         }
@@ -269,12 +263,13 @@ static void retry(const struct aim *aim, const struct pupil_point *points, size_
     }
 }
 
-static double determinant(const double m[4])
+static double aim_determinant(const double m[4])
 {
     return m[0] * m[3] - m[1] * m[2];
 }
 
-static bool finish(const struct aim *aim, const struct search *search, struct ray *ray)
+static bool aim_search_finish(const struct aim *aim, const struct aim_search *search,
+                              struct ray *ray)
 {
     *ray = beam_ray(&aim->beam, search->at[0], search->at[1]);
     if (has_reached(aim, search)) {
@@ -288,10 +283,10 @@ static bool finish(const struct aim *aim, const struct search *search, struct ra
 /* -------- whole blocks -------- */
 
 /* From the chief ray, with its slopes; lanes that are not asked for have nothing to do. */
-static void start_block(const struct aim *aim, const struct pupil_point *points, size_t count,
-                        struct aim_block *block)
+static void aim_block_start(const struct aim *aim, const struct pupil_point *points, size_t count,
+                            struct aim_block *block)
 {
-    struct search first;
+    struct aim_search first;
     start_search(aim, &points[0], &first);
     const double *m = first.inverse;
     const size_t lanes = (size_t)kernel_lanes(count);
@@ -338,14 +333,14 @@ static void steer_block(const struct aim *aim, size_t count, struct aim_block *b
 
 /* Searches with halved steps, from the chief ray again. */
 static void search_points(const struct aim *aim, const struct pupil_point *points, size_t count,
-                          struct search *searches)
+                          struct aim_search *searches)
 {
     for (size_t i = 0; i < count; i++) {
         start_search(aim, &points[i], &searches[i]);
     }
     for (int step = 0; step < STEPS && advance_block(aim, points, count, searches); step++) {
     }
-    retry(aim, points, count, searches);
+    aim_block_retry(aim, points, count, searches);
 }
 
 /* How far beside their places in the stop rays cross it that start so much beside their own. */
@@ -366,9 +361,9 @@ static void look_beside(const struct aim *aim, const struct aim_block *block, si
 }
 
 /* Do the searches' own estimates show nothing of a fold: slopes like the chief ray's? */
-static bool is_plain(const struct aim *aim, const struct aim_block *block, size_t count)
+static bool aim_block_is_plain(const struct aim *aim, const struct aim_block *block, size_t count)
 {
-    const double most = 2, slope = determinant(aim->slope);
+    const double most = 2, slope = aim_determinant(aim->slope);
     bool plain = true;
     for (size_t i = 0; i < count; i++) {
         /* of inverse matrices */
@@ -385,23 +380,24 @@ static bool is_plain(const struct aim *aim, const struct aim_block *block, size_
 static void find_sheets(const struct aim *aim, const struct aim_block *block, size_t count,
                         bool *same)
 {
-    const double scale = sqrt(fabs(determinant(aim->slope)));
+    const double scale = sqrt(fabs(aim_determinant(aim->slope)));
     const double h = 1e-6 * (scale > 0 ? aim->stop_radius / scale : 1);
     double x[2][RAYS_BLOCK], y[2][RAYS_BLOCK];
-    const bool plain = is_plain(aim, block, count);
+    const bool plain = aim_block_is_plain(aim, block, count);
     if (!plain) {
         look_beside(aim, block, count, h, 0, x[0], y[0]);
         look_beside(aim, block, count, 0, h, x[1], y[1]);
     }
     for (size_t i = 0; i < count; i++) {
-        same[i] = plain || (x[0][i] * y[1][i] - y[0][i] * x[1][i]) * determinant(aim->slope) > 0;
+        same[i] =
+            plain || (x[0][i] * y[1][i] - y[0][i] * x[1][i]) * aim_determinant(aim->slope) > 0;
     }
 }
 
 /* The rays of a block that went astray, or may have ended on another sheet of a folded pupil. */
 struct strays {
     struct pupil_point points[RAYS_BLOCK];
-    struct search searches[RAYS_BLOCK];
+    struct aim_search searches[RAYS_BLOCK];
     size_t which[RAYS_BLOCK], count;
 };
 
@@ -432,7 +428,7 @@ static void add_others(const struct pupil_point *points, size_t count, const boo
     for (size_t i = 0; i < count; i++) {
         if (block->state[i] == AIM_DONE && !same[i]) {
             strays->points[strays->count] = points[i];
-            strays->searches[strays->count] = (struct search){
+            strays->searches[strays->count] = (struct aim_search){
                 .at = {block->a[i], block->b[i]}, .miss = {block->miss_x[i], block->miss_y[i]}};
             strays->which[strays->count++] = i;
         }
@@ -440,7 +436,8 @@ static void add_others(const struct pupil_point *points, size_t count, const boo
 }
 
 /* What leading a ray to its goal says of its search. */
-static void take_lead(const struct aim *aim, const struct lead *lead, struct search *search)
+static void take_lead(const struct aim *aim, const struct continuation *lead,
+                      struct aim_search *search)
 {
     const bool is_there = !(lead->done < 1);
     if (!is_there && !has_reached(aim, search)) {
@@ -457,29 +454,29 @@ static void take_lead(const struct aim *aim, const struct lead *lead, struct sea
 /* Those that may have ended on another sheet, or nowhere, are led to their goals. */
 static void lead_strays(const struct aim *aim, const bool *same, struct strays *strays)
 {
-    struct lead leads[RAYS_BLOCK];
+    struct continuation leads[RAYS_BLOCK];
     size_t led[RAYS_BLOCK], count = 0;
     for (size_t k = 0; k < strays->count; k++) {
-        const struct search *search = &strays->searches[k];
+        const struct aim_search *search = &strays->searches[k];
         if (search->is_rough || !has_reached(aim, search) || !same[strays->which[k]]) {
             aim_goal(aim, &strays->points[k], leads[count].goal);
             led[count++] = k;
         }
     }
-    lead_rays(aim, leads, count);
+    continuation_rays(aim, leads, count);
     for (size_t j = 0; j < count; j++) {
         take_lead(aim, &leads[j], &strays->searches[led[j]]);
     }
 }
 
 /* A block of rays. Result: how many have been aimed. */
-static size_t aim_block(const struct aim *aim, const struct pupil_point *points, size_t count,
-                        const struct rays *rays)
+static size_t aim_block_search(const struct aim *aim, const struct pupil_point *points,
+                               size_t count, const struct rays *rays)
 {
     struct aim_block block;
     struct strays strays;
     bool same[RAYS_BLOCK];
-    start_block(aim, points, count, &block);
+    aim_block_start(aim, points, count, &block);
     steer_block(aim, count, &block);
     find_strays(aim, points, count, &block, &strays);
     find_sheets(aim, &block, count, same);
@@ -489,7 +486,7 @@ static size_t aim_block(const struct aim *aim, const struct pupil_point *points,
     size_t aimed = count;
     for (size_t k = 0; k < strays.count; k++) {
         struct ray ray;
-        aimed -= finish(aim, &strays.searches[k], &ray) ? 0 : 1;
+        aimed -= aim_search_finish(aim, &strays.searches[k], &ray) ? 0 : 1;
         rays_set(rays, strays.which[k], aim->beam.n, &ray);
     }
     return aimed;
@@ -513,14 +510,14 @@ static bool make_map(const struct aim *aim, struct aim_map *map)
     for (size_t i = 0; i < MAP_NODES; i++) {
         points[i] = (struct pupil_point){at[i][0], at[i][1], 0};
     }
-    start_block(aim, points, MAP_NODES, &block);
+    aim_block_start(aim, points, MAP_NODES, &block);
     steer_block(aim, MAP_NODES, &block);
     for (size_t i = 0; i < MAP_NODES; i++) {
         if (block.state[i] != AIM_DONE) {
             return false;
         }
     }
-    if (!is_plain(aim, &block, MAP_NODES)) {
+    if (!aim_block_is_plain(aim, &block, MAP_NODES)) {
         return false;
     }
     aim_map_fit(block.a, block.b, map);
@@ -538,7 +535,7 @@ size_t aim_rays(const struct aim *aim, const struct pupil_point *points, size_t 
         const struct rays block = {rays->blocks + done / RAYS_BLOCK, here};
         aimed += has_map && aim_map_follow(&map, aim, points + done, &block)
                      ? here
-                     : aim_block(aim, points + done, here, &block);
+                     : aim_block_search(aim, points + done, here, &block);
     }
     return aimed;
 }

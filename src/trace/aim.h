@@ -44,8 +44,8 @@ struct aim {
  * Errors    ERROR_DOMAIN: no stop, or no radius of it; no ray of the beam arrives there, with the
  *           surface where most are lost
  */
-bool aim_open(const struct system *system, const struct beam *beam, struct arena *arena,
-              struct aim *aim, struct error *error);
+static inline bool aim_open(const struct system *system, const struct beam *beam,
+                            struct arena *arena, struct aim *aim, struct error *error);
 
 /* What is known of a chief ray where others are looked for beside it. */
 struct aim_near {
@@ -61,6 +61,12 @@ struct aim_near {
  */
 bool aim_open_near(const struct system *system, const struct beam *beam, struct aim_near *near,
                    struct arena *arena, struct aim *aim, struct error *error);
+
+static inline bool aim_open(const struct system *system, const struct beam *beam,
+                            struct arena *arena, struct aim *aim, struct error *error)
+{
+    return aim_open_near(system, beam, NULL, arena, aim, error);
+}
 
 /*
  * The same where aim_open finds no chief ray, from another ray that reaches the stop.

@@ -68,7 +68,7 @@ static void fit_wave(const double *values, const double *nodes, size_t m, const 
 }
 
 /* Is a wave of any weight in a map that is corrected, of a function of this size? */
-static bool counts(const double *differences, double size)
+static bool map_wave_counts(const double *differences, double size)
 {
     bool some = false;
     for (size_t i = 0; i < MAP_RINGS; i++) {
@@ -90,7 +90,7 @@ void aim_map_fit(const double *a, const double *b, struct aim_map *map)
         for (size_t m = 0; m < MAP_WAVES; m++) {
             for (size_t k = 0; k < 2; k++) {
                 fit_wave(values, map->nodes, m, circle.wave[k], map->part[f][m][k]);
-                map->counts[f][m][k] = counts(map->part[f][m][k], size);
+                map->counts[f][m][k] = map_wave_counts(map->part[f][m][k], size);
             }
         }
     }
@@ -99,8 +99,8 @@ void aim_map_fit(const double *a, const double *b, struct aim_map *map)
 /* -------- rays by it -------- */
 
 /* The points of a block. False: some lie outside of what the map knows. */
-static bool start(const struct aim *aim, const struct pupil_point *points, size_t count,
-                  struct map_block *block)
+static bool map_block_start(const struct aim *aim, const struct pupil_point *points, size_t count,
+                            struct map_block *block)
 {
     const double over = 1 / aim->stop_radius, wide = 1 + 1e-9;
     bool within = true;
@@ -127,7 +127,7 @@ bool aim_map_follow(const struct aim_map *map, const struct aim *aim,
     struct map_block block;
     kernel_map *kernel = KERNEL_FOR(SET_BEST, kernel_map);
     double before = 1e-2;
-    if (!start(aim, points, count, &block)) {
+    if (!map_block_start(aim, points, count, &block)) {
         return false;
     }
     kernel(map, NULL, over, &block);

@@ -41,7 +41,7 @@ static void arrays_of(struct ray_block *block, double *arrays[ARRAYS + 1])
 }
 
 /* The first `count` lanes of one block into those of another from `first` on. */
-static void put_lanes(struct ray_block *to, int first, struct ray_block *from, int count)
+static void aimed_copy_lanes(struct ray_block *to, int first, struct ray_block *from, int count)
 {
     double *target[ARRAYS + 1], *source[ARRAYS + 1];
     arrays_of(to, target);
@@ -64,8 +64,8 @@ static void fill_up(const struct aimed *aimed, struct ray_block *block)
 }
 
 /* All rays from coordinates in their beams. */
-static void start_rays(const struct aimed *aimed, const double *a, const double *b,
-                       struct ray_block *start)
+static void aimed_start_rays(const struct aimed *aimed, const double *a, const double *b,
+                             struct ray_block *start)
 {
     struct ray_block part;
     for (size_t g = 0; g < aimed->beam_count; g++) {
@@ -73,14 +73,14 @@ static void start_rays(const struct aimed *aimed, const double *a, const double 
         struct ray_block *to = at->first == 0 ? start : &part;
         beam_start(&at->beam, a + at->first, b + at->first, (size_t)at->count, to);
         if (to == &part) {
-            put_lanes(start, at->first, &part, at->count);
+            aimed_copy_lanes(start, at->first, &part, at->count);
         }
     }
     fill_up(aimed, start);
 }
 
 /* How the start of each ray changes with a and b; the path is that from the point of the object. */
-static void find_slopes(const struct aimed *aimed)
+static void aimed_find_slopes(const struct aimed *aimed)
 {
     static const double ways[2][2] = {{1, 0}, {0, 1}};
     const struct ray_block *start = aimed->work->start;
@@ -99,7 +99,7 @@ static void find_slopes(const struct aimed *aimed)
                     rays.p[i] * part.x[i] + rays.q[i] * part.y[i] + rays.r[i] * part.z[i];
                 part.lost[i] = 0;
             }
-            put_lanes(&aimed->work->slopes[k], at->first, &part, at->count);
+            aimed_copy_lanes(&aimed->work->slopes[k], at->first, &part, at->count);
         }
     }
     fill_up(aimed, &aimed->work->slopes[0]);
@@ -152,7 +152,7 @@ static void trace_tape(struct aimed *aimed)
     const struct system *system = aimed->system;
     work->tape.lanes = aimed->lanes;
     derivative_trace(system, work->start, aimed->set, &work->tape);
-    find_slopes(aimed);
+    aimed_find_slopes(aimed);
     if (aimed->at_stop) {
         work->tangents[0] = work->slopes[0];
         work->tangents[1] = work->slopes[1];
@@ -164,7 +164,7 @@ static void trace_tape(struct aimed *aimed)
 void aimed_trace(struct aimed *aimed, bool derives, struct ray_block *end)
 {
     const struct system *system = aimed->system;
-    start_rays(aimed, aimed->a, aimed->b, aimed->work->start);
+    aimed_start_rays(aimed, aimed->a, aimed->b, aimed->work->start);
     if (derives) {
         trace_tape(aimed);
         *end = aimed->work->tape.blocks[system->begin[system->places]];
@@ -181,8 +181,9 @@ void aimed_trace(struct aimed *aimed, bool derives, struct ray_block *end)
 }
 
 /* What a function gains along a change of the rays; in parts whose size the compiler knows. */
-static void along(const struct ray_block *restrict adjoint, const struct ray_block *restrict change,
-                  int lanes, double *restrict gain)
+static void adjoint_dot_change(const struct ray_block *restrict adjoint,
+                               const struct ray_block *restrict change, int lanes,
+                               double *restrict gain)
 {
     for (int from = 0; from < lanes; from += RAYS_FEW) {
         for (int i = from; i < from + RAYS_FEW; i++) {
@@ -200,7 +201,7 @@ static void along_start(const struct aimed *aimed, const struct ray_block *adjoi
 {
     double *const gains[2] = {fa, fb};
     for (int k = 0; k < 2; k++) {
-        along(adjoint, &changes[k], aimed->lanes, gains[k]);
+        adjoint_dot_change(adjoint, &changes[k], aimed->lanes, gains[k]);
         for (int i = 0; i < aimed->count && aimed->by_start[k] != NULL; i++) {
             gains[k][i] += aimed->by_start[k][i];
         }
@@ -296,13 +297,13 @@ void aimed_sweep_seeds(const struct aimed *aimed, const struct derivative_layout
 /* -------- aim -------- */
 
 /* Where rays that start there cross the stop. */
-static void look(const struct aimed *aimed, const double *a, const double *b,
-                 struct ray_block *block)
+static void aimed_trace_to_stop(const struct aimed *aimed, const double *a, const double *b,
+                                struct ray_block *block)
 {
     const struct system *system = aimed->system;
     const struct rays rays = {block, (size_t)aimed->count};
     const struct trace_way way = {.set = aimed->set};
-    start_rays(aimed, a, b, block);
+    aimed_start_rays(aimed, a, b, block);
     rays_trace_part(system, 0, system->stop + 1, &rays, &way);
     if (system->lens->surfaces[system->stop].decentre != NULL) {
         double axes[2][3], origin[3] = {0, 0, 0};
@@ -369,20 +370,20 @@ static bool end_steps(struct aimed *aimed, const struct aim_block *block)
 }
 
 /* From the lens before. */
-static bool steer(struct aimed *aimed)
+static bool aimed_steer(struct aimed *aimed)
 {
     enum { STEPS = 10 };
     const double radius = aimed->system->stop_radius;
     const double enough = 1e-15 * radius, near = 1e-12 * radius;
     struct ray_block *at = aimed->work->start;
     struct aim_block block;
-    look(aimed, aimed->a, aimed->b, at);
+    aimed_trace_to_stop(aimed, aimed->a, aimed->b, at);
     if (!begin_steps(aimed, at, &block)) {
         return false;
     }
     kernel_aim *kernel = KERNEL_FOR(aimed->set, kernel_aim);
     for (int step = 0; step < STEPS && aim_block_open(&block) > 0; step++) {
-        look(aimed, block.next_a, block.next_b, at);
+        aimed_trace_to_stop(aimed, block.next_a, block.next_b, at);
         kernel(at, enough * enough, near * near, &block);
     }
     return end_steps(aimed, &block);
@@ -431,7 +432,7 @@ static void fill_coordinates(struct aimed *aimed)
 }
 
 /* From nothing: all of them. */
-static bool search(struct aimed *aimed, struct arena *arena, struct error *error)
+static bool aimed_search(struct aimed *aimed, struct arena *arena, struct error *error)
 {
     for (size_t g = 0; g < aimed->beam_count; g++) {
         if (!search_beam(aimed, &aimed->beams[g], arena, error)) {
@@ -440,7 +441,7 @@ static bool search(struct aimed *aimed, struct arena *arena, struct error *error
     }
     fill_coordinates(aimed);
     /* for what comes next */
-    start_rays(aimed, aimed->a, aimed->b, aimed->work->start);
+    aimed_start_rays(aimed, aimed->a, aimed->b, aimed->work->start);
     trace_tape(aimed);
     aimed->is_known = true;
     return true;
@@ -450,13 +451,13 @@ bool aimed_at_stop(struct aimed *aimed, const struct system *system, struct aren
                    struct error *error)
 {
     aimed->system = system;
-    if (aimed->is_known && steer(aimed)) {
+    if (aimed->is_known && aimed_steer(aimed)) {
         return true;
     }
     /* a lens that cannot be aimed through leaves what was known of the one before it */
     struct aimed *before = ARENA_NEW(arena, struct aimed);
     *before = *aimed;
-    if (!search(aimed, arena, error)) {
+    if (!aimed_search(aimed, arena, error)) {
         *aimed = *before;
         return false;
     }

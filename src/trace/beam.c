@@ -207,7 +207,7 @@ void beam_fill(const struct beam *beam, const double (*at)[2], size_t count,
     beam_start(beam, a, b, count, block);
 }
 
-static double dot(const double a[3], const double b[3])
+static double dot_product(const double a[3], const double b[3])
 {
     return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
 }
@@ -242,14 +242,15 @@ void beam_tangents(const struct beam *beam, const double way[2], const struct ra
 void beam_place(const struct beam *beam, const double at[3], double place[2])
 {
     const double point[3] = {at[0] - beam->foot[0], at[1] - beam->foot[1], at[2] - beam->foot[2]};
-    double a = dot(point, beam->across[0]), b = dot(point, beam->across[1]);
+    double a = dot_product(point, beam->across[0]), b = dot_product(point, beam->across[1]);
     if (isinf(beam->distance)) {
         place[0] = a;
         place[1] = b;
         return;
     }
     /* seen from the object, at distance + along */
-    double along = dot(point, beam->axis), scale = beam->distance / (beam->distance + along);
+    double along = dot_product(point, beam->axis),
+           scale = beam->distance / (beam->distance + along);
     place[0] = a * scale;
     place[1] = b * scale;
 }

@@ -9,7 +9,7 @@
 #include <string.h>
 
 /* Where to look, in coordinates of the beam. */
-struct region {
+struct chief_region {
     double guess[2]; /* the paraxial chief ray */
     double low[2], high[2];
     double slope;  /* paraxial, of the height in the stop */
@@ -42,12 +42,12 @@ void chief_trace(const struct aim *aim, const double (*at)[2], size_t count)
 }
 
 /* How many surfaces a ray passes on its way to the stop. */
-static size_t places_of(const struct aim *aim)
+static size_t places_to_stop(const struct aim *aim)
 {
     return system_place(aim->system, aim->system->stop) + 1;
 }
 
-static bool arrived(const struct aim *aim, size_t lane)
+static bool lane_arrived(const struct aim *aim, size_t lane)
 {
     return ray_block_status(aim->work.blocks, lane) == RAY_OK;
 }
@@ -79,8 +79,8 @@ static size_t try_slopes(const struct aim *aim, const double (*at)[2], double h,
         chief_trace(aim, (const double(*)[2])rays, 4 * here);
         for (size_t k = 0; k < here; k++) {
             const size_t i = pending[done + k];
-            if (arrived(aim, 4 * k) && arrived(aim, 4 * k + 1) && arrived(aim, 4 * k + 2) &&
-                arrived(aim, 4 * k + 3)) {
+            if (lane_arrived(aim, 4 * k) && lane_arrived(aim, 4 * k + 1) &&
+                lane_arrived(aim, 4 * k + 2) && lane_arrived(aim, 4 * k + 3)) {
                 take_slope(aim->work.blocks, 4 * k, h, slopes[i]);
                 found[i] = slopes[i][0] * slopes[i][3] != slopes[i][1] * slopes[i][2];
             } else {
@@ -113,7 +113,8 @@ bool chief_slope(const struct aim *aim, const double at[2], double slope[4])
 }
 
 /* Widen the region by a point of the first surface as the beam sees it. */
-static void include(struct region *region, const struct beam *beam, const double point[3])
+static void chief_region_include(struct chief_region *region, const struct beam *beam,
+                                 const double point[3])
 {
     double place[2];
     beam_place(beam, point, place);
@@ -126,7 +127,7 @@ static void include(struct region *region, const struct beam *beam, const double
 }
 
 /* The first stated clear aperture bounds the beam; without one the paraxial pupil has to do. */
-static void include_surface(struct region *region, const struct aim *aim)
+static void include_surface(struct chief_region *region, const struct aim *aim)
 {
     const struct lens *lens = aim->system->lens;
     const struct surface *surface = &lens->surfaces[0];
@@ -137,8 +138,10 @@ static void include_surface(struct region *region, const struct aim *aim)
         double r = radius * i / 16, z = surface_sag(surface, r);
         /* a wall so steep that its rim lies far away would widen the region beyond all use */
         if (fabs(z) <= 100 * radius) {
-            include(region, &aim->beam, (double[3]){r * region->up[0], r * region->up[1], z});
-            include(region, &aim->beam, (double[3]){-r * region->up[1], r * region->up[0], z});
+            chief_region_include(region, &aim->beam,
+                                 (double[3]){r * region->up[0], r * region->up[1], z});
+            chief_region_include(region, &aim->beam,
+                                 (double[3]){-r * region->up[1], r * region->up[0], z});
         }
     }
     double margin = 0.02 * radius + pupil;
@@ -148,8 +151,8 @@ static void include_surface(struct region *region, const struct aim *aim)
     }
 }
 
-static bool open_region(const struct aim *aim, struct arena *arena, struct region *region,
-                        struct error *error)
+static bool chief_region_open(const struct aim *aim, struct arena *arena,
+                              struct chief_region *region, struct error *error)
 {
     const struct system *system = aim->system;
     const struct beam *beam = &aim->beam;
@@ -160,7 +163,7 @@ static bool open_region(const struct aim *aim, struct arena *arena, struct regio
     }
     paraxial_trace(&paraxial, &trace);
     double a = trace.front.a.hi, b = trace.front.b.hi, z = beam->n * b / a;
-    *region = (struct region){
+    *region = (struct chief_region){
         .slope = a + (isinf(beam->distance) ? 0 : b * beam->n / beam->distance),
         .up = {-beam->across[0][1], beam->across[0][0]},
     };
@@ -177,20 +180,20 @@ static bool open_region(const struct aim *aim, struct arena *arena, struct regio
 }
 
 /* The height in the stop of one lane, along the meridional plane. */
-static double height(const struct aim *aim, const struct region *region, size_t lane)
+static double height_in_stop(const struct aim *aim, const struct chief_region *region, size_t lane)
 {
     const struct ray_block *block = aim->work.blocks;
     return block->x[lane] * region->up[0] + block->y[lane] * region->up[1];
 }
 
 /* Two rays with the centre of the stop between them. */
-struct bracket {
+struct chief_bracket {
     double low, high, distance;
     bool found;
 };
 
 /* How far outside of the clear apertures a ray runs before the stop: the largest r/a. */
-static double excess(const struct aim *aim, double b)
+static double chief_aperture_excess(const struct aim *aim, double b)
 {
     const struct system *system = aim->system;
     const struct ray ray = beam_ray(&aim->beam, aim->chief[0], b);
@@ -209,21 +212,22 @@ static double excess(const struct aim *aim, double b)
 }
 
 /* Is this bracket better than the last? Apertures first, then nearness to the paraxial ray. */
-static void offer(const struct aim *aim, const struct region *region, double low, double high,
-                  bool compares_apertures, struct bracket *bracket)
+static void chief_bracket_offer(const struct aim *aim, const struct chief_region *region,
+                                double low, double high, bool compares_apertures,
+                                struct chief_bracket *bracket)
 {
     double middle = (low + high) / 2;
     double distance = fabs(middle - region->guess[1]);
     if (compares_apertures) {
-        double beyond = fmax(excess(aim, middle) - 1, 0);
+        double beyond = fmax(chief_aperture_excess(aim, middle) - 1, 0);
         distance += 1e6 * beyond * (region->high[1] - region->low[1]);
     }
     if (!bracket->found || distance < bracket->distance) {
-        *bracket = (struct bracket){low, high, distance, true};
+        *bracket = (struct chief_bracket){low, high, distance, true};
     }
 }
 
-struct scan {
+struct chief_scan {
     size_t samples;
     bool any_slope; /* the image of the stop may be upside down */
 };
@@ -259,13 +263,14 @@ static void add_crossing(struct crossings *all, double from, double to)
 
 /* Sample the meridional line; returns how many brackets it has. With `any_slope` turned ones do
    where there are no others. */
-static size_t scan_line(struct aim *aim, const struct region *region, const struct scan *scan,
-                        struct bracket *bracket, struct losses *losses)
+static size_t scan_line(struct aim *aim, const struct chief_region *region,
+                        const struct chief_scan *scan, struct chief_bracket *bracket,
+                        struct losses *losses)
 {
     double at[RAYS_BLOCK][2], last = NAN, last_height = NAN;
     double low = region->low[1], step = (region->high[1] - low) / (double)(scan->samples - 1);
     struct crossings found = {.count = 0}, others = {.count = 0};
-    aim->sought += scan->samples * places_of(aim);
+    aim->sought += scan->samples * places_to_stop(aim);
     for (size_t done = 0; done < scan->samples; done += RAYS_BLOCK) {
         for (size_t i = 0; i < RAYS_BLOCK; i++) {
             at[i][0] = aim->chief[0];
@@ -273,8 +278,8 @@ static size_t scan_line(struct aim *aim, const struct region *region, const stru
         }
         chief_trace(aim, (const double(*)[2])at, RAYS_BLOCK);
         for (size_t i = 0; i < RAYS_BLOCK; i++) {
-            bool here = arrived(aim, i);
-            double y = here ? height(aim, region, i) : (double)NAN;
+            bool here = lane_arrived(aim, i);
+            double y = here ? height_in_stop(aim, region, i) : (double)NAN;
             bool crosses = (last_height <= 0 && y > 0) || (last_height >= 0 && y < 0);
             bool turned = (y > last_height) != (region->slope > 0);
             if (crosses && (!turned || scan->any_slope)) {
@@ -289,13 +294,14 @@ static size_t scan_line(struct aim *aim, const struct region *region, const stru
     }
     const struct crossings *use = found.count > 0 ? &found : &others;
     for (size_t i = 0; i < use->count; i++) {
-        offer(aim, region, use->at[i][0], use->at[i][1], use->count > 1, bracket);
+        chief_bracket_offer(aim, region, use->at[i][0], use->at[i][1], use->count > 1, bracket);
     }
     return use->count;
 }
 
 /* Close a bracket, 127 parts at a time. */
-static bool close_bracket(struct aim *aim, const struct region *region, struct bracket *bracket)
+static bool close_bracket(struct aim *aim, const struct chief_region *region,
+                          struct chief_bracket *bracket)
 {
     double at[RAYS_BLOCK][2];
     for (int turn = 0; turn < 20; turn++) {
@@ -313,7 +319,7 @@ static bool close_bracket(struct aim *aim, const struct region *region, struct b
         double last = NAN;
         size_t root = 0;
         for (size_t i = 0; i < RAYS_BLOCK && root == 0; i++) {
-            double y = arrived(aim, i) ? height(aim, region, i) : (double)NAN;
+            double y = lane_arrived(aim, i) ? height_in_stop(aim, region, i) : (double)NAN;
             root = (last <= 0 && y > 0) || (last >= 0 && y < 0) ? i : 0;
             last = y;
         }
@@ -327,7 +333,7 @@ static bool close_bracket(struct aim *aim, const struct region *region, struct b
     return true;
 }
 
-static bool refuse(struct aim *aim, const struct losses *losses, struct error *error)
+static bool chief_refuse(struct aim *aim, const struct losses *losses, struct error *error)
 {
     size_t most = 0;
     for (size_t i = 1; i < 256; i++) {
@@ -355,19 +361,19 @@ static bool refuse(struct aim *aim, const struct losses *losses, struct error *e
  * Coarse to fine; the pupil of a fisheye may be a thousandth of its front element. The finest scan
  * is for lenses of which it does not take longer than an answer may: 2 million ray-surfaces.
  */
-static bool find_meridional(struct aim *aim, struct region *region, struct error *error)
+static bool find_meridional(struct aim *aim, struct chief_region *region, struct error *error)
 {
     enum { MOST_WORK = 2000000 };
-    static const struct scan all[] = {{128, false}, {2048, false}, {32768, true}};
-    static const struct scan coarse[] = {{128, false}, {2048, true}};
-    const bool fine = all[2].samples * places_of(aim) <= MOST_WORK;
-    const struct scan *scans = fine ? all : coarse;
+    static const struct chief_scan all[] = {{128, false}, {2048, false}, {32768, true}};
+    static const struct chief_scan coarse[] = {{128, false}, {2048, true}};
+    const bool fine = all[2].samples * places_to_stop(aim) <= MOST_WORK;
+    const struct chief_scan *scans = fine ? all : coarse;
     const size_t kinds = fine ? 3 : 2;
     struct losses losses = {0};
     aim->chief[0] = region->guess[0];
     for (size_t wide = 0; wide < 3; wide++) {
         for (size_t i = 0; i < kinds; i++) {
-            struct bracket bracket = {.found = false};
+            struct chief_bracket bracket = {.found = false};
             if (scan_line(aim, region, &scans[i], &bracket, &losses) > 0 &&
                 close_bracket(aim, region, &bracket)) {
                 return true;
@@ -377,16 +383,16 @@ static bool find_meridional(struct aim *aim, struct region *region, struct error
         region->low[1] -= width;
         region->high[1] += width;
     }
-    return refuse(aim, &losses, error);
+    return chief_refuse(aim, &losses, error);
 }
 
 /* The sample of a grid that comes nearest to the centre of the stop. */
-static bool scan_grid(struct aim *aim, const struct region *region, size_t side, double at[2],
+static bool scan_grid(struct aim *aim, const struct chief_region *region, size_t side, double at[2],
                       struct losses *losses)
 {
     const struct ray_block *block = aim->work.blocks;
     double best = INFINITY, rays[RAYS_BLOCK][2];
-    aim->sought += side * side * places_of(aim);
+    aim->sought += side * side * places_to_stop(aim);
     for (size_t done = 0; done < side * side; done += RAYS_BLOCK) {
         for (size_t i = 0; i < RAYS_BLOCK; i++) {
             size_t cell[2] = {(done + i) % side, (done + i) / side};
@@ -398,7 +404,7 @@ static bool scan_grid(struct aim *aim, const struct region *region, size_t side,
         chief_trace(aim, (const double(*)[2])rays, RAYS_BLOCK);
         for (size_t i = 0; i < RAYS_BLOCK; i++) {
             double square = block->x[i] * block->x[i] + block->y[i] * block->y[i];
-            if (!arrived(aim, i)) {
+            if (!lane_arrived(aim, i)) {
                 note_loss(aim, i, losses);
             } else if (square < best) {
                 best = square;
@@ -411,7 +417,7 @@ static bool scan_grid(struct aim *aim, const struct region *region, size_t side,
 }
 
 /* Newton's method to the centre of the stop, steps halved while they lead away. */
-static bool walk(struct aim *aim, double at[2])
+static bool chief_newton(struct aim *aim, double at[2])
 {
     const struct ray_block *block = aim->work.blocks;
     double miss = INFINITY;
@@ -430,7 +436,7 @@ static bool walk(struct aim *aim, double at[2])
         for (int half = 0; half < 30 && !closer && miss > 0; half++, scale /= 2) {
             double next[1][2] = {{at[0] + scale * move[0], at[1] + scale * move[1]}};
             chief_trace(aim, (const double(*)[2])next, 1);
-            closer = arrived(aim, 0) && hypot(block->x[0], block->y[0]) < miss;
+            closer = lane_arrived(aim, 0) && hypot(block->x[0], block->y[0]) < miss;
             if (closer) {
                 at[0] = next[0][0];
                 at[1] = next[0][1];
@@ -443,25 +449,25 @@ static bool walk(struct aim *aim, double at[2])
     return miss <= 1e-9 * aim->stop_radius;
 }
 
-static bool find_anywhere(struct aim *aim, struct region *region, struct error *error)
+static bool find_anywhere(struct aim *aim, struct chief_region *region, struct error *error)
 {
     struct losses losses = {0};
     for (size_t side = 16; side <= 512; side *= 2) {
         double at[2];
-        if (scan_grid(aim, region, side, at, &losses) && walk(aim, at)) {
+        if (scan_grid(aim, region, side, at, &losses) && chief_newton(aim, at)) {
             aim->chief[0] = at[0];
             aim->chief[1] = at[1];
             return true;
         }
     }
-    return refuse(aim, &losses, error);
+    return chief_refuse(aim, &losses, error);
 }
 
 bool chief_find(struct aim *aim, struct arena *arena, struct error *error)
 {
-    struct region region;
+    struct chief_region region;
     const double *axis = aim->beam.axis;
-    if (!open_region(aim, arena, &region, error)) {
+    if (!chief_region_open(aim, arena, &region, error)) {
         return false;
     }
     aim->slope[3] = region.slope;
@@ -511,7 +517,7 @@ bool chief_find_near(struct aim *aim, const struct aim_near *near)
     for (int step = 0; step < STEPS; step++) {
         chief_trace(aim, (const double(*)[2])at, 1);
         const double miss[2] = {block->x[0], block->y[0]}, here = hypot(miss[0], miss[1]);
-        if (!arrived(aim, 0) || !(here < before)) {
+        if (!lane_arrived(aim, 0) || !(here < before)) {
             break;
         }
         memcpy(aim->chief, at, sizeof aim->chief);

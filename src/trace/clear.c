@@ -17,34 +17,34 @@ enum { CIRCLE = 128, MANY = 1024 };
 static const double finely = 1e-13, beside = 3e-8;
 
 /* A pupil at work. */
-struct finding {
-    const struct margins *margins;
+struct clear_search {
+    const struct clearances *margins;
     const struct probe *probe;
-    const struct star *star;
+    const struct pupil_boundary *star;
     struct arena *arena;
 };
 
 /* -------- edges -------- */
 
 /* What ends a ray, by the number that the margins have for it. */
-static void name_limit(const struct margins *margins, size_t limit, struct clear_edge *edge)
+static void name_limit(const struct clearances *margins, size_t limit, struct clear_edge *edge)
 {
     const size_t number = limit % ((size_t)1 << 32);
-    const bool lost = margins_lost(limit);
+    const bool lost = clearances_lost(limit);
     edge->status = lost ? (enum ray_status)(number % 8) : RAY_CLIPPED;
     edge->surface = lost ? number / 8 : margins->all[number].surface + 1;
     edge->part = 0;
 }
 
 /* Edges in some directions, with what they are as shares of the star's stretch. */
-static void find_edges(const struct finding *finding, const double *angles, size_t count,
-                       struct clear_edge *edges, double *radii)
+static void clear_find_edges(const struct clear_search *finding, const double *angles, size_t count,
+                             struct clear_edge *edges, double *radii)
 {
-    const struct star *star = finding->star;
+    const struct pupil_boundary *star = finding->star;
     double *near = ARENA_ARRAY(finding->arena, count, double);
     struct edge *found = ARENA_ARRAY(finding->arena, count, struct edge);
     for (size_t i = 0; i < count; i++) {
-        near[i] = star_near(star, angles[i]);
+        near[i] = pupil_boundary_near(star, angles[i]);
     }
     const struct edge_directions directions = {star->frame, angles, near, count, 0};
     edges_find(finding->margins, &directions, finely, found);
@@ -58,7 +58,7 @@ static void find_edges(const struct finding *finding, const double *angles, size
 }
 
 /* Around the star: from below counterclockwise. Angles of stars count the other way, from above. */
-static void put_edges(const struct finding *finding, size_t count, struct clear_pupil *pupil)
+static void put_edges(const struct clear_search *finding, size_t count, struct clear_pupil *pupil)
 {
     struct arena *arena = finding->arena;
     double *angles = ARENA_ARRAY(arena, count, double), *radii = ARENA_ARRAY(arena, count, double);
@@ -66,7 +66,7 @@ static void put_edges(const struct finding *finding, size_t count, struct clear_
     for (size_t i = 0; i < count; i++) {
         angles[i] = PI - 2 * PI * ((double)i / (double)count);
     }
-    find_edges(finding, angles, count, edges, radii);
+    clear_find_edges(finding, angles, count, edges, radii);
     pupil->edges = edges;
     pupil->edge_count = count;
 }
@@ -74,7 +74,7 @@ static void put_edges(const struct finding *finding, size_t count, struct clear_
 /* -------- arms -------- */
 
 /* Where the k-th point of Gauss lies between two corners, and what it stands for there. */
-static double share_of(bool is_cut, double x, double *weight)
+static double gauss_share(bool is_cut, double x, double *weight)
 {
     if (!is_cut) {
         return x;
@@ -84,16 +84,16 @@ static double share_of(bool is_cut, double x, double *weight)
 }
 
 /* Counterclockwise: stars count the other way. */
-static void put_arcs(const struct finding *finding, struct clear_pupil *pupil, double *angles)
+static void put_arcs(const struct clear_search *finding, struct clear_pupil *pupil, double *angles)
 {
-    const struct star *star = finding->star;
+    const struct pupil_boundary *star = finding->star;
     double *widths = ARENA_ARRAY(finding->arena, pupil->arcs, double);
     for (size_t i = 0; i < pupil->arm_count; i++) {
         const size_t arc = i / CLEAR_ARC, last = pupil->arcs - 1 - arc;
         double low = star->corners[last];
         double high = last + 1 < pupil->arcs ? star->corners[last + 1] : star->corners[0] + 2 * PI;
         double weight = pupil->gauss[i % CLEAR_ARC];
-        double share = share_of(pupil->is_cut, pupil->nodes[i % CLEAR_ARC], &weight);
+        double share = gauss_share(pupil->is_cut, pupil->nodes[i % CLEAR_ARC], &weight);
         angles[i] = high - share * (high - low);
         widths[arc] = high - low;
         pupil->arms[i].area = weight * (high - low);
@@ -111,7 +111,7 @@ static void put_circle(struct clear_pupil *pupil, double *angles)
 }
 
 /* The edges just before and just behind the beginning of every piece. */
-static void put_corners(const struct finding *finding, struct clear_pupil *pupil)
+static void put_corners(const struct clear_search *finding, struct clear_pupil *pupil)
 {
     const size_t count = 2 * pupil->arcs;
     struct arena *arena = finding->arena;
@@ -121,19 +121,19 @@ static void put_corners(const struct finding *finding, struct clear_pupil *pupil
         const size_t next = (pupil->arcs - i / 2) % pupil->arcs;
         angles[i] = finding->star->corners[next] + (i % 2 == 0 ? beside : -beside);
     }
-    find_edges(finding, angles, count, corners, radii);
+    clear_find_edges(finding, angles, count, corners, radii);
     pupil->corners = corners;
     pupil->corner_count = count;
 }
 
 /* What is clear of each arm. */
-static void cut_arms(const struct finding *finding, struct clear_pupil *pupil)
+static void cut_arms(const struct clear_search *finding, struct clear_pupil *pupil)
 {
     struct arena *arena = finding->arena;
     double(*at)[2] = arena_array(arena, pupil->arm_count, sizeof *at);
-    struct spans *spans = NULL;
+    struct clear_intervals *spans = NULL;
     if (pupil->is_cut) {
-        spans = ARENA_ARRAY(arena, pupil->arm_count, struct spans);
+        spans = ARENA_ARRAY(arena, pupil->arm_count, struct clear_intervals);
     }
     for (size_t i = 0; i < pupil->arm_count; i++) {
         at[i][0] = pupil->arms[i].edge.at[0];
@@ -141,12 +141,13 @@ static void cut_arms(const struct finding *finding, struct clear_pupil *pupil)
         pupil->arms[i].spans = pupil->is_cut ? &spans[i] : &spans_whole;
     }
     if (pupil->is_cut) {
-        spans_find(finding->probe, pupil->centre, (const double(*)[2])at, pupil->arm_count, spans);
+        clear_intervals_find(finding->probe, pupil->centre, (const double(*)[2])at,
+                             pupil->arm_count, spans);
     }
 }
 
 /* The share of an arm's area that is clear. */
-static double clear_share(const struct spans *spans)
+static double clear_share(const struct clear_intervals *spans)
 {
     double share = 0;
     for (size_t i = 0; i < spans->count; i++) {
@@ -157,9 +158,9 @@ static double clear_share(const struct spans *spans)
 }
 
 /* The arms, from angles to areas: r^2/2 of each, in stretched coordinates. */
-static void put_arms(const struct finding *finding, struct clear_pupil *pupil)
+static void put_arms(const struct clear_search *finding, struct clear_pupil *pupil)
 {
-    const struct star *star = finding->star;
+    const struct pupil_boundary *star = finding->star;
     const double *axes = finding->margins->beam->axes;
     const double unit = star->frame.stretch[0] * star->frame.stretch[1] * axes[0] * axes[3];
     /* something that is the last in no direction but one has no arc of its own */
@@ -178,7 +179,7 @@ static void put_arms(const struct finding *finding, struct clear_pupil *pupil)
         put_circle(pupil, angles);
     }
     put_corners(finding, pupil);
-    find_edges(finding, angles, pupil->arm_count, edges, radii);
+    clear_find_edges(finding, angles, pupil->arm_count, edges, radii);
     for (size_t i = 0; i < pupil->arm_count; i++) {
         pupil->arms[i].edge = edges[i];
         pupil->arms[i].area *= unit * radii[i] * radii[i] / 2;
@@ -196,12 +197,12 @@ static void put_arms(const struct finding *finding, struct clear_pupil *pupil)
 enum { NODES = 16, FEW_NODES = 6 };
 
 /* The polynomial through some arms of a piece, in the numbers that they are placed by. */
-struct piece {
+struct edge_piece {
     size_t count;
     double at[NODES], value[NODES], weight[NODES];
 };
 
-static void weigh(struct piece *piece)
+static void piece_weigh(struct edge_piece *piece)
 {
     for (size_t i = 0; i < piece->count; i++) {
         double product = 1;
@@ -213,7 +214,7 @@ static void weigh(struct piece *piece)
 }
 
 /* [Berrut04] (4.2) */
-static double value_at(const struct piece *piece, double x)
+static double piece_value(const struct edge_piece *piece, double x)
 {
     double above = 0, below = 0;
     for (size_t i = 0; i < piece->count; i++) {
@@ -228,7 +229,7 @@ static double value_at(const struct piece *piece, double x)
 }
 
 /* Its largest value between two places with one hill between them: narrower and narrower. */
-static double peak_of(const struct piece *piece, double low, double high)
+static double piece_peak(const struct edge_piece *piece, double low, double high)
 {
     enum { ROUNDS = 6 };
     double middle = (low + high) / 2, half = (high - low) / 2, best = -INFINITY;
@@ -236,8 +237,8 @@ static double peak_of(const struct piece *piece, double low, double high)
     for (int round = 0; round < ROUNDS && rises; round++) {
         const double before = best;
         const double from = fmax(middle - half, low), to = fmin(middle + half, high);
-        const double a = value_at(piece, from), b = value_at(piece, (from + to) / 2);
-        const double c = value_at(piece, to), bend = a - 2 * b + c;
+        const double a = piece_value(piece, from), b = piece_value(piece, (from + to) / 2);
+        const double c = piece_value(piece, to), bend = a - 2 * b + c;
         double step = bend < 0 ? (a - c) / (2 * bend) : a > c ? -1 : 1;
         step = fmax(-1, fmin(step, 1));
         best = fmax(best, fmax(a, fmax(b, c)));
@@ -245,7 +246,7 @@ static double peak_of(const struct piece *piece, double low, double high)
         middle = (from + to) / 2 + step * (to - from) / 2;
         half = (to - from) / 8;
     }
-    return fmax(best, value_at(piece, middle));
+    return fmax(best, piece_value(piece, middle));
 }
 
 /* The peak of the polynomial through so many arms about the best one. */
@@ -254,7 +255,7 @@ static double hill_of(const struct clear_pupil *pupil, const double (*arms)[2], 
 {
     const double *x = pupil->nodes;
     const size_t arc = best / CLEAR_ARC, k = best % CLEAR_ARC, count = pupil->arm_count;
-    struct piece piece = {.count = nodes};
+    struct edge_piece piece = {.count = nodes};
     size_t first = k < nodes / 2 ? 0 : k - nodes / 2;
     first = first > CLEAR_ARC - nodes ? CLEAR_ARC - nodes : first;
     for (size_t i = 0; i < nodes; i++) {
@@ -264,10 +265,10 @@ static double hill_of(const struct clear_pupil *pupil, const double (*arms)[2], 
         piece.at[i] = pieces ? x[first + i] : (double)i - (double)(nodes / 2);
         piece.value[i] = sign * arms[arm][axis];
     }
-    weigh(&piece);
+    piece_weigh(&piece);
     double low = pupil->arcs == 0 ? -1 : k > 0 ? x[k - 1] : 0;
     double high = pupil->arcs == 0 ? 1 : k + 1 < CLEAR_ARC ? x[k + 1] : 1;
-    return peak_of(&piece, low, high);
+    return piece_peak(&piece, low, high);
 }
 
 double clear_extreme(const struct clear_pupil *pupil, const double (*points)[2], int axis,
@@ -333,10 +334,10 @@ void clear_find(const struct system *system, const struct beam *beam,
     if (pupil->is_empty) {
         return;
     }
-    const struct margins margins = margins_open(&frame, arena);
-    struct star *star = ARENA_NEW(arena, struct star);
-    const struct finding finding = {&margins, &probe, star, arena};
-    pupil->is_empty = !star_find(&margins, &probe, arena, star);
+    const struct clearances margins = clearances_open(&frame, arena);
+    struct pupil_boundary *star = ARENA_NEW(arena, struct pupil_boundary);
+    const struct clear_search finding = {&margins, &probe, star, arena};
+    pupil->is_empty = !pupil_boundary_find(&margins, &probe, arena, star);
     if (pupil->is_empty) {
         return;
     }
@@ -346,5 +347,5 @@ void clear_find(const struct system *system, const struct beam *beam,
     if (directions > 0) {
         put_edges(&finding, directions, pupil);
     }
-    pupil->islands = islands_find(&margins, star, arena);
+    pupil->islands = pupil_islands_find(&margins, star, arena);
 }

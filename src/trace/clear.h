@@ -12,13 +12,13 @@
 #include <stdbool.h>
 #include <stddef.h>
 
-struct spans; /* trace/spans.h */
+struct clear_intervals; /* trace/spans.h */
 
 /* A ray at the edge that an integral over the pupil is taken by. */
 struct clear_arm {
     struct clear_edge edge;
-    double area;               /* that it stands for, from the centre to the edge, mm^2 */
-    const struct spans *spans; /* the clear parts of the way there */
+    double area;                         /* that it stands for, from the centre to the edge, mm^2 */
+    const struct clear_intervals *spans; /* the clear parts of the way there */
 };
 
 /*
@@ -48,7 +48,7 @@ struct clear_pupil {
     const struct clear_edge *corners;
     size_t corner_count;
     double nodes[CLEAR_ARC], gauss[CLEAR_ARC]; /* Gauss's points and weights on 0 .. 1 */
-    struct islands islands;                    /* what passes beside it, beyond a gap */
+    struct pupil_islands islands;              /* what passes beside it, beyond a gap */
 };
 
 /*
@@ -67,7 +67,8 @@ struct clear_pupil {
  *           is compared by, and the angles t of a piece of the width w are w (1 - cos(pi u))/2
  *           with Gauss's points u: lines that touch an edge do no harm. Bounds: clear_extreme
  * Limits    1e-10 of the area, 1e-14 of discs and ellipses. A shape that is not a star about its
- *           centroid is cut at its nearest edges; one with more than STAR_CORNERS corners is
+ *           centroid is cut at its nearest edges; one with more than PUPIL_BOUNDARY_CORNERS
+ *           corners is
  *           summed over equal angles, which leaves about 1e-5 of the area. With something that
  *           blocks 1e-8 of the area within the edge; an arm of a spider that is seen under less
  *           than a degree may be missed

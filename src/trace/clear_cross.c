@@ -10,10 +10,10 @@
 
 /* One edge, while it is looked for: it lies between two neighbours of `points`. */
 struct trail {
-    double way[2];                            /* from the centre, of length 1 */
-    struct spread_point points[RAYS_FEW + 2]; /* how far, mm; the excess there */
-    size_t count, between;                    /* between 0: nothing is lost yet */
-    size_t turns;                             /* since there is something lost */
+    double way[2];                                  /* from the centre, of length 1 */
+    struct multisection_point points[RAYS_FEW + 2]; /* how far, mm; the excess there */
+    size_t count, between;                          /* between 0: nothing is lost yet */
+    size_t turns;                                   /* since there is something lost */
     struct clear_edge edge;
 };
 
@@ -22,7 +22,7 @@ static double low_of(const struct trail *trail)
     return trail->points[trail->between > 0 ? trail->between - 1 : trail->count - 1].at;
 }
 
-static bool is_open(const struct trail *trail)
+static bool trail_is_open(const struct trail *trail)
 {
     double low = low_of(trail);
     return trail->between == 0 ||
@@ -40,11 +40,12 @@ static void choose_places(const struct trail *trail, double radius, size_t lanes
         return;
     }
     /* a narrow gap in front of the edge shows in equal parts */
-    const struct spread_point blind[2] = {{low, NAN}, {trail->points[trail->between].at, NAN}};
+    const struct multisection_point blind[2] = {{low, NAN},
+                                                {trail->points[trail->between].at, NAN}};
     if (trail->turns == 0) {
-        spread_places(blind, 2, 1, lanes, places);
+        multisection_places(blind, 2, 1, lanes, places);
     } else {
-        spread_places(trail->points, trail->count, trail->between, lanes, places);
+        multisection_places(trail->points, trail->count, trail->between, lanes, places);
     }
 }
 
@@ -67,7 +68,7 @@ static bool take_places(const struct probe *probe, size_t first, size_t lanes, c
         const bool passes = probe_passes(probe, first + i);
         bool tells = excess[first + i] < PROBE_LOST && passes == (excess[first + i] <= 0);
         next.points[next.count] =
-            (struct spread_point){places[i], tells ? excess[first + i] : (double)NAN};
+            (struct multisection_point){places[i], tells ? excess[first + i] : (double)NAN};
         if (next.between == 0 && !passes) {
             next.between = next.count;
             next.edge.status = ray_block_status(probe->work.blocks, first + i);
@@ -86,8 +87,8 @@ static bool take_places(const struct probe *probe, size_t first, size_t lanes, c
 }
 
 /* Places to try on all trails; the surfaces that end them as far as is known, else null. */
-static const size_t *choose_rays(const struct trail *trails, size_t count, double radius,
-                                 double *places, size_t *surfaces)
+static const size_t *trails_choose_rays(const struct trail *trails, size_t count, double radius,
+                                        double *places, size_t *surfaces)
 {
     const size_t lanes = RAYS_FEW / count;
     bool known = true;
@@ -101,8 +102,8 @@ static const size_t *choose_rays(const struct trail *trails, size_t count, doubl
 }
 
 /* Edges along one or two ways from a point inside. */
-static void find_edges(const struct probe *probe, const double centre[2], double radius,
-                       struct trail *trails, size_t count)
+static void trails_find_edges(const struct probe *probe, const double centre[2], double radius,
+                              struct trail *trails, size_t count)
 {
     enum { TURNS = 300 };
     const size_t lanes = RAYS_FEW / count;
@@ -110,11 +111,11 @@ static void find_edges(const struct probe *probe, const double centre[2], double
     size_t surfaces[3];
     bool busy = true;
     for (size_t i = 0; i < count; i++) {
-        trails[i].points[0] = (struct spread_point){0, NAN};
+        trails[i].points[0] = (struct multisection_point){0, NAN};
         trails[i].count = 1;
     }
     for (int turn = 0; turn < TURNS && busy; turn++) {
-        const size_t *limits = choose_rays(trails, count, radius, places, surfaces);
+        const size_t *limits = trails_choose_rays(trails, count, radius, places, surfaces);
         for (size_t i = 0; i < RAYS_FEW; i++) {
             const double *way = trails[i / lanes].way;
             at[i][0] = centre[0] + places[i] * way[0];
@@ -125,7 +126,7 @@ static void find_edges(const struct probe *probe, const double centre[2], double
         for (size_t i = 0; i < count; i++) {
             size_t first = i * lanes;
             bool moved = take_places(probe, first, lanes, places + first, excess, &trails[i]);
-            busy = busy || (moved && is_open(&trails[i]));
+            busy = busy || (moved && trail_is_open(&trails[i]));
         }
     }
     for (size_t i = 0; i < count; i++) {
@@ -139,14 +140,14 @@ static void find_edges(const struct probe *probe, const double centre[2], double
  * Both edges along one axis, and the point halfway between them if that passes. `mirrors`: one is
  * the image of the other.
  */
-static void halve(const struct probe *probe, double radius, int axis, bool mirrors,
-                  struct clear_cross *cross)
+static void cross_halve(const struct probe *probe, double radius, int axis, bool mirrors,
+                        struct clear_cross *cross)
 {
     struct trail trails[2] = {{.count = 0}, {.count = 0}};
     double middle[2] = {cross->centre[0], cross->centre[1]};
     trails[0].way[axis] = 1;
     trails[1].way[axis] = -1;
-    find_edges(probe, cross->centre, radius, trails, mirrors ? 1 : 2);
+    trails_find_edges(probe, cross->centre, radius, trails, mirrors ? 1 : 2);
     cross->ends[axis] = cross->ends[axis + 2] = trails[0].edge;
     if (mirrors) {
         cross->ends[axis + 2].at[axis] = -trails[0].edge.at[axis];
@@ -166,12 +167,12 @@ static void halve(const struct probe *probe, double radius, int axis, bool mirro
 static void draw_in(const struct probe *probe, struct clear_cross *cross)
 {
     double ends[4][2];
-    struct spans spans[4];
+    struct clear_intervals spans[4];
     for (size_t i = 0; i < 4; i++) {
         ends[i][0] = cross->ends[i].at[0];
         ends[i][1] = cross->ends[i].at[1];
     }
-    spans_find(probe, cross->centre, (const double(*)[2])ends, 4, spans);
+    clear_intervals_find(probe, cross->centre, (const double(*)[2])ends, 4, spans);
     for (size_t i = 0; i < 4; i++) {
         double far = spans[i].count > 0 ? spans[i].high[spans[i].count - 1] : 1;
         for (int k = 0; k < 2 && far < 1; k++) {
@@ -197,10 +198,10 @@ void clear_across(const struct system *system, const struct beam *beam,
         (cross->centre[0] == 0 || probe_passes_one(&probe, (double[2]){0, cross->centre[1]}))) {
         cross->centre[0] = 0;
     } else {
-        halve(&probe, guess->radius, 0, false, cross);
+        cross_halve(&probe, guess->radius, 0, false, cross);
     }
-    halve(&probe, guess->radius, 1, upwards && cross->centre[1] == 0, cross);
-    halve(&probe, guess->radius, 0, aside && cross->centre[0] == 0, cross);
+    cross_halve(&probe, guess->radius, 1, upwards && cross->centre[1] == 0, cross);
+    cross_halve(&probe, guess->radius, 0, aside && cross->centre[0] == 0, cross);
     if (probe.full != NULL) {
         draw_in(&probe, cross);
     }

@@ -63,7 +63,7 @@ const struct clip *clip_of(const struct surface *surface, enum clip_way way, str
     return clip->count > 0 ? clip : NULL;
 }
 
-static bool passes(const struct clip *clip, double x, double y)
+static bool clip_passes(const struct clip *clip, double x, double y)
 {
     for (size_t i = 0; i < clip->count; i++) {
         if (!aperture_passes(&clip->forms[i], x, y)) {
@@ -78,14 +78,14 @@ void clip_block(const struct step *step, int lanes, struct ray_block *block)
     for (int i = 0; i < lanes; i++) {
         double old = block->lost[i];
         if (old < step->clipped && old != step->miss &&
-            !passes(step->clip, block->x[i], block->y[i])) {
+            !clip_passes(step->clip, block->x[i], block->y[i])) {
             block->lost[i] = step->clipped;
         }
     }
 }
 
 /* A piece of an edge, by its form and its place there. */
-static size_t number_of(const struct aperture_form *form, size_t i, double x, double y)
+static size_t edge_piece_number(const struct aperture_form *form, size_t i, double x, double y)
 {
     return 1024 * (i + 1) + aperture_part(form, x, y);
 }
@@ -100,7 +100,7 @@ double clip_excess(const struct clip *clip, double x, double y, size_t *part)
         if (excess > worst) {
             worst = excess;
             if (part != NULL) {
-                *part = number_of(form, i, x, y);
+                *part = edge_piece_number(form, i, x, y);
             }
         }
     }
@@ -116,7 +116,7 @@ double clip_depth(const struct clip *clip, double x, double y, size_t *part)
         double depth = form->blocks ? -excess : excess - notch;
         if (depth > worst) {
             worst = depth;
-            *part = number_of(form, i, x, y);
+            *part = edge_piece_number(form, i, x, y);
         }
     }
     return worst;

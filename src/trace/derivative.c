@@ -62,7 +62,7 @@ enum {
     SLOTS = SLOT_DECENTER_X + PARAMETER_KINDS - PARAMETER_DECENTER_X
 };
 
-static size_t slot_of(enum parameter_kind kind, int order)
+static size_t parameter_slot(enum parameter_kind kind, int order)
 {
     static const unsigned char slots[PARAMETER_DECENTER_X] = {
         [PARAMETER_CURVATURE] = SLOT_CURVATURE, [PARAMETER_THICKNESS] = SLOT_THICKNESS,
@@ -76,48 +76,50 @@ static size_t slot_of(enum parameter_kind kind, int order)
 }
 
 /* Rows of one surface; `surface` may be one before the first: object space. */
-struct numbering {
+struct row_numbering {
     size_t *row, next;
 };
 
-static size_t *row_at(const struct numbering *numbering, size_t surface, enum parameter_kind kind)
+static size_t *row_index_at(const struct row_numbering *numbering, size_t surface,
+                            enum parameter_kind kind)
 {
-    return &numbering->row[(surface + 1) * SLOTS + slot_of(kind, 0)];
+    return &numbering->row[(surface + 1) * SLOTS + parameter_slot(kind, 0)];
 }
 
 /* Decentre and tilt; of a surface by itself there is one more row, which no parameter asks for. */
 enum { DISPLACEMENTS = 5 };
 
 /* Number `count` kinds, or orders of one, that follow one another. */
-static void number(struct numbering *numbering, size_t surface, enum parameter_kind kind, int count)
+static void row_numbering_add(struct row_numbering *numbering, size_t surface,
+                              enum parameter_kind kind, int count)
 {
-    size_t *row = row_at(numbering, surface, kind);
+    size_t *row = row_index_at(numbering, surface, kind);
     for (int i = 0; i < count; i++) {
         row[i] = numbering->next++;
     }
 }
 
-static void number_displacement(struct numbering *numbering, size_t surface)
+static void number_displacement(struct row_numbering *numbering, size_t surface)
 {
-    number(numbering, surface, PARAMETER_DECENTER_X, DISPLACEMENTS);
+    row_numbering_add(numbering, surface, PARAMETER_DECENTER_X, DISPLACEMENTS);
     numbering->next++;
 }
 
 /* Numbers for one surface; a mirror has the medium before it. */
-static void number_index(struct numbering *numbering, const struct lens *lens, size_t surface)
+static void number_index(struct row_numbering *numbering, const struct lens *lens, size_t surface)
 {
     if (surface != LENS_NONE && surface_reflects(&lens->surfaces[surface])) {
-        *row_at(numbering, surface, PARAMETER_INDEX) =
-            *row_at(numbering, surface - 1, PARAMETER_INDEX);
+        *row_index_at(numbering, surface, PARAMETER_INDEX) =
+            *row_index_at(numbering, surface - 1, PARAMETER_INDEX);
     } else {
-        number(numbering, surface, PARAMETER_INDEX, 1);
+        row_numbering_add(numbering, surface, PARAMETER_INDEX, 1);
     }
 }
 
-static struct numbering numbering_new(size_t surfaces, struct arena *arena)
+static struct row_numbering numbering_new(size_t surfaces, struct arena *arena)
 {
     size_t entries = (surfaces + 1) * SLOTS;
-    struct numbering numbering = {ARENA_ARRAY(arena, entries, size_t), 0};
+    struct row_numbering numbering = {ARENA_ARRAY(arena, entries, size_t), 0};
     for (size_t i = 0; i < entries; i++) {
         numbering.row[i] = LENS_NONE;
     }
@@ -128,42 +130,43 @@ void derivative_layout(const struct system *system, unsigned what, struct arena 
                        struct derivative_layout *layout)
 {
     size_t count = system->lens->surface_count;
-    struct numbering numbering = numbering_new(count, arena);
-    number(&numbering, LENS_NONE, PARAMETER_INDEX, 1);
+    struct row_numbering numbering = numbering_new(count, arena);
+    row_numbering_add(&numbering, LENS_NONE, PARAMETER_INDEX, 1);
     for (size_t i = 0; i < count; i++) {
         const struct step *step = step_of_surface(system, system_place(system, i));
-        number(&numbering, i, PARAMETER_CURVATURE, 2);
+        row_numbering_add(&numbering, i, PARAMETER_CURVATURE, 2);
         number_index(&numbering, system->lens, i);
         bool odd = step->kind == STEP_ODD || (what & DERIVE_ODD) != 0;
         bool series = odd || step->kind >= STEP_ASPHERE || (what & DERIVE_SERIES) != 0;
         if (series || step->kind >= STEP_CONIC || (what & DERIVE_CONIC) != 0) {
-            number(&numbering, i, PARAMETER_CONIC, 1);
+            row_numbering_add(&numbering, i, PARAMETER_CONIC, 1);
         }
         if (series) { /* even powers lie before odd ones */
-            number(&numbering, i, PARAMETER_COEFFICIENT, odd ? LENS_COEFFICIENTS : LENS_EVEN);
+            row_numbering_add(&numbering, i, PARAMETER_COEFFICIENT,
+                              odd ? LENS_COEFFICIENTS : LENS_EVEN);
         }
         if ((what & DERIVE_DISPLACEMENT) != 0) {
             number_displacement(&numbering, i);
         }
         if ((what & DERIVE_BREAK) != 0) {
-            number(&numbering, i, PARAMETER_BREAK_DECENTER_X, DISPLACEMENTS);
+            row_numbering_add(&numbering, i, PARAMETER_BREAK_DECENTER_X, DISPLACEMENTS);
         }
     }
     *layout = (struct derivative_layout){what, numbering.next, count, numbering.row};
 }
 
 /* Rows of a kind that some parameter asks for: of all that stand side by side. */
-static void number_kind(struct numbering *numbering, size_t surface, enum parameter_kind kind,
+static void number_kind(struct row_numbering *numbering, size_t surface, enum parameter_kind kind,
                         bool odd)
 {
     if (kind == PARAMETER_COEFFICIENT) {
-        number(numbering, surface, kind, odd ? LENS_COEFFICIENTS : LENS_EVEN);
+        row_numbering_add(numbering, surface, kind, odd ? LENS_COEFFICIENTS : LENS_EVEN);
     } else if (kind >= PARAMETER_BREAK_DECENTER_X) {
-        number(numbering, surface, PARAMETER_BREAK_DECENTER_X, DISPLACEMENTS);
+        row_numbering_add(numbering, surface, PARAMETER_BREAK_DECENTER_X, DISPLACEMENTS);
     } else if (kind >= PARAMETER_DECENTER_X) {
         number_displacement(numbering, surface);
     } else {
-        number(numbering, surface, kind, 1);
+        row_numbering_add(numbering, surface, kind, 1);
     }
 }
 
@@ -175,7 +178,7 @@ static unsigned what_of(struct parameter parameter)
 }
 
 /* The surface that an index is of: before mirrors. */
-static size_t medium_of(const struct lens *lens, struct parameter parameter)
+static size_t index_surface(const struct lens *lens, struct parameter parameter)
 {
     size_t surface = parameter.surface;
     while (parameter.kind == PARAMETER_INDEX && surface != LENS_NONE &&
@@ -198,12 +201,12 @@ void derivative_layout_of(const struct system *system, const struct parameter *p
                           size_t count, struct arena *arena, struct derivative_layout *layout)
 {
     const struct lens *lens = system->lens;
-    struct numbering numbering = numbering_new(lens->surface_count, arena);
+    struct row_numbering numbering = numbering_new(lens->surface_count, arena);
     unsigned what = 0;
     for (size_t i = 0; i < count; i++) {
-        const size_t surface = medium_of(lens, parameters[i]);
+        const size_t surface = index_surface(lens, parameters[i]);
         assert(parameter_type(parameters[i].kind)->basis == parameters[i].kind);
-        if (*row_at(&numbering, surface, parameters[i].kind) == LENS_NONE) {
+        if (*row_index_at(&numbering, surface, parameters[i].kind) == LENS_NONE) {
             number_kind(&numbering, surface, parameters[i].kind,
                         has_odd(parameters, count, surface));
         }
@@ -217,15 +220,15 @@ void derivative_layout_of(const struct system *system, const struct parameter *p
     *layout = (struct derivative_layout){what, numbering.next, lens->surface_count, numbering.row};
 }
 
-static size_t row_of(const struct derivative_layout *layout, enum parameter_kind kind, int order,
-                     size_t surface)
+static size_t parameter_row(const struct derivative_layout *layout, enum parameter_kind kind,
+                            int order, size_t surface)
 {
-    return layout->row[(surface + 1) * SLOTS + slot_of(kind, order)];
+    return layout->row[(surface + 1) * SLOTS + parameter_slot(kind, order)];
 }
 
 size_t derivative_row(const struct derivative_layout *layout, struct parameter parameter)
 {
-    return row_of(layout, parameter.kind, parameter.order, parameter.surface);
+    return parameter_row(layout, parameter.kind, parameter.order, parameter.surface);
 }
 
 const struct ray_block *derivative_trace(const struct system *system, const struct ray_block *start,
@@ -240,7 +243,7 @@ const struct ray_block *derivative_trace(const struct system *system, const stru
 }
 
 /* One sweep back. */
-struct sweep {
+struct adjoint_sweep {
     const struct system *system;
     const struct derivative_layout *layout;
     const struct derivative_tape *tape;
@@ -251,15 +254,15 @@ struct sweep {
     kernel_displace *displace;
 };
 
-static double *row_or(const struct sweep *sweep, enum parameter_kind kind, size_t surface,
+static double *row_or(const struct adjoint_sweep *sweep, enum parameter_kind kind, size_t surface,
                       double *otherwise)
 {
-    size_t row = row_of(sweep->layout, kind, 0, surface);
+    size_t row = parameter_row(sweep->layout, kind, 0, surface);
     return row == LENS_NONE ? otherwise : sweep->gradient + row * RAYS_BLOCK;
 }
 
 /* The thickness that is passed on the way to a place belongs to the surface left of the gap. */
-static double *thickness_row(const struct sweep *sweep, size_t place)
+static double *thickness_row(const struct adjoint_sweep *sweep, size_t place)
 {
     const struct system *system = sweep->system;
     size_t count = system->lens->surface_count;
@@ -273,11 +276,11 @@ static double *thickness_row(const struct sweep *sweep, size_t place)
 }
 
 /* Whether they are asked for or not, a kernel fills all rows of the shape that a surface has. */
-static void set_shape_rows(const struct sweep *sweep, enum step_kind kind, size_t surface,
+static void set_shape_rows(const struct adjoint_sweep *sweep, enum step_kind kind, size_t surface,
                            struct adjoint_rows *rows)
 {
     double *scratch = sweep->tape->scratch;
-    const size_t odd = row_of(sweep->layout, PARAMETER_COEFFICIENT, 1, surface);
+    const size_t odd = parameter_row(sweep->layout, PARAMETER_COEFFICIENT, 1, surface);
     rows->odd = odd != LENS_NONE   ? sweep->gradient + odd * RAYS_BLOCK
                 : kind == STEP_ODD ? scratch + SCRATCH_ODD * RAYS_BLOCK
                                    : NULL;
@@ -289,7 +292,7 @@ static void set_shape_rows(const struct sweep *sweep, enum step_kind kind, size_
                          is_conic ? scratch + SCRATCH_CONIC * RAYS_BLOCK : NULL);
 }
 
-static struct adjoint_rows rows_of(const struct sweep *sweep, size_t place)
+static struct adjoint_rows place_rows(const struct adjoint_sweep *sweep, size_t place)
 {
     const struct system *system = sweep->system;
     size_t count = system->lens->surface_count, surface = system_surface(system, place);
@@ -330,11 +333,12 @@ void displacement_axes(const struct displacement *decentre, double axes[9])
     }
 }
 
-static void add_displacement(const struct sweep *sweep, size_t place, size_t first, size_t end)
+static void add_displacement(const struct adjoint_sweep *sweep, size_t place, size_t first,
+                             size_t end)
 {
     const struct system *system = sweep->system;
     size_t surface = system_surface(system, place);
-    size_t row = row_of(sweep->layout, PARAMETER_DECENTER_X, 0, surface);
+    size_t row = parameter_row(sweep->layout, PARAMETER_DECENTER_X, 0, surface);
     const struct displacement *decentre = system->lens->surfaces[surface].decentre;
     const struct step *step = &system->steps[first];
     struct displace all = {.front = &sweep->tape->blocks[first],
@@ -375,7 +379,7 @@ static void put_rigid(const struct rigid *motion, const struct ray_block *restri
 }
 
 /* Coordinate breaks act in front of one step: of this place, or the next if light goes back. */
-static void add_breaks(const struct sweep *sweep, size_t place)
+static void sweep_add_breaks(const struct adjoint_sweep *sweep, size_t place)
 {
     const struct system *system = sweep->system;
     size_t acting = system->options.reverse ? place - 1 : place, begin = system->begin[place];
@@ -385,7 +389,7 @@ static void add_breaks(const struct sweep *sweep, size_t place)
     size_t surface = system_surface(system, acting);
     for (int i = 0; i < DISPLACEMENTS; i++) {
         enum parameter_kind kind = (enum parameter_kind)(PARAMETER_BREAK_DECENTER_X + i);
-        size_t row = row_of(sweep->layout, kind, 0, surface);
+        size_t row = parameter_row(sweep->layout, kind, 0, surface);
         struct rigid motion;
         if (row != LENS_NONE && rigid_before(system, kind, surface, begin, &motion)) {
             put_rigid(&motion, &sweep->tape->blocks[begin], sweep->adjoint,
@@ -395,7 +399,7 @@ static void add_breaks(const struct sweep *sweep, size_t place)
 }
 
 /* What stands behind the surface itself gains what is to be added there. */
-static void add_at(const struct sweep *sweep)
+static void add_at(const struct adjoint_sweep *sweep)
 {
     const double *restrict x = sweep->pass->add_x, *restrict y = sweep->pass->add_y;
     for (int i = 0; i < sweep->tape->lanes; i++) {
@@ -404,7 +408,7 @@ static void add_at(const struct sweep *sweep)
     }
 }
 
-static void add_rows(double *restrict to, const double *restrict row, int lanes)
+static void adjoint_row_add(double *restrict to, const double *restrict row, int lanes)
 {
     for (int i = 0; i < lanes; i++) {
         to[i] += row[i];
@@ -412,20 +416,20 @@ static void add_rows(double *restrict to, const double *restrict row, int lanes)
 }
 
 /* Directions before or behind a surface gain what is to be added there. */
-static void add_seeds(const struct sweep *sweep, size_t place, bool is_behind)
+static void add_seeds(const struct adjoint_sweep *sweep, size_t place, bool is_behind)
 {
     struct ray_block *adjoint = sweep->adjoint;
     double *const directions[] = {adjoint->p, adjoint->q, adjoint->r};
     for (size_t k = 0; k < sweep->pass->seeds.count; k++) {
         const struct derivative_seed *seed = &sweep->pass->seeds.list[k];
         for (int i = 0; i < 3 && seed->place == place; i++) {
-            add_rows(directions[i], is_behind ? seed->behind[i] : seed->before[i],
-                     sweep->tape->lanes);
+            adjoint_row_add(directions[i], is_behind ? seed->behind[i] : seed->before[i],
+                            sweep->tape->lanes);
         }
     }
 }
 
-static void add_behind(const struct sweep *sweep, size_t place)
+static void add_behind(const struct adjoint_sweep *sweep, size_t place)
 {
     if (sweep->pass->add_x != NULL && sweep->pass->at == place) {
         add_at(sweep);
@@ -433,14 +437,14 @@ static void add_behind(const struct sweep *sweep, size_t place)
     add_seeds(sweep, place, true);
 }
 
-static void sweep_place(const struct sweep *sweep, size_t place)
+static void sweep_place(const struct adjoint_sweep *sweep, size_t place)
 {
     const struct system *system = sweep->system;
     size_t begin = system->begin[place], end = system->begin[place + 1];
     size_t surface = system_surface(system, place), count = system->lens->surface_count;
     bool is_decentred = surface < count && system->lens->surfaces[surface].decentre != NULL;
     size_t breaks = end - begin - (is_decentred ? 3 : 1), itself = end - (is_decentred ? 2 : 1);
-    struct adjoint_rows rows = rows_of(sweep, place);
+    struct adjoint_rows rows = place_rows(sweep, place);
     bool displaces = surface < count && (sweep->layout->what & DERIVE_DISPLACEMENT) != 0;
     if (displaces) {
         *sweep->tape->spare = *sweep->adjoint;
@@ -461,7 +465,7 @@ static void sweep_place(const struct sweep *sweep, size_t place)
         }
     }
     if ((sweep->layout->what & DERIVE_BREAK) != 0) {
-        add_breaks(sweep, place);
+        sweep_add_breaks(sweep, place);
     }
 }
 
@@ -479,14 +483,14 @@ void derivative_pass_begin(const struct derivative_pass *pass)
 
 void derivative_pass_part(const struct derivative_pass *pass, size_t from, size_t to)
 {
-    const struct sweep sweep = {pass->system,
-                                pass->layout,
-                                pass->tape,
-                                pass->adjoint,
-                                pass->gradient,
-                                pass,
-                                KERNEL_FOR(pass->set, kernel_adjoint),
-                                KERNEL_FOR(pass->set, kernel_displace)};
+    const struct adjoint_sweep sweep = {pass->system,
+                                        pass->layout,
+                                        pass->tape,
+                                        pass->adjoint,
+                                        pass->gradient,
+                                        pass,
+                                        KERNEL_FOR(pass->set, kernel_adjoint),
+                                        KERNEL_FOR(pass->set, kernel_displace)};
     for (size_t place = from; place-- > to;) {
         sweep_place(&sweep, place);
     }

@@ -5,7 +5,7 @@
 #include "base/parallel.h"
 
 void rays_watch(const struct system *system, const struct rays *rays,
-                const struct rim_watching *watching)
+                const struct rim_watch_request *watching)
 {
     const bool few = rays->count <= RAYS_FEW;
     kernel_watch *kernel = few ? kernel_watch_few : KERNEL_FOR(SET_BEST, kernel_watch);
@@ -13,7 +13,7 @@ void rays_watch(const struct system *system, const struct rays *rays,
            few ? kernel_lanes_few(rays->count) : kernel_lanes(rays->count), watching, rays->blocks);
 }
 
-struct work {
+struct trace_work {
     kernel_trace *kernel;
     const struct step *steps;
     size_t count;
@@ -23,7 +23,7 @@ struct work {
 
 static void trace_blocks(void *context, size_t begin, size_t end)
 {
-    const struct work *work = context;
+    const struct trace_work *work = context;
     for (size_t i = begin; i < end; i++) {
         const size_t left = work->rays->count - i * RAYS_BLOCK;
         const int lanes = work->few ? kernel_lanes_few(left) : kernel_lanes(left);
@@ -39,12 +39,12 @@ void rays_trace_part(const struct system *system, size_t from, size_t to, const 
     static const struct trace_way usual = {SET_BEST, 1};
     way = way == NULL ? &usual : way;
     bool few = way->set == SET_BEST && rays->count <= RAYS_FEW;
-    struct work work = {few ? kernel_trace_few : KERNEL_FOR(way->set, kernel_trace),
-                        system->steps + system->begin[from],
-                        system->begin[to] - system->begin[from],
-                        system->options.path,
-                        few,
-                        rays};
+    struct trace_work work = {few ? kernel_trace_few : KERNEL_FOR(way->set, kernel_trace),
+                              system->steps + system->begin[from],
+                              system->begin[to] - system->begin[from],
+                              system->options.path,
+                              few,
+                              rays};
     const size_t blocks = rays_blocks(rays);
     if (way->threads <= 1 || blocks <= BLOCKS_A_PIECE) {
         trace_blocks(&work, 0, blocks);

@@ -36,6 +36,6 @@ void rays_trace_part(const struct system *system, size_t from, size_t to, const 
 
 /* Take up to RAYS_BLOCK rays through the whole system, and look at them on the way. */
 void rays_watch(const struct system *system, const struct rays *rays,
-                const struct rim_watching *watching);
+                const struct rim_watch_request *watching);
 
 #endif

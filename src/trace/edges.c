@@ -16,7 +16,7 @@ enum { STRIDES = 8, TURNS = 70, SURE = 12 };
 static const double usual_slack = 0.03;
 
 /* One edge, while it is looked for: a radius that passes, one that does not, and a third. */
-struct hunt {
+struct edge_search {
     double at[3], excess[3];
     size_t limits[3]; /* what is the worst there */
     size_t limit;
@@ -40,17 +40,17 @@ void edge_polar(const struct edge_frame *frame, const double point[2], double ab
 }
 
 /* Up to 128 directions that are looked in together. */
-struct hunting {
-    const struct margins *margins;
+struct edge_searches {
+    const struct clearances *margins;
     const struct edge_frame *frame;
     double way[RAYS_BLOCK][2];
-    struct hunt hunts[RAYS_BLOCK];
+    struct edge_search hunts[RAYS_BLOCK];
     size_t count;
     size_t which[RAYS_BLOCK]; /* lanes -> hunts */
     double radius[RAYS_BLOCK];
 };
 
-static void look(struct hunting *all, size_t lanes)
+static void edge_searches_trace(struct edge_searches *all, size_t lanes)
 {
     double points[RAYS_BLOCK][2];
     for (size_t i = 0; i < lanes; i++) {
@@ -58,11 +58,11 @@ static void look(struct hunting *all, size_t lanes)
         points[i][0] = all->frame->centre[0] + all->radius[i] * way[0];
         points[i][1] = all->frame->centre[1] + all->radius[i] * way[1];
     }
-    margins_look(all->margins, (const double(*)[2])points, lanes);
+    clearances_look(all->margins, (const double(*)[2])points, lanes);
 }
 
 /* What a ray at a radius beyond all before says while there is no bracket yet. */
-static void step_out(struct hunt *hunt, double radius, double excess, size_t limit)
+static void step_out(struct edge_search *hunt, double radius, double excess, size_t limit)
 {
     int place = excess <= 0 ? 0 : 1;
     if (hunt->is_closed) {
@@ -82,7 +82,7 @@ static void step_out(struct hunt *hunt, double radius, double excess, size_t lim
 }
 
 /* Outwards step by step, several of them at once. */
-static void bracket(struct hunting *all)
+static void edge_searches_bracket(struct edge_searches *all)
 {
     double far = 0, stride = usual_reach / STRIDES;
     for (;;) {
@@ -105,7 +105,7 @@ static void bracket(struct hunting *all)
                 all->radius[lanes++] = far;
             }
         }
-        look(all, lanes);
+        edge_searches_trace(all, lanes);
         for (size_t i = 0; i < lanes; i++) {
             step_out(&all->hunts[all->which[i]], all->radius[i], all->margins->excess[i],
                      all->margins->limit[i]);
@@ -114,7 +114,7 @@ static void bracket(struct hunting *all)
 }
 
 /* Three radii about a guess each. Those that do not hold the edge are left open. */
-static void try_guesses(struct hunting *all, const double *near, double slack)
+static void try_guesses(struct edge_searches *all, const double *near, double slack)
 {
     for (size_t done = 0; done < all->count; done += RAYS_BLOCK / 3) {
         size_t lanes = 0;
@@ -127,26 +127,26 @@ static void try_guesses(struct hunting *all, const double *near, double slack)
         if (lanes == 0) {
             continue;
         }
-        look(all, lanes);
+        edge_searches_trace(all, lanes);
         const double *excess = all->margins->excess, *r = all->radius;
         for (size_t i = 0; i < lanes; i += 3) {
             size_t dark = excess[i + 1] > 0 ? i + 1 : i + 2, clear = dark - 1;
             size_t other = dark == i + 1 ? i + 2 : i;
             if (excess[clear] <= 0 && excess[dark] > 0) {
                 const size_t *limit = all->margins->limit;
-                struct hunt *hunt = &all->hunts[all->which[i]];
-                *hunt = (struct hunt){.at = {r[clear], r[dark], r[other]},
-                                      .excess = {excess[clear], excess[dark], excess[other]},
-                                      .limits = {limit[clear], limit[dark], limit[other]},
-                                      .limit = limit[dark],
-                                      .is_closed = true};
+                struct edge_search *hunt = &all->hunts[all->which[i]];
+                *hunt = (struct edge_search){.at = {r[clear], r[dark], r[other]},
+                                             .excess = {excess[clear], excess[dark], excess[other]},
+                                             .limits = {limit[clear], limit[dark], limit[other]},
+                                             .limit = limit[dark],
+                                             .is_closed = true};
             }
         }
     }
 }
 
 /* The next radius to try, within the bracket; is it a root of the parabola? */
-static double next_of(const struct hunt *hunt, int turn, bool *is_root)
+static double edge_search_next(const struct edge_search *hunt, int turn, bool *is_root)
 {
     const double *t = hunt->at, *f = hunt->excess, middle = (t[0] + t[1]) / 2;
     *is_root = false;
@@ -169,7 +169,8 @@ static double next_of(const struct hunt *hunt, int turn, bool *is_root)
     return at > t[0] && at < t[1] ? at : middle;
 }
 
-static void take(struct hunt *hunt, double radius, double excess, size_t limit, double tolerance)
+static void edge_search_accept(struct edge_search *hunt, double radius, double excess, size_t limit,
+                               double tolerance)
 {
     int place = excess <= 0 ? 0 : 1;
     hunt->at[2] = hunt->at[place];
@@ -193,26 +194,26 @@ static void take(struct hunt *hunt, double radius, double excess, size_t limit, 
  * Is it sure where a step leads? A parabola through three excesses of one rim, which are nearly
  * quadratic, is off by less than the product of the ways to them: here by rounding.
  */
-static bool is_sure(const struct hunt *hunt, double radius)
+static bool is_sure(const struct edge_search *hunt, double radius)
 {
     const double *t = hunt->at, rounding = 1e-14 * radius * radius * radius;
     const size_t limit = hunt->limits[0];
     const double product = (radius - t[0]) * (radius - t[1]) * (radius - t[2]);
     return limit == hunt->limits[1] && limit == hunt->limits[2] && isfinite(hunt->excess[2]) &&
-           !margins_lost(limit) && fabs(product) <= rounding;
+           !clearances_lost(limit) && fabs(product) <= rounding;
 }
 
-static void close_brackets(struct hunting *all, double tolerance)
+static void close_brackets(struct edge_searches *all, double tolerance)
 {
     for (int turn = 0; turn < TURNS; turn++) {
         size_t lanes = 0;
         for (size_t i = 0; i < all->count; i++) {
-            struct hunt *hunt = &all->hunts[i];
+            struct edge_search *hunt = &all->hunts[i];
             if (!hunt->is_closed || hunt->is_done) {
                 continue;
             }
             bool is_root;
-            const double radius = next_of(hunt, turn, &is_root);
+            const double radius = edge_search_next(hunt, turn, &is_root);
             const bool is_there = fabs(hunt->excess[0]) <= 1e-13;
             if (is_there || (is_root && is_sure(hunt, radius))) {
                 hunt->at[0] = is_there ? hunt->at[0] : radius;
@@ -225,18 +226,18 @@ static void close_brackets(struct hunting *all, double tolerance)
         if (lanes == 0) {
             return;
         }
-        look(all, lanes);
+        edge_searches_trace(all, lanes);
         for (size_t i = 0; i < lanes; i++) {
-            take(&all->hunts[all->which[i]], all->radius[i], all->margins->excess[i],
-                 all->margins->limit[i], tolerance);
+            edge_search_accept(&all->hunts[all->which[i]], all->radius[i], all->margins->excess[i],
+                               all->margins->limit[i], tolerance);
         }
     }
 }
 
-void edges_find(const struct margins *margins, const struct edge_directions *directions,
+void edges_find(const struct clearances *margins, const struct edge_directions *directions,
                 double tolerance, struct edge *edges)
 {
-    struct hunting all;
+    struct edge_searches all;
     const size_t count = directions->count;
     all.margins = margins;
     all.frame = &directions->frame;
@@ -245,14 +246,14 @@ void edges_find(const struct margins *margins, const struct edge_directions *dir
         for (size_t i = 0; i < all.count; i++) {
             all.way[i][0] = all.frame->stretch[0] * sin(directions->angles[done + i]);
             all.way[i][1] = all.frame->stretch[1] * cos(directions->angles[done + i]);
-            all.hunts[i] =
-                (struct hunt){.at = {0, 0, NAN}, .excess = {-1, 0, NAN}, .limits = {SIZE_MAX}};
+            all.hunts[i] = (struct edge_search){
+                .at = {0, 0, NAN}, .excess = {-1, 0, NAN}, .limits = {SIZE_MAX}};
         }
         if (directions->near != NULL) {
             try_guesses(&all, directions->near + done,
                         directions->slack > 0 ? directions->slack : usual_slack);
         }
-        bracket(&all);
+        edge_searches_bracket(&all);
         close_brackets(&all, tolerance);
         for (size_t i = 0; i < all.count; i++) {
             edges[done + i] = (struct edge){all.hunts[i].at[0], all.hunts[i].limit};

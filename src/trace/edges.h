@@ -42,7 +42,7 @@ struct edge_directions {
  *           what is near; in it the root of the parabola through three excesses; halves where a ray
  *           is lost by something that has no excess
  */
-void edges_find(const struct margins *margins, const struct edge_directions *directions,
+void edges_find(const struct clearances *margins, const struct edge_directions *directions,
                 double tolerance, struct edge *edges);
 
 #endif

@@ -10,20 +10,20 @@
 enum { FOCUS_RAYS = 72 };
 
 /* Where a ray crosses z = 0, and its slopes. */
-struct line {
+struct ray_line {
     double at[2], slope[2];
 };
 
-static struct line line_of(const struct rays *rays, size_t i)
+static struct ray_line ray_line_of(const struct rays *rays, size_t i)
 {
     const struct ray_block *block = &rays->blocks[i / RAYS_BLOCK];
     size_t lane = i % RAYS_BLOCK;
     double a = block->p[lane] / block->r[lane], b = block->q[lane] / block->r[lane];
-    return (struct line){{block->x[lane] - a * block->z[lane], block->y[lane] - b * block->z[lane]},
-                         {a, b}};
+    return (struct ray_line){
+        {block->x[lane] - a * block->z[lane], block->y[lane] - b * block->z[lane]}, {a, b}};
 }
 
-static bool counts(const struct rays *rays, const double *weights, size_t i)
+static bool ray_counts(const struct rays *rays, const double *weights, size_t i)
 {
     return ray_block_status(&rays->blocks[i / RAYS_BLOCK], i % RAYS_BLOCK) == RAY_OK &&
            weights[i] > 0;
@@ -32,10 +32,10 @@ static bool counts(const struct rays *rays, const double *weights, size_t i)
 double rays_best_focus(const struct rays *rays, const double *weights)
 {
     double all = 0, up = 0, down = 0, largest = 0;
-    struct line mean = {{0, 0}, {0, 0}};
+    struct ray_line mean = {{0, 0}, {0, 0}};
     for (size_t i = 0; i < rays->count; i++) {
-        if (counts(rays, weights, i)) {
-            struct line line = line_of(rays, i);
+        if (ray_counts(rays, weights, i)) {
+            struct ray_line line = ray_line_of(rays, i);
             for (int k = 0; k < 2; k++) {
                 mean.at[k] += weights[i] * line.at[k];
                 mean.slope[k] += weights[i] * line.slope[k];
@@ -44,10 +44,10 @@ double rays_best_focus(const struct rays *rays, const double *weights)
         }
     }
     for (size_t i = 0; i < rays->count; i++) {
-        if (!counts(rays, weights, i)) {
+        if (!ray_counts(rays, weights, i)) {
             continue;
         }
-        struct line line = line_of(rays, i);
+        struct ray_line line = ray_line_of(rays, i);
         for (int k = 0; k < 2; k++) {
             double at = line.at[k] - mean.at[k] / all;
             double slope = line.slope[k] - mean.slope[k] / all;

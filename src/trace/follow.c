@@ -7,7 +7,7 @@
 
 #include <math.h>
 
-static void turn(const struct surface_frame *frame, const double from[3], double to[3])
+static void frame_turn(const struct surface_frame *frame, const double from[3], double to[3])
 {
     for (int i = 0; i < 3; i++) {
         const double *row = &frame->turn[(ptrdiff_t)3 * i];
@@ -25,12 +25,12 @@ static struct ray_angles angles_at(const struct system *system, size_t surface,
     if (surface < system->lens->surface_count) {
         system_normal(system, surface, after->point, normal);
     }
-    turn(frame, normal, normal_first);
-    turn(frame, after->cosine, behind);
+    frame_turn(frame, normal, normal_first);
+    frame_turn(frame, after->cosine, behind);
     return ray_angles(normal_first, before, behind);
 }
 
-static void lose(struct ray *ray)
+static void ray_lose(struct ray *ray)
 {
     for (int i = 0; i < 3; i++) {
         ray->point[i] = ray->cosine[i] = NAN;
@@ -39,7 +39,7 @@ static void lose(struct ray *ray)
 }
 
 void ray_follow(const struct system *system, const struct ray *start, struct arena *arena,
-                struct ray_meeting *meetings)
+                struct ray_intersection *meetings)
 {
     struct rays rays = rays_new(arena, 1);
     double before[3] = {start->cosine[0], start->cosine[1], start->cosine[2]};
@@ -47,25 +47,26 @@ void ray_follow(const struct system *system, const struct ray *start, struct are
     const size_t last = system->lens->surface_count - 1;
     rays_set(&rays, 0, system->index_first, start);
     for (size_t place = 0; place < system->places; place++) {
-        struct ray_meeting *meeting = &meetings[place];
+        struct ray_intersection *meeting = &meetings[place];
         rays_trace_part(system, place, place + 1, &rays, NULL);
         meeting->ray = rays_get(&rays, 0, system_index_after(system, place));
         meeting->angles = (struct ray_angles){NAN, NAN};
         if (meeting->ray.status != RAY_OK) {
-            lose(&meeting->ray);
+            ray_lose(&meeting->ray);
             continue;
         }
         const size_t surface = system_surface(system, place);
         const struct surface_frame *frame = &frames[surface < last ? surface : last];
         meeting->angles = angles_at(system, surface, frame, before, &meeting->ray);
-        turn(frame, meeting->ray.cosine, before);
+        frame_turn(frame, meeting->ray.cosine, before);
     }
 }
 
 /* One section: heights at the surfaces and slopes behind them. */
-static bool follow_section(const struct lens *lens, double wavelength, enum lens_section section,
-                           double height, double slope, struct arena *arena, double *heights,
-                           double *slopes, struct error *error)
+static bool paraxial_section_follow(const struct lens *lens, double wavelength,
+                                    enum lens_section section, double height, double slope,
+                                    struct arena *arena, double *heights, double *slopes,
+                                    struct error *error)
 {
     struct paraxial_system system;
     if (!paraxial_compile(lens, wavelength, section, arena, &system, error)) {
@@ -81,7 +82,7 @@ static bool follow_section(const struct lens *lens, double wavelength, enum lens
 }
 
 bool ray_follow_paraxially(const struct lens *lens, double wavelength, const struct ray *start,
-                           struct arena *arena, struct paraxial_meeting *meetings,
+                           struct arena *arena, struct paraxial_intersection *meetings,
                            struct error *error)
 {
     size_t count = lens->surface_count;
@@ -90,14 +91,15 @@ bool ray_follow_paraxially(const struct lens *lens, double wavelength, const str
         enum lens_section section = i == 0 ? SECTION_X : SECTION_Y;
         double n = start->cosine[2], slope = n > 0 ? start->cosine[i] / n : (double)NAN;
         double *at = values + 2 * (size_t)i * count;
-        if (!follow_section(lens, wavelength, section, start->point[i] - start->point[2] * slope,
-                            slope, arena, at, at + count, error)) {
+        if (!paraxial_section_follow(lens, wavelength, section,
+                                     start->point[i] - start->point[2] * slope, slope, arena, at,
+                                     at + count, error)) {
             return false;
         }
     }
     for (size_t i = 0; i < count; i++) {
-        meetings[i] = (struct paraxial_meeting){values[i], values[2 * count + i], values[count + i],
-                                                values[3 * count + i]};
+        meetings[i] = (struct paraxial_intersection){values[i], values[2 * count + i],
+                                                     values[count + i], values[3 * count + i]};
     }
     return true;
 }

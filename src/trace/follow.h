@@ -10,7 +10,7 @@
 #include <stddef.h>
 
 /* A ray where it has met a surface: in the frame of that surface's vertex, behind it. */
-struct ray_meeting {
+struct ray_intersection {
     struct ray ray;           /* status and surface as far as here; NaN from a loss on */
     struct ray_angles angles; /* rad; NaN where the ray is lost */
 };
@@ -24,10 +24,10 @@ struct ray_meeting {
  *           axis there; the angle of incidence is that with the axis, refraction the same
  */
 void ray_follow(const struct system *system, const struct ray *start, struct arena *arena,
-                struct ray_meeting *meetings);
+                struct ray_intersection *meetings);
 
 /* A paraxial ray at a plane through a vertex: heights, and slopes behind it. */
-struct paraxial_meeting {
+struct paraxial_intersection {
     double x, y, slope_x, slope_y; /* mm, dx/dz, dy/dz */
 };
 
@@ -43,7 +43,7 @@ struct paraxial_meeting {
  * Errors    as paraxial_compile
  */
 bool ray_follow_paraxially(const struct lens *lens, double wavelength, const struct ray *start,
-                           struct arena *arena, struct paraxial_meeting *meetings,
+                           struct arena *arena, struct paraxial_intersection *meetings,
                            struct error *error);
 
 #endif

@@ -4,7 +4,7 @@
 
 #include <math.h>
 
-static void turn(const double m[9], const double v[3], double result[3])
+static void matrix_turn(const double m[9], const double v[3], double result[3])
 {
     double x = v[0], y = v[1], z = v[2];
     for (int i = 0; i < 3; i++) {
@@ -52,7 +52,7 @@ struct surface_frame frame_inverse(const struct surface_frame *frame)
     for (int i = 0; i < 9; i++) {
         inverse.turn[i] = frame->turn[3 * (i % 3) + i / 3];
     }
-    turn(frame->turn, frame->shift, inverse.shift);
+    matrix_turn(frame->turn, frame->shift, inverse.shift);
     for (int i = 0; i < 3; i++) {
         inverse.shift[i] = -inverse.shift[i];
     }
@@ -69,11 +69,11 @@ static void go_to(struct along_axis *ray, const struct surface_frame *frame)
     for (int i = 0; i < 3; i++) {
         ray->point[i] -= frame->shift[i];
     }
-    turn(frame->turn, ray->point, ray->point);
-    turn(frame->turn, ray->axis, ray->axis);
+    matrix_turn(frame->turn, ray->point, ray->point);
+    matrix_turn(frame->turn, ray->axis, ray->axis);
 }
 
-static void go_back(struct along_axis *ray, const struct surface_frame *frame)
+static void axis_leave_frame(struct along_axis *ray, const struct surface_frame *frame)
 {
     turn_back(frame->turn, ray->point, ray->point);
     turn_back(frame->turn, ray->axis, ray->axis);
@@ -83,7 +83,7 @@ static void go_back(struct along_axis *ray, const struct surface_frame *frame)
 }
 
 /* Reflected where it meets the plane of the vertex, as the conic stands there. */
-static void reflect(struct along_axis *ray, const struct surface *surface)
+static void axis_reflect(struct along_axis *ray, const struct surface *surface)
 {
     const double least = 1e-9; /* of the slope across the plane */
     double way = fabs(ray->axis[2]) > least ? -ray->point[2] / ray->axis[2] : 0;
@@ -129,9 +129,9 @@ void frame_directions(const struct lens *lens, double *direction)
         go_to(&ray, &own);
         direction[i] = ray.axis[2] < 0 ? -1 : 1;
         if (surface_reflects(surface)) {
-            reflect(&ray, surface);
+            axis_reflect(&ray, surface);
         }
-        go_back(&ray, &own);
+        axis_leave_frame(&ray, &own);
     }
     direction[lens->surface_count] = ray.axis[2] < 0 ? -1 : 1;
 }
@@ -142,7 +142,7 @@ static const struct surface_frame unmoved = {{1, 0, 0, 0, 1, 0, 0, 0, 1}, {0, 0,
  * On to the vertex of a surface from the one before: of X in its frame all->turn^-1 X + all->shift,
  * with turn the rows of its axes.
  */
-static void go_on(const struct lens *lens, size_t surface, struct surface_frame *all)
+static void frames_go_on(const struct lens *lens, size_t surface, struct surface_frame *all)
 {
     const struct displacement *coordinate_break = lens->surfaces[surface].coordinate_break;
     double way[3] = {0, 0, surface > 0 ? surface_advance(&lens->surfaces[surface - 1]).hi : 0};
@@ -159,7 +159,7 @@ static void go_on(const struct lens *lens, size_t surface, struct surface_frame 
     }
     for (int column = 0; column < 3 && coordinate_break != NULL; column++) {
         double v[3] = {all->turn[column], all->turn[3 + column], all->turn[6 + column]};
-        turn(frame.turn, v, v);
+        matrix_turn(frame.turn, v, v);
         for (int row = 0; row < 3; row++) {
             all->turn[3 * row + column] = v[row];
         }
@@ -182,7 +182,7 @@ struct surface_frame *system_frames(const struct system *system, struct arena *a
     struct surface_frame *frames = ARENA_ARRAY(arena, count + 1, struct surface_frame);
     struct surface_frame all = unmoved;
     for (size_t i = 0; i < count; i++) {
-        go_on(lens, i, &all);
+        frames_go_on(lens, i, &all);
         frames[i] = turned_back(&all);
     }
     /* counted from the last vertex, of a thick lens from H' */
@@ -205,7 +205,7 @@ void system_to_own(const struct system *system, size_t surface, double point[3])
         for (int i = 0; i < 3; i++) {
             point[i] -= frame.shift[i];
         }
-        turn(frame.turn, point, point);
+        matrix_turn(frame.turn, point, point);
     }
 }
 

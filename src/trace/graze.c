@@ -36,7 +36,7 @@ static bool open_bend(const struct system *system, const struct derivative_tape 
 }
 
 /* The largest and the least square of g = p' - p. */
-static void find_extremes(const struct bend *bend, size_t count, double *least, double *most)
+static void bend_extremes(const struct bend *bend, size_t count, double *least, double *most)
 {
     const struct ray_block *restrict a = bend->before, *restrict b = bend->behind;
     double low = INFINITY, high = 0;
@@ -59,7 +59,7 @@ static double least_margin(const struct bend *bend, size_t count)
     const struct step *step = bend->step;
     const double dn = fabs(step->dn), rare = fmin(step->n11, step->n22);
     double least, most;
-    find_extremes(bend, count, &least, &most);
+    bend_extremes(bend, count, &least, &most);
     if (step->action == ACTION_REFLECT) {
         return least / (4 * step->n11);
     }
@@ -96,8 +96,8 @@ static double margin_of(const struct bend *bend, size_t i, double by_before[3], 
 static const double least = 0.01;
 
 /* What the rays of one surface count. */
-static void add(const struct bend *bend, size_t count, double limit, struct derivative_seed *seed,
-                struct grazing *grazing)
+static void grazing_add(const struct bend *bend, size_t count, double limit,
+                        struct derivative_seed *seed, struct grazing_penalty *grazing)
 {
     for (size_t i = 0; i < count; i++) {
         double before[3], behind[3];
@@ -125,12 +125,12 @@ static struct derivative_seed *next_seed(struct derivative_seeds *seeds, size_t 
     return &seeds->list[seeds->count++];
 }
 
-void graze_find(const struct aimed *aimed, double limit, bool derives, struct arena *arena,
-                struct grazing *grazing)
+void grazing_find(const struct aimed *aimed, double limit, bool derives, struct arena *arena,
+                  struct grazing_penalty *grazing)
 {
     const struct system *system = aimed->system;
     const size_t count = (size_t)aimed->count;
-    *grazing = (struct grazing){.margin = 1};
+    *grazing = (struct grazing_penalty){.margin = 1};
     for (size_t place = 0; place < system->places; place++) {
         struct derivative_seed *seed = NULL;
         struct bend bend;
@@ -147,6 +147,6 @@ void graze_find(const struct aimed *aimed, double limit, bool derives, struct ar
             seed = next_seed(&grazing->seeds, system->places, arena);
             seed->place = place;
         }
-        add(&bend, count, limit, seed, grazing);
+        grazing_add(&bend, count, limit, seed, grazing);
     }
 }

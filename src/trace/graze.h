@@ -12,7 +12,7 @@
  * rarer medium of the two: 0 where it misses the surface, or where it is totally reflected. It is
  * smooth in all that moves the ray, where the angle itself goes through 90 deg like a root.
  */
-struct grazing {
+struct grazing_penalty {
     double margin;            /* of all rays the least; 1: none is bent */
     bool any;                 /* some are below the limit */
     double value[RAYS_BLOCK]; /* what each ray counts */
@@ -35,7 +35,7 @@ struct grazing {
  * Limits    thick lenses and surfaces between equal media lose no rays in this way, and do not
  *           count
  */
-void graze_find(const struct aimed *aimed, double limit, bool derives, struct arena *arena,
-                struct grazing *grazing);
+void grazing_find(const struct aimed *aimed, double limit, bool derives, struct arena *arena,
+                  struct grazing_penalty *grazing);
 
 #endif

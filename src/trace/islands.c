@@ -14,28 +14,28 @@ enum { SIDE = 3, EACH = SIDE * SIDE, AT_ONCE = RAYS_BLOCK / EACH, SECTORS = 12 }
 enum { RINGS = 2, ALONG = RINGS * (SIDE - 1) + 1, SHARING = (RAYS_BLOCK / ALONG - 1) / (SIDE - 1) };
 
 /* So many patches would cost half of what the grid does. */
-enum { CELLS = PARTS_SIDE * PARTS_SIDE, MOST = CELLS / EACH / 2 };
+enum { CELLS = PUPIL_PARTS_SIDE * PUPIL_PARTS_SIDE, MOST = CELLS / EACH / 2 };
 
 /* A piece of what lies beyond the edge: angles, rad, and shares of the way from there outwards. */
-struct patch {
+struct island_patch {
     double low[2], high[2];
 };
 
 /* The patches that have to be looked at, those that have been in front. */
 struct patches {
-    const struct margins *margins;
-    const struct star *star;
+    const struct clearances *margins;
+    const struct pupil_boundary *star;
     double low[2], high[2]; /* bounds in u and v */
     double farthest;        /* radius beyond which nothing is looked for */
     double finest[2];       /* in u and v: finer than this only the grid would not look either */
-    struct patch list[MOST];
+    struct island_patch list[MOST];
     size_t count;
 };
 
-static void add(struct patches *all, double angle, double width, double low, double high)
+static void patches_add(struct patches *all, double angle, double width, double low, double high)
 {
     if (all->count < MOST) {
-        all->list[all->count] = (struct patch){{angle, low}, {angle + width, high}};
+        all->list[all->count] = (struct island_patch){{angle, low}, {angle + width, high}};
     }
     all->count++;
 }
@@ -48,16 +48,16 @@ static void add_sectors(struct patches *all, double from, double to)
     const double width = (to - from) / (double)sectors;
     for (size_t k = 0; k < sectors; k++) {
         for (size_t ring = 0; ring < RINGS; ring++) {
-            add(all, from + (double)k * width, width, ring == 0 ? 0 : nearby,
-                ring == 0 ? nearby : 1);
+            patches_add(all, from + (double)k * width, width, ring == 0 ? 0 : nearby,
+                        ring == 0 ? nearby : 1);
         }
     }
 }
 
 /* All that lies beyond the edge, in sectors from corner to corner; of twin halves one. */
-static void begin(struct patches *all)
+static void patches_begin(struct patches *all)
 {
-    const struct star *star = all->star;
+    const struct pupil_boundary *star = all->star;
     const bool is_half = all->margins->is_mirrored && star->frame.centre[0] == 0;
     const double first = star->corner_count > 0 && !is_half ? star->corners[0] : 0;
     const double end = first + (is_half ? PI : 2 * PI);
@@ -76,7 +76,7 @@ static void place_arm(const struct patches *all, double angle, const double *way
                       double (*points)[2])
 {
     const struct edge_frame *frame = &all->star->frame;
-    const double edge = star_near(all->star, angle);
+    const double edge = pupil_boundary_near(all->star, angle);
     double unit[2];
     edge_point(frame, angle, 1, unit);
     for (size_t i = 0; i < count; i++) {
@@ -87,7 +87,8 @@ static void place_arm(const struct patches *all, double angle, const double *way
     }
 }
 
-static void place_rays(const struct patches *all, const struct patch *patch, double (*points)[2])
+static void place_rays(const struct patches *all, const struct island_patch *patch,
+                       double (*points)[2])
 {
     const double low = patch->low[1], high = patch->high[1];
     const double ways[SIDE] = {low, (low + high) / 2, high};
@@ -99,15 +100,15 @@ static void place_rays(const struct patches *all, const struct patch *patch, dou
 }
 
 /* A patch that was looked at, and which rays of the block are its own. */
-struct seen {
+struct traced_patch {
     const struct patches *all;
-    struct patch patch;
+    struct island_patch patch;
     const double (*points)[2]; /* of the block */
     size_t lanes[EACH];
 };
 
 /* Beyond the bounds on one side, all of it. */
-static bool is_beyond(const struct seen *seen)
+static bool patch_is_beyond(const struct traced_patch *seen)
 {
     const struct patches *all = seen->all;
     bool beyond[4] = {true, true, true, true};
@@ -125,7 +126,7 @@ static bool is_beyond(const struct seen *seen)
  * How low a smooth function is between three values of it: the least of the parabola through them,
  * less as much again as that is below them, and some more for what is no parabola.
  */
-static double lowest(double before, double here, double after)
+static double parabola_lowest(double before, double here, double after)
 {
     const double bend = before - 2 * here + after, slope = (after - before) / 2;
     const double least = fmin(fmin(before, here), after);
@@ -137,15 +138,15 @@ static double lowest(double before, double here, double after)
  * What a margin is at the rays of a patch; infinite where they miss its surface, beyond any rim.
  * Result: false: of some it is not known.
  */
-static bool take_values(const struct seen *seen, size_t k, double *values)
+static bool take_values(const struct traced_patch *seen, size_t k, double *values)
 {
-    const struct margins *margins = seen->all->margins;
+    const struct clearances *margins = seen->all->margins;
     const double *row = margins->rows + k * RAYS_BLOCK;
-    const struct margin *margin = &margins->all[k];
+    const struct clearance *margin = &margins->all[k];
     bool known = true;
     for (size_t i = 0; i < EACH; i++) {
         const size_t lane = seen->lanes[i];
-        bool misses = margins->limit[lane] == margins_missed(margin->surface);
+        bool misses = margins->limit[lane] == clearances_missed(margin->surface);
         values[i] = misses ? (double)INFINITY : row[lane];
         known = known && !isnan(values[i]);
     }
@@ -153,7 +154,7 @@ static bool take_values(const struct seen *seen, size_t k, double *values)
 }
 
 /* Is a margin above 0 in all of a patch? At the edge of the star it begins at 0. */
-static bool blocks(const double *values, bool at_edge)
+static bool margin_blocks_patch(const double *values, bool at_edge)
 {
     const double far = 0.3; /* beyond a rim by a seventh of its radius */
     const size_t first = at_edge ? 1 : 0;
@@ -163,8 +164,8 @@ static bool blocks(const double *values, bool at_edge)
         const double *arm = values + i * SIDE;
         const size_t k = i > first ? i : first;
         rises = rises && 4 * arm[1] - arm[2] - 3 * arm[0] > 0;
-        low = fmin(low, at_edge ? INFINITY : lowest(arm[0], arm[1], arm[2]));
-        low = fmin(low, lowest(values[k], values[SIDE + k], values[(size_t)2 * SIDE + k]));
+        low = fmin(low, at_edge ? INFINITY : parabola_lowest(arm[0], arm[1], arm[2]));
+        low = fmin(low, parabola_lowest(values[k], values[SIDE + k], values[(size_t)2 * SIDE + k]));
         for (size_t j = first; j < SIDE; j++) {
             least = fmin(least, arm[j]);
             missed = missed || isinf(arm[j]);
@@ -173,23 +174,24 @@ static bool blocks(const double *values, bool at_edge)
     return missed ? !at_edge && least > far : least > 0 && low > 0 && (rises || !at_edge);
 }
 
-static bool is_dark(const struct seen *seen)
+static bool islands_is_dark(const struct traced_patch *seen)
 {
-    const struct margins *margins = seen->all->margins;
+    const struct clearances *margins = seen->all->margins;
     const size_t limit = margins->limit[seen->lanes[0]];
     double values[EACH];
-    bool dark = margins_lost(limit);
+    bool dark = clearances_lost(limit);
     for (size_t i = 0; i < EACH; i++) {
         dark = dark && margins->limit[seen->lanes[i]] == limit;
     }
     for (size_t k = 0; k < margins->count && !dark; k++) {
-        dark = take_values(seen, k, values) && blocks(values, !(seen->patch.low[1] > 0));
+        dark =
+            take_values(seen, k, values) && margin_blocks_patch(values, !(seen->patch.low[1] > 0));
     }
     return dark;
 }
 
 /* Does a ray of it pass? Those at the edge are the star's. */
-static bool has_light(const struct seen *seen)
+static bool patch_has_light(const struct traced_patch *seen)
 {
     bool light = false;
     for (size_t i = 0; i < EACH; i++) {
@@ -200,7 +202,7 @@ static bool has_light(const struct seen *seen)
 }
 
 /* Do its rays lie as closely as those of the grid? step: 1 on the way outwards, SIDE across it. */
-static bool is_fine(const struct seen *seen, size_t step)
+static bool is_fine(const struct traced_patch *seen, size_t step)
 {
     const double(*points)[2] = seen->points, *finest = seen->all->finest;
     bool fine = true;
@@ -215,7 +217,7 @@ static bool is_fine(const struct seen *seen, size_t step)
 }
 
 /* Does what ends the rays change from one to the next? */
-static bool changes(const struct seen *seen, size_t step)
+static bool patch_loss_changes(const struct traced_patch *seen, size_t step)
 {
     const size_t *limit = seen->all->margins->limit, *lanes = seen->lanes;
     bool changes = false;
@@ -227,34 +229,35 @@ static bool changes(const struct seen *seen, size_t step)
 }
 
 /* In four; in two where what ends the rays changes only on the way outwards. */
-static void cut(struct patches *all, const struct seen *seen)
+static void patch_cut(struct patches *all, const struct traced_patch *seen)
 {
-    const struct patch *patch = &seen->patch;
-    const bool outwards = changes(seen, 1) && !changes(seen, SIDE) && !is_fine(seen, 1);
+    const struct island_patch *patch = &seen->patch;
+    const bool outwards =
+        patch_loss_changes(seen, 1) && !patch_loss_changes(seen, SIDE) && !is_fine(seen, 1);
     const double width = (patch->high[0] - patch->low[0]) / 2;
     const double middle = (patch->low[1] + patch->high[1]) / 2;
     if (outwards) {
-        add(all, patch->low[0], 2 * width, patch->low[1], middle);
-        add(all, patch->low[0], 2 * width, middle, patch->high[1]);
+        patches_add(all, patch->low[0], 2 * width, patch->low[1], middle);
+        patches_add(all, patch->low[0], 2 * width, middle, patch->high[1]);
         return;
     }
     for (int i = 0; i < 2; i++) {
-        add(all, patch->low[0] + i * width, width, patch->low[1], middle);
-        add(all, patch->low[0] + i * width, width, middle, patch->high[1]);
+        patches_add(all, patch->low[0] + i * width, width, patch->low[1], middle);
+        patches_add(all, patch->low[0] + i * width, width, middle, patch->high[1]);
     }
 }
 
 /* False: it has light. What is not sure to be dark is cut, unless it is as fine as the grid. */
-static bool settle(struct patches *all, const struct seen *seen)
+static bool patch_settle(struct patches *all, const struct traced_patch *seen)
 {
-    if (is_beyond(seen) || is_dark(seen)) {
+    if (patch_is_beyond(seen) || islands_is_dark(seen)) {
         return true;
     }
-    if (has_light(seen)) {
+    if (patch_has_light(seen)) {
         return false;
     }
     if (!is_fine(seen, 1) || !is_fine(seen, SIDE)) {
-        cut(all, seen);
+        patch_cut(all, seen);
     }
     return true;
 }
@@ -266,25 +269,25 @@ static bool settle_sectors(struct patches *all, size_t first, size_t sectors)
     const size_t arms = sectors * (SIDE - 1) + 1;
     bool dark = true;
     for (size_t i = 0; i < ALONG; i++) {
-        const struct patch *patch = &all->list[first + i / (SIDE - 1) % RINGS];
+        const struct island_patch *patch = &all->list[first + i / (SIDE - 1) % RINGS];
         const double share = (double)(i % (SIDE - 1)) / (SIDE - 1);
         ways[i] = i + 1 == ALONG ? 1 : patch->low[1] + share * (patch->high[1] - patch->low[1]);
     }
     for (size_t arm = 0; arm < arms; arm++) {
         const size_t sector = arm / (SIDE - 1) < sectors ? arm / (SIDE - 1) : sectors - 1;
-        const struct patch *patch = &all->list[first + RINGS * sector];
+        const struct island_patch *patch = &all->list[first + RINGS * sector];
         const double share = (double)(arm - sector * (SIDE - 1)) / (SIDE - 1);
         place_arm(all, patch->low[0] + share * (patch->high[0] - patch->low[0]), ways, ALONG,
                   points + arm * ALONG);
     }
-    margins_look(all->margins, (const double(*)[2])points, arms * ALONG);
+    clearances_look(all->margins, (const double(*)[2])points, arms * ALONG);
     for (size_t i = 0; i < RINGS * sectors && dark; i++) {
-        struct seen seen = {all, all->list[first + i], (const double(*)[2])points, {0}};
+        struct traced_patch seen = {all, all->list[first + i], (const double(*)[2])points, {0}};
         const size_t corner = i / RINGS * (SIDE - 1) * ALONG + i % RINGS * (SIDE - 1);
         for (size_t k = 0; k < EACH; k++) {
             seen.lanes[k] = corner + k / SIDE * ALONG + k % SIDE;
         }
-        dark = settle(all, &seen);
+        dark = patch_settle(all, &seen);
     }
     return dark;
 }
@@ -297,13 +300,13 @@ static bool settle_patches(struct patches *all, size_t first, size_t count)
     for (size_t i = 0; i < count; i++) {
         place_rays(all, &all->list[first + i], points + i * EACH);
     }
-    margins_look(all->margins, (const double(*)[2])points, count * EACH);
+    clearances_look(all->margins, (const double(*)[2])points, count * EACH);
     for (size_t i = 0; i < count && dark; i++) {
-        struct seen seen = {all, all->list[first + i], (const double(*)[2])points, {0}};
+        struct traced_patch seen = {all, all->list[first + i], (const double(*)[2])points, {0}};
         for (size_t k = 0; k < EACH; k++) {
             seen.lanes[k] = i * EACH + k;
         }
-        dark = settle(all, &seen);
+        dark = patch_settle(all, &seen);
     }
     return dark;
 }
@@ -311,7 +314,7 @@ static bool settle_patches(struct patches *all, size_t first, size_t count)
 /* Does nothing pass beyond the edge of the star? False: perhaps. */
 static bool is_alone(struct patches *all)
 {
-    begin(all);
+    patches_begin(all);
     const size_t sectors = all->count / RINGS;
     size_t done = 0;
     bool dark = true;
@@ -335,9 +338,10 @@ struct beyond {
 };
 
 /* Result: how many cells pass. */
-static size_t look_beyond(const struct parts *parts, const struct star *star, struct beyond *beyond)
+static size_t cells_beyond(const struct pupil_parts *parts, const struct pupil_boundary *star,
+                           struct beyond *beyond)
 {
-    const double surely = 0.97; /* within: more than star_near is off by */
+    const double surely = 0.97; /* within: more than pupil_boundary_near is off by */
     size_t all = 0;
     for (size_t i = 0; i < CELLS; i++) {
         double point[2], angle, radius;
@@ -345,9 +349,9 @@ static size_t look_beyond(const struct parts *parts, const struct star *star, st
             continue;
         }
         all++;
-        parts_point(parts, i, point);
+        pupil_parts_point(parts, i, point);
         edge_polar(&star->frame, point, PI, &angle, &radius);
-        const double near = star_near(star, angle);
+        const double near = pupil_boundary_near(star, angle);
         if (radius > surely * near) {
             beyond->angles[beyond->count] = angle;
             beyond->near[beyond->count] = near;
@@ -357,16 +361,16 @@ static size_t look_beyond(const struct parts *parts, const struct star *star, st
     return all;
 }
 
-static struct islands find_on_grid(const struct margins *margins, const struct star *star,
-                                   struct arena *arena)
+static struct pupil_islands find_on_grid(const struct clearances *margins,
+                                         const struct pupil_boundary *star, struct arena *arena)
 {
     const struct arena_mark mark = arena_mark(arena);
-    struct parts *parts = ARENA_NEW(arena, struct parts);
+    struct pupil_parts *parts = ARENA_NEW(arena, struct pupil_parts);
     struct beyond beyond = {.angles = ARENA_ARRAY(arena, CELLS, double),
                             .near = ARENA_ARRAY(arena, CELLS, double),
                             .radii = ARENA_ARRAY(arena, CELLS, double)};
-    parts_find(margins, NULL, NULL, parts);
-    const size_t all = look_beyond(parts, star, &beyond);
+    pupil_parts_find(margins, NULL, NULL, parts);
+    const size_t all = cells_beyond(parts, star, &beyond);
     struct edge *edges = ARENA_ARRAY(arena, beyond.count + 1, struct edge);
     const struct edge_directions directions = {
         .frame = star->frame, .angles = beyond.angles, .near = beyond.near, .count = beyond.count};
@@ -376,11 +380,11 @@ static struct islands find_on_grid(const struct margins *margins, const struct s
         outside += beyond.radii[i] > edges[i].radius;
     }
     arena_reset(arena, mark);
-    return (struct islands){outside > 0 ? (double)outside / (double)all : 0};
+    return (struct pupil_islands){outside > 0 ? (double)outside / (double)all : 0};
 }
 
-struct islands islands_find(const struct margins *margins, const struct star *star,
-                            struct arena *arena)
+struct pupil_islands pupil_islands_find(const struct clearances *margins,
+                                        const struct pupil_boundary *star, struct arena *arena)
 {
     const struct arena_mark mark = arena_mark(arena);
     struct patches *all = arena_buffer(arena, sizeof *all);
@@ -388,10 +392,10 @@ struct islands islands_find(const struct margins *margins, const struct star *st
     all->star = star;
     all->count = 0;
     all->farthest = 0;
-    margins_widen(margins);
-    parts_bound(margins, all->low, all->high);
+    clearances_widen(margins);
+    pupil_parts_bound(margins, all->low, all->high);
     for (int k = 0; k < 2; k++) {
-        all->finest[k] = (all->high[k] - all->low[k]) / PARTS_SIDE;
+        all->finest[k] = (all->high[k] - all->low[k]) / PUPIL_PARTS_SIDE;
     }
     for (int i = 0; i < 4; i++) {
         double angle, radius;
@@ -403,5 +407,5 @@ struct islands islands_find(const struct margins *margins, const struct star *st
     /* apertures of other shapes have corners and sides: no differences say what is between */
     const bool alone = !margins->is_listed && is_alone(all);
     arena_reset(arena, mark);
-    return alone ? (struct islands){0} : find_on_grid(margins, star, arena);
+    return alone ? (struct pupil_islands){0} : find_on_grid(margins, star, arena);
 }

@@ -8,7 +8,7 @@
 #include "trace/star.h"
 
 /* What of the pupil passes light and is none of the star. */
-struct islands {
+struct pupil_islands {
     double share; /* of all that passes, in areas of the beam; 0: there are none */
 };
 
@@ -28,7 +28,7 @@ struct islands {
  *           share of thin ones is a quarter off. Far from the chief ray of a point of the film the
  *           same area of its beam holds less light
  */
-struct islands islands_find(const struct margins *margins, const struct star *star,
-                            struct arena *arena);
+struct pupil_islands pupil_islands_find(const struct clearances *margins,
+                                        const struct pupil_boundary *star, struct arena *arena);
 
 #endif

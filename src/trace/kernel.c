@@ -111,8 +111,8 @@ INLINE void sphere_bend(struct ray_block *block, const struct step *s, bool path
     note(block, i, codes, normal > 0, r2 <= s->clear2, g == g);
 }
 
-INLINE void sphere(struct ray_block *restrict block, const struct step *restrict step, bool path,
-                   int lanes, bool hops, bool reflects, bool forward)
+INLINE void kernel_sphere(struct ray_block *restrict block, const struct step *restrict step,
+                          bool path, int lanes, bool hops, bool reflects, bool forward)
 {
     const struct step s = *step;
     const double direction = forward ? 1 : s.direction;
@@ -127,7 +127,7 @@ INLINE void sphere(struct ray_block *restrict block, const struct step *restrict
 #undef BEND
 }
 
-static void move(struct ray_block *block, const struct step *s, int lanes)
+static void block_move(struct ray_block *block, const struct step *s, int lanes)
 {
     /* copies: the compiler cannot know that the step is not part of the block */
     double m[9], shift[3];
@@ -159,19 +159,19 @@ INLINE void step_plane(struct ray_block *block, const struct step *s, bool path,
 INLINE void step_sphere(struct ray_block *block, const struct step *s, bool path, int lanes)
 {
     if (s->action == ACTION_REFLECT) {
-        sphere(block, s, path, lanes, true, true, false);
+        kernel_sphere(block, s, path, lanes, true, true, false);
     } else if (s->hop || s->direction < 0) {
-        sphere(block, s, path, lanes, true, false, false);
+        kernel_sphere(block, s, path, lanes, true, false, false);
     } else {
-        sphere(block, s, path, lanes, false, false, true);
+        kernel_sphere(block, s, path, lanes, false, false, true);
     }
 }
 
-INLINE void take(struct ray_block *block, const struct step *s, bool path, int lanes)
+INLINE void kernel_take(struct ray_block *block, const struct step *s, bool path, int lanes)
 {
     switch (s->kind) {
     case STEP_MOVE:
-        move(block, s, lanes);
+        block_move(block, s, lanes);
         break;
     case STEP_PLANE:
         step_plane(block, s, path, lanes);
@@ -201,19 +201,19 @@ INLINE void take(struct ray_block *block, const struct step *s, bool path, int l
 static void with_path(const struct step *steps, size_t count, int lanes, struct ray_block *block)
 {
     for (size_t i = 0; i < count; i++) {
-        take(block, &steps[i], true, lanes);
+        kernel_take(block, &steps[i], true, lanes);
     }
 }
 
 static void without_path(const struct step *steps, size_t count, int lanes, struct ray_block *block)
 {
     for (size_t i = 0; i < count; i++) {
-        take(block, &steps[i], false, lanes);
+        kernel_take(block, &steps[i], false, lanes);
     }
 }
 
 /* NaN for what is lost, but for clipped rays; and nothing that is not finite is on its way. */
-static void mark_lost(struct ray_block *block, double miss, int lanes)
+static void block_mark_lost(struct ray_block *block, double miss, int lanes)
 {
     for (int i = 0; i < LANES_OF(lanes); i++) {
         double sum = (block->x[i] + block->y[i] + block->z[i]) +
@@ -262,12 +262,12 @@ void NAME(kernel_trace, KERNEL)(const struct step *steps, size_t count, bool pat
     } else {
         without_path(steps, count, lanes, block);
     }
-    mark_lost(block, steps[count - 1].miss, lanes);
+    block_mark_lost(block, steps[count - 1].miss, lanes);
 }
 
 /* Sums keep what is not finite of any number of a ray. */
-static void look(const struct rim_watch *watch, int lanes, double *restrict excess,
-                 double *restrict number, const struct ray_block *restrict block)
+static void rim_watch_look(const struct rim_watch *watch, int lanes, double *restrict excess,
+                           double *restrict number, const struct ray_block *restrict block)
 {
     double *restrict row = watch->row;
     const double over = watch->over, own = watch->number;
@@ -284,7 +284,7 @@ static void look(const struct rim_watch *watch, int lanes, double *restrict exce
 }
 
 void NAME(kernel_watch, KERNEL)(const struct step *steps, size_t count, bool path, int lanes,
-                                const struct rim_watching *watching, struct ray_block *block)
+                                const struct rim_watch_request *watching, struct ray_block *block)
 {
     const struct rim_watch *watch = watching->watches, *end = watch + watching->count;
     for (int i = 0; i < LANES_OF(lanes); i++) {
@@ -298,17 +298,17 @@ void NAME(kernel_watch, KERNEL)(const struct step *steps, size_t count, bool pat
             without_path(&steps[i], 1, lanes, block);
         }
         for (; watch < end && watch->step == i; watch++) {
-            look(watch, lanes, watching->excess, watching->number, block);
+            rim_watch_look(watch, lanes, watching->excess, watching->number, block);
         }
     }
     if (count > 0) {
-        mark_lost(block, steps[count - 1].miss, lanes);
+        block_mark_lost(block, steps[count - 1].miss, lanes);
     }
 }
 
 #ifndef KERNEL_FEW
-static void copy_lanes(const struct ray_block *restrict from, int lanes,
-                       struct ray_block *restrict to)
+static void kernel_copy_lanes(const struct ray_block *restrict from, int lanes,
+                              struct ray_block *restrict to)
 {
     for (int i = 0; i < LANES_OF(lanes); i++) {
         to->x[i] = from->x[i];
@@ -326,7 +326,7 @@ void NAME(kernel_tape, KERNEL)(const struct step *steps, size_t count, bool path
                                struct ray_block *blocks)
 {
     for (size_t i = 0; i < count; i++) {
-        copy_lanes(&blocks[i], lanes, &blocks[i + 1]);
+        kernel_copy_lanes(&blocks[i], lanes, &blocks[i + 1]);
         if (path) {
             with_path(&steps[i], 1, lanes, &blocks[i + 1]);
         } else {
@@ -334,7 +334,7 @@ void NAME(kernel_tape, KERNEL)(const struct step *steps, size_t count, bool path
         }
     }
     if (count > 0) {
-        mark_lost(&blocks[count], steps[count - 1].miss, lanes);
+        block_mark_lost(&blocks[count], steps[count - 1].miss, lanes);
     }
 }
 #endif

@@ -10,57 +10,58 @@
 #define NAME(name, set)  NAME_(name, set)
 #define INLINE           static inline __attribute__((always_inline))
 
-struct vector {
+struct lane_vector {
     double x, y, z;
 };
 
-INLINE double dot(struct vector a, struct vector b)
+INLINE double kernel_adjoint_dot(struct lane_vector a, struct lane_vector b)
 {
     return a.x * b.x + a.y * b.y + a.z * b.z;
 }
 
-INLINE struct vector cross(struct vector a, struct vector b)
+INLINE struct lane_vector kernel_adjoint_cross(struct lane_vector a, struct lane_vector b)
 {
-    return (struct vector){a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
+    return (struct lane_vector){a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z,
+                                a.x * b.y - a.y * b.x};
 }
 
 /* a + f b */
-INLINE struct vector plus(struct vector a, double f, struct vector b)
+INLINE struct lane_vector plus(struct lane_vector a, double f, struct lane_vector b)
 {
-    return (struct vector){a.x + f * b.x, a.y + f * b.y, a.z + f * b.z};
+    return (struct lane_vector){a.x + f * b.x, a.y + f * b.y, a.z + f * b.z};
 }
 
-INLINE struct vector point_of(const struct ray_block *block, int i)
+INLINE struct lane_vector kernel_adjoint_point_of(const struct ray_block *block, int i)
 {
-    return (struct vector){block->x[i], block->y[i], block->z[i]};
+    return (struct lane_vector){block->x[i], block->y[i], block->z[i]};
 }
 
-INLINE struct vector direction_of(const struct ray_block *block, int i)
+INLINE struct lane_vector kernel_adjoint_direction_of(const struct ray_block *block, int i)
 {
-    return (struct vector){block->p[i], block->q[i], block->r[i]};
+    return (struct lane_vector){block->p[i], block->q[i], block->r[i]};
 }
 
 /* S, S', S'' of the polynomial. */
-struct series {
+struct even_series {
     double value, slope, bend;
 };
 
-INLINE struct series series_of(const double *coefficient, int terms, double u)
+INLINE struct even_series series_of(const double *coefficient, int terms, double u)
 {
-    struct series s = {0, 0, 0};
+    struct even_series s = {0, 0, 0};
     for (int i = terms - 1; i >= 0; i--) {
         s.bend = s.bend * u + 2 * s.slope;
         s.slope = s.slope * u + s.value;
         s.value = s.value * u + coefficient[i];
     }
     /* of u times what Horner's rule gave */
-    return (struct series){s.value * u, s.slope * u + s.value, s.bend * u + 2 * s.slope};
+    return (struct even_series){s.value * u, s.slope * u + s.value, s.bend * u + 2 * s.slope};
 }
 
 /* The same with odd powers: r P(u) besides. */
-INLINE struct series odd_series_of(const struct step *s, double u)
+INLINE struct even_series odd_series_of(const struct step *s, double u)
 {
-    struct series even = series_of(s->coefficient, STEP_TERMS, u), P = {0, 0, 0};
+    struct even_series even = series_of(s->coefficient, STEP_TERMS, u), P = {0, 0, 0};
     for (int i = STEP_TERMS - 1; i >= 0; i--) {
         P.bend = P.bend * u + 2 * P.slope;
         P.slope = P.slope * u + P.value;
@@ -76,17 +77,17 @@ INLINE struct series odd_series_of(const struct step *s, double u)
 /* A place on a surface: w = z - S, f = 1 - c K w, G = c + 2 f S'; the normal is (-G x, -G y, f). */
 struct at {
     double c, K, wx, wy, w, f, G;
-    struct series S;
+    struct even_series S;
 };
 
 /* What the normal says of curvature, k, S and S'. */
-struct bars {
+struct normal_adjoint {
     double c, k, w, slope;
 };
 
 /* The normal as a function of the point and of the shape. */
-INLINE struct bars through_normal(struct vector *a, struct vector X, struct vector N_bar,
-                                  const struct at *at)
+INLINE struct normal_adjoint through_normal(struct lane_vector *a, struct lane_vector X,
+                                            struct lane_vector N_bar, const struct at *at)
 {
     double G_bar = -(at->wx * X.x * N_bar.x + at->wy * X.y * N_bar.y);
     double f_bar = N_bar.z + 2 * G_bar * at->S.slope, slope_bar = 2 * at->f * G_bar;
@@ -95,10 +96,12 @@ INLINE struct bars through_normal(struct vector *a, struct vector X, struct vect
     a->x += at->wx * (2 * X.x * u_bar - at->G * N_bar.x);
     a->y += at->wy * (2 * X.y * u_bar - at->G * N_bar.y);
     a->z += w_bar;
-    return (struct bars){G_bar - at->K * at->w * f_bar, -at->c * at->w * f_bar, w_bar, slope_bar};
+    return (struct normal_adjoint){G_bar - at->K * at->w * f_bar, -at->c * at->w * f_bar, w_bar,
+                                   slope_bar};
 }
 
-INLINE void put(struct ray_block *block, int i, struct vector a, struct vector b)
+INLINE void kernel_adjoint_put(struct ray_block *block, int i, struct lane_vector a,
+                               struct lane_vector b)
 {
     block->x[i] = a.x;
     block->y[i] = a.y;
@@ -114,8 +117,8 @@ struct of_series {
 };
 
 /* Rows of coefficients one after the other; of the first, u^power is in S already. */
-INLINE void put_terms(double *restrict rows, int terms, double power, int lanes,
-                      struct of_series *of)
+INLINE void kernel_adjoint_put_terms(double *restrict rows, int terms, double power, int lanes,
+                                     struct of_series *of)
 {
     for (int j = 0; j < terms; j++) {
         for (int i = 0; i < LANES_OF(lanes); i++) {
@@ -127,7 +130,8 @@ INLINE void put_terms(double *restrict rows, int terms, double power, int lanes,
 }
 
 /* S gains A2 u + ..; and r (A1 + ..), of which the slope is u^(j + 1/2) (j + 1/2)/u. */
-INLINE void put_series(const struct adjoint_rows *rows, int terms, bool odd, struct of_series *of)
+INLINE void kernel_adjoint_put_series(const struct adjoint_rows *rows, int terms, bool odd,
+                                      struct of_series *of)
 {
     const int lanes = rows->lanes;
     if (odd) {
@@ -138,31 +142,32 @@ INLINE void put_series(const struct adjoint_rows *rows, int terms, bool odd, str
             first.slope[i] = of->slope[i] * over;
             first.square[i] = of->square[i];
         }
-        put_terms(rows->odd, terms, 0.5, lanes, &first);
+        kernel_adjoint_put_terms(rows->odd, terms, 0.5, lanes, &first);
     }
     for (int i = 0; i < LANES_OF(lanes); i++) {
         of->value[i] *= of->square[i];
     }
-    put_terms(rows->coefficient, terms, 1, lanes, of);
+    kernel_adjoint_put_terms(rows->coefficient, terms, 1, lanes, of);
 }
 
 /* Kinds of a surface as far as derivatives are concerned. */
 enum depth { DEPTH_SPHERE, DEPTH_CONIC, DEPTH_SERIES, DEPTH_ODD };
 
-INLINE struct series shape_series(const struct step *s, enum depth depth, int terms, double u)
+INLINE struct even_series shape_series(const struct step *s, enum depth depth, int terms, double u)
 {
     return depth == DEPTH_ODD      ? odd_series_of(s, u)
            : depth == DEPTH_SERIES ? series_of(s->coefficient, terms, u)
-                                   : (struct series){0, 0, 0};
+                                   : (struct even_series){0, 0, 0};
 }
 
 /*
  * One surface. a and b are the adjoints of point and direction behind it, then before it; bars of
  * the text are _bar here. N is the normal, M its square, D = N.p, E = N.p', p' = p + g N.
  */
-INLINE void surface(const struct step *restrict s, const struct ray_block *restrict before,
-                    const struct ray_block *restrict after, struct ray_block *restrict adjoint,
-                    const struct adjoint_rows *rows, enum depth depth, int terms, bool reflects)
+INLINE void
+kernel_adjoint_surface(const struct step *restrict s, const struct ray_block *restrict before,
+                       const struct ray_block *restrict after, struct ray_block *restrict adjoint,
+                       const struct adjoint_rows *rows, enum depth depth, int terms, bool reflects)
 {
     const double c = s->c, K = s->one_k, dn = s->dn, n11 = s->n11, t = s->t;
     const double wx = depth == DEPTH_SPHERE ? 1 : s->weight_x;
@@ -174,33 +179,38 @@ INLINE void surface(const struct step *restrict s, const struct ray_block *restr
     double *restrict before_row = rows->index_before, *restrict after_row = rows->index_after;
     const int lanes = rows->lanes;
     for (int i = 0; i < LANES_OF(lanes); i++) {
-        struct vector X = point_of(after, i), p = direction_of(before, i);
-        struct vector out = direction_of(after, i), X0 = point_of(before, i);
-        struct vector a = point_of(adjoint, i), b = direction_of(adjoint, i);
+        struct lane_vector X = kernel_adjoint_point_of(after, i),
+                           p = kernel_adjoint_direction_of(before, i);
+        struct lane_vector out = kernel_adjoint_direction_of(after, i),
+                           X0 = kernel_adjoint_point_of(before, i);
+        struct lane_vector a = kernel_adjoint_point_of(adjoint, i),
+                           b = kernel_adjoint_direction_of(adjoint, i);
         double path = adjoint->path[i], u = wx * X.x * X.x + wy * X.y * X.y;
-        struct series S = shape_series(s, depth, terms, u);
+        struct even_series S = shape_series(s, depth, terms, u);
         double w = X.z - S.value, f = 1 - c * K * w, G = c + 2 * f * S.slope;
         const struct at at = {c, K, wx, wy, w, f, G, S};
-        struct vector N = {-wx * G * X.x, -wy * G * X.y, f};
-        double D = dot(N, p), E = dot(N, out), g_bar = dot(N, b), M = 1, inverse = 1;
+        struct lane_vector N = {-wx * G * X.x, -wy * G * X.y, f};
+        double D = kernel_adjoint_dot(N, p), E = kernel_adjoint_dot(N, out),
+               g_bar = kernel_adjoint_dot(N, b), M = 1, inverse = 1;
         if (depth != DEPTH_SPHERE) {
-            M = dot(N, N);
+            M = kernel_adjoint_dot(N, N);
             inverse = 1 / M;
         }
         double g = (E - D) * inverse, over = 1 / E;
         double D_bar = reflects ? -2 * g_bar * inverse : -g_bar * g * over;
         double n_bar = reflects ? 0 : 0.5 * g_bar * over; /* of dn */
-        struct vector N_bar = {g * b.x, g * b.y, g * b.z};
+        struct lane_vector N_bar = {g * b.x, g * b.y, g * b.z};
         N_bar = plus(N_bar, D_bar, p);
         b = plus(b, D_bar, N);
         if (depth != DEPTH_SPHERE) {
             double M_bar = (n_bar * dn - g_bar * g) * inverse;
             N_bar = plus(N_bar, 2 * M_bar, N);
         }
-        struct bars bars = through_normal(&a, X, N_bar, &at);
+        struct normal_adjoint bars = through_normal(&a, X, N_bar, &at);
         /* the point as where the ray meets the surface: X = X0 + d p, F = 0 */
         X0.z -= t;
-        double d = dot(plus(X, -1, X0), p) / n11, share = (dot(a, p) + path * n11) / D;
+        double d = kernel_adjoint_dot(plus(X, -1, X0), p) / n11,
+               share = (kernel_adjoint_dot(a, p) + path * n11) / D;
         bars.c += share * 0.5 * (u + K * w * w);
         bars.k += share * 0.5 * c * w * w;
         a = plus(a, -share, N);
@@ -217,15 +227,16 @@ INLINE void surface(const struct step *restrict s, const struct ray_block *restr
         t_row[i] = sign * a.z;
         before_row[i] += n1 * (path * d - n_bar);
         after_row[i] += n2 * n_bar;
-        put(adjoint, i, a, b);
+        kernel_adjoint_put(adjoint, i, a, b);
     }
     if (depth >= DEPTH_SERIES) {
-        put_series(rows, terms, depth == DEPTH_ODD, &of);
+        kernel_adjoint_put_series(rows, terms, depth == DEPTH_ODD, &of);
     }
 }
 
 /* X' = turn (X - shift): the adjoint turns back. */
-static void move(const struct step *s, struct ray_block *adjoint, const struct adjoint_rows *rows)
+static void adjoint_move(const struct step *s, struct ray_block *adjoint,
+                         const struct adjoint_rows *rows)
 {
     double m[9], sign = rows->thickness_sign;
     for (int i = 0; i < 9; i++) {
@@ -234,7 +245,8 @@ static void move(const struct step *s, struct ray_block *adjoint, const struct a
     double *restrict t_row = rows->thickness;
     const int lanes = rows->lanes;
     for (int i = 0; i < LANES_OF(lanes); i++) {
-        struct vector a = point_of(adjoint, i), b = direction_of(adjoint, i);
+        struct lane_vector a = kernel_adjoint_point_of(adjoint, i),
+                           b = kernel_adjoint_direction_of(adjoint, i);
         adjoint->x[i] = m[0] * a.x + m[3] * a.y + m[6] * a.z;
         adjoint->y[i] = m[1] * a.x + m[4] * a.y + m[7] * a.z;
         double z = m[2] * a.x + m[5] * a.y + m[8] * a.z;
@@ -261,31 +273,32 @@ void NAME(kernel_adjoint, KERNEL)(const struct step *s, const struct ray_block *
 {
     bool reflects = s->action == ACTION_REFLECT;
     if (s->kind == STEP_MOVE) {
-        move(s, adjoint, rows);
+        adjoint_move(s, adjoint, rows);
     } else if (s->kind == STEP_THICK) {
         no_derivatives(adjoint);
     } else if (rows->odd != NULL) {
         if (reflects) {
-            surface(s, before, after, adjoint, rows, DEPTH_ODD, STEP_TERMS, true);
+            kernel_adjoint_surface(s, before, after, adjoint, rows, DEPTH_ODD, STEP_TERMS, true);
         } else {
-            surface(s, before, after, adjoint, rows, DEPTH_ODD, STEP_TERMS, false);
+            kernel_adjoint_surface(s, before, after, adjoint, rows, DEPTH_ODD, STEP_TERMS, false);
         }
     } else if (rows->coefficient != NULL) {
         if (reflects) {
-            surface(s, before, after, adjoint, rows, DEPTH_SERIES, STEP_TERMS, true);
+            kernel_adjoint_surface(s, before, after, adjoint, rows, DEPTH_SERIES, STEP_TERMS, true);
         } else {
-            surface(s, before, after, adjoint, rows, DEPTH_SERIES, STEP_TERMS, false);
+            kernel_adjoint_surface(s, before, after, adjoint, rows, DEPTH_SERIES, STEP_TERMS,
+                                   false);
         }
     } else if (rows->conic != NULL) {
         if (reflects) {
-            surface(s, before, after, adjoint, rows, DEPTH_CONIC, 0, true);
+            kernel_adjoint_surface(s, before, after, adjoint, rows, DEPTH_CONIC, 0, true);
         } else {
-            surface(s, before, after, adjoint, rows, DEPTH_CONIC, 0, false);
+            kernel_adjoint_surface(s, before, after, adjoint, rows, DEPTH_CONIC, 0, false);
         }
     } else if (reflects) {
-        surface(s, before, after, adjoint, rows, DEPTH_SPHERE, 0, true);
+        kernel_adjoint_surface(s, before, after, adjoint, rows, DEPTH_SPHERE, 0, true);
     } else {
-        surface(s, before, after, adjoint, rows, DEPTH_SPHERE, 0, false);
+        kernel_adjoint_surface(s, before, after, adjoint, rows, DEPTH_SPHERE, 0, false);
     }
 }
 
@@ -293,35 +306,42 @@ void NAME(kernel_adjoint, KERNEL)(const struct step *s, const struct ray_block *
  * Shift and turn of a surface by itself: rays see the contrary before it, and the shift and turn
  * themselves behind it. Shift: a' - a; turn: X' x a' + p' x b' - X x a - p x b, X from the vertex.
  */
-INLINE void displace(const struct displace *all, const struct ray_block *restrict front,
-                     const struct ray_block *restrict behind,
-                     const struct ray_block *restrict adjoint,
-                     const struct ray_block *restrict adjoint_behind, double *restrict rows)
+INLINE void kernel_adjoint_displace(const struct displace *all,
+                                    const struct ray_block *restrict front,
+                                    const struct ray_block *restrict behind,
+                                    const struct ray_block *restrict adjoint,
+                                    const struct ray_block *restrict adjoint_behind,
+                                    double *restrict rows)
 {
-    const struct vector at = {all->shift[0], all->shift[1], 0};
-    const struct vector first = {all->axes[0], all->axes[1], all->axes[2]};
-    const struct vector second = {all->axes[3], all->axes[4], all->axes[5]};
-    const struct vector third = {all->axes[6], all->axes[7], all->axes[8]};
+    const struct lane_vector at = {all->shift[0], all->shift[1], 0};
+    const struct lane_vector first = {all->axes[0], all->axes[1], all->axes[2]};
+    const struct lane_vector second = {all->axes[3], all->axes[4], all->axes[5]};
+    const struct lane_vector third = {all->axes[6], all->axes[7], all->axes[8]};
     const double t = all->t;
     const int lanes = all->lanes;
     for (int i = 0; i < LANES_OF(lanes); i++) {
-        struct vector a = point_of(adjoint_behind, i), a0 = point_of(adjoint, i);
-        struct vector b = direction_of(adjoint_behind, i), b0 = direction_of(adjoint, i);
-        struct vector X = plus(point_of(behind, i), -1, at), p = direction_of(behind, i);
-        struct vector X0 = plus(point_of(front, i), -1, at), p0 = direction_of(front, i);
+        struct lane_vector a = kernel_adjoint_point_of(adjoint_behind, i),
+                           a0 = kernel_adjoint_point_of(adjoint, i);
+        struct lane_vector b = kernel_adjoint_direction_of(adjoint_behind, i),
+                           b0 = kernel_adjoint_direction_of(adjoint, i);
+        struct lane_vector X = plus(kernel_adjoint_point_of(behind, i), -1, at),
+                           p = kernel_adjoint_direction_of(behind, i);
+        struct lane_vector X0 = plus(kernel_adjoint_point_of(front, i), -1, at),
+                           p0 = kernel_adjoint_direction_of(front, i);
         X0.z -= t;
-        struct vector turn = plus(cross(X, a), 1, cross(p, b));
-        turn = plus(plus(turn, -1, cross(X0, a0)), -1, cross(p0, b0));
+        struct lane_vector turn = plus(kernel_adjoint_cross(X, a), 1, kernel_adjoint_cross(p, b));
+        turn = plus(plus(turn, -1, kernel_adjoint_cross(X0, a0)), -1, kernel_adjoint_cross(p0, b0));
         rows[i] = a.x - a0.x;
         rows[RAYS_BLOCK + i] = a.y - a0.y;
-        rows[2 * RAYS_BLOCK + i] = dot(first, turn);
-        rows[3 * RAYS_BLOCK + i] = dot(second, turn);
-        rows[4 * RAYS_BLOCK + i] = dot(third, turn);
+        rows[2 * RAYS_BLOCK + i] = kernel_adjoint_dot(first, turn);
+        rows[3 * RAYS_BLOCK + i] = kernel_adjoint_dot(second, turn);
+        rows[4 * RAYS_BLOCK + i] = kernel_adjoint_dot(third, turn);
         rows[5 * RAYS_BLOCK + i] = a.z - a0.z;
     }
 }
 
 void NAME(kernel_displace, KERNEL)(const struct displace *all)
 {
-    displace(all, all->front, all->behind, all->adjoint, all->adjoint_behind, all->rows);
+    kernel_adjoint_displace(all, all->front, all->behind, all->adjoint, all->adjoint_behind,
+                            all->rows);
 }

@@ -4,7 +4,8 @@
 #include "trace/lanes.h"
 
 /* m so that it takes the change of the miss to the step. */
-INLINE void correct(struct aim_block *restrict block, bool takes, double x, double y, int i)
+INLINE void kernel_aim_correct(struct aim_block *restrict block, bool takes, double x, double y,
+                               int i)
 {
     double sa = block->step_a[i], sb = block->step_b[i];
     double m0 = block->m[0][i], m1 = block->m[1][i], m2 = block->m[2][i], m3 = block->m[3][i];
@@ -22,7 +23,7 @@ INLINE void correct(struct aim_block *restrict block, bool takes, double x, doub
 }
 
 /* What comes next: AIM_ASTRAY where the step is not taken, but for rounding. */
-INLINE void go_on(struct aim_block *restrict block, double next, int i)
+INLINE void kernel_aim_go_on(struct aim_block *restrict block, double next, int i)
 {
     double x = block->miss_x[i], y = block->miss_y[i];
     bool goes_on = next != AIM_DONE;
@@ -44,14 +45,14 @@ INLINE void arrive(struct aim_block *restrict block, int i)
     block->state[i] = arrives ? AIM_DONE : block->state[i];
 }
 
-INLINE void judge(const struct ray_block *restrict at, double enough2, double near2,
-                  struct aim_block *restrict block, int i)
+INLINE void kernel_aim_judge(const struct ray_block *restrict at, double enough2, double near2,
+                             struct aim_block *restrict block, int i)
 {
     double x = block->goal_x[i] - at->x[i], y = block->goal_y[i] - at->y[i];
     double old_x = block->miss_x[i], old_y = block->miss_y[i], state = block->state[i];
     double before2 = old_x * old_x + old_y * old_y, after2 = x * x + y * y;
     bool takes = (state == AIM_OPEN) & (at->lost[i] == 0) & (after2 < before2);
-    correct(block, takes, x, y, i);
+    kernel_aim_correct(block, takes, x, y, i);
     block->miss_x[i] = takes ? x : old_x;
     block->miss_y[i] = takes ? y : old_y;
     block->a[i] += takes ? block->step_a[i] : 0;
@@ -60,7 +61,7 @@ INLINE void judge(const struct ray_block *restrict at, double enough2, double ne
     /* what the next step will leave, if it brings as much as this one */
     double going = 100 * after2 * after2 <= enough2 * before2 ? AIM_LAST : AIM_OPEN;
     double next = takes ? going : stuck;
-    go_on(block, state == AIM_OPEN ? next : state, i);
+    kernel_aim_go_on(block, state == AIM_OPEN ? next : state, i);
 }
 
 void NAME(kernel_aim, KERNEL)(const struct ray_block *restrict at_stop, double enough2,
@@ -68,7 +69,7 @@ void NAME(kernel_aim, KERNEL)(const struct ray_block *restrict at_stop, double e
 {
     const int lanes = block->lanes;
     for (int i = 0; i < LANES_OF(lanes); i++) {
-        judge(at_stop, enough2, near2, block, i);
+        kernel_aim_judge(at_stop, enough2, near2, block, i);
     }
     for (int i = 0; i < LANES_OF(lanes); i++) {
         arrive(block, i);

@@ -6,19 +6,19 @@
 #include <stdint.h>
 
 /* A conic in the formulas of a sphere: cx, cy, ck = c (1 + k) take the place of c. */
-struct curved {
+struct conic_constants {
     double cx, cy, ck;
 };
 
-INLINE struct curved curved_of(const struct step *s, double c, double one_k, bool cylinder)
+INLINE struct conic_constants curved_of(const struct step *s, double c, double one_k, bool cylinder)
 {
-    return (struct curved){cylinder ? c * s->weight_x : c, cylinder ? c * s->weight_y : c,
-                           c * one_k};
+    return (struct conic_constants){cylinder ? c * s->weight_x : c, cylinder ? c * s->weight_y : c,
+                                    c * one_k};
 }
 
 /* Where a ray meets a conic. `rim`: a ray that passes it by goes to where it comes nearest. */
-INLINE void conic_find(struct ray_block *block, const struct step *s, struct curved at, bool path,
-                       bool hops, bool cylinder, bool rim, struct found *found, int i)
+INLINE void conic_find(struct ray_block *block, const struct step *s, struct conic_constants at,
+                       bool path, bool hops, bool cylinder, bool rim, struct found *found, int i)
 {
     struct lane ray = load(block, i, s->t);
     if (hops) {
@@ -45,8 +45,8 @@ INLINE void conic_root(const struct step *s, struct found *found, int i)
 }
 
 /* Go there. See sphere_bend for z. */
-INLINE void conic_meet(struct ray_block *block, const struct step *s, struct curved at, bool path,
-                       bool hops, struct found *found, int i)
+INLINE void conic_meet(struct ray_block *block, const struct step *s, struct conic_constants at,
+                       bool path, bool hops, struct found *found, int i)
 {
     struct lane ray = load(block, i, hops ? 0 : s->t);
     double d = found->way[i];
@@ -70,8 +70,8 @@ INLINE void normal_root(const struct step *s, bool reflects, struct found *found
 }
 
 /* g N is added to p, N = (-gx x, -gy y, f). */
-INLINE void turn(struct ray_block *block, const struct step *s, bool path, struct lane *ray,
-                 double g, double gx, double gy, double f, int i)
+INLINE void kernel_conic_turn(struct ray_block *block, const struct step *s, bool path,
+                              struct lane *ray, double g, double gx, double gy, double f, int i)
 {
     ray->p -= g * gx * ray->x;
     ray->q -= g * gy * ray->y;
@@ -82,12 +82,12 @@ INLINE void turn(struct ray_block *block, const struct step *s, bool path, struc
     store_direction(block, i, ray);
 }
 
-INLINE void conic_bend(struct ray_block *block, const struct step *s, struct curved at, bool path,
-                       struct codes codes, const struct found *found, int i)
+INLINE void conic_bend(struct ray_block *block, const struct step *s, struct conic_constants at,
+                       bool path, struct codes codes, const struct found *found, int i)
 {
     struct lane ray = load(block, i, 0);
     double f = 1 - at.ck * ray.z;
-    turn(block, s, path, &ray, found->way[i], at.cx, at.cy, f, i);
+    kernel_conic_turn(block, s, path, &ray, found->way[i], at.cx, at.cy, f, i);
     bool inside = ray.x * ray.x + ray.y * ray.y <= s->clear2;
     note(block, i, codes, f > 0, inside, found->square[i] >= 0);
 }
@@ -97,7 +97,7 @@ INLINE void conic(struct ray_block *restrict block, const struct step *restrict 
 {
     const struct step s = *step;
     const struct codes codes = codes_of(&s);
-    const struct curved at = curved_of(&s, s.c, s.one_k, cylinder);
+    const struct conic_constants at = curved_of(&s, s.c, s.one_k, cylinder);
     _Alignas(64) struct found found;
 #define FIND(i)  conic_find(block, &s, at, path, hops, cylinder, false, &found, i)
 #define ROOT(i)  conic_root(&s, &found, i)
@@ -114,13 +114,14 @@ INLINE void conic(struct ray_block *restrict block, const struct step *restrict 
 }
 
 /* Which aspheres a loop is for: constants of each copy. */
-struct family {
+struct asphere_family {
     int terms; /* of the even powers */
     bool trough, odd, reflects;
 };
 
 /* S and dS/du of the polynomial at u. */
-INLINE void polynomial(const struct step *s, int terms, double u, double *S, double *slope)
+INLINE void kernel_conic_polynomial(const struct step *s, int terms, double u, double *S,
+                                    double *slope)
 {
     double value = s->coefficient[terms - 1], growth = s->slope[terms - 1];
     for (int i = terms - 2; i >= 0; i--) {
@@ -145,20 +146,21 @@ INLINE void odd_powers(const struct step *s, double u, double *S, double *slope)
 }
 
 /* Of the surface F = c (u + (1+k) w^2)/2 - w = 0, w = z - S(u): value and normal. */
-struct shape {
+struct surface_value {
     double F, gx, gy, f, G;
 };
 
-INLINE struct shape shape_of(const struct lane *ray, const struct step *s, struct family of)
+INLINE struct surface_value kernel_conic_shape_of(const struct lane *ray, const struct step *s,
+                                                  struct asphere_family of)
 {
     double wx = of.trough ? s->weight_x : 1, wy = of.trough ? s->weight_y : 1;
     double u = wx * ray->x * ray->x + wy * ray->y * ray->y, S, slope;
-    polynomial(s, of.terms, u, &S, &slope);
+    kernel_conic_polynomial(s, of.terms, u, &S, &slope);
     if (of.odd) {
         odd_powers(s, u, &S, &slope);
     }
     double w = ray->z - S, f = 1 - s->c * s->one_k * w, g = s->c + 2 * f * slope;
-    return (struct shape){0.5 * s->c * (u + s->one_k * w * w) - w, wx * g, wy * g, f, g};
+    return (struct surface_value){0.5 * s->c * (u + s->one_k * w * w) - w, wx * g, wy * g, f, g};
 }
 
 /* Where Newton's method sets out from: kept for the search of those that it loses. */
@@ -184,11 +186,11 @@ INLINE void start_meet(struct ray_block *block, const struct step *s, bool path,
 }
 
 /* The next Newton step, F/(N.p). */
-INLINE void newton_aim(const struct ray_block *block, const struct step *s, struct family of,
-                       struct found *found, int i)
+INLINE void newton_aim(const struct ray_block *block, const struct step *s,
+                       struct asphere_family of, struct found *found, int i)
 {
     struct lane ray = load(block, i, 0);
-    struct shape at = shape_of(&ray, s, of);
+    struct surface_value at = kernel_conic_shape_of(&ray, s, of);
     found->numerator[i] = at.F;
     found->denominator[i] = at.f * ray.r - (at.gx * ray.x * ray.p + at.gy * ray.y * ray.q);
     found->f[i] = at.f;
@@ -210,11 +212,11 @@ INLINE void newton_go(struct ray_block *block, const struct step *s, double leas
 }
 
 /* What bending needs of the shape at the point. */
-INLINE void asphere_look(const struct ray_block *block, const struct step *s, struct family of,
-                         struct found *found, int i)
+INLINE void asphere_look(const struct ray_block *block, const struct step *s,
+                         struct asphere_family of, struct found *found, int i)
 {
     struct lane ray = load(block, i, 0);
-    struct shape at = shape_of(&ray, s, of);
+    struct surface_value at = kernel_conic_shape_of(&ray, s, of);
     double gx = at.gx * ray.x, gy = at.gy * ray.y, N2 = gx * gx + gy * gy + at.f * at.f;
     double D = s->direction * (at.f * ray.r - (gx * ray.p + gy * ray.q));
     found->bend[i] = D;
@@ -229,8 +231,8 @@ INLINE void asphere_bend(struct ray_block *block, const struct step *s, bool pat
 {
     struct lane ray = load(block, i, 0);
     double f = found->f[i], G = found->G[i];
-    turn(block, s, path, &ray, found->way[i], trough ? s->weight_x * G : G,
-         trough ? s->weight_y * G : G, f, i);
+    kernel_conic_turn(block, s, path, &ray, found->way[i], trough ? s->weight_x * G : G,
+                      trough ? s->weight_y * G : G, f, i);
     bool inside = ray.x * ray.x + ray.y * ray.y <= s->clear2, there = found->open[i] == 0;
     codes.miss = there ? codes.miss : unconverged;
     note(block, i, codes, there & (found->bend[i] > 0) & (f > 0), inside, found->square[i] >= 0);
@@ -250,7 +252,7 @@ INLINE bool any_open(const struct found *found, int lanes)
 }
 
 /* Is the ray at the front of the surface, on the sheet of the vertex? A NaN is not. */
-INLINE bool is_there(const struct step *s, const struct found *found, int i)
+INLINE bool kernel_conic_is_there(const struct step *s, const struct found *found, int i)
 {
     return (found->open[i] == 0) & (s->direction * found->denominator[i] > 0) & (found->f[i] > 0);
 }
@@ -259,7 +261,7 @@ INLINE bool all_there(const struct step *s, const struct found *found, int lanes
 {
     int64_t there = 0; /* as wide as what is compared */
     for (int i = 0; i < LANES_OF(lanes); i++) {
-        there += is_there(s, found, i) ? 1 : 0;
+        there += kernel_conic_is_there(s, found, i) ? 1 : 0;
     }
     return there == LANES_OF(lanes);
 }
@@ -272,7 +274,7 @@ static __attribute__((noinline)) void search_lost(struct ray_block *block, const
     const struct search search = search_of(s);
     for (int i = 0; i < LANES_OF(lanes); i++) {
         size_t lost = (size_t)block->lost[i] % 8;
-        if (is_there(s, found, i) || (lost != RAY_OK && lost != RAY_CLIPPED)) {
+        if (kernel_conic_is_there(s, found, i) || (lost != RAY_OK && lost != RAY_CLIPPED)) {
             continue;
         }
         const double point[3] = {origin->x[i], origin->y[i], origin->z[i]};
@@ -289,11 +291,11 @@ static __attribute__((noinline)) void search_lost(struct ray_block *block, const
 }
 
 INLINE void asphere(struct ray_block *restrict block, const struct step *restrict step, bool path,
-                    int lanes, struct family of)
+                    int lanes, struct asphere_family of)
 {
     const struct step s = *step;
     const struct codes codes = codes_of(&s);
-    const struct curved at = curved_of(&s, s.start_c, s.start_k, of.trough);
+    const struct conic_constants at = curved_of(&s, s.start_c, s.start_k, of.trough);
     const double least = 1e-16 * (1 + fabs(s.t)), unconverged = s.unconverged;
     _Alignas(64) struct found found;
     _Alignas(64) struct origin origin;
@@ -347,7 +349,7 @@ void NAME(kernel_conic, KERNEL)(struct ray_block *block, const struct step *s, b
 }
 
 INLINE void with_or_without_path(struct ray_block *block, const struct step *s, bool path,
-                                 int lanes, struct family of)
+                                 int lanes, struct asphere_family of)
 {
     if (path) {
         asphere(block, s, true, lanes, of);
@@ -361,7 +363,7 @@ INLINE void with_or_without_path(struct ray_block *block, const struct step *s, 
     static void asphere_##TERMS(struct ray_block *block, const struct step *s, bool path,          \
                                 int lanes)                                                         \
     {                                                                                              \
-        with_or_without_path(block, s, path, lanes, (struct family){.terms = TERMS});              \
+        with_or_without_path(block, s, path, lanes, (struct asphere_family){.terms = TERMS});      \
     }
 #ifndef KERNEL_FEW
 ASPHERE(2)
@@ -377,14 +379,17 @@ static void asphere_any(struct ray_block *block, const struct step *s, bool path
 {
     bool reflects = s->action == ACTION_REFLECT;
     if (s->kind == STEP_ODD && reflects) {
-        with_or_without_path(block, s, path, lanes, (struct family){STEP_TERMS, true, true, true});
+        with_or_without_path(block, s, path, lanes,
+                             (struct asphere_family){STEP_TERMS, true, true, true});
     } else if (s->kind == STEP_ODD) {
-        with_or_without_path(block, s, path, lanes, (struct family){STEP_TERMS, true, true, false});
+        with_or_without_path(block, s, path, lanes,
+                             (struct asphere_family){STEP_TERMS, true, true, false});
     } else if (reflects) {
-        with_or_without_path(block, s, path, lanes, (struct family){STEP_TERMS, true, false, true});
+        with_or_without_path(block, s, path, lanes,
+                             (struct asphere_family){STEP_TERMS, true, false, true});
     } else {
         with_or_without_path(block, s, path, lanes,
-                             (struct family){STEP_TERMS, true, false, false});
+                             (struct asphere_family){STEP_TERMS, true, false, false});
     }
 }
 

@@ -4,13 +4,13 @@
 #include "trace/lanes.h"
 
 /* A wave around the stop, and r^2 less the nodes. */
-struct place {
+struct stop_place {
     double wave[2][RAYS_BLOCK], less[MAP_RINGS][RAYS_BLOCK];
 };
 
 /* What they miss their goals by is added to what is asked for. */
-INLINE void correct(const struct ray_block *restrict at, double over,
-                    struct map_block *restrict block)
+INLINE void kernel_map_correct(const struct ray_block *restrict at, double over,
+                               struct map_block *restrict block)
 {
     for (int i = 0; i < LANES_OF(block->lanes); i++) {
         double x = block->goal_x[i] - at->x[i] * over, y = block->goal_y[i] - at->y[i] * over;
@@ -23,8 +23,9 @@ INLINE void correct(const struct ray_block *restrict at, double over,
 }
 
 /* What one part of a wave adds to a or b: by so many rings, the outermost ones. */
-INLINE void add_part(const double *part, int rings, int lanes, const struct place *restrict at,
-                     const double *restrict wave, double *restrict sum)
+INLINE void kernel_map_add_part(const double *part, int rings, int lanes,
+                                const struct stop_place *restrict at, const double *restrict wave,
+                                double *restrict sum)
 {
     double c[MAP_RINGS];
     memcpy(c, part, sizeof c);
@@ -38,8 +39,8 @@ INLINE void add_part(const double *part, int rings, int lanes, const struct plac
 }
 
 /* Polynomials of inner rings matter less the higher the wave is. */
-INLINE void add(const struct aim_map *map, int f, int m, int lanes, const struct place *at,
-                double *sum)
+INLINE void kernel_map_add(const struct aim_map *map, int f, int m, int lanes,
+                           const struct stop_place *at, double *sum)
 {
     for (int k = 0; k < 2; k++) {
         const double *part = map->part[f][m][k], *wave = at->wave[k];
@@ -47,13 +48,13 @@ INLINE void add(const struct aim_map *map, int f, int m, int lanes, const struct
             continue;
         }
         if (m < 2) {
-            add_part(part, MAP_RINGS, lanes, at, wave, sum);
+            kernel_map_add_part(part, MAP_RINGS, lanes, at, wave, sum);
         } else if (m < 4) {
-            add_part(part, MAP_RINGS - 1, lanes, at, wave, sum);
+            kernel_map_add_part(part, MAP_RINGS - 1, lanes, at, wave, sum);
         } else if (m < 6) {
-            add_part(part, MAP_RINGS - 2, lanes, at, wave, sum);
+            kernel_map_add_part(part, MAP_RINGS - 2, lanes, at, wave, sum);
         } else {
-            add_part(part, MAP_RINGS - 3, lanes, at, wave, sum);
+            kernel_map_add_part(part, MAP_RINGS - 3, lanes, at, wave, sum);
         }
     }
 }
@@ -62,9 +63,9 @@ void NAME(kernel_map, KERNEL)(const struct aim_map *map, const struct ray_block 
                               double over, struct map_block *block)
 {
     const int lanes = block->lanes;
-    struct place at;
+    struct stop_place at;
     if (at_stop != NULL) {
-        correct(at_stop, over, block);
+        kernel_map_correct(at_stop, over, block);
     }
     for (int i = 0; i < LANES_OF(lanes); i++) {
         double r2 = block->x[i] * block->x[i] + block->y[i] * block->y[i];
@@ -77,8 +78,8 @@ void NAME(kernel_map, KERNEL)(const struct aim_map *map, const struct ray_block 
         block->b[i] = 0;
     }
     for (int m = 0; m < MAP_WAVES; m++) {
-        add(map, 0, m, lanes, &at, block->a);
-        add(map, 1, m, lanes, &at, block->b);
+        kernel_map_add(map, 0, m, lanes, &at, block->a);
+        kernel_map_add(map, 1, m, lanes, &at, block->b);
         for (int i = 0; i < LANES_OF(lanes); i++) {
             double real = at.wave[0][i], imaginary = at.wave[1][i];
             at.wave[0][i] = real * block->y[i] - imaginary * block->x[i];

@@ -27,8 +27,9 @@ INLINE void look_odd(const struct step *s, double u, double *S, double *slope, d
     *bend += inverse * (P1 - 0.25 * inverse * inverse * P) + r * P2;
 }
 
-INLINE void look(const struct step *s, const struct ray_block *before,
-                 const struct ray_block *after, int terms, bool odd, struct geometry *at, int i)
+INLINE void kernel_tangent_look(const struct step *s, const struct ray_block *before,
+                                const struct ray_block *after, int terms, bool odd,
+                                struct geometry *at, int i)
 {
     double X = after->x[i], Y = after->y[i], Z = after->z[i];
     double p = before->p[i], q = before->q[i], r = before->r[i];
@@ -98,9 +99,11 @@ INLINE void push_sphere(const struct step *s, const struct ray_block *restrict b
     tangent->path[i] += s->n11 * more + seed->n11 * d;
 }
 
-INLINE void sphere(const struct step *restrict step, const struct ray_block *restrict before,
-                   const struct ray_block *restrict after, const struct tangent_seeds *seeds,
-                   struct ray_block *restrict tangents)
+INLINE void kernel_tangent_sphere(const struct step *restrict step,
+                                  const struct ray_block *restrict before,
+                                  const struct ray_block *restrict after,
+                                  const struct tangent_seeds *seeds,
+                                  struct ray_block *restrict tangents)
 {
     const struct step s = *step;
     const int lanes = seeds->lanes;
@@ -187,15 +190,17 @@ INLINE void push(const struct step *s, const struct ray_block *before,
     tangent->path[i] += s->n11 * more + seed->n11 * d;
 }
 
-INLINE void surface(const struct step *restrict step, const struct ray_block *restrict before,
-                    const struct ray_block *restrict after, const struct tangent_seeds *seeds,
-                    int terms, bool odd, bool reflects, struct ray_block *restrict tangents)
+INLINE void kernel_tangent_surface(const struct step *restrict step,
+                                   const struct ray_block *restrict before,
+                                   const struct ray_block *restrict after,
+                                   const struct tangent_seeds *seeds, int terms, bool odd,
+                                   bool reflects, struct ray_block *restrict tangents)
 {
     const struct step s = *step;
     const int lanes = seeds->lanes;
     struct geometry at;
     for (int i = 0; i < LANES_OF(lanes); i++) {
-        look(&s, before, after, terms, odd, &at, i);
+        kernel_tangent_look(&s, before, after, terms, odd, &at, i);
     }
     for (size_t j = 0; j < seeds->count; j++) {
         const struct tangent_seed seed = seeds->list[j];
@@ -220,8 +225,8 @@ INLINE void surface(const struct step *restrict step, const struct ray_block *re
 }
 
 /* X' = turn (X - shift). */
-static void move(const struct step *s, const struct tangent_seed *seed, int lanes,
-                 struct ray_block *restrict tangent)
+static void tangent_move(const struct step *s, const struct tangent_seed *seed, int lanes,
+                         struct ray_block *restrict tangent)
 {
     double m[9];
     memcpy(m, s->turn, sizeof m);
@@ -239,9 +244,9 @@ static void move(const struct step *s, const struct tangent_seed *seed, int lane
 }
 
 /* A thick lens: to the plane of H, the slopes behind it, and on in that of H'; see kernel.c. */
-static void thick(const struct step *s, const struct ray_block *restrict before,
-                  const struct ray_block *restrict after, const struct tangent_seed *seed,
-                  int lanes, struct ray_block *restrict tangent)
+static void tangent_thick(const struct step *s, const struct ray_block *restrict before,
+                          const struct ray_block *restrict after, const struct tangent_seed *seed,
+                          int lanes, struct ray_block *restrict tangent)
 {
     const double near = s->near_object, ratio = s->ratio, bend = s->bend;
     const double d1 = s->coefficient[0], d2 = s->coefficient[1], d3 = s->coefficient[2];
@@ -273,7 +278,7 @@ static void thick(const struct step *s, const struct ray_block *restrict before,
 }
 
 /* Is k or the polynomial of a sphere to be derived by? */
-static bool shaped(const struct tangent_seeds *seeds)
+static bool seeds_shape(const struct tangent_seeds *seeds)
 {
     bool any = false;
     for (size_t j = 0; j < seeds->count; j++) {
@@ -288,23 +293,23 @@ void NAME(kernel_tangent, KERNEL)(const struct step *s, const struct ray_block *
 {
     if (s->kind == STEP_MOVE) {
         for (size_t j = 0; j < seeds->count; j++) {
-            move(s, &seeds->list[j], seeds->lanes, &tangents[j]);
+            tangent_move(s, &seeds->list[j], seeds->lanes, &tangents[j]);
         }
     } else if (s->kind == STEP_THICK) {
         for (size_t j = 0; j < seeds->count; j++) {
-            thick(s, before, after, &seeds->list[j], seeds->lanes, &tangents[j]);
+            tangent_thick(s, before, after, &seeds->list[j], seeds->lanes, &tangents[j]);
         }
-    } else if (s->kind <= STEP_SPHERE && s->action != ACTION_REFLECT && !shaped(seeds)) {
-        sphere(s, before, after, seeds, tangents);
+    } else if (s->kind <= STEP_SPHERE && s->action != ACTION_REFLECT && !seeds_shape(seeds)) {
+        kernel_tangent_sphere(s, before, after, seeds, tangents);
     } else if (s->kind == STEP_ODD && s->action == ACTION_REFLECT) {
-        surface(s, before, after, seeds, STEP_TERMS, true, true, tangents);
+        kernel_tangent_surface(s, before, after, seeds, STEP_TERMS, true, true, tangents);
     } else if (s->action == ACTION_REFLECT) {
-        surface(s, before, after, seeds, STEP_TERMS, false, true, tangents);
+        kernel_tangent_surface(s, before, after, seeds, STEP_TERMS, false, true, tangents);
     } else if (s->kind == STEP_ODD) {
-        surface(s, before, after, seeds, STEP_TERMS, true, false, tangents);
+        kernel_tangent_surface(s, before, after, seeds, STEP_TERMS, true, false, tangents);
     } else if (s->kind >= STEP_ASPHERE) {
-        surface(s, before, after, seeds, STEP_TERMS, false, false, tangents);
+        kernel_tangent_surface(s, before, after, seeds, STEP_TERMS, false, false, tangents);
     } else {
-        surface(s, before, after, seeds, 0, false, false, tangents);
+        kernel_tangent_surface(s, before, after, seeds, 0, false, false, tangents);
     }
 }

@@ -26,9 +26,9 @@ struct stride {
 };
 
 /* All of a block, with room for what is asked of several at once. */
-struct leading {
+struct continuation_set {
     const struct aim *aim;
-    struct lead *leads;
+    struct continuation *leads;
     struct stride strides[RAYS_BLOCK];
     size_t open[RAYS_BLOCK], count; /* who is on the way */
     size_t nearer[RAYS_BLOCK], nearer_count;
@@ -36,9 +36,9 @@ struct leading {
     bool has_slope[RAYS_BLOCK];
 };
 
-static void begin(struct leading *leading, size_t i)
+static void continuation_begin(struct continuation_set *leading, size_t i)
 {
-    const struct lead *lead = &leading->leads[i];
+    const struct continuation *lead = &leading->leads[i];
     struct stride *stride = &leading->strides[i];
     stride->share = fmin(lead->done + stride->step, 1);
     for (int k = 0; k < 2; k++) {
@@ -50,15 +50,15 @@ static void begin(struct leading *leading, size_t i)
     stride->turn = 0;
 }
 
-static bool is_open(const struct leading *leading, size_t i)
+static bool continuation_is_open(const struct continuation_set *leading, size_t i)
 {
     return leading->leads[i].done < 1 && leading->strides[i].step > least_step;
 }
 
 /* A step has led there, or nowhere: another. */
-static void end(struct leading *leading, size_t i, bool succeeds)
+static void continuation_end_step(struct continuation_set *leading, size_t i, bool succeeds)
 {
-    struct lead *lead = &leading->leads[i];
+    struct continuation *lead = &leading->leads[i];
     struct stride *stride = &leading->strides[i];
     if (succeeds) {
         for (int k = 0; k < 2; k++) {
@@ -68,11 +68,11 @@ static void end(struct leading *leading, size_t i, bool succeeds)
         lead->done = stride->share;
     }
     stride->step *= succeeds ? 1.5 : 0.5;
-    begin(leading, i);
+    continuation_begin(leading, i);
 }
 
 /* Who comes nearer by what is tried? The steps of others end. */
-static void look(struct leading *leading)
+static void continuation_judge(struct continuation_set *leading)
 {
     const struct ray_block *block = leading->aim->work.blocks;
     for (size_t k = 0; k < leading->count; k++) {
@@ -88,7 +88,8 @@ static void look(struct leading *leading)
         const double miss[2] = {stride->target[0] - block->x[k], stride->target[1] - block->y[k]};
         const double after = hypot(miss[0], miss[1]);
         if (ray_block_status(block, k) != RAY_OK || !(after < stride->before)) {
-            end(leading, i, stride->before <= lead_reached * leading->aim->stop_radius);
+            continuation_end_step(leading, i,
+                                  stride->before <= lead_reached * leading->aim->stop_radius);
             continue;
         }
         leading->nearer[leading->nearer_count++] = i;
@@ -98,18 +99,19 @@ static void look(struct leading *leading)
     }
 }
 
-static double determinant(const double m[4])
+static double continuation_determinant(const double m[4])
 {
     return m[0] * m[3] - m[1] * m[2];
 }
 
 /* Newton's step on the sheet of the chief ray; what has left it ends. */
-static void advance(struct leading *leading, size_t i, const double slope[4], bool has_slope)
+static void continuation_advance(struct continuation_set *leading, size_t i, const double slope[4],
+                                 bool has_slope)
 {
-    const double radius = leading->aim->stop_radius, det = determinant(slope);
+    const double radius = leading->aim->stop_radius, det = continuation_determinant(slope);
     struct stride *stride = &leading->strides[i];
-    if (!has_slope || !(det * determinant(leading->aim->slope) > 0)) {
-        end(leading, i, false);
+    if (!has_slope || !(det * continuation_determinant(leading->aim->slope) > 0)) {
+        continuation_end_step(leading, i, false);
         return;
     }
     stride->near[0] = stride->here[0];
@@ -118,33 +120,33 @@ static void advance(struct leading *leading, size_t i, const double slope[4], bo
     stride->here[1] += (slope[0] * stride->left[1] - slope[2] * stride->left[0]) / det;
     stride->turn++;
     if (stride->before <= exact * radius || stride->turn == TURNS) {
-        end(leading, i, stride->before <= lead_reached * radius);
+        continuation_end_step(leading, i, stride->before <= lead_reached * radius);
     }
 }
 
-static void list_open(struct leading *leading, size_t count)
+static void list_open(struct continuation_set *leading, size_t count)
 {
     leading->count = 0;
     for (size_t i = 0; i < count; i++) {
-        if (is_open(leading, i)) {
+        if (continuation_is_open(leading, i)) {
             leading->open[leading->count++] = i;
         }
     }
 }
 
-void lead_rays(const struct aim *aim, struct lead *leads, size_t count)
+void continuation_rays(const struct aim *aim, struct continuation *leads, size_t count)
 {
-    struct leading leading;
+    struct continuation_set leading;
     leading.aim = aim;
     leading.leads = leads;
     for (size_t i = 0; i < count; i++) {
-        leads[i] = (struct lead){.goal = {leads[i].goal[0], leads[i].goal[1]},
-                                 .at = {aim->chief[0], aim->chief[1]}};
+        leads[i] = (struct continuation){.goal = {leads[i].goal[0], leads[i].goal[1]},
+                                         .at = {aim->chief[0], aim->chief[1]}};
         leading.strides[i].step = first_step;
-        begin(&leading, i);
+        continuation_begin(&leading, i);
     }
     for (list_open(&leading, count); leading.count > 0; list_open(&leading, count)) {
-        look(&leading);
+        continuation_judge(&leading);
         for (size_t k = 0; k < leading.nearer_count; k++) {
             const double *here = leading.strides[leading.nearer[k]].here;
             leading.places[k][0] = here[0];
@@ -153,7 +155,8 @@ void lead_rays(const struct aim *aim, struct lead *leads, size_t count)
         chief_slopes(aim, (const double(*)[2])leading.places, leading.nearer_count, leading.slopes,
                      leading.has_slope);
         for (size_t k = 0; k < leading.nearer_count; k++) {
-            advance(&leading, leading.nearer[k], leading.slopes[k], leading.has_slope[k]);
+            continuation_advance(&leading, leading.nearer[k], leading.slopes[k],
+                                 leading.has_slope[k]);
         }
     }
 }

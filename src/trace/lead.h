@@ -9,7 +9,7 @@
 #include <stddef.h>
 
 /* A ray on its way along the straight line in the stop from the chief ray to its goal. */
-struct lead {
+struct continuation {
     double goal[2];        /* in the stop, mm */
     double at[2], miss[2]; /* how far it has come: the beam's coordinates; left to its last aim */
     double done;           /* share of the way; 1: it is there, to `reached` of the radius */
@@ -28,6 +28,6 @@ static const double lead_reached = 1e-9;
  * Formula   Newton's method from place to place of the line, with the slopes of each, by steps that
  *           grow where they succeed and are halved where they do not, to 1e-4 of the way
  */
-void lead_rays(const struct aim *aim, struct lead *leads, size_t count);
+void continuation_rays(const struct aim *aim, struct continuation *leads, size_t count);
 
 #endif

@@ -6,12 +6,13 @@
 
 #include <math.h>
 
-static const struct clip *clip_at(const struct system *system, size_t surface)
+static const struct clip *margin_clip_at(const struct system *system, size_t surface)
 {
     return system->clips != NULL ? system->clips[surface] : NULL;
 }
 
-static bool is_plain(const struct system *system, const struct margin *all, size_t count)
+static bool margins_are_plain(const struct system *system, const struct clearance *all,
+                              size_t count)
 {
     bool plain = true;
     for (size_t k = 0; k < count; k++) {
@@ -21,15 +22,15 @@ static bool is_plain(const struct system *system, const struct margin *all, size
     return plain;
 }
 
-struct margins margins_open(const struct stop_beam *beam, struct arena *arena)
+struct clearances clearances_open(const struct stop_beam *beam, struct arena *arena)
 {
     const struct system *system = system_outer(beam->system);
     const size_t surfaces = system->lens->surface_count;
     const bool has_stop = !isnan(beam->radius);
-    struct margin *all = ARENA_ARRAY(arena, surfaces + 2, struct margin);
+    struct clearance *all = ARENA_ARRAY(arena, surfaces + 2, struct clearance);
     size_t count = 0;
     if (!has_stop) {
-        all[count++] = (struct margin){0, LENS_NONE, 1, NULL};
+        all[count++] = (struct clearance){0, LENS_NONE, 1, NULL};
     }
     for (size_t place = 0; place < system->places; place++) {
         const size_t surface = system_surface(system, place);
@@ -40,9 +41,9 @@ struct margins margins_open(const struct stop_beam *beam, struct arena *arena)
         if (has_stop && surface == system->stop) {
             clear = fmin(clear, beam->radius);
         }
-        const struct clip *clip = clip_at(system, surface);
+        const struct clip *clip = margin_clip_at(system, surface);
         if (isfinite(clear) || clip != NULL) {
-            all[count++] = (struct margin){place + 1, surface, clear * clear, clip};
+            all[count++] = (struct clearance){place + 1, surface, clear * clear, clip};
         }
     }
     double *rows = arena_buffer_array(arena, count + 2, RAYS_BLOCK * sizeof *rows);
@@ -50,23 +51,23 @@ struct margins margins_open(const struct stop_beam *beam, struct arena *arena)
     for (size_t k = 0; k < count; k++) {
         counts[k] = true;
     }
-    return (struct margins){.counts = counts,
-                            .beam = beam,
-                            .system = system,
-                            .all = all,
-                            .count = count,
-                            .is_listed = beam->system->clips != NULL,
-                            .work = rays_new(arena, RAYS_BLOCK),
-                            .rows = rows,
-                            .excess = rows + count * RAYS_BLOCK,
-                            .limit = arena_buffer(arena, RAYS_BLOCK * sizeof(size_t)),
-                            .numbers = rows + (count + 1) * RAYS_BLOCK,
-                            .watches = ARENA_ARRAY(arena, count, struct rim_watch),
-                            .is_mirrored = stop_beam_is_mirrored(beam),
-                            .is_plain = is_plain(system, all, count)};
+    return (struct clearances){.counts = counts,
+                               .beam = beam,
+                               .system = system,
+                               .all = all,
+                               .count = count,
+                               .is_listed = beam->system->clips != NULL,
+                               .work = rays_new(arena, RAYS_BLOCK),
+                               .rows = rows,
+                               .excess = rows + count * RAYS_BLOCK,
+                               .limit = arena_buffer(arena, RAYS_BLOCK * sizeof(size_t)),
+                               .numbers = rows + (count + 1) * RAYS_BLOCK,
+                               .watches = ARENA_ARRAY(arena, count, struct rim_watch),
+                               .is_mirrored = stop_beam_is_mirrored(beam),
+                               .is_plain = margins_are_plain(system, all, count)};
 }
 
-void margins_narrow(const struct margins *margins, size_t rays)
+void clearances_narrow(const struct clearances *margins, size_t rays)
 {
     const double near = -0.3;
     for (size_t k = 0; k < margins->count; k++) {
@@ -82,15 +83,15 @@ void margins_narrow(const struct margins *margins, size_t rays)
     }
 }
 
-void margins_widen(const struct margins *margins)
+void clearances_widen(const struct clearances *margins)
 {
     for (size_t k = 0; k < margins->count; k++) {
         margins->counts[k] = true;
     }
 }
 
-static void start(const struct margins *margins, const double (*points)[2], size_t count,
-                  struct ray_block *block)
+static void margins_start_rays(const struct clearances *margins, const double (*points)[2],
+                               size_t count, struct ray_block *block)
 {
     const struct stop_beam *beam = margins->beam;
     double a[RAYS_BLOCK], b[RAYS_BLOCK];
@@ -103,25 +104,26 @@ static void start(const struct margins *margins, const double (*points)[2], size
     beam_start(beam->beam, a, b, count, block);
 }
 
-void margins_start(const struct margins *margins, const double (*points)[2],
-                   const struct rays *rays)
+void clearances_start(const struct clearances *margins, const double (*points)[2],
+                      const struct rays *rays)
 {
     for (size_t done = 0; done < rays->count; done += RAYS_BLOCK) {
         size_t here = rays->count - done < RAYS_BLOCK ? rays->count - done : RAYS_BLOCK;
-        start(margins, points + done, here, &rays->blocks[done / RAYS_BLOCK]);
+        margins_start_rays(margins, points + done, here, &rays->blocks[done / RAYS_BLOCK]);
     }
 }
 
-void margins_go(const struct margins *margins, const double (*points)[2], size_t count, size_t to)
+void clearances_go(const struct clearances *margins, const double (*points)[2], size_t count,
+                   size_t to)
 {
     const struct rays rays = {margins->work.blocks, count};
-    start(margins, points, count, margins->work.blocks);
+    margins_start_rays(margins, points, count, margins->work.blocks);
     if (to > 0) {
         rays_trace_part(margins->system, 0, to, &rays, NULL);
     }
 }
 
-void margins_cross(const struct margins *margins, size_t surface, size_t i, double point[3])
+void clearances_cross(const struct clearances *margins, size_t surface, size_t i, double point[3])
 {
     const struct ray_block *block = margins->work.blocks;
     point[0] = block->x[i];
@@ -133,8 +135,8 @@ void margins_cross(const struct margins *margins, size_t surface, size_t i, doub
 }
 
 /* One row, of rays that stand on the surface. */
-static void fill_row(const struct margins *margins, const struct margin *margin, size_t count,
-                     double *row)
+static void margin_row_fill(const struct clearances *margins, const struct clearance *margin,
+                            size_t count, double *row)
 {
     const struct ray_block *block = margins->work.blocks;
     const double over = 1 / margin->clear2;
@@ -146,7 +148,7 @@ static void fill_row(const struct margins *margins, const struct margin *margin,
     }
     for (size_t i = 0; i < count; i++) {
         double point[3];
-        margins_cross(margins, margin->surface, i, point);
+        clearances_cross(margins, margin->surface, i, point);
         row[i] = (point[0] * point[0] + point[1] * point[1]) * over - 1;
         if (margin->clip != NULL) {
             double listed = clip_excess(margin->clip, point[0], point[1], NULL);
@@ -156,7 +158,7 @@ static void fill_row(const struct margins *margins, const struct margin *margin,
 }
 
 /* The worst of all rows. */
-static void compare(const struct margins *margins, size_t count)
+static void margins_worst(const struct clearances *margins, size_t count)
 {
     double *excess = margins->excess;
     size_t *limit = margins->limit;
@@ -175,11 +177,11 @@ static void compare(const struct margins *margins, size_t count)
 }
 
 /* Row k; `from`: the place that the rays have come to. */
-static void look_at(const struct margins *margins, const double (*points)[2], size_t count,
-                    size_t k, size_t *from)
+static void margins_trace_row(const struct clearances *margins, const double (*points)[2],
+                              size_t count, size_t k, size_t *from)
 {
     const struct rays rays = {margins->work.blocks, count};
-    const struct margin *margin = &margins->all[k];
+    const struct clearance *margin = &margins->all[k];
     double *row = margins->rows + k * RAYS_BLOCK;
     if (margin->surface == LENS_NONE) {
         for (size_t i = 0; i < count; i++) {
@@ -189,11 +191,11 @@ static void look_at(const struct margins *margins, const double (*points)[2], si
     }
     rays_trace_part(margins->system, *from, margin->place, &rays, NULL);
     *from = margin->place;
-    fill_row(margins, margin, count, row);
+    margin_row_fill(margins, margin, count, row);
 }
 
 /* Those that do not arrive: their excess, and where they are lost. */
-static void mark_lost(const struct margins *margins, size_t count)
+static void margins_mark_lost(const struct clearances *margins, size_t count)
 {
     const struct ray_block *block = margins->work.blocks;
     for (size_t i = 0; i < count; i++) {
@@ -207,19 +209,19 @@ static void mark_lost(const struct margins *margins, size_t count)
 }
 
 /* To the end, and the worst of all rows. */
-static void finish(const struct margins *margins, size_t count, size_t from)
+static void margins_finish(const struct clearances *margins, size_t count, size_t from)
 {
     const struct system *system = margins->system;
     const struct rays rays = {margins->work.blocks, count};
     if (from < system->places) {
         rays_trace_part(system, from, system->places, &rays, NULL);
     }
-    compare(margins, count);
-    mark_lost(margins, count);
+    margins_worst(margins, count);
+    margins_mark_lost(margins, count);
 }
 
 /* What rays would have on surfaces behind one that they miss is no number. */
-static void blank(const struct margins *margins, size_t count)
+static void margins_blank_lost(const struct clearances *margins, size_t count)
 {
     const struct ray_block *block = margins->work.blocks;
     for (size_t i = 0; i < count; i++) {
@@ -236,13 +238,13 @@ static void blank(const struct margins *margins, size_t count)
 }
 
 /* All rows on one way. */
-static void look_plainly(const struct margins *margins, size_t count)
+static void look_plainly(const struct clearances *margins, size_t count)
 {
     const struct system *system = margins->system;
     const struct rays rays = {margins->work.blocks, count};
-    struct rim_watching watching = {margins->watches, 0, margins->excess, margins->numbers};
+    struct rim_watch_request watching = {margins->watches, 0, margins->excess, margins->numbers};
     for (size_t k = 0; k < margins->count; k++) {
-        const struct margin *margin = &margins->all[k];
+        const struct clearance *margin = &margins->all[k];
         if (margins->counts[k]) {
             margins->watches[watching.count++] =
                 (struct rim_watch){system->begin[margin->place] - 1, 1 / margin->clear2, (double)k,
@@ -253,24 +255,24 @@ static void look_plainly(const struct margins *margins, size_t count)
     for (size_t i = 0; i < count; i++) {
         margins->limit[i] = (size_t)margins->numbers[i];
     }
-    blank(margins, count);
-    mark_lost(margins, count);
+    margins_blank_lost(margins, count);
+    margins_mark_lost(margins, count);
 }
 
-void margins_look(const struct margins *margins, const double (*points)[2], size_t count)
+void clearances_look(const struct clearances *margins, const double (*points)[2], size_t count)
 {
     size_t from = 0;
-    start(margins, points, count, margins->work.blocks);
+    margins_start_rays(margins, points, count, margins->work.blocks);
     if (margins->is_plain) {
         look_plainly(margins, count);
         return;
     }
     for (size_t k = 0; k < margins->count; k++) {
         if (margins->counts[k]) {
-            look_at(margins, points, count, k, &from);
+            margins_trace_row(margins, points, count, k, &from);
         }
     }
-    finish(margins, count, from);
+    margins_finish(margins, count, from);
 }
 
 /* Are there rays that this row lets pass, among those that came so far? */
@@ -285,13 +287,13 @@ static bool some_pass(const double *row, size_t count, bool *dark)
     return some;
 }
 
-void margins_sift(const struct margins *margins, const double (*points)[2], size_t count)
+void clearances_sift(const struct clearances *margins, const double (*points)[2], size_t count)
 {
     bool dark[RAYS_BLOCK] = {false};
     size_t from = 0;
-    start(margins, points, count, margins->work.blocks);
+    margins_start_rays(margins, points, count, margins->work.blocks);
     for (size_t k = 0; k < margins->count; k++) {
-        look_at(margins, points, count, k, &from);
+        margins_trace_row(margins, points, count, k, &from);
         if (!some_pass(margins->rows + k * RAYS_BLOCK, count, dark)) {
             for (size_t i = 0; i < count; i++) {
                 margins->excess[i] = INFINITY;
@@ -299,5 +301,5 @@ void margins_sift(const struct margins *margins, const double (*points)[2], size
             return;
         }
     }
-    finish(margins, count, from);
+    margins_finish(margins, count, from);
 }

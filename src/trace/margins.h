@@ -13,7 +13,7 @@
 #include <stddef.h>
 
 /* Something that ends a bundle: its excess over 0 is smooth in u and v, but for lists. */
-struct margin {
+struct clearance {
     size_t place;            /* behind which it is looked at: surfaces in the order of light + 1 */
     size_t surface;          /* LENS_NONE: the disc of u and v */
     double clear2;           /* squared clear radius, mm^2; infinite: none */
@@ -21,63 +21,64 @@ struct margin {
 };
 
 /* What is looked at, and one block to do it in. */
-struct margins {
+struct clearances {
     const struct stop_beam *beam;
     const struct system *system; /* of the edge: unobstructed */
-    const struct margin *all;
+    const struct clearance *all;
     size_t count;
     bool *counts;   /* which of them are looked at: all at first */
     bool is_listed; /* some surface has apertures beside its diameter */
     struct rays work;
     double *rows;    /* one a margin, RAYS_BLOCK numbers each */
     double *excess;  /* the largest of them; infinite where a ray is lost */
-    size_t *limit;   /* which that is; margins_lost: lost there */
+    size_t *limit;   /* which that is; clearances_lost: lost there */
     double *numbers; /* the same while a kernel works */
     struct rim_watch *watches;
     bool is_mirrored; /* what lies on one side of u = 0 mirrors the other */
     bool is_plain;    /* all are clear radii of surfaces that stand where the lens does */
 };
 
-struct margins margins_open(const struct stop_beam *beam, struct arena *arena);
+struct clearances clearances_open(const struct stop_beam *beam, struct arena *arena);
 
 /*
  * Take up to RAYS_BLOCK rays at u, v through the system: rows, excess and limit of each. What
  * passes has an excess of 0 and less: r^2/a^2 - 1 of a clear radius a.
  */
-void margins_look(const struct margins *margins, const double (*points)[2], size_t count);
+void clearances_look(const struct clearances *margins, const double (*points)[2], size_t count);
 
 /*
  * The same for who wants to know only which rays pass: where all of them are found not to, their
  * excess is infinite and the rest of the way is spared. All margins count.
  */
-void margins_sift(const struct margins *margins, const double (*points)[2], size_t count);
+void clearances_sift(const struct clearances *margins, const double (*points)[2], size_t count);
 
 /* Look only at those that come near to 0: an excess above -0.3 of a ray looked at last. */
-void margins_narrow(const struct margins *margins, size_t rays);
+void clearances_narrow(const struct clearances *margins, size_t rays);
 
 /* Look at all of them again. */
-void margins_widen(const struct margins *margins);
+void clearances_widen(const struct clearances *margins);
 
 /* A number for rays that are lost otherwise, more than that of any margin. */
-static inline bool margins_lost(size_t limit)
+static inline bool clearances_lost(size_t limit)
 {
     return limit >= ((size_t)1 << 32);
 }
 
 /* That of a ray that misses a surface, and has passed or missed no rim before. */
-static inline size_t margins_missed(size_t surface)
+static inline size_t clearances_missed(size_t surface)
 {
     return ((size_t)1 << 32) + 8 * (surface + 1) + RAY_MISS;
 }
 
 /* Rays at u, v, where they start; in the last block more may follow. */
-void margins_start(const struct margins *margins, const double (*points)[2],
-                   const struct rays *rays);
+void clearances_start(const struct clearances *margins, const double (*points)[2],
+                      const struct rays *rays);
 
 /* Take rays at u, v to before a place; they stand in the block. */
-void margins_go(const struct margins *margins, const double (*points)[2], size_t count, size_t to);
+void clearances_go(const struct clearances *margins, const double (*points)[2], size_t count,
+                   size_t to);
 
 /* Where ray i, that stands there, crosses a surface, in its own frame. */
-void margins_cross(const struct margins *margins, size_t surface, size_t i, double point[3]);
+void clearances_cross(const struct clearances *margins, size_t surface, size_t i, double point[3]);
 
 #endif

@@ -6,10 +6,14 @@
 
 #include <math.h>
 
-enum { CELLS = PARTS_SIDE * PARTS_SIDE };
+enum { CELLS = PUPIL_PARTS_SIDE * PUPIL_PARTS_SIDE };
 
 /* A block of rays is a piece of the grid as compact as can be: many of them are dark throughout. */
-enum { TILE_WIDTH = 16, TILE_HEIGHT = RAYS_BLOCK / TILE_WIDTH, TILES = PARTS_SIDE / TILE_WIDTH };
+enum {
+    TILE_WIDTH = 16,
+    TILE_HEIGHT = RAYS_BLOCK / TILE_WIDTH,
+    TILES = PUPIL_PARTS_SIDE / TILE_WIDTH
+};
 
 /* Where the pupil lies and no less than twice as far; where the object's side is not limited 4. */
 static const double least = 2, unlimited = 4;
@@ -23,11 +27,11 @@ static void from_beam(const struct stop_beam *beam, const double at[2], double p
     point[1] = (m[0] * b - m[2] * a) / det;
 }
 
-void parts_bound(const struct margins *margins, double low[2], double high[2])
+void pupil_parts_bound(const struct clearances *margins, double low[2], double high[2])
 {
     enum { AROUND = 16 };
     const struct stop_beam *beam = margins->beam;
-    const struct margin *first = &margins->all[0];
+    const struct clearance *first = &margins->all[0];
     bool limited = first->place == 1 && isfinite(first->clear2) && !beam->has_disc;
     for (int k = 0; k < 2; k++) {
         double far = beam->has_disc ? 1 : limited ? least : unlimited;
@@ -47,27 +51,28 @@ void parts_bound(const struct margins *margins, double low[2], double high[2])
     }
 }
 
-void parts_point(const struct parts *parts, size_t cell, double point[2])
+void pupil_parts_point(const struct pupil_parts *parts, size_t cell, double point[2])
 {
-    point[0] = parts->low[0] + (double)(cell % PARTS_SIDE) * parts->step[0];
-    point[1] = parts->low[1] + (double)(cell / PARTS_SIDE) * parts->step[1];
+    point[0] = parts->low[0] + (double)(cell % PUPIL_PARTS_SIDE) * parts->step[0];
+    point[1] = parts->low[1] + (double)(cell / PUPIL_PARTS_SIDE) * parts->step[1];
 }
 
 /* Give the number of a part to all clear cells that touch one of it. */
-static void spread(struct parts *parts, size_t first, unsigned short number)
+static void parts_flood(struct pupil_parts *parts, size_t first, unsigned short number)
 {
     unsigned short waiting[CELLS];
     size_t count = 0;
     parts->part[first] = number;
     waiting[count++] = (unsigned short)first;
     while (count > 0) {
-        const size_t cell = waiting[--count], x = cell % PARTS_SIDE, y = cell / PARTS_SIDE;
+        const size_t cell = waiting[--count], x = cell % PUPIL_PARTS_SIDE,
+                     y = cell / PUPIL_PARTS_SIDE;
         for (size_t i = 0; i < 9; i++) {
             const size_t beside = x + i % 3, below = y + i / 3; /* more by one */
-            if (beside < 1 || beside > PARTS_SIDE || below < 1 || below > PARTS_SIDE) {
+            if (beside < 1 || beside > PUPIL_PARTS_SIDE || below < 1 || below > PUPIL_PARTS_SIDE) {
                 continue;
             }
-            const size_t other = (below - 1) * PARTS_SIDE + beside - 1;
+            const size_t other = (below - 1) * PUPIL_PARTS_SIDE + beside - 1;
             if (parts->excess[other] <= 0 && parts->part[other] == 0) {
                 parts->part[other] = number;
                 waiting[count++] = (unsigned short)other;
@@ -76,7 +81,7 @@ static void spread(struct parts *parts, size_t first, unsigned short number)
     }
 }
 
-static void number_parts(struct parts *parts)
+static void number_parts(struct pupil_parts *parts)
 {
     parts->count = 0;
     for (size_t i = 0; i < CELLS; i++) {
@@ -84,43 +89,43 @@ static void number_parts(struct parts *parts)
     }
     for (size_t i = 0; i < CELLS; i++) {
         if (parts->excess[i] <= 0 && parts->part[i] == 0) {
-            spread(parts, i, (unsigned short)++parts->count);
+            parts_flood(parts, i, (unsigned short)++parts->count);
         }
     }
 }
 
 /* The i-th cell of a tile. */
-static size_t cell_of(size_t tile, size_t i)
+static size_t tile_cell(size_t tile, size_t i)
 {
     size_t x = tile % TILES * TILE_WIDTH + i % TILE_WIDTH;
     size_t y = tile / TILES * TILE_HEIGHT + i / TILE_WIDTH;
-    return y * PARTS_SIDE + x;
+    return y * PUPIL_PARTS_SIDE + x;
 }
 
-void parts_find(const struct margins *margins, const double low[2], const double high[2],
-                struct parts *parts)
+void pupil_parts_find(const struct clearances *margins, const double low[2], const double high[2],
+                      struct pupil_parts *parts)
 {
     double from[2], to[2], points[RAYS_BLOCK][2];
-    parts_bound(margins, from, to);
+    pupil_parts_bound(margins, from, to);
     for (int k = 0; k < 2; k++) {
         from[k] = low != NULL ? low[k] : from[k];
         to[k] = high != NULL ? high[k] : to[k];
-        parts->step[k] = (to[k] - from[k]) / PARTS_SIDE;
+        parts->step[k] = (to[k] - from[k]) / PUPIL_PARTS_SIDE;
         parts->low[k] = from[k] + parts->step[k] / 2;
     }
     for (size_t tile = 0; tile < CELLS / RAYS_BLOCK; tile++) {
         for (size_t i = 0; i < RAYS_BLOCK; i++) {
-            parts_point(parts, cell_of(tile, i), points[i]);
+            pupil_parts_point(parts, tile_cell(tile, i), points[i]);
         }
-        margins_sift(margins, (const double(*)[2])points, RAYS_BLOCK);
+        clearances_sift(margins, (const double(*)[2])points, RAYS_BLOCK);
         for (size_t i = 0; i < RAYS_BLOCK; i++) {
-            parts->excess[cell_of(tile, i)] = margins->excess[i];
+            parts->excess[tile_cell(tile, i)] = margins->excess[i];
         }
     }
     number_parts(parts);
 }
 
-bool parts_middle(const struct parts *parts, double point[2])
+bool pupil_parts_middle(const struct pupil_parts *parts, double point[2])
 {
     size_t sizes[CELLS + 1] = {0};
     size_t largest = 0, best = CELLS;
@@ -138,7 +143,7 @@ bool parts_middle(const struct parts *parts, double point[2])
         }
     }
     if (largest > 0) {
-        parts_point(parts, best, point);
+        pupil_parts_point(parts, best, point);
     }
     return largest > 0;
 }

@@ -29,8 +29,8 @@ bool probe_passes_one(const struct probe *probe, const double at[2])
 }
 
 /* Where a ray meets a surface, in its own frame. */
-static void meeting(const struct system *system, size_t surface, const struct ray_block *block,
-                    size_t lane, double point[3])
+static void ray_at_surface(const struct system *system, size_t surface,
+                           const struct ray_block *block, size_t lane, double point[3])
 {
     point[0] = block->x[lane];
     point[1] = block->y[lane];
@@ -40,7 +40,7 @@ static void meeting(const struct system *system, size_t surface, const struct ra
     }
 }
 
-static const struct clip *clip_at(const struct system *system, size_t surface)
+static const struct clip *probe_clip_at(const struct system *system, size_t surface)
 {
     bool has = system->clips != NULL && surface < system->lens->surface_count;
     return has ? system->clips[surface] : NULL;
@@ -51,9 +51,9 @@ static double excess_at(const struct system *system, size_t surface, const struc
                         size_t lane, double clear)
 {
     double point[3];
-    meeting(system, surface, block, lane, point);
+    ray_at_surface(system, surface, block, lane, point);
     double x = point[0] / clear, y = point[1] / clear, excess = x * x + y * y - 1;
-    const struct clip *clip = clip_at(system, surface);
+    const struct clip *clip = probe_clip_at(system, surface);
     return clip != NULL ? fmax(excess, clip_excess(clip, point[0], point[1], NULL)) : excess;
 }
 
@@ -68,7 +68,7 @@ static bool is_listed(const size_t *surfaces, size_t surface)
 /* Does a surface with this clear radius say anything? */
 static bool is_limited(const struct system *system, size_t surface, double clear)
 {
-    return isfinite(clear) || clip_at(system, surface) != NULL;
+    return isfinite(clear) || probe_clip_at(system, surface) != NULL;
 }
 
 void probe_excess(const struct probe *probe, const size_t *surfaces, const double (*at)[2],
@@ -111,7 +111,7 @@ void probe_excess(const struct probe *probe, const size_t *surfaces, const doubl
 /* -------- where to look -------- */
 
 /* A square of the beam's plane, and the best ray of a grid over it. */
-struct patch {
+struct probe_patch {
     double centre[2], half;
     double best, at[2]; /* excess; where */
     double rise;        /* from the best to the worst of its neighbours in the grid */
@@ -120,7 +120,7 @@ struct patch {
 enum { SIDE = 11 };
 
 /* One grid: SIDE^2 rays in one block, from the middle of the patch to its rim. */
-static void look(const struct probe *probe, struct patch *patch)
+static void probe_patch_trace(const struct probe *probe, struct probe_patch *patch)
 {
     double at[SIDE * SIDE][2], excess[SIDE * SIDE];
     const double step = 2 * patch->half / (SIDE - 1);
@@ -146,17 +146,17 @@ static void look(const struct probe *probe, struct patch *patch)
 }
 
 /* The same over a square cut into side^2 patches: the best of all of them. */
-static struct patch look_wide(const struct probe *probe, const double centre[2], double half,
-                              size_t side)
+static struct probe_patch look_wide(const struct probe *probe, const double centre[2], double half,
+                                    size_t side)
 {
-    struct patch best = {.best = INFINITY};
+    struct probe_patch best = {.best = INFINITY};
     for (size_t i = 0; i < side * side; i++) {
-        struct patch patch = {.half = half / (double)side};
+        struct probe_patch patch = {.half = half / (double)side};
         for (int k = 0; k < 2; k++) {
             double cell = (double)(k == 0 ? i % side : i / side);
             patch.centre[k] = centre[k] + half * ((2 * cell + 1) / (double)side - 1);
         }
-        look(probe, &patch);
+        probe_patch_trace(probe, &patch);
         best = patch.best < best.best ? patch : best;
     }
     return best;
@@ -173,7 +173,7 @@ static bool has_many(const struct probe *probe)
  * more steps lead towards the middle. Of many surfaces it is given up where a step brings lost
  * rays not one of them farther.
  */
-static bool descend(const struct probe *probe, struct patch *patch)
+static bool probe_descend(const struct probe *probe, struct probe_patch *patch)
 {
     enum { STEPS = 60, INWARDS = 3 };
     int inwards = 0;
@@ -191,7 +191,7 @@ static bool descend(const struct probe *probe, struct patch *patch)
         }
         patch->centre[0] = at[0];
         patch->centre[1] = at[1];
-        look(probe, patch);
+        probe_patch_trace(probe, patch);
         if (patch->best > best) { /* rounding: the middle was this very ray */
             patch->best = best;
             patch->at[0] = at[0];
@@ -206,23 +206,23 @@ static bool descend(const struct probe *probe, struct patch *patch)
 }
 
 /* How far from the vertex light passes a surface, mm; infinite where nothing says so. */
-static double reach_of(const struct system *system, size_t surface)
+static double surface_reach(const struct system *system, size_t surface)
 {
     double clear = system_clear_radius(system, surface);
-    return clip_at(system, surface) != NULL
+    return probe_clip_at(system, surface) != NULL
                ? fmin(clear, aperture_reach(&system->lens->surfaces[surface]))
                : clear;
 }
 
 /* The clear aperture of the first surface, or the largest there is, as the beam sees it. */
-static struct patch first_surface(const struct probe *probe)
+static struct probe_patch first_surface(const struct probe *probe)
 {
     const struct system *system = probe->system;
     const size_t first = system_surface(system, 0);
-    double radius = reach_of(system, first), edge[2];
-    struct patch patch = {.half = 0};
+    double radius = surface_reach(system, first), edge[2];
+    struct probe_patch patch = {.half = 0};
     for (size_t i = 0; i < system->lens->surface_count && !isfinite(radius); i++) {
-        double clear = reach_of(system, i);
+        double clear = surface_reach(system, i);
         radius = isfinite(clear) ? clear : radius;
     }
     if (!isfinite(radius)) {
@@ -237,8 +237,8 @@ static struct patch first_surface(const struct probe *probe)
 enum { REACHES = 4, PATCHES = REACHES + 1 };
 
 /* Coarse grids about the guess and over the first surface, with the best ray of each. */
-static size_t look_around(const struct probe *probe, const struct clear_guess *guess,
-                          struct patch *patches)
+static size_t probe_coarse_grids(const struct probe *probe, const struct clear_guess *guess,
+                                 struct probe_patch *patches)
 {
     size_t count = 0;
     double reach = 1.5;
@@ -248,7 +248,7 @@ static size_t look_around(const struct probe *probe, const struct clear_guess *g
             return count;
         }
     }
-    struct patch first = first_surface(probe);
+    struct probe_patch first = first_surface(probe);
     if (first.half > 0 && isfinite(first.half)) {
         patches[count++] = look_wide(probe, first.centre, first.half, 3);
     }
@@ -257,9 +257,9 @@ static size_t look_around(const struct probe *probe, const struct clear_guess *g
 
 /* Nothing comes through at all, clipped or not: a finer grid over the first surface. */
 static bool look_closely(const struct probe *probe, const struct clear_guess *guess,
-                         struct patch *patch)
+                         struct probe_patch *patch)
 {
-    struct patch first = first_surface(probe);
+    struct probe_patch first = first_surface(probe);
     double half = first.half > 0 && isfinite(first.half) ? first.half : 6 * guess->radius;
     const double *centre = first.half > 0 ? first.centre : guess->centre;
     /* 12 x 12 blocks: of a hundred surfaces as long as of ten */
@@ -269,13 +269,13 @@ static bool look_closely(const struct probe *probe, const struct clear_guess *gu
 
 bool probe_inside(const struct probe *probe, const struct clear_guess *guess, double inside[2])
 {
-    struct patch patches[PATCHES], closer;
+    struct probe_patch patches[PATCHES], closer;
     inside[0] = guess->centre[0];
     inside[1] = guess->centre[1];
     if (probe_passes_one(probe, inside)) {
         return true;
     }
-    size_t count = look_around(probe, guess, patches);
+    size_t count = probe_coarse_grids(probe, guess, patches);
     double least = INFINITY;
     for (size_t turn = count; turn-- > 0;) {
         /* the best first, or the last looked at */
@@ -283,8 +283,8 @@ bool probe_inside(const struct probe *probe, const struct clear_guess *guess, do
         for (size_t i = 1; i < count; i++) {
             best = patches[i].best < patches[best].best ? i : best;
         }
-        struct patch *patch = &patches[best];
-        if (descend(probe, patch)) {
+        struct probe_patch *patch = &patches[best];
+        if (probe_descend(probe, patch)) {
             inside[0] = patch->at[0];
             inside[1] = patch->at[1];
             return probe_passes_one(probe, inside);
@@ -292,7 +292,8 @@ bool probe_inside(const struct probe *probe, const struct clear_guess *guess, do
         least = fmin(least, patch->best);
         patch->best = INFINITY;
     }
-    if (least >= PROBE_LOST && look_closely(probe, guess, &closer) && descend(probe, &closer)) {
+    if (least >= PROBE_LOST && look_closely(probe, guess, &closer) &&
+        probe_descend(probe, &closer)) {
         inside[0] = closer.at[0];
         inside[1] = closer.at[1];
         return probe_passes_one(probe, inside);
@@ -311,13 +312,13 @@ void probe_parts(const struct probe *probe, const double (*at)[2], size_t count,
     }
     for (size_t place = 0; place < system->places; place++) {
         size_t surface = system_surface(system, place);
-        const struct clip *clip = clip_at(system, surface);
+        const struct clip *clip = probe_clip_at(system, surface);
         double clear = clip != NULL ? system_clear_radius(system, surface) : 0, point[3];
         rays_trace_part(system, place, place + 1, &rays, NULL);
         for (size_t i = 0; i < count && clip != NULL; i++) {
             if (edges[i].surface == surface + 1 && edges[i].status == RAY_CLIPPED) {
                 size_t part = 0;
-                meeting(system, surface, probe->work.blocks, i, point);
+                ray_at_surface(system, surface, probe->work.blocks, i, point);
                 double x = point[0] / clear, y = point[1] / clear;
                 bool listed = clip_excess(clip, point[0], point[1], &part) > x * x + y * y - 1;
                 edges[i].part = listed ? part : 0;
@@ -338,12 +339,12 @@ void probe_depth(const struct probe *probe, const double (*at)[2], size_t count,
     }
     for (size_t place = 0; place < system->places; place++) {
         size_t surface = system_surface(system, place);
-        const struct clip *clip = clip_at(system, surface);
+        const struct clip *clip = probe_clip_at(system, surface);
         rays_trace_part(system, place, place + 1, &rays, NULL);
         for (size_t i = 0; i < count && clip != NULL && clip->inner_count > 0; i++) {
             double point[3];
             size_t piece = 0;
-            meeting(system, surface, probe->work.blocks, i, point);
+            ray_at_surface(system, surface, probe->work.blocks, i, point);
             double here = clip_depth(clip, point[0], point[1], &piece);
             if (here > depth[i]) {
                 depth[i] = here;

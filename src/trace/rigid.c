@@ -8,7 +8,7 @@
 #include <math.h>
 
 /* The shift, or the axis of the tilt, number 0 .. 4 of a displacement; null = centred. */
-static struct rigid motion_of(const struct displacement *displacement, int number, double t)
+static struct rigid rigid_motion_of(const struct displacement *displacement, int number, double t)
 {
     struct rigid motion = {.sign = 1, .at = {0, 0, t}};
     double ax = 0;
@@ -34,7 +34,7 @@ static struct rigid motion_of(const struct displacement *displacement, int numbe
     return motion;
 }
 
-static bool is_own(enum parameter_kind kind)
+static bool parameter_is_own(enum parameter_kind kind)
 {
     return kind >= PARAMETER_DECENTER_X && kind <= PARAMETER_TILT_Z;
 }
@@ -70,12 +70,12 @@ static bool break_before(const struct system *system, int number, size_t surface
     size_t place = system_place(system, surface);
     double t = surface > 0 ? surfaces[surface - 1].thickness.value.hi : 0;
     if (!system->options.reverse) {
-        *motion = motion_of(coordinate_break, number, t);
+        *motion = rigid_motion_of(coordinate_break, number, t);
         motion->sign = -1;
         return step == system->begin[place];
     }
     /* light leaves what stands behind the break */
-    *motion = motion_of(coordinate_break, number, 0);
+    *motion = rigid_motion_of(coordinate_break, number, 0);
     turn_motion(motion, coordinate_break);
     return surface > 0 && step == system->begin[place + 1];
 }
@@ -88,13 +88,13 @@ bool rigid_before(const struct system *system, enum parameter_kind kind, size_t 
                             motion);
     }
     size_t end;
-    if (!is_own(kind) || step != own_step(system, surface, &end)) {
+    if (!parameter_is_own(kind) || step != own_step(system, surface, &end)) {
         return false;
     }
     const struct step *s = &system->steps[step];
-    *motion =
-        motion_of(system->lens->surfaces[surface].decentre, (int)(kind - PARAMETER_DECENTER_X),
-                  s->kind == STEP_MOVE ? s->shift[2] : s->t);
+    *motion = rigid_motion_of(system->lens->surfaces[surface].decentre,
+                              (int)(kind - PARAMETER_DECENTER_X),
+                              s->kind == STEP_MOVE ? s->shift[2] : s->t);
     motion->sign = -1;
     return true;
 }
@@ -103,10 +103,10 @@ bool rigid_behind(const struct system *system, enum parameter_kind kind, size_t 
                   size_t step, struct rigid *motion)
 {
     size_t end;
-    if (!is_own(kind) || (own_step(system, surface, &end), step + 1 != end)) {
+    if (!parameter_is_own(kind) || (own_step(system, surface, &end), step + 1 != end)) {
         return false;
     }
-    *motion =
-        motion_of(system->lens->surfaces[surface].decentre, (int)(kind - PARAMETER_DECENTER_X), 0);
+    *motion = rigid_motion_of(system->lens->surfaces[surface].decentre,
+                              (int)(kind - PARAMETER_DECENTER_X), 0);
     return true;
 }

@@ -17,7 +17,7 @@ const struct word patterns[] = {
 };
 
 /* P_n(x) and its derivative, by the recurrence; its quotients wait for nothing before them. */
-static void legendre(size_t n, double x, double *value, double *slope)
+static void legendre_polynomial(size_t n, double x, double *value, double *slope)
 {
     double before = 1, here = x;
     for (size_t k = 2; k <= n; k++) {
@@ -39,13 +39,13 @@ void gauss_rule(size_t count, double *x, double *w)
         double part = INFINITY; /* that the last move is of the way to 1 */
         /* of which the next would be about the third power */
         for (int step = 0; step < 20 && fabs(part) > 2e-6; step++) {
-            legendre(count, root, &value, &slope);
+            legendre_polynomial(count, root, &value, &slope);
             double move = value / slope;
             part = move / (1 - root * root);
             move += move * part * (root - n * (n + 1) / 2 * move);
             root -= move;
         }
-        legendre(count, root, &value, &slope);
+        legendre_polynomial(count, root, &value, &slope);
         x[count - 1 - i] = (1 + root) / 2;
         w[count - 1 - i] = 1 / ((1 - root * root) * slope * slope);
         x[i] = (1 - root) / 2;
@@ -53,14 +53,14 @@ void gauss_rule(size_t count, double *x, double *w)
     }
 }
 
-static struct pupil_point *room(struct sample *sample, size_t count, struct arena *arena)
+static struct pupil_point *sample_room(struct sample *sample, size_t count, struct arena *arena)
 {
     sample->points = ARENA_ARRAY(arena, count, struct pupil_point);
     sample->count = 0;
     return sample->points;
 }
 
-static void add(struct sample *sample, double x, double y, double weight)
+static void sample_add(struct sample *sample, double x, double y, double weight)
 {
     sample->points[sample->count++] = (struct pupil_point){x, y, weight};
 }
@@ -80,11 +80,11 @@ static void make_gauss(size_t rays, struct arena *arena, struct sample *sample)
         across[k] = sin(angle);
         up[k] = cos(angle);
     }
-    room(sample, rings * arms, arena);
+    sample_room(sample, rings * arms, arena);
     for (size_t i = 0; i < rings; i++) {
         const double r = sqrt(r2[i]), weight = w[i] / (double)arms;
         for (size_t k = 0; k < arms; k++) {
-            add(sample, r * across[k], r * up[k], weight);
+            sample_add(sample, r * across[k], r * up[k], weight);
         }
     }
 }
@@ -96,12 +96,12 @@ static void make_hexapolar(size_t rays, struct arena *arena, struct sample *samp
         rings++;
     }
     size_t count = 1 + 3 * rings * (rings + 1);
-    room(sample, count, arena);
-    add(sample, 0, 0, 1 / (double)count);
+    sample_room(sample, count, arena);
+    sample_add(sample, 0, 0, 1 / (double)count);
     for (size_t i = 1; i <= rings; i++) {
         for (size_t k = 0; k < 6 * i; k++) {
             double angle = 2 * PI * (double)k / (double)(6 * i), r = (double)i / (double)rings;
-            add(sample, r * sin(angle), r * cos(angle), 1 / (double)count);
+            sample_add(sample, r * sin(angle), r * cos(angle), 1 / (double)count);
         }
     }
 }
@@ -117,7 +117,7 @@ static size_t square_points(size_t side, struct sample *sample)
             if (x * x + y * y <= 1) {
                 count++;
                 if (sample != NULL) {
-                    add(sample, x, y, 1);
+                    sample_add(sample, x, y, 1);
                 }
             }
         }
@@ -132,7 +132,7 @@ static void make_square(size_t rays, struct arena *arena, struct sample *sample)
     while (count < rays) {
         count = square_points(++side, NULL);
     }
-    room(sample, count, arena);
+    sample_room(sample, count, arena);
     square_points(side, sample);
     for (size_t i = 0; i < count; i++) {
         sample->points[i].weight = 1 / (double)count;
@@ -142,11 +142,11 @@ static void make_square(size_t rays, struct arena *arena, struct sample *sample)
 static void make_fan(size_t rays, struct arena *arena, struct sample *sample)
 {
     size_t half = rays < 6 ? 1 : (rays + 1) / 4, count = 2 * (2 * half + 1);
-    room(sample, count, arena);
+    sample_room(sample, count, arena);
     for (size_t axis = 0; axis < 2; axis++) {
         for (size_t i = 0; i <= 2 * half; i++) {
             double at = ((double)i - (double)half) / (double)half;
-            add(sample, axis == 0 ? at : 0, axis == 0 ? 0 : at, 1 / (double)count);
+            sample_add(sample, axis == 0 ? at : 0, axis == 0 ? 0 : at, 1 / (double)count);
         }
     }
 }
@@ -164,11 +164,11 @@ static void make_sobol(size_t rays, uint64_t seed, struct arena *arena, struct s
     const uint32_t of_area = sobol_scrambling(seed, 0, 0), of_angle = sobol_scrambling(seed, 0, 1);
     sobol_open(0, &area);
     sobol_open(1, &angle);
-    room(sample, rays, arena);
+    sample_room(sample, rays, arena);
     for (size_t i = 0; i < rays; i++) {
         const struct pupil_point at = to_disc(sobol_point(&area, of_area, (uint32_t)i),
                                               sobol_point(&angle, of_angle, (uint32_t)i));
-        add(sample, at.x, at.y, 1 / (double)rays);
+        sample_add(sample, at.x, at.y, 1 / (double)rays);
     }
 }
 

@@ -6,7 +6,7 @@
 #include <math.h>
 
 /* S at r^2 = u. */
-static double departure(const struct step *s, double u)
+static double asphere_departure(const struct step *s, double u)
 {
     double even = 0, odd = 0;
     for (int i = s->terms - 1; i >= 0; i--) {
@@ -63,7 +63,7 @@ struct search search_of(const struct step *step)
 }
 
 /* A ray that is looked at; d along it. */
-struct line {
+struct asphere_line {
     const struct search *search;
     double point[3], direction[3];
     double low, high; /* of d: the part that is looked at */
@@ -72,24 +72,24 @@ struct line {
 };
 
 /* How far behind the surface, in the sense of the light. */
-static double behind(const struct line *line, double d)
+static double distance_behind(const struct asphere_line *line, double d)
 {
     const struct step *s = line->search->step;
     double x = line->point[0] + d * line->direction[0], y = line->point[1] + d * line->direction[1];
     double u = s->weight_x * x * x + s->weight_y * y * y;
     double inside = 1 - s->one_k * s->c * s->c * u;
-    double sag = s->c * u / (1 + sqrt(inside > 0 ? inside : 0)) + departure(s, u);
+    double sag = s->c * u / (1 + sqrt(inside > 0 ? inside : 0)) + asphere_departure(s, u);
     return s->direction * (line->point[2] + d * line->direction[2] - sag);
 }
 
 /* Cut the part to what lies between two values of d; infinities are none. */
-static void cut(struct line *line, double low, double high)
+static void line_cut(struct asphere_line *line, double low, double high)
 {
     line->low = low > line->low ? low : line->low;
     line->high = high < line->high ? high : line->high;
 }
 
-static bool set_part(struct line *line)
+static bool set_part(struct asphere_line *line)
 {
     const struct search *search = line->search;
     const struct step *s = search->step;
@@ -108,13 +108,13 @@ static bool set_part(struct line *line)
         }
         line->middle = -b / a;
         line->fine = search->inner / 24 / sqrt(a);
-        cut(line, line->middle - sqrt(square) / a, line->middle + sqrt(square) / a);
+        line_cut(line, line->middle - sqrt(square) / a, line->middle + sqrt(square) / a);
     } else if (!(beyond < 0)) {
         return false;
     }
     if (slow > 0) {
         double to_plane = -x[2] / p[2], way = search->depth / slow;
-        cut(line, to_plane - way, to_plane + way);
+        line_cut(line, to_plane - way, to_plane + way);
     }
     return line->low < line->high && line->high < DBL_MAX && line->low > -DBL_MAX;
 }
@@ -123,7 +123,7 @@ static bool set_part(struct line *line)
  * The next place to look at: farther apart the farther from the axis, and closer again towards the
  * ends, for at its rim a conic is steep.
  */
-static double next_of(const struct line *line, double d)
+static double line_next(const struct asphere_line *line, double d)
 {
     double off = fabs(d - line->middle) - 24 * line->fine, size = line->high - line->low;
     double step = line->fine + (off > 0 ? off / 5 : 0), least = size / 4096, most = size / 16;
@@ -135,7 +135,7 @@ static double next_of(const struct line *line, double d)
 }
 
 /* From the front at one d to the back at another: between which neighbours does the sign change? */
-static double halve(const struct line *line, double front, double back)
+static double line_halve(const struct asphere_line *line, double front, double back)
 {
     enum { HALVES = 200 };
     for (int i = 0; i < HALVES; i++) {
@@ -143,13 +143,13 @@ static double halve(const struct line *line, double front, double back)
         if (!(middle != front && middle != back)) {
             break;
         }
-        if (behind(line, middle) >= 0) {
+        if (distance_behind(line, middle) >= 0) {
             back = middle;
         } else {
             front = middle;
         }
     }
-    return fabs(behind(line, front)) < fabs(behind(line, back)) ? front : back;
+    return fabs(distance_behind(line, front)) < fabs(distance_behind(line, back)) ? front : back;
 }
 
 /*
@@ -157,42 +157,44 @@ static double halve(const struct line *line, double front, double back)
  * if there is any between them, else where it is nearest. `side` is 1 from the front, -1 from
  * behind.
  */
-static double nearest_between(const struct line *line, double side, double low, double high)
+static double nearest_between(const struct asphere_line *line, double side, double low, double high)
 {
     enum { TURNS = 40 };
     static const double golden = 0.6180339887498949;
     double left = high - golden * (high - low), right = low + golden * (high - low);
-    double at_left = side * behind(line, left), at_right = side * behind(line, right);
+    double at_left = side * distance_behind(line, left),
+           at_right = side * distance_behind(line, right);
     for (int i = 0; i < TURNS && at_left < 0 && at_right < 0; i++) {
         if (at_left > at_right) {
             high = right;
             right = left;
             at_right = at_left;
             left = high - golden * (high - low);
-            at_left = side * behind(line, left);
+            at_left = side * distance_behind(line, left);
         } else {
             low = left;
             left = right;
             at_left = at_right;
             right = low + golden * (high - low);
-            at_right = side * behind(line, right);
+            at_right = side * distance_behind(line, right);
         }
     }
     return at_left > at_right ? left : right;
 }
 
 /* Does the ray go through and back between three places on one side of the surface? */
-static bool touches(const struct line *line, const double d[3], const double h[3], double *where)
+static bool line_touches(const struct asphere_line *line, const double d[3], const double h[3],
+                         double *where)
 {
     double side = h[1] < 0 ? 1 : -1;
     if (!(side * h[0] < side * h[1] && side * h[1] < 0 && side * h[2] <= side * h[1])) {
         return false;
     }
     double near = nearest_between(line, side, d[0], d[2]);
-    if (!(side * behind(line, near) > 0)) {
+    if (!(side * distance_behind(line, near) > 0)) {
         return false;
     }
-    *where = side > 0 ? halve(line, d[0], near) : halve(line, near, d[2]);
+    *where = side > 0 ? line_halve(line, d[0], near) : line_halve(line, near, d[2]);
     return true;
 }
 
@@ -202,23 +204,25 @@ static bool touches(const struct line *line, const double d[3], const double h[3
  *
  * Result    false: there are none within the part that is looked at
  */
-static bool bracket_along_axis(const struct line *line, double *front, double *back)
+static bool bracket_along_axis(const struct asphere_line *line, double *front, double *back)
 {
     enum { DOUBLINGS = 40 };
     const double slow = line->search->step->direction * line->direction[2];
     if (!(slow > 0) || line->fine > 0) { /* it goes aside, or back */
         return false;
     }
-    const double guess = -behind(line, 0) / slow;
+    const double guess = -distance_behind(line, 0) / slow;
     double step = DBL_EPSILON * fabs(guess) + DBL_MIN;
     *front = *back = guess;
-    for (int i = 0; i < DOUBLINGS && !(behind(line, *front) < 0 && behind(line, *back) >= 0); i++) {
+    for (int i = 0;
+         i < DOUBLINGS && !(distance_behind(line, *front) < 0 && distance_behind(line, *back) >= 0);
+         i++) {
         *front = guess - step;
         *back = guess + step;
         step *= 2;
     }
-    return *front > line->low && *back < line->high && behind(line, *front) < 0 &&
-           behind(line, *back) >= 0;
+    return *front > line->low && *back < line->high && distance_behind(line, *front) < 0 &&
+           distance_behind(line, *back) >= 0;
 }
 
 double search_meet(const struct search *search, const double point[3], const double direction[3])
@@ -226,7 +230,8 @@ double search_meet(const struct search *search, const double point[3], const dou
     /* from near the surface: far away steps are lost in the distance */
     double ahead = fabs(direction[2]) > 0 ? -point[2] / direction[2] : 0;
     ahead = isfinite(ahead) ? ahead : 0;
-    struct line line = {.search = search, .direction = {direction[0], direction[1], direction[2]}};
+    struct asphere_line line = {.search = search,
+                                .direction = {direction[0], direction[1], direction[2]}};
     for (int i = 0; i < 3; i++) {
         line.point[i] = point[i] + ahead * direction[i];
     }
@@ -235,24 +240,24 @@ double search_meet(const struct search *search, const double point[3], const dou
     }
     double front, back;
     if (bracket_along_axis(&line, &front, &back)) {
-        return ahead + halve(&line, front, back);
+        return ahead + line_halve(&line, front, back);
     }
     /* the last three places */
     double d[3] = {line.low, line.low, line.low}, where;
-    double h[3] = {(double)NAN, (double)NAN, behind(&line, line.low)};
+    double h[3] = {(double)NAN, (double)NAN, distance_behind(&line, line.low)};
     while (d[2] < line.high) {
         d[0] = d[1], h[0] = h[1];
         d[1] = d[2], h[1] = h[2];
-        d[2] = next_of(&line, d[1]);
+        d[2] = line_next(&line, d[1]);
         if (!(d[2] > d[1])) {
             break; /* a grazing ray from afar: no step is left between two doubles */
         }
-        h[2] = behind(&line, d[2]);
-        if (touches(&line, d, h, &where)) {
+        h[2] = distance_behind(&line, d[2]);
+        if (line_touches(&line, d, h, &where)) {
             return ahead + where;
         }
         if (h[1] < 0 && h[2] >= 0) {
-            return ahead + halve(&line, d[1], d[2]);
+            return ahead + line_halve(&line, d[1], d[2]);
         }
     }
     return (double)NAN;

@@ -4,18 +4,18 @@
 
 #include <math.h>
 
-const struct spans spans_whole = {.count = 1, .low = {0}, .high = {1}};
+const struct clear_intervals spans_whole = {.count = 1, .low = {0}, .high = {1}};
 
-enum { CHANGES = 2 * SPANS_MOST, CLOSER = 8 };
+enum { CHANGES = 2 * CLEAR_INTERVALS_MOST, CLOSER = 8 };
 
 /* A point of a line, and how deep it lies within what blocks. */
-struct spot {
+struct line_point {
     double t, depth;
     size_t part;
 };
 
 /* Between two points of a line the light changes. */
-struct change {
+struct light_change {
     size_t line;
     double low, high; /* shares of the way */
     bool darkens;
@@ -23,15 +23,15 @@ struct change {
 };
 
 /* Lines being cut. */
-struct cutting {
+struct line_cut {
     const struct probe *probe;
     const double *centre;
     const double (*ends)[2];
-    struct change changes[RAYS_BLOCK];
+    struct light_change changes[RAYS_BLOCK];
     size_t count;
 };
 
-static void place(const struct cutting *cutting, size_t line, double t, double at[2])
+static void cut_place(const struct line_cut *cutting, size_t line, double t, double at[2])
 {
     for (int k = 0; k < 2; k++) {
         at[k] = cutting->centre[k] + t * (cutting->ends[line][k] - cutting->centre[k]);
@@ -39,14 +39,14 @@ static void place(const struct cutting *cutting, size_t line, double t, double a
 }
 
 /* As many points as a block has, from one share of the way to another. */
-static void look(const struct cutting *cutting, size_t line, double from, double to,
-                 struct spot *spots)
+static void cut_trace_points(const struct line_cut *cutting, size_t line, double from, double to,
+                             struct line_point *spots)
 {
     double at[RAYS_BLOCK][2], depth[RAYS_BLOCK];
     size_t part[RAYS_BLOCK];
     for (int i = 0; i < RAYS_BLOCK; i++) {
         spots[i].t = from + (to - from) * ((double)i / (RAYS_BLOCK - 1));
-        place(cutting, line, spots[i].t, at[i]);
+        cut_place(cutting, line, spots[i].t, at[i]);
     }
     probe_depth(cutting->probe, (const double(*)[2])at, RAYS_BLOCK, depth, part);
     for (int i = 0; i < RAYS_BLOCK; i++) {
@@ -56,7 +56,7 @@ static void look(const struct cutting *cutting, size_t line, double from, double
 }
 
 /* May the light change and change back between the neighbours of this point? */
-static bool may_hide(const struct spot *spot)
+static bool may_hide(const struct line_point *spot)
 {
     double sign = spot->depth > 0 ? -1 : 1, here = sign * spot->depth;
     double before = sign * spot[-1].depth, after = sign * spot[1].depth;
@@ -65,30 +65,30 @@ static bool may_hide(const struct spot *spot)
 }
 
 /* The changes from point to point; `most` of them at most. */
-static void note_changes(struct cutting *cutting, size_t line, const struct spot *spots,
+static void note_changes(struct line_cut *cutting, size_t line, const struct line_point *spots,
                          size_t count, size_t most)
 {
     for (size_t i = 0; i + 1 < count && cutting->count < most; i++) {
-        const struct spot *a = &spots[i], *b = &spots[i + 1];
+        const struct line_point *a = &spots[i], *b = &spots[i + 1];
         bool dark = a->depth > 0, darkens = b->depth > 0;
         if (dark != darkens) {
             cutting->changes[cutting->count++] =
-                (struct change){line, a->t, b->t, darkens, darkens ? b->part : a->part};
+                (struct light_change){line, a->t, b->t, darkens, darkens ? b->part : a->part};
         }
     }
 }
 
 /* One line: coarse, and again where something may hide. Receives whether it begins dark. */
-static size_t scan(struct cutting *cutting, size_t line, size_t *part)
+static size_t cut_scan_line(struct line_cut *cutting, size_t line, size_t *part)
 {
-    struct spot spots[RAYS_BLOCK], closer[RAYS_BLOCK];
+    struct line_point spots[RAYS_BLOCK], closer[RAYS_BLOCK];
     size_t first = cutting->count, most = first + CHANGES, from = 0, closely = 0;
-    look(cutting, line, 0, 1, spots);
+    cut_trace_points(cutting, line, 0, 1, spots);
     *part = spots[0].depth > 0 ? spots[0].part : 0;
     for (size_t i = 1; i + 1 < RAYS_BLOCK && closely < CLOSER; i++) {
         if (i > from && may_hide(&spots[i])) {
             note_changes(cutting, line, spots + from, i - from, most);
-            look(cutting, line, spots[i - 1].t, spots[i + 1].t, closer);
+            cut_trace_points(cutting, line, spots[i - 1].t, spots[i + 1].t, closer);
             note_changes(cutting, line, closer, RAYS_BLOCK, most);
             from = i + 1;
             closely++;
@@ -99,19 +99,19 @@ static size_t scan(struct cutting *cutting, size_t line, size_t *part)
 }
 
 /* All changes at once. */
-static void bisect(struct cutting *cutting)
+static void cut_bisect(struct line_cut *cutting)
 {
     double at[RAYS_BLOCK][2], depth[RAYS_BLOCK];
     size_t part[RAYS_BLOCK];
     /* from 1/127 of the line to 1e-15 of it */
     for (int step = 0; step < 43 && cutting->count > 0; step++) {
         for (size_t i = 0; i < cutting->count; i++) {
-            const struct change *change = &cutting->changes[i];
-            place(cutting, change->line, (change->low + change->high) / 2, at[i]);
+            const struct light_change *change = &cutting->changes[i];
+            cut_place(cutting, change->line, (change->low + change->high) / 2, at[i]);
         }
         probe_depth(cutting->probe, (const double(*)[2])at, cutting->count, depth, part);
         for (size_t i = 0; i < cutting->count; i++) {
-            struct change *change = &cutting->changes[i];
+            struct light_change *change = &cutting->changes[i];
             double middle = (change->low + change->high) / 2;
             bool dark = depth[i] > 0;
             change->part = dark ? part[i] : change->part;
@@ -120,40 +120,41 @@ static void bisect(struct cutting *cutting)
     }
 }
 
-static void add_number(size_t *all, size_t number)
+static void add_margin_number(size_t *all, size_t number)
 {
     *all = *all * 1000003 + number;
 }
 
 /* From the changes of one line to its clear parts. */
-static void join(const struct change *changes, size_t count, size_t begins, struct spans *spans)
+static void spans_join(const struct light_change *changes, size_t count, size_t begins,
+                       struct clear_intervals *spans)
 {
     double from = 0;
     bool dark = begins > 0;
-    *spans = (struct spans){.part = 0};
+    *spans = (struct clear_intervals){.part = 0};
     if (dark) {
-        add_number(&spans->part, 1);
+        add_margin_number(&spans->part, 1);
     }
     for (size_t i = 0; i < count; i++) {
         double t = changes[i].darkens ? changes[i].low : changes[i].high;
-        add_number(&spans->part, 2 * changes[i].part + changes[i].darkens);
-        if (changes[i].darkens && spans->count < SPANS_MOST) {
+        add_margin_number(&spans->part, 2 * changes[i].part + changes[i].darkens);
+        if (changes[i].darkens && spans->count < CLEAR_INTERVALS_MOST) {
             spans->low[spans->count] = from;
             spans->high[spans->count++] = t;
         }
         from = t;
         dark = changes[i].darkens;
     }
-    if (!dark && spans->count < SPANS_MOST) {
+    if (!dark && spans->count < CLEAR_INTERVALS_MOST) {
         spans->low[spans->count] = from;
         spans->high[spans->count++] = 1;
     }
 }
 
-void spans_find(const struct probe *probe, const double centre[2], const double (*ends)[2],
-                size_t count, struct spans *spans)
+void clear_intervals_find(const struct probe *probe, const double centre[2],
+                          const double (*ends)[2], size_t count, struct clear_intervals *spans)
 {
-    struct cutting cutting = {.probe = probe, .centre = centre, .ends = ends};
+    struct line_cut cutting = {.probe = probe, .centre = centre, .ends = ends};
     size_t found[RAYS_BLOCK], begins[RAYS_BLOCK];
     for (size_t done = 0; done < count;) {
         size_t lines = 0;
@@ -161,13 +162,13 @@ void spans_find(const struct probe *probe, const double centre[2], const double 
         /* as many lines as there is room for the changes of */
         while (done + lines < count && lines < RAYS_BLOCK &&
                cutting.count + CHANGES <= RAYS_BLOCK) {
-            found[lines] = scan(&cutting, done + lines, &begins[lines]);
+            found[lines] = cut_scan_line(&cutting, done + lines, &begins[lines]);
             lines++;
         }
-        bisect(&cutting);
-        const struct change *changes = cutting.changes;
+        cut_bisect(&cutting);
+        const struct light_change *changes = cutting.changes;
         for (size_t i = 0; i < lines; i++) {
-            join(changes, found[i], begins[i], &spans[done + i]);
+            spans_join(changes, found[i], begins[i], &spans[done + i]);
             changes += found[i];
         }
         done += lines;

@@ -7,17 +7,17 @@
 
 #include <stddef.h>
 
-enum { SPANS_MOST = 12 };
+enum { CLEAR_INTERVALS_MOST = 12 };
 
 /* What is clear of one line, as shares of its way. */
-struct spans {
+struct clear_intervals {
     size_t count;
-    double low[SPANS_MOST], high[SPANS_MOST]; /* ascending, 0 .. 1 */
+    double low[CLEAR_INTERVALS_MOST], high[CLEAR_INTERVALS_MOST]; /* ascending, 0 .. 1 */
     size_t part; /* a number of the edges that are crossed, in their order */
 };
 
 /* All that is clear, and nothing crossed. */
-extern const struct spans spans_whole;
+extern const struct clear_intervals spans_whole;
 
 /*
  * The clear parts of lines from one point to many, in coordinates of the beam.
@@ -29,10 +29,11 @@ extern const struct spans spans_whole;
  * Formula   how deep rays come within what blocks (probe_depth), at 128 points of each line, and at
  *           128 more about each point where the depth has an extremum that may reach beyond 0
  *           between points; changes of sign are bisected to 1e-15 of the line
- * Limits    what blocks less than 1e-4 of the line, or more than SPANS_MOST clear parts, may be
+ * Limits    what blocks less than 1e-4 of the line, or more than CLEAR_INTERVALS_MOST clear parts,
+ * may be
  *           missed
  */
-void spans_find(const struct probe *probe, const double centre[2], const double (*ends)[2],
-                size_t count, struct spans *spans);
+void clear_intervals_find(const struct probe *probe, const double centre[2],
+                          const double (*ends)[2], size_t count, struct clear_intervals *spans);
 
 #endif

@@ -6,7 +6,7 @@
 #include <stdbool.h>
 
 /* Lagrange's formula for the place where the value is 0, counted from `low`. */
-static double interpolate(const struct spread_point *points, size_t count, double low)
+static double spread_interpolate(const struct multisection_point *points, size_t count, double low)
 {
     double sum = 0;
     for (size_t i = 0; i < count; i++) {
@@ -19,23 +19,24 @@ static double interpolate(const struct spread_point *points, size_t count, doubl
     return sum;
 }
 
-static double estimate(const struct spread_point *points, size_t count, size_t between)
+static double spread_estimate(const struct multisection_point *points, size_t count, size_t between)
 {
     const size_t first = between >= 2 ? between - 2 : 0;
     const size_t behind = between + 2 < count ? between + 2 : count;
-    const struct spread_point *low = &points[between - 1], *high = &points[between];
-    double whole = high->at - low->at, part = interpolate(points + first, behind - first, low->at);
+    const struct multisection_point *low = &points[between - 1], *high = &points[between];
+    double whole = high->at - low->at,
+           part = spread_interpolate(points + first, behind - first, low->at);
     if (!(part > 0 && part < whole)) {
         part = whole * (low->value / (low->value - high->value));
     }
     return low->at + part;
 }
 
-void spread_places(const struct spread_point *points, size_t count, size_t between, size_t wanted,
-                   double *places)
+void multisection_places(const struct multisection_point *points, size_t count, size_t between,
+                         size_t wanted, double *places)
 {
     enum { FINEST = 40 }; /* powers of 2 */
-    const struct spread_point *low = &points[between - 1], *high = &points[between];
+    const struct multisection_point *low = &points[between - 1], *high = &points[between];
     const double width = high->at - low->at;
     const double rounding = 1e-14 * fmax(fabs(low->at), fabs(high->at));
     bool known = isfinite(low->value) && isfinite(high->value) && low->value * high->value <= 0;
@@ -45,7 +46,7 @@ void spread_places(const struct spread_point *points, size_t count, size_t betwe
         }
         return;
     }
-    const double root = estimate(points, count, between);
+    const double root = spread_estimate(points, count, between);
     const size_t half = wanted / 2, square = half * half;
     for (size_t i = 0; i < half; i++) {
         double part = ldexp(1, -(int)((FINEST * (i + 1) * (i + 1) + square - 1) / square));

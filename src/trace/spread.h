@@ -6,7 +6,7 @@
 #include <stddef.h>
 
 /* What a function is at one place; a value that is not known, or none, is not finite. */
-struct spread_point {
+struct multisection_point {
     double at, value;
 };
 
@@ -25,7 +25,7 @@ struct spread_point {
  *           finite or both have one sign, and where the neighbours are nearly at rounding: 1e-14
  * Limits    in the worst case a turn leaves half of the bracket
  */
-void spread_places(const struct spread_point *points, size_t count, size_t between, size_t wanted,
-                   double *places);
+void multisection_places(const struct multisection_point *points, size_t count, size_t between,
+                         size_t wanted, double *places);
 
 #endif

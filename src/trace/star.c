@@ -15,32 +15,32 @@ static const double roughly = 1e-7, of_depth = 1e-2;
 /* -------- the centre -------- */
 
 /* A ray that passes; it is the one looked at last. */
-static bool find_centre(const struct margins *margins, struct arena *arena, double centre[2])
+static bool find_centre(const struct clearances *margins, struct arena *arena, double centre[2])
 {
     static const double middle[1][2] = {{0, 0}}, low[2] = {-1.5, -1.5}, high[2] = {1.5, 1.5};
     centre[0] = centre[1] = 0;
-    margins_look(margins, middle, 1);
+    clearances_look(margins, middle, 1);
     if (margins->excess[0] <= 0) {
         return true;
     }
     const struct arena_mark mark = arena_mark(arena);
-    struct parts *parts = ARENA_NEW(arena, struct parts);
-    parts_find(margins, low, high, parts);
-    bool found = parts_middle(parts, centre);
+    struct pupil_parts *parts = ARENA_NEW(arena, struct pupil_parts);
+    pupil_parts_find(margins, low, high, parts);
+    bool found = pupil_parts_middle(parts, centre);
     if (!found) {
-        parts_find(margins, NULL, NULL, parts);
-        found = parts_middle(parts, centre);
+        pupil_parts_find(margins, NULL, NULL, parts);
+        found = pupil_parts_middle(parts, centre);
     }
     arena_reset(arena, mark);
     if (found) {
         const double at[1][2] = {{centre[0], centre[1]}};
-        margins_look(margins, at, 1);
+        clearances_look(margins, at, 1);
     }
     return found;
 }
 
 /* Centroid and widths of what lies within edges in equal directions. */
-static void measure(const struct star *star, double centroid[2], double widths[2])
+static void star_measure(const struct pupil_boundary *star, double centroid[2], double widths[2])
 {
     const struct edge_frame *frame = &star->frame;
     double area = 0, moment[2] = {0, 0}, low[2] = {INFINITY, INFINITY};
@@ -64,7 +64,7 @@ static void measure(const struct star *star, double centroid[2], double widths[2
 }
 
 /* The same edges in another frame; false where they are out of order there, or far apart. */
-static bool change_frame(struct star *star, const struct edge_frame *frame)
+static bool change_frame(struct pupil_boundary *star, const struct edge_frame *frame)
 {
     const double widest = 0.45;
     bool sound = true;
@@ -83,14 +83,14 @@ static bool change_frame(struct star *star, const struct edge_frame *frame)
 /* About the centroid, stretched as the edge is. Result: false: directions are to be made anew. */
 static bool fit_frame(const struct star_search *search)
 {
-    struct star *star = search->star;
+    struct pupil_boundary *star = search->star;
     struct edge_frame frame = star->frame;
     double centroid[2], widths[2];
-    measure(star, centroid, widths);
+    star_measure(star, centroid, widths);
     if (!(widths[0] > 0 && widths[1] > 0 && isfinite(centroid[0] + centroid[1]))) {
         return true;
     }
-    margins_look(search->margins, (const double(*)[2])centroid, 1);
+    clearances_look(search->margins, (const double(*)[2])centroid, 1);
     if (!(search->margins->excess[0] <= 0)) {
         return true;
     }
@@ -103,14 +103,14 @@ static bool fit_frame(const struct star_search *search)
 
 /* -------- directions -------- */
 
-static void scan(const struct star_search *search, size_t directions)
+static void star_scan(const struct star_search *search, size_t directions)
 {
-    struct star *star = search->star;
+    struct pupil_boundary *star = search->star;
     double near[MORE_DIRECTIONS];
     star->count = directions;
     for (size_t i = 0; i < star->count; i++) {
         star->angles[i] = 2 * PI * ((double)i + 0.5) / (double)star->count;
-        near[i] = search->before != NULL ? star_near(search->before, star->angles[i]) : 0;
+        near[i] = search->before != NULL ? pupil_boundary_near(search->before, star->angles[i]) : 0;
     }
     const size_t own = star_is_mirrored(search) ? directions / 2 : directions;
     star_limits_find(search, star->angles, search->before != NULL ? near : NULL, own, star->edges);
@@ -131,18 +131,18 @@ static bool may_peak(double before, double here, double after, double *where)
 }
 
 /* Directions in between where another margin comes near to 0 without ending an edge. */
-static void look_between(const struct star_search *search)
+static void star_scan_between(const struct star_search *search)
 {
-    struct star *star = search->star;
-    const struct margins *margins = search->margins;
+    struct pupil_boundary *star = search->star;
+    const struct clearances *margins = search->margins;
     double points[DIRECTIONS][2], angles[EXTRA], near[EXTRA];
     struct edge edges[EXTRA];
     size_t extra = 0;
     for (size_t i = 0; i < DIRECTIONS; i++) {
         edge_point(&star->frame, star->angles[i], star->edges[i].radius, points[i]);
     }
-    margins_look(margins, (const double(*)[2])points, DIRECTIONS);
-    margins_narrow(margins, DIRECTIONS);
+    clearances_look(margins, (const double(*)[2])points, DIRECTIONS);
+    clearances_narrow(margins, DIRECTIONS);
     for (size_t k = 0; k < margins->count; k++) {
         const double *row = margins->rows + k * RAYS_BLOCK;
         for (size_t i = 0; i < DIRECTIONS && extra < EXTRA; i++) {
@@ -167,7 +167,7 @@ static void look_between(const struct star_search *search)
 /* -------- all of it -------- */
 
 /* Is one thing all of the edge, and as far on one side of the centre as on the other? */
-static bool is_even(const struct margins *margins, const struct star *star)
+static bool star_is_even(const struct clearances *margins, const struct pupil_boundary *star)
 {
     const double alike = 1e-6;
     const size_t half = star->count / 2;
@@ -181,7 +181,7 @@ static bool is_even(const struct margins *margins, const struct star *star)
 }
 
 /* Does nothing but the stop or the disc end it? */
-static bool is_whole(const struct margins *margins, const struct star *star)
+static bool star_is_whole(const struct clearances *margins, const struct pupil_boundary *star)
 {
     const size_t first = star->edges[0].limit;
     bool whole = first < margins->count && !margins->is_listed && star->frame.centre[0] == 0 &&
@@ -194,7 +194,7 @@ static bool is_whole(const struct margins *margins, const struct star *star)
 }
 
 /* Is it much wider in one direction than in the other, as its frame sees it? */
-static bool is_long(const struct star *star)
+static bool is_long(const struct pupil_boundary *star)
 {
     double shortest = INFINITY, longest = 0;
     for (size_t i = 0; i < star->count; i++) {
@@ -205,64 +205,64 @@ static bool is_long(const struct star *star)
 }
 
 /* Do rays end some of the edge that miss a surface or are reflected? No margin says where. */
-static bool loses(const struct star *star)
+static bool star_loses_rays(const struct pupil_boundary *star)
 {
     bool some = false;
     for (size_t i = 0; i < star->count; i++) {
-        some = some || margins_lost(star->edges[i].limit);
+        some = some || clearances_lost(star->edges[i].limit);
     }
     return some;
 }
 
 /* An excess that says enough of where an edge is, about the ray looked at last, the centre. */
-static double choose_tolerance(const struct margins *margins)
+static double choose_tolerance(const struct clearances *margins)
 {
     return margins->is_listed ? 1e-12 : fmin(roughly, of_depth * -margins->excess[0]);
 }
 
 /* What a frame that fits, and edges in it, do not say yet. */
-static void finish(const struct star_search *search)
+static void star_finish(const struct star_search *search)
 {
-    const struct margins *margins = search->margins;
-    struct star *star = search->star;
-    star->is_plain = !margins->is_listed && !loses(star);
+    const struct clearances *margins = search->margins;
+    struct pupil_boundary *star = search->star;
+    star->is_plain = !margins->is_listed && !star_loses_rays(star);
     if (star->is_plain) {
-        look_between(search);
+        star_scan_between(search);
     } else if (!margins->is_listed) {
-        scan(search, MORE_DIRECTIONS);
+        star_scan(search, MORE_DIRECTIONS);
     }
     star->tolerance = search->tolerance;
-    star->is_whole = is_whole(margins, star) || is_even(margins, star);
+    star->is_whole = star_is_whole(margins, star) || star_is_even(margins, star);
     star_corners_find(search);
-    star_join(star);
+    pupil_boundary_join(star);
 }
 
-bool star_find(const struct margins *margins, const struct probe *probe, struct arena *arena,
-               struct star *star)
+bool pupil_boundary_find(const struct clearances *margins, const struct probe *probe,
+                         struct arena *arena, struct pupil_boundary *star)
 {
     enum { FITS = 12 };
     struct star_search search = {margins, probe, star, NULL, 0};
     star->frame = (struct edge_frame){.stretch = {1, 1}};
     star->count = 0;
     star->corner_count = 0;
-    margins_widen(margins);
+    clearances_widen(margins);
     if (!find_centre(margins, arena, star->frame.centre)) {
         return false;
     }
     for (int fit = 0;; fit++) {
         search.tolerance = choose_tolerance(margins);
-        scan(&search, margins->is_listed ? MORE_DIRECTIONS : DIRECTIONS);
-        bool fits = (is_whole(margins, star) || is_even(margins, star)) && !is_long(star);
+        star_scan(&search, margins->is_listed ? MORE_DIRECTIONS : DIRECTIONS);
+        bool fits = (star_is_whole(margins, star) || star_is_even(margins, star)) && !is_long(star);
         if (fits || margins->is_listed || fit == FITS || fit_frame(&search)) {
             break;
         }
     }
-    finish(&search);
+    star_finish(&search);
     return true;
 }
 
-bool star_follow(const struct margins *margins, const struct probe *probe,
-                 const struct star *before, struct star *star)
+bool pupil_boundary_follow(const struct clearances *margins, const struct probe *probe,
+                           const struct pupil_boundary *before, struct pupil_boundary *star)
 {
     struct star_search search = {margins, probe, star, before, 0};
     if (margins->is_listed || before->count == 0 || !before->is_plain) {
@@ -270,17 +270,17 @@ bool star_follow(const struct margins *margins, const struct probe *probe,
     }
     star->frame = before->frame;
     star->corner_count = 0;
-    margins_widen(margins);
-    margins_look(margins, (const double(*)[2])star->frame.centre, 1);
+    clearances_widen(margins);
+    clearances_look(margins, (const double(*)[2])star->frame.centre, 1);
     search.tolerance = choose_tolerance(margins);
     if (!(margins->excess[0] <= 0)) {
         return false;
     }
-    scan(&search, DIRECTIONS);
-    const bool fits = is_whole(margins, star) || is_even(margins, star);
-    if (loses(star) || is_long(star) || (!fits && !fit_frame(&search))) {
+    star_scan(&search, DIRECTIONS);
+    const bool fits = star_is_whole(margins, star) || star_is_even(margins, star);
+    if (star_loses_rays(star) || is_long(star) || (!fits && !fit_frame(&search))) {
         return false;
     }
-    finish(&search);
+    star_finish(&search);
     return star->corner_count == before->corner_count && star->is_whole == before->is_whole;
 }

@@ -6,19 +6,20 @@
 #include "trace/edges.h"
 #include "trace/spans.h"
 
-enum { STAR_DIRECTIONS = 256 + 64, STAR_CORNERS = 64 };
+enum { PUPIL_BOUNDARY_DIRECTIONS = 256 + 64, PUPIL_BOUNDARY_CORNERS = 64 };
 
 /* Its edge in some directions, ascending in angle, and the corners between smooth pieces of it. */
-struct star {
+struct pupil_boundary {
     struct edge_frame frame;
-    double angles[STAR_DIRECTIONS]; /* rad */
-    struct edge edges[STAR_DIRECTIONS];
+    double angles[PUPIL_BOUNDARY_DIRECTIONS]; /* rad */
+    struct edge edges[PUPIL_BOUNDARY_DIRECTIONS];
     size_t count;
-    double corners[STAR_CORNERS]; /* rad, ascending */
-    double radii[STAR_CORNERS];
+    double corners[PUPIL_BOUNDARY_CORNERS]; /* rad, ascending */
+    double radii[PUPIL_BOUNDARY_CORNERS];
     size_t corner_count;
-    /* both, by star_join */
-    double knots[STAR_DIRECTIONS + STAR_CORNERS], knot_radii[STAR_DIRECTIONS + STAR_CORNERS];
+    /* both, by pupil_boundary_join */
+    double knots[PUPIL_BOUNDARY_DIRECTIONS + PUPIL_BOUNDARY_CORNERS],
+        knot_radii[PUPIL_BOUNDARY_DIRECTIONS + PUPIL_BOUNDARY_CORNERS];
     size_t knot_count;
     double tolerance; /* of the excess at edges */
     bool is_whole;    /* the stop or the disc alone ends it, or its edge is even */
@@ -39,22 +40,23 @@ struct star {
  *           the angle in five. A piece that no direction meets is looked for where its excess, a
  *           parabola through three neighbours, has its peak above or near 0. Of halves that mirror
  *           each other (stop_beam_is_mirrored) one is looked in
- * Limits    more than STAR_CORNERS corners are none. What lies behind a gap, seen from the centre,
+ * Limits    more than PUPIL_BOUNDARY_CORNERS corners are none. What lies behind a gap, seen from
+ * the centre,
  *           is not found
  */
-bool star_find(const struct margins *margins, const struct probe *probe, struct arena *arena,
-               struct star *star);
+bool pupil_boundary_find(const struct clearances *margins, const struct probe *probe,
+                         struct arena *arena, struct pupil_boundary *star);
 
 /*
  * The same from a star of a beam close by, of another field or wavelength, in a third of the time.
  *
  * Given     before  of the same lens; with a count of 0 there is none
- * Result    false: it does not lead to a star of as many corners; ask star_find
+ * Result    false: it does not lead to a star of as many corners; ask pupil_boundary_find
  * Formula   edges about those before, in a frame fitted anew; corners by Newton's method from those
- *           before. What is checked of the star is what star_find does
+ *           before. What is checked of the star is what pupil_boundary_find does
  */
-bool star_follow(const struct margins *margins, const struct probe *probe,
-                 const struct star *before, struct star *star);
+bool pupil_boundary_follow(const struct clearances *margins, const struct probe *probe,
+                           const struct pupil_boundary *before, struct pupil_boundary *star);
 
 /*
  * Corners that were missed, by edges in other directions that end at what the star does not know
@@ -64,22 +66,23 @@ bool star_follow(const struct margins *margins, const struct probe *probe,
  * Result    true: the star has more corners than before
  * Limits    none where apertures are listed
  */
-bool star_learn(const struct margins *margins, const struct probe *probe,
-                const struct edge_directions *directions, const struct edge *edges,
-                struct star *star);
+bool pupil_boundary_learn(const struct clearances *margins, const struct probe *probe,
+                          const struct edge_directions *directions, const struct edge *edges,
+                          struct pupil_boundary *star);
 
 /* Corners on one side of u = 0, with those on the other that mirror them. */
-void star_mirror_corners(struct star *star);
+void pupil_boundary_mirror_corners(struct pupil_boundary *star);
 
-/* Join edges and corners into one list, ascending from the first edge on, for star_near. */
-void star_join(struct star *star);
+/* Join edges and corners into one list, ascending from the first edge on, for pupil_boundary_near.
+   */
+void pupil_boundary_join(struct pupil_boundary *star);
 
 /* About where the edge is in a direction, by its neighbours: within 1 % but for narrow pieces. */
-double star_near(const struct star *star, double angle);
+double pupil_boundary_near(const struct pupil_boundary *star, double angle);
 
 /* What is clear of lines from the centre to edges. */
-void star_spans(const struct margins *margins, const struct probe *probe,
-                const struct edge_directions *directions, const struct edge *edges,
-                struct spans *spans);
+void pupil_boundary_spans(const struct clearances *margins, const struct probe *probe,
+                          const struct edge_directions *directions, const struct edge *edges,
+                          struct clear_intervals *spans);
 
 #endif

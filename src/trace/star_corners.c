@@ -10,13 +10,13 @@ enum { ROUNDS = 10, PARTS = 5 };
 /* An excess that counts as none at a corner; one that rounding alone does not make. */
 static const double at_corner = 1e-11, clearly = 1e-9;
 
-double star_gap(const struct star *star, size_t i)
+double star_gap(const struct pupil_boundary *star, size_t i)
 {
     bool is_last = i + 1 == star->count;
     return star->angles[is_last ? 0 : i + 1] + (is_last ? 2 * PI : 0) - star->angles[i];
 }
 
-void star_enter(struct star *star, double angle, const struct edge *edge)
+void star_enter(struct pupil_boundary *star, double angle, const struct edge *edge)
 {
     size_t k = star->count++;
     for (; k > 0 && star->angles[k - 1] > angle; k--) {
@@ -28,7 +28,7 @@ void star_enter(struct star *star, double angle, const struct edge *edge)
 }
 
 /* Two directions with a corner between them. */
-struct bracket {
+struct star_corners_bracket {
     double low, high;
     struct edge before, after;
     double angle, radius; /* of the corner, once it is found */
@@ -41,8 +41,9 @@ enum { AT_ONCE = RAYS_BLOCK / 3 };
  * One step of Newton's method towards the points where two excesses are 0. Result: they are there;
  * what is asked of the margins stands in every third lane.
  */
-static bool step_corners(const struct margins *margins, struct bracket *const *brackets,
-                         size_t count, double (*at)[2])
+static bool step_corners(const struct clearances *margins,
+                         struct star_corners_bracket *const *brackets, size_t count,
+                         double (*at)[2])
 {
     static const double h = 1e-6, there = 1e-14;
     double points[RAYS_BLOCK][2];
@@ -51,7 +52,7 @@ static bool step_corners(const struct margins *margins, struct bracket *const *b
         points[i][0] = at[i / 3][0] + (i % 3 == 1 ? h : 0);
         points[i][1] = at[i / 3][1] + (i % 3 == 2 ? h : 0);
     }
-    margins_look(margins, (const double(*)[2])points, 3 * count);
+    clearances_look(margins, (const double(*)[2])points, 3 * count);
     for (size_t i = 0; i < count; i++) {
         const double *a = margins->rows + brackets[i]->before.limit * RAYS_BLOCK + 3 * i;
         const double *b = margins->rows + brackets[i]->after.limit * RAYS_BLOCK + 3 * i;
@@ -69,8 +70,8 @@ static bool step_corners(const struct margins *margins, struct bracket *const *b
 }
 
 /* Where a corner is looked for first: where one was before, or in the middle. */
-static void guess_corner(const struct star_search *search, const struct bracket *bracket,
-                         double at[2])
+static void guess_corner(const struct star_search *search,
+                         const struct star_corners_bracket *bracket, double at[2])
 {
     const double nearby = 0.1; /* rad */
     const struct edge_frame *frame = &search->star->frame;
@@ -89,12 +90,12 @@ static void guess_corner(const struct star_search *search, const struct bracket 
 }
 
 /* Corners of two margins each, all at once; those that lie elsewhere stay as they are. */
-static void meet_margins(const struct star_search *search, struct bracket *const *brackets,
-                         size_t count)
+static void meet_margins(const struct star_search *search,
+                         struct star_corners_bracket *const *brackets, size_t count)
 {
     enum { STEPS = 7 };
     const struct edge_frame *frame = &search->star->frame;
-    const struct margins *margins = search->margins;
+    const struct clearances *margins = search->margins;
     double at[AT_ONCE][2];
     for (size_t i = 0; i < count; i++) {
         guess_corner(search, brackets[i], at[i]);
@@ -102,7 +103,7 @@ static void meet_margins(const struct star_search *search, struct bracket *const
     for (int step = 0; step < STEPS && !step_corners(margins, brackets, count, at); step++) {
     }
     for (size_t i = 0; i < count; i++) {
-        struct bracket *one = brackets[i];
+        struct star_corners_bracket *one = brackets[i];
         double a = margins->rows[one->before.limit * RAYS_BLOCK + 3 * i];
         double b = margins->rows[one->after.limit * RAYS_BLOCK + 3 * i];
         edge_polar(frame, at[i], (one->low + one->high) / 2, &one->angle, &one->radius);
@@ -113,30 +114,31 @@ static void meet_margins(const struct star_search *search, struct bracket *const
 }
 
 /* Brackets that are kept, as far as there is room. */
-struct kept {
-    struct bracket brackets[STAR_CORNERS];
+struct star_corners_kept {
+    struct star_corners_bracket brackets[PUPIL_BOUNDARY_CORNERS];
     size_t count;
 };
 
-static void keep(struct kept *kept, const struct bracket *bracket)
+static void star_corners_keep(struct star_corners_kept *kept,
+                              const struct star_corners_bracket *bracket)
 {
-    if (kept->count < STAR_CORNERS) {
+    if (kept->count < PUPIL_BOUNDARY_CORNERS) {
         kept->brackets[kept->count] = *bracket;
     }
     kept->count++;
 }
 
 /* The parts of a bracket between whose ends something changes. */
-static void keep_parts(const struct bracket *whole, const double *angles, const struct edge *edges,
-                       struct kept *kept)
+static void keep_parts(const struct star_corners_bracket *whole, const double *angles,
+                       const struct edge *edges, struct star_corners_kept *kept)
 {
-    struct bracket part = {.low = whole->low, .before = whole->before};
+    struct star_corners_bracket part = {.low = whole->low, .before = whole->before};
     for (size_t j = 0; j < PARTS; j++) {
         bool is_last = j == PARTS - 1;
         part.high = is_last ? whole->high : angles[j];
         part.after = is_last ? whole->after : edges[j];
         if (part.before.limit != part.after.limit) {
-            keep(kept, &part);
+            star_corners_keep(kept, &part);
         }
         part.low = part.high;
         part.before = part.after;
@@ -144,11 +146,12 @@ static void keep_parts(const struct bracket *whole, const double *angles, const 
 }
 
 /* Cut brackets into parts, and keep those between whose ends something changes. */
-static size_t cut_brackets(const struct star_search *search, struct bracket *brackets, size_t count)
+static size_t cut_brackets(const struct star_search *search, struct star_corners_bracket *brackets,
+                           size_t count)
 {
-    double angles[STAR_CORNERS * (PARTS - 1)], near[STAR_CORNERS * (PARTS - 1)];
-    struct edge edges[STAR_CORNERS * (PARTS - 1)];
-    struct kept kept = {.count = 0};
+    double angles[PUPIL_BOUNDARY_CORNERS * (PARTS - 1)], near[PUPIL_BOUNDARY_CORNERS * (PARTS - 1)];
+    struct edge edges[PUPIL_BOUNDARY_CORNERS * (PARTS - 1)];
+    struct star_corners_kept kept = {.count = 0};
     size_t asked = 0;
     for (size_t i = 0; i < count; i++) {
         for (size_t j = 1; j < PARTS && !brackets[i].is_found; j++) {
@@ -162,26 +165,27 @@ static size_t cut_brackets(const struct star_search *search, struct bracket *bra
     asked = 0;
     for (size_t i = 0; i < count; i++) {
         if (brackets[i].is_found) {
-            keep(&kept, &brackets[i]);
+            star_corners_keep(&kept, &brackets[i]);
         } else {
             keep_parts(&brackets[i], angles + asked, edges + asked, &kept);
             asked += PARTS - 1;
         }
     }
-    for (size_t i = 0; i < kept.count && i < STAR_CORNERS; i++) {
+    for (size_t i = 0; i < kept.count && i < PUPIL_BOUNDARY_CORNERS; i++) {
         brackets[i] = kept.brackets[i];
     }
     return kept.count;
 }
 
 /* One round: Newton's method where two margins meet, cuts elsewhere. Are any left to be found? */
-static bool narrow(const struct star_search *search, struct bracket *brackets, size_t *count)
+static bool star_corners_narrow(const struct star_search *search,
+                                struct star_corners_bracket *brackets, size_t *count)
 {
-    const struct margins *margins = search->margins;
-    struct bracket *open[STAR_CORNERS];
+    const struct clearances *margins = search->margins;
+    struct star_corners_bracket *open[PUPIL_BOUNDARY_CORNERS];
     size_t tried = 0, left = 0;
     for (size_t i = 0; i < *count && !margins->is_listed; i++) {
-        struct bracket *one = &brackets[i];
+        struct star_corners_bracket *one = &brackets[i];
         if (!one->is_found && one->before.limit < margins->count &&
             one->after.limit < margins->count) {
             open[tried++] = one;
@@ -196,15 +200,15 @@ static bool narrow(const struct star_search *search, struct bracket *brackets, s
     if (left > 0) {
         *count = cut_brackets(search, brackets, *count);
     }
-    return left > 0 && *count <= STAR_CORNERS;
+    return left > 0 && *count <= PUPIL_BOUNDARY_CORNERS;
 }
 
 void star_corners_find(const struct star_search *search)
 {
-    struct star *star = search->star;
-    struct bracket brackets[STAR_CORNERS];
+    struct pupil_boundary *star = search->star;
+    struct star_corners_bracket brackets[PUPIL_BOUNDARY_CORNERS];
     const bool is_half = star_is_mirrored(search);
-    const size_t most = is_half ? STAR_CORNERS / 2 : STAR_CORNERS;
+    const size_t most = is_half ? PUPIL_BOUNDARY_CORNERS / 2 : PUPIL_BOUNDARY_CORNERS;
     size_t count = 0;
     star->corner_count = 0;
     for (size_t i = 0; i < star->count; i++) {
@@ -216,31 +220,32 @@ void star_corners_find(const struct star_search *search)
         if (count == most) {
             return;
         }
-        brackets[count++] = (struct bracket){.low = star->angles[i],
-                                             .high = star->angles[next] + (next == 0 ? 2 * PI : 0),
-                                             .before = star->edges[i],
-                                             .after = star->edges[next]};
+        brackets[count++] =
+            (struct star_corners_bracket){.low = star->angles[i],
+                                          .high = star->angles[next] + (next == 0 ? 2 * PI : 0),
+                                          .before = star->edges[i],
+                                          .after = star->edges[next]};
     }
-    for (int round = 0; round < ROUNDS && narrow(search, brackets, &count); round++) {
+    for (int round = 0; round < ROUNDS && star_corners_narrow(search, brackets, &count); round++) {
     }
     if (count > most) {
         return;
     }
     for (size_t k = 0; k < count; k++) {
-        const struct bracket *one = &brackets[k];
+        const struct star_corners_bracket *one = &brackets[k];
         star->corners[k] = one->is_found ? one->angle : (one->low + one->high) / 2;
         star->radii[k] = one->is_found ? one->radius : (one->before.radius + one->after.radius) / 2;
     }
     star->corner_count = count;
     if (is_half) {
-        star_mirror_corners(star);
+        pupil_boundary_mirror_corners(star);
     }
 }
 
 /* -------- corners that others show -------- */
 
 /* How many corners lie between a direction and the next. */
-static size_t corners_behind(const struct star *star, size_t k)
+static size_t corners_behind(const struct pupil_boundary *star, size_t k)
 {
     size_t count = 0;
     for (size_t i = 0; i < star->corner_count; i++) {
@@ -254,8 +259,8 @@ static size_t corners_behind(const struct star *star, size_t k)
  * Does an edge behind the k-th direction end at what the star does not know there? Pieces between
  * corners may have no direction; what ends those beside it must be clearly less, not by rounding.
  */
-static bool is_news(const struct margins *margins, const struct star *star, size_t k, double angle,
-                    const struct edge *edge)
+static bool is_news(const struct clearances *margins, const struct pupil_boundary *star, size_t k,
+                    double angle, const struct edge *edge)
 {
     const size_t limit = star->edges[k].limit, other = star->edges[(k + 1) % star->count].limit;
     double point[1][2];
@@ -263,16 +268,16 @@ static bool is_news(const struct margins *margins, const struct star *star, size
         return false;
     }
     edge_point(&star->frame, angle, edge->radius, point[0]);
-    margins_look(margins, (const double(*)[2])point, 1);
+    clearances_look(margins, (const double(*)[2])point, 1);
     return limit >= margins->count || margins->rows[limit * RAYS_BLOCK] < -clearly;
 }
 
-bool star_learn(const struct margins *margins, const struct probe *probe,
-                const struct edge_directions *directions, const struct edge *edges,
-                struct star *star)
+bool pupil_boundary_learn(const struct clearances *margins, const struct probe *probe,
+                          const struct edge_directions *directions, const struct edge *edges,
+                          struct pupil_boundary *star)
 {
     const size_t known = star->count;
-    struct star before;
+    struct pupil_boundary before;
     size_t k = 0; /* the direction before the edge: edges ascend but for one step back */
     for (size_t i = 0; i < directions->count && !margins->is_listed; i++) {
         double angle = directions->angles[i];
@@ -282,7 +287,8 @@ bool star_learn(const struct margins *margins, const struct probe *probe,
         while (k + 1 < star->count && star->angles[k + 1] <= angle) {
             k++;
         }
-        if (star->count == STAR_DIRECTIONS || !is_news(margins, star, k, angle, &edges[i])) {
+        if (star->count == PUPIL_BOUNDARY_DIRECTIONS ||
+            !is_news(margins, star, k, angle, &edges[i])) {
             continue;
         }
         if (star->count == known) {
@@ -296,7 +302,7 @@ bool star_learn(const struct margins *margins, const struct probe *probe,
     const struct star_search search = {margins, probe, star, NULL, star->tolerance};
     star_corners_find(&search);
     star->is_whole = false;
-    star_join(star);
+    pupil_boundary_join(star);
     const bool is_better = star->corner_count > before.corner_count;
     if (!is_better) {
         *star = before;

@@ -2,9 +2,9 @@
 /* SPDX-License-Identifier: MIT */
 #include "trace/star_search.h"
 
-void star_spans(const struct margins *margins, const struct probe *probe,
-                const struct edge_directions *directions, const struct edge *edges,
-                struct spans *spans)
+void pupil_boundary_spans(const struct clearances *margins, const struct probe *probe,
+                          const struct edge_directions *directions, const struct edge *edges,
+                          struct clear_intervals *spans)
 {
     const struct stop_beam *beam = margins->beam;
     const size_t count = directions->count;
@@ -21,9 +21,9 @@ void star_spans(const struct margins *margins, const struct probe *probe,
                        points[i]);
             stop_beam_place(beam, points[i][0], points[i][1], ends[i]);
         }
-        spans_find(probe, from, (const double(*)[2])ends, here, spans + done);
+        clear_intervals_find(probe, from, (const double(*)[2])ends, here, spans + done);
         for (size_t i = 0; i < here; i++) {
-            struct spans *clear = &spans[done + i];
+            struct clear_intervals *clear = &spans[done + i];
             for (size_t k = 0; k < clear->count; k++) {
                 clear->low[k] = stop_beam_share(beam, centre, points[i], clear->low[k]);
                 clear->high[k] = stop_beam_share(beam, centre, points[i], clear->high[k]);
@@ -36,10 +36,10 @@ void star_spans(const struct margins *margins, const struct probe *probe,
 static void tell_parts(const struct star_search *search, const double *angles, size_t count,
                        struct edge *edges)
 {
-    const struct margins *margins = search->margins;
+    const struct clearances *margins = search->margins;
     double at[RAYS_BLOCK][2];
     struct clear_edge ends[RAYS_BLOCK];
-    struct spans spans[RAYS_BLOCK];
+    struct clear_intervals spans[RAYS_BLOCK];
     for (size_t i = 0; i < count; i++) {
         const struct edge *edge = &edges[i];
         double point[2];
@@ -52,7 +52,7 @@ static void tell_parts(const struct star_search *search, const double *angles, s
     }
     probe_parts(search->probe, (const double(*)[2])at, count, ends);
     const struct edge_directions directions = {search->star->frame, angles, NULL, count, 0};
-    star_spans(margins, search->probe, &directions, edges, spans);
+    pupil_boundary_spans(margins, search->probe, &directions, edges, spans);
     for (size_t i = 0; i < count; i++) {
         size_t *limit = &edges[i].limit;
         *limit = (*limit * 1000003 + ends[i].part) * 1000003 + spans[i].part;
@@ -62,7 +62,7 @@ static void tell_parts(const struct star_search *search, const double *angles, s
 void star_limits_find(const struct star_search *search, const double *angles, const double *near,
                       size_t count, struct edge *edges)
 {
-    const struct margins *margins = search->margins;
+    const struct clearances *margins = search->margins;
     const struct edge_directions directions = {search->star->frame, angles, near, count, 0};
     edges_find(margins, &directions, search->tolerance, edges);
     for (size_t done = 0; done < count && margins->is_listed; done += RAYS_BLOCK) {

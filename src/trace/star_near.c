@@ -7,7 +7,7 @@
 #include <string.h>
 
 /* Enter a corner in its place. */
-static void enter(struct star *star, double angle, double radius)
+static void star_enter_corner(struct pupil_boundary *star, double angle, double radius)
 {
     size_t k = star->corner_count++;
     for (; k > 0 && star->corners[k - 1] > angle; k--) {
@@ -18,21 +18,21 @@ static void enter(struct star *star, double angle, double radius)
     star->radii[k] = radius;
 }
 
-void star_mirror_corners(struct star *star)
+void pupil_boundary_mirror_corners(struct pupil_boundary *star)
 {
-    double angles[STAR_CORNERS], radii[STAR_CORNERS];
+    double angles[PUPIL_BOUNDARY_CORNERS], radii[PUPIL_BOUNDARY_CORNERS];
     const size_t half = star->corner_count;
     memcpy(angles, star->corners, half * sizeof *angles);
     memcpy(radii, star->radii, half * sizeof *radii);
     star->corner_count = 0;
     for (size_t i = 0; i < half; i++) {
         const double angle = angles[i] - 2 * PI * floor(angles[i] / (2 * PI));
-        enter(star, angle, radii[i]);
-        enter(star, 2 * PI - angle, radii[i]);
+        star_enter_corner(star, angle, radii[i]);
+        star_enter_corner(star, 2 * PI - angle, radii[i]);
     }
 }
 
-void star_join(struct star *star)
+void pupil_boundary_join(struct pupil_boundary *star)
 {
     size_t i = 0, k = 0, count = 0;
     while (i < star->count || k < star->corner_count) {
@@ -44,7 +44,7 @@ void star_join(struct star *star)
     star->knot_count = count;
 }
 
-double star_near(const struct star *star, double angle)
+double pupil_boundary_near(const struct pupil_boundary *star, double angle)
 {
     const size_t count = star->knot_count;
     const double turns = (angle - star->knots[0]) * (1 / (2 * PI));

@@ -6,11 +6,11 @@
 #include "trace/star.h"
 
 struct star_search {
-    const struct margins *margins;
+    const struct clearances *margins;
     const struct probe *probe;
-    struct star *star;
-    const struct star *before; /* one close by; null: nothing is known */
-    double tolerance;          /* of edges that are only compared */
+    struct pupil_boundary *star;
+    const struct pupil_boundary *before; /* one close by; null: nothing is known */
+    double tolerance;                    /* of edges that are only compared */
 };
 
 /* Are the halves of a star on both sides of u = 0, from where angles count, mirror images? */
@@ -24,10 +24,10 @@ void star_limits_find(const struct star_search *search, const double *angles, co
                       size_t count, struct edge *edges);
 
 /* From a direction to the next one, rad. */
-double star_gap(const struct star *star, size_t i);
+double star_gap(const struct pupil_boundary *star, size_t i);
 
 /* A further direction and its edge, in its place. */
-void star_enter(struct star *star, double angle, const struct edge *edge);
+void star_enter(struct pupil_boundary *star, double angle, const struct edge *edge);
 
 /*
  * Corners between directions whose edges end at different things.

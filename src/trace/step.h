@@ -84,7 +84,7 @@ struct rim_watch {
 };
 
 /* The watches of a way, in the order of its steps, and the worst of them for each ray. */
-struct rim_watching {
+struct rim_watch_request {
     const struct rim_watch *watches;
     size_t count;
     double *excess, *number; /* -1 and 0 at least */
@@ -97,7 +97,7 @@ struct rim_watching {
  *           mean nothing
  */
 typedef void kernel_watch(const struct step *steps, size_t count, bool path, int lanes,
-                          const struct rim_watching *watching, struct ray_block *block);
+                          const struct rim_watch_request *watching, struct ray_block *block);
 
 kernel_watch kernel_watch_few, kernel_watch_sse2, kernel_watch_avx2, kernel_watch_avx512;
 kernel_tape kernel_tape_sse2, kernel_tape_avx2, kernel_tape_avx512;

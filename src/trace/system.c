@@ -126,7 +126,7 @@ static void set_shape(struct step *step, const struct surface *surface)
  * The conic that fits an asphere at its vertex to r^4: Newton's method needs one or two steps less
  * from there. Within the clear aperture it must not come near its rim nor bend away.
  */
-static void set_start(struct step *step, const struct surface *surface)
+static void step_set_start_conic(struct step *step, const struct surface *surface)
 {
     double c = step->c + 2 * step->coefficient[0], r = surface->diameter.value.hi / 2;
     double fourth = step->c * step->c * step->c * step->one_k + 8 * step->coefficient[1];
@@ -163,13 +163,13 @@ static enum step_action action_of(const struct surface *surface, const struct st
 }
 
 /* Steps being written. */
-struct writing {
+struct step_writer {
     struct system *system;
     struct step *steps;
     size_t count;
 };
 
-static void put_move(struct writing *writing, const struct surface_frame *frame, size_t place)
+static void put_move(struct step_writer *writing, const struct surface_frame *frame, size_t place)
 {
     struct step *step = &writing->steps[writing->count++];
     *step = (struct step){.kind = STEP_MOVE};
@@ -183,7 +183,7 @@ static void put_move(struct writing *writing, const struct surface_frame *frame,
 }
 
 /* Into the frame of the surface at `place`; returns the way along z that is left to the surface. */
-static double put_transfer(struct writing *writing, size_t place)
+static double put_transfer(struct step_writer *writing, size_t place)
 {
     const struct system *system = writing->system;
     const struct lens *lens = system->lens;
@@ -241,7 +241,7 @@ static void set_thick(struct step *step, const struct system *system, size_t i)
 }
 
 /* As the matrix [1 0; -P 1] has it, for heights and slopes of any size; a mirror turns slopes. */
-static void set_paraxial(struct step *step, const struct system *system, size_t i)
+static void step_set_paraxial(struct step *step, const struct system *system, size_t i)
 {
     const bool reverse = system->options.reverse, reflects = step->action == ACTION_REFLECT;
     const double c = surface_curvature(&system->lens->surfaces[i], SECTION_Y).hi;
@@ -253,7 +253,7 @@ static void set_paraxial(struct step *step, const struct system *system, size_t 
     memset(step->coefficient, 0, sizeof step->coefficient);
 }
 
-static void put_surface(struct writing *writing, size_t place)
+static void writer_put_surface(struct step_writer *writing, size_t place)
 {
     const struct system *system = writing->system;
     size_t i = system_surface(system, place);
@@ -273,7 +273,7 @@ static void put_surface(struct writing *writing, size_t place)
     double clear = system_clear_radius(system, i);
     *step = (struct step){.t = t, .clear2 = clear * clear};
     set_shape(step, surface);
-    set_start(step, surface);
+    step_set_start_conic(step, surface);
     set_media(step, system->n[reverse ? i + 1 : i], system->n[reverse ? i : i + 1]);
     set_codes(step, place, i);
     step->clip = system->clips != NULL ? system->clips[i] : NULL;
@@ -285,7 +285,7 @@ static void put_surface(struct writing *writing, size_t place)
     if (surface_has(surface, SURFACE_HAS_FOCAL)) {
         set_thick(step, system, i);
     } else if (system->options.paraxial && step->action != ACTION_PASS) {
-        set_paraxial(step, system, i);
+        step_set_paraxial(step, system, i);
     }
     step->hop = place == 0 || writing->count - before > 1 || !(fabs(step->c * t) <= 1);
     if (surface->decentre != NULL) {
@@ -293,7 +293,7 @@ static void put_surface(struct writing *writing, size_t place)
     }
 }
 
-static void put_image(struct writing *writing)
+static void writer_put_image(struct step_writer *writing)
 {
     const struct system *system = writing->system;
     size_t last = system->lens->surface_count;
@@ -432,16 +432,16 @@ bool system_compile(const struct lens *lens, double wavelength,
     double *direction = ARENA_ARRAY(arena, count + 1, double);
     frame_directions(lens, direction);
     system->direction = direction;
-    struct writing writing = {.system = system, .steps = steps_new(most_steps(lens), arena)};
+    struct step_writer writing = {.system = system, .steps = steps_new(most_steps(lens), arena)};
     size_t *begin = ARENA_ARRAY(arena, count + 2, size_t);
     for (size_t place = 0; place < count; place++) {
         begin[place] = writing.count;
-        put_surface(&writing, place);
+        writer_put_surface(&writing, place);
     }
     system->places = count;
     if (!isnan(options->image)) {
         begin[system->places++] = writing.count;
-        put_image(&writing);
+        writer_put_image(&writing);
     }
     begin[system->places] = writing.count;
     system->steps = writing.steps;

@@ -9,7 +9,7 @@
 #include <math.h>
 
 /* Mirrors stand in the medium before them. */
-static size_t medium_of(const struct lens *lens, size_t surface)
+static size_t medium_before_mirrors(const struct lens *lens, size_t surface)
 {
     while (surface != LENS_NONE && surface_reflects(&lens->surfaces[surface])) {
         surface = surface > 0 ? surface - 1 : LENS_NONE;
@@ -25,17 +25,17 @@ static void media_of(const struct system *system, size_t place, size_t media[2])
     size_t left = surface > 0 ? surface - 1 : LENS_NONE;
     bool reverse = system->options.reverse;
     if (surface == count) {
-        media[0] = media[1] = reverse ? LENS_NONE : medium_of(lens, count - 1);
+        media[0] = media[1] = reverse ? LENS_NONE : medium_before_mirrors(lens, count - 1);
         return;
     }
-    media[0] = medium_of(lens, reverse ? surface : left);
-    media[1] = medium_of(lens, reverse ? left : surface);
+    media[0] = medium_before_mirrors(lens, reverse ? surface : left);
+    media[1] = medium_before_mirrors(lens, reverse ? left : surface);
 }
 
 static void seed_index(const struct system *system, const struct parameter *by, size_t place,
                        const struct step *step, struct tangent_seed *seed)
 {
-    size_t media[2], medium = medium_of(system->lens, by->surface);
+    size_t media[2], medium = medium_before_mirrors(system->lens, by->surface);
     media_of(system, place, media);
     if (media[0] == medium) {
         seed->n11 = 2 * sqrt(step->n11);

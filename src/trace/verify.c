@@ -8,7 +8,7 @@
 #include <math.h>
 
 /* The largest of three differences. */
-static double distance(const long double *exact, long double scale, const double *tested)
+static double largest_difference(const long double *exact, long double scale, const double *tested)
 {
     long double worst = 0;
     for (int i = 0; i < 3; i++) {
@@ -38,8 +38,8 @@ struct verification verify_ray(const struct system *system, const struct ray *st
     }
     result.ray.path = arrived ? (double)ray.path : (double)NAN;
     bool both = arrived && (tested->status == RAY_OK || tested->status == RAY_CLIPPED);
-    result.point_error = both ? distance(ray.x, 1, tested->point) : (double)NAN;
-    result.cosine_error = both ? distance(ray.p, last, tested->cosine) : (double)NAN;
+    result.point_error = both ? largest_difference(ray.x, 1, tested->point) : (double)NAN;
+    result.cosine_error = both ? largest_difference(ray.p, last, tested->cosine) : (double)NAN;
     long double path = system->options.path ? fabsl(ray.path - (long double)tested->path) : 0;
     result.path_error = both ? (double)path : (double)NAN;
     return result;

@@ -28,7 +28,7 @@ struct fixture {
     struct setup setup;
     const struct system *systems[SETUP_SYSTEMS];
     struct film_lens film;
-    struct film_region region;
+    struct exit_pupil_bounds region;
     struct sobol sobol[FILM_DIMENSIONS];
     struct film_plan plan;
 };
@@ -65,7 +65,7 @@ static void set_up(struct fixture *fixture, const char *name, double fnumber)
                                        .first = &setup->first,
                                        .film = setup->image,
                                        .reach = hypot(width, height) / 2};
-    if (!film_region_open(&fixture->film, arena, &fixture->region, &error)) {
+    if (!exit_pupil_bounds_open(&fixture->film, arena, &fixture->region, &error)) {
         stop(&error);
     }
     fixture->plan = (struct film_plan){.sobol = fixture->sobol,
@@ -84,10 +84,10 @@ static double time_region(struct fixture *fixture)
     double best = INFINITY;
     for (int turn = 0; turn < TURNS; turn++) {
         const struct arena_mark mark = arena_mark(&fixture->arena);
-        struct film_region region;
+        struct exit_pupil_bounds region;
         struct error error;
         double began = processor_time();
-        if (!film_region_open(&fixture->film, &fixture->arena, &region, &error)) {
+        if (!exit_pupil_bounds_open(&fixture->film, &fixture->arena, &region, &error)) {
             stop(&error);
         }
         best = fmin(best, processor_time() - began);

@@ -77,7 +77,7 @@ static double found(struct fixture *fixture)
     struct arena *arena = &fixture->arena;
     const char *failure;
     tolerance_model_open(&fixture->tolerance, NULL, arena, &fixture->model);
-    const struct differential_problem *problem = &fixture->model.problem;
+    const struct second_order_problem *problem = &fixture->model.problem;
     struct sensitivity *table =
         ARENA_ARRAY(arena, problem->error_count * problem->figure_count, struct sensitivity);
     const double before = processor_time();

@@ -171,42 +171,42 @@ static void check_about(const double *places, const double around[3], const int 
 static void test_estimate(void)
 {
     static const int eight[] = {3, 10, 23, 40}, sixteen[] = {1, 3, 6, 10, 16, 23, 31, 40};
-    const struct spread_point points[] = {{-100, -7}, {2, -2}, {9.125, -0.5},
-                                          {14, 1},    {26, 2}, {90, 2.5}};
+    const struct multisection_point points[] = {{-100, -7}, {2, -2}, {9.125, -0.5},
+                                                {14, 1},    {26, 2}, {90, 2.5}};
     double places[17] = {0};
-    spread_places(points, 6, 3, 8, places);
+    multisection_places(points, 6, 3, 8, places);
     check_about(places, (double[]){9.125, 10, 14}, eight, 4, "cubic");
-    spread_places(points + 1, 4, 2, 16, places);
+    multisection_places(points + 1, 4, 2, 16, places);
     check_about(places, (double[]){9.125, 10, 14}, sixteen, 8, "cubic, sixteen places");
     CHECK(places[16] == 0);
     /* at either end there are but three: 5 + v + v^2/4, and 5 + v - v^2/4 */
-    const struct spread_point first[] = {{4.25, -1}, {6.25, 1}, {8, 2}};
-    const struct spread_point last[] = {{2, -2}, {3.75, -1}, {5.75, 1}};
-    spread_places(first, 3, 1, 8, places);
+    const struct multisection_point first[] = {{4.25, -1}, {6.25, 1}, {8, 2}};
+    const struct multisection_point last[] = {{2, -2}, {3.75, -1}, {5.75, 1}};
+    multisection_places(first, 3, 1, 8, places);
     check_about(places, (double[]){4.25, 5, 6.25}, eight, 4, "square, at the beginning");
-    spread_places(last, 3, 2, 8, places);
+    multisection_places(last, 3, 2, 8, places);
     check_about(places, (double[]){3.75, 5, 5.75}, eight, 4, "square, at the end");
     /* by two points a straight line */
-    const struct spread_point two[] = {{0, -1}, {8, 3}};
-    spread_places(two, 2, 1, 8, places);
+    const struct multisection_point two[] = {{0, -1}, {8, 3}};
+    multisection_places(two, 2, 1, 8, places);
     check_about(places, (double[]){0, 2, 8}, eight, 4, "line");
     /* polynomials that leave the bracket on either side: the secant */
-    const struct spread_point below[] = {{0, -1.01}, {1, -1}, {2, 3}, {3, 3.01}};
-    const struct spread_point above[] = {{0, -3.01}, {1, -3}, {2, 1}, {3, 1.01}};
-    spread_places(below, 4, 2, 8, places);
+    const struct multisection_point below[] = {{0, -1.01}, {1, -1}, {2, 3}, {3, 3.01}};
+    const struct multisection_point above[] = {{0, -3.01}, {1, -3}, {2, 1}, {3, 1.01}};
+    multisection_places(below, 4, 2, 8, places);
     check_about(places, (double[]){1, 1.25, 2}, eight, 4, "secant, nearer to the beginning");
-    spread_places(above, 4, 2, 8, places);
+    multisection_places(above, 4, 2, 8, places);
     check_about(places, (double[]){1, 1.75, 2}, eight, 4, "secant, nearer to the end");
 }
 
 /* Equal parts where a value is not known, where both have one sign, and at rounding. */
 static void test_parts(void)
 {
-    const struct spread_point all[][2] = {
+    const struct multisection_point all[][2] = {
         {{0, -1}, {9, -3}}, {{0, 1}, {9, 3}}, {{0, -1}, {9, NAN}}, {{0, -INFINITY}, {9, 1}}};
     double places[9] = {0};
     for (size_t k = 0; k < sizeof all / sizeof all[0]; k++) {
-        spread_places(all[k], 2, 1, 8, places);
+        multisection_places(all[k], 2, 1, 8, places);
         for (int i = 0; i < 8; i++) {
             CHECK_NEAR(places[i], i + 1, 2e-15, "equal parts");
         }
@@ -214,11 +214,11 @@ static void test_parts(void)
     }
     for (int sign = -1; sign <= 1; sign += 2) {
         /* 27 and 72 steps of 2.2e-16: 0.6e-14 and 1.6e-14 */
-        struct spread_point close[] = {{sign, -1}, {sign + 27 * 0x1p-52, 1}};
-        spread_places(close, 2, 1, 8, places);
+        struct multisection_point close[] = {{sign, -1}, {sign + 27 * 0x1p-52, 1}};
+        multisection_places(close, 2, 1, 8, places);
         CHECK(places[0] == sign + 3 * 0x1p-52 && places[7] == sign + 24 * 0x1p-52);
         close[1].at = sign + 72 * 0x1p-52;
-        spread_places(close, 2, 1, 8, places);
+        multisection_places(close, 2, 1, 8, places);
         CHECK(places[3] == sign + 36 * 0x1p-52 && places[4] == sign + 36 * 0x1p-52);
     }
 }

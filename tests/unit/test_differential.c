@@ -43,7 +43,7 @@ static bool trial(void *context, const double *p, double *figures, struct error 
 
 static const bool is_root[FIGURES] = {true, false, false};
 static const char *const names[ERRORS] = {"R1", "R2", "R3", "t1", "t2", "t3", "t4"};
-static const struct differential_problem problem = {.trial = trial,
+static const struct second_order_problem problem = {.trial = trial,
                                                     .error_count = ERRORS,
                                                     .figure_count = FIGURES,
                                                     .judged_count = FIGURES,
@@ -53,22 +53,22 @@ static const struct differential_problem problem = {.trial = trial,
 static void check_trials(void)
 {
     struct arena arena = {0};
-    struct differential differential;
+    struct second_order differential;
     struct error error = {.code = ERROR_NONE};
-    CHECK(differential_open(&problem, &arena, &differential, &error));
-    double errors[ERRORS * DIFFERENTIAL_LANES], figures[FIGURES * DIFFERENTIAL_LANES];
-    for (size_t i = 0; i < ERRORS * (size_t)DIFFERENTIAL_LANES; i++) {
+    CHECK(second_order_open(&problem, &arena, &differential, &error));
+    double errors[ERRORS * SECOND_ORDER_LANES], figures[FIGURES * SECOND_ORDER_LANES];
+    for (size_t i = 0; i < ERRORS * (size_t)SECOND_ORDER_LANES; i++) {
         errors[i] = number(1000 + i);
     }
-    differential_trials(&differential, errors, figures);
-    for (size_t l = 0; l < DIFFERENTIAL_LANES; l++) {
+    second_order_trials(&differential, errors, figures);
+    for (size_t l = 0; l < SECOND_ORDER_LANES; l++) {
         double p[ERRORS], expected[FIGURES];
         for (size_t i = 0; i < ERRORS; i++) {
-            p[i] = errors[i * DIFFERENTIAL_LANES + l];
+            p[i] = errors[i * SECOND_ORDER_LANES + l];
         }
         CHECK(trial(NULL, p, expected, &error));
         for (size_t f = 0; f < 2; f++) {
-            CHECK_NEAR(figures[f * DIFFERENTIAL_LANES + l], expected[f], 1e-12, "a trial");
+            CHECK_NEAR(figures[f * SECOND_ORDER_LANES + l], expected[f], 1e-12, "a trial");
         }
     }
     /* of a cubic function the slope has no error */
@@ -80,8 +80,8 @@ static void check_trials(void)
 static void check_sets(void)
 {
     enum { COUNT = 20 };
-    static double rows[COUNT * (COUNT + 3) / 2], errors[COUNT * DIFFERENTIAL_LANES];
-    double sums[3][DIFFERENTIAL_LANES] = {{0}};
+    static double rows[COUNT * (COUNT + 3) / 2], errors[COUNT * SECOND_ORDER_LANES];
+    double sums[3][SECOND_ORDER_LANES] = {{0}};
     for (size_t i = 0; i < sizeof rows / sizeof *rows; i++) {
         rows[i] = number(i);
     }
@@ -113,7 +113,7 @@ static bool by_hand(void *context, const double *p, double *figures, struct erro
 
 static void check_shares(void)
 {
-    const struct differential_problem simple = {.trial = by_hand,
+    const struct second_order_problem simple = {.trial = by_hand,
                                                 .error_count = 4,
                                                 .figure_count = 1,
                                                 .judged_count = 1,
@@ -122,12 +122,12 @@ static void check_shares(void)
     const struct perturbation_moments even = {1.0 / 3, 1.0 / 5};
     const struct perturbation_moments moments[4] = {even, even, even, even};
     struct arena arena = {0};
-    struct differential differential;
-    struct differential_share shares[4];
+    struct second_order differential;
+    struct second_order_share shares[4];
     struct error error = {.code = ERROR_NONE};
-    CHECK(differential_open(&simple, &arena, &differential, &error));
+    CHECK(second_order_open(&simple, &arena, &differential, &error));
     const double all = 1.0 / 3 + 4.0 / 3 + 1 + 4.0 / 45;
-    const double deviation = differential_shares(&differential, moments, LENS_NONE, shares);
+    const double deviation = second_order_shares(&differential, moments, LENS_NONE, shares);
     CHECK_NEAR(deviation * deviation, all, 1e-13, "variance");
     CHECK_NEAR(shares[0].first, 1 / 3.0 / all, 1e-13, "first");
     CHECK_NEAR(shares[0].total, 4 / 3.0 / all, 1e-13, "total");
@@ -148,13 +148,13 @@ static bool never(void *context, const double *p, double *figures, struct error 
 
 static void check_failure(void)
 {
-    struct differential_problem simple = problem;
+    struct second_order_problem simple = problem;
     struct arena arena = {0};
-    struct differential differential;
+    struct second_order differential;
     struct error error = {.code = ERROR_NONE};
     simple.trial = never;
     simple.figure_count = 1;
-    CHECK(!differential_open(&simple, &arena, &differential, &error));
+    CHECK(!second_order_open(&simple, &arena, &differential, &error));
     CHECK_TEXT(error.message, "R2 of 0.5 times its tolerance: a ray is lost");
     arena_free(&arena);
 }
@@ -167,12 +167,12 @@ static void look(struct watch *watch)
 static void check_stopped(void)
 {
     struct watch watch = {.is_busy = ATOMIC_FLAG_INIT, .look = look};
-    struct differential_problem watched = problem;
+    struct second_order_problem watched = problem;
     struct arena arena = {0};
-    struct differential differential;
+    struct second_order differential;
     struct error error = {.code = ERROR_NONE};
     watched.watch = &watch;
-    CHECK(!differential_open(&watched, &arena, &differential, &error));
+    CHECK(!second_order_open(&watched, &arena, &differential, &error));
     CHECK(strstr(error.message, "interrupted before") != NULL);
     arena_free(&arena);
 }

@@ -4,8 +4,8 @@
 #include "photo/distance_from.h"
 
 static const struct dof_targets no_targets = {NAN, NAN, NAN, NAN, NAN};
-static const struct measuring from_sensor = {FROM_SENSOR, 0, NAN};
-static const struct measuring from_entrance = {FROM_ENTRANCE, 0, NAN};
+static const struct distance_reference from_sensor = {FROM_SENSOR, 0, NAN};
+static const struct distance_reference from_entrance = {FROM_ENTRANCE, 0, NAN};
 
 /* T = f (2 + m + 1/m): at 1:1 the sensor is 4 f from the subject, at 1:2 4.5 f. */
 static void check_sensor(void)
@@ -37,8 +37,9 @@ static void check_thick(void)
 {
     struct error error;
     double s;
-    const struct measuring apart = {FROM_SENSOR, 12.5, 7}, crossed = {FROM_SENSOR, -12.5, 7};
-    const struct measuring front = {FROM_FRONT, 12.5, 7}, none = {FROM_FRONT, 0, NAN};
+    const struct distance_reference apart = {FROM_SENSOR, 12.5, 7},
+                                    crossed = {FROM_SENSOR, -12.5, 7};
+    const struct distance_reference front = {FROM_FRONT, 12.5, 7}, none = {FROM_FRONT, 0, NAN};
     const struct dof_setting setting = {50, 4, 0.03, 150, 1};
     CHECK(distance_to_principal(50, 1, 237.5, &apart, &s, &error));
     CHECK_NEAR(s, 150, 1e-13, "planes apart");

@@ -16,7 +16,7 @@ struct opened {
     struct lens lens;
     struct setup setup;
     const struct system *systems[8];
-    struct film_region region;
+    struct exit_pupil_bounds region;
 };
 
 static bool open_region(struct opened *opened, double film, double reach)
@@ -35,7 +35,7 @@ static bool open_region(struct opened *opened, double film, double reach)
                                    .first = &opened->setup.first,
                                    .film = film,
                                    .reach = reach};
-    good = good && film_region_open(&lens, &opened->arena, &opened->region, &error);
+    good = good && exit_pupil_bounds_open(&lens, &opened->arena, &opened->region, &error);
     if (!good) {
         printf("%s\n", error.message);
     }
@@ -254,7 +254,7 @@ static void test_steep_rectangle(void)
     }
     struct error error;
     const struct film_lens lens = {opened.systems, 1, &opened.setup.first, 2.5, 150};
-    CHECK(!film_region_open(&lens, &opened.arena, &opened.region, &error));
+    CHECK(!exit_pupil_bounds_open(&lens, &opened.arena, &opened.region, &error));
     CHECK_TEXT(error.message, "light reaches the film 89.05 degrees off its normal, looked at up "
                               "to 86 degrees for a lens that is not round");
     arena_free(&opened.arena);
@@ -355,7 +355,7 @@ struct box {
     double across, middle, half; /* direction cosines: x and y of its middle */
 };
 
-static struct box box_of(const struct film_region *region, size_t row)
+static struct box box_of(const struct exit_pupil_bounds *region, size_t row)
 {
     double low = INFINITY, high = -INFINITY;
     for (size_t k = 0; k < FILM_CORNERS; k++) {
@@ -372,7 +372,7 @@ static double grid_irradiance(struct opened *opened, size_t wavelength, const do
                               struct box box)
 {
     enum { SIDE = 512 };
-    const struct film_region *region = &opened->region;
+    const struct exit_pupil_bounds *region = &opened->region;
     const struct system *system = opened->systems[wavelength];
     const struct rays rays = rays_new(&opened->arena, SIDE);
     const double step = 2 * box.half / SIDE;
@@ -542,7 +542,7 @@ static void test_ends(void)
         CHECK(irradiance(&opened, 0, 0, opened.region.largest * 0.99, &share) > 0);
         struct error error;
         const struct film_lens lens = {opened.systems, 1, &opened.setup.first, 0, 20};
-        CHECK(!film_region_open(&lens, &opened.arena, &opened.region, &error));
+        CHECK(!exit_pupil_bounds_open(&lens, &opened.arena, &opened.region, &error));
         CHECK_TEXT(error.message, "the film lies in the last vertex");
         arena_free(&opened.arena);
     }

@@ -87,12 +87,12 @@ static size_t solve(const char *text, const struct focus_gap *gaps, size_t count
 {
     struct lens *lens = ARENA_NEW(arena, struct lens);
     open_text(text, arena, lens);
-    const struct focusing focusing = {.lens = lens,
-                                      .wavelength = 0.55,
-                                      .section = SECTION_Y,
-                                      .image_plane = pair_of(plane),
-                                      .gaps = gaps,
-                                      .gap_count = count};
+    const struct focus_mechanism focusing = {.lens = lens,
+                                             .wavelength = 0.55,
+                                             .section = SECTION_Y,
+                                             .image_plane = pair_of(plane),
+                                             .gaps = gaps,
+                                             .gap_count = count};
     return focus_solve(&focusing, &question, arena, solutions, error);
 }
 

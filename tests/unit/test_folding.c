@@ -12,9 +12,9 @@ static const double pi = PI;
 
 static bool seen_in(const double (*points)[2], size_t count)
 {
-    struct folding folding = {0, 0, 0};
-    folding_add(&folding, points, count);
-    return folding_seen(&folding);
+    struct jacobian_extremes folding = {0, 0, 0};
+    caustic_add(&folding, points, count);
+    return caustic_seen(&folding);
 }
 
 /* A disc about (0, y), mapped by (x, y) -> (x, y + bend y^2): the Jacobian is 1 + 2 bend y. */
@@ -33,8 +33,8 @@ static bool folds(double centre, double radius, double bend, double mirror)
         arms[i].edge.at[1] = centre + radius * sin(angle);
     }
     bool seen = false;
-    for (enum folding_grid grid = FOLDING_COARSE; grid <= FOLDING_FINE; grid++) {
-        struct folding folding = {0, 0, 0};
+    for (enum caustic_grid grid = CAUSTIC_COARSE; grid <= CAUSTIC_FINE; grid++) {
+        struct jacobian_extremes folding = {0, 0, 0};
         size_t count;
         const double(*at)[2] = folding_places(&clear, grid, &arena, &count);
         double(*points)[2] = arena_array(&arena, count, sizeof *points);
@@ -42,13 +42,13 @@ static bool folds(double centre, double radius, double bend, double mirror)
             points[i][0] = mirror * at[i][0];
             points[i][1] = at[i][1] + bend * at[i][1] * at[i][1];
         }
-        folding_add(&folding, (const double(*)[2])points, count);
-        seen = folding_seen(&folding);
+        caustic_add(&folding, (const double(*)[2])points, count);
+        seen = caustic_seen(&folding);
         /* the Jacobian at both ends of the disc */
         const double low = 1 + 2 * bend * (centre - radius),
                      high = 1 + 2 * bend * (centre + radius);
         const double ratio = fmin(low, high) / fmax(low, high);
-        CHECK(folding_ruled_out(&folding) == (ratio > 0.5 && ratio < 2));
+        CHECK(caustic_ruled_out(&folding) == (ratio > 0.5 && ratio < 2));
     }
     arena_free(&arena);
     return seen;
@@ -77,9 +77,9 @@ static void test_lost(void)
     CHECK(!seen_in(points, 6));
     CHECK(seen_in(turned, 6));
     CHECK(!seen_in(points, 0));
-    struct folding folding = {0, 0, 0};
-    folding_add(&folding, points, 6);
-    CHECK(!folding_ruled_out(&folding));
+    struct jacobian_extremes folding = {0, 0, 0};
+    caustic_add(&folding, points, 6);
+    CHECK(!caustic_ruled_out(&folding));
 }
 
 int main(void)

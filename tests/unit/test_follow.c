@@ -46,7 +46,7 @@ static void test_paraxial(void)
     struct lens lens;
     struct system system;
     struct error error;
-    struct paraxial_meeting found[SURFACES];
+    struct paraxial_intersection found[SURFACES];
     const struct ray start = start_at(1.5, -2.25, 0.75, 0.05, 0.125);
     open_text(text, NAN, &arena, &lens, &system);
     CHECK(ray_follow_paraxially(&lens, 0.55, &start, &arena, found, &error));
@@ -80,7 +80,7 @@ static void test_exact(void)
     struct arena arena = {0};
     struct lens lens;
     struct system system;
-    struct ray_meeting found[SURFACES + 1];
+    struct ray_intersection found[SURFACES + 1];
     const struct ray start = start_at(1.5, -2.25, -0.75, 0.05, 0.125);
     open_text(text, 9.5, &arena, &lens, &system);
     CHECK(system.places == SURFACES + 1);
@@ -130,7 +130,7 @@ static void test_turned(void)
     struct arena arena = {0};
     struct lens lens;
     struct system system;
-    struct ray_meeting found[4];
+    struct ray_intersection found[4];
     const struct ray start = start_at(0, 1, -5, 0, 0);
     open_text("object inf\nbend tilt=30,0,0\nsurface - 0 mirror -\nbend tilt=30,0,0\n"
               "surface - -40 1.5 -\nsurface - -5 air - tilt=10,0\n",
@@ -151,7 +151,7 @@ static void test_lost(void)
     struct arena arena = {0};
     struct lens lens;
     struct system system;
-    struct ray_meeting found[3];
+    struct ray_intersection found[3];
     const struct ray start = start_at(0, 5, 0, 0, 0);
     open_text("object inf\nsurface - 5 1.5 -\nsurface 4 5 air -\nsurface - 5 air -\n", NAN, &arena,
               &lens, &system);

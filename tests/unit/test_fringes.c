@@ -18,7 +18,7 @@ struct fixture {
     struct lens lens;
     struct setup setup;
     struct lens_film film;
-    struct fringes_room *room;
+    struct lateral_colour_room *room;
 };
 
 static bool open_thin(double before, struct fixture *fixture)
@@ -37,7 +37,7 @@ static bool open_thin(double before, struct fixture *fixture)
                       setup_open(&question, &arena, &fixture->setup, &error) &&
                       setup_place_image(&fixture->setup, &plane, &error) &&
                       lens_film_open(&asked, &arena, &fixture->film, &error);
-    fixture->room = fringes_room_new(3, &arena);
+    fixture->room = lateral_colour_room_new(3, &arena);
     CHECK(good);
     return good;
 }
@@ -48,12 +48,13 @@ static double focal(size_t wavelength)
 }
 
 /* A tile of so large pixels, whose middle is there. */
-static const struct fringes *find(const struct fixture *fixture, double x, double y, double pixel)
+static const struct lateral_colour *find(const struct fixture *fixture, double x, double y,
+                                         double pixel)
 {
-    const struct fringes_question question = {&fixture->film, 3, 1, {pixel, pixel}};
+    const struct lateral_colour_question question = {&fixture->film, 3, 1, {pixel, pixel}};
     const struct film_plan plan = {
         .left = x - 0.5e-3, .bottom = y - 0.5e-3, .width = 1e-3, .height = 1e-3};
-    return fringes_find(&question, &plan, fixture->room);
+    return lateral_colour_find(&question, &plan, fixture->room);
 }
 
 /* A cone of the first wavelength, which is the farthest away, meets the film in such a disc. */
@@ -64,9 +65,10 @@ static void test_spread(void)
         const double most = width * (film - focal(0)) / focal(0), least = most / FRINGES_MOST;
         CHECK(find(&fixture, 0, 0, 1.02 * least) != NULL);
         CHECK(find(&fixture, 0, 0, 0.96 * least) == NULL); /* of points that lie within its rim */
-        const struct fringes *fringes = find(&fixture, 0, 0, 2 * least);
+        const struct lateral_colour *fringes = find(&fixture, 0, 0, 2 * least);
         for (size_t w = 0; w < 3 && fringes != NULL; w++) {
-            CHECK_NEAR(fringes_moved(fringes, w, 0, 0.5, 0.5), 0, 1e-6, "the middle of a disc");
+            CHECK_NEAR(lateral_colour_moved(fringes, w, 0, 0.5, 0.5), 0, 1e-6,
+                       "the middle of a disc");
         }
     }
 }
@@ -82,14 +84,14 @@ static void test_moved(void)
     if (!open_thin(before, &fixture)) {
         return;
     }
-    const struct fringes *fringes = find(&fixture, at[0], at[1], 2);
+    const struct lateral_colour *fringes = find(&fixture, at[0], at[1], 2);
     CHECK(fringes != NULL);
     for (size_t w = 0; w < 3 && fringes != NULL; w++) {
         const double own = before + film * (1 - before / focal(w));
         const double seconds = before + film * (1 - before / focal(1));
         for (int axis = 0; axis < 2; axis++) {
             const double expected = at[axis] * (seconds / own - 1);
-            CHECK_NEAR(fringes_moved(fringes, w, axis, 0.5, 0.5), expected,
+            CHECK_NEAR(lateral_colour_moved(fringes, w, axis, 0.5, 0.5), expected,
                        0.02 * fabs(expected) + 1e-9, "between chief rays");
             CHECK(fringes->low[axis] <= expected * (expected < 0 ? 0.97 : 1) &&
                   fringes->high[axis] >= expected * (expected > 0 ? 0.97 : 1));

@@ -78,7 +78,7 @@ static void test_lens(const char *name, double degrees, bool has_islands, bool h
     CHECK(aim_open(open, &beam, &arena, &aim, &error));
     const struct stop_beam pupil = stop_beam_of_stop(&aim, clear, WEIGHT_BEAM);
     struct quadrature_region region = quadrature_open(&pupil, &arena);
-    const struct islands islands = quadrature_islands(&region, &arena);
+    const struct pupil_islands islands = quadrature_islands(&region, &arena);
     count_cells(&pupil, &arena, &all, &joined);
     double share = has_arms ? left_out(&region, all, &arena) : 1 - (double)joined / (double)all;
     CHECK((islands.share > 0) == has_islands);

@@ -8,10 +8,10 @@ static struct arena arena;
 static struct error error;
 
 /* Of both the stop is in the front vertex, and the camera's place there. */
-static struct lens_room plate; /* 10 mm of glass and 20 of air to the film, 10 mm in radius */
-static struct lens_room dent;  /* the same, its front hollow */
+static struct lens_clearance plate; /* 10 mm of glass and 20 of air to the film, 10 mm in radius */
+static struct lens_clearance dent;  /* the same, its front hollow */
 
-static struct lens_room open_room(const char *text)
+static struct lens_clearance open_room(const char *text)
 {
     struct lens *lens = ARENA_NEW(&arena, struct lens);
     struct setup *setup = ARENA_NEW(&arena, struct setup);
@@ -21,13 +21,13 @@ static struct lens_room open_room(const char *text)
     CHECK(lens_read("test", text_of(text), NULL, &arena, lens, &error) &&
           setup_open(&question, &arena, setup, &error) && setup_place_image(setup, &plane, &error));
     CHECK_TEXT(error.message, "");
-    const struct lens_room room = lens_room_of(setup, &arena);
-    CHECK_NEAR(lens_room_pupil(setup), 0, 1e-12, "pupil");
+    const struct lens_clearance room = lens_clearance_of(setup, &arena);
+    CHECK_NEAR(lens_clearance_pupil(setup), 0, 1e-12, "pupil");
     return room;
 }
 
 /* Is it found in a second, and when? */
-static bool holds(const struct lens_room *room, const struct scene_thing *thing,
+static bool holds(const struct lens_clearance *room, const struct scene_thing *thing,
                   const struct scene_place *camera, double *time)
 {
     static const double span[2] = {0, 1};
@@ -39,7 +39,7 @@ static bool holds(const struct lens_room *room, const struct scene_thing *thing,
     struct world world;
     size_t which = 0;
     CHECK(world_open(&scene, span, &arena, &world, &error));
-    const bool does = lens_room_holds(room, &world, camera, span, &which, time);
+    const bool does = lens_clearance_holds(room, &world, camera, span, &which, time);
     CHECK(!does || which == 1);
     return does;
 }

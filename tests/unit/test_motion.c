@@ -171,8 +171,8 @@ static void test_panning(void)
 {
     for (int i = 0; i < 1000; i++) {
         double f = exp2(draw(4, 9)), s = f * exp2(draw(1.5, 9)), m = f / (s - f);
-        struct panning pan = {draw(100, 50000), draw(0.1, 3), exp2(draw(-9, -2)), f, s,
-                              draw(0.01, 2)};
+        struct panning_shot pan = {draw(100, 50000), draw(0.1, 3), exp2(draw(-9, -2)), f, s,
+                                   draw(0.01, 2)};
         struct panning_blur blur;
         CHECK(panning_solve(&pan, &blur, &error));
         struct shake turn = {f, blur.rate * pan.track, pan.t, NAN, m};
@@ -182,7 +182,7 @@ static void test_panning(void)
         CHECK_NEAR(blur.subject, fabs(moved.blur - turn.blur), 1e-12 * moved.blur, "the rest");
     }
     struct panning_blur blur;
-    struct panning exact = {10000, pi / 2, 0.01, 100, 10100, 1};
+    struct panning_shot exact = {10000, pi / 2, 0.01, 100, 10100, 1};
     CHECK(panning_solve(&exact, &blur, &error));
     CHECK_NEAR(blur.subject, 0, 0, "followed exactly");
     CHECK_NEAR(blur.background, 1, 1e-14, "m = 0.01, 100 mm of path");

@@ -86,7 +86,7 @@ static const struct sample {
 static struct tolerances tolerances_of(const char *lines, const struct lens *lens,
                                        const char *source, struct arena *arena)
 {
-    struct growing file = {.arena = arena};
+    struct text_buffer file = {.arena = arena};
     struct text rest = text_of(lines);
     struct tolerances tolerances = {0};
     struct error error = {.code = ERROR_NONE};

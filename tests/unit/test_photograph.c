@@ -74,7 +74,7 @@ static void test_ended(double share)
     const struct photograph whole = take(&question);
     const size_t most = TILES * (SAMPLES / 8 + 1);
     size_t cut = 0;
-    CHECK(!whole.is_incomplete && whole.counts[PHOTOGRAPH_WAYS + SPARE_TRACED] == TILES);
+    CHECK(!whole.is_incomplete && whole.counts[PHOTOGRAPH_WAYS + RAY_REUSE_TRACED] == TILES);
     for (size_t looks = 1; looks <= most; looks++) {
         unsigned char done[TILES] = {0}, others[TILES];
         struct watch watch = {.look = look, .is_busy = ATOMIC_FLAG_INIT};
@@ -89,7 +89,7 @@ static void test_ended(double share)
         }
         cut += looks > 1 && count < TILES;
         CHECK(part.is_incomplete == (count < TILES));
-        CHECK(part.counts[PHOTOGRAPH_WAYS + SPARE_TRACED] == count);
+        CHECK(part.counts[PHOTOGRAPH_WAYS + RAY_REUSE_TRACED] == count);
         check_tiles(&part, &whole, done);
         question.watch = NULL;
         const struct photograph rest = take(&question);

@@ -111,8 +111,8 @@ static void test_learning(void)
     CHECK(aim_open(&opened.open, &beam, &arena, &aim, &error));
     const struct stop_beam stop = stop_beam_of_stop(&aim, &opened.clipped, WEIGHT_PUPIL);
     struct quadrature_region region = quadrature_open(&stop, &arena);
-    const struct star *found = quadrature_star(&region, &arena);
-    struct star star = *found;
+    const struct pupil_boundary *found = quadrature_star(&region, &arena);
+    struct pupil_boundary star = *found;
     double angles[WAYS];
     struct edge edges[WAYS];
     size_t rim = found->edges[0].limit;
@@ -123,15 +123,15 @@ static void test_learning(void)
             star.edges[star.count++] = found->edges[i];
         }
     }
-    star_join(&star);
+    pupil_boundary_join(&star);
     CHECK(star.count > 0 && star.count < found->count);
     for (size_t i = 0; i < WAYS; i++) {
         angles[i] = 2 * PI * (double)i / WAYS;
     }
     const struct edge_directions ways = {star.frame, angles, NULL, WAYS, 0};
     edges_find(&region.margins, &ways, 1e-13, edges);
-    CHECK(star_learn(&region.margins, &region.probe, &ways, edges, &star));
-    CHECK(!star_learn(&region.margins, &region.probe, &ways, edges, &star));
+    CHECK(pupil_boundary_learn(&region.margins, &region.probe, &ways, edges, &star));
+    CHECK(!pupil_boundary_learn(&region.margins, &region.probe, &ways, edges, &star));
     CHECK(star.corner_count == 2);
     /* of the circles x^2 + y^2 = 25 and x^2 + (y - 6)^2 = 64 in the stop: y = -1/4 */
     for (size_t k = 0; k < star.corner_count; k++) {

@@ -11,8 +11,8 @@ enum { MOST = 4096 };
 
 /* An even disc of radius 1 whose middle lies `beside` the point that distances count from. */
 struct disc {
-    struct quantile_mark marks[MOST];
-    struct quantile_sample sample;
+    struct encircled_energy_mark marks[MOST];
+    struct encircled_energy_sample sample;
 };
 
 /* Given: arcs  0: equal arms all around; else so many arcs of `arms` arms each
@@ -27,7 +27,7 @@ static void make_disc(struct disc *disc, double beside, size_t rings, size_t arm
     double places[64], shares[64], angles[256], parts[256];
     gauss_rule(rings, places, shares);
     gauss_rule(arms, angles, parts);
-    struct quantile_arms all = quantile_arms_open(&bundle, NULL, arena);
+    struct encircled_energy_arms all = encircled_energy_arms_open(&bundle, NULL, arena);
     size_t count = 0;
     for (size_t i = 0; i < rings * bundle.arms; i++) {
         const size_t ring = i / bundle.arms, arm = i % bundle.arms;
@@ -36,17 +36,17 @@ static void make_disc(struct disc *disc, double beside, size_t rings, size_t arm
                                   : (double)arm / (double)arms;
         const double r = sqrt(places[ring]);
         if (lost > 0 && i % lost == 0) {
-            quantile_arms_add(&all, i, disc->marks, QUANTILE_ALONE);
+            encircled_energy_arms_add(&all, i, disc->marks, ENCIRCLED_ENERGY_ALONE);
             continue;
         }
-        disc->marks[count] = (struct quantile_mark){
+        disc->marks[count] = (struct encircled_energy_mark){
             .at = {beside + r * sin(2 * PI * around), r * cos(2 * PI * around)},
             .weight = shares[ring] *
                       (arc_count > 0 ? parts[arm % arms] / (double)arc_count : 1 / (double)arms)};
-        quantile_arms_add(&all, i, disc->marks, count);
+        encircled_energy_arms_add(&all, i, disc->marks, count);
         count++;
     }
-    disc->sample = (struct quantile_sample){disc->marks, count, true, all.sheets};
+    disc->sample = (struct encircled_energy_sample){disc->marks, count, true, all.sheets};
 }
 
 /* The share of it within a distance: two circles overlap in two segments. */
@@ -72,7 +72,7 @@ static void test_disc(const char *what, double beside, size_t rings, size_t arms
     make_disc(&disc, beside, rings, arms, arc_count, lost, &arena);
     CHECK((disc.sample.sheets != NULL) == (lost == 0));
     for (int percent = 10; percent < 100; percent += 20) {
-        const double distance = quantile_find(&disc.sample, percent / 100.0, &arena);
+        const double distance = encircled_energy_find(&disc.sample, percent / 100.0, &arena);
         CHECK_NEAR(overlap(distance, beside), percent / 100.0, tolerance, what);
     }
     arena_free(&arena);

@@ -368,7 +368,7 @@ static void test_diffraction_answers(void)
 static void test_distance_from(void)
 {
     struct dof_setting a = {.f = 50, .N = 4, .c = 0.03, .s = 100, .P = 0.5};
-    struct measuring from = {FROM_PRINCIPAL, 7, 9};
+    struct distance_reference from = {FROM_PRINCIPAL, 7, 9};
     const struct dof_targets none = {NAN, NAN, NAN, NAN, NAN};
     double s = 0;
     CHECK_NEAR(distance_offset(&a, &from), 0, 0, "from the principal plane itself");

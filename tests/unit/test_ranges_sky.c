@@ -445,19 +445,19 @@ static void test_tilt_drawing(void)
                                    .lens_diameter = 2,
                                    .sensor_height = 3,
                                    .sensor_centre = 0.5};
-    struct tilt_drawing d;
+    struct tilt_sketch d;
     tilt_draw(&t, &view, &d);
     static const struct {
         size_t at;
         double from_z, from_y, to_z, to_y;
     } rows[] = {
-        {offsetof(struct tilt_drawing, lens), 0.6, -0.8, -0.6, 0.8},
-        {offsetof(struct tilt_drawing, sensor), 5, -1, 5, 2},
-        {offsetof(struct tilt_drawing, axis), -3.2, -2.4, 3.2, 2.4},
-        {offsetof(struct tilt_drawing, front_focal), 0, -10.0 / 3, -4.75, 3},
-        {offsetof(struct tilt_drawing, sharp), 0, -10.0 / 3, -8, 2},
-        {offsetof(struct tilt_drawing, near), 0, -10.0 / 3, -7.6, 3},
-        {offsetof(struct tilt_drawing, far), 0, -10.0 / 3, -8, -10.0 / 3},
+        {offsetof(struct tilt_sketch, lens), 0.6, -0.8, -0.6, 0.8},
+        {offsetof(struct tilt_sketch, sensor), 5, -1, 5, 2},
+        {offsetof(struct tilt_sketch, axis), -3.2, -2.4, 3.2, 2.4},
+        {offsetof(struct tilt_sketch, front_focal), 0, -10.0 / 3, -4.75, 3},
+        {offsetof(struct tilt_sketch, sharp), 0, -10.0 / 3, -8, 2},
+        {offsetof(struct tilt_sketch, near), 0, -10.0 / 3, -7.6, 3},
+        {offsetof(struct tilt_sketch, far), 0, -10.0 / 3, -8, -10.0 / 3},
     };
     for (size_t i = 0; i < sizeof rows / sizeof *rows; i++) {
         struct tilt_segment s;

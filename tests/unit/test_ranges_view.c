@@ -337,19 +337,19 @@ static void test_unsteady(void)
     OUTSIDE(blur_measure(1, 1, 0, &size, &error),
             "circle of confusion 0 mm must be above 0 and finite");
     struct panning_blur blur;
-    INSIDE(panning_solve(&(struct panning){0.5, pi / 2, 0.5, 0.25, 0.5, 0}, &blur, &error));
+    INSIDE(panning_solve(&(struct panning_shot){0.5, pi / 2, 0.5, 0.25, 0.5, 0}, &blur, &error));
     CHECK_NEAR(blur.rate, 1, 1e-16, "v/s");
     CHECK_NEAR(blur.subject, 0.25, 1e-16, "(1 - 0) m v t");
     CHECK_NEAR(blur.background, 0, 0, "standing still");
-    OUTSIDE(panning_solve(&(struct panning){0, 1, 1, 1, 2, 1}, &blur, &error),
+    OUTSIDE(panning_solve(&(struct panning_shot){0, 1, 1, 1, 2, 1}, &blur, &error),
             "speed 0 mm/s must be above 0 and finite");
-    OUTSIDE(panning_solve(&(struct panning){1, 1, 0, 1, 2, 1}, &blur, &error),
+    OUTSIDE(panning_solve(&(struct panning_shot){1, 1, 0, 1, 2, 1}, &blur, &error),
             "exposure time 0 s must be above 0 and finite");
-    OUTSIDE(panning_solve(&(struct panning){1, 4 * pi, 1, 1, 2, 1}, &blur, &error),
+    OUTSIDE(panning_solve(&(struct panning_shot){1, 4 * pi, 1, 1, 2, 1}, &blur, &error),
             "angle of the motion 720 deg lies outside 0 to 180 deg");
-    OUTSIDE(panning_solve(&(struct panning){1, 1, 1, 1, 1, 1}, &blur, &error),
+    OUTSIDE(panning_solve(&(struct panning_shot){1, 1, 1, 1, 1, 1}, &blur, &error),
             "distance 1 mm lies within the focal length 1 mm: no real image");
-    OUTSIDE(panning_solve(&(struct panning){1, 1, 1, 1, 2, -0.5}, &blur, &error),
+    OUTSIDE(panning_solve(&(struct panning_shot){1, 1, 1, 1, 2, -0.5}, &blur, &error),
             "track -0.5 must be 0 or above and finite");
     double t = 0;
     INSIDE(handheld_time(0.5, 0.5, 20, &t, &error));

@@ -12,8 +12,8 @@ enum { COLUMNS = 41, ROWS = 23 };
 struct fixture {
     struct arena arena;
     struct image depths, picture;
-    struct relief_question question;
-    struct relief relief;
+    struct depth_card_question question;
+    struct depth_card relief;
 };
 
 /* Frame of 410 x 230 mm, 1000 mm before a pupil that lies 50 mm behind the first vertex. */
@@ -37,16 +37,16 @@ static void fill(struct fixture *fixture, double (*depth)(size_t column, size_t 
     }
     fixture->question.depths = &fixture->depths;
     fixture->question.card.picture = &fixture->picture;
-    CHECK(relief_open(&fixture->question, &fixture->arena, &fixture->relief, &error));
+    CHECK(depth_card_open(&fixture->question, &fixture->arena, &fixture->relief, &error));
 }
 
 /* From (x, y) of the pupil through the point of the frame in column and row. */
 static struct card_light look(const struct fixture *fixture, double x, double y, double column,
-                              double row, enum relief_sight *sight)
+                              double row, enum depth_card_sight *sight)
 {
     const double to[2] = {10 * column - 205, 115 - 10 * row};
-    const struct relief_ray ray = {{x, y}, {(x - to[0]) / 1000, (y - to[1]) / 1000}};
-    return relief_look(&fixture->relief, &ray, sight);
+    const struct depth_card_ray ray = {{x, y}, {(x - to[0]) / 1000, (y - to[1]) / 1000}};
+    return depth_card_look(&fixture->relief, &ray, sight);
 }
 
 /* A disc of d mm before the pupil has its depth from the sensor, m. */
@@ -72,7 +72,7 @@ static double at_double(size_t column, size_t row)
 static void test_planes(void)
 {
     struct fixture fixture;
-    enum relief_sight sight;
+    enum depth_card_sight sight;
     fill(&fixture, at_frame);
     struct card_light light = look(&fixture, 20, -10, 12.25, 7.5, &sight);
     CHECK(sight == SIGHT_SEEN);
@@ -101,7 +101,7 @@ static void test_edges(void)
 {
     static const struct {
         double x, column, expected;
-        enum relief_sight sight;
+        enum depth_card_sight sight;
         const char *what;
     } cases[] = {
         {20, 25.0, 24.0, SIGHT_SEEN, "beside the bar, to the wall"},
@@ -116,7 +116,7 @@ static void test_edges(void)
     struct fixture fixture;
     fill(&fixture, bar);
     for (size_t i = 0; i < sizeof cases / sizeof cases[0]; i++) {
-        enum relief_sight sight;
+        enum depth_card_sight sight;
         const struct card_light light =
             look(&fixture, cases[i].x, 0, cases[i].column, 11.5, &sight);
         CHECK_NEAR((double)light.of[0], cases[i].expected, 1e-5, cases[i].what);
@@ -139,7 +139,7 @@ static void test_plane(void)
     fill(&fixture, leaning);
     for (double x = -20; x <= 20; x += 4) {
         for (double column = 5; column < 36; column += 0.37) {
-            enum relief_sight sight;
+            enum depth_card_sight sight;
             const struct card_light light = look(&fixture, x, 3, column, 11.5, &sight);
             const double U = (column + 100 * x * (1 / 800.0 + 0.5e-5 - 1e-3)) / (1 + 1e-3 * x);
             CHECK_NEAR((double)light.of[0], U, 0.02, "column on a leaning plane");
@@ -194,7 +194,7 @@ static void test_march(void)
         const double per_w[2] = {100 * x, -100 * y};
         const double from[2] = {column - per_w[0] / 1000, row - per_w[1] / 1000};
         long met[2];
-        enum relief_sight sight;
+        enum depth_card_sight sight;
         const struct card_light light = look(&fixture, x, y, column, row, &sight);
         if (march(&fixture, from, per_w, met)) {
             CHECK(sight == SIGHT_SEEN);
@@ -226,13 +226,13 @@ static void test_errors(void)
     fill(&fixture, at_frame);
     for (size_t i = 0; i < sizeof cases / sizeof cases[0]; i++) {
         fixture.depths.pixels[2 * COLUMNS + 4] = cases[i].depth;
-        CHECK(!relief_open(&fixture.question, &fixture.arena, &fixture.relief, &error));
+        CHECK(!depth_card_open(&fixture.question, &fixture.arena, &fixture.relief, &error));
         CHECK_TEXT(error.message, cases[i].message);
     }
     fixture.depths.pixels[2 * COLUMNS + 4] = INFINITY;
-    CHECK(relief_open(&fixture.question, &fixture.arena, &fixture.relief, &error));
+    CHECK(depth_card_open(&fixture.question, &fixture.arena, &fixture.relief, &error));
     fixture.question.pupil = INFINITY;
-    CHECK(!relief_open(&fixture.question, &fixture.arena, &fixture.relief, &error));
+    CHECK(!depth_card_open(&fixture.question, &fixture.arena, &fixture.relief, &error));
     arena_free(&fixture.arena);
 }
 

@@ -17,7 +17,7 @@ static bool trial(void *context, const double *p, double *figures, struct error 
 
 static const bool is_root[] = {true, false};
 static const char *const names[ERRORS] = {"R1", "R2", "t1", "t2"};
-static const struct differential_problem problem = {
+static const struct second_order_problem problem = {
     .trial = trial, .error_count = ERRORS, .figure_count = 2, .is_root = is_root, .names = names};
 
 static void check_table(void)
@@ -51,7 +51,7 @@ static void check_stopped(void)
 {
     struct arena arena = {0};
     struct watch watch = {.is_busy = ATOMIC_FLAG_INIT, .look = look};
-    struct differential_problem watched = problem;
+    struct second_order_problem watched = problem;
     struct sensitivity table[ERRORS][2];
     const double nominal[] = {1, 5};
     const char *failure;
@@ -81,7 +81,7 @@ static bool linear(void *context, const double *p, double *figures, struct error
 /* Four of slopes 1, 2, 4 and 100 that cost 2 together. */
 static void check_inverse(void)
 {
-    struct differential_problem of = problem;
+    struct second_order_problem of = problem;
     of.trial = linear;
     struct arena arena = {0};
     struct inverse answers[ERRORS];

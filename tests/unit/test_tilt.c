@@ -265,7 +265,7 @@ static void test_drawing(void)
 {
     struct tilt_given g = {150, 22, 0.1, 5 * degree, NONE, NONE, NONE, 80 * degree};
     struct tilt_view view = {10000, -2500, 2000, 60, 120, 0};
-    struct tilt_drawing d;
+    struct tilt_sketch d;
     struct tilt t;
     struct error error;
     CHECK(tilt_solve(&g, &t, &error));

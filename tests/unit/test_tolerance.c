@@ -57,7 +57,7 @@ static void check_line(const struct line *line, const struct lens *lens, struct 
     CHECK(one->sigmas == line->sigmas && one->line == 3 && one->column == 13);
     CHECK_RELATIVE(one->amount.value.hi, line->amount, 1e-15, line->text);
     /* written and read again it is the same */
-    struct growing written = {.arena = arena};
+    struct text_buffer written = {.arena = arena};
     growing_string(&written, "tolerance ");
     lens_tolerance_write(one, "in", &written);
     CHECK(lens_tolerances_read("again", growing_done(&written), lens, arena, &all, &error));
@@ -107,7 +107,7 @@ static void test_many(void)
     struct arena arena = {0};
     struct tolerances all;
     struct error error = {.code = ERROR_NONE};
-    struct growing file = {.arena = &arena};
+    struct text_buffer file = {.arena = &arena};
     const struct lens lens = lens_of(lens_text, &arena);
     for (int i = 0; i < 1000; i++) {
         growing_string(&file, "tolerance focus 1um\n");

@@ -245,7 +245,7 @@ static void check_second(enum tolerance_refocus refocus)
     for (int k = 0; k < 2; k++) {
         static struct under_test test;
         struct perturbation list[SEVERAL];
-        struct differential differential;
+        struct second_order differential;
         struct error error;
         for (size_t i = 0; i < SEVERAL; i++) {
             list[i] = several[i];
@@ -253,23 +253,23 @@ static void check_second(enum tolerance_refocus refocus)
         }
         const struct tolerance_question question = {.refocus = refocus};
         if (!open_test(&test, double_gauss, question, list, SEVERAL) ||
-            !differential_open(&test.model.problem, &arena, &differential, &error)) {
+            !second_order_open(&test.model.problem, &arena, &differential, &error)) {
             CHECK(false);
             return;
         }
-        double errors[SEVERAL * DIFFERENTIAL_LANES], figures[FIGURES * DIFFERENTIAL_LANES];
-        for (uint64_t i = 0; i < SEVERAL * DIFFERENTIAL_LANES; i++) {
+        double errors[SEVERAL * SECOND_ORDER_LANES], figures[FIGURES * SECOND_ORDER_LANES];
+        for (uint64_t i = 0; i < SEVERAL * SECOND_ORDER_LANES; i++) {
             errors[i] = 2 * random_unit(9, i, 0) - 1;
         }
-        differential_trials(&differential, errors, figures);
-        for (size_t l = 0; l < DIFFERENTIAL_LANES; l++) {
+        second_order_trials(&differential, errors, figures);
+        for (size_t l = 0; l < SECOND_ORDER_LANES; l++) {
             double one[SEVERAL], exact[FIGURES];
             for (size_t i = 0; i < SEVERAL; i++) {
-                one[i] = errors[i * DIFFERENTIAL_LANES + l];
+                one[i] = errors[i * SECOND_ORDER_LANES + l];
             }
             try(&test, one, exact);
             for (size_t f = 0; f < test.tolerance.figure_count; f++) {
-                const double about = figures[f * DIFFERENTIAL_LANES + l];
+                const double about = figures[f * SECOND_ORDER_LANES + l];
                 off[k] = fmax(off[k], fabs(about * about - exact[f] * exact[f]));
                 CHECK_NEAR(about, exact[f], 0.02 * exact[f], "second order");
             }

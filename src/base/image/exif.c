@@ -14,27 +14,28 @@ struct tiff {
     bool is_big;
 };
 
-static size_t number_at(const struct tiff *tiff, size_t at, int bytes)
+static size_t exif_number_at(const struct tiff *tiff, size_t at, int bytes)
 {
     return tiff->is_big ? bytes_big(tiff->data + at, bytes) : bytes_little(tiff->data + at, bytes);
 }
 
 /* The value of an entry; 0: of another type, or not within the data. */
-static double value_of(const struct tiff *tiff, size_t entry)
+static double exif_value_of(const struct tiff *tiff, size_t entry)
 {
-    const size_t type = number_at(tiff, entry + 2, 2), place = number_at(tiff, entry + 8, 4);
+    const size_t type = exif_number_at(tiff, entry + 2, 2),
+                 place = exif_number_at(tiff, entry + 8, 4);
     if (type == SHORT || type == LONG) {
-        return (double)number_at(tiff, entry + 8, type == SHORT ? 2 : 4);
+        return (double)exif_number_at(tiff, entry + 8, type == SHORT ? 2 : 4);
     }
     if (type != RATIONAL || place > tiff->length || tiff->length - place < 8) {
         return 0;
     }
-    const double below = (double)number_at(tiff, place + 4, 4);
-    return below > 0 ? (double)number_at(tiff, place, 4) / below : 0;
+    const double below = (double)exif_number_at(tiff, place + 4, 4);
+    return below > 0 ? (double)exif_number_at(tiff, place, 4) / below : 0;
 }
 
 /* The first of a kind: a file can repeat an entry ten thousands of times. */
-static void note(struct image *image, struct arena *arena, const char *key, const char *value)
+static void exif_note(struct image *image, struct arena *arena, const char *key, const char *value)
 {
     for (size_t i = 0; i < image->note_count; i++) {
         if (strcmp(image->notes[i].key, key) == 0) {
@@ -52,21 +53,21 @@ static size_t take_folder(const struct tiff *tiff, size_t at, struct image *imag
     if (at > tiff->length || tiff->length - at < 2) {
         return 0;
     }
-    const size_t count = number_at(tiff, at, 2);
+    const size_t count = exif_number_at(tiff, at, 2);
     for (size_t i = 0; i < count && at + 2 + (i + 1) * ENTRY <= tiff->length; i++) {
-        const size_t entry = at + 2 + i * ENTRY, tag = number_at(tiff, entry, 2);
-        const double value = value_of(tiff, entry);
+        const size_t entry = at + 2 + i * ENTRY, tag = exif_number_at(tiff, entry, 2);
+        const double value = exif_value_of(tiff, entry);
         if (!(value > 0)) {
             continue;
         }
         if (tag == SUBFOLDER) {
             below = (size_t)value;
         } else if (tag == 33434) {
-            note(image, arena, "Exposure time", arena_printf(arena, "%.9g s", value));
+            exif_note(image, arena, "Exposure time", arena_printf(arena, "%.9g s", value));
         } else if (tag == 33437) {
-            note(image, arena, "Aperture", arena_printf(arena, "f/%.4g", value));
+            exif_note(image, arena, "Aperture", arena_printf(arena, "f/%.4g", value));
         } else if (tag == 34855) {
-            note(image, arena, "ISO", arena_printf(arena, "%.6g", value));
+            exif_note(image, arena, "ISO", arena_printf(arena, "%.6g", value));
         }
     }
     return below;
@@ -79,10 +80,10 @@ void exif_notes(struct text text, struct image *image, struct arena *arena)
         return;
     }
     tiff.is_big = memcmp(text.start, "MM", 2) == 0;
-    if ((!tiff.is_big && memcmp(text.start, "II", 2) != 0) || number_at(&tiff, 2, 2) != 42) {
+    if ((!tiff.is_big && memcmp(text.start, "II", 2) != 0) || exif_number_at(&tiff, 2, 2) != 42) {
         return;
     }
-    const size_t below = take_folder(&tiff, number_at(&tiff, 4, 4), image, arena);
+    const size_t below = take_folder(&tiff, exif_number_at(&tiff, 4, 4), image, arena);
     if (below > 0) {
         take_folder(&tiff, below, image, arena);
     }

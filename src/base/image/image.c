@@ -78,7 +78,7 @@ static bool is_key(struct text key)
 }
 
 /* For one more note; a place that a copy of the image has taken is not there any more. */
-static void make_room(struct image *image, struct arena *arena)
+static void image_make_room(struct image *image, struct arena *arena)
 {
     enum { LEAST = 16 };
     const size_t count = image->note_count;
@@ -108,12 +108,12 @@ void image_note(struct image *image, struct arena *arena, struct text key, struc
         }
         i += length > 0 ? length : 1;
     }
-    make_room(image, arena);
+    image_make_room(image, arena);
     image->notes[image->note_count++] =
         (struct image_note){arena_string(arena, key.start, key.length), clean};
 }
 
-static bool is_within(float value, enum image_range range)
+static bool image_is_within(float value, enum image_range range)
 {
     return range == IMAGE_NUMBERS  ? !isnan(value)
            : range == IMAGE_FINITE ? isfinite(value) != 0
@@ -126,7 +126,7 @@ bool image_check(const struct image *image, enum image_range range, struct error
                                         "a finite number of at least 0"};
     const size_t count = image->width * image->height * image->channels;
     size_t i = 0;
-    while (i < count && is_within(image->pixels[i], range)) {
+    while (i < count && image_is_within(image->pixels[i], range)) {
         i++;
     }
     const size_t pixel = i / image->channels;

@@ -10,23 +10,24 @@
 #include <stdlib.h>
 
 /* A channel, for sorting by name. */
-struct channel {
+struct openexr_channel {
     const char *name;
     size_t number; /* in the image */
 };
 
-static int by_name(const void *a, const void *b)
+static int openexr_by_name(const void *a, const void *b)
 {
-    return strcmp(((const struct channel *)a)->name, ((const struct channel *)b)->name);
+    return strcmp(((const struct openexr_channel *)a)->name,
+                  ((const struct openexr_channel *)b)->name);
 }
 
-static struct channel *sort_channels(const struct image *image, struct arena *arena)
+static struct openexr_channel *sort_channels(const struct image *image, struct arena *arena)
 {
-    struct channel *channels = ARENA_ARRAY(arena, image->channels, struct channel);
+    struct openexr_channel *channels = ARENA_ARRAY(arena, image->channels, struct openexr_channel);
     for (size_t i = 0; i < image->channels; i++) {
-        channels[i] = (struct channel){image_channel(image, i, arena), i};
+        channels[i] = (struct openexr_channel){image_channel(image, i, arena), i};
     }
-    qsort(channels, image->channels, sizeof *channels, by_name);
+    qsort(channels, image->channels, sizeof *channels, openexr_by_name);
     return channels;
 }
 
@@ -35,14 +36,15 @@ static void put_name(struct bytes *to, const char *name)
     bytes_put(to, name, strlen(name) + 1);
 }
 
-static void put_attribute(struct bytes *to, const char *name, const char *type, size_t size)
+static void openexr_put_attribute(struct bytes *to, const char *name, const char *type, size_t size)
 {
     put_name(to, name);
     put_name(to, type);
     bytes_put_little(to, size, 4);
 }
 
-static void put_channels(struct bytes *to, const struct channel *channels, size_t count, int type)
+static void put_channels(struct bytes *to, const struct openexr_channel *channels, size_t count,
+                         int type)
 {
     struct bytes list = {.arena = to->arena};
     for (size_t i = 0; i < count; i++) {
@@ -53,32 +55,32 @@ static void put_channels(struct bytes *to, const struct channel *channels, size_
         bytes_put_little(&list, 1, 4);
     }
     bytes_put_little(&list, 0, 1);
-    put_attribute(to, "channels", "chlist", list.used);
+    openexr_put_attribute(to, "channels", "chlist", list.used);
     bytes_put(to, list.data, list.used);
 }
 
 static void put_float(struct bytes *to, const char *name, float value)
 {
-    put_attribute(to, name, "float", 4);
+    openexr_put_attribute(to, name, "float", 4);
     bytes_put_little(to, bytes_bits(value), 4);
 }
 
 static void put_byte(struct bytes *to, const char *name, const char *type, int value)
 {
-    put_attribute(to, name, type, 1);
+    openexr_put_attribute(to, name, type, 1);
     bytes_put_little(to, (uint64_t)value, 1);
 }
 
 static void put_window(struct bytes *to, const char *name, const struct image *image)
 {
-    put_attribute(to, name, "box2i", 16);
+    openexr_put_attribute(to, name, "box2i", 16);
     bytes_put_little(to, 0, 8);
     bytes_put_little(to, image->width - 1, 4);
     bytes_put_little(to, image->height - 1, 4);
 }
 
-static void put_head(struct bytes *to, const struct image *image, const struct channel *channels,
-                     const struct image_way *way)
+static void put_head(struct bytes *to, const struct image *image,
+                     const struct openexr_channel *channels, const struct image_way *way)
 {
     bytes_put_little(to, OPENEXR_MAGIC, 4);
     bytes_put_little(to, 2, 4);
@@ -88,7 +90,7 @@ static void put_head(struct bytes *to, const struct image *image, const struct c
     put_window(to, "displayWindow", image);
     put_byte(to, "lineOrder", "lineOrder", 0);
     put_float(to, "pixelAspectRatio", image->aspect > 0 ? (float)image->aspect : 1);
-    put_attribute(to, "screenWindowCenter", "v2f", 8);
+    openexr_put_attribute(to, "screenWindowCenter", "v2f", 8);
     bytes_put_little(to, 0, 8);
     put_float(to, "screenWindowWidth", 1);
     for (size_t i = 0; i < image->note_count; i++) {
@@ -96,14 +98,14 @@ static void put_head(struct bytes *to, const struct image *image, const struct c
         /* of 31 characters at most, unless readers are told of longer ones */
         char *key = arena_string(to->arena, image->notes[i].key, strlen(image->notes[i].key));
         key[strlen(key) > 31 ? 31 : strlen(key)] = '\0';
-        put_attribute(to, key, "string", strlen(value));
+        openexr_put_attribute(to, key, "string", strlen(value));
         bytes_put_string(to, value);
     }
     bytes_put_little(to, 0, 1);
 }
 
-static void put_rows(struct bytes *to, const struct image *image, const struct channel *channels,
-                     bool half, const size_t rows[2])
+static void put_rows(struct bytes *to, const struct image *image,
+                     const struct openexr_channel *channels, bool half, const size_t rows[2])
 {
     const size_t all = (rows[1] - rows[0]) * image->width * image->channels * (half ? 2 : 4);
     unsigned char *at = bytes_room(to, all);
@@ -124,7 +126,7 @@ static void put_rows(struct bytes *to, const struct image *image, const struct c
 }
 
 /* Even bytes before odd ones, each as its difference from the one before, and 128. */
-static void spread(const unsigned char *from, size_t count, unsigned char *to)
+static void openexr_spread(const unsigned char *from, size_t count, unsigned char *to)
 {
     for (size_t i = 0; i < count; i++) {
         to[i / 2 + (i % 2 != 0 ? (count + 1) / 2 : 0)] = from[i];
@@ -135,11 +137,11 @@ static void spread(const unsigned char *from, size_t count, unsigned char *to)
 }
 
 /* The rows of a block, packed where that makes them less. */
-static struct text pack(const struct bytes *plain, struct arena *arena)
+static struct text openexr_pack(const struct bytes *plain, struct arena *arena)
 {
     struct bytes packed = {.arena = arena};
     unsigned char *apart = ARENA_ARRAY(arena, plain->used, unsigned char);
-    spread(plain->data, plain->used, apart);
+    openexr_spread(plain->data, plain->used, apart);
     stb_pack(&packed, apart, plain->used);
     return bytes_text(packed.used < plain->used ? &packed : plain);
 }
@@ -162,7 +164,7 @@ bool openexr_write(const struct image *image, const struct image_way *way, struc
 {
     const size_t rows = way->packed ? OPENEXR_ZIP_ROWS : 1;
     const size_t blocks = (image->height + rows - 1) / rows;
-    const struct channel *channels = sort_channels(image, arena);
+    const struct openexr_channel *channels = sort_channels(image, arena);
     struct bytes to = {.arena = arena};
     struct arena scratch = {0};
     if (!check_values(image, way->half, error)) {
@@ -182,7 +184,7 @@ bool openexr_write(const struct image *image, const struct image_way *way, struc
         struct bytes plain = {.arena = &scratch};
         bytes_put_little(&at, to.used, 8);
         put_rows(&plain, image, channels, way->half, range);
-        const struct text block = way->packed ? pack(&plain, &scratch) : bytes_text(&plain);
+        const struct text block = way->packed ? openexr_pack(&plain, &scratch) : bytes_text(&plain);
         bytes_put_little(&to, range[0], 4);
         bytes_put_little(&to, block.length, 4);
         bytes_put(&to, block.start, block.length);

@@ -7,7 +7,7 @@
 
 #include <stdlib.h>
 
-struct channel {
+struct openexr_read_channel {
     char *name;
     int type;
     size_t size; /* bytes of a value */
@@ -18,7 +18,7 @@ struct channel {
 struct openexr {
     const unsigned char *data;
     size_t size, at;
-    struct channel channels[IMAGE_CHANNELS_MOST];
+    struct openexr_read_channel channels[IMAGE_CHANNELS_MOST];
     size_t count;
     int packing;
     int32_t window[2][4]; /* of data, of display: x, y of the first, x, y of the last pixel */
@@ -30,12 +30,12 @@ struct openexr {
 };
 
 /* An attribute's value. */
-struct value {
+struct openexr_read_value {
     const char *name, *type;
     size_t at, size;
 };
 
-static bool refuse(struct error *error, const char *what)
+static bool openexr_read_refuse(struct error *error, const char *what)
 {
     return fail(error, ERROR_DATA, "OpenEXR: %s", what);
 }
@@ -68,13 +68,14 @@ static bool take_name(struct openexr *file, size_t end, const char **name, struc
     return true;
 }
 
-static uint32_t take_word(struct openexr *file)
+static uint32_t openexr_read_take_word(struct openexr *file)
 {
     file->at += 4;
     return (uint32_t)bytes_little(file->data + file->at - 4, 4);
 }
 
-static bool take_channels(struct openexr *file, const struct value *value, struct error *error)
+static bool take_channels(struct openexr *file, const struct openexr_read_value *value,
+                          struct error *error)
 {
     static const size_t sizes[] = {[OPENEXR_WHOLE] = 4, [OPENEXR_HALF] = 2, [OPENEXR_FLOAT] = 4};
     const size_t end = value->at + value->size;
@@ -87,23 +88,24 @@ static bool take_channels(struct openexr *file, const struct value *value, struc
             return fail(error, ERROR_DATA, "OpenEXR: channel '%.60s' is cut off, or more than %d",
                         name, IMAGE_CHANNELS_MOST);
         }
-        const uint32_t type = take_word(file);
+        const uint32_t type = openexr_read_take_word(file);
         file->at += 4;
-        const uint32_t across = take_word(file), down = take_word(file);
+        const uint32_t across = openexr_read_take_word(file), down = openexr_read_take_word(file);
         if (type > OPENEXR_FLOAT || across != 1 || down != 1) {
             return fail(error, ERROR_DATA,
                         "OpenEXR: channel '%.60s' is of type %u, one value in %u x %u pixels: "
                         "types 0, 1, 2 and 1 x 1 are read",
                         name, type, across, down);
         }
-        file->channels[file->count] = (struct channel){
+        file->channels[file->count] = (struct openexr_read_channel){
             arena_string(file->arena, name, strlen(name)), (int)type, sizes[type], file->count};
         file->pixel += sizes[type];
     }
     return false;
 }
 
-static bool take_packing(struct openexr *file, const struct value *value, struct error *error)
+static bool take_packing(struct openexr *file, const struct openexr_read_value *value,
+                         struct error *error)
 {
     static const char *const names[] = {"none",  "RLE", "ZIPS", "ZIP",  "PIZ",
                                         "PXR24", "B44", "B44A", "DWAA", "DWAB"};
@@ -118,18 +120,20 @@ static bool take_packing(struct openexr *file, const struct value *value, struct
                 is_known ? names[file->packing] : "unknown", file->packing);
 }
 
-static bool take_window(struct openexr *file, const struct value *value, struct error *error)
+static bool take_window(struct openexr *file, const struct openexr_read_value *value,
+                        struct error *error)
 {
     const int which = strcmp(value->name, "dataWindow") == 0 ? 0 : 1;
     (void)error;
     for (int i = 0; i < 4; i++) {
-        file->window[which][i] = (int32_t)take_word(file);
+        file->window[which][i] = (int32_t)openexr_read_take_word(file);
     }
     file->has_window[which] = true;
     return true;
 }
 
-static bool take_aspect(struct openexr *file, const struct value *value, struct error *error)
+static bool openexr_read_take_aspect(struct openexr *file, const struct openexr_read_value *value,
+                                     struct error *error)
 {
     const float aspect = bytes_float((uint32_t)bytes_little(file->data + value->at, 4));
     return image_take_aspect(file->image, (double)aspect) ||
@@ -137,7 +141,8 @@ static bool take_aspect(struct openexr *file, const struct value *value, struct 
                 (double)aspect, IMAGE_ASPECT_LEAST, IMAGE_ASPECT_MOST);
 }
 
-static bool take_string(struct openexr *file, const struct value *value, struct error *error)
+static bool take_string(struct openexr *file, const struct openexr_read_value *value,
+                        struct error *error)
 {
     (void)error;
     image_note(file->image, file->arena, text_of(value->name),
@@ -145,18 +150,20 @@ static bool take_string(struct openexr *file, const struct value *value, struct 
     return true;
 }
 
-static bool take_value(struct openexr *file, const struct value *value, struct error *error)
+static bool take_value(struct openexr *file, const struct openexr_read_value *value,
+                       struct error *error)
 {
     static const struct {
         const char *name, *type; /* name null: any */
         size_t size;             /* 0: any */
-        bool (*take)(struct openexr *file, const struct value *value, struct error *error);
+        bool (*take)(struct openexr *file, const struct openexr_read_value *value,
+                     struct error *error);
     } takers[] = {
         {"channels", "chlist", 0, take_channels},
         {"compression", "compression", 1, take_packing},
         {"dataWindow", "box2i", 16, take_window},
         {"displayWindow", "box2i", 16, take_window},
-        {"pixelAspectRatio", "float", 4, take_aspect},
+        {"pixelAspectRatio", "float", 4, openexr_read_take_aspect},
         {NULL, "string", 0, take_string},
     };
     for (size_t i = 0; i < sizeof takers / sizeof *takers; i++) {
@@ -173,14 +180,14 @@ static bool take_value(struct openexr *file, const struct value *value, struct e
     return true;
 }
 
-static bool read_head(struct openexr *file, struct error *error)
+static bool openexr_read_head(struct openexr *file, struct error *error)
 {
-    struct value value;
+    struct openexr_read_value value;
     if (!has(file, 8)) {
         return truncated(file, "its head", error);
     }
     file->at = 4;
-    const uint32_t version = take_word(file);
+    const uint32_t version = openexr_read_take_word(file);
     if ((version & 0xff) != 2 || (version & ~0x4ffU) != 0) {
         return fail(error, ERROR_DATA,
                     "OpenEXR: version %u with flags %#x: one part of scanlines of version 2 is "
@@ -197,7 +204,7 @@ static bool read_head(struct openexr *file, struct error *error)
         if (!has(file, 4)) {
             return truncated(file, "its head", error);
         }
-        value.size = take_word(file);
+        value.size = openexr_read_take_word(file);
         value.at = file->at;
         if (!has(file, value.size)) {
             return truncated(file, "its head", error);
@@ -238,10 +245,11 @@ static bool check_head(struct openexr *file, struct error *error)
     const int32_t *data = file->window[0];
     struct image *image = file->image;
     if (file->count == 0 || !file->has_packing || !file->has_window[0]) {
-        return refuse(error, "its head lacks channels, compression or dataWindow");
+        return openexr_read_refuse(error, "its head lacks channels, compression or dataWindow");
     }
     if (file->has_window[1] && memcmp(data, file->window[1], sizeof file->window[0]) != 0) {
-        return refuse(error, "its data window is not its display window: part of a picture");
+        return openexr_read_refuse(error,
+                                   "its data window is not its display window: part of a picture");
     }
     const int64_t width = (int64_t)data[2] - data[0] + 1, height = (int64_t)data[3] - data[1] + 1;
     image->width = width > 0 ? (size_t)width : 0;
@@ -249,7 +257,7 @@ static bool check_head(struct openexr *file, struct error *error)
     image->channels = file->count;
     for (size_t i = 1; i < file->count; i++) {
         if (strcmp(file->channels[i - 1].name, file->channels[i].name) >= 0) {
-            return refuse(error, "its channels are not in the order of their names");
+            return openexr_read_refuse(error, "its channels are not in the order of their names");
         }
     }
     order_channels(file);
@@ -281,7 +289,7 @@ static bool unpack_runs(const unsigned char *from, size_t size, unsigned char *t
 }
 
 /* Differences summed up, and the halves put together again. */
-static void gather(unsigned char *apart, size_t count, unsigned char *to)
+static void openexr_read_gather(unsigned char *apart, size_t count, unsigned char *to)
 {
     for (size_t i = 1; i < count; i++) {
         apart[i] = (unsigned char)(apart[i] + apart[i - 1] - 128);
@@ -308,7 +316,7 @@ static const unsigned char *unpack(const struct openexr *file, size_t size, size
     if (!done) {
         return NULL;
     }
-    gather(plain[0], count, plain[1]);
+    openexr_read_gather(plain[0], count, plain[1]);
     return plain[1];
 }
 
@@ -318,7 +326,7 @@ static void fill_rows(const struct openexr *file, const unsigned char *from, siz
     const struct image *image = file->image;
     for (size_t y = first; y < end; y++) {
         for (size_t k = 0; k < file->count; k++) {
-            const struct channel *channel = &file->channels[k];
+            const struct openexr_read_channel *channel = &file->channels[k];
             float *to = image_row(image, y) + channel->to;
             for (size_t x = 0; x < image->width; x++, from += channel->size) {
                 const uint32_t bits = (uint32_t)bytes_little(from, (int)channel->size);
@@ -331,16 +339,16 @@ static void fill_rows(const struct openexr *file, const unsigned char *from, siz
 }
 
 /* A block, wherever the table says it lies; each of the rows comes once. */
-static bool read_block(struct openexr *file, size_t rows, bool *seen, unsigned char *plain[2],
-                       struct error *error)
+static bool openexr_read_block(struct openexr *file, size_t rows, bool *seen,
+                               unsigned char *plain[2], struct error *error)
 {
     const struct image *image = file->image;
     if (!has(file, 8)) {
         return truncated(file, "its rows", error);
     }
     const size_t begin = file->at;
-    const int64_t y = (int64_t)(int32_t)take_word(file) - file->window[0][1];
-    const size_t size = take_word(file);
+    const int64_t y = (int64_t)(int32_t)openexr_read_take_word(file) - file->window[0][1];
+    const size_t size = openexr_read_take_word(file);
     if (y < 0 || (size_t)y >= image->height || (size_t)y % rows != 0 || seen[(size_t)y / rows]) {
         return fail(error, ERROR_DATA, "OpenEXR: the block at byte %zu is of no row, or one again",
                     begin);
@@ -369,7 +377,7 @@ bool openexr_read(struct text bytes, const struct image_wish *wish, struct arena
                              .arena = arena,
                              .image = image};
     *image = (struct image){0};
-    if (!read_head(file, error) || !check_head(file, error)) {
+    if (!openexr_read_head(file, error) || !check_head(file, error)) {
         return false;
     }
     const size_t rows = file->packing == OPENEXR_ZIP ? OPENEXR_ZIP_ROWS : 1;
@@ -390,7 +398,7 @@ bool openexr_read(struct text bytes, const struct image_wish *wish, struct arena
     for (size_t i = 0; i < blocks; i++) {
         const uint64_t at = bytes_little(file->data + table + 8 * i, 8);
         file->at = at < file->size ? (size_t)at : file->size;
-        if (!read_block(file, rows, seen, plain, error)) {
+        if (!openexr_read_block(file, rows, seen, plain, error)) {
             return false;
         }
     }

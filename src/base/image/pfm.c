@@ -35,8 +35,8 @@ static bool take_number(struct text file, size_t *at, const char *what, double *
     return true;
 }
 
-static bool take_side(struct text file, size_t *at, const char *what, size_t *side,
-                      struct error *error)
+static bool pfm_take_side(struct text file, size_t *at, const char *what, size_t *side,
+                          struct error *error)
 {
     double value;
     if (!take_number(file, at, what, &value, error)) {
@@ -56,8 +56,8 @@ bool pfm_read(struct text file, const struct image_wish *wish, struct arena *are
     size_t at = 2;
     double scale;
     *image = (struct image){.channels = file.start[1] == 'F' ? 3 : 1};
-    if (!take_side(file, &at, "width", &image->width, error) ||
-        !take_side(file, &at, "height", &image->height, error) ||
+    if (!pfm_take_side(file, &at, "width", &image->width, error) ||
+        !pfm_take_side(file, &at, "height", &image->height, error) ||
         !take_number(file, &at, "scale", &scale, error)) {
         return false;
     }

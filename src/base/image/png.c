@@ -27,7 +27,7 @@ static void put_chunk(struct bytes *to, const char *type, const void *data, size
     bytes_put_big(to, crc_of(to->data + from, to->used - from), 4);
 }
 
-static void put_header(struct bytes *to, const struct image *image, int bits)
+static void png_put_header(struct bytes *to, const struct image *image, int bits)
 {
     static const unsigned char colors[] = {0, 0, 4, 2, 6};
     unsigned char header[PNG_HEADER] = {0};
@@ -211,7 +211,7 @@ bool png_write(const struct image *image, const struct image_way *way, struct ar
         return false;
     }
     bytes_put(&to, PNG_SIGNATURE, PNG_START);
-    put_header(&to, image, way->bits);
+    png_put_header(&to, image, way->bits);
     put_encoding(&to, way->values);
     if (image->aspect > 0) {
         put_aspect(&to, image->aspect);

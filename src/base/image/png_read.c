@@ -68,7 +68,7 @@ static bool read_chunk(struct text file, size_t at, struct chunk *chunk, struct 
 }
 
 /* Hand a chunk on to stb; a palette's numbers go as shades of grey, so that each can be checked. */
-static bool pass(struct png *png, const struct chunk *chunk, struct error *error)
+static bool png_read_pass(struct png *png, const struct chunk *chunk, struct error *error)
 {
     unsigned char *copy = bytes_room(&png->plain, PNG_FRAME + chunk->count);
     (void)error;
@@ -107,7 +107,7 @@ static bool take_header(struct png *png, const struct chunk *chunk, struct error
         return fail(error, ERROR_DATA, "PNG: no kind has %d bits of colour type %d", png->bits,
                     png->color);
     }
-    return pass(png, chunk, error);
+    return png_read_pass(png, chunk, error);
 }
 
 static bool take_palette(struct png *png, const struct chunk *chunk, struct error *error)
@@ -126,14 +126,14 @@ static bool take_palette(struct png *png, const struct chunk *chunk, struct erro
 static bool take_data(struct png *png, const struct chunk *chunk, struct error *error)
 {
     png->data += chunk->count;
-    return pass(png, chunk, error);
+    return png_read_pass(png, chunk, error);
 }
 
 static bool take_alpha(struct png *png, const struct chunk *chunk, struct error *error)
 {
     png->has_alpha = true;
     if (png->color != PALETTE) {
-        return pass(png, chunk, error);
+        return png_read_pass(png, chunk, error);
     }
     for (size_t i = 0; i < chunk->count && i < png->palette_count; i++) {
         png->palette[i][3] = chunk->data[i];
@@ -160,7 +160,7 @@ static bool take_gamma(struct png *png, const struct chunk *chunk, struct error 
  * Pixels a metre are whole numbers of such that were none: those that are large and differ by their
  * rounding only are those of square pixels. Without a unit it is the ratio; 0 says nothing.
  */
-static bool take_aspect(struct png *png, const struct chunk *chunk, struct error *error)
+static bool png_read_take_aspect(struct png *png, const struct chunk *chunk, struct error *error)
 {
     if (chunk->count != 9) {
         return chunk_wrong(chunk, "must have 9 bytes", error);
@@ -223,9 +223,11 @@ static bool take_chunk(struct png *png, const struct chunk *chunk, struct error 
         char type[5];
         bool (*take)(struct png *png, const struct chunk *chunk, struct error *error);
     } takers[] = {
-        {"IHDR", take_header},  {"PLTE", take_palette}, {"tRNS", take_alpha}, {"IDAT", take_data},
-        {"IEND", pass},         {"sRGB", take_srgb},    {"gAMA", take_gamma}, {"tEXt", take_latin},
-        {"iTXt", take_unicode}, {"pHYs", take_aspect},
+        {"IHDR", take_header},   {"PLTE", take_palette},
+        {"tRNS", take_alpha},    {"IDAT", take_data},
+        {"IEND", png_read_pass}, {"sRGB", take_srgb},
+        {"gAMA", take_gamma},    {"tEXt", take_latin},
+        {"iTXt", take_unicode},  {"pHYs", png_read_take_aspect},
     };
     if ((chunk->at == PNG_START) != (strcmp(chunk->type, "IHDR") == 0)) {
         return chunk_wrong(chunk, "is not where it belongs", error);
@@ -240,7 +242,7 @@ static bool take_chunk(struct png *png, const struct chunk *chunk, struct error 
 }
 
 /* How large the picture is, and what its numbers are. */
-static void open_image(const struct png *png)
+static void png_read_open_image(const struct png *png)
 {
     struct image *image = png->image;
     image->width = png->width;
@@ -252,7 +254,7 @@ static void open_image(const struct png *png)
 }
 
 /* Deflate packs at most 1032 to 1: a file that claims more is not believed, and no room is made. */
-static bool check_size(const struct png *png, struct error *error)
+static bool png_read_check_size(const struct png *png, struct error *error)
 {
     const size_t row = (png->width * samples[png->color] * (size_t)png->bits + 7) / 8;
     return row * png->height / 1032 <= png->data + 1 ||
@@ -273,8 +275,8 @@ static float *decoding(const struct png *png, int most, enum image_values values
 }
 
 /* Pixels from codes. */
-static void fill(const struct png *png, const uint16_t *codes, enum image_values values,
-                 struct arena *arena)
+static void png_read_fill(const struct png *png, const uint16_t *codes, enum image_values values,
+                          struct arena *arena)
 {
     const struct image *image = png->image;
     const int most = png->bits == 16 ? 65535 : 255;
@@ -287,8 +289,8 @@ static void fill(const struct png *png, const uint16_t *codes, enum image_values
 }
 
 /* The codes of a palette's colours, for their numbers. */
-static bool look_up(const struct png *png, struct stb_picture *picture, struct arena *arena,
-                    struct error *error)
+static bool png_read_look_up(const struct png *png, struct stb_picture *picture,
+                             struct arena *arena, struct error *error)
 {
     const size_t channels = png->image->channels, count = picture->width * picture->height;
     const int scale = 255 / ((1 << png->bits) - 1);
@@ -316,12 +318,12 @@ static bool decode(const struct png *png, enum image_values values, struct arena
     if (!stb_decode(bytes_text(&png->plain), png->bits == 16 ? 16 : 8, arena, &picture)) {
         return fail(error, ERROR_DATA, "PNG: its pixels are damaged or incomplete");
     }
-    if (png->color == PALETTE && !look_up(png, &picture, arena, error)) {
+    if (png->color == PALETTE && !png_read_look_up(png, &picture, arena, error)) {
         return false;
     }
     assert(picture.width == image->width && picture.height == image->height &&
            picture.channels == image->channels);
-    fill(png, picture.values, values, arena);
+    png_read_fill(png, picture.values, values, arena);
     return true;
 }
 
@@ -337,8 +339,8 @@ bool png_read(struct text file, const struct image_wish *wish, struct arena *are
             return false;
         }
     }
-    open_image(&png);
-    if (!check_size(&png, error) || !image_new_wished(image, wish, arena, error)) {
+    png_read_open_image(&png);
+    if (!png_read_check_size(&png, error) || !image_new_wished(image, wish, arena, error)) {
         return false;
     }
     struct arena codes = {0};

@@ -32,12 +32,12 @@ struct radiance {
     struct image *image;
 };
 
-static size_t place(const struct radiance *file)
+static size_t radiance_place(const struct radiance *file)
 {
     return (size_t)(file->rest.start - file->start);
 }
 
-static bool next_line(struct radiance *file, struct text *line, struct error *error)
+static bool radiance_next_line(struct radiance *file, struct text *line, struct error *error)
 {
     const char *end = memchr(file->rest.start, '\n', file->rest.length);
     if (end == NULL) {
@@ -50,7 +50,7 @@ static bool next_line(struct radiance *file, struct text *line, struct error *er
 }
 
 /* Height of a pixel over its width; several lines are multiplied. */
-static bool take_aspect(struct radiance *file, struct text value, struct error *error)
+static bool radiance_take_aspect(struct radiance *file, struct text value, struct error *error)
 {
     struct image *image = file->image;
     const double before = image->aspect > 0 ? image->aspect : 1;
@@ -65,8 +65,8 @@ static bool take_aspect(struct radiance *file, struct text value, struct error *
 }
 
 /* Divide by `count` numbers of a line, or by one for all channels. */
-static bool divide(struct radiance *file, const char *name, struct text values, int count,
-                   struct error *error)
+static bool radiance_divide(struct radiance *file, const char *name, struct text values, int count,
+                            struct error *error)
 {
     const char *end = values.start + values.length, *at = values.start;
     double value = 0;
@@ -88,7 +88,7 @@ static bool divide(struct radiance *file, const char *name, struct text values, 
 }
 
 /* x and y of red, green, blue and white. */
-static bool take_primaries(struct radiance *file, struct text values, struct error *error)
+static bool radiance_take_primaries(struct radiance *file, struct text values, struct error *error)
 {
     const char *end = values.start + values.length, *at = values.start;
     for (int i = 0; i < 8 && at != NULL; i++) {
@@ -105,7 +105,7 @@ static bool take_primaries(struct radiance *file, struct text values, struct err
                 file->line, text_shown(values), values.start);
 }
 
-static void take_note(struct radiance *file, struct text line)
+static void radiance_take_note(struct radiance *file, struct text line)
 {
     struct text value = {line.start + 1, line.length - 1}, key = text_cut(&value, ':');
     if (value.start != NULL) {
@@ -113,7 +113,7 @@ static void take_note(struct radiance *file, struct text line)
     }
 }
 
-static bool take_line(struct radiance *file, struct text line, struct error *error)
+static bool radiance_take_line(struct radiance *file, struct text line, struct error *error)
 {
     const struct text exposure = text_behind(line, "EXPOSURE=");
     const struct text correction = text_behind(line, "COLORCORR=");
@@ -121,16 +121,16 @@ static bool take_line(struct radiance *file, struct text line, struct error *err
     const struct text aspect = text_behind(line, "PIXASPECT=");
     const struct text primaries = text_behind(line, "PRIMARIES=");
     if (primaries.start != NULL) {
-        return take_primaries(file, primaries, error);
+        return radiance_take_primaries(file, primaries, error);
     }
     if (aspect.start != NULL) {
-        return take_aspect(file, aspect, error);
+        return radiance_take_aspect(file, aspect, error);
     }
     if (exposure.start != NULL) {
-        return divide(file, "EXPOSURE", exposure, 1, error);
+        return radiance_divide(file, "EXPOSURE", exposure, 1, error);
     }
     if (correction.start != NULL) {
-        return divide(file, "COLORCORR", correction, 3, error);
+        return radiance_divide(file, "COLORCORR", correction, 3, error);
     }
     if (format.start != NULL) {
         file->is_xyz = text_equal(text_trim(format), "32-bit_rle_xyze");
@@ -141,13 +141,13 @@ static bool take_line(struct radiance *file, struct text line, struct error *err
                     text_shown(format), format.start);
     }
     if (line.length > 0 && line.start[0] == '#') {
-        take_note(file, line);
+        radiance_take_note(file, line);
     }
     return true;
 }
 
 /* "-Y 480": from where, and how many. */
-static bool take_side(struct text *line, char axis, bool *is_positive, size_t *count)
+static bool radiance_take_side(struct text *line, char axis, bool *is_positive, size_t *count)
 {
     const struct text sign = text_cut(line, ' ');
     const struct text number = line->start != NULL ? text_cut(line, ' ') : (struct text){NULL, 0};
@@ -169,9 +169,9 @@ static bool take_size(struct radiance *file, struct text line, struct error *err
     struct text rest = line;
     bool first = true, second = true;
     file->is_upright = line.length > 1 && line.start[1] == 'X';
-    if (!take_side(&rest, file->is_upright ? 'X' : 'Y', &first, &file->count) ||
+    if (!radiance_take_side(&rest, file->is_upright ? 'X' : 'Y', &first, &file->count) ||
         rest.start == NULL ||
-        !take_side(&rest, file->is_upright ? 'Y' : 'X', &second, &file->length)) {
+        !radiance_take_side(&rest, file->is_upright ? 'Y' : 'X', &second, &file->length)) {
         return fail(error, ERROR_DATA, "Radiance: '%.*s' is no size like '-Y 480 +X 640'",
                     text_shown(line), line.start);
     }
@@ -182,20 +182,20 @@ static bool take_size(struct radiance *file, struct text line, struct error *err
     return true;
 }
 
-static bool read_head(struct radiance *file, struct error *error)
+static bool radiance_read_head(struct radiance *file, struct error *error)
 {
     struct text line;
     do {
-        if (!next_line(file, &line, error) || !take_line(file, line, error)) {
+        if (!radiance_next_line(file, &line, error) || !radiance_take_line(file, line, error)) {
             return false;
         }
     } while (line.length > 0);
     file->image->has_primaries = file->image->has_primaries && !file->is_xyz;
-    return next_line(file, &line, error) && take_size(file, line, error);
+    return radiance_next_line(file, &line, error) && take_size(file, line, error);
 }
 
 /* What pixels lie in, one after the other. */
-static const char *word(const struct radiance *file)
+static const char *radiance_word(const struct radiance *file)
 {
     return file->is_upright ? "column" : "row";
 }
@@ -203,7 +203,8 @@ static const char *word(const struct radiance *file)
 static bool short_of(const struct radiance *file, size_t row, struct error *error)
 {
     return fail(error, ERROR_DATA, "Radiance: ends at byte %zu, within %s %zu of %zu",
-                place(file) + file->rest.length, word(file), row + 1, file->count);
+                radiance_place(file) + file->rest.length, radiance_word(file), row + 1,
+                file->count);
 }
 
 static void skip(struct radiance *file, size_t count)
@@ -228,7 +229,7 @@ static bool read_packed(struct radiance *file, size_t row, unsigned char *pixels
             if (count == 0 || count > width - x) {
                 return fail(error, ERROR_DATA,
                             "Radiance: byte %zu, in %s %zu, makes it longer than %zu pixels",
-                            place(file), word(file), row + 1, width);
+                            radiance_place(file), radiance_word(file), row + 1, width);
             }
             if (!is_run && file->rest.length < 1 + count) {
                 return short_of(file, row, error);
@@ -243,8 +244,8 @@ static bool read_packed(struct radiance *file, size_t row, unsigned char *pixels
 }
 
 /* Pixel by pixel. 1, 1, 1, n repeated the pixel before it: how rows were packed before 1991. */
-static bool read_plain(struct radiance *file, size_t row, unsigned char *pixels,
-                       struct error *error)
+static bool radiance_read_plain(struct radiance *file, size_t row, unsigned char *pixels,
+                                struct error *error)
 {
     const size_t width = file->length;
     if (file->rest.length < 4 * width) {
@@ -255,30 +256,31 @@ static bool read_plain(struct radiance *file, size_t row, unsigned char *pixels,
     for (size_t x = 0; x < width; x++) {
         if (memcmp(pixels + 4 * x, "\1\1\1", 3) == 0) {
             return fail(error, ERROR_DATA,
-                        "Radiance: %s %zu is packed in the old way, which is not read", word(file),
-                        row + 1);
+                        "Radiance: %s %zu is packed in the old way, which is not read",
+                        radiance_word(file), row + 1);
         }
     }
     return true;
 }
 
 /* A row that begins with 2, 2 and its width is packed; a plain one has no such pixel. */
-static bool read_row(struct radiance *file, size_t row, unsigned char *pixels, struct error *error)
+static bool radiance_read_row(struct radiance *file, size_t row, unsigned char *pixels,
+                              struct error *error)
 {
     const unsigned char *at = (const unsigned char *)file->rest.start;
     const size_t width = file->length;
     if (width < PACKED_LEAST || width > PACKED_MOST || file->rest.length < 4 || at[0] != 2 ||
         at[1] != 2 || at[2] >= 128) {
-        return read_plain(file, row, pixels, error);
+        return radiance_read_plain(file, row, pixels, error);
     }
     if (bytes_big(at + 2, 2) != width) {
         return fail(error, ERROR_DATA, "Radiance: %s %zu says it has %zu pixels, not %zu",
-                    word(file), row + 1, (size_t)bytes_big(at + 2, 2), width);
+                    radiance_word(file), row + 1, (size_t)bytes_big(at + 2, 2), width);
     }
     return read_packed(file, row, pixels, error);
 }
 
-static void fill_row(const struct radiance *file, size_t row, const unsigned char *pixels)
+static void radiance_fill_row(const struct radiance *file, size_t row, const unsigned char *pixels)
 {
     const struct image *image = file->image;
     for (size_t i = 0; i < file->length; i++) {
@@ -299,7 +301,7 @@ bool radiance_read(struct text bytes, const struct image_wish *wish, struct aren
     struct radiance file = {
         .rest = bytes, .start = bytes.start, .factor = {1, 1, 1}, .arena = arena, .image = image};
     *image = (struct image){.channels = 3};
-    if (!read_head(&file, error)) {
+    if (!radiance_read_head(&file, error)) {
         return false;
     }
     /* the shortest row is one of runs */
@@ -315,10 +317,10 @@ bool radiance_read(struct text bytes, const struct image_wish *wish, struct aren
     image->names = file.is_xyz ? xyz : NULL;
     unsigned char *pixels = ARENA_ARRAY(arena, 4 * length, unsigned char);
     for (size_t y = 0; y < file.count; y++) {
-        if (!read_row(&file, y, pixels, error)) {
+        if (!radiance_read_row(&file, y, pixels, error)) {
             return false;
         }
-        fill_row(&file, y, pixels);
+        radiance_fill_row(&file, y, pixels);
     }
     return image_check(image, IMAGE_FINITE, error);
 }
@@ -376,7 +378,7 @@ static void pack_plane(struct bytes *to, const unsigned char *pixels, size_t wid
     }
 }
 
-static void write_row(struct bytes *to, const unsigned char *pixels, size_t width)
+static void radiance_write_row(struct bytes *to, const unsigned char *pixels, size_t width)
 {
     if (width < PACKED_LEAST || width > PACKED_MOST) {
         bytes_put(to, pixels, 4 * width);
@@ -423,7 +425,7 @@ bool radiance_write(const struct image *image, struct arena *arena, struct text 
                             x + 1, y + 1, (double)row[channels * x]);
             }
         }
-        write_row(&to, pixels, image->width);
+        radiance_write_row(&to, pixels, image->width);
     }
     *file = bytes_text(&to);
     return true;

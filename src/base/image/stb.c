@@ -16,7 +16,7 @@
  * that it has no memory for. What is new is empty, since tables that a damaged JPEG lacks are read
  * all the same.
  */
-static void *take(size_t size)
+static void *stb_take(size_t size)
 {
     void *memory = calloc(1, size);
     if (memory == NULL) {
@@ -35,10 +35,10 @@ static void *take_more(void *memory, size_t size)
 }
 
 /* No files, no messages in variables, the same arithmetic on all processors. */
-#define STBI_MALLOC(size)           take(size)
+#define STBI_MALLOC(size)           stb_take(size)
 #define STBI_REALLOC(memory, size)  take_more(memory, size)
 #define STBI_FREE(memory)           free(memory)
-#define STBIW_MALLOC(size)          take(size)
+#define STBIW_MALLOC(size)          stb_take(size)
 #define STBIW_REALLOC(memory, size) take_more(memory, size)
 #define STBIW_FREE(memory)          free(memory)
 #define STB_IMAGE_STATIC

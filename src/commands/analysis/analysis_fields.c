@@ -9,7 +9,7 @@
 /* -------- several threads -------- */
 
 /* Work on a case, and what each thread has of it. */
-struct dividing {
+struct case_division {
     struct analysis_case *cases;
     analysis_work *work;
     void *context;
@@ -17,7 +17,7 @@ struct dividing {
 
 static void do_items(void *context, const struct parallel_piece *piece)
 {
-    const struct dividing *dividing = context;
+    const struct case_division *dividing = context;
     for (size_t i = piece->begin; i < piece->end; i++) {
         dividing->work(&dividing->cases[piece->thread], i, dividing->context);
     }
@@ -36,7 +36,8 @@ void analysis_divide(const struct analysis_case *one, size_t count, analysis_wor
         return;
     }
     struct parallel *parallel = ARENA_NEW(arena, struct parallel);
-    struct dividing dividing = {ARENA_ARRAY(arena, threads, struct analysis_case), work, context};
+    struct case_division dividing = {ARENA_ARRAY(arena, threads, struct analysis_case), work,
+                                     context};
     parallel->threads = (int)threads;
     for (size_t i = 0; i < threads; i++) {
         struct setup *apart = ARENA_NEW(arena, struct setup);
@@ -54,7 +55,7 @@ void analysis_divide(const struct analysis_case *one, size_t count, analysis_wor
 /* -------- fields -------- */
 
 /* What answers a case. */
-struct answering {
+struct case_answers {
     struct run *run;
     const struct analysis_answers *answers;
     void *context;
@@ -63,7 +64,7 @@ struct answering {
 
 /* What was found of the fields of a case. */
 struct findings {
-    const struct answering *answering;
+    const struct case_answers *answering;
     char *found; /* found_size bytes each */
     struct error *errors;
 };
@@ -80,7 +81,7 @@ static void find_one(const struct analysis_case *one, size_t field, void *contex
 
 /* Of all fields at once where there are threads, else when it is wanted. */
 static struct findings open_findings(const struct analysis_case *one,
-                                     const struct answering *answering)
+                                     const struct case_answers *answering)
 {
     struct arena *arena = one->setup->arena;
     const size_t count = one->setup->field_count, size = answering->answers->found_size;
@@ -114,8 +115,9 @@ static bool answer_one(const struct analysis_case *one, size_t field, struct fin
 }
 
 /* A field that failed: its row says why. False: no more rows are wanted. */
-static bool keep_place(const struct analysis_case *one, size_t field,
-                       const struct answering *answering, const struct error *error)
+static bool analysis_fields_keep_place(const struct analysis_case *one, size_t field,
+                                       const struct case_answers *answering,
+                                       const struct error *error)
 {
     struct run *run = answering->run;
     struct analysis_point point = analysis_point_of(one, field);
@@ -128,7 +130,7 @@ static bool keep_place(const struct analysis_case *one, size_t field,
 
 static bool answer_fields(const struct analysis_case *of, void *context, struct error *error)
 {
-    const struct answering *answering = context;
+    const struct case_answers *answering = context;
     const struct analysis_answers *answers = answering->answers;
     const bool keeps = answers->lost != NULL;
     struct analysis_case *one = ARENA_NEW(of->setup->arena, struct analysis_case);
@@ -152,7 +154,7 @@ static bool answer_fields(const struct analysis_case *of, void *context, struct 
                 error,
                 "%s: ", lens_field_words(&one->setup->fields[i].point, answering->run->arena));
         }
-        if (!keep_place(one, i, answering, error)) {
+        if (!analysis_fields_keep_place(one, i, answering, error)) {
             error->code = ERROR_NONE;
             return false;
         }
@@ -164,7 +166,7 @@ bool analysis_each_field(const struct analysis_question *question,
                          const struct analysis_policy *policy, struct run *run,
                          const struct analysis_answers *answers, void *context, struct error *error)
 {
-    struct answering answering = {run, answers, context, policy->fields == FIELDS_ALL};
+    struct case_answers answering = {run, answers, context, policy->fields == FIELDS_ALL};
     error->code = ERROR_NONE;
     return analysis_each(question, policy, run->arena, answer_fields, &answering, error) ||
            error->code == ERROR_NONE;
@@ -179,8 +181,8 @@ bool analysis_skip(const struct analysis_point *point, void *context)
 
 /* -------- rows -------- */
 
-static void begin_row(const struct analysis_asked *asked, const struct analysis_point *point,
-                      void *row)
+static void analysis_fields_begin_row(const struct analysis_asked *asked,
+                                      const struct analysis_point *point, void *row)
 {
     row_clear(asked->rows->sheet, row);
     memcpy(row, point, sizeof *point);
@@ -193,14 +195,14 @@ void analysis_begin_row(const struct analysis_asked *asked, const struct analysi
                         size_t field, void *row)
 {
     const struct analysis_point point = analysis_point_of(one, field);
-    begin_row(asked, &point, row);
+    analysis_fields_begin_row(asked, &point, row);
 }
 
 static bool lost(const struct analysis_point *point, void *context)
 {
     const struct analysis_asked *asked = context;
     void *row = arena_array(asked->run->arena, 1, asked->rows->sheet->row_size);
-    begin_row(asked, point, row);
+    analysis_fields_begin_row(asked, point, row);
     return run_emit(asked->run, row);
 }
 

@@ -15,8 +15,8 @@ const struct file_type *map_types(size_t i)
     return i == 0 ? &png_type : i == 1 ? &pfm_type : NULL;
 }
 
-static bool write_numbers(const struct raster_map *map, struct arena *arena, struct text *file,
-                          struct error *error)
+static bool analysis_map_write_numbers(const struct raster_map *map, struct arena *arena,
+                                       struct text *file, struct error *error)
 {
     struct image image = {.width = map->size, .height = map->size, .channels = 1};
     if (!image_new(&image, arena, error)) {
@@ -42,8 +42,9 @@ bool map_page_write(const struct map_page *page, struct output *sink, struct err
                     "{--map} has room for one map, and this makes %zu: name one {--field}",
                     rasters->count);
     }
-    if (!(page->job->type == &pfm_type ? write_numbers(&rasters->maps[0], arena, &file, error)
-                                       : raster_png(rasters, 0, arena, &file, error))) {
+    if (!(page->job->type == &pfm_type
+              ? analysis_map_write_numbers(&rasters->maps[0], arena, &file, error)
+              : raster_png(rasters, 0, arena, &file, error))) {
         return false;
     }
     output_text(sink, file.start, file.length);

@@ -24,8 +24,8 @@ static bool is_given(double first, double second)
     return !isnan(first) || !isnan(second);
 }
 
-static bool check(const struct analysis_question *question, const struct analysis_policy *policy,
-                  struct error *error)
+static bool analysis_options_check(const struct analysis_question *question,
+                                   const struct analysis_policy *policy, struct error *error)
 {
     const bool angle = is_given(question->field, question->field_x);
     const double quarter = PI / 2, x = fabs(question->field_x), y = fabs(question->field);
@@ -62,8 +62,9 @@ static bool field_asked(const struct analysis_question *question, struct setup_f
 /* Beyond it squares of distances overflow; the lens has the same limit. */
 static const double farthest_image = 1e100;
 
-static bool place(const struct analysis_question *question, const struct analysis_policy *policy,
-                  struct setup *setup, struct error *error)
+static bool analysis_options_place(const struct analysis_question *question,
+                                   const struct analysis_policy *policy, struct setup *setup,
+                                   struct error *error)
 {
     if (policy->no_image) {
         return true;
@@ -87,7 +88,8 @@ static bool place(const struct analysis_question *question, const struct analysi
     return true;
 }
 
-static const char *warning_of(const struct analysis_question *question, const struct setup *setup)
+static const char *analysis_options_warning_of(const struct analysis_question *question,
+                                               const struct setup *setup)
 {
     const char *both = lens_warnings_join(
         question->lens.warning, first_order_warning(setup->lens, setup->arena), setup->arena);
@@ -97,9 +99,10 @@ static const char *warning_of(const struct analysis_question *question, const st
     return lens_warnings_join(both, width, setup->arena);
 }
 
-static bool visit_position(const struct analysis_question *question,
-                           const struct analysis_policy *policy, size_t position,
-                           struct arena *arena, struct analysis_case *one, struct error *error)
+static bool analysis_options_visit_position(const struct analysis_question *question,
+                                            const struct analysis_policy *policy, size_t position,
+                                            struct arena *arena, struct analysis_case *one,
+                                            struct error *error)
 {
     struct setup *setup = ARENA_NEW(arena, struct setup);
     struct setup_field *field = ARENA_NEW(arena, struct setup_field);
@@ -121,13 +124,14 @@ static bool visit_position(const struct analysis_question *question,
         .field_policy = asked && policy->fields == FIELDS_EDGE ? FIELDS_LARGEST : policy->fields,
         .takes_telecentric = true,
     };
-    if (!setup_open(&of, arena, setup, error) || !place(question, policy, setup, error)) {
+    if (!setup_open(&of, arena, setup, error) ||
+        !analysis_options_place(question, policy, setup, error)) {
         return false;
     }
     *one = (struct analysis_case){.question = question,
                                   .setup = setup,
                                   .clip = !question->no_clip,
-                                  .warning = warning_of(question, setup),
+                                  .warning = analysis_options_warning_of(question, setup),
                                   .spectrum = analysis_spectrum_words(setup)};
     return true;
 }
@@ -137,13 +141,14 @@ bool analysis_each(const struct analysis_question *question, const struct analys
 {
     const size_t *positions;
     size_t count;
-    if (!check(question, policy, error) || !lens_positions(question->lens.lens, question->position,
-                                                           arena, &positions, &count, error)) {
+    if (!analysis_options_check(question, policy, error) ||
+        !lens_positions(question->lens.lens, question->position, arena, &positions, &count,
+                        error)) {
         return false;
     }
     for (size_t i = 0; i < count; i++) {
         struct analysis_case *one = ARENA_NEW(arena, struct analysis_case);
-        if (!visit_position(question, policy, positions[i], arena, one, error) ||
+        if (!analysis_options_visit_position(question, policy, positions[i], arena, one, error) ||
             !visit(one, context, error)) {
             return false;
         }
@@ -220,15 +225,15 @@ int analysis_threads(const void *input)
     return parallel_threads(((const struct analysis_question *)input)->threads);
 }
 
-void analysis_doubt_aperture(const struct analysis_question *question, struct doubts *doubts)
+void analysis_doubt_aperture(const struct analysis_question *question, struct warnings *doubts)
 {
     const struct lens *lens = question->lens.lens;
     const bool is_best =
         question->focus.kind == PLANE_BEST ||
         (question->focus.kind == PLANE_OF_LENS && lens != NULL && lens->focus == FOCUS_BEST);
     if (!isnan(question->fnumber) && !is_best) {
-        doubts_add(doubts, "--aperture changes nothing here: chief rays and what is next to them "
-                           "are the same at any f-number");
+        warnings_add(doubts, "--aperture changes nothing here: chief rays and what is next to them "
+                             "are the same at any f-number");
     }
 }
 

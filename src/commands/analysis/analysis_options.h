@@ -294,7 +294,7 @@ struct bundle_question analysis_bundle(const struct analysis_case *one, size_t f
 const char *analysis_weight_words(const struct analysis_question *question);
 
 /* Doubt an f-number where only chief rays and what is next to them are asked. */
-void analysis_doubt_aperture(const struct analysis_question *question, struct doubts *doubts);
+void analysis_doubt_aperture(const struct analysis_question *question, struct warnings *doubts);
 
 /* Does the question have several rows? */
 bool analysis_makes_many(const struct analysis_question *question,

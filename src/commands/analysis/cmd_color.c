@@ -29,7 +29,7 @@ static const struct option options[] = {
      .help = "pupil that the zones lie in"},
 };
 
-struct row {
+struct color_row {
     struct analysis_point point;
     double zone;
     double axial, vergence; /* mm; 1/mm */
@@ -40,27 +40,28 @@ struct row {
 };
 
 #define PLACE(member_name, more)                                                                   \
-    COLUMN(struct row, member_name), .dimension = &dimension_length, .unit = "mm", .flags = (more)
+    COLUMN(struct color_row, member_name), .dimension = &dimension_length, .unit = "mm",           \
+                                           .flags = (more)
 #define AXIAL_COLUMNS                                                                              \
     {PLACE(axial, COLUMN_BRIEF | COLUMN_SPARSE), .name = "axial", .label = "axial shift",          \
      .help = "of the focus from the paraxial one of the primary wavelength, with the light; "      \
              "absent if afocal"},                                                                  \
     {                                                                                              \
-        COLUMN(struct row, vergence), .name = "axial", .dimension = &dimension_vergence,           \
-                                      .unit = "per_m", .flags = COLUMN_BRIEF | COLUMN_SPARSE,      \
-                                      .label = "axial shift",                                      \
-                                      .help = "of an afocal lens: vergence behind the last "       \
-                                              "vertex less that of the primary wavelength"         \
+        COLUMN(struct color_row, vergence),                                                        \
+            .name = "axial", .dimension = &dimension_vergence, .unit = "per_m",                    \
+            .flags = COLUMN_BRIEF | COLUMN_SPARSE, .label = "axial shift",                         \
+            .help = "of an afocal lens: vergence behind the last "                                 \
+                    "vertex less that of the primary wavelength"                                   \
     }
 #define LATERAL_COLUMNS                                                                            \
-    {COLUMN(struct row, lateral),                                                                  \
+    {COLUMN(struct color_row, lateral),                                                            \
      .name = "lateral",                                                                            \
      .dimension = &dimension_length,                                                               \
      .unit = "um",                                                                                 \
      .flags = COLUMN_BRIEF | COLUMN_SPARSE,                                                        \
      .label = "lateral shift",                                                                     \
      .help = "of the chief ray on the image plane from that of the primary wavelength, upwards"},  \
-        {COLUMN(struct row, angle),                                                                \
+        {COLUMN(struct color_row, angle),                                                          \
          .name = "lateral",                                                                        \
          .dimension = &dimension_angle,                                                            \
          .unit = "mrad",                                                                           \
@@ -75,15 +76,16 @@ struct row {
     }
 #define STATUS_COLUMN                                                                              \
     {                                                                                              \
-        COLUMN(struct row, status), .name = "status", .flags = COLUMN_HIDDEN, .label = "status",   \
-                                    .help = "of the exact ray: ok miss total_reflection "          \
-                                            "not_converged"                                        \
+        COLUMN(struct color_row, status), .name = "status", .flags = COLUMN_HIDDEN,                \
+                                          .label = "status",                                       \
+                                          .help = "of the exact ray: ok miss total_reflection "    \
+                                                  "not_converged"                                  \
     }
 
 static const struct column columns[] = {
-    ANALYSIS_POINT_COLUMNS(struct row, point),
-    ANALYSIS_DEFOCUS_COLUMN(struct row, point),
-    ANALYSIS_WAVELENGTH_COLUMN(struct row, point),
+    ANALYSIS_POINT_COLUMNS(struct color_row, point),
+    ANALYSIS_DEFOCUS_COLUMN(struct color_row, point),
+    ANALYSIS_WAVELENGTH_COLUMN(struct color_row, point),
     AXIAL_COLUMNS,
     LATERAL_COLUMNS,
     STATUS_COLUMN,
@@ -91,41 +93,41 @@ static const struct column columns[] = {
      .help = "focus of the shortest less that of the longest wavelength"},
     {PLACE(secondary, COLUMN_HIDDEN), .name = "secondary", .label = "secondary spectrum",
      .help = "their mean less the focus of the primary wavelength, where that lies between"},
-    {COLUMN(struct row, summary), .name = "summary", .flags = COLUMN_NOTE, .label = "summary",
+    {COLUMN(struct color_row, summary), .name = "summary", .flags = COLUMN_NOTE, .label = "summary",
      .help = "both in words"},
-    ANALYSIS_TAIL_COLUMNS(struct row, point),
+    ANALYSIS_TAIL_COLUMNS(struct color_row, point),
 };
 
 static const struct column zone_columns[] = {
-    LENS_POSITION_COLUMN(struct row, point.position, COLUMN_BRIEF),
-    ANALYSIS_WAVELENGTH_COLUMN(struct row, point),
-    {COLUMN(struct row, zone), .name = "zone", .flags = COLUMN_BRIEF | COLUMN_ECHO, .label = "zone",
-     .help = "height in the pupil over its radius; 0: paraxial"},
+    LENS_POSITION_COLUMN(struct color_row, point.position, COLUMN_BRIEF),
+    ANALYSIS_WAVELENGTH_COLUMN(struct color_row, point),
+    {COLUMN(struct color_row, zone), .name = "zone", .flags = COLUMN_BRIEF | COLUMN_ECHO,
+     .label = "zone", .help = "height in the pupil over its radius; 0: paraxial"},
     AXIAL_COLUMNS,
     STATUS_COLUMN,
-    LENS_TITLE_COLUMN(struct row, point.lens),
-    LENS_WARNING_COLUMN(struct row, point.warning),
+    LENS_TITLE_COLUMN(struct color_row, point.lens),
+    LENS_WARNING_COLUMN(struct color_row, point.warning),
 };
 
 static const struct column field_columns[] = {
-    ANALYSIS_POINT_COLUMNS(struct row, point),
-    ANALYSIS_DEFOCUS_COLUMN(struct row, point),
-    ANALYSIS_WAVELENGTH_COLUMN(struct row, point),
+    ANALYSIS_POINT_COLUMNS(struct color_row, point),
+    ANALYSIS_DEFOCUS_COLUMN(struct color_row, point),
+    ANALYSIS_WAVELENGTH_COLUMN(struct color_row, point),
     LATERAL_COLUMNS,
     STATUS_COLUMN,
-    ANALYSIS_TAIL_COLUMNS(struct row, point),
+    ANALYSIS_TAIL_COLUMNS(struct color_row, point),
 };
 
 static const struct sheet sheets[] = {
-    [COLOR_BY_WAVELENGTH] = SHEET(columns, struct row),
-    [COLOR_BY_ZONE] = SHEET(zone_columns, struct row),
-    [COLOR_BY_FIELD] = SHEET(field_columns, struct row),
+    [COLOR_BY_WAVELENGTH] = SHEET(columns, struct color_row),
+    [COLOR_BY_ZONE] = SHEET(zone_columns, struct color_row),
+    [COLOR_BY_FIELD] = SHEET(field_columns, struct color_row),
 };
 
 static const struct sheet *const all_sheets[] = {
     &sheets[COLOR_BY_WAVELENGTH], &sheets[COLOR_BY_ZONE], &sheets[COLOR_BY_FIELD], NULL};
 
-static const struct sheet *choose_sheet(const void *data, const struct asking *asking)
+static const struct sheet *color_choose_sheet(const void *data, const struct option_query *asking)
 {
     (void)asking;
     return &sheets[((const struct color_input *)data)->show];
@@ -133,10 +135,11 @@ static const struct sheet *choose_sheet(const void *data, const struct asking *a
 
 /* -------- rows -------- */
 
-static struct row row_of(const struct analysis_asked *asked, const struct analysis_case *one,
-                         size_t field, double wavelength)
+static struct color_row color_row_of(const struct analysis_asked *asked,
+                                     const struct analysis_case *one, size_t field,
+                                     double wavelength)
 {
-    struct row row;
+    struct color_row row;
     analysis_begin_row(asked, one, field, &row);
     analysis_warn(asked, &row.point, color_doubt(one->setup->lens));
     row.point.wavelength = wavelength;
@@ -144,7 +147,7 @@ static struct row row_of(const struct analysis_asked *asked, const struct analys
 }
 
 static void put_axial(const struct setup *setup, const struct chromatic_focus *primary,
-                      const struct chromatic_focus *focus, struct row *row)
+                      const struct chromatic_focus *focus, struct color_row *row)
 {
     if (color_is_afocal(setup)) {
         row->vergence = focus->vergence - primary->vergence;
@@ -154,7 +157,7 @@ static void put_axial(const struct setup *setup, const struct chromatic_focus *p
 }
 
 static void put_lateral(const struct setup *setup, const struct chromatic_chief *chief,
-                        const struct chromatic_lateral *lateral, struct row *row)
+                        const struct chromatic_lateral *lateral, struct color_row *row)
 {
     row->chief_x = chief->height[0];
     row->chief_y = chief->height[1];
@@ -166,8 +169,8 @@ static void put_lateral(const struct setup *setup, const struct chromatic_chief 
 }
 
 /* The chief rays of a field at one wavelength; without a stop there are none, which is said. */
-static bool find_lateral(const struct analysis_case *one, const struct field_point *field,
-                         struct row *row, struct error *error)
+static bool color_find_lateral(const struct analysis_case *one, const struct field_point *field,
+                               struct color_row *row, struct error *error)
 {
     const struct setup *setup = one->setup;
     struct chromatic_chief primary, chief;
@@ -188,8 +191,8 @@ static bool find_lateral(const struct analysis_case *one, const struct field_poi
     return true;
 }
 
-static bool list_wavelengths(const struct analysis_case *one, size_t field,
-                             const struct analysis_asked *asked, struct error *error)
+static bool color_list_wavelengths(const struct analysis_case *one, size_t field,
+                                   const struct analysis_asked *asked, struct error *error)
 {
     const struct setup *setup = one->setup;
     struct chromatic_focus primary, focus;
@@ -199,9 +202,9 @@ static bool list_wavelengths(const struct analysis_case *one, size_t field,
         return false;
     }
     for (size_t i = 0; i < setup->wavelength_count; i++) {
-        struct row row = row_of(asked, one, field, setup->wavelengths[i].wavelength);
+        struct color_row row = color_row_of(asked, one, field, setup->wavelengths[i].wavelength);
         if (!chromatic_focus(setup, row.point.wavelength, &focus, error) ||
-            !find_lateral(one, &setup->fields[field].point, &row, error)) {
+            !color_find_lateral(one, &setup->fields[field].point, &row, error)) {
             return false;
         }
         put_axial(setup, &primary, &focus, &row);
@@ -227,7 +230,8 @@ static bool list_zones(const struct analysis_case *one, size_t field,
     }
     for (size_t i = 0; i < setup->wavelength_count; i++) {
         for (long k = 0; k <= input->steps; k++) {
-            struct row row = row_of(asked, one, field, setup->wavelengths[i].wavelength);
+            struct color_row row =
+                color_row_of(asked, one, field, setup->wavelengths[i].wavelength);
             row.zone = (double)k / (double)input->steps;
             if (!chromatic_zone(setup, row.point.wavelength, row.zone, entrance, &focus, error)) {
                 return false;
@@ -243,8 +247,8 @@ static bool list_zones(const struct analysis_case *one, size_t field,
 }
 
 /* A field that no chief ray comes from has a row that says so; the question has failed. */
-static void keep_place(const struct field_point *at, struct run *run, struct error *error,
-                       struct row *row)
+static void color_keep_place(const struct field_point *at, struct run *run, struct error *error,
+                             struct color_row *row)
 {
     run->shortfall = *error;
     error_prefix(&run->shortfall, "%s: ", lens_field_words(at, run->arena));
@@ -260,14 +264,15 @@ static bool list_fields(const struct analysis_case *one, size_t field,
     for (long k = 0; k <= steps; k++) {
         const struct field_point at = color_field(&setup->fields[field].point, k, steps);
         for (size_t i = 0; i < setup->wavelength_count; i++) {
-            struct row row = row_of(asked, one, field, setup->wavelengths[i].wavelength);
+            struct color_row row =
+                color_row_of(asked, one, field, setup->wavelengths[i].wavelength);
             double *parts[] = {&row.point.field, &row.point.field_x, &row.point.height,
                                &row.point.height_x};
             for (size_t j = 0; j < sizeof parts / sizeof parts[0]; j++) {
                 *parts[j] *= (double)k / (double)steps;
             }
-            if (!find_lateral(one, &at, &row, error)) {
-                keep_place(&at, asked->run, error, &row);
+            if (!color_find_lateral(one, &at, &row, error)) {
+                color_keep_place(&at, asked->run, error, &row);
             }
             if (!run_emit(asked->run, &row)) {
                 return false;
@@ -277,12 +282,12 @@ static bool list_fields(const struct analysis_case *one, size_t field,
     return true;
 }
 
-static bool answer(const struct analysis_case *one, size_t field, void *context,
-                   struct error *error)
+static bool color_answer(const struct analysis_case *one, size_t field, void *context,
+                         struct error *error)
 {
     static bool (*const lists[])(const struct analysis_case *one, size_t field,
                                  const struct analysis_asked *asked, struct error *error) = {
-        [COLOR_BY_WAVELENGTH] = list_wavelengths,
+        [COLOR_BY_WAVELENGTH] = color_list_wavelengths,
         [COLOR_BY_ZONE] = list_zones,
         [COLOR_BY_FIELD] = list_fields,
     };
@@ -290,12 +295,12 @@ static bool answer(const struct analysis_case *one, size_t field, void *context,
     return lists[((const struct color_input *)asked->input)->show](one, field, asked, error);
 }
 
-static bool run(const void *data, struct run *run, struct error *error)
+static bool color_run(const void *data, struct run *run, struct error *error)
 {
     const struct color_input *input = data;
     const struct lens *lens = input->question.lens.lens;
     const struct analysis_rows rows = {
-        &color_policy, choose_sheet(data, NULL), NULL, {.answer = answer}};
+        &color_policy, color_choose_sheet(data, NULL), NULL, {.answer = color_answer}};
     if (input->show == COLOR_BY_ZONE && lens != NULL && lens->stop == LENS_NONE &&
         !lens->is_telecentric) {
         return fail(error, ERROR_DOMAIN, "the lens has no stop: its pupil has no zones");
@@ -334,8 +339,9 @@ const struct command command_color = {
     .group = "analyses",
     .summary = "axial and lateral colour, secondary spectrum, spherochromatism",
     COMMAND_ASKS(struct color_input),
-    COMMAND_ANSWERS(struct row),
-    .choose_sheet = choose_sheet,
+    COMMAND_ANSWERS(struct color_row),
+    .run = color_run,
+    .choose_sheet = color_choose_sheet,
     .sheets = all_sheets,
     .makes_many = command_always_many,
     .varies = analysis_varies,

@@ -44,7 +44,7 @@ static const struct option options[] = {
      .help = "pixel pitch (otherwise that of the camera, else 6000 pixels along the longer side)"},
 };
 
-struct row {
+struct distortion_row {
     struct analysis_point point;
     double angle, object;        /* rad, mm: of the field; the one it has */
     double ideal, image, x, y;   /* mm */
@@ -55,14 +55,15 @@ struct row {
 };
 
 #define LENGTH(member_name, more)                                                                  \
-    COLUMN(struct row, member_name), .dimension = &dimension_length, .unit = "mm", .flags = (more)
+    COLUMN(struct distortion_row, member_name), .dimension = &dimension_length, .unit = "mm",      \
+                                                .flags = (more)
 
 static const struct column columns[] = {
-    ANALYSIS_POINT_COLUMNS(struct row, point),
-    ANALYSIS_DEFOCUS_COLUMN(struct row, point),
-    ANALYSIS_WAVELENGTH_COLUMN(struct row, point),
-    {COLUMN(struct row, angle), .name = "angle", .dimension = &dimension_angle, .unit = "deg",
-     .flags = COLUMN_SPARSE, .symbol = "t", .label = "angle from the axis",
+    ANALYSIS_POINT_COLUMNS(struct distortion_row, point),
+    ANALYSIS_DEFOCUS_COLUMN(struct distortion_row, point),
+    ANALYSIS_WAVELENGTH_COLUMN(struct distortion_row, point),
+    {COLUMN(struct distortion_row, angle), .name = "angle", .dimension = &dimension_angle,
+     .unit = "deg", .flags = COLUMN_SPARSE, .symbol = "t", .label = "angle from the axis",
      .help = "of the light before the lens; absent for a near object"},
     {LENGTH(object, COLUMN_SPARSE), .name = "object_height", .symbol = "h",
      .label = "object height", .help = "its distance from the axis; absent at infinity"},
@@ -70,32 +71,33 @@ static const struct column columns[] = {
      .help = "where the projection images it"},
     {LENGTH(image, COLUMN_BRIEF), .name = "image_height", .symbol = "y", .label = "image height",
      .help = "where the chief ray meets the image plane"},
-    {COLUMN(struct row, distortion), .dimension = &dimension_ratio, .unit = "percent",
+    {COLUMN(struct distortion_row, distortion), .dimension = &dimension_ratio, .unit = "percent",
      .flags = COLUMN_BRIEF, .name = "distortion", .symbol = "D", .label = "distortion",
      .help = "image height less ideal height, over that; absent on the axis"},
     {LENGTH(x, COLUMN_HIDDEN), .name = "image_x", .label = "image x",
      .help = "of the chief ray in the image plane"},
     {LENGTH(y, COLUMN_HIDDEN), .name = "image_y", .label = "image y", .help = "upwards"},
-    {COLUMN(struct row, projection), .name = "projection", .flags = COLUMN_ASSUMED,
+    {COLUMN(struct distortion_row, projection), .name = "projection", .flags = COLUMN_ASSUMED,
      .depends = "projection", .label = "projection", .help = "of the ideal image"},
     {LENGTH(focal, COLUMN_ASSUMED), .name = "focal", .symbol = "f", .depends = "lens position",
      .label = "focal length",
      .help = "paraxial, at the primary wavelength; absent for a near object"},
-    {COLUMN(struct row, magnification), .flags = COLUMN_ASSUMED, .name = "magnification",
+    {COLUMN(struct distortion_row, magnification), .flags = COLUMN_ASSUMED, .name = "magnification",
      .symbol = "m", .depends = "lens position object", .label = "magnification",
      .help = "paraxial, at the primary wavelength; absent for an object at infinity"},
     {LENGTH(calibrated_focal, COLUMN_ASSUMED | COLUMN_EXTRA), .with = "calibrated",
      .name = "calibrated_focal", .depends = "calibrated", .label = "calibrated focal length",
      .help = "that of the ideal heights: its largest and smallest distortion over the field of "
              "the lens are equal and opposite"},
-    {COLUMN(struct row, calibrated_magnification), .flags = COLUMN_ASSUMED | COLUMN_EXTRA,
-     .with = "calibrated", .name = "calibrated_magnification", .depends = "calibrated",
+    {COLUMN(struct distortion_row, calibrated_magnification),
+     .flags = COLUMN_ASSUMED | COLUMN_EXTRA, .with = "calibrated",
+     .name = "calibrated_magnification", .depends = "calibrated",
      .label = "calibrated magnification", .help = "the same for a near object"},
-    ANALYSIS_TAIL_COLUMNS(struct row, point),
+    ANALYSIS_TAIL_COLUMNS(struct distortion_row, point),
 };
 
-static void fill(const struct distortion_case *ready, const struct distortion_point *found,
-                 struct row *row)
+static void distortion_fill(const struct distortion_case *ready,
+                            const struct distortion_point *found, struct distortion_row *row)
 {
     const bool far = ready->map.setup.object.is_infinite;
     *(far ? &row->angle : &row->object) = found->field;
@@ -118,19 +120,19 @@ static struct distortion_memo *memo_of(struct run *run)
     return run->state;
 }
 
-static bool answer(const struct analysis_case *one, size_t field, void *context,
-                   struct error *error)
+static bool distortion_answer(const struct analysis_case *one, size_t field, void *context,
+                              struct error *error)
 {
     const struct analysis_asked *asked = context;
     struct distortion_case ready;
     struct distortion_point found;
-    struct row row;
+    struct distortion_row row;
     if (!distortion_ready(asked->input, one, memo_of(asked->run), &ready, error) ||
         !distortion_at(&ready.map, &one->setup->fields[field].point, &found, error)) {
         return false;
     }
     analysis_begin_row(asked, one, field, &row);
-    fill(&ready, &found, &row);
+    distortion_fill(&ready, &found, &row);
     if (!found.is_lit) {
         analysis_warn(asked, &row.point,
                       "clear apertures stop the chief ray of some field: what light there is lies "
@@ -139,12 +141,12 @@ static bool answer(const struct analysis_case *one, size_t field, void *context,
     return run_emit(asked->run, &row);
 }
 
-static const struct sheet field_sheet = SHEET(columns, struct row);
+static const struct sheet field_sheet = SHEET(columns, struct distortion_row);
 static const struct sheet *const sheets[] = {&field_sheet, &distortion_fit_sheet, NULL};
 static const struct analysis_rows rows = {
-    &distortion_by_field, &field_sheet, NULL, {.answer = answer}};
+    &distortion_by_field, &field_sheet, NULL, {.answer = distortion_answer}};
 
-static bool run(const void *data, struct run *run, struct error *error)
+static bool distortion_run(const void *data, struct run *run, struct error *error)
 {
     const struct distortion_input *input = data;
     analysis_doubt_aperture(&input->question, run->doubts);
@@ -152,20 +154,21 @@ static bool run(const void *data, struct run *run, struct error *error)
                           : analysis_answer_rows(input, &rows, run, error);
 }
 
-static const struct sheet *choose_sheet(const void *data, const struct asking *asking)
+static const struct sheet *distortion_choose_sheet(const void *data,
+                                                   const struct option_query *asking)
 {
     const struct distortion_input *input = data;
     (void)asking;
     return input->fit > 0 ? &distortion_fit_sheet : &field_sheet;
 }
 
-static bool makes_many(const void *data)
+static bool distortion_makes_many(const void *data)
 {
     const struct distortion_input *input = data;
     return input->fit > 0 || analysis_makes_many(&input->question, &distortion_by_field);
 }
 
-static bool brings(const void *data, const char *option)
+static bool distortion_brings(const void *data, const char *option)
 {
     const struct distortion_input *input = data;
     return input->fit == 0 && analysis_brings(&input->question, option);
@@ -249,13 +252,13 @@ const struct command command_distortion = {
     .group = "analyses",
     .summary = "image heights of exact chief rays against an ideal projection",
     COMMAND_ASKS(struct distortion_input),
-    .choose_sheet = choose_sheet,
+    .choose_sheet = distortion_choose_sheet,
     .sheets = sheets,
-    .run = run,
+    .run = distortion_run,
     .explanations = explanations,
     COMMAND_MAKES(artifacts),
-    .makes_many = makes_many,
-    .brings = brings,
+    .makes_many = distortion_makes_many,
+    .brings = distortion_brings,
     .threads = analysis_threads,
     .varies = analysis_varies,
     .cell = "distortion_percent",

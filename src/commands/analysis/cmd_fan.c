@@ -35,7 +35,7 @@ static const struct option options[] = {
     ANALYSIS_CLIP_OPTIONS(struct fan_input, question),
 };
 
-struct row {
+struct fan_row {
     struct analysis_point point;
     const char *section, *status, *reference;
     double pupil_x, pupil_y;
@@ -48,17 +48,20 @@ struct row {
 };
 
 #define SMALL(member_name, more)                                                                   \
-    COLUMN(struct row, member_name), .dimension = &dimension_length, .unit = "um", .flags = (more)
+    COLUMN(struct fan_row, member_name), .dimension = &dimension_length, .unit = "um",             \
+                                         .flags = (more)
 #define PLACE(member_name, more)                                                                   \
-    COLUMN(struct row, member_name), .dimension = &dimension_length, .unit = "mm", .flags = (more)
+    COLUMN(struct fan_row, member_name), .dimension = &dimension_length, .unit = "mm",             \
+                                         .flags = (more)
 #define ANGLE(member_name, more)                                                                   \
-    COLUMN(struct row, member_name), .dimension = &dimension_angle, .unit = "mrad", .flags = (more)
-#define PLAIN(member_name, more) COLUMN(struct row, member_name), .flags = (more)
+    COLUMN(struct fan_row, member_name), .dimension = &dimension_angle, .unit = "mrad",            \
+                                         .flags = (more)
+#define PLAIN(member_name, more) COLUMN(struct fan_row, member_name), .flags = (more)
 
 /* With what people read of the transverse aberrations, and of the path differences. */
 #define FAN_COLUMNS(off, path)                                                                     \
-    ANALYSIS_POINT_COLUMNS(struct row, point), ANALYSIS_DEFOCUS_COLUMN(struct row, point),         \
-        ANALYSIS_WAVELENGTH_COLUMN(struct row, point),                                             \
+    ANALYSIS_POINT_COLUMNS(struct fan_row, point), ANALYSIS_DEFOCUS_COLUMN(struct fan_row, point), \
+        ANALYSIS_WAVELENGTH_COLUMN(struct fan_row, point),                                         \
         {PLAIN(section, COLUMN_BRIEF), .name = "section", .label = "section",                      \
          .help = "tangential: through the axis and the field point; or sagittal, across it"},      \
         {PLAIN(pupil_x, COLUMN_BRIEF), .name = "pupil_x", .label = "pupil x",                      \
@@ -91,28 +94,30 @@ struct row {
         {PLAIN(reference, COLUMN_ASSUMED), .name = "reference",                                    \
          .depends = "reference lens wavelength spectrum", .label = "reference",                    \
          .help = "reference point of the aberrations"},                                            \
-        ANALYSIS_SPECTRUM_COLUMN(struct row, point), ANALYSIS_TAIL_COLUMNS(struct row, point)
+        ANALYSIS_SPECTRUM_COLUMN(struct fan_row, point),                                           \
+        ANALYSIS_TAIL_COLUMNS(struct fan_row, point)
 
 static const struct column transverse_columns[] = {FAN_COLUMNS(COLUMN_BRIEF, COLUMN_HIDDEN)};
 static const struct column opd_columns[] = {FAN_COLUMNS(COLUMN_HIDDEN, COLUMN_BRIEF)};
 
-static const struct sheet transverse_sheet = SHEET(transverse_columns, struct row);
-static const struct sheet opd_sheet = SHEET(opd_columns, struct row);
+static const struct sheet transverse_sheet = SHEET(transverse_columns, struct fan_row);
+static const struct sheet opd_sheet = SHEET(opd_columns, struct fan_row);
 static const struct sheet *const sheets[] = {&transverse_sheet, &opd_sheet, NULL};
 
-static const struct sheet *choose_sheet(const void *data, const struct asking *asking)
+static const struct sheet *fan_choose_sheet(const void *data, const struct option_query *asking)
 {
     (void)asking;
     return ((const struct fan_input *)data)->show == FAN_OPD ? &opd_sheet : &transverse_sheet;
 }
 
 /* What the rows of a field have in common. */
-static struct row row_of_fan(const struct analysis_asked *asked, const struct analysis_case *one,
-                             size_t field, const struct fan *fan)
+static struct fan_row row_of_fan(const struct analysis_asked *asked,
+                                 const struct analysis_case *one, size_t field,
+                                 const struct fan *fan)
 {
     const struct fan_input *input = asked->input;
     struct arena *arena = asked->run->arena;
-    struct row row;
+    struct fan_row row;
     analysis_begin_row(asked, one, field, &row);
     if (input->reference == WAVE_CHIEF) {
         row.point.spectrum = NULL; /* their weights are not used */
@@ -129,7 +134,7 @@ static struct row row_of_fan(const struct analysis_asked *asked, const struct an
     return row;
 }
 
-static void fill(const struct fan *fan, const struct fan_ray *ray, struct row *row)
+static void fan_fill(const struct fan *fan, const struct fan_ray *ray, struct fan_row *row)
 {
     row->pupil_x = ray->pupil[0];
     row->pupil_y = ray->pupil[1];
@@ -140,20 +145,20 @@ static void fill(const struct fan *fan, const struct fan_ray *ray, struct row *r
     row->surface = ray->surface > 0 ? (long)ray->surface : NO_INTEGER;
 }
 
-static bool find(const struct analysis_case *one, size_t field, const void *context, void *found,
-                 struct error *error)
+static bool fan_find(const struct analysis_case *one, size_t field, const void *context,
+                     void *found, struct error *error)
 {
     const struct analysis_asked *asked = context;
     return fan_of_case(one, field, asked->input, one->setup->arena, found, error);
 }
 
-static bool take(const struct analysis_case *one, size_t field, const void *found, void *context,
-                 struct error *error)
+static bool fan_take(const struct analysis_case *one, size_t field, const void *found,
+                     void *context, struct error *error)
 {
     static const char *const names[FAN_SECTIONS] = {"tangential", "sagittal"};
     const struct analysis_asked *asked = context;
     const struct fan *fan = found;
-    struct row row = row_of_fan(asked, one, field, fan);
+    struct fan_row row = row_of_fan(asked, one, field, fan);
     struct fan_ray *rays = ARENA_ARRAY(asked->run->arena, fan->points + FAN_ENDS, struct fan_ray);
     (void)error;
     for (size_t g = 0; g < one->setup->wavelength_count; g++) {
@@ -162,7 +167,7 @@ static bool take(const struct analysis_case *one, size_t field, const void *foun
             row.section = names[s];
             const size_t count = fan_line(fan, g, (enum fan_section)s, rays);
             for (size_t i = 0; i < count; i++) {
-                fill(fan, &rays[i], &row);
+                fan_fill(fan, &rays[i], &row);
                 if (!run_emit(asked->run, &row)) {
                     return false;
                 }
@@ -176,9 +181,9 @@ static const struct analysis_rows rows = {
     &fan_policy,
     &transverse_sheet,
     NULL,
-    {.find = find, .found_size = sizeof(struct fan), .take = take}};
+    {.find = fan_find, .found_size = sizeof(struct fan), .take = fan_take}};
 
-static bool run(const void *data, struct run *run, struct error *error)
+static bool fan_run(const void *data, struct run *run, struct error *error)
 {
     const struct fan_input *input = data;
     return (input->points % 2 == 1 ||
@@ -214,11 +219,11 @@ const struct command command_fan = {
     .group = "analyses",
     .summary = "ray fans: aberrations along two sections of the pupil",
     COMMAND_ASKS(struct fan_input),
-    .sheet = SHEET(transverse_columns, struct row),
-    .choose_sheet = choose_sheet,
+    .sheet = SHEET(transverse_columns, struct fan_row),
+    .choose_sheet = fan_choose_sheet,
     .sheets = sheets,
     .explanations = explanations,
-    .run = run,
+    .run = fan_run,
     .makes_many = command_always_many,
     .brings = analysis_brings,
     .threads = analysis_threads,

@@ -7,7 +7,7 @@
 
 #include <string.h>
 
-struct input {
+struct field_input {
     struct analysis_question question;
 };
 
@@ -15,11 +15,11 @@ static const struct analysis_policy policy = {
     .wavelengths = WAVELENGTHS_PRIMARY, .fields = FIELDS_ALL, .one_wavelength = true};
 
 static const struct option options[] = {
-    ANALYSIS_OPTIONS(struct input, question, LENS_PRIMARY_WAVELENGTH, ""),
-    ANALYSIS_FIELD_OPTIONS(struct input, question),
+    ANALYSIS_OPTIONS(struct field_input, question, LENS_PRIMARY_WAVELENGTH, ""),
+    ANALYSIS_FIELD_OPTIONS(struct field_input, question),
 };
 
-struct row {
+struct field_row {
     struct analysis_point point;
     double tangential, sagittal, medial, astigmatism, petzval; /* mm */
     double tangential_power, sagittal_power;                   /* 1/m */
@@ -31,13 +31,14 @@ struct row {
 };
 
 #define LENGTH(member_name, more)                                                                  \
-    COLUMN(struct row, member_name), .dimension = &dimension_length, .unit = "mm", .flags = (more)
-#define PLAIN(member_name, more) COLUMN(struct row, member_name), .flags = (more)
+    COLUMN(struct field_row, member_name), .dimension = &dimension_length, .unit = "mm",           \
+                                           .flags = (more)
+#define PLAIN(member_name, more) COLUMN(struct field_row, member_name), .flags = (more)
 
 static const struct column columns[] = {
-    ANALYSIS_POINT_COLUMNS(struct row, point),
-    ANALYSIS_DEFOCUS_COLUMN(struct row, point),
-    ANALYSIS_WAVELENGTH_COLUMN(struct row, point),
+    ANALYSIS_POINT_COLUMNS(struct field_row, point),
+    ANALYSIS_DEFOCUS_COLUMN(struct field_row, point),
+    ANALYSIS_WAVELENGTH_COLUMN(struct field_row, point),
     {LENGTH(y, COLUMN_BRIEF | COLUMN_SPARSE), .name = "image_height", .symbol = "h",
      .label = "image height", .help = "where the chief ray meets the image plane"},
     {LENGTH(x, COLUMN_EXTRA | COLUMN_BRIEF), .name = "image_height_x", .with = "field-x height-x",
@@ -63,22 +64,22 @@ static const struct column columns[] = {
      .label = "tangential z", .help = "tangential focus from the last vertex"},
     {LENGTH(sagittal_z, COLUMN_HIDDEN | COLUMN_INFINITE), .name = "sagittal_z",
      .label = "sagittal z", .help = "sagittal focus from the last vertex"},
-    {COLUMN(struct row, turn), .name = "section_turn", .dimension = &dimension_angle, .unit = "deg",
-     .flags = COLUMN_HIDDEN, .label = "sections turned",
+    {COLUMN(struct field_row, turn), .name = "section_turn", .dimension = &dimension_angle,
+     .unit = "deg", .flags = COLUMN_HIDDEN, .label = "sections turned",
      .help = "of the tangential section out of the plane of chief ray and axis: 0 in round lenses"},
     {PLAIN(status, COLUMN_HIDDEN), .name = "status", .label = "status",
      .help = "of the chief ray, which is traced on in any case: ok, or clipped by an aperture"},
     {PLAIN(lost, COLUMN_SPARSE | COLUMN_BRIEF), .name = "surface", .label = "clipped at surface",
      .help = "surface that clips the chief ray"},
-    ANALYSIS_TAIL_COLUMNS(struct row, point),
+    ANALYSIS_TAIL_COLUMNS(struct field_row, point),
 };
 
-static bool answer(const struct analysis_case *one, size_t field, void *context,
-                   struct error *error)
+static bool field_answer(const struct analysis_case *one, size_t field, void *context,
+                         struct error *error)
 {
     const struct analysis_asked *asked = context;
     struct field_curvature found;
-    struct row row;
+    struct field_row row;
     if (!field_curvature(one->setup, 0, &one->setup->fields[field].point, &found, error)) {
         return false;
     }
@@ -102,24 +103,24 @@ static bool answer(const struct analysis_case *one, size_t field, void *context,
     return run_emit(asked->run, &row);
 }
 
-static const struct sheet sheet = SHEET(columns, struct row);
-static const struct analysis_rows rows = {&policy, &sheet, NULL, {.answer = answer}};
+static const struct sheet sheet = SHEET(columns, struct field_row);
+static const struct analysis_rows rows = {&policy, &sheet, NULL, {.answer = field_answer}};
 
-static bool run(const void *data, struct run *run, struct error *error)
+static bool field_run(const void *data, struct run *run, struct error *error)
 {
-    analysis_doubt_aperture(&((const struct input *)data)->question, run->doubts);
+    analysis_doubt_aperture(&((const struct field_input *)data)->question, run->doubts);
     return analysis_answer_rows(data, &rows, run, error);
 }
 
-static bool makes_many(const void *data)
+static bool field_makes_many(const void *data)
 {
-    return analysis_makes_many(&((const struct input *)data)->question, &policy);
+    return analysis_makes_many(&((const struct field_input *)data)->question, &policy);
 }
 
 /* -------- the plot -------- */
 
 /* The curves of one lens in one case, over all the fields that are asked for. */
-struct curves {
+struct field_curves {
     const char *words; /* what is the case; curves are told apart by it */
     const char *name;  /* what of it was asked for, null = nothing */
     const struct setup *setup;
@@ -129,27 +130,27 @@ struct curves {
 
 enum { POINTS = 61, MOST_CURVES = 24, SAGITTAL = 0, TANGENTIAL, PETZVAL, CURVES };
 
-struct painter {
+struct field_painter {
     struct run *run;
-    struct curves *curves;
+    struct field_curves *curves;
     size_t count, room;
 };
 
 /* How far a field lies along the direction of the farthest one. */
-static double along(const struct field_point *edge, const struct field_point *point)
+static double field_along(const struct field_point *edge, const struct field_point *point)
 {
     const double *a = edge->value, *b = point->value;
     return copysign(field_extent(point->kind, b), a[0] * b[0] + a[1] * b[1] < 0 ? -1.0 : 1.0);
 }
 
-static bool add_field(const struct analysis_case *one, size_t field, void *context,
-                      struct error *error)
+static bool field_add_field(const struct analysis_case *one, size_t field, void *context,
+                            struct error *error)
 {
-    struct painter *painter = context;
+    struct field_painter *painter = context;
     struct arena *arena = painter->run->arena;
     const struct field_point *point = &one->setup->fields[field].point;
     const char *words = analysis_case_words(one, true, arena);
-    struct curves *curves = NULL;
+    struct field_curves *curves = NULL;
     (void)error;
     for (size_t i = 0; i < painter->count; i++) {
         bool same = strcmp(painter->curves[i].words, words) == 0 &&
@@ -161,31 +162,31 @@ static bool add_field(const struct analysis_case *one, size_t field, void *conte
         painter->curves = arena_grow(arena, painter->curves, painter->count, &painter->room,
                                      sizeof *painter->curves);
         curves = &painter->curves[painter->count++];
-        *curves = (struct curves){.words = words,
-                                  .name = analysis_case_words(one, false, arena),
-                                  .setup = one->setup,
-                                  .edge = *point};
+        *curves = (struct field_curves){.words = words,
+                                        .name = analysis_case_words(one, false, arena),
+                                        .setup = one->setup,
+                                        .edge = *point};
     }
     if (field_extent(point->kind, point->value) >
         field_extent(curves->edge.kind, curves->edge.value)) {
         /* what lay on the other side still does */
-        if (along(&curves->edge, point) < 0) {
+        if (field_along(&curves->edge, point) < 0) {
             double low = curves->low;
             curves->low = -curves->high;
             curves->high = -low;
         }
         curves->edge = *point;
     }
-    double here = along(&curves->edge, point);
+    double here = field_along(&curves->edge, point);
     curves->low = fmin(curves->low, here);
     curves->high = fmax(curves->high, here);
     return true;
 }
 
-static const struct analysis_answers collecting = {.answer = add_field};
+static const struct analysis_answers collecting = {.answer = field_add_field};
 
 /* One panel: defocus to the right, field upwards. */
-static struct panel panel_of(const struct curves *curves, struct arena *arena)
+static struct panel panel_of(const struct field_curves *curves, struct arena *arena)
 {
     struct panel_series *series = ARENA_ARRAY(arena, CURVES, struct panel_series);
     double *x[CURVES], *y = ARENA_ARRAY(arena, POINTS, double);
@@ -224,7 +225,8 @@ static const char *field_label(enum field_kind kind)
     return labels[kind];
 }
 
-static const char *panel_title(const struct curves *curves, bool one_lens, struct arena *arena)
+static const char *panel_title(const struct field_curves *curves, bool one_lens,
+                               struct arena *arena)
 {
     const char *lens = curves->setup->lens->title;
     return curves->name == NULL ? lens
@@ -232,13 +234,13 @@ static const char *panel_title(const struct curves *curves, bool one_lens, struc
                                 : arena_printf(arena, "%s, %s", lens, curves->name);
 }
 
-static bool paint(struct painter *painter, struct svg *svg, struct error *error)
+static bool field_paint(struct field_painter *painter, struct svg *svg, struct error *error)
 {
     static const char *const keys[CURVES] = {
         [SAGITTAL] = "S: sagittal", [TANGENTIAL] = "T: tangential", [PETZVAL] = "Petzval surface"};
     struct arena *arena = svg->arena;
     struct panel *panels = ARENA_ARRAY(arena, painter->count + 1, struct panel);
-    const struct curves *first = &painter->curves[0];
+    const struct field_curves *first = &painter->curves[0];
     bool one_kind = true, one_lens = true;
     for (size_t i = 0; i < painter->count; i++) {
         one_lens = one_lens &&
@@ -276,7 +278,7 @@ static bool paint(struct painter *painter, struct svg *svg, struct error *error)
 }
 
 /* A curve wants a field: of a lens that states none but the axis another one is taken. */
-static struct analysis_policy policy_of_plot(const struct input *input)
+static struct analysis_policy policy_of_plot(const struct field_input *input)
 {
     const struct lens *lens = input->question.lens.lens;
     struct analysis_policy wide = policy;
@@ -286,12 +288,12 @@ static struct analysis_policy policy_of_plot(const struct input *input)
     return wide;
 }
 
-static bool draw(const struct artifact_job *job, struct output *sink, struct error *error)
+static bool field_draw(const struct artifact_job *job, struct output *sink, struct error *error)
 {
     struct svg svg = {.arena = job->run->arena};
-    struct painter painter = {.run = job->run};
+    struct field_painter painter = {.run = job->run};
     for (size_t i = 0; i < job->count; i++) {
-        const struct input *input = job->inputs[i];
+        const struct field_input *input = job->inputs[i];
         const struct analysis_policy wide = policy_of_plot(input);
         if (!analysis_each_field(&input->question, &wide, job->run, &collecting, &painter, error)) {
             return false;
@@ -301,12 +303,12 @@ static bool draw(const struct artifact_job *job, struct output *sink, struct err
             fail(error, ERROR_USAGE,
                  "{--plot} would draw %zu panels: at most %d can be distinguished", painter.count,
                  MOST_CURVES)) &&
-           paint(&painter, &svg, error) && drawing_write(job, &svg, sink, error);
+           field_paint(&painter, &svg, error) && drawing_write(job, &svg, sink, error);
 }
 
 static const struct artifact artifacts[] = {
     {ARTIFACT_OPTION("plot", drawing_types, "draw both foci and the Petzval surface by field"),
-     .scope = ARTIFACT_OF_SWEEP, .make = draw},
+     .scope = ARTIFACT_OF_SWEEP, .make = field_draw},
 };
 
 static const struct explanation explanations[] = {
@@ -333,9 +335,10 @@ const struct command command_field = {
     .name = "field",
     .group = "analyses",
     .summary = "field curvature and astigmatism: tangential and sagittal foci",
-    COMMAND_ASKS(struct input),
-    COMMAND_ANSWERS(struct row),
-    .makes_many = makes_many,
+    COMMAND_ASKS(struct field_input),
+    COMMAND_ANSWERS(struct field_row),
+    .run = field_run,
+    .makes_many = field_makes_many,
     .brings = analysis_brings,
     .threads = analysis_threads,
     .varies = analysis_varies,

@@ -7,37 +7,37 @@
 
 #include <string.h>
 
-struct input {
+struct illumination_input {
     struct analysis_question question;
     double stop_diameter; /* mm; NaN = not given */
 };
 
 static const struct option options[] = {
-    ANALYSIS_OPTIONS(struct input, question, LENS_PRIMARY_WAVELENGTH,
+    ANALYSIS_OPTIONS(struct illumination_input, question, LENS_PRIMARY_WAVELENGTH,
                      ", or the heights of one question"),
-    {ANALYSIS_LENGTH(struct input, question.height), .name = "height", .column = "height",
-     .flags = OPTION_NO_INFINITY,
+    {ANALYSIS_LENGTH(struct illumination_input, question.height), .name = "height",
+     .column = "height", .flags = OPTION_NO_INFINITY,
      .help = "a point in the image at this distance from the axis; a list is swept; default: from "
              "the axis in tenths to the image of the largest field"},
-    {ANALYSIS_LENGTH(struct input, question.height_x), .name = "height-x", .column = "height_x",
-     .flags = OPTION_NO_INFINITY, .help = "its offset in x"},
-    {OPTION(struct input, question.field), .name = "field", .column = "field",
+    {ANALYSIS_LENGTH(struct illumination_input, question.height_x), .name = "height-x",
+     .column = "height_x", .flags = OPTION_NO_INFINITY, .help = "its offset in x"},
+    {OPTION(struct illumination_input, question.field), .name = "field", .column = "field",
      .dimension = &dimension_angle, .unit = "deg", .lowest = -PI, .highest = PI,
      .flags = OPTION_FIELD | OPTION_ABOVE_LOWEST | OPTION_BELOW_HIGHEST, .value = "ANGLE",
      .help = "the point that the chief ray of this field reaches; a list is swept"},
-    LENS_FIELD_X_OPTION(struct input, question.field_x),
-    {ANALYSIS_LENGTH(struct input, stop_diameter), .name = "stop-diameter", .lowest = 0,
-     .highest = INFINITY, .flags = OPTION_ABOVE_LOWEST | OPTION_NO_INFINITY,
+    LENS_FIELD_X_OPTION(struct illumination_input, question.field_x),
+    {ANALYSIS_LENGTH(struct illumination_input, stop_diameter), .name = "stop-diameter",
+     .lowest = 0, .highest = INFINITY, .flags = OPTION_ABOVE_LOWEST | OPTION_NO_INFINITY,
      .column = "stop_diameter", .excludes = "aperture",
      .help = "diameter of the stop, in place of the lens's own aperture"},
-    {OPTION(struct input, question.error), .name = "error", .column = "error_wanted",
+    {OPTION(struct illumination_input, question.error), .name = "error", .column = "error_wanted",
      .dimension = &dimension_number, .lowest = 1e-13, .highest = 1, .fallback = "1e-4",
      .value = "NUMBER",
      .help = "rays are doubled until the relative error of the irradiance is below this"},
-    ANALYSIS_CLIP_OPTIONS(struct input, question),
+    ANALYSIS_CLIP_OPTIONS(struct illumination_input, question),
 };
 
-struct row {
+struct illumination_row {
     struct analysis_point point;
     double height, height_x, field; /* mm, rad */
     double irradiance, error, relative_point, relative_field, vignetted, cos4;
@@ -46,21 +46,23 @@ struct row {
 };
 
 #define LENGTH(member_name, more)                                                                  \
-    COLUMN(struct row, member_name), .dimension = &dimension_length, .unit = "mm", .flags = (more)
-#define PLAIN(member_name, more) COLUMN(struct row, member_name), .flags = (more)
+    COLUMN(struct illumination_row, member_name), .dimension = &dimension_length, .unit = "mm",    \
+                                                  .flags = (more)
+#define PLAIN(member_name, more) COLUMN(struct illumination_row, member_name), .flags = (more)
 
 static const struct column columns[] = {
-    LENS_POSITION_COLUMN(struct row, point.position, COLUMN_BRIEF),
+    LENS_POSITION_COLUMN(struct illumination_row, point.position, COLUMN_BRIEF),
     {LENGTH(height, COLUMN_BRIEF | COLUMN_ECHO), .name = "height", .symbol = "h", .with = "height",
      .label = "height", .help = "of the point, in the image plane"},
     {LENGTH(height_x, COLUMN_BRIEF | COLUMN_EXTRA), .name = "height_x", .with = "height-x field-x",
      .label = "height x", .help = "the same in x"},
-    {COLUMN(struct row, field), .name = "field", .symbol = "t", .dimension = &dimension_angle,
-     .unit = "deg", .flags = COLUMN_BRIEF | COLUMN_SPARSE, .label = "field",
+    {COLUMN(struct illumination_row, field), .name = "field", .symbol = "t",
+     .dimension = &dimension_angle, .unit = "deg", .flags = COLUMN_BRIEF | COLUMN_SPARSE,
+     .label = "field",
      .help = "angle from the axis, before the lens, of the light whose chief ray comes there; "
              "absent where none does"},
-    ANALYSIS_WAVELENGTH_COLUMN(struct row, point),
-    ANALYSIS_DEFOCUS_COLUMN(struct row, point),
+    ANALYSIS_WAVELENGTH_COLUMN(struct illumination_row, point),
+    ANALYSIS_DEFOCUS_COLUMN(struct illumination_row, point),
     {LENGTH(stop_diameter, COLUMN_ECHO | COLUMN_BRIEF | COLUMN_EXTRA), .name = "stop_diameter",
      .with = "stop-diameter", .label = "stop", .help = "diameter of the stop"},
     {PLAIN(irradiance, COLUMN_BRIEF), .name = "irradiance_per_radiance", .symbol = "E",
@@ -86,47 +88,51 @@ static const struct column columns[] = {
      .help = "what that may be off: a share that is less than its error is 0"},
     {PLAIN(cos4, 0), .name = "cos4", .label = "cos^4",
      .help = "fourth power of the cosine of the field angle, for comparison"},
-    ANALYSIS_TAIL_COLUMNS(struct row, point),
+    ANALYSIS_TAIL_COLUMNS(struct illumination_row, point),
 };
 
 /* -------- points of the image -------- */
 
 /* run: whose rows are all that is wanted; null: everything is. */
-static bool open_falloff(const struct analysis_case *one, const struct input *input,
-                         const struct run *run, struct falloff *falloff, struct error *error)
+static bool open_falloff(const struct analysis_case *one, const struct illumination_input *input,
+                         const struct run *run, struct relative_illumination *falloff,
+                         struct error *error)
 {
-    const bool no_field = run != NULL && !run_shows(run, offsetof(struct row, relative_field)) &&
-                          !run_shows(run, offsetof(struct row, field_error));
-    const bool no_vignetting = run != NULL && !run_shows(run, offsetof(struct row, vignetted)) &&
-                               !run_shows(run, offsetof(struct row, vignetted_error));
-    const struct falloff_question question = {.setup = one->setup,
-                                              .no_field = no_field,
-                                              .no_vignetting = no_vignetting,
-                                              .stop_diameter = input->stop_diameter,
-                                              .error = input->question.error,
-                                              .clip = one->clip};
-    return falloff_open(&question, falloff, error);
+    const bool no_field = run != NULL &&
+                          !run_shows(run, offsetof(struct illumination_row, relative_field)) &&
+                          !run_shows(run, offsetof(struct illumination_row, field_error));
+    const bool no_vignetting = run != NULL &&
+                               !run_shows(run, offsetof(struct illumination_row, vignetted)) &&
+                               !run_shows(run, offsetof(struct illumination_row, vignetted_error));
+    const struct relative_illumination_question question = {.setup = one->setup,
+                                                            .no_field = no_field,
+                                                            .no_vignetting = no_vignetting,
+                                                            .stop_diameter = input->stop_diameter,
+                                                            .error = input->question.error,
+                                                            .clip = one->clip};
+    return relative_illumination_open(&question, falloff, error);
 }
 
-static bool asks_height(const struct input *input)
+static bool asks_height(const struct illumination_input *input)
 {
     return !isnan(input->question.height) || !isnan(input->question.height_x);
 }
 
-static bool asks_point(const struct input *input)
+static bool asks_point(const struct illumination_input *input)
 {
     return asks_height(input) || !isnan(input->question.field) || !isnan(input->question.field_x);
 }
 
 /* The last point. */
-struct ending {
+struct last_point {
     double height[2]; /* x, y, mm */
     double share;     /* of the largest field; 1 where a point is asked for */
 };
 
 /* Where the chief ray of the largest field comes to, or of the largest that has one. */
-static bool find_edge(const struct falloff *falloff, const struct field_point *edge,
-                      struct ending *ending, struct error *error)
+static bool illumination_find_edge(const struct relative_illumination *falloff,
+                                   const struct field_point *edge, struct last_point *ending,
+                                   struct error *error)
 {
     enum { TRIES = 20 };
     struct error none;
@@ -134,7 +140,8 @@ static bool find_edge(const struct falloff *falloff, const struct field_point *e
         const double share = 1 - (double)try / TRIES;
         const struct field_point point = {edge->kind,
                                           {share * edge->value[0], share * edge->value[1]}};
-        if (falloff_height(falloff, &point, ending->height, try == 0 ? error : &none)) {
+        if (relative_illumination_height(falloff, &point, ending->height,
+                                         try == 0 ? error : &none)) {
             ending->share = share;
             return true;
         }
@@ -143,19 +150,21 @@ static bool find_edge(const struct falloff *falloff, const struct field_point *e
 }
 
 /* The point that is asked for; without one the edge of the image, upwards in a round lens. */
-static bool find_point(const struct analysis_case *one, size_t field, const struct input *input,
-                       const struct falloff *falloff, struct ending *ending, struct error *error)
+static bool find_point(const struct analysis_case *one, size_t field,
+                       const struct illumination_input *input,
+                       const struct relative_illumination *falloff, struct last_point *ending,
+                       struct error *error)
 {
     const struct field_point *point = &one->setup->fields[field].point;
     double *height = ending->height;
-    *ending = (struct ending){.height = {point->value[0], point->value[1]}, .share = 1};
+    *ending = (struct last_point){.height = {point->value[0], point->value[1]}, .share = 1};
     if (asks_height(input)) {
         return true;
     }
     if (asks_point(input)) {
-        return falloff_height(falloff, point, height, error);
+        return relative_illumination_height(falloff, point, height, error);
     }
-    if (!find_edge(falloff, point, ending, error)) {
+    if (!illumination_find_edge(falloff, point, ending, error)) {
         return false;
     }
     if (lens_is_round(one->setup->lens)) {
@@ -165,10 +174,11 @@ static bool find_point(const struct analysis_case *one, size_t field, const stru
     return true;
 }
 
-static bool emit(const struct analysis_asked *asked, const struct analysis_case *one, size_t field,
-                 double share, const struct falloff_point *found)
+static bool illumination_emit(const struct analysis_asked *asked, const struct analysis_case *one,
+                              size_t field, double share,
+                              const struct relative_illumination_point *found)
 {
-    struct row row;
+    struct illumination_row row;
     analysis_begin_row(asked, one, field, &row);
     row.height = found->height[1];
     row.height_x = found->height[0];
@@ -197,59 +207,61 @@ static bool emit(const struct analysis_asked *asked, const struct analysis_case 
 }
 
 /* Points of the image: first .. last of those that part the way from the axis to the end. */
-struct points {
-    const struct falloff *falloff;
+struct illumination_points {
+    const struct relative_illumination *falloff;
     double end[2]; /* mm */
     size_t first, last;
-    struct falloff_point *found; /* from the first on */
+    struct relative_illumination_point *found; /* from the first on */
 };
 
-static void find_light(const struct analysis_case *one, size_t item, void *context)
+static void illumination_find_light(const struct analysis_case *one, size_t item, void *context)
 {
-    const struct points *points = context;
+    const struct illumination_points *points = context;
     const double share = (double)(points->first + item) / (double)points->last;
     const double at[2] = {share * points->end[0], share * points->end[1]};
-    const struct falloff apart = falloff_apart(points->falloff, one->setup->arena);
-    points->found[item] = falloff_at(&apart, at);
+    const struct relative_illumination apart =
+        relative_illumination_apart(points->falloff, one->setup->arena);
+    points->found[item] = relative_illumination_at(&apart, at);
 }
 
-static bool answer(const struct analysis_case *one, size_t field, void *context,
-                   struct error *error)
+static bool illumination_answer(const struct analysis_case *one, size_t field, void *context,
+                                struct error *error)
 {
     enum { STEPS = 10 };
     const struct analysis_asked *asked = context;
-    struct falloff falloff;
-    struct ending end;
+    struct relative_illumination falloff;
+    struct last_point end;
     if (!open_falloff(one, asked->input, asked->run, &falloff, error) ||
         !find_point(one, field, asked->input, &falloff, &end, error)) {
         return false;
     }
-    struct falloff_point found[STEPS + 1];
-    struct points points = {&falloff,
-                            {end.height[0], end.height[1]},
-                            asks_point(asked->input) ? STEPS : 0,
-                            STEPS,
-                            found};
+    struct relative_illumination_point found[STEPS + 1];
+    struct illumination_points points = {&falloff,
+                                         {end.height[0], end.height[1]},
+                                         asks_point(asked->input) ? STEPS : 0,
+                                         STEPS,
+                                         found};
     const size_t count = STEPS + 1 - points.first;
     if (count > 1) {
-        falloff_begin(&falloff, (double[2]){end.height[0] / 2, end.height[1] / 2});
+        relative_illumination_begin(&falloff, (double[2]){end.height[0] / 2, end.height[1] / 2});
     }
-    analysis_divide(one, count, find_light, &points);
+    analysis_divide(one, count, illumination_find_light, &points);
     for (size_t i = 0; i < count; i++) {
-        if (!emit(asked, one, field, end.share, &found[i])) {
+        if (!illumination_emit(asked, one, field, end.share, &found[i])) {
             return false;
         }
     }
     return true;
 }
 
-static void repeat(const void *data, void *row)
+static void illumination_repeat(const void *data, void *row)
 {
-    ((struct row *)row)->stop_diameter = ((const struct input *)data)->stop_diameter;
+    ((struct illumination_row *)row)->stop_diameter =
+        ((const struct illumination_input *)data)->stop_diameter;
 }
 
 /* Without a point the edge of the field, and that is not the axis. */
-static struct analysis_policy policy_of(const struct input *input)
+static struct analysis_policy illumination_policy_of(const struct illumination_input *input)
 {
     return (struct analysis_policy){.wavelengths = WAVELENGTHS_PRIMARY,
                                     .fields = asks_point(input) ? FIELDS_ALL : FIELDS_EDGE,
@@ -257,26 +269,27 @@ static struct analysis_policy policy_of(const struct input *input)
 }
 
 /* A height is one in the image, where light arrives: that of the real image. */
-static struct input with_real_heights(const struct input *input)
+static struct illumination_input with_real_heights(const struct illumination_input *input)
 {
-    struct input real = *input;
+    struct illumination_input real = *input;
     real.question.real = true;
     return real;
 }
 
-static const struct sheet sheet = SHEET(columns, struct row);
+static const struct sheet sheet = SHEET(columns, struct illumination_row);
 
-static bool run(const void *data, struct run *run, struct error *error)
+static bool illumination_run(const void *data, struct run *run, struct error *error)
 {
-    const struct input input = with_real_heights(data);
-    const struct analysis_policy policy = policy_of(data);
-    const struct analysis_rows rows = {&policy, &sheet, repeat, {.answer = answer}};
+    const struct illumination_input input = with_real_heights(data);
+    const struct analysis_policy policy = illumination_policy_of(data);
+    const struct analysis_rows rows = {
+        &policy, &sheet, illumination_repeat, {.answer = illumination_answer}};
     return analysis_answer_rows(&input, &rows, run, error);
 }
 
-static bool makes_many(const void *data)
+static bool illumination_makes_many(const void *data)
 {
-    const struct input *input = data;
+    const struct illumination_input *input = data;
     return !asks_point(input) ||
            lens_positions_several(input->question.lens.lens, input->question.position);
 }
@@ -284,24 +297,25 @@ static bool makes_many(const void *data)
 /* -------- the plot -------- */
 
 /* One lens in one case, and how far its image is looked at. */
-struct curve {
+struct illumination_curve {
     const char *words, *name; /* analysis_case_words, whole and not */
     const char *title;        /* of the lens */
     const struct analysis_case *one;
-    struct falloff falloff;
+    struct relative_illumination falloff;
     double farthest[2], reach; /* the point farthest from the axis, mm */
 };
 
 enum { POINTS = 41, MOST_CURVES = 12, SERIES = 4 };
 
-struct painter {
-    const struct input *input;
+struct illumination_painter {
+    const struct illumination_input *input;
     struct arena *arena;
-    struct curve *curves;
+    struct illumination_curve *curves;
     size_t count, room;
 };
 
-static const char *with_stop(const struct input *input, const char *words, struct arena *arena)
+static const char *with_stop(const struct illumination_input *input, const char *words,
+                             struct arena *arena)
 {
     return isnan(input->stop_diameter)
                ? words
@@ -309,10 +323,12 @@ static const char *with_stop(const struct input *input, const char *words, struc
                               words != NULL ? ", " : "", input->stop_diameter);
 }
 
-static struct curve *find_curve(const struct painter *painter, const char *words, const char *title)
+static struct illumination_curve *
+illumination_find_curve(const struct illumination_painter *painter, const char *words,
+                        const char *title)
 {
     for (size_t i = 0; i < painter->count; i++) {
-        struct curve *curve = &painter->curves[i];
+        struct illumination_curve *curve = &painter->curves[i];
         if (strcmp(curve->words, words) == 0 && strcmp(curve->title, title) == 0) {
             return curve;
         }
@@ -320,24 +336,25 @@ static struct curve *find_curve(const struct painter *painter, const char *words
     return NULL;
 }
 
-static bool add_point(const struct analysis_case *one, size_t field, void *context,
-                      struct error *error)
+static bool illumination_add_point(const struct analysis_case *one, size_t field, void *context,
+                                   struct error *error)
 {
-    struct painter *painter = context;
+    struct illumination_painter *painter = context;
     struct arena *arena = painter->arena;
-    const struct input *input = painter->input;
+    const struct illumination_input *input = painter->input;
     const char *words = with_stop(input, analysis_case_words(one, true, arena), arena);
-    struct curve *curve = find_curve(painter, words, one->setup->lens->title);
-    struct ending end;
+    struct illumination_curve *curve =
+        illumination_find_curve(painter, words, one->setup->lens->title);
+    struct last_point end;
     if (curve == NULL) {
         painter->curves = arena_grow(arena, painter->curves, painter->count, &painter->room,
                                      sizeof *painter->curves);
         curve = &painter->curves[painter->count];
-        *curve =
-            (struct curve){.words = words,
-                           .name = with_stop(input, analysis_case_words(one, false, arena), arena),
-                           .title = one->setup->lens->title,
-                           .one = one};
+        *curve = (struct illumination_curve){
+            .words = words,
+            .name = with_stop(input, analysis_case_words(one, false, arena), arena),
+            .title = one->setup->lens->title,
+            .one = one};
         if (!open_falloff(one, input, NULL, &curve->falloff, error)) {
             return false;
         }
@@ -356,8 +373,9 @@ static bool add_point(const struct analysis_case *one, size_t field, void *conte
 }
 
 /* All there is to say of one case, or beside others its light alone. */
-static size_t add_series(const struct curve *curve, bool alone, const char *label, double reach,
-                         struct arena *arena, struct plot_series *series)
+static size_t illumination_add_series(const struct illumination_curve *curve, bool alone,
+                                      const char *label, double reach, struct arena *arena,
+                                      struct plot_series *series)
 {
     static const char *const labels[SERIES] = {"E/E axis", "by field", "cos\xe2\x81\xb4 of field",
                                                "vignetted"};
@@ -368,20 +386,20 @@ static size_t add_series(const struct curve *curve, bool alone, const char *labe
     }
     const double beyond = reach / curve->reach; /* others have points there */
     const size_t count = curve->reach > 0 ? 1 + (size_t)((POINTS - 1) * (1 + 1e-9) / beyond) : 0;
-    struct falloff_point found[POINTS];
-    struct falloff falloff = curve->falloff;
+    struct relative_illumination_point found[POINTS];
+    struct relative_illumination falloff = curve->falloff;
     if (count > 1) {
         const double share = (double)(count - 1) / (POINTS - 1) * beyond;
         const double last[2] = {share * curve->farthest[0], share * curve->farthest[1]};
-        falloff.chief_end = falloff_chief_end(&falloff, last, count - 1);
+        falloff.chief_end = relative_illumination_chief_end(&falloff, last, count - 1);
     }
-    struct points points = {
+    struct illumination_points points = {
         &falloff, {beyond * curve->farthest[0], beyond * curve->farthest[1]}, 0, POINTS - 1, found};
-    analysis_divide(curve->one, count, find_light, &points);
+    analysis_divide(curve->one, count, illumination_find_light, &points);
     for (size_t i = 0; i < POINTS; i++) {
-        const struct falloff_point none = {
+        const struct relative_illumination_point none = {
             .relative_point = NAN, .relative_field = NAN, .cos4 = NAN, .vignetted = NAN};
-        const struct falloff_point point = i < count ? found[i] : none;
+        const struct relative_illumination_point point = i < count ? found[i] : none;
         y[0][i] = 100 * point.relative_point;
         y[1][i] = 100 * point.relative_field;
         y[2][i] = 100 * point.cos4;
@@ -393,17 +411,19 @@ static size_t add_series(const struct curve *curve, bool alone, const char *labe
     return alone ? SERIES : 1;
 }
 
-static const char *label_of(const struct curve *curve, bool one_lens, struct arena *arena)
+static const char *illumination_label_of(const struct illumination_curve *curve, bool one_lens,
+                                         struct arena *arena)
 {
     return curve->name == NULL ? curve->title
            : one_lens          ? curve->name
                                : arena_printf(arena, "%s, %s", curve->title, curve->name);
 }
 
-static bool paint(struct painter *painter, struct svg *svg, struct error *error)
+static bool illumination_paint(struct illumination_painter *painter, struct svg *svg,
+                               struct error *error)
 {
     struct arena *arena = svg->arena;
-    const struct curve *first = &painter->curves[0];
+    const struct illumination_curve *first = &painter->curves[0];
     struct plot_series *series = ARENA_ARRAY(arena, painter->count + SERIES, struct plot_series);
     double *x = ARENA_ARRAY(arena, POINTS, double), reach = 0;
     bool one_lens = true;
@@ -433,27 +453,29 @@ static bool paint(struct painter *painter, struct svg *svg, struct error *error)
         x[i] = reach * (double)i / (POINTS - 1);
     }
     for (size_t i = 0; i < painter->count; i++) {
-        const struct curve *curve = &painter->curves[i];
-        size_t added = add_series(curve, alone, label_of(curve, one_lens, arena), reach, arena,
-                                  series + plot.series_count);
+        const struct illumination_curve *curve = &painter->curves[i];
+        size_t added =
+            illumination_add_series(curve, alone, illumination_label_of(curve, one_lens, arena),
+                                    reach, arena, series + plot.series_count);
         series[plot.series_count].style = i;
         plot.series_count += added;
     }
     return plot_draw(&plot, svg, error);
 }
 
-static bool draw(const struct artifact_job *job, struct output *sink, struct error *error)
+static bool illumination_draw(const struct artifact_job *job, struct output *sink,
+                              struct error *error)
 {
     struct svg svg = {.arena = job->run->arena};
-    struct painter painter = {.arena = svg.arena};
+    struct illumination_painter painter = {.arena = svg.arena};
     for (size_t i = 0; i < job->count; i++) {
         /* cases keep their question: it must outlive them */
-        struct input *input = ARENA_NEW(svg.arena, struct input);
-        const struct analysis_policy policy = policy_of(job->inputs[i]);
+        struct illumination_input *input = ARENA_NEW(svg.arena, struct illumination_input);
+        const struct analysis_policy policy = illumination_policy_of(job->inputs[i]);
         *input = with_real_heights(job->inputs[i]);
         painter.input = input;
         const bool has_others = job->count > 1 || analysis_makes_many(&input->question, &policy);
-        const struct analysis_answers collecting = {.answer = add_point,
+        const struct analysis_answers collecting = {.answer = illumination_add_point,
                                                     .lost = has_others ? analysis_skip : NULL};
         if (!analysis_each_field(&input->question, &policy, job->run, &collecting, &painter,
                                  error)) {
@@ -464,12 +486,12 @@ static bool draw(const struct artifact_job *job, struct output *sink, struct err
             fail(error, ERROR_USAGE,
                  "{--plot} would draw %zu curves: at most %d can be distinguished", painter.count,
                  MOST_CURVES)) &&
-           paint(&painter, &svg, error) && drawing_write(job, &svg, sink, error);
+           illumination_paint(&painter, &svg, error) && drawing_write(job, &svg, sink, error);
 }
 
 static const struct artifact artifacts[] = {
     {ARTIFACT_OPTION("plot", drawing_types, "draw the light over the height in the image"),
-     .scope = ARTIFACT_OF_SWEEP, .needs_no_rows = true, .make = draw},
+     .scope = ARTIFACT_OF_SWEEP, .needs_no_rows = true, .make = illumination_draw},
 };
 
 static const struct explanation explanations[] = {
@@ -504,9 +526,10 @@ const struct command command_illumination = {
     .name = "illumination",
     .group = "analyses",
     .summary = "light over the image: fall-off and vignetting",
-    COMMAND_ASKS(struct input),
-    COMMAND_ANSWERS(struct row),
-    .makes_many = makes_many,
+    COMMAND_ASKS(struct illumination_input),
+    COMMAND_ANSWERS(struct illumination_row),
+    .run = illumination_run,
+    .makes_many = illumination_makes_many,
     .brings = analysis_brings,
     .threads = analysis_threads,
     .varies = analysis_varies,

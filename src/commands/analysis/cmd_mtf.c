@@ -31,7 +31,7 @@ static const struct option options[] = {
     ANALYSIS_CLIP_OPTIONS(struct mtf_input, question),
 };
 
-struct row {
+struct mtf_row {
     struct analysis_point point;
     double frequency;
     double tangential, sagittal, limit, limit_tangential, limit_sagittal;
@@ -41,18 +41,18 @@ struct row {
     const char *method;
 };
 
-#define PLAIN(member_name, more) COLUMN(struct row, member_name), .flags = (more)
+#define PLAIN(member_name, more) COLUMN(struct mtf_row, member_name), .flags = (more)
 #define ANGLE(member_name)                                                                         \
-    COLUMN(struct row, member_name), .dimension = &dimension_angle, .unit = "deg",                 \
-                                     .flags = COLUMN_HIDDEN
+    COLUMN(struct mtf_row, member_name), .dimension = &dimension_angle, .unit = "deg",             \
+                                         .flags = COLUMN_HIDDEN
 #define FREQUENCY(member_name, more)                                                               \
-    COLUMN(struct row, member_name), .dimension = &dimension_frequency, .unit = "per_mm",          \
-                                     .flags = (more)
+    COLUMN(struct mtf_row, member_name), .dimension = &dimension_frequency, .unit = "per_mm",      \
+                                         .flags = (more)
 
 static const struct column columns[] = {
-    ANALYSIS_POINT_COLUMNS(struct row, point),
-    ANALYSIS_DEFOCUS_COLUMN(struct row, point),
-    ANALYSIS_WAVELENGTH_COLUMN(struct row, point),
+    ANALYSIS_POINT_COLUMNS(struct mtf_row, point),
+    ANALYSIS_DEFOCUS_COLUMN(struct mtf_row, point),
+    ANALYSIS_WAVELENGTH_COLUMN(struct mtf_row, point),
     {FREQUENCY(frequency, COLUMN_BRIEF | COLUMN_ECHO), .name = "frequency", .label = "frequency",
      .symbol = "f", .help = "in the image plane"},
     {PLAIN(tangential, COLUMN_BRIEF), .name = "tangential", .label = "tangential", .symbol = "T",
@@ -77,20 +77,20 @@ static const struct column columns[] = {
      .help = "what the contrasts may be off"},
     {PLAIN(method, COLUMN_ASSUMED), .name = "method", .depends = "method", .label = "method",
      .help = "by waves or by rays"},
-    ANALYSIS_SPECTRUM_COLUMN(struct row, point),
-    ANALYSIS_TAIL_COLUMNS(struct row, point),
+    ANALYSIS_SPECTRUM_COLUMN(struct mtf_row, point),
+    ANALYSIS_TAIL_COLUMNS(struct mtf_row, point),
 };
 
 /* What is found of a field. */
 enum { FREQUENCIES = 4 };
-struct found {
+struct mtf_found {
     struct mtf_source source;
     double frequencies[FREQUENCIES];
     struct mtf contrasts[FREQUENCIES];
     size_t count;
 };
 
-static void fill(const struct mtf *mtf, const struct mtf_source *source, struct row *row)
+static void mtf_fill(const struct mtf *mtf, const struct mtf_source *source, struct mtf_row *row)
 {
     row->tangential = mtf->contrast[MTF_TANGENTIAL];
     row->sagittal = mtf->contrast[MTF_SAGITTAL];
@@ -104,14 +104,14 @@ static void fill(const struct mtf *mtf, const struct mtf_source *source, struct 
     row->error = mtf->error;
 }
 
-static bool find(const struct analysis_case *one, size_t field, const void *context, void *room,
-                 struct error *error)
+static bool mtf_row_find(const struct analysis_case *one, size_t field, const void *context,
+                         void *room, struct error *error)
 {
     static const double usual[FREQUENCIES] = {10, 20, 40, 80};
     const struct analysis_asked *asked = context;
     const struct mtf_input *input = asked->input;
     const bool one_frequency = !isnan(input->frequency);
-    struct found *found = room;
+    struct mtf_found *found = room;
     found->count = one_frequency ? 1 : FREQUENCIES;
     bool done = mtf_of_case(one, field, input, one->setup->arena, &found->source, error);
     for (size_t i = 0; i < found->count && done; i++) {
@@ -122,17 +122,17 @@ static bool find(const struct analysis_case *one, size_t field, const void *cont
     return done;
 }
 
-static bool take(const struct analysis_case *one, size_t field, const void *room, void *context,
-                 struct error *error)
+static bool mtf_take(const struct analysis_case *one, size_t field, const void *room, void *context,
+                     struct error *error)
 {
     const struct analysis_asked *asked = context;
-    const struct found *found = room;
+    const struct mtf_found *found = room;
     (void)error;
     for (size_t i = 0; i < found->count; i++) {
-        struct row row;
+        struct mtf_row row;
         analysis_begin_row(asked, one, field, &row);
         row.frequency = found->frequencies[i];
-        fill(&found->contrasts[i], &found->source, &row);
+        mtf_fill(&found->contrasts[i], &found->source, &row);
         analysis_warn(asked, &row.point,
                       lens_island_warning(&found->source.pupils.islands, asked->run->arena));
         if (found->source.pupils.list == NULL) {
@@ -151,28 +151,31 @@ static bool take(const struct analysis_case *one, size_t field, const void *room
     return true;
 }
 
-static void repeat(const void *data, void *room)
+static void mtf_repeat(const void *data, void *room)
 {
     static const char *const words[] = {
         [MTF_BY_WAVES] = "diffraction, amplitude squared = energy per area of direction cosines in "
                          "the image space, phase on the reference sphere",
         [MTF_BY_RAYS] = "geometric; limits by waves"};
     const struct mtf_input *input = data;
-    struct row *row = room;
+    struct mtf_row *row = room;
     row->frequency = input->frequency;
     row->method = words[input->method];
 }
 
-static const struct sheet sheet = SHEET(columns, struct row);
+static const struct sheet sheet = SHEET(columns, struct mtf_row);
 static const struct analysis_rows rows = {
-    &mtf_policy, &sheet, repeat, {.find = find, .found_size = sizeof(struct found), .take = take}};
+    &mtf_policy,
+    &sheet,
+    mtf_repeat,
+    {.find = mtf_row_find, .found_size = sizeof(struct mtf_found), .take = mtf_take}};
 
-static bool run(const void *data, struct run *run, struct error *error)
+static bool mtf_run(const void *data, struct run *run, struct error *error)
 {
     return analysis_answer_rows(data, &rows, run, error);
 }
 
-static bool makes_many(const void *data)
+static bool mtf_makes_many(const void *data)
 {
     const struct mtf_input *input = data;
     return isnan(input->frequency) || analysis_makes_many(&input->question, &mtf_policy);
@@ -210,8 +213,9 @@ const struct command command_mtf = {
     .group = "analyses",
     .summary = "contrast of the image by spatial frequency, by waves or by rays",
     COMMAND_ASKS(struct mtf_input),
-    COMMAND_ANSWERS(struct row),
-    .makes_many = makes_many,
+    COMMAND_ANSWERS(struct mtf_row),
+    .run = mtf_run,
+    .makes_many = mtf_makes_many,
     .brings = analysis_brings,
     .threads = analysis_threads,
     .varies = analysis_varies,

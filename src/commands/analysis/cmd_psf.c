@@ -40,7 +40,7 @@ static const struct option options[] = {
     ANALYSIS_CLIP_OPTIONS(struct psf_input, question),
 };
 
-struct row {
+struct psf_row {
     struct analysis_point point;
     double peak;
     double peak_x, peak_y, centroid_x, centroid_y, width_x, width_y, radius80, pitch; /* mm */
@@ -53,17 +53,17 @@ struct row {
 };
 
 #define SMALL(member_name, more)                                                                   \
-    COLUMN(struct row, member_name), .dimension = &dimension_length, .unit = "um",                 \
-                                     .flags = (more) | COLUMN_SPARSE
+    COLUMN(struct psf_row, member_name), .dimension = &dimension_length, .unit = "um",             \
+                                         .flags = (more) | COLUMN_SPARSE
 #define ANGLE(member_name, more)                                                                   \
-    COLUMN(struct row, member_name), .dimension = &dimension_angle, .unit = "mrad",                \
-                                     .flags = (more) | COLUMN_SPARSE
+    COLUMN(struct psf_row, member_name), .dimension = &dimension_angle, .unit = "mrad",            \
+                                         .flags = (more) | COLUMN_SPARSE
 
 static const struct column columns[] = {
-    ANALYSIS_POINT_COLUMNS(struct row, point),
-    ANALYSIS_DEFOCUS_COLUMN(struct row, point),
-    ANALYSIS_WAVELENGTH_COLUMN(struct row, point),
-    {COLUMN(struct row, peak), .flags = COLUMN_BRIEF, .name = "peak", .label = "peak",
+    ANALYSIS_POINT_COLUMNS(struct psf_row, point),
+    ANALYSIS_DEFOCUS_COLUMN(struct psf_row, point),
+    ANALYSIS_WAVELENGTH_COLUMN(struct psf_row, point),
+    {COLUMN(struct psf_row, peak), .flags = COLUMN_BRIEF, .name = "peak", .label = "peak",
      .symbol = "S",
      .help = "over that of a perfect image through the same pupil: the Strehl ratio"},
     {SMALL(peak_x, 0), .name = "peak_x", .label = "peak x", .help = "of it, from the chief ray"},
@@ -80,8 +80,8 @@ static const struct column columns[] = {
              "pixels are coarse"},
     {SMALL(radius80_error, COLUMN_HIDDEN), .name = "radius80_error", .label = "error of that",
      .help = "what that radius may be off"},
-    {COLUMN(struct row, inside), .dimension = &dimension_ratio, .unit = "%", .flags = COLUMN_BRIEF,
-     .name = "inside", .label = "light inside",
+    {COLUMN(struct psf_row, inside), .dimension = &dimension_ratio, .unit = "%",
+     .flags = COLUMN_BRIEF, .name = "inside", .label = "light inside",
      .help = "share of all light that the pixels have; absent where they are too coarse to say"},
     {SMALL(pitch, COLUMN_BRIEF), .name = "pitch", .label = "pitch", .help = "side of a pixel"},
     {ANGLE(peak_x_angle, 0), .name = "peak_x", .label = "peak x",
@@ -99,26 +99,27 @@ static const struct column columns[] = {
      .help = "what that radius may be off"},
     {ANGLE(pitch_angle, COLUMN_BRIEF), .name = "pitch", .label = "pitch",
      .help = "side of a pixel"},
-    {COLUMN(struct row, method), .flags = COLUMN_ASSUMED, .name = "method", .depends = "method",
+    {COLUMN(struct psf_row, method), .flags = COLUMN_ASSUMED, .name = "method", .depends = "method",
      .label = "method", .help = "how the waves are added up"},
-    ANALYSIS_SPECTRUM_COLUMN(struct row, point),
-    ANALYSIS_TAIL_COLUMNS(struct row, point),
+    ANALYSIS_SPECTRUM_COLUMN(struct psf_row, point),
+    ANALYSIS_TAIL_COLUMNS(struct psf_row, point),
 };
 
-static bool check(const struct analysis_case *one, const void *context, struct error *error)
+static bool psf_check_input(const struct analysis_case *one, const void *context,
+                            struct error *error)
 {
     const struct analysis_asked *asked = context;
     return psf_check(one, asked->input, error);
 }
 
-static bool find(const struct analysis_case *one, size_t field, const void *context, void *found,
-                 struct error *error)
+static bool psf_row_find(const struct analysis_case *one, size_t field, const void *context,
+                         void *found, struct error *error)
 {
     const struct analysis_asked *asked = context;
     return psf_of_case(one, field, asked->input, one->setup->arena, found, error);
 }
 
-static void fill(const struct psf *psf, struct row *row)
+static void psf_fill(const struct psf *psf, struct psf_row *row)
 {
     const double values[] = {psf->peak_at[0],  psf->peak_at[1], psf->centroid[0],
                              psf->centroid[1], psf->width[0],   psf->width[1],
@@ -144,15 +145,15 @@ static const char *const angular_words[PSF_METHODS] = {
                 "phase on a plane there",
     [PSF_HUYGENS] = NULL};
 
-static bool take(const struct analysis_case *one, size_t field, const void *found, void *context,
-                 struct error *error)
+static bool psf_take(const struct analysis_case *one, size_t field, const void *found,
+                     void *context, struct error *error)
 {
     const struct analysis_asked *asked = context;
     const struct psf *psf = found;
-    struct row row;
+    struct psf_row row;
     (void)error;
     analysis_begin_row(asked, one, field, &row);
-    fill(psf, &row);
+    psf_fill(psf, &row);
     if (psf->is_angular) {
         row.method = angular_words[psf->method];
     }
@@ -178,7 +179,7 @@ static bool take(const struct analysis_case *one, size_t field, const void *foun
     return run_emit(asked->run, &row);
 }
 
-static void repeat(const void *data, void *row)
+static void psf_repeat(const void *data, void *row)
 {
     static const char *const words[PSF_METHODS] = {
         [PSF_AUTO] = "plane waves, amplitude squared = energy per area of direction cosines in "
@@ -189,27 +190,29 @@ static void repeat(const void *data, void *row)
                     "cosines in the image space, phase on the reference sphere",
         [PSF_HUYGENS] = "spherical wavelets from the reference sphere, amplitude squared = energy "
                         "per area of direction cosines in the image space"};
-    ((struct row *)row)->method = words[((const struct psf_input *)data)->method];
+    ((struct psf_row *)row)->method = words[((const struct psf_input *)data)->method];
 }
 
-static const struct sheet sheet = SHEET(columns, struct row);
-static const struct analysis_rows rows = {
-    &psf_policy,
-    &sheet,
-    repeat,
-    {.check = check, .find = find, .found_size = sizeof(struct psf), .take = take}};
+static const struct sheet sheet = SHEET(columns, struct psf_row);
+static const struct analysis_rows rows = {&psf_policy,
+                                          &sheet,
+                                          psf_repeat,
+                                          {.check = psf_check_input,
+                                           .find = psf_row_find,
+                                           .found_size = sizeof(struct psf),
+                                           .take = psf_take}};
 
-static bool run(const void *data, struct run *run, struct error *error)
+static bool psf_run(const void *data, struct run *run, struct error *error)
 {
     return analysis_answer_rows(data, &rows, run, error);
 }
 
-static bool makes_many(const void *data)
+static bool psf_makes_many(const void *data)
 {
     return analysis_makes_many(&((const struct psf_input *)data)->question, &psf_policy);
 }
 
-static bool check_map(const struct artifact_job *job, struct error *error)
+static bool psf_check_map(const struct artifact_job *job, struct error *error)
 {
     const struct psf_input *input = job->inputs[0];
     const bool numbers = job->type != NULL && strcmp(job->type->ending, ".pfm") == 0;
@@ -222,7 +225,7 @@ static const struct artifact artifacts[] = {
      .scope = ARTIFACT_OF_SWEEP, .needs_no_rows = true, .make = psf_page},
     {ARTIFACT_OPTION("map", map_types,
                      "write the image of one field: colours, or numbers, 1 = a perfect peak"),
-     .scope = ARTIFACT_OF_ANSWER, .is_binary = true, .check = check_map, .make = psf_file},
+     .scope = ARTIFACT_OF_ANSWER, .is_binary = true, .check = psf_check_map, .make = psf_file},
 };
 
 static const struct explanation explanations[] = {
@@ -251,8 +254,9 @@ const struct command command_psf = {
     .group = "analyses",
     .summary = "images of points by waves: Strehl ratio, widths, maps",
     COMMAND_ASKS(struct psf_input),
-    COMMAND_ANSWERS(struct row),
-    .makes_many = makes_many,
+    COMMAND_ANSWERS(struct psf_row),
+    .run = psf_run,
+    .makes_many = psf_makes_many,
     .brings = analysis_brings,
     .threads = analysis_threads,
     .varies = analysis_varies,

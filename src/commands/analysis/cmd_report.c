@@ -10,20 +10,20 @@
 
 #include <string.h>
 
-struct input {
+struct report_input {
     struct lens_question question;
     bool images;
     long threads; /* 0 = one a core */
 };
 
 static const struct option options[] = {
-    LENS_OPTION(struct input, question),
-    LENS_FNUMBER_OPTION(struct input, question),
-    {OPTION(struct input, question.position), .name = "position", .value = "NAME",
+    LENS_OPTION(struct report_input, question),
+    LENS_FNUMBER_OPTION(struct report_input, question),
+    {OPTION(struct report_input, question.position), .name = "position", .value = "NAME",
      .help = "a name or focal length (135mm), a list, or all; default up to three of them"},
-    {OPTION(struct input, images), .name = "images",
+    {OPTION(struct report_input, images), .name = "images",
      .help = "images of points too (psf), which take longer than all the rest"},
-    {OPTION(struct input, threads), .name = "threads", .lowest = 0, .highest = PARALLEL_MOST,
+    {OPTION(struct report_input, threads), .name = "threads", .lowest = 0, .highest = PARALLEL_MOST,
      .value = "N", .fallback = "1",
      .help = "threads that share the fields of an analysis; 0 = one a core"},
 };
@@ -40,13 +40,13 @@ enum {
 };
 
 /* A part: a command, and which of its drawings; without one its rows. */
-struct section {
+struct report_section {
     const char *title, *command, *drawing;
     unsigned takes;
     bool is_drawing;
 };
 
-static const struct section sections[] = {
+static const struct report_section sections[] = {
     {"Prescription", "convert", NULL, OF_WHOLE_LENS, false},
     {"Cross-section", "draw", NULL, TAKES_BOTH, true},
     {"First-order data", "lens", NULL, TAKES_BOTH, false},
@@ -74,8 +74,8 @@ enum {
 };
 
 /* A page in the making. */
-struct writer {
-    const struct input *input;
+struct report_writer {
+    const struct report_input *input;
     struct run *run;
     struct page_part *parts;
     size_t count;
@@ -102,7 +102,7 @@ static const char *quoted(const char *word, struct arena *arena)
     return arena_printf(arena, "%s'", line);
 }
 
-static const char *command_line(const struct section *part, char *const *words, size_t count,
+static const char *command_line(const struct report_section *part, char *const *words, size_t count,
                                 struct arena *arena)
 {
     const char *line = arena_printf(arena, "lenscalc %s", part->command);
@@ -113,7 +113,7 @@ static const char *command_line(const struct section *part, char *const *words, 
     return line;
 }
 
-static char *word(const char *text, struct arena *arena)
+static char *report_word(const char *text, struct arena *arena)
 {
     return arena_string(arena, text, strlen(text));
 }
@@ -125,7 +125,8 @@ static char *number_word(double number, struct arena *arena)
 }
 
 /* Ask one of the commands, and keep what it says or why it cannot. */
-static void add_part(struct writer *writer, const struct section *part, const char *position)
+static void report_add_part(struct report_writer *writer, const struct report_section *part,
+                            const char *position)
 {
     struct arena *arena = writer->run->arena;
     const struct lens_question *question = &writer->input->question;
@@ -133,36 +134,36 @@ static void add_part(struct writer *writer, const struct section *part, const ch
     struct error error = {0};
     char *words[MOST_WORDS];
     size_t count = 0;
-    words[count++] = word(question->lens.name, arena);
+    words[count++] = report_word(question->lens.name, arena);
     if (!isnan(question->fnumber) && (part->takes & TAKES_FNUMBER) != 0) {
-        words[count++] = word("-N", arena);
+        words[count++] = report_word("-N", arena);
         words[count++] = number_word(question->fnumber, arena);
     }
     if (position != NULL && (part->takes & TAKES_POSITION) != 0) {
-        words[count++] = word("--position", arena);
-        words[count++] = word(position, arena);
+        words[count++] = report_word("--position", arena);
+        words[count++] = report_word(position, arena);
     }
     if (part->drawing != NULL) {
-        words[count++] = word(part->drawing, arena);
+        words[count++] = report_word(part->drawing, arena);
         /* it stays in memory, but this is how it would be called */
-        words[count++] = word(arena_printf(arena, "%s.svg", part->command), arena);
+        words[count++] = report_word(arena_printf(arena, "%s.svg", part->command), arena);
     }
     *page = (struct page_part){.title = part->title,
                                .command = command_line(part, words, count, arena),
                                .is_drawing = part->is_drawing};
     if (writer->input->threads != 1 && (part->takes & TAKES_THREADS) != 0) {
-        words[count++] = word("--threads", arena); /* which change nothing that is shown */
+        words[count++] = report_word("--threads", arena); /* which change nothing that is shown */
         words[count++] = number_word((double)writer->input->threads, arena);
     }
     if (part->takes == OF_WHOLE_LENS && strcmp(question->lens.name, from_pipe) == 0) {
         page->text = lens_write(question->lens.lens, arena); /* a pipe is not read again */
         return;
     }
-    const struct embedding embedding = {command_find(text_of(part->command)), words, count,
-                                        &question->lens};
+    const struct embedded_command embedding = {command_find(text_of(part->command)), words, count,
+                                               &question->lens};
     if (!command_embed(&embedding, writer->run, &page->text, &error)) {
         page->failure = error.hint[0] == '\0'
-                            ? word(error.message, arena)
+                            ? report_word(error.message, arena)
                             : arena_printf(arena, "%s; %s", error.message, error.hint);
         page->text = (struct text){NULL, 0};
     }
@@ -179,7 +180,7 @@ static const char *usual_positions(const struct lens *lens, struct arena *arena)
                               lens->positions[count - 1]);
 }
 
-static bool fill_page(struct writer *writer, struct page *page, struct error *error)
+static bool fill_page(struct report_writer *writer, struct page *page, struct error *error)
 {
     struct arena *arena = writer->run->arena;
     const struct lens_question *question = &writer->input->question;
@@ -201,7 +202,7 @@ static bool fill_page(struct writer *writer, struct page *page, struct error *er
         for (size_t k = 0; k < SECTIONS; k++) {
             if ((i == 0 || sections[k].takes != OF_WHOLE_LENS) &&
                 (writer->input->images || (sections[k].takes & IS_IMAGE) == 0)) {
-                add_part(writer, &sections[k], name);
+                report_add_part(writer, &sections[k], name);
             }
             if (!watch_ask(writer->run->watch)) {
                 return fail(error, ERROR_DOMAIN, "interrupted: no report is written");
@@ -220,9 +221,9 @@ static const struct file_type *report_types(size_t i)
     return i < sizeof types / sizeof types[0] ? &types[i] : NULL;
 }
 
-static bool check(const struct artifact_job *job, struct error *error)
+static bool report_check(const struct artifact_job *job, struct error *error)
 {
-    const struct input *input = job->inputs[0];
+    const struct report_input *input = job->inputs[0];
     if (input->question.lens.lens == NULL) {
         fail(error, ERROR_USAGE, "no lens is given");
         return error_hint(error, "lenscalc report NAME, see 'lenscalc list lenses'");
@@ -236,9 +237,9 @@ static bool check(const struct artifact_job *job, struct error *error)
     return true;
 }
 
-static bool make(const struct artifact_job *job, struct output *sink, struct error *error)
+static bool report_make(const struct artifact_job *job, struct output *sink, struct error *error)
 {
-    struct writer writer = {.input = job->inputs[0], .run = job->run};
+    struct report_writer writer = {.input = job->inputs[0], .run = job->run};
     const struct lens *lens = writer.input->question.lens.lens;
     struct arena *arena = job->run->arena;
     struct page page = {
@@ -258,7 +259,7 @@ static bool make(const struct artifact_job *job, struct output *sink, struct err
 }
 
 static const struct artifact artifacts[] = {
-    {ARTIFACT_ANSWER(report_types), .check = check, .make = make},
+    {ARTIFACT_ANSWER(report_types), .check = report_check, .make = report_make},
 };
 
 static const struct example examples[] = {
@@ -271,6 +272,6 @@ const struct command command_report = {
     .name = "report",
     .group = "analyses",
     .summary = "a lens and its analyses on one page",
-    COMMAND_ASKS(struct input),
+    COMMAND_ASKS(struct report_input),
     COMMAND_MAKES(artifacts),
 };

@@ -30,7 +30,7 @@ static const struct option options[] = {
      .fallback = "lines", .value = "PAIR", .help = "which dispersion the chromatic sums are of"},
 };
 
-struct row {
+struct seidel_row {
     const char *surface, *position, *lens, *warning;
     double wavelength, blue, red; /* um */
     double field, height;         /* rad; mm at the object or at the image */
@@ -40,14 +40,16 @@ struct row {
     double lagrange; /* mm */
 };
 
-#define PLAIN(member_name, more) COLUMN(struct row, member_name), .flags = (more)
+#define PLAIN(member_name, more) COLUMN(struct seidel_row, member_name), .flags = (more)
 #define LENGTH(member_name, more)                                                                  \
-    COLUMN(struct row, member_name), .dimension = &dimension_length, .unit = "mm", .flags = (more)
+    COLUMN(struct seidel_row, member_name), .dimension = &dimension_length, .unit = "mm",          \
+                                            .flags = (more)
 #define ANGLE(member_name, more)                                                                   \
-    COLUMN(struct row, member_name), .dimension = &dimension_angle, .unit = "mrad", .flags = (more)
+    COLUMN(struct seidel_row, member_name), .dimension = &dimension_angle, .unit = "mrad",         \
+                                            .flags = (more)
 #define WAVE(member_name, more)                                                                    \
-    COLUMN(struct row, member_name), .dimension = &dimension_wavelength_um, .unit = "nm",          \
-                                     .flags = (more) | COLUMN_EXTRA | COLUMN_ASSUMED
+    COLUMN(struct seidel_row, member_name), .dimension = &dimension_wavelength_um, .unit = "nm",   \
+                                            .flags = (more) | COLUMN_EXTRA | COLUMN_ASSUMED
 #define SUM(i, column_name, words)                                                                 \
     {                                                                                              \
         PLAIN(values[i], COLUMN_BRIEF), .name = (column_name), .label = (words), .help = (words)   \
@@ -70,8 +72,8 @@ struct row {
 #define CASE_COLUMNS                                                                               \
     {WAVE(wavelength, COLUMN_ECHO), .depends = "wavelength lens position", .name = "wavelength",   \
      .label = "wavelength", .help = "of the rays"},                                                \
-        LENS_POSITION_COLUMN(struct row, position, COLUMN_BRIEF),                                  \
-        {COLUMN(struct row, field),                                                                \
+        LENS_POSITION_COLUMN(struct seidel_row, position, COLUMN_BRIEF),                           \
+        {COLUMN(struct seidel_row, field),                                                         \
          .dimension = &dimension_angle,                                                            \
          .unit = "deg",                                                                            \
          .flags = COLUMN_EXTRA | COLUMN_ASSUMED | COLUMN_ECHO,                                     \
@@ -82,7 +84,7 @@ struct row {
         {LENGTH(height, COLUMN_EXTRA | COLUMN_ASSUMED | COLUMN_ECHO),                              \
          .depends = "field height lens position", .name = "height", .label = "field height",       \
          .help = "of the field, at the object or at the image; absent for an angle"},              \
-        {COLUMN(struct row, field_x),                                                              \
+        {COLUMN(struct seidel_row, field_x),                                                       \
          .dimension = &dimension_angle,                                                            \
          .unit = "deg",                                                                            \
          .flags = COLUMN_EXTRA | COLUMN_ECHO,                                                      \
@@ -104,7 +106,8 @@ struct row {
          .help = "the longer one"},                                                                \
         {LENGTH(lagrange, COLUMN_EXTRA), .name = "lagrange", .label = "Lagrange invariant",        \
          .symbol = "H", .help = "n (y ubar - ybar u)"},                                            \
-        LENS_TITLE_COLUMN(struct row, lens), LENS_WARNING_COLUMN(struct row, warning)
+        LENS_TITLE_COLUMN(struct seidel_row, lens),                                                \
+        LENS_WARNING_COLUMN(struct seidel_row, warning)
 
 static const struct column columns[] = {
     CASE_COLUMNS,
@@ -156,22 +159,22 @@ static const struct column transverse_columns[] = {
 };
 
 static const struct sheet sheets[] = {
-    [FORM_WELFORD] = SHEET(columns, struct row),
-    [FORM_TRANSVERSE] = SHEET(transverse_columns, struct row),
-    [FORM_WAVES] = SHEET(wave_columns, struct row),
+    [FORM_WELFORD] = SHEET(columns, struct seidel_row),
+    [FORM_TRANSVERSE] = SHEET(transverse_columns, struct seidel_row),
+    [FORM_WAVES] = SHEET(wave_columns, struct seidel_row),
 };
 
 static const struct sheet *const all_sheets[] = {&sheets[FORM_WELFORD], &sheets[FORM_TRANSVERSE],
                                                  &sheets[FORM_WAVES], NULL};
 
-static const struct sheet *choose_sheet(const void *data, const struct asking *asking)
+static const struct sheet *seidel_choose_sheet(const void *data, const struct option_query *asking)
 {
     (void)asking;
     return &sheets[((const struct seidel_input *)data)->form];
 }
 
-static void fill(const struct seidel_case *one, const struct seidel_part *part, int form,
-                 struct row *row)
+static void seidel_fill(const struct seidel_case *one, const struct seidel_part *part, int form,
+                        struct seidel_row *row)
 {
     double values[SEIDEL_TERMS];
     bool angular = form == FORM_TRANSVERSE && seidel_is_angular(one);
@@ -187,19 +190,19 @@ static void fill(const struct seidel_case *one, const struct seidel_part *part, 
 }
 
 /* Where the rows go. */
-struct listing {
+struct seidel_list {
     const struct seidel_input *input;
     struct run *run;
 };
 
-static bool emit_rows(const struct seidel_case *one, void *context, struct error *error)
+static bool seidel_emit_rows(const struct seidel_case *one, void *context, struct error *error)
 {
-    const struct listing *listing = context;
+    const struct seidel_list *listing = context;
     const struct setup *setup = one->setup;
     struct run *run = listing->run;
     const size_t count = one->light.system.count;
     const bool across = setup->section == SECTION_X;
-    struct row row = {
+    struct seidel_row row = {
         .position = setup->position,
         .lens = setup->lens->title,
         .warning = one->warning,
@@ -215,8 +218,8 @@ static bool emit_rows(const struct seidel_case *one, void *context, struct error
     (void)error;
     for (size_t i = 0; i <= count; i++) {
         row.surface = i < count ? arena_printf(run->arena, "%zu", i + 1) : "sum";
-        fill(one, i < count ? &one->seidel.parts[i] : &one->seidel.total, listing->input->form,
-             &row);
+        seidel_fill(one, i < count ? &one->seidel.parts[i] : &one->seidel.total,
+                    listing->input->form, &row);
         if (!run_emit(run, &row)) {
             break;
         }
@@ -224,10 +227,10 @@ static bool emit_rows(const struct seidel_case *one, void *context, struct error
     return true;
 }
 
-static bool run(const void *data, struct run *run, struct error *error)
+static bool seidel_run(const void *data, struct run *run, struct error *error)
 {
-    struct listing listing = {data, run};
-    return seidel_each(data, run, emit_rows, &listing, error);
+    struct seidel_list listing = {data, run};
+    return seidel_each(data, run, seidel_emit_rows, &listing, error);
 }
 
 static const struct artifact artifacts[] = {
@@ -266,7 +269,7 @@ static const struct example examples[] = {
 };
 
 /* A row a surface, and their sum. */
-static double weight(const void *data)
+static double seidel_weight(const void *data)
 {
     const struct lens *lens = ((const struct seidel_input *)data)->question.lens.lens;
     return lens != NULL ? (double)lens->surface_count + 1 : 1;
@@ -277,11 +280,12 @@ const struct command command_seidel = {
     .group = "analyses",
     .summary = "third-order aberrations and colour, surface by surface",
     COMMAND_ASKS(struct seidel_input),
-    COMMAND_ANSWERS(struct row),
-    .choose_sheet = choose_sheet,
+    COMMAND_ANSWERS(struct seidel_row),
+    .run = seidel_run,
+    .choose_sheet = seidel_choose_sheet,
     .sheets = all_sheets,
     .makes_many = command_always_many,
-    .weight = weight,
+    .weight = seidel_weight,
     .varies = analysis_varies,
     .brings = analysis_brings,
     COMMAND_MAKES(artifacts),

@@ -27,7 +27,7 @@ static const struct option options[] = {
     ANALYSIS_PUPIL_OPTIONS(struct spot_input, question),
 };
 
-struct row {
+struct spot_row {
     struct analysis_point point;
     double rms, rms_x, rms_y, rms_chief, radius, radius_error, error; /* mm */
     double energy, energy_radius, energy_error;
@@ -40,17 +40,19 @@ struct row {
 };
 
 #define SMALL(member_name, more)                                                                   \
-    COLUMN(struct row, member_name), .dimension = &dimension_length, .unit = "um", .flags = (more)
+    COLUMN(struct spot_row, member_name), .dimension = &dimension_length, .unit = "um",            \
+                                          .flags = (more)
 #define PLACE(member_name, more)                                                                   \
-    COLUMN(struct row, member_name), .dimension = &dimension_length, .unit = "mm", .flags = (more)
+    COLUMN(struct spot_row, member_name), .dimension = &dimension_length, .unit = "mm",            \
+                                          .flags = (more)
 #define ANGLE(member_name, more)                                                                   \
-    COLUMN(struct row, member_name), .dimension = &dimension_angle, .unit = "mrad",                \
-                                     .flags = (more) | COLUMN_SPARSE
+    COLUMN(struct spot_row, member_name), .dimension = &dimension_angle, .unit = "mrad",           \
+                                          .flags = (more) | COLUMN_SPARSE
 
 static const struct column columns[] = {
-    ANALYSIS_POINT_COLUMNS(struct row, point),
-    ANALYSIS_DEFOCUS_COLUMN(struct row, point),
-    ANALYSIS_WAVELENGTH_COLUMN(struct row, point),
+    ANALYSIS_POINT_COLUMNS(struct spot_row, point),
+    ANALYSIS_DEFOCUS_COLUMN(struct spot_row, point),
+    ANALYSIS_WAVELENGTH_COLUMN(struct spot_row, point),
     {SMALL(rms, COLUMN_BRIEF | COLUMN_SPARSE), .name = "rms", .label = "RMS radius",
      .help = "root mean square distance from the centroid"},
     {SMALL(rms_x, COLUMN_BRIEF | COLUMN_SPARSE), .name = "rms_x", .label = "RMS in x",
@@ -65,7 +67,7 @@ static const struct column columns[] = {
              "centroid or what --reference says"},
     {SMALL(radius_error, COLUMN_HIDDEN), .name = "radius_error", .label = "error of that",
      .help = "what the largest radius may be off"},
-    {COLUMN(struct row, energy), .name = "energy", .dimension = &dimension_ratio, .unit = "%",
+    {COLUMN(struct spot_row, energy), .name = "energy", .dimension = &dimension_ratio, .unit = "%",
      .flags = COLUMN_ECHO | COLUMN_BRIEF | COLUMN_EXTRA, .with = "energy", .label = "share",
      .help = "share of the light"},
     {SMALL(energy_radius, COLUMN_BRIEF | COLUMN_EXTRA), .with = "energy", .name = "energy_radius",
@@ -96,24 +98,24 @@ static const struct column columns[] = {
     {PLACE(chief_x, COLUMN_HIDDEN), .name = "chief_x", .label = "chief ray x",
      .help = "where the chief ray meets the plane"},
     {PLACE(chief_y, COLUMN_HIDDEN), .name = "chief_y", .label = "chief ray y", .help = "upwards"},
-    {COLUMN(struct row, clear), .name = "clear", .label = "clear share",
+    {COLUMN(struct spot_row, clear), .name = "clear", .label = "clear share",
      .help = "of the area of the pupil that is not vignetted"},
-    {COLUMN(struct row, rays), .name = "rays", .flags = COLUMN_HIDDEN, .label = "rays",
+    {COLUMN(struct spot_row, rays), .name = "rays", .flags = COLUMN_HIDDEN, .label = "rays",
      .help = "of one wavelength"},
-    ANALYSIS_SPECTRUM_COLUMN(struct row, point),
-    {COLUMN(struct row, weight), .name = "weights", .flags = COLUMN_ASSUMED,
+    ANALYSIS_SPECTRUM_COLUMN(struct spot_row, point),
+    {COLUMN(struct spot_row, weight), .name = "weights", .flags = COLUMN_ASSUMED,
      .depends = "weight aim pattern clip no-clip", .label = "rays weighted by",
      .help = "where equal weights mean equal areas"},
-    ANALYSIS_TAIL_COLUMNS(struct row, point),
+    ANALYSIS_TAIL_COLUMNS(struct spot_row, point),
 };
 
 /* What aiming leaves of a place on the axis is none. */
-static double place(double coordinate, double rms)
+static double spot_row_place(double coordinate, double rms)
 {
     return fabs(coordinate) < 1e-15 * rms ? 0 : coordinate;
 }
 
-static void fill(const struct spot *spot, struct row *row)
+static void spot_fill(const struct spot *spot, struct spot_row *row)
 {
     const double values[] = {spot->rms,           spot->rms_x,        spot->rms_y,
                              spot->rms_chief,     spot->radius,       spot->error,
@@ -128,10 +130,10 @@ static void fill(const struct spot *spot, struct row *row)
         *(spot->is_angular ? angles[i] : lengths[i]) = values[i];
     }
     if (!spot->is_angular) {
-        row->x = place(spot->centroid[0], spot->rms);
-        row->y = place(spot->centroid[1], spot->rms);
-        row->chief_x = place(spot->chief[0], spot->rms);
-        row->chief_y = place(spot->chief[1], spot->rms);
+        row->x = spot_row_place(spot->centroid[0], spot->rms);
+        row->y = spot_row_place(spot->centroid[1], spot->rms);
+        row->chief_x = spot_row_place(spot->chief[0], spot->rms);
+        row->chief_y = spot_row_place(spot->chief[1], spot->rms);
     }
     row->clear = spot->clear;
     row->rays = (long)spot->rays;
@@ -141,8 +143,8 @@ static void fill(const struct spot *spot, struct row *row)
 static bool shows_radius(const struct run *run)
 {
     static const size_t members[] = {
-        offsetof(struct row, radius), offsetof(struct row, radius_error),
-        offsetof(struct row, radius_angle), offsetof(struct row, radius_error_angle)};
+        offsetof(struct spot_row, radius), offsetof(struct spot_row, radius_error),
+        offsetof(struct spot_row, radius_angle), offsetof(struct spot_row, radius_error_angle)};
     bool shows = false;
     for (size_t i = 0; i < sizeof members / sizeof members[0]; i++) {
         shows = shows || run_shows(run, members[i]);
@@ -150,8 +152,8 @@ static bool shows_radius(const struct run *run)
     return shows;
 }
 
-static bool find(const struct analysis_case *one, size_t field, const void *context, void *found,
-                 struct error *error)
+static bool spot_row_find(const struct analysis_case *one, size_t field, const void *context,
+                          void *found, struct error *error)
 {
     const struct analysis_asked *asked = context;
     struct spot_question question;
@@ -162,15 +164,15 @@ static bool find(const struct analysis_case *one, size_t field, const void *cont
     return spot_find(&question, one->setup->arena, found, error);
 }
 
-static bool take(const struct analysis_case *one, size_t field, const void *found, void *context,
-                 struct error *error)
+static bool spot_take(const struct analysis_case *one, size_t field, const void *found,
+                      void *context, struct error *error)
 {
     const struct analysis_asked *asked = context;
     const struct spot *spot = found;
-    struct row row;
+    struct spot_row row;
     (void)error;
     analysis_begin_row(asked, one, field, &row);
-    fill(spot, &row);
+    spot_fill(spot, &row);
     analysis_warn(asked, &row.point, lens_island_warning(&spot->islands, asked->run->arena));
     if (!(one->question->rays > 0) && !spot->has_converged) {
         analysis_warn(asked, &row.point, "the spot has not converged: see its error");
@@ -178,23 +180,26 @@ static bool take(const struct analysis_case *one, size_t field, const void *foun
     return run_emit(asked->run, &row);
 }
 
-static void repeat(const void *data, void *row)
+static void spot_repeat(const void *data, void *row)
 {
     const struct spot_input *input = data;
-    ((struct row *)row)->energy = input->energy;
-    ((struct row *)row)->weight = analysis_weight_words(&input->question);
+    ((struct spot_row *)row)->energy = input->energy;
+    ((struct spot_row *)row)->weight = analysis_weight_words(&input->question);
 }
 
-static const struct sheet sheet = SHEET(columns, struct row);
+static const struct sheet sheet = SHEET(columns, struct spot_row);
 static const struct analysis_rows rows = {
-    &spot_policy, &sheet, repeat, {.find = find, .found_size = sizeof(struct spot), .take = take}};
+    &spot_policy,
+    &sheet,
+    spot_repeat,
+    {.find = spot_row_find, .found_size = sizeof(struct spot), .take = spot_take}};
 
-static bool run(const void *data, struct run *run, struct error *error)
+static bool spot_run(const void *data, struct run *run, struct error *error)
 {
     return analysis_answer_rows(data, &rows, run, error);
 }
 
-static bool makes_many(const void *data)
+static bool spot_makes_many(const void *data)
 {
     return analysis_makes_many(&((const struct spot_input *)data)->question, &spot_policy);
 }
@@ -227,8 +232,9 @@ const struct command command_spot = {
     .group = "analyses",
     .summary = "how widely the rays of a field spread on the image plane",
     COMMAND_ASKS(struct spot_input),
-    COMMAND_ANSWERS(struct row),
-    .makes_many = makes_many,
+    COMMAND_ANSWERS(struct spot_row),
+    .run = spot_run,
+    .makes_many = spot_makes_many,
     .brings = analysis_brings,
     .threads = analysis_threads,
     .varies = analysis_varies,

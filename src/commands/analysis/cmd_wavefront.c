@@ -29,7 +29,7 @@ static const struct option options[] = {
     ANALYSIS_PUPIL_OPTIONS(struct wavefront_input, question),
 };
 
-struct row {
+struct wavefront_row {
     struct analysis_point point;
     double rms, pv, strehl, marechal, error, strehl_error, mean, clear, radius;
     double coefficient, residual;
@@ -37,10 +37,11 @@ struct row {
     const char *reference, *weight, *order;
 };
 
-#define PLAIN(member_name, more) COLUMN(struct row, member_name), .flags = (more)
+#define PLAIN(member_name, more) COLUMN(struct wavefront_row, member_name), .flags = (more)
 #define SHARED_COLUMNS                                                                             \
-    ANALYSIS_POINT_COLUMNS(struct row, point), ANALYSIS_DEFOCUS_COLUMN(struct row, point),         \
-        ANALYSIS_WAVELENGTH_COLUMN(struct row, point)
+    ANALYSIS_POINT_COLUMNS(struct wavefront_row, point),                                           \
+        ANALYSIS_DEFOCUS_COLUMN(struct wavefront_row, point),                                      \
+        ANALYSIS_WAVELENGTH_COLUMN(struct wavefront_row, point)
 #define RADIUS_COLUMN                                                                              \
     {                                                                                              \
         PLAIN(radius, COLUMN_HIDDEN | COLUMN_INFINITE),                                            \
@@ -54,7 +55,7 @@ struct row {
         {PLAIN(weight, COLUMN_ASSUMED), .name = "weights",                                         \
          .depends = "weight aim pattern clip no-clip", .label = "rays weighted by",                \
          .help = "where equal weights mean equal areas"},                                          \
-        ANALYSIS_TAIL_COLUMNS(struct row, point)
+        ANALYSIS_TAIL_COLUMNS(struct wavefront_row, point)
 
 static const struct column figure_columns[] = {
     SHARED_COLUMNS,
@@ -99,11 +100,12 @@ static const struct column coefficient_columns[] = {
     TAIL_COLUMNS,
 };
 
-static const struct sheet figure_sheet = SHEET(figure_columns, struct row);
-static const struct sheet coefficient_sheet = SHEET(coefficient_columns, struct row);
+static const struct sheet figure_sheet = SHEET(figure_columns, struct wavefront_row);
+static const struct sheet coefficient_sheet = SHEET(coefficient_columns, struct wavefront_row);
 static const struct sheet *const sheets[] = {&figure_sheet, &coefficient_sheet, NULL};
 
-static const struct sheet *choose_sheet(const void *data, const struct asking *asking)
+static const struct sheet *wavefront_choose_sheet(const void *data,
+                                                  const struct option_query *asking)
 {
     (void)asking;
     return ((const struct wavefront_input *)data)->zernike == NO_ZERNIKE ? &figure_sheet
@@ -111,20 +113,20 @@ static const struct sheet *choose_sheet(const void *data, const struct asking *a
 }
 
 /* What is found of a field: figures of the whole, or coefficients. */
-struct found {
+struct wavefront_found {
     struct wavefront_source source;
     struct wavefront figures;
     struct wavefront_fit fit;
 };
 
-static bool find(const struct analysis_case *one, size_t field, const void *context, void *room,
-                 struct error *error)
+static bool wavefront_row_find(const struct analysis_case *one, size_t field, const void *context,
+                               void *room, struct error *error)
 {
     const struct analysis_asked *asked = context;
     const struct wavefront_input *input = asked->input;
-    const bool wants_pv = run_shows(asked->run, offsetof(struct row, pv));
+    const bool wants_pv = run_shows(asked->run, offsetof(struct wavefront_row, pv));
     struct arena *arena = one->setup->arena;
-    struct found *found = room;
+    struct wavefront_found *found = room;
     return wavefront_of_case(one, field, input, arena, &found->source, error) &&
            (input->zernike == NO_ZERNIKE
                 ? wavefront_find(&found->source, wants_pv, arena, &found->figures, error)
@@ -132,8 +134,8 @@ static bool find(const struct analysis_case *one, size_t field, const void *cont
                                 (size_t)input->terms, arena, &found->fit, error));
 }
 
-static bool emit_figures(const struct analysis_asked *asked, const struct found *found,
-                         struct row *row)
+static bool emit_figures(const struct analysis_asked *asked, const struct wavefront_found *found,
+                         struct wavefront_row *row)
 {
     const struct wavefront *figures = &found->figures;
     row->rms = figures->rms;
@@ -152,8 +154,8 @@ static bool emit_figures(const struct analysis_asked *asked, const struct found 
     return run_emit(asked->run, row);
 }
 
-static bool emit_coefficients(const struct analysis_asked *asked, const struct found *found,
-                              struct row *row)
+static bool emit_coefficients(const struct analysis_asked *asked,
+                              const struct wavefront_found *found, struct wavefront_row *row)
 {
     static const char *const words[] = {
         [ZERNIKE_NOLL] = "noll, orthonormal over the pupil",
@@ -177,14 +179,14 @@ static bool emit_coefficients(const struct analysis_asked *asked, const struct f
     return true;
 }
 
-static bool take(const struct analysis_case *one, size_t field, const void *room, void *context,
-                 struct error *error)
+static bool wavefront_take(const struct analysis_case *one, size_t field, const void *room,
+                           void *context, struct error *error)
 {
     const struct analysis_asked *asked = context;
     const struct wavefront_input *input = asked->input;
-    const struct found *found = room;
+    const struct wavefront_found *found = room;
     const struct opd_reference *sphere = &found->source.reference.opd;
-    struct row row;
+    struct wavefront_row row;
     (void)error;
     analysis_begin_row(asked, one, field, &row);
     row.reference = wave_reference_words(one, (enum wave_about)input->reference, asked->run->arena);
@@ -193,23 +195,24 @@ static bool take(const struct analysis_case *one, size_t field, const void *room
                                         : emit_coefficients(asked, found, &row);
 }
 
-static void repeat(const void *data, void *row)
+static void wavefront_repeat(const void *data, void *row)
 {
     const struct wavefront_input *input = data;
-    ((struct row *)row)->weight = analysis_weight_words(&input->question);
+    ((struct wavefront_row *)row)->weight = analysis_weight_words(&input->question);
 }
 
-static bool run(const void *data, struct run *run, struct error *error)
+static bool wavefront_run(const void *data, struct run *run, struct error *error)
 {
-    const struct analysis_rows rows = {
-        &wavefront_policy,
-        choose_sheet(data, NULL),
-        repeat,
-        {.find = find, .found_size = sizeof(struct found), .take = take}};
+    const struct analysis_rows rows = {&wavefront_policy,
+                                       wavefront_choose_sheet(data, NULL),
+                                       wavefront_repeat,
+                                       {.find = wavefront_row_find,
+                                        .found_size = sizeof(struct wavefront_found),
+                                        .take = wavefront_take}};
     return analysis_answer_rows(data, &rows, run, error);
 }
 
-static bool makes_many(const void *data)
+static bool wavefront_makes_many(const void *data)
 {
     const struct wavefront_input *input = data;
     return (input->zernike != NO_ZERNIKE && input->terms > 1) ||
@@ -254,12 +257,12 @@ const struct command command_wavefront = {
     .group = "analyses",
     .summary = "wave fronts: RMS, Strehl ratio, Zernike's polynomials, maps",
     COMMAND_ASKS(struct wavefront_input),
-    .sheet = SHEET(figure_columns, struct row),
-    .choose_sheet = choose_sheet,
+    .sheet = SHEET(figure_columns, struct wavefront_row),
+    .choose_sheet = wavefront_choose_sheet,
     .sheets = sheets,
     .explanations = explanations,
-    .run = run,
-    .makes_many = makes_many,
+    .run = wavefront_run,
+    .makes_many = wavefront_makes_many,
     .brings = analysis_brings,
     .threads = analysis_threads,
     .varies = analysis_varies,

@@ -57,7 +57,7 @@ const char *color_doubt(const struct lens *lens)
 }
 
 /* The shortest and the longest: of those asked for at once, else of the lens. */
-static void find_ends(const struct analysis_case *one, struct color_summary *summary)
+static void color_case_find_ends(const struct analysis_case *one, struct color_summary *summary)
 {
     const struct setup *setup = one->setup;
     const struct lens *lens = setup->lens;
@@ -74,7 +74,8 @@ static void find_ends(const struct analysis_case *one, struct color_summary *sum
     summary->longest = shortest < longest ? longest : (double)NAN;
 }
 
-static const char *words_of(const struct color_summary *summary, bool afocal, struct arena *arena)
+static const char *color_case_words_of(const struct color_summary *summary, bool afocal,
+                                       struct arena *arena)
 {
     const double a = 1000 * summary->shortest, b = 1000 * summary->longest;
     if (afocal) {
@@ -95,7 +96,7 @@ bool color_summarize(const struct analysis_case *one, struct color_summary *summ
     const double primary = lens_primary_wavelength(setup->lens);
     struct chromatic_focus foci[3];
     *summary = (struct color_summary){.axial = {NAN, NAN}, .vergence = NAN};
-    find_ends(one, summary);
+    color_case_find_ends(one, summary);
     if (isnan(summary->shortest)) {
         return true;
     }
@@ -110,6 +111,6 @@ bool color_summarize(const struct analysis_case *one, struct color_summary *summ
     } else {
         summary->axial = chromatic_axial(&foci[0], &foci[middle], &foci[2]);
     }
-    summary->words = words_of(summary, color_is_afocal(setup), setup->arena);
+    summary->words = color_case_words_of(summary, color_is_afocal(setup), setup->arena);
     return true;
 }

@@ -13,7 +13,7 @@ enum { MOST_COLOURS = 5, SAMPLES = 121, ZONES = 40, FIELDS = 32, PANELS = 3 };
 static const double TO_NM = 1000, TO_UM = 1000, TO_MRAD = 1000, SMALL = 0.2;
 
 /* The page in the making. */
-struct painter {
+struct color_view_painter {
     const struct artifact_job *job;
     const struct color_input *input;
     struct arena *arena;
@@ -26,19 +26,19 @@ struct painter {
     struct panels page;
 };
 
-static const struct color_input *input_at(const struct artifact_job *job, size_t i)
+static const struct color_input *color_view_input_at(const struct artifact_job *job, size_t i)
 {
     return job->inputs[i];
 }
 
-static int by_value(const void *a, const void *b)
+static int color_view_by_value(const void *a, const void *b)
 {
     const double x = *(const double *)a, y = *(const double *)b;
     return (x > y) - (x < y);
 }
 
 /* All that the sweep asks for, and the primary one; each once. */
-static void collect_waves(struct painter *painter)
+static void collect_waves(struct color_view_painter *painter)
 {
     const struct setup *setup = painter->one->setup;
     const bool asked = painter->input->question.wavelength.name != NULL;
@@ -47,10 +47,10 @@ static void collect_waves(struct painter *painter)
     size_t count = 0;
     waves[most - 1] = lens_primary_wavelength(setup->lens);
     for (size_t i = 0; i + 1 < most; i++) {
-        waves[i] = asked ? input_at(painter->job, i)->question.wavelength.wavelength
+        waves[i] = asked ? color_view_input_at(painter->job, i)->question.wavelength.wavelength
                          : setup->wavelengths[i].wavelength;
     }
-    qsort(waves, most, sizeof *waves, by_value);
+    qsort(waves, most, sizeof *waves, color_view_by_value);
     for (size_t i = 0; i < most; i++) {
         if (i == 0 || waves[i] > waves[count - 1]) {
             waves[count++] = waves[i];
@@ -61,7 +61,7 @@ static void collect_waves(struct painter *painter)
 }
 
 /* So many that each can be told apart: both ends, and what lies between in even steps. */
-static void thin_waves(struct painter *painter)
+static void thin_waves(struct color_view_painter *painter)
 {
     const size_t count = painter->wave_count;
     if (count <= MOST_COLOURS) {
@@ -73,14 +73,14 @@ static void thin_waves(struct painter *painter)
     painter->wave_count = MOST_COLOURS;
 }
 
-static double *numbers(const struct painter *painter, size_t count)
+static double *numbers(const struct color_view_painter *painter, size_t count)
 {
     return ARENA_ARRAY(painter->arena, count, double);
 }
 
 /* In thousandths of the unit where all of it is small; which of two words says it. */
-static const char *scale(const struct panel *panel, bool along_x, const char *large,
-                         const char *small)
+static const char *color_view_scale(const struct panel *panel, bool along_x, const char *large,
+                                    const char *small)
 {
     double most = 0;
     for (size_t s = 0; s < panel->count; s++) {
@@ -92,7 +92,7 @@ static const char *scale(const struct panel *panel, bool along_x, const char *la
     return most < SMALL ? small : large;
 }
 
-static void multiply(const struct panel *panel, bool along_x, double factor)
+static void color_view_multiply(const struct panel *panel, bool along_x, double factor)
 {
     for (size_t s = 0; s < panel->count; s++) {
         /* the painter's own numbers */
@@ -104,20 +104,21 @@ static void multiply(const struct panel *panel, bool along_x, double factor)
 }
 
 /* A shift along the axis: mm, or 1/m of an afocal lens. */
-static double axial_of(const struct painter *painter, const struct chromatic_focus *focus)
+static double axial_of(const struct color_view_painter *painter,
+                       const struct chromatic_focus *focus)
 {
     return color_is_afocal(painter->one->setup)
                ? 1000 * (focus->vergence - painter->primary.vergence)
                : focus->image - painter->primary.image;
 }
 
-static const char *axial_label(const struct painter *painter, const struct panel *panel,
+static const char *axial_label(const struct color_view_painter *painter, const struct panel *panel,
                                bool along_x, const char *words)
 {
     const char *unit = "1/m";
     if (!color_is_afocal(painter->one->setup)) {
-        unit = scale(panel, along_x, "mm", "\xc2\xb5m");
-        multiply(panel, along_x, unit[0] == 'm' ? 1 : TO_UM);
+        unit = color_view_scale(panel, along_x, "mm", "\xc2\xb5m");
+        color_view_multiply(panel, along_x, unit[0] == 'm' ? 1 : TO_UM);
     }
     return arena_printf(painter->arena, "%s (%s)", words, unit);
 }
@@ -125,7 +126,7 @@ static const char *axial_label(const struct painter *painter, const struct panel
 /* -------- the panels -------- */
 
 /* The curve, then a dot a wavelength. */
-static bool draw_shift(struct painter *painter, struct error *error)
+static bool draw_shift(struct color_view_painter *painter, struct error *error)
 {
     const struct setup *setup = painter->one->setup;
     const size_t count = painter->wave_count + 1;
@@ -156,7 +157,7 @@ static bool draw_shift(struct painter *painter, struct error *error)
     return true;
 }
 
-static bool draw_zones(struct painter *painter, struct error *error)
+static bool draw_zones(struct color_view_painter *painter, struct error *error)
 {
     const struct setup *setup = painter->one->setup;
     const bool entrance = painter->input->question.aim == ANALYSIS_AIM_ENTRANCE;
@@ -190,7 +191,7 @@ static double field_number(const struct field_point *field)
     return field_extent(field->kind, field->value) * (angle ? DEGREES_PER_RADIAN : 1);
 }
 
-static bool draw_fields(struct painter *painter, struct error *error)
+static bool draw_fields(struct color_view_painter *painter, struct error *error)
 {
     const struct setup *setup = painter->one->setup;
     const struct field_point *edge = &setup->fields[painter->field].point;
@@ -231,7 +232,8 @@ static bool draw_fields(struct painter *painter, struct error *error)
 
 /* -------- the page -------- */
 
-static const char *subtitle_of(const struct painter *painter, const char *summary)
+static const char *color_view_subtitle_of(const struct color_view_painter *painter,
+                                          const char *summary)
 {
     const struct setup *setup = painter->one->setup;
     struct arena *arena = painter->arena;
@@ -243,9 +245,10 @@ static const char *subtitle_of(const struct painter *painter, const char *summar
         summary != NULL ? "; " : "", summary != NULL ? summary : "");
 }
 
-static bool paint(const struct analysis_case *one, size_t field, void *context, struct error *error)
+static bool color_view_paint(const struct analysis_case *one, size_t field, void *context,
+                             struct error *error)
 {
-    struct painter *painter = context;
+    struct color_view_painter *painter = context;
     const struct setup *setup = one->setup;
     struct color_summary summary;
     painter->one = one;
@@ -264,7 +267,7 @@ static bool paint(const struct analysis_case *one, size_t field, void *context, 
     }
     painter->page = (struct panels){
         .title = arena_printf(painter->arena, "Colour of %s", setup->lens->title),
-        .subtitle = subtitle_of(painter, summary.words),
+        .subtitle = color_view_subtitle_of(painter, summary.words),
         .keys = keys,
         .key_count = painter->wave_count,
         .light = true,
@@ -279,7 +282,8 @@ static bool paint(const struct analysis_case *one, size_t field, void *context, 
 }
 
 /* Is it the same question at another wavelength? */
-static bool is_alike(const struct analysis_question *a, const struct analysis_question *b)
+static bool color_view_is_alike(const struct analysis_question *a,
+                                const struct analysis_question *b)
 {
     const double pairs[][2] = {{a->fnumber, b->fnumber},   {a->field, b->field},
                                {a->field_x, b->field_x},   {a->height, b->height},
@@ -295,9 +299,9 @@ static bool is_alike(const struct analysis_question *a, const struct analysis_qu
 
 bool color_view_check(const struct artifact_job *job, struct error *error)
 {
-    const struct analysis_question *first = &input_at(job, 0)->question;
+    const struct analysis_question *first = &color_view_input_at(job, 0)->question;
     for (size_t i = 1; i < job->count; i++) {
-        if (!is_alike(first, &input_at(job, i)->question)) {
+        if (!color_view_is_alike(first, &color_view_input_at(job, i)->question)) {
             return fail(error, ERROR_USAGE,
                         "{--plot} shows one lens and one field: only {--wavelength} may be a list");
         }
@@ -308,9 +312,10 @@ bool color_view_check(const struct artifact_job *job, struct error *error)
 
 bool color_view_draw(const struct artifact_job *job, struct output *sink, struct error *error)
 {
-    static const struct analysis_answers answers = {.answer = paint};
+    static const struct analysis_answers answers = {.answer = color_view_paint};
     struct svg svg = {.arena = job->run->arena};
-    struct painter painter = {.job = job, .input = input_at(job, 0), .arena = svg.arena};
+    struct color_view_painter painter = {
+        .job = job, .input = color_view_input_at(job, 0), .arena = svg.arena};
     return analysis_each_field(&painter.input->question, &color_policy, job->run, &answers,
                                &painter, error) &&
            panels_draw(&painter.page, &svg, error) && drawing_write(job, &svg, sink, error);

@@ -30,7 +30,7 @@ struct distortion_memo *distortion_memo_new(struct arena *arena)
 }
 
 /* The field that is balanced: as far as the lens says it goes, whatever is asked for. */
-static struct field_point edge_of(const struct setup *setup)
+static struct field_point distortion_asked_edge_of(const struct setup *setup)
 {
     const struct lens *lens = setup->lens;
     struct field_point edge = {.kind = lens->field_kind, .value = {0, lens_field_extent(lens)}};
@@ -40,7 +40,7 @@ static struct field_point edge_of(const struct setup *setup)
 /* Is there a field that no plane shows: of those asked for, or of the lens? */
 static bool has_half_space(const struct setup *setup)
 {
-    const struct field_point edge = edge_of(setup);
+    const struct field_point edge = distortion_asked_edge_of(setup);
     bool has = edge.kind == FIELD_ANGLE && edge.value[1] >= PI / 2;
     for (size_t i = 0; i < setup->field_count; i++) {
         const struct field_point *field = &setup->fields[i].point;
@@ -74,7 +74,8 @@ static struct calibrated_case case_of(const struct distortion_input *input,
     };
 }
 
-static bool is_same(const struct calibrated_case *one, const struct calibrated_case *other)
+static bool distortion_asked_is_same(const struct calibrated_case *one,
+                                     const struct calibrated_case *other)
 {
     bool same = one->lens == other->lens && one->position == other->position &&
                 one->projection == other->projection && one->edge_kind == other->edge_kind;
@@ -89,7 +90,7 @@ static bool is_same(const struct calibrated_case *one, const struct calibrated_c
 static bool recall(struct distortion_memo *memo, const struct calibrated_case *one, double **scale)
 {
     for (size_t i = 0; i < KEPT && i < memo->count; i++) {
-        if (is_same(&memo->cases[i], one)) {
+        if (distortion_asked_is_same(&memo->cases[i], one)) {
             *scale = &memo->scales[i];
             return true;
         }
@@ -122,7 +123,7 @@ static bool calibrate(const struct distortion_input *input, const struct setup *
                       struct distortion_memo *memo, struct distortion_case *ready,
                       struct error *error)
 {
-    const struct field_point edge = edge_of(setup);
+    const struct field_point edge = distortion_asked_edge_of(setup);
     if (edge.kind == FIELD_NONE) {
         return fail(error, ERROR_DOMAIN,
                     "{--calibrated}: the lens states no field whose distortion could be balanced");

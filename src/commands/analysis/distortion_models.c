@@ -6,7 +6,7 @@
 
 /* -------- rows -------- */
 
-struct row {
+struct distortion_models_row {
     struct analysis_point point;
     const char *model, *direction, *form, *projection, *sensor, *resolution;
     double k1, k2, k3, k4, k5, k6, a, b, c;
@@ -16,24 +16,25 @@ struct row {
 
 #define NUMBER(member_name, words)                                                                 \
     {                                                                                              \
-        COLUMN(struct row, member_name),                                                           \
+        COLUMN(struct distortion_models_row, member_name),                                         \
             .name = #member_name, .flags = COLUMN_BRIEF | COLUMN_SPARSE, .label = #member_name,    \
             .help = words, .digits = 7                                                             \
     }
 #define LENGTH(member_name, in_unit, more)                                                         \
-    COLUMN(struct row, member_name), .dimension = &dimension_length, .unit = in_unit,              \
-                                     .flags = (more)
+    COLUMN(struct distortion_models_row, member_name), .dimension = &dimension_length,             \
+                                                       .unit = in_unit, .flags = (more)
 
 static const struct column columns[] = {
-    LENS_POSITION_COLUMN(struct row, point.position, COLUMN_BRIEF),
-    ANALYSIS_DEFOCUS_COLUMN(struct row, point),
-    ANALYSIS_WAVELENGTH_COLUMN(struct row, point),
-    {COLUMN(struct row, model), .name = "model", .flags = COLUMN_BRIEF, .label = "model",
-     .repeats = "fit", .help = "whose coefficients they are"},
-    {COLUMN(struct row, direction), .name = "direction", .flags = COLUMN_BRIEF,
+    LENS_POSITION_COLUMN(struct distortion_models_row, point.position, COLUMN_BRIEF),
+    ANALYSIS_DEFOCUS_COLUMN(struct distortion_models_row, point),
+    ANALYSIS_WAVELENGTH_COLUMN(struct distortion_models_row, point),
+    {COLUMN(struct distortion_models_row, model), .name = "model", .flags = COLUMN_BRIEF,
+     .label = "model", .repeats = "fit", .help = "whose coefficients they are"},
+    {COLUMN(struct distortion_models_row, direction), .name = "direction", .flags = COLUMN_BRIEF,
      .label = "direction",
      .help = "distort: from the ideal image to the real one; undistort: back"},
-    {COLUMN(struct row, form), .name = "form", .flags = COLUMN_BRIEF, .label = "form",
+    {COLUMN(struct distortion_models_row, form), .name = "form", .flags = COLUMN_BRIEF,
+     .label = "form",
      .help = "published: as the model is defined; inverse: a polynomial of the same kind for the "
              "other direction"},
     NUMBER(k1, "coefficient"),
@@ -45,9 +46,9 @@ static const struct column columns[] = {
     NUMBER(a, "coefficient"),
     NUMBER(b, "coefficient"),
     NUMBER(c, "coefficient"),
-    {COLUMN(struct row, rms_pixels), .name = "rms_pixels", .flags = COLUMN_BRIEF,
+    {COLUMN(struct distortion_models_row, rms_pixels), .name = "rms_pixels", .flags = COLUMN_BRIEF,
      .label = "RMS residual in pixels", .help = "what is left, over the radius of the picture"},
-    {COLUMN(struct row, max_pixels), .name = "max_pixels", .flags = COLUMN_BRIEF,
+    {COLUMN(struct distortion_models_row, max_pixels), .name = "max_pixels", .flags = COLUMN_BRIEF,
      .label = "largest residual in pixels", .help = "the most that is left"},
     {LENGTH(rms, "um", 0), .name = "rms", .label = "RMS residual", .help = "the same in um"},
     {LENGTH(max, "um", 0), .name = "max", .label = "largest residual", .help = "the same in um"},
@@ -58,18 +59,20 @@ static const struct column columns[] = {
              "that fits best"},
     {LENGTH(radius, "mm", 0), .name = "radius", .label = "fitted radius",
      .help = "as far from the middle as the fit goes"},
-    {COLUMN(struct row, projection), .name = "projection", .flags = COLUMN_ASSUMED,
-     .depends = "projection fit", .label = "projection", .help = "of the ideal image"},
-    {COLUMN(struct row, sensor), .name = "sensor", .flags = COLUMN_ASSUMED, .depends = "sensor",
-     .label = "sensor", .help = "format or camera"},
+    {COLUMN(struct distortion_models_row, projection), .name = "projection",
+     .flags = COLUMN_ASSUMED, .depends = "projection fit", .label = "projection",
+     .help = "of the ideal image"},
+    {COLUMN(struct distortion_models_row, sensor), .name = "sensor", .flags = COLUMN_ASSUMED,
+     .depends = "sensor", .label = "sensor", .help = "format or camera"},
     {LENGTH(pitch, "um", COLUMN_ASSUMED), .name = "pitch", .depends = "pitch sensor",
      .label = "pixel pitch", .help = "spacing of the pixels"},
-    {COLUMN(struct row, resolution), .name = "resolution", .flags = COLUMN_ASSUMED,
-     .depends = "pitch sensor", .label = "pixels", .help = "of the picture"},
-    ANALYSIS_TAIL_COLUMNS(struct row, point),
+    {COLUMN(struct distortion_models_row, resolution), .name = "resolution",
+     .flags = COLUMN_ASSUMED, .depends = "pitch sensor", .label = "pixels",
+     .help = "of the picture"},
+    ANALYSIS_TAIL_COLUMNS(struct distortion_models_row, point),
 };
 
-const struct sheet distortion_fit_sheet = SHEET(columns, struct row);
+const struct sheet distortion_fit_sheet = SHEET(columns, struct distortion_models_row);
 
 /* -------- one lens in one position -------- */
 
@@ -109,15 +112,16 @@ static bool check_model(const struct distortion_input *input, struct error *erro
                 facts->word.word, projections[facts->projection].word, projections[wanted].word);
 }
 
-struct found {
+struct distortion_models_found {
     struct picture picture;
     struct distortion_case ready;
     struct distortion_profile profile;
     struct distortion_fit fit;
 };
 
-static bool find(const struct distortion_input *input, const struct analysis_case *one,
-                 struct found *found, struct error *error)
+static bool distortion_models_find(const struct distortion_input *input,
+                                   const struct analysis_case *one,
+                                   struct distortion_models_found *found, struct error *error)
 {
     struct arena *arena = one->setup->arena;
     if (!check_model(input, error) || !find_picture(input, &found->picture, error) ||
@@ -143,7 +147,8 @@ static bool find(const struct distortion_input *input, const struct analysis_cas
                : false;
 }
 
-static const char *warning_of(const struct analysis_case *one, const struct found *found)
+static const char *distortion_models_warning_of(const struct analysis_case *one,
+                                                const struct distortion_models_found *found)
 {
     const double corner = sensor_diagonal(&found->picture.size) / 2;
     struct arena *arena = one->setup->arena;
@@ -159,7 +164,7 @@ static const char *warning_of(const struct analysis_case *one, const struct foun
         arena);
 }
 
-static double *coefficient(struct row *row, const char *name)
+static double *coefficient(struct distortion_models_row *row, const char *name)
 {
     const struct {
         const char *name;
@@ -174,13 +179,14 @@ static double *coefficient(struct row *row, const char *name)
     return all[i].at;
 }
 
-static struct row row_of(const struct analysis_case *one, const struct found *found,
-                         enum distortion_way way)
+static struct distortion_models_row
+distortion_models_row_of(const struct analysis_case *one,
+                         const struct distortion_models_found *found, enum distortion_way way)
 {
     const struct model_facts *facts = &distortion_models[found->fit.model];
     const struct distortion_polynomial *polynomial = &found->fit.ways[way];
     const double pitch = found->picture.size.pitch;
-    struct row row = {
+    struct distortion_models_row row = {
         .point = analysis_point_of(one, 0),
         .model = facts->word.word,
         .direction = way == WAY_DISTORT ? "distort" : "undistort",
@@ -206,7 +212,7 @@ static struct row row_of(const struct analysis_case *one, const struct found *fo
         .resolution = arena_printf(one->setup->arena, "%.0f x %.0f", found->picture.width,
                                    found->picture.height),
     };
-    row.point.warning = warning_of(one, found);
+    row.point.warning = distortion_models_warning_of(one, found);
     for (size_t j = 0; j < facts->terms; j++) {
         *coefficient(&row, facts->names[j]) = polynomial->published[j];
     }
@@ -214,31 +220,33 @@ static struct row row_of(const struct analysis_case *one, const struct found *fo
 }
 
 /* Where the rows go. */
-struct asked {
+struct distortion_models_asked {
     const struct distortion_input *input;
     struct run *run;
 };
 
-static bool answer(const struct analysis_case *one, void *context, struct error *error)
+static bool distortion_models_answer(const struct analysis_case *one, void *context,
+                                     struct error *error)
 {
-    const struct asked *asked = context;
-    struct found found;
-    if (!find(asked->input, one, &found, error)) {
+    const struct distortion_models_asked *asked = context;
+    struct distortion_models_found found;
+    if (!distortion_models_find(asked->input, one, &found, error)) {
         return false;
     }
     const enum distortion_way first = distortion_models[found.fit.model].way;
     const enum distortion_way second = first == WAY_DISTORT ? WAY_UNDISTORT : WAY_DISTORT;
-    struct row rows[] = {row_of(one, &found, first), row_of(one, &found, second)};
+    struct distortion_models_row rows[] = {distortion_models_row_of(one, &found, first),
+                                           distortion_models_row_of(one, &found, second)};
     rows[0].sensor = rows[1].sensor = asked->input->sensor.name;
     return run_emit(asked->run, &rows[0]) && run_emit(asked->run, &rows[1]);
 }
 
 bool distortion_fit_run(const struct distortion_input *input, struct run *run, struct error *error)
 {
-    struct asked asked = {input, run};
+    struct distortion_models_asked asked = {input, run};
     error->code = ERROR_NONE;
-    return analysis_each(&input->question, &distortion_as_whole, run->arena, answer, &asked,
-                         error) ||
+    return analysis_each(&input->question, &distortion_as_whole, run->arena,
+                         distortion_models_answer, &asked, error) ||
            error->code == ERROR_NONE;
 }
 
@@ -277,15 +285,15 @@ bool distortion_fit_check(const struct artifact_job *job, struct error *error)
                 job->path);
 }
 
-struct saving {
+struct model_file {
     const struct distortion_input *input;
     struct output *sink;
     bool begun;
 };
 
 /* A profile without its coefficients. */
-static void begin_lensfun(const struct saving *saving, const struct analysis_case *one,
-                          const struct found *found)
+static void begin_lensfun(const struct model_file *saving, const struct analysis_case *one,
+                          const struct distortion_models_found *found)
 {
     static const char *const types[] = {[RECTILINEAR] = "rectilinear",
                                         [EQUIDISTANT] = "fisheye",
@@ -317,10 +325,10 @@ static void begin_lensfun(const struct saving *saving, const struct analysis_cas
 
 static bool write_lensfun(const struct analysis_case *one, void *context, struct error *error)
 {
-    struct saving *saving = context;
+    struct model_file *saving = context;
     struct output *sink = saving->sink;
-    struct found found;
-    if (!find(saving->input, one, &found, error)) {
+    struct distortion_models_found found;
+    if (!distortion_models_find(saving->input, one, &found, error)) {
         return false;
     }
     if (!saving->begun) {
@@ -344,10 +352,10 @@ static bool write_lensfun(const struct analysis_case *one, void *context, struct
 /* Pixel centres have whole coordinates, from 0. */
 static bool write_opencv(const struct analysis_case *one, void *context, struct error *error)
 {
-    const struct saving *saving = context;
+    const struct model_file *saving = context;
     struct output *sink = saving->sink;
-    struct found found;
-    if (!find(saving->input, one, &found, error)) {
+    struct distortion_models_found found;
+    if (!distortion_models_find(saving->input, one, &found, error)) {
         return false;
     }
     const struct picture *picture = &found.picture;
@@ -389,7 +397,7 @@ static bool write_opencv(const struct analysis_case *one, void *context, struct 
 bool distortion_fit_save(const struct artifact_job *job, struct output *sink, struct error *error)
 {
     const struct distortion_input *input = job->inputs[0];
-    struct saving saving = {.input = input, .sink = sink};
+    struct model_file saving = {.input = input, .sink = sink};
     const bool lensfun = is_for_lensfun(input);
     if (!analysis_each(&input->question, &distortion_as_whole, job->run->arena,
                        lensfun ? write_lensfun : write_opencv, &saving, error)) {

@@ -7,7 +7,7 @@
 #include <string.h>
 
 /* The farthest field of the lens, but the one that is asked for. */
-static const struct analysis_policy *policy_of(const struct distortion_input *input)
+static const struct analysis_policy *distortion_view_policy_of(const struct distortion_input *input)
 {
     const struct analysis_question *question = &input->question;
     const double asked[] = {question->field, question->field_x, question->height,
@@ -25,24 +25,25 @@ static const struct analysis_policy *policy_of(const struct distortion_input *in
 enum { POINTS = 65, MOST_PANELS = 60, MOST_KEYS = 24 };
 
 /* Distortion over the field, of one lens in one position at one wavelength. */
-struct curve {
+struct distortion_view_curve {
     size_t panel, key;
     double edge; /* rad or mm */
     double *x, *y;
 };
 
-struct curves {
+struct distortion_view_curves {
     const struct distortion_input *input; /* the one at work */
     struct arena *arena;
     const char *panels[MOST_PANELS], *keys[MOST_KEYS];
     size_t panel_count, key_count, count, room;
-    struct curve *all;
+    struct distortion_view_curve *all;
     const char *subtitle;
     bool is_far;
 };
 
 /* The place of a text in a list, to which it is added; `most` where there is no room. */
-static size_t place_of(const char **list, size_t *count, size_t most, const char *text)
+static size_t distortion_view_place_of(const char **list, size_t *count, size_t most,
+                                       const char *text)
 {
     size_t i = 0;
     while (i < *count && strcmp(list[i], text) != 0) {
@@ -100,7 +101,7 @@ static const char *ideals_words(const struct distortion_input *input,
 
 /* Fields whose chief ray is lost are gaps; false with the reason where that are all. */
 static bool trace_curve(const struct distortion_map *map, const double towards[2],
-                        const struct curve *curve, struct error *error)
+                        const struct distortion_view_curve *curve, struct error *error)
 {
     bool any = false;
     for (size_t i = 0; i < POINTS; i++) {
@@ -116,27 +117,29 @@ static bool trace_curve(const struct distortion_map *map, const double towards[2
 }
 
 /* Of curves of the same place and light the longest one. */
-static struct curve *room_for(struct curves *curves, size_t panel, size_t key, double edge)
+static struct distortion_view_curve *room_for(struct distortion_view_curves *curves, size_t panel,
+                                              size_t key, double edge)
 {
     for (size_t i = 0; i < curves->count; i++) {
-        struct curve *old = &curves->all[i];
+        struct distortion_view_curve *old = &curves->all[i];
         if (old->panel == panel && old->key == key) {
             return old->edge < edge ? old : NULL;
         }
     }
     curves->all =
         arena_grow(curves->arena, curves->all, curves->count, &curves->room, sizeof *curves->all);
-    struct curve *curve = &curves->all[curves->count++];
-    *curve = (struct curve){.panel = panel,
-                            .key = key,
-                            .x = ARENA_ARRAY(curves->arena, POINTS, double),
-                            .y = ARENA_ARRAY(curves->arena, POINTS, double)};
+    struct distortion_view_curve *curve = &curves->all[curves->count++];
+    *curve = (struct distortion_view_curve){.panel = panel,
+                                            .key = key,
+                                            .x = ARENA_ARRAY(curves->arena, POINTS, double),
+                                            .y = ARENA_ARRAY(curves->arena, POINTS, double)};
     return curve;
 }
 
-static bool add_curve(const struct analysis_case *one, void *context, struct error *error)
+static bool distortion_view_add_curve(const struct analysis_case *one, void *context,
+                                      struct error *error)
 {
-    struct curves *curves = context;
+    struct distortion_view_curves *curves = context;
     const struct setup *setup = one->setup;
     struct distortion_case ready;
     double towards[2], edge;
@@ -144,10 +147,10 @@ static bool add_curve(const struct analysis_case *one, void *context, struct err
         !distortion_direction(&ready.map, &setup->fields[0].point, towards, &edge, error)) {
         return false;
     }
-    const size_t panel =
-        place_of(curves->panels, &curves->panel_count, MOST_PANELS, panel_words(setup));
-    const size_t key =
-        place_of(curves->keys, &curves->key_count, MOST_KEYS, key_words(curves->input, one));
+    const size_t panel = distortion_view_place_of(curves->panels, &curves->panel_count, MOST_PANELS,
+                                                  panel_words(setup));
+    const size_t key = distortion_view_place_of(curves->keys, &curves->key_count, MOST_KEYS,
+                                                key_words(curves->input, one));
     if (panel == MOST_PANELS || key == MOST_KEYS) {
         return fail(error, ERROR_USAGE, "{--plot} has room for %d lenses and %d kinds of light",
                     MOST_PANELS, MOST_KEYS);
@@ -157,7 +160,7 @@ static bool add_curve(const struct analysis_case *one, void *context, struct err
         return fail(error, ERROR_USAGE,
                     "{--plot}: fields of near objects and of those at infinity share no axis");
     }
-    struct curve *curve = edge > 0 ? room_for(curves, panel, key, edge) : NULL;
+    struct distortion_view_curve *curve = edge > 0 ? room_for(curves, panel, key, edge) : NULL;
     if (curve == NULL) {
         return true;
     }
@@ -168,7 +171,8 @@ static bool add_curve(const struct analysis_case *one, void *context, struct err
     return trace_curve(&ready.map, towards, curve, error);
 }
 
-static bool draw_curves(const struct curves *curves, struct svg *svg, struct error *error)
+static bool distortion_view_draw_curves(const struct distortion_view_curves *curves,
+                                        struct svg *svg, struct error *error)
 {
     struct arena *arena = curves->arena;
     struct panel *panels = ARENA_ARRAY(arena, curves->panel_count, struct panel);
@@ -176,7 +180,7 @@ static bool draw_curves(const struct curves *curves, struct svg *svg, struct err
         struct panel_series *series = ARENA_ARRAY(arena, curves->count, struct panel_series);
         panels[p] = (struct panel){.title = curves->panels[p], .series = series};
         for (size_t i = 0; i < curves->count; i++) {
-            const struct curve *curve = &curves->all[i];
+            const struct distortion_view_curve *curve = &curves->all[i];
             if (curve->panel == p) {
                 series[panels[p].count++] = (struct panel_series){
                     .x = curve->x, .y = curve->y, .count = POINTS, .key = curve->key};
@@ -199,18 +203,19 @@ static bool draw_curves(const struct curves *curves, struct svg *svg, struct err
 bool distortion_plot(const struct artifact_job *job, struct output *sink, struct error *error)
 {
     struct svg svg = {.arena = job->run->arena};
-    struct curves curves = {.arena = job->run->arena};
+    struct distortion_view_curves curves = {.arena = job->run->arena};
     for (size_t i = 0; i < job->count; i++) {
         curves.input = job->inputs[i];
-        if (!analysis_each(&curves.input->question, policy_of(curves.input), svg.arena, add_curve,
-                           &curves, error)) {
+        if (!analysis_each(&curves.input->question, distortion_view_policy_of(curves.input),
+                           svg.arena, distortion_view_add_curve, &curves, error)) {
             return false;
         }
     }
     if (curves.count == 0) {
         return fail(error, ERROR_DOMAIN, "{--plot}: no field lies off the axis");
     }
-    return draw_curves(&curves, &svg, error) && drawing_write(job, &svg, sink, error);
+    return distortion_view_draw_curves(&curves, &svg, error) &&
+           drawing_write(job, &svg, sink, error);
 }
 
 /* -------- a grid -------- */
@@ -218,7 +223,7 @@ bool distortion_plot(const struct artifact_job *job, struct output *sink, struct
 enum { LINES = 11, PIECES = 4, LINE_POINTS = (LINES - 1) * PIECES + 1 };
 
 /* A drawing in the making. */
-struct drawing {
+struct distortion_drawing {
     const struct distortion_input *input;
     struct svg *svg;
 };
@@ -240,9 +245,10 @@ static void trace_grid(const struct distortion_map *map, double half, double *x,
     }
 }
 
-static bool draw_grid(const struct analysis_case *one, void *context, struct error *error)
+static bool distortion_view_draw_grid(const struct analysis_case *one, void *context,
+                                      struct error *error)
 {
-    const struct drawing *drawing = context;
+    const struct distortion_drawing *drawing = context;
     const struct setup *setup = one->setup;
     struct arena *arena = setup->arena;
     struct distortion_case ready;
@@ -286,8 +292,8 @@ bool distortion_grid_check(const struct artifact_job *job, struct error *error)
 bool distortion_grid(const struct artifact_job *job, struct output *sink, struct error *error)
 {
     struct svg svg = {.arena = job->run->arena};
-    struct drawing drawing = {job->inputs[0], &svg};
-    return analysis_each(&drawing.input->question, policy_of(drawing.input), svg.arena, draw_grid,
-                         &drawing, error) &&
+    struct distortion_drawing drawing = {job->inputs[0], &svg};
+    return analysis_each(&drawing.input->question, distortion_view_policy_of(drawing.input),
+                         svg.arena, distortion_view_draw_grid, &drawing, error) &&
            drawing_write(job, &svg, sink, error);
 }

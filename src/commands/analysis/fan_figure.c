@@ -12,7 +12,7 @@
 enum { FINE = 201, MOST_KEYS = 64 };
 
 /* One wavelength of one field. */
-struct curve {
+struct fan_figure_curve {
     const char *label; /* of the field */
     double wavelength; /* um */
     size_t row;
@@ -21,11 +21,11 @@ struct curve {
 };
 
 /* The drawing at work. */
-struct painter {
+struct fan_figure_painter {
     const struct artifact_job *job;
     struct fan_input input; /* the one being answered, with `points` */
     struct arena *arena;
-    struct curve *curves;
+    struct fan_figure_curve *curves;
     size_t count, room;
     const char **rows; /* what stands beside them */
     size_t row_count, row_room;
@@ -35,8 +35,8 @@ struct painter {
 };
 
 /* What tells a field from the others: only what differs or is asked for. */
-static const char *label_of(const struct painter *painter, const struct field_point *field,
-                            const char *position)
+static const char *fan_figure_label_of(const struct fan_figure_painter *painter,
+                                       const struct field_point *field, const char *position)
 {
     const struct analysis_question *question = &painter->input.question;
     struct arena *arena = painter->arena;
@@ -58,12 +58,13 @@ static const char *label_of(const struct painter *painter, const struct field_po
 }
 
 /* The row of a field: that of another wavelength of it, or a new one. */
-static size_t row_of(struct painter *painter, const char *label, double wavelength)
+static size_t fan_figure_row_of(struct fan_figure_painter *painter, const char *label,
+                                double wavelength)
 {
     for (size_t i = painter->row_count; i-- > 0;) {
         bool taken = strcmp(painter->rows[i], label) != 0;
         for (size_t k = 0; k < painter->count && !taken; k++) {
-            const struct curve *curve = &painter->curves[k];
+            const struct fan_figure_curve *curve = &painter->curves[k];
             taken = curve->row == i && !(fabs(curve->wavelength - wavelength) > 0);
         }
         if (!taken) {
@@ -77,8 +78,8 @@ static size_t row_of(struct painter *painter, const char *label, double waveleng
 }
 
 /* The component along the section, um or mrad; or the path difference in waves. */
-static double value_of(const struct painter *painter, const struct fan *fan,
-                       const struct fan_ray *ray, size_t section, double wavelength)
+static double fan_figure_value_of(const struct fan_figure_painter *painter, const struct fan *fan,
+                                  const struct fan_ray *ray, size_t section, double wavelength)
 {
     const double *along = fan->along;
     if (painter->input.show == FAN_OPD) {
@@ -89,11 +90,12 @@ static double value_of(const struct painter *painter, const struct fan *fan,
     return 1000 * off;
 }
 
-static void add_curve(struct painter *painter, const struct fan *fan, size_t g, double wavelength,
-                      const char *label)
+static void fan_figure_add_curve(struct fan_figure_painter *painter, const struct fan *fan,
+                                 size_t g, double wavelength, const char *label)
 {
     struct arena *arena = painter->arena;
-    struct curve curve = {label, wavelength, row_of(painter, label, wavelength), {0}, {0}, {0}};
+    struct fan_figure_curve curve = {
+        label, wavelength, fan_figure_row_of(painter, label, wavelength), {0}, {0}, {0}};
     const size_t room = fan->points + FAN_ENDS;
     struct fan_ray *rays = ARENA_ARRAY(arena, room, struct fan_ray);
     for (size_t s = 0; s < FAN_SECTIONS; s++) {
@@ -104,7 +106,7 @@ static void add_curve(struct painter *painter, const struct fan *fan, size_t g, 
             const double *pupil = rays[i].pupil, *along = fan->along;
             curve.x[s][i] = s == FAN_TANGENTIAL ? pupil[0] * along[0] + pupil[1] * along[1]
                                                 : pupil[0] * along[1] - pupil[1] * along[0];
-            curve.y[s][i] = value_of(painter, fan, &rays[i], s, wavelength);
+            curve.y[s][i] = fan_figure_value_of(painter, fan, &rays[i], s, wavelength);
         }
     }
     painter->curves =
@@ -115,13 +117,13 @@ static void add_curve(struct painter *painter, const struct fan *fan, size_t g, 
 static bool add_fan(const struct analysis_case *one, size_t field, void *context,
                     struct error *error)
 {
-    struct painter *painter = context;
+    struct fan_figure_painter *painter = context;
     const struct setup *setup = one->setup;
     struct fan fan;
     if (!fan_of_case(one, field, &painter->input, painter->arena, &fan, error)) {
         return false;
     }
-    const char *label = label_of(painter, &setup->fields[field].point, setup->position);
+    const char *label = fan_figure_label_of(painter, &setup->fields[field].point, setup->position);
     painter->title = setup->lens->title;
     const char *reference =
         wave_reference_words(one, (enum wave_about)painter->input.reference, painter->arena);
@@ -129,7 +131,7 @@ static bool add_fan(const struct analysis_case *one, size_t field, void *context
     painter->reference = differs ? "the chief ray of each wavelength" : reference;
     painter->is_angular = fan.is_angular;
     for (size_t g = 0; g < setup->wavelength_count; g++) {
-        add_curve(painter, &fan, g, setup->wavelengths[g].wavelength, label);
+        fan_figure_add_curve(painter, &fan, g, setup->wavelengths[g].wavelength, label);
     }
     return true;
 }
@@ -137,17 +139,17 @@ static bool add_fan(const struct analysis_case *one, size_t field, void *context
 /* A field without light has its row all the same. */
 static bool add_nothing(const struct analysis_point *point, void *context)
 {
-    struct painter *painter = context;
+    struct fan_figure_painter *painter = context;
     const struct field_point at = {isnan(point->field) ? FIELD_IMAGE : FIELD_ANGLE,
                                    {isnan(point->field) ? point->height_x : point->field_x,
                                     isnan(point->field) ? point->height : point->field}};
-    row_of(painter, label_of(painter, &at, point->position), NAN);
+    fan_figure_row_of(painter, fan_figure_label_of(painter, &at, point->position), NAN);
     painter->title = painter->title != NULL ? painter->title : point->lens;
     return true;
 }
 
 /* The wavelengths that occur, ascending. */
-static size_t find_keys(const struct painter *painter, double *keys)
+static size_t find_keys(const struct fan_figure_painter *painter, double *keys)
 {
     size_t count = 0;
     for (size_t i = 0; i < painter->count; i++) {
@@ -168,7 +170,7 @@ static size_t find_keys(const struct painter *painter, double *keys)
     return count;
 }
 
-static size_t key_of(const double *keys, size_t count, double wavelength)
+static size_t fan_figure_key_of(const double *keys, size_t count, double wavelength)
 {
     size_t at = 0;
     while (at + 1 < count && keys[at] < wavelength) {
@@ -189,7 +191,7 @@ static bool find_most(const double *y, size_t count, double *most)
 }
 
 /* Panels two a row, with the greatest value in `most`. */
-static struct panel *make_panels(const struct painter *painter, const double *keys,
+static struct panel *make_panels(const struct fan_figure_painter *painter, const double *keys,
                                  size_t key_count, double *most)
 {
     struct arena *arena = painter->arena;
@@ -199,7 +201,7 @@ static struct panel *make_panels(const struct painter *painter, const double *ke
         size_t count = 0, section = i % FAN_SECTIONS;
         bool any = false;
         for (size_t k = 0; k < painter->count; k++) {
-            const struct curve *curve = &painter->curves[k];
+            const struct fan_figure_curve *curve = &painter->curves[k];
             if (curve->row != i / FAN_SECTIONS) {
                 continue;
             }
@@ -207,7 +209,7 @@ static struct panel *make_panels(const struct painter *painter, const double *ke
                 (struct panel_series){.x = curve->x[section],
                                       .y = curve->y[section],
                                       .count = curve->counts[section],
-                                      .key = key_of(keys, key_count, curve->wavelength)};
+                                      .key = fan_figure_key_of(keys, key_count, curve->wavelength)};
             any = find_most(curve->y[section], curve->counts[section], most) || any;
         }
         panels[i] =
@@ -216,7 +218,8 @@ static struct panel *make_panels(const struct painter *painter, const double *ke
     return panels;
 }
 
-static bool draw(const struct painter *painter, struct output *sink, struct error *error)
+static bool fan_figure_draw(const struct fan_figure_painter *painter, struct output *sink,
+                            struct error *error)
 {
     static const char *const heads[FAN_SECTIONS] = {"tangential", "sagittal"};
     struct arena *arena = painter->arena;
@@ -262,7 +265,7 @@ static bool draw(const struct painter *painter, struct output *sink, struct erro
 bool fan_figure(const struct artifact_job *job, struct output *sink, struct error *error)
 {
     static const struct analysis_answers answers = {.answer = add_fan, .lost = add_nothing};
-    struct painter painter = {.job = job, .arena = job->run->arena};
+    struct fan_figure_painter painter = {.job = job, .arena = job->run->arena};
     for (size_t i = 0; i < job->count; i++) {
         size_t points = (size_t)((const struct fan_input *)job->inputs[i])->points;
         painter.points = points > painter.points ? points : painter.points;
@@ -276,5 +279,5 @@ bool fan_figure(const struct artifact_job *job, struct output *sink, struct erro
             return false;
         }
     }
-    return draw(&painter, sink, error);
+    return fan_figure_draw(&painter, sink, error);
 }

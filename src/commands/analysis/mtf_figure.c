@@ -23,23 +23,23 @@ static const double usual_error = 1e-4;
 static const double fine = 1e-3, unseen = 5e-4;
 
 /* What contrast is drawn against. */
-enum axis { BY_FREQUENCY, BY_FOCUS, BY_FIELD };
+enum figure_axis { BY_FREQUENCY, BY_FOCUS, BY_FIELD };
 
 /* A point of the drawing. */
-struct entry {
+struct figure_entry {
     double x, contrast[MTF_DIRECTIONS], limit;
     bool is_between;          /* of what was asked for */
     const char *label, *lens; /* of its curve */
 };
 
-struct painter {
+struct figure_painter {
     const struct artifact_job *job;
     const struct mtf_input *input;
     struct arena *arena;
-    enum axis axis;
+    enum figure_axis axis;
     bool is_angle;
     double highest; /* frequency; NaN: as the light has it */
-    struct entry *list;
+    struct figure_entry *list;
     size_t count;
     const char *subtitle;
     double off; /* what contrasts may be off, where that is known */
@@ -48,28 +48,28 @@ struct painter {
 };
 
 /* A point more; null: there is no room. */
-static struct entry *new_entry(struct painter *painter, const struct entry *place,
-                               struct error *error)
+static struct figure_entry *new_entry(struct figure_painter *painter,
+                                      const struct figure_entry *place, struct error *error)
 {
     if (painter->count == MOST) {
         fail(error, ERROR_USAGE, "{--plot} has room for %d points, not for more", MOST);
         return NULL;
     }
-    struct entry *entry = &painter->list[painter->count++];
+    struct figure_entry *entry = &painter->list[painter->count++];
     *entry = *place;
     return entry;
 }
 
-static void note_off(struct painter *painter, double off)
+static void note_off(struct figure_painter *painter, double off)
 {
     painter->off = isfinite(off) ? fmax(painter->off, off) : painter->off;
 }
 
-static bool add_entry(struct painter *painter, const struct mtf_source *source, double frequency,
-                      const struct entry *place, struct error *error)
+static bool add_entry(struct figure_painter *painter, const struct mtf_source *source,
+                      double frequency, const struct figure_entry *place, struct error *error)
 {
     struct mtf mtf;
-    struct entry *entry = new_entry(painter, place, error);
+    struct figure_entry *entry = new_entry(painter, place, error);
     if (entry == NULL ||
         !mtf_with_pixels(source, painter->input, frequency, painter->arena, &mtf, error)) {
         return false;
@@ -81,7 +81,7 @@ static bool add_entry(struct painter *painter, const struct mtf_source *source, 
 }
 
 /* Where contrast by waves ends, but no farther than anybody looks: twice what rows have. */
-static double highest_of(const struct painter *painter, const struct mtf_source *source)
+static double highest_of(const struct figure_painter *painter, const struct mtf_source *source)
 {
     const double cutoff = fmax(source->cutoff[0], source->cutoff[1]);
     return isnan(painter->highest) ? fmin(cutoff, 160) : painter->highest;
@@ -101,8 +101,8 @@ struct even_curve {
  *
  * Result    false: each has to be found by itself
  */
-static bool find_curve(struct painter *painter, const struct mtf_source *source,
-                       struct even_curve *curve)
+static bool figure_find_curve(struct figure_painter *painter, const struct mtf_source *source,
+                              struct even_curve *curve)
 {
     enum { LEAST = 8, TRIES = 24, STEPS_LEAST = 61 };
     const struct mtf_input *input = painter->input;
@@ -131,7 +131,7 @@ static bool find_curve(struct painter *painter, const struct mtf_source *source,
 
 /* Contrasts of one curve that are found one by one, where a drawing wants them. */
 struct contrasts {
-    struct painter *painter;
+    struct figure_painter *painter;
     const struct mtf_source *source;
     struct error *error;
     bool has_failed;
@@ -140,7 +140,7 @@ struct contrasts {
 static bool contrasts_at(void *context, double frequency, double *y)
 {
     struct contrasts *contrasts = context;
-    struct painter *painter = contrasts->painter;
+    struct figure_painter *painter = contrasts->painter;
     struct mtf mtf;
     if (!mtf_with_pixels(contrasts->source, painter->input, frequency, painter->arena, &mtf,
                          contrasts->error)) {
@@ -153,8 +153,8 @@ static bool contrasts_at(void *context, double frequency, double *y)
     return true;
 }
 
-static bool add_contrasts(struct painter *painter, const struct mtf_source *source, double highest,
-                          const struct entry *place, struct error *error)
+static bool add_contrasts(struct figure_painter *painter, const struct mtf_source *source,
+                          double highest, const struct figure_entry *place, struct error *error)
 {
     enum { KINDS = MTF_DIRECTIONS + 1, SAMPLES = 21, EACH = 1000 };
     const double ends[] = {0, highest}, page[] = {0, 1};
@@ -182,7 +182,7 @@ static bool add_contrasts(struct painter *painter, const struct mtf_source *sour
     struct plot_curves curves;
     plot_sample(&plot, x, y, SAMPLES, &from, &curves, painter->arena);
     for (size_t i = 0; i < curves.count && !contrasts.has_failed; i++) {
-        struct entry *entry = new_entry(painter, place, error);
+        struct figure_entry *entry = new_entry(painter, place, error);
         if (entry == NULL) {
             return false;
         }
@@ -197,18 +197,18 @@ static bool add_contrasts(struct painter *painter, const struct mtf_source *sour
 }
 
 /* Against frequency, at once where nobody asks for more than a drawing shows. */
-static bool add_curve(struct painter *painter, const struct mtf_source *source,
-                      const struct entry *place, struct error *error)
+static bool figure_add_curve(struct figure_painter *painter, const struct mtf_source *source,
+                             const struct figure_entry *place, struct error *error)
 {
     struct even_curve curve = {.highest = highest_of(painter, source)};
-    const bool found = find_curve(painter, source, &curve);
+    const bool found = figure_find_curve(painter, source, &curve);
     painter->highest = curve.highest;
     if (!found) {
         return add_contrasts(painter, source, curve.highest, place, error);
     }
     note_off(painter, fmax(source->off[0], source->off[1]));
     for (size_t i = 0; i < curve.count; i++) {
-        struct entry *entry = new_entry(painter, place, error);
+        struct figure_entry *entry = new_entry(painter, place, error);
         if (entry == NULL) {
             return false;
         }
@@ -223,18 +223,18 @@ static bool add_curve(struct painter *painter, const struct mtf_source *source,
     return true;
 }
 
-static bool find(const struct analysis_case *one, size_t field, const void *context, void *found,
-                 struct error *error)
+static bool figure_find(const struct analysis_case *one, size_t field, const void *context,
+                        void *found, struct error *error)
 {
-    const struct painter *painter = context;
+    const struct figure_painter *painter = context;
     return mtf_of_case(one, field, painter->input, one->setup->arena, found, error);
 }
 
-static bool add(const struct analysis_case *one, size_t field, const void *found, void *context,
-                struct error *error)
+static bool figure_add(const struct analysis_case *one, size_t field, const void *found,
+                       void *context, struct error *error)
 {
     const struct mtf_source *source = found;
-    struct painter *painter = context;
+    struct figure_painter *painter = context;
     struct arena *arena = painter->arena;
     const struct analysis_point point = analysis_point_of(one, field);
     const double frequency = painter->input->frequency;
@@ -242,15 +242,15 @@ static bool add(const struct analysis_case *one, size_t field, const void *found
     struct analysis_case named = *one;
     named.question = &question;
     question.defocus = painter->axis == BY_FOCUS ? (double)NAN : question.defocus;
-    struct entry place = {.label = analysis_map_title(&named, field, arena),
-                          .lens = one->setup->lens->title,
-                          .is_between = painter->is_between};
+    struct figure_entry place = {.label = analysis_map_title(&named, field, arena),
+                                 .lens = one->setup->lens->title,
+                                 .is_between = painter->is_between};
     painter->subtitle = arena_printf(arena, "%s; focus %s",
                                      painter->input->method == MTF_BY_RAYS ? "by rays" : "by waves",
                                      one->setup->focus);
     painter->is_angle = !isnan(point.field);
     if (painter->axis == BY_FREQUENCY) {
-        return add_curve(painter, source, &place, error);
+        return figure_add_curve(painter, source, &place, error);
     }
     if (painter->axis == BY_FOCUS) {
         place.x = point.defocus;
@@ -262,7 +262,7 @@ static bool add(const struct analysis_case *one, size_t field, const void *found
 }
 
 /* How many different values something has among the inputs. */
-static size_t values_of(const struct artifact_job *job, size_t offset)
+static size_t figure_values_of(const struct artifact_job *job, size_t offset)
 {
     size_t count = 0;
     for (size_t i = 0; i < job->count; i++) {
@@ -278,17 +278,18 @@ static size_t values_of(const struct artifact_job *job, size_t offset)
     return count;
 }
 
-static bool choose_axis(struct painter *painter, struct error *error)
+static bool choose_axis(struct figure_painter *painter, struct error *error)
 {
     const struct artifact_job *job = painter->job;
-    const size_t frequencies = values_of(job, offsetof(struct mtf_input, frequency));
+    const size_t frequencies = figure_values_of(job, offsetof(struct mtf_input, frequency));
     const struct mtf_input *last = job->inputs[job->count - 1];
-    const size_t fields = values_of(job, offsetof(struct mtf_input, question.field)) +
-                          values_of(job, offsetof(struct mtf_input, question.height)) - 1;
+    const size_t fields = figure_values_of(job, offsetof(struct mtf_input, question.field)) +
+                          figure_values_of(job, offsetof(struct mtf_input, question.height)) - 1;
     const bool given = !isnan(last->frequency);
-    painter->axis = values_of(job, offsetof(struct mtf_input, question.defocus)) > 2 ? BY_FOCUS
-                    : given && fields > FIELDS_MANY                                  ? BY_FIELD
-                                                                                     : BY_FREQUENCY;
+    painter->axis = figure_values_of(job, offsetof(struct mtf_input, question.defocus)) > 2
+                        ? BY_FOCUS
+                    : given && fields > FIELDS_MANY ? BY_FIELD
+                                                    : BY_FREQUENCY;
     if (painter->axis == BY_FOCUS && (!given || frequencies > 1)) {
         return fail(error, ERROR_USAGE, "{--plot} through focus shows one {--frequency}");
     }
@@ -300,7 +301,7 @@ static bool choose_axis(struct painter *painter, struct error *error)
 }
 
 /* What the drawing goes along: the defocus of an input, its field or its height. */
-static double *place_of(const struct painter *painter, struct mtf_input *input)
+static double *figure_place_of(const struct figure_painter *painter, struct mtf_input *input)
 {
     struct analysis_question *question = &input->question;
     if (painter->axis == BY_FOCUS) {
@@ -311,19 +312,19 @@ static double *place_of(const struct painter *painter, struct mtf_input *input)
 
 static int entry_order(const void *first, const void *second)
 {
-    const struct entry *a = first, *b = second;
+    const struct figure_entry *a = first, *b = second;
     const int by_label = strcmp(a->label, b->label);
     return by_label != 0 ? by_label : (a->x > b->x) - (a->x < b->x);
 }
 
-static int by_value(const void *first, const void *second)
+static int figure_by_value(const void *first, const void *second)
 {
     const double a = *(const double *)first, b = *(const double *)second;
     return (a > b) - (a < b);
 }
 
 /* Is the curve bent at the second of three entries, as far as is seen? */
-static bool entry_is_bent(const struct entry *three)
+static bool entry_is_bent(const struct figure_entry *three)
 {
     const double seen = 1e-3; /* of the height of the drawing */
     const double part = (three[1].x - three[0].x) / (three[2].x - three[0].x);
@@ -341,13 +342,13 @@ static bool entry_is_bent(const struct entry *three)
  *
  * Given     middles  room for two an entry
  */
-static size_t middles_find(struct painter *painter, double low, double high, double *middles)
+static size_t middles_find(struct figure_painter *painter, double low, double high, double *middles)
 {
     const double widest = (high - low) / (FIRST_STEPS - 1), least = (high - low) / 200;
     size_t count = 0, kept = 0;
     qsort(painter->list, painter->count, sizeof *painter->list, entry_order);
     for (size_t i = 0; i + 1 < painter->count; i++) {
-        const struct entry *here = &painter->list[i];
+        const struct figure_entry *here = &painter->list[i];
         const double width = here[1].x - here->x;
         const bool one = strcmp(here->label, here[1].label) == 0;
         const bool before = i > 0 && strcmp(here[-1].label, here->label) == 0;
@@ -357,7 +358,7 @@ static size_t middles_find(struct painter *painter, double low, double high, dou
             middles[count++] = here->x + width / 2;
         }
     }
-    qsort(middles, count, sizeof *middles, by_value);
+    qsort(middles, count, sizeof *middles, figure_by_value);
     for (size_t i = 0; i < count; i++) {
         if (kept == 0 || middles[i] - middles[kept - 1] > least / 8) {
             middles[kept++] = middles[i];
@@ -367,7 +368,7 @@ static size_t middles_find(struct painter *painter, double low, double high, dou
 }
 
 /* Points between those that were asked for, so that curves are smooth. */
-static bool collect_between(struct painter *painter, const struct analysis_answers *answers,
+static bool collect_between(struct figure_painter *painter, const struct analysis_answers *answers,
                             struct error *error)
 {
     enum { ROUNDS = 8 };
@@ -386,13 +387,15 @@ static bool collect_between(struct painter *painter, const struct analysis_answe
         const size_t count = middles_find(painter, low, high, middles);
         for (size_t i = 0; i < job->count; i++) {
             memcpy(&here, job->inputs[i], sizeof here);
-            if (!(fabs(*place_of(painter, &here) - *place_of(painter, &first)) <= 0)) {
+            if (!(fabs(*figure_place_of(painter, &here) - *figure_place_of(painter, &first)) <=
+                  0)) {
                 continue;
             }
             painter->input = &here;
             for (size_t k = 0; k < count && painter->count < MOST - CURVES_MOST; k++) {
                 const bool is_angle = painter->axis == BY_FIELD && painter->is_angle;
-                *place_of(painter, &here) = is_angle ? unit_to_own(degree, middles[k]) : middles[k];
+                *figure_place_of(painter, &here) =
+                    is_angle ? unit_to_own(degree, middles[k]) : middles[k];
                 if (!analysis_each_field(&here.question, &mtf_policy, job->run, answers, painter,
                                          error)) {
                     return false;
@@ -405,10 +408,12 @@ static bool collect_between(struct painter *painter, const struct analysis_answe
 }
 
 /* All points of the sweep; against frequency the curves hold all of them anyway. */
-static bool collect(struct painter *painter, struct error *error)
+static bool figure_collect(struct figure_painter *painter, struct error *error)
 {
-    static const struct analysis_answers answers = {
-        .find = find, .found_size = sizeof(struct mtf_source), .take = add, .lost = analysis_skip};
+    static const struct analysis_answers answers = {.find = figure_find,
+                                                    .found_size = sizeof(struct mtf_source),
+                                                    .take = figure_add,
+                                                    .lost = analysis_skip};
     const struct artifact_job *job = painter->job;
     const double first = ((const struct mtf_input *)job->inputs[0])->frequency;
     for (size_t i = 0; i < job->count; i++) {
@@ -435,7 +440,7 @@ static bool collect(struct painter *painter, struct error *error)
 }
 
 /* The title; curves of several lenses are called by them too. */
-static const char *name_curves(const struct painter *painter)
+static const char *name_curves(const struct figure_painter *painter)
 {
     const char *lens = painter->list[0].lens;
     bool one = true;
@@ -443,7 +448,7 @@ static const char *name_curves(const struct painter *painter)
         one = one && strcmp(painter->list[i].lens, lens) == 0;
     }
     for (size_t i = 0; i < painter->count && !one; i++) {
-        struct entry *entry = &painter->list[i];
+        struct figure_entry *entry = &painter->list[i];
         entry->label = arena_printf(painter->arena, "%s, %s", entry->label, entry->lens);
     }
     return one ? arena_printf(painter->arena, "Contrast of %s", lens) : "Contrast";
@@ -458,8 +463,8 @@ struct figure_curve {
 };
 
 /* The curves, by their labels in the order these came; false: they are too many. */
-static bool curves_collect(struct painter *painter, struct figure_curve *curves, size_t *count,
-                           struct error *error)
+static bool figure_curves_collect(struct figure_painter *painter, struct figure_curve *curves,
+                                  size_t *count, struct error *error)
 {
     struct arena *arena = painter->arena;
     *count = 0;
@@ -490,7 +495,7 @@ static bool curves_collect(struct painter *painter, struct figure_curve *curves,
     }
     qsort(painter->list, painter->count, sizeof *painter->list, entry_order);
     for (size_t i = 0, k = 0; i < painter->count; i++) {
-        const struct entry *entry = &painter->list[i];
+        const struct figure_entry *entry = &painter->list[i];
         for (k = 0; strcmp(curves[k].label, entry->label) != 0; k++) {
         }
         struct figure_curve *curve = &curves[k];
@@ -516,8 +521,9 @@ static bool curve_is_one(const struct figure_curve *curve)
 }
 
 /* Series of curves: of a colour for each label, sagittal ones dashed. */
-static size_t put_series(const struct painter *painter, const struct figure_curve *curves,
-                         size_t count, struct plot_series *series)
+static size_t figure_put_series(const struct figure_painter *painter,
+                                const struct figure_curve *curves, size_t count,
+                                struct plot_series *series)
 {
     size_t put = 0;
     for (size_t k = 0; k < count; k++) {
@@ -550,7 +556,7 @@ static size_t put_series(const struct painter *painter, const struct figure_curv
 }
 
 /* What the drawing says below its title, and of its axis. */
-static void say(const struct painter *painter, struct plot *plot)
+static void figure_say(const struct figure_painter *painter, struct plot *plot)
 {
     const bool through = painter->axis == BY_FOCUS;
     const char *words =
@@ -569,26 +575,26 @@ static void say(const struct painter *painter, struct plot *plot)
                                                   : "field (mm)";
 }
 
-static bool draw(struct painter *painter, struct svg *svg, struct error *error)
+static bool figure_draw(struct figure_painter *painter, struct svg *svg, struct error *error)
 {
     struct plot plot = {.title = name_curves(painter), .y_label = "contrast"};
     struct figure_curve curves[CURVES_MOST];
     struct plot_series series[MTF_DIRECTIONS * CURVES_MOST + 1];
     size_t count;
-    if (!curves_collect(painter, curves, &count, error)) {
+    if (!figure_curves_collect(painter, curves, &count, error)) {
         return false;
     }
-    say(painter, &plot);
+    figure_say(painter, &plot);
     plot.series = series;
-    plot.series_count = put_series(painter, curves, count, series);
+    plot.series_count = figure_put_series(painter, curves, count, series);
     return plot_draw(&plot, svg, error);
 }
 
 bool mtf_figure(const struct artifact_job *job, struct output *sink, struct error *error)
 {
     struct svg svg = {.arena = job->run->arena};
-    struct painter painter = {.job = job, .arena = svg.arena, .highest = NAN};
-    painter.list = ARENA_ARRAY(svg.arena, MOST, struct entry);
-    return choose_axis(&painter, error) && collect(&painter, error) &&
-           draw(&painter, &svg, error) && drawing_write(job, &svg, sink, error);
+    struct figure_painter painter = {.job = job, .arena = svg.arena, .highest = NAN};
+    painter.list = ARENA_ARRAY(svg.arena, MOST, struct figure_entry);
+    return choose_axis(&painter, error) && figure_collect(&painter, error) &&
+           figure_draw(&painter, &svg, error) && drawing_write(job, &svg, sink, error);
 }

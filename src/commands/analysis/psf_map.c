@@ -8,21 +8,21 @@
 
 static const double decades = 5;
 
-static bool check(const struct analysis_case *one, const void *context, struct error *error)
+static bool psf_map_check(const struct analysis_case *one, const void *context, struct error *error)
 {
     const struct map_page *page = context;
     return psf_check(one, page->input, error);
 }
 
-static bool find(const struct analysis_case *one, size_t field, const void *context, void *found,
-                 struct error *error)
+static bool psf_map_find(const struct analysis_case *one, size_t field, const void *context,
+                         void *found, struct error *error)
 {
     const struct map_page *page = context;
     return psf_of_case(one, field, page->input, one->setup->arena, found, error);
 }
 
-static bool add(const struct analysis_case *one, size_t field, const void *found, void *context,
-                struct error *error)
+static bool psf_map_add(const struct analysis_case *one, size_t field, const void *found,
+                        void *context, struct error *error)
 {
     struct map_page *page = context;
     struct arena *arena = page->job->run->arena;
@@ -54,12 +54,13 @@ static bool add(const struct analysis_case *one, size_t field, const void *found
 }
 
 /* The maps of all inputs of a job. */
-static bool collect(const struct artifact_job *job, struct map_page *page, struct error *error)
+static bool psf_map_collect(const struct artifact_job *job, struct map_page *page,
+                            struct error *error)
 {
-    static const struct analysis_answers answers = {.check = check,
-                                                    .find = find,
+    static const struct analysis_answers answers = {.check = psf_map_check,
+                                                    .find = psf_map_find,
                                                     .found_size = sizeof(struct psf),
-                                                    .take = add,
+                                                    .take = psf_map_add,
                                                     .lost = analysis_skip};
     const struct psf_input *first = job->inputs[0];
     page->rasters = (struct rasters){
@@ -75,11 +76,11 @@ static bool collect(const struct artifact_job *job, struct map_page *page, struc
 bool psf_page(const struct artifact_job *job, struct output *sink, struct error *error)
 {
     struct map_page page = {.input = NULL};
-    return collect(job, &page, error) && map_page_draw(&page, sink, error);
+    return psf_map_collect(job, &page, error) && map_page_draw(&page, sink, error);
 }
 
 bool psf_file(const struct artifact_job *job, struct output *sink, struct error *error)
 {
     struct map_page page = {.input = NULL};
-    return collect(job, &page, error) && map_page_write(&page, sink, error);
+    return psf_map_collect(job, &page, error) && map_page_write(&page, sink, error);
 }

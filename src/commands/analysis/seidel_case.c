@@ -13,7 +13,7 @@ static const struct analysis_policy policy = {.wavelengths = WAVELENGTHS_PRIMARY
                                               .no_image = true};
 
 /* Who gets the sums. */
-struct visitor {
+struct seidel_case_visitor {
     const struct seidel_input *input;
     seidel_visit *visit;
     void *context;
@@ -41,7 +41,7 @@ static bool choose_colours(const struct seidel_input *input, const struct lens *
 }
 
 /* What the sums leave out. */
-static const char *doubts_of(const struct seidel_case *one, struct arena *arena)
+static const char *seidel_case_doubts_of(const struct seidel_case *one, struct arena *arena)
 {
     const struct lens *lens = one->setup->lens;
     const char *words = one->warning;
@@ -77,9 +77,10 @@ static const struct pair *index_at(const struct seidel_case *one, double wavelen
                : NULL;
 }
 
-static bool sum_up(const struct analysis_case *of, size_t field, void *context, struct error *error)
+static bool seidel_case_sum_up(const struct analysis_case *of, size_t field, void *context,
+                               struct error *error)
 {
-    const struct visitor *visitor = context;
+    const struct seidel_case_visitor *visitor = context;
     const struct setup *setup = of->setup;
     struct arena *arena = visitor->arena;
     struct seidel_case here = {.setup = setup,
@@ -127,15 +128,15 @@ static bool sum_up(const struct analysis_case *of, size_t field, void *context, 
     if (!seidel_compute(&question, arena, &here.seidel, error)) {
         return false;
     }
-    here.warning = doubts_of(&here, arena);
+    here.warning = seidel_case_doubts_of(&here, arena);
     return visitor->visit(&here, visitor->context, error);
 }
 
 bool seidel_each(const struct seidel_input *input, struct run *run, seidel_visit *visit,
                  void *context, struct error *error)
 {
-    static const struct analysis_answers answers = {.answer = sum_up};
-    struct visitor visitor = {input, visit, context, run->arena};
+    static const struct analysis_answers answers = {.answer = seidel_case_sum_up};
+    struct seidel_case_visitor visitor = {input, visit, context, run->arena};
     return analysis_each_field(&input->question, &policy, run, &answers, &visitor, error);
 }
 

@@ -6,7 +6,7 @@
 #include "draw/bars.h"
 
 /* Bars in the making. */
-struct painter {
+struct seidel_view_painter {
     const struct seidel_input *input;
     struct arena *arena;
     struct bars bars;
@@ -46,7 +46,7 @@ static const char *choose_unit(const struct seidel_case *one, int form, double *
     return angular ? "mrad" : "\xc2\xb5m";
 }
 
-static const char *subtitle_of(const struct seidel_case *one, struct arena *arena)
+static const char *seidel_view_subtitle_of(const struct seidel_case *one, struct arena *arena)
 {
     const struct setup *setup = one->setup;
     const struct first_order *first = &one->light.first;
@@ -73,7 +73,7 @@ static const char *subtitle_of(const struct seidel_case *one, struct arena *aren
 
 static bool add_groups(const struct seidel_case *one, void *context, struct error *error)
 {
-    struct painter *painter = context;
+    struct seidel_view_painter *painter = context;
     struct arena *arena = painter->arena;
     const int form = painter->input->form;
     const size_t count = one->light.system.count;
@@ -95,7 +95,7 @@ static bool add_groups(const struct seidel_case *one, void *context, struct erro
     const char *unit = choose_unit(one, form, values, count + 1);
     painter->bars = (struct bars){
         .title = arena_printf(arena, "%s of %s", what[form], one->setup->lens->title),
-        .subtitle = subtitle_of(one, arena),
+        .subtitle = seidel_view_subtitle_of(one, arena),
         .x_label = "surface",
         .y_label = arena_printf(arena, "contribution (%s)", unit),
         .kinds = names[form],
@@ -116,7 +116,7 @@ bool seidel_view_check(const struct artifact_job *job, struct error *error)
 bool seidel_view_draw(const struct artifact_job *job, struct output *sink, struct error *error)
 {
     struct svg svg = {.arena = job->run->arena};
-    struct painter painter = {.input = job->inputs[0], .arena = svg.arena};
+    struct seidel_view_painter painter = {.input = job->inputs[0], .arena = svg.arena};
     return seidel_each(painter.input, job->run, add_groups, &painter, error) &&
            bars_draw(&painter.bars, &svg, error) && drawing_write(job, &svg, sink, error);
 }

@@ -13,7 +13,7 @@
 enum { MOST_ROWS = 12, MOST_COLUMNS = 9, RAYS = 217 };
 
 /* Where a spot stands in the drawing. */
-struct place {
+struct spot_diagram_place {
     const char *field;           /* in words */
     bool is_angle;               /* the field, else a height */
     double field_value, defocus; /* as shown; NaN = none */
@@ -21,12 +21,12 @@ struct place {
 
 /* A spot of the drawing. */
 struct drawn {
-    struct place place;
+    struct spot_diagram_place place;
     double rms; /* um or mrad */
     struct panel panel;
 };
 
-struct drawing {
+struct spot_drawing {
     struct run *run;
     struct arena *arena;
     const struct spot_input *input;
@@ -40,19 +40,20 @@ struct drawing {
     size_t wavelength_count;
 };
 
-static const struct unit *unit_for(const struct drawing *drawing)
+static const struct unit *unit_for(const struct spot_drawing *drawing)
 {
     return drawing->is_angular
                ? unit_find(&dimension_angle, text_of("mrad"))
                : unit_find(&dimension_length, text_of(drawing->is_footprint ? "mm" : "um"));
 }
 
-static const char *unit_words(const struct drawing *drawing)
+static const char *spot_diagram_unit_words(const struct spot_drawing *drawing)
 {
     return drawing->is_angular ? "mrad" : drawing->is_footprint ? "mm" : "\xc2\xb5m";
 }
 
-static struct place place_of(const struct analysis_case *one, size_t field, struct arena *arena)
+static struct spot_diagram_place spot_diagram_place_of(const struct analysis_case *one,
+                                                       size_t field, struct arena *arena)
 {
     const struct field_point *at = &one->setup->fields[field].point;
     const bool beside = fabs(at->value[0]) > fabs(at->value[1]);
@@ -64,33 +65,33 @@ static struct place place_of(const struct analysis_case *one, size_t field, stru
     const char *words = at->kind == FIELD_NONE ? "axis"
                                                : arena_printf(arena, "%.4g%s", value + 0.0,
                                                               angle ? "\xc2\xb0" : " mm");
-    return (struct place){position != NULL && one->question->position != NULL
-                              ? arena_printf(arena, "%s, %s", position, words)
-                              : words,
-                          at->kind != FIELD_HEIGHT && at->kind != FIELD_IMAGE &&
-                              at->kind != FIELD_REAL,
-                          value, one->question->defocus};
+    return (struct spot_diagram_place){position != NULL && one->question->position != NULL
+                                           ? arena_printf(arena, "%s, %s", position, words)
+                                           : words,
+                                       at->kind != FIELD_HEIGHT && at->kind != FIELD_IMAGE &&
+                                           at->kind != FIELD_REAL,
+                                       value, one->question->defocus};
 }
 
 /* Keys in the order of the light, violet first. */
-static int by_value(const void *first, const void *second)
+static int spot_diagram_by_value(const void *first, const void *second)
 {
     double a = *(const double *)first, b = *(const double *)second;
     return (a > b) - (a < b);
 }
 
-static void list_wavelengths(struct drawing *drawing, const struct setup *setup)
+static void spot_diagram_list_wavelengths(struct spot_drawing *drawing, const struct setup *setup)
 {
     double *list = ARENA_ARRAY(drawing->arena, setup->wavelength_count, double);
     for (size_t i = 0; i < setup->wavelength_count; i++) {
         list[i] = setup->wavelengths[i].wavelength;
     }
-    qsort(list, setup->wavelength_count, sizeof *list, by_value);
+    qsort(list, setup->wavelength_count, sizeof *list, spot_diagram_by_value);
     drawing->wavelengths = list;
     drawing->wavelength_count = setup->wavelength_count;
 }
 
-static size_t key_of(const struct drawing *drawing, double wavelength)
+static size_t spot_diagram_key_of(const struct spot_drawing *drawing, double wavelength)
 {
     size_t key = 0;
     while (key + 1 < drawing->wavelength_count && drawing->wavelengths[key] < wavelength) {
@@ -100,8 +101,8 @@ static size_t key_of(const struct drawing *drawing, double wavelength)
 }
 
 /* The points of one field, a series a wavelength. */
-static void add_points(struct drawing *drawing, const struct analysis_case *one,
-                       const struct spot_question *question, struct drawn *drawn)
+static void spot_diagram_add_points(struct spot_drawing *drawing, const struct analysis_case *one,
+                                    const struct spot_question *question, struct drawn *drawn)
 {
     const struct unit *unit = unit_for(drawing);
     struct arena *arena = drawing->arena;
@@ -127,7 +128,7 @@ static void add_points(struct drawing *drawing, const struct analysis_case *one,
             x[i] = unit_from_own(unit, points.at[i][0]);
             y[i] = unit_from_own(unit, points.at[i][1]);
         }
-        size_t key = key_of(drawing, one->setup->wavelengths[g].wavelength);
+        size_t key = spot_diagram_key_of(drawing, one->setup->wavelengths[g].wavelength);
         series[drawn->panel.count++] =
             (struct panel_series){.x = x, .y = y, .count = points.count, .key = key, .spots = true};
     }
@@ -142,9 +143,10 @@ static double airy_radius(const struct setup *setup, bool is_angular)
                       : 1.21967 * wavelength * fabs(first->working_fnumber);
 }
 
-static bool add(const struct analysis_case *one, size_t field, void *context, struct error *error)
+static bool spot_diagram_add(const struct analysis_case *one, size_t field, void *context,
+                             struct error *error)
 {
-    struct drawing *drawing = context;
+    struct spot_drawing *drawing = context;
     const struct setup *setup = one->setup;
     struct spot_question question;
     struct spot spot;
@@ -153,7 +155,7 @@ static bool add(const struct analysis_case *one, size_t field, void *context, st
     drawing->all = arena_grow(drawing->arena, drawing->all, drawing->count, &drawing->room,
                               sizeof *drawing->all);
     struct drawn *drawn = &drawing->all[drawing->count];
-    *drawn = (struct drawn){.place = place_of(one, field, drawing->arena), .rms = NAN};
+    *drawn = (struct drawn){.place = spot_diagram_place_of(one, field, drawing->arena), .rms = NAN};
     if (!spot_question_of(one, field, drawing->input, &question, error)) {
         return false;
     }
@@ -174,16 +176,16 @@ static bool add(const struct analysis_case *one, size_t field, void *context, st
     drawn->rms = unit_from_own(unit_for(drawing), spot.rms);
     drawn->panel.note =
         ARENA_JOIN(drawing->arena, "RMS ", analysis_number(drawn->rms, drawing->arena), " ",
-                   unit_words(drawing));
+                   spot_diagram_unit_words(drawing));
     if (drawing->with_points) {
-        list_wavelengths(drawing, setup);
-        add_points(drawing, one, &question, drawn);
+        spot_diagram_list_wavelengths(drawing, setup);
+        spot_diagram_add_points(drawing, one, &question, drawn);
     }
     return true;
 }
 
 /* Rows are fields, columns defocuses: each once, in the order they come. */
-struct grid {
+struct spot_diagram_grid {
     size_t *rows, *columns; /* the first spot of each */
     size_t row_count, column_count;
     size_t *row, *column; /* of each spot */
@@ -200,7 +202,7 @@ static bool same_defocus(const struct drawn *a, const struct drawn *b)
 }
 
 /* The place in a list of what is the same; added at its end if it is new. */
-static size_t index_in(const struct drawing *drawing, size_t spot,
+static size_t index_in(const struct spot_drawing *drawing, size_t spot,
                        bool (*same)(const struct drawn *, const struct drawn *), size_t *list,
                        size_t *count)
 {
@@ -214,13 +216,13 @@ static size_t index_in(const struct drawing *drawing, size_t spot,
     return i;
 }
 
-static struct grid grid_of(const struct drawing *drawing)
+static struct spot_diagram_grid grid_of(const struct spot_drawing *drawing)
 {
     size_t count = drawing->count;
-    struct grid grid = {.rows = ARENA_ARRAY(drawing->arena, count, size_t),
-                        .columns = ARENA_ARRAY(drawing->arena, count, size_t),
-                        .row = ARENA_ARRAY(drawing->arena, count, size_t),
-                        .column = ARENA_ARRAY(drawing->arena, count, size_t)};
+    struct spot_diagram_grid grid = {.rows = ARENA_ARRAY(drawing->arena, count, size_t),
+                                     .columns = ARENA_ARRAY(drawing->arena, count, size_t),
+                                     .row = ARENA_ARRAY(drawing->arena, count, size_t),
+                                     .column = ARENA_ARRAY(drawing->arena, count, size_t)};
     for (size_t i = 0; i < count; i++) {
         grid.row[i] = index_in(drawing, i, same_field, grid.rows, &grid.row_count);
         grid.column[i] = index_in(drawing, i, same_defocus, grid.columns, &grid.column_count);
@@ -228,7 +230,7 @@ static struct grid grid_of(const struct drawing *drawing)
     return grid;
 }
 
-static const char *subtitle_of(const struct drawing *drawing)
+static const char *spot_diagram_subtitle_of(const struct spot_drawing *drawing)
 {
     return arena_printf(drawing->arena, "%s%s",
                         drawing->input->to > 0 ? "footprint on surface "
@@ -241,7 +243,8 @@ static const char *subtitle_of(const struct drawing *drawing)
 }
 
 /* What stands over the columns: defocuses. */
-static const char *const *column_heads(const struct drawing *drawing, const struct grid *grid)
+static const char *const *column_heads(const struct spot_drawing *drawing,
+                                       const struct spot_diagram_grid *grid)
 {
     const char **heads = ARENA_ARRAY(drawing->arena, grid->column_count, const char *);
     for (size_t i = 0; i < grid->column_count; i++) {
@@ -251,7 +254,8 @@ static const char *const *column_heads(const struct drawing *drawing, const stru
     return heads;
 }
 
-static const char *const *row_heads(const struct drawing *drawing, const struct grid *grid)
+static const char *const *row_heads(const struct spot_drawing *drawing,
+                                    const struct spot_diagram_grid *grid)
 {
     const char **heads = ARENA_ARRAY(drawing->arena, grid->row_count, const char *);
     for (size_t i = 0; i < grid->row_count; i++) {
@@ -260,7 +264,7 @@ static const char *const *row_heads(const struct drawing *drawing, const struct 
     return heads;
 }
 
-static const char *const *keys_of(const struct drawing *drawing)
+static const char *const *keys_of(const struct spot_drawing *drawing)
 {
     const char **keys = ARENA_ARRAY(drawing->arena, drawing->wavelength_count + 1, const char *);
     for (size_t i = 0; i < drawing->wavelength_count; i++) {
@@ -270,8 +274,9 @@ static const char *const *keys_of(const struct drawing *drawing)
 }
 
 /* A grid of spots. */
-static bool draw_spots(const struct drawing *drawing, const struct grid *grid, struct svg *svg,
-                       struct error *error)
+static bool spot_diagram_draw_spots(const struct spot_drawing *drawing,
+                                    const struct spot_diagram_grid *grid, struct svg *svg,
+                                    struct error *error)
 {
     const bool focus = grid->column_count > 1, has_airy = isfinite(drawing->airy);
     const size_t count = grid->row_count * grid->column_count;
@@ -286,8 +291,8 @@ static bool draw_spots(const struct drawing *drawing, const struct grid *grid, s
         .title = arena_printf(drawing->arena, "%s of %s%s",
                               drawing->input->to > 0 ? "Footprints" : "Spots", drawing->title,
                               focus ? " through focus" : ""),
-        .subtitle = subtitle_of(drawing),
-        .unit = unit_words(drawing),
+        .subtitle = spot_diagram_subtitle_of(drawing),
+        .unit = spot_diagram_unit_words(drawing),
         .column_heads = focus ? column_heads(drawing, grid) : NULL,
         .row_heads = focus ? row_heads(drawing, grid) : NULL,
         .keys = keys_of(drawing),
@@ -304,8 +309,9 @@ static bool draw_spots(const struct drawing *drawing, const struct grid *grid, s
 }
 
 /* The RMS radius against the defocus, a curve a field; or against the field. */
-static bool draw_curves(const struct drawing *drawing, const struct grid *grid, struct svg *svg,
-                        struct error *error)
+static bool spot_diagram_draw_curves(const struct spot_drawing *drawing,
+                                     const struct spot_diagram_grid *grid, struct svg *svg,
+                                     struct error *error)
 {
     struct arena *arena = drawing->arena;
     const bool focus = grid->column_count > 1;
@@ -321,18 +327,19 @@ static bool draw_curves(const struct drawing *drawing, const struct grid *grid, 
         series[k] = (struct plot_series){.label = label, .y = y + k * count, .style = k};
     }
     for (size_t i = 0; i < drawing->count; i++) {
-        const struct place *place = &drawing->all[i].place;
+        const struct spot_diagram_place *place = &drawing->all[i].place;
         size_t at = focus ? grid->column[i] : grid->row[i];
         x[at] = focus ? place->defocus : place->field_value;
         y[(focus ? grid->row[i] : 0) * count + at] = drawing->all[i].rms;
     }
     const struct plot plot = {
         .title = arena_printf(arena, "Spots of %s", drawing->title),
-        .subtitle = subtitle_of(drawing),
+        .subtitle = spot_diagram_subtitle_of(drawing),
         .x_label = focus                            ? "defocus (mm)"
                    : drawing->all[0].place.is_angle ? "field (deg)"
                                                     : "field (mm)",
-        .y_label = arena_printf(drawing->arena, "RMS radius (%s)", unit_words(drawing)),
+        .y_label =
+            arena_printf(drawing->arena, "RMS radius (%s)", spot_diagram_unit_words(drawing)),
         .x = x,
         .count = count,
         .series = series,
@@ -342,10 +349,10 @@ static bool draw_curves(const struct drawing *drawing, const struct grid *grid, 
 }
 
 /* Every spot of the sweep. */
-static bool collect(const struct artifact_job *job, bool with_points, struct drawing *drawing,
-                    struct error *error)
+static bool spot_diagram_collect(const struct artifact_job *job, bool with_points,
+                                 struct spot_drawing *drawing, struct error *error)
 {
-    static const struct analysis_answers answers = {.answer = add};
+    static const struct analysis_answers answers = {.answer = spot_diagram_add};
     drawing->with_points = with_points;
     drawing->count = 0;
     for (size_t i = 0; i < job->count; i++) {
@@ -361,13 +368,13 @@ static bool collect(const struct artifact_job *job, bool with_points, struct dra
 bool spot_diagram(const struct artifact_job *job, struct output *sink, struct error *error)
 {
     struct svg svg = {.arena = job->run->arena};
-    struct drawing drawing = {.run = job->run, .arena = svg.arena, .airy = NAN};
-    if (!collect(job, job->count <= MOST_ROWS * MOST_COLUMNS, &drawing, error)) {
+    struct spot_drawing drawing = {.run = job->run, .arena = svg.arena, .airy = NAN};
+    if (!spot_diagram_collect(job, job->count <= MOST_ROWS * MOST_COLUMNS, &drawing, error)) {
         return false;
     }
-    const struct grid grid = grid_of(&drawing);
+    const struct spot_diagram_grid grid = grid_of(&drawing);
     bool drawn = grid.row_count <= MOST_ROWS && grid.column_count <= MOST_COLUMNS
-                     ? draw_spots(&drawing, &grid, &svg, error)
-                     : draw_curves(&drawing, &grid, &svg, error);
+                     ? spot_diagram_draw_spots(&drawing, &grid, &svg, error)
+                     : spot_diagram_draw_curves(&drawing, &grid, &svg, error);
     return drawn && drawing_write(job, &svg, sink, error);
 }

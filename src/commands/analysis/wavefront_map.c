@@ -4,7 +4,7 @@
 #include "commands/analysis/analysis_words.h"
 #include "commands/analysis/wavefront_input.h"
 
-static const char *note_of(const double *values, size_t count, struct arena *arena)
+static const char *wavefront_map_note_of(const double *values, size_t count, struct arena *arena)
 {
     double low = INFINITY, high = -INFINITY;
     for (size_t i = 0; i < count; i++) {
@@ -31,12 +31,12 @@ static const double *level(const double *values, size_t count, struct arena *are
 }
 
 /* Room for the values of a map. */
-struct found {
+struct wavefront_map_found {
     const double *values;
 };
 
-static bool find(const struct analysis_case *one, size_t field, const void *context, void *found,
-                 struct error *error)
+static bool wavefront_map_find(const struct analysis_case *one, size_t field, const void *context,
+                               void *found, struct error *error)
 {
     const struct map_page *page = context;
     const struct wavefront_input *input = page->input;
@@ -46,21 +46,21 @@ static bool find(const struct analysis_case *one, size_t field, const void *cont
     if (!wavefront_of_case(one, field, input, arena, &source, error)) {
         return false;
     }
-    ((struct found *)found)->values =
+    ((struct wavefront_map_found *)found)->values =
         level(wavefront_map(&source, size, arena), size * size, arena);
     return true;
 }
 
-static bool add(const struct analysis_case *one, size_t field, const void *found, void *context,
-                struct error *error)
+static bool wavefront_map_add(const struct analysis_case *one, size_t field, const void *found,
+                              void *context, struct error *error)
 {
     struct map_page *page = context;
     const struct wavefront_input *input = page->input;
     struct arena *arena = page->job->run->arena;
     const size_t size = (size_t)input->size;
-    const double *values = ((const struct found *)found)->values;
+    const double *values = ((const struct wavefront_map_found *)found)->values;
     const struct raster_map map = {.title = analysis_map_title(one, field, arena),
-                                   .note = note_of(values, size * size, arena),
+                                   .note = wavefront_map_note_of(values, size * size, arena),
                                    .size = size,
                                    .values = values,
                                    .half = 1};
@@ -72,10 +72,14 @@ static bool add(const struct analysis_case *one, size_t field, const void *found
 }
 
 /* The maps of all inputs of a job. */
-static bool collect(const struct artifact_job *job, struct map_page *page, struct error *error)
+static bool wavefront_map_collect(const struct artifact_job *job, struct map_page *page,
+                                  struct error *error)
 {
-    static const struct analysis_answers answers = {
-        .find = find, .found_size = sizeof(struct found), .take = add, .lost = analysis_skip};
+    static const struct analysis_answers answers = {.find = wavefront_map_find,
+                                                    .found_size =
+                                                        sizeof(struct wavefront_map_found),
+                                                    .take = wavefront_map_add,
+                                                    .lost = analysis_skip};
     const struct wavefront_input *first = job->inputs[0];
     const bool entrance = first->question.aim == ANALYSIS_AIM_ENTRANCE;
     page->rasters = (struct rasters){
@@ -91,11 +95,11 @@ static bool collect(const struct artifact_job *job, struct map_page *page, struc
 bool wavefront_page(const struct artifact_job *job, struct output *sink, struct error *error)
 {
     struct map_page page = {.input = NULL};
-    return collect(job, &page, error) && map_page_draw(&page, sink, error);
+    return wavefront_map_collect(job, &page, error) && map_page_draw(&page, sink, error);
 }
 
 bool wavefront_file(const struct artifact_job *job, struct output *sink, struct error *error)
 {
     struct map_page page = {.input = NULL};
-    return collect(job, &page, error) && map_page_write(&page, sink, error);
+    return wavefront_map_collect(job, &page, error) && map_page_write(&page, sink, error);
 }

@@ -185,7 +185,7 @@ static const struct option options[] = {
 
 /* -------- the command -------- */
 
-static bool check_lens(const struct artifact_job *job, struct error *error)
+static bool render_check_lens(const struct artifact_job *job, struct error *error)
 {
     const struct render_input *input = job->inputs[0];
     if (input->question.lens.lens == NULL) {
@@ -200,19 +200,19 @@ static bool check_lens(const struct artifact_job *job, struct error *error)
            fail(error, ERROR_USAGE, "a film sees one position: {--position} NAME");
 }
 
-static bool check_picture(const struct artifact_job *job, struct error *error)
+static bool render_check_question(const struct artifact_job *job, struct error *error)
 {
     const struct render_input *input = job->inputs[0];
     if (asking_given(job->asking, "focus-at") && input->model != MODEL_EXACT) {
         return fail(error, ERROR_USAGE,
                     "{--focus-at} is of the {--model} exact: the images of others are one");
     }
-    return check_lens(job, error) && render_check_shutter(job, error) &&
+    return render_check_lens(job, error) && render_check_shutter(job, error) &&
            render_check_picture(job, error);
 }
 
 /* Rays know nothing of what is photographed, nor of how it is exposed. */
-static bool check_rays(const struct artifact_job *job, struct error *error)
+static bool render_check_rays(const struct artifact_job *job, struct error *error)
 {
     static const char *const of_pictures[] = {
         "part",        "resume",    "subject", "band",    "autofocus", "error",
@@ -247,15 +247,15 @@ static bool check_rays(const struct artifact_job *job, struct error *error)
             "{--rays} beside a picture of a scene need {--distance} or {--focus}: they know "
             "nothing of the scene");
     }
-    return check_lens(job, error) && render_check_shutter(job, error);
+    return render_check_lens(job, error) && render_check_shutter(job, error);
 }
 
 static const struct artifact artifacts[] = {
     {ARTIFACT_ANSWER(render_picture_types), .scope = ARTIFACT_OF_EACH, .varies = "time iso",
-     .gathers = ".part", .is_binary = true, .check = check_picture, .make = render_picture},
+     .gathers = ".part", .is_binary = true, .check = render_check_question, .make = render_picture},
     {ARTIFACT_OPTION("rays", render_ray_types,
                      "write the rays that leave the lens towards the scene"),
-     .check = check_rays, .make = render_rays},
+     .check = render_check_rays, .make = render_rays},
 };
 
 static const struct example examples[] = {

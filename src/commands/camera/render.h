@@ -57,7 +57,7 @@ struct render_input {
     const char *no_skip;                        /* names of skips, null: none */
     const char *depth_map;                      /* null: the card is flat */
     struct interval_value depth;                /* mm, of a PNG; NaN: not given */
-    int hidden;                                 /* enum relief_hidden */
+    int hidden;                                 /* enum depth_card_hidden */
     double pitch;                               /* mm; NaN = that of the picture */
     double read_noise, full_well, dark_current; /* electrons, and a second; NaN = not given */
     double fill, efficiency, gain, black; /* of image_sensor and its setting; NaN = not given */
@@ -110,12 +110,12 @@ bool render_autofocus(const struct render_input *input, struct arena *arena,
 
 /* Given: distance  before the first vertex, mm */
 void render_say_autofocus(const struct render_input *input, double distance,
-                          struct growing *remarks);
+                          struct text_buffer *remarks);
 
 /* -------- commands/camera/render_model.c -------- */
 
 /* Who looks at the lens that a question is about. */
-struct render_opening {
+struct lens_visitor {
     const struct render_input *input;
     struct run *run;
     analysis_visit *visit;
@@ -127,12 +127,12 @@ struct render_opening {
  *
  * Errors    as lens_model_check, fit_job_run and the visit
  */
-bool render_model(const struct render_opening *opening, const struct analysis_case *one,
+bool render_model(const struct lens_visitor *opening, const struct analysis_case *one,
                   const struct analysis_policy *policy, struct error *error);
 
 /* Which, unless it is the exact lens; of a fitted one how well it fits. */
 void render_say_model(const struct render_input *input, const struct analysis_case *one,
-                      struct growing *remarks);
+                      struct text_buffer *remarks);
 
 /* -------- commands/camera/render_case.c -------- */
 
@@ -172,7 +172,7 @@ struct render_arrival {
 
 /* What is doubtful: of the lens; dark corners of the film; rays that get lost elsewhere. */
 void render_doubts(const struct render_input *input, const struct analysis_case *one,
-                   const struct render_arrival *arrival, struct growing *remarks);
+                   const struct render_arrival *arrival, struct text_buffer *remarks);
 
 /* The film, and the iris before it. */
 struct film_question render_film(const struct render_input *input, const struct analysis_case *one);
@@ -213,10 +213,10 @@ void render_note_shutter(const struct render_input *input, struct image *image,
 
 /* Its slit, and how long light comes; of a film that was opened before. */
 void render_say_shutter(const struct render_input *input, const struct film_question *film,
-                        struct growing *remarks);
+                        struct text_buffer *remarks);
 
 /* Its formula; null: nothing is said. */
-void render_explain_shutter(const struct shutter *shutter, struct growing *remarks);
+void render_explain_shutter(const struct shutter *shutter, struct text_buffer *remarks);
 
 /* -------- commands/camera/render_colours.c -------- */
 
@@ -279,7 +279,7 @@ static inline double render_frame_pitch(const struct render_input *input,
 
 /* Warns of pixels that are not square. */
 void render_say_size(const struct render_input *input, const struct render_frame *frame,
-                     struct growing *remarks);
+                     struct text_buffer *remarks);
 
 /*
  * Leave of a picture what is wanted.
@@ -311,7 +311,7 @@ void render_filter(const struct render_input *input, const struct setup *setup, 
                    struct photograph *photograph);
 
 /* Which light and which filter, if they have names. */
-void render_say_light(const struct render_input *input, struct growing *remarks);
+void render_say_light(const struct render_input *input, struct text_buffer *remarks);
 
 /* -------- commands/camera/render_samples.c -------- */
 
@@ -323,7 +323,7 @@ void render_ask_samples(const struct render_input *input, struct photograph_ques
 
 /* The error that was reached, and how many tiles missed it and by how much. */
 void render_say_samples(const struct render_input *input, const struct photograph *photograph,
-                        struct growing *remarks);
+                        struct text_buffer *remarks);
 
 /* -------- commands/camera/render_clipping.c -------- */
 
@@ -331,22 +331,23 @@ void render_say_samples(const struct render_input *input, const struct photograp
 #define RENDER_OVER_WHITE 1.1
 
 /* Numbers of a picture, over what its file can hold at most or what saturates. */
-struct render_clipping {
+struct clipping_share {
     double share;       /* of the pixels: over the limit in some channel */
     double least, most; /* of all channels */
 };
 
 /* Given: unit  times a number of the picture is 1 where its file ends */
-struct render_clipping render_clipping_of(const struct image *image, double unit, double limit);
+struct clipping_share render_clipping_of(const struct image *image, double unit, double limit);
 
 /*
  * Warn of a picture that is too bright for its file, of which a hundredth and more of the pixels
  * is lost or all: less is lights themselves and what reflects them.
  */
-void render_say_clipping(const struct render_clipping *clipping, struct growing *remarks);
+void render_say_clipping(const struct clipping_share *clipping, struct text_buffer *remarks);
 
 /* The same of what saturates at a speed and the file holds. */
-void render_say_held(const struct render_clipping *clipping, double iso, struct growing *remarks);
+void render_say_held(const struct clipping_share *clipping, double iso,
+                     struct text_buffer *remarks);
 
 /* Where numbers of a kind of file begin. */
 struct render_floor {
@@ -362,7 +363,7 @@ struct render_floor {
  * Errors    ERROR_DOMAIN: all light that there is
  */
 bool render_check_dark(const struct image *image, double unit, const struct render_floor *floor,
-                       const char *name, struct growing *remarks, struct error *error);
+                       const char *name, struct text_buffer *remarks, struct error *error);
 
 /* -------- commands/camera/render_sensor.c -------- */
 
@@ -400,7 +401,7 @@ bool render_acceptance(const struct render_input *input, struct arena *arena,
  * Errors    as sensor_open, sensor_expose, demosaic_bilinear and develop_picture
  */
 bool render_sense(const struct render_input *input, double time, const struct render_frame *frame,
-                  struct image *image, struct growing *remarks, struct error *error);
+                  struct image *image, struct text_buffer *remarks, struct error *error);
 
 /* -------- commands/camera/render_emulsion.c -------- */
 
@@ -433,8 +434,8 @@ bool render_film_time(const struct render_input *input, double *time, double *me
  * Errors    as characteristic_open and emulsion_expose
  */
 bool render_develop(const struct render_input *input, bool is_print,
-                    const struct render_frame *frame, struct image *image, struct growing *remarks,
-                    struct error *error);
+                    const struct render_frame *frame, struct image *image,
+                    struct text_buffer *remarks, struct error *error);
 
 /* -------- commands/camera/render_world.c -------- */
 
@@ -457,7 +458,7 @@ bool render_card(const struct render_input *input, struct arena *arena, struct c
  * picture, what became of it when it was read.
  */
 void render_say_card(const struct render_input *input, const struct photograph *photograph,
-                     const struct setup *setup, struct growing *remarks);
+                     const struct setup *setup, struct text_buffer *remarks);
 
 /* -------- commands/camera/render_skips.c -------- */
 
@@ -470,7 +471,7 @@ bool render_kept(const struct render_input *input, unsigned *kept, struct error 
 
 /* The equation that a picture solves, and what it did without. */
 void render_explain(const struct artifact_job *job, const struct photograph_question *question,
-                    const struct photograph *photograph, struct growing *remarks);
+                    const struct photograph *photograph, struct text_buffer *remarks);
 
 /* -------- commands/camera/render_depth.c -------- */
 
@@ -490,7 +491,7 @@ bool render_depths(const struct render_input *input, const struct image *picture
 
 /* What is to be known of a picture with depths. */
 void render_say_depths(const struct render_input *input, const struct photograph *photograph,
-                       struct growing *remarks);
+                       struct text_buffer *remarks);
 
 /* -------- commands/camera/render_expose.c -------- */
 

@@ -80,7 +80,7 @@ bool render_autofocus(const struct render_input *input, struct arena *arena,
 }
 
 void render_say_autofocus(const struct render_input *input, double distance,
-                          struct growing *remarks)
+                          struct text_buffer *remarks)
 {
     if (input->autofocus != NULL && isinf(distance)) {
         growing_format(remarks, "focused on infinity: nothing lies at %s\n", input->autofocus);

@@ -43,7 +43,7 @@ static double on_film(const struct photograph *photograph, const struct setup *s
 }
 
 static void say_bars(const struct photograph *photograph, const struct setup *setup,
-                     struct growing *remarks)
+                     struct text_buffer *remarks)
 {
     growing_format(remarks, "bars of");
     for (int i = 0; i < CHART_GROUPS; i++) {
@@ -53,7 +53,7 @@ static void say_bars(const struct photograph *photograph, const struct setup *se
     growing_format(remarks, " cycles/mm on the film\n");
 }
 
-static void say_picture(const char *path, const struct image *picture, struct growing *remarks)
+static void say_picture(const char *path, const struct image *picture, struct text_buffer *remarks)
 {
     const char *remark = image_file_remark(path, picture, remarks->arena);
     if (remark != NULL) {
@@ -62,7 +62,7 @@ static void say_picture(const char *path, const struct image *picture, struct gr
 }
 
 void render_say_card(const struct render_input *input, const struct photograph *photograph,
-                     const struct setup *setup, struct growing *remarks)
+                     const struct setup *setup, struct text_buffer *remarks)
 {
     const struct card *card = &photograph->card;
     const double rim = 2 * PI * CHART_STAR_RADIUS * card->height / card->width;

@@ -13,7 +13,7 @@ static bool take_model(const struct analysis_case *one, void *context, struct er
 bool render_open(const struct render_input *input, const struct spectrum_value *channels,
                  struct run *run, analysis_visit *visit, void *context, struct error *error)
 {
-    struct render_opening opening = {input, run, visit, context};
+    struct lens_visitor opening = {input, run, visit, context};
     struct analysis_question *question = ARENA_NEW(run->arena, struct analysis_question);
     *question = input->question;
     question->field = question->field_x = question->height = question->height_x = NAN;
@@ -71,7 +71,7 @@ double render_fnumber(const struct render_input *input, const struct analysis_ca
 }
 
 void render_doubts(const struct render_input *input, const struct analysis_case *one,
-                   const struct render_arrival *arrival, struct growing *remarks)
+                   const struct render_arrival *arrival, struct text_buffer *remarks)
 {
     const double widest = widest_of(input, one, remarks->arena);
     if (!isnan(widest) && lens_model_replaces((enum lens_model)input->model)) {

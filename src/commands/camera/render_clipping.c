@@ -7,7 +7,7 @@
 /* Of the pixels: fewer are lights and their reflections in things. */
 #define SAID_FROM 0.01
 
-struct render_clipping render_clipping_of(const struct image *image, double unit, double limit)
+struct clipping_share render_clipping_of(const struct image *image, double unit, double limit)
 {
     double least = (double)INFINITY, most = 0;
     const size_t pixels = image->width * image->height, channels = image->channels;
@@ -23,11 +23,11 @@ struct render_clipping render_clipping_of(const struct image *image, double unit
         most = brightest > most ? brightest : most;
         above += brightest > limit ? 1 : 0;
     }
-    return (struct render_clipping){
+    return (struct clipping_share){
         .share = pixels > 0 ? (double)above / (double)pixels : 0, .most = most, .least = least};
 }
 
-void render_say_clipping(const struct render_clipping *clipping, struct growing *remarks)
+void render_say_clipping(const struct clipping_share *clipping, struct text_buffer *remarks)
 {
     if (clipping->share == 1 && clipping->least > 1) {
         growing_format(remarks,
@@ -42,7 +42,7 @@ void render_say_clipping(const struct render_clipping *clipping, struct growing 
     }
 }
 
-void render_say_held(const struct render_clipping *clipping, double iso, struct growing *remarks)
+void render_say_held(const struct clipping_share *clipping, double iso, struct text_buffer *remarks)
 {
     if (clipping->share >= SAID_FROM) {
         growing_format(remarks,
@@ -53,7 +53,7 @@ void render_say_held(const struct render_clipping *clipping, double iso, struct 
 }
 
 bool render_check_dark(const struct image *image, double unit, const struct render_floor *floor,
-                       const char *name, struct growing *remarks, struct error *error)
+                       const char *name, struct text_buffer *remarks, struct error *error)
 {
     const size_t pixels = image->width * image->height, channels = image->channels;
     size_t lost = 0, coarse = 0;

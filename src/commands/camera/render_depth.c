@@ -43,7 +43,7 @@ bool render_depths(const struct render_input *input, const struct image *picture
                    struct arena *arena, struct photograph_depths *depths, struct error *error)
 {
     const struct depth_range range = {input->depth.low / MM_PER_M, input->depth.high / MM_PER_M};
-    *depths = (struct photograph_depths){.hidden = (enum relief_hidden)input->hidden};
+    *depths = (struct photograph_depths){.hidden = (enum depth_card_hidden)input->hidden};
     if (input->depth_map == NULL) {
         return true;
     }
@@ -57,7 +57,7 @@ bool render_depths(const struct render_input *input, const struct image *picture
 }
 
 void render_say_depths(const struct render_input *input, const struct photograph *photograph,
-                       struct growing *remarks)
+                       struct text_buffer *remarks)
 {
     static const char *const seen[] = {"what lies next to it", "black"};
     const double behind = 100 * photograph_share(photograph, SIGHT_BEHIND);

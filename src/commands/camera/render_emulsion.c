@@ -58,7 +58,7 @@ bool render_film_time(const struct render_input *input, double *time, double *me
 }
 
 /* Least and most of the luminous exposure. */
-static void find_range(const struct image *light, double *least, double *most)
+static void render_emulsion_find_range(const struct image *light, double *least, double *most)
 {
     *least = (double)INFINITY;
     *most = 0;
@@ -69,11 +69,12 @@ static void find_range(const struct image *light, double *least, double *most)
     }
 }
 
-static void add_remarks(const struct render_input *input, const struct emulsion *film,
-                        const struct image *light, struct growing *remarks)
+static void render_emulsion_add_remarks(const struct render_input *input,
+                                        const struct emulsion *film, const struct image *light,
+                                        struct text_buffer *remarks)
 {
     double least, most;
-    find_range(light, &least, &most);
+    render_emulsion_find_range(light, &least, &most);
     growing_format(remarks,
                    "%s at ISO %.4g: densities %.3g to %.3g by a curve of gamma %.3g, made from "
                    "the speed, not measured\n",
@@ -100,8 +101,8 @@ static void add_remarks(const struct render_input *input, const struct emulsion 
 }
 
 bool render_develop(const struct render_input *input, bool is_print,
-                    const struct render_frame *frame, struct image *image, struct growing *remarks,
-                    struct error *error)
+                    const struct render_frame *frame, struct image *image,
+                    struct text_buffer *remarks, struct error *error)
 {
     struct arena *arena = remarks->arena;
     static const char *const names[] = {"D"};
@@ -116,7 +117,7 @@ bool render_develop(const struct render_input *input, bool is_print,
         !emulsion_expose(&film, image, &place, arena, &density, error)) {
         return false;
     }
-    add_remarks(input, &film, image, remarks);
+    render_emulsion_add_remarks(input, &film, image, remarks);
     const char *said = arena_printf(
         arena, "ISO 6 from the speed, gamma %.4g, base %.4g, most %.4g, granularity %.4g",
         film.curve.gradient, negative.base, negative.most, film.granularity);

@@ -30,7 +30,7 @@ static bool is_a(const struct file_type *type, const char *ending)
 }
 
 /* Those asked for, or the usual ones; 0: the kind has no choice, or not this one. */
-static int bits_of(const struct render_input *input, const struct file_type *type)
+static int render_expose_bits_of(const struct render_input *input, const struct file_type *type)
 {
     const int bits = input->raw ? 16 : (int)input->bits;
     for (size_t i = 0; i < sizeof depths / sizeof depths[0]; i++) {
@@ -55,7 +55,7 @@ bool render_check_file(const struct render_input *input, const struct file_type 
                     "what a sensor sees is written as .png; %s holds the light itself",
                     type->ending);
     }
-    if (input->bits != 0 && bits_of(input, type) == 0) {
+    if (input->bits != 0 && render_expose_bits_of(input, type) == 0) {
         return fail(error, ERROR_USAGE,
                     "{--bits} %ld: a .png has 8 or 16, an .exr 16 or 32, others have no choice",
                     input->bits);
@@ -73,7 +73,7 @@ bool render_check_file(const struct render_input *input, const struct file_type 
 
 /* -------- exposed -------- */
 
-struct exposure {
+struct render_expose_exposure {
     double luminance; /* of white, cd/m^2 */
     double time, iso; /* s */
     double metered;   /* s, of which a film loses nothing: the light that counts */
@@ -82,7 +82,8 @@ struct exposure {
 };
 
 static bool exposure_of(const struct render_input *input, const struct render_shot *shot,
-                        struct arena *arena, struct exposure *exposure, struct error *error)
+                        struct arena *arena, struct render_expose_exposure *exposure,
+                        struct error *error)
 {
     double iso;
     if (!render_speed(input, &shot->frame, arena, &iso, error)) {
@@ -105,20 +106,21 @@ static bool exposure_of(const struct render_input *input, const struct render_sh
                                 "few rays find it: see its at= and look=, and the colours; or "
                                 "give {--time}");
     }
-    *exposure = (struct exposure){.luminance = white,
-                                  .time = input->time,
-                                  .metered = shot->is_world ? recommended_exposure(iso) / mean
-                                                            : WHITE_SHARE * full /
-                                                                  (white * photograph->reference),
-                                  .iso = iso,
-                                  .full = full,
-                                  .is_chosen = isnan(input->time)};
+    *exposure = (struct render_expose_exposure){
+        .luminance = white,
+        .time = input->time,
+        .metered = shot->is_world ? recommended_exposure(iso) / mean
+                                  : WHITE_SHARE * full / (white * photograph->reference),
+        .iso = iso,
+        .full = full,
+        .is_chosen = isnan(input->time)};
     return render_film_time(input, &exposure->time, &exposure->metered, error);
 }
 
 /* What the pixels are of E/L: those of a file, or what sensor and film take. */
-static double unit_of(const struct render_input *input, const struct exposure *exposure,
-                      const struct file_type *type, double reference)
+static double render_expose_unit_of(const struct render_input *input,
+                                    const struct render_expose_exposure *exposure,
+                                    const struct file_type *type, double reference)
 {
     const double light = exposure->luminance * exposure->metered;
     const bool is_received = render_senses(input) || render_is_film(input);
@@ -128,7 +130,7 @@ static double unit_of(const struct render_input *input, const struct exposure *e
 }
 
 /* Floats are rounded, so that half of the least one is black; a .hdr has no exponent below. */
-static struct render_floor floor_of(const struct file_type *type, bool half)
+static struct render_floor render_expose_floor_of(const struct file_type *type, bool half)
 {
     return half ? (struct render_floor){0x1p-25, 0x1p-24, 0x1p-14, "half floats"}
            : is_a(type, ".hdr")
@@ -137,13 +139,14 @@ static struct render_floor floor_of(const struct file_type *type, bool half)
 }
 
 /* Light itself must be numbers that pixels hold; a PNG and film say themselves what is too dark. */
-static bool check_light(const struct render_input *input, const struct file_type *type,
-                        const struct image *image, double unit, struct growing *remarks,
-                        struct error *error)
+static bool render_expose_check_light(const struct render_input *input,
+                                      const struct file_type *type, const struct image *image,
+                                      double unit, struct text_buffer *remarks, struct error *error)
 {
     const double most = render_clipping_of(image, unit, 1).most;
     const char *name = input->radiance ? "cd/m2" : "lx s";
-    const struct render_floor floor = floor_of(type, bits_of(input, type) == 16);
+    const struct render_floor floor =
+        render_expose_floor_of(type, render_expose_bits_of(input, type) == 16);
     if (!(most <= (double)FLT_MAX)) {
         return fail(error, ERROR_DOMAIN, "the brightest pixel has %.3g %s: pixels hold %.3g", most,
                     name, (double)FLT_MAX);
@@ -153,8 +156,8 @@ static bool check_light(const struct render_input *input, const struct file_type
 }
 
 /* A picture in other units, in its own place if nobody needs it any more. */
-static bool scale(const struct render_shot *shot, double by, struct arena *arena,
-                  struct image *image, struct error *error)
+static bool render_expose_scale(const struct render_shot *shot, double by, struct arena *arena,
+                                struct image *image, struct error *error)
 {
     const struct image *from = &shot->photograph.image;
     *image = *from;
@@ -175,9 +178,9 @@ void render_note(struct image *image, struct arena *arena, const char *key, cons
 }
 
 /* What a value of 1 is where that is light on the sensor. */
-static void add_note_of_white(const struct render_input *input, const struct exposure *exposure,
-                              double reference, bool is_png, struct image *image,
-                              struct arena *arena)
+static void add_note_of_white(const struct render_input *input,
+                              const struct render_expose_exposure *exposure, double reference,
+                              bool is_png, struct image *image, struct arena *arena)
 {
     const double light = 1 / (reference * exposure->metered);
     const double white = is_png ? exposure->full / DEVELOP_HEADROOM * light : light;
@@ -187,8 +190,10 @@ static void add_note_of_white(const struct render_input *input, const struct exp
     }
 }
 
-static void add_notes(const struct render_input *input, const struct render_shot *shot,
-                      const struct exposure *exposure, struct image *image, struct arena *arena)
+static void render_expose_add_notes(const struct render_input *input,
+                                    const struct render_shot *shot,
+                                    const struct render_expose_exposure *exposure,
+                                    struct image *image, struct arena *arena)
 {
     render_note(image, arena, "Exposure time", arena_printf(arena, "%.6g s", exposure->time));
     if (render_is_film(input)) {
@@ -204,12 +209,14 @@ static void add_notes(const struct render_input *input, const struct render_shot
  * Too much light, or too little, and what would mend it. Files of light hold any; a sensor says
  * itself what it cannot hold.
  */
-static void add_warnings(const struct render_input *input, const struct render_shot *shot,
-                         const struct exposure *exposure, bool is_png, struct growing *remarks)
+static void render_expose_add_warnings(const struct render_input *input,
+                                       const struct render_shot *shot,
+                                       const struct render_expose_exposure *exposure, bool is_png,
+                                       struct text_buffer *remarks)
 {
     const double unit = exposure->luminance * exposure->metered / exposure->full;
     const struct image *image = &shot->photograph.image;
-    const struct render_clipping clipping =
+    const struct clipping_share clipping =
         is_png ? render_clipping_of(image, DEVELOP_HEADROOM * unit, RENDER_OVER_WHITE)
                : render_clipping_of(image, unit, 1);
     if (!is_png && !input->radiance) {
@@ -235,8 +242,10 @@ static void add_warnings(const struct render_input *input, const struct render_s
 }
 
 /* What all exposures share, and this one. */
-static void add_remarks(const struct render_input *input, const struct render_shot *shot,
-                        const struct exposure *exposure, struct growing *remarks)
+static void render_expose_add_remarks(const struct render_input *input,
+                                      const struct render_shot *shot,
+                                      const struct render_expose_exposure *exposure,
+                                      struct text_buffer *remarks)
 {
     const bool is_leaf = input->shutter.kind == SHUTTER_LEAF;
     const struct photograph *photograph = &shot->photograph;
@@ -262,8 +271,8 @@ static void add_remarks(const struct render_input *input, const struct render_sh
 
 /* Light becomes what the file shall hold: numbers, shares of white, densities. */
 static bool receive_light(const struct render_input *input, const struct render_shot *shot,
-                          const struct exposure *exposure, bool is_png, struct image *image,
-                          struct growing *remarks, struct error *error)
+                          const struct render_expose_exposure *exposure, bool is_png,
+                          struct image *image, struct text_buffer *remarks, struct error *error)
 {
     const struct image light = *image;
     const bool is_film = render_is_film(input);
@@ -283,35 +292,36 @@ static bool receive_light(const struct render_input *input, const struct render_
 
 /* The file, and all that is used for it in the arena of the remarks. */
 static bool expose(const struct render_input *input, const struct render_shot *shot,
-                   const struct file_type *type, struct growing *remarks, struct text *bytes,
+                   const struct file_type *type, struct text_buffer *remarks, struct text *bytes,
                    struct error *error)
 {
     const struct photograph *photograph = &shot->photograph;
     const bool is_png = is_a(type, ".png"), is_film = render_is_film(input);
     const bool is_hasty = shot->aside != NULL; /* somebody waits for the end */
-    const struct image_way way = {.bits = bits_of(input, type),
-                                  .half = bits_of(input, type) == 16,
+    const struct image_way way = {.bits = render_expose_bits_of(input, type),
+                                  .half = render_expose_bits_of(input, type) == 16,
                                   .values = input->raw ? IMAGE_CODES : IMAGE_LIGHT,
                                   .packed = input->packing == 0 && !is_hasty,
                                   .stored = is_hasty,
                                   .threads = parallel_threads(input->threads)};
-    struct exposure exposure;
+    struct render_expose_exposure exposure;
     struct image image;
     if (!exposure_of(input, shot, remarks->arena, &exposure, error)) {
         return false;
     }
-    add_remarks(input, shot, &exposure, remarks);
+    render_expose_add_remarks(input, shot, &exposure, remarks);
     if (!is_film) {
-        add_warnings(input, shot, &exposure, is_png, remarks);
+        render_expose_add_warnings(input, shot, &exposure, is_png, remarks);
     }
     growing_text(remarks, shot->doubts);
-    const double unit = unit_of(input, &exposure, type, photograph->reference);
+    const double unit = render_expose_unit_of(input, &exposure, type, photograph->reference);
     const bool is_share = is_png && !is_film && !render_senses(input);
-    if (!(is_share || check_light(input, type, &photograph->image, unit, remarks, error)) ||
-        !scale(shot, unit, remarks->arena, &image, error)) {
+    if (!(is_share ||
+          render_expose_check_light(input, type, &photograph->image, unit, remarks, error)) ||
+        !render_expose_scale(shot, unit, remarks->arena, &image, error)) {
         return false;
     }
-    add_notes(input, shot, &exposure, &image, remarks->arena);
+    render_expose_add_notes(input, shot, &exposure, &image, remarks->arena);
     add_note_of_white(input, &exposure, photograph->reference, is_png, &image, remarks->arena);
     if (!is_png) {
         render_note(&image, remarks->arena, "Unit",
@@ -327,7 +337,7 @@ bool render_expose(const struct artifact_job *job, size_t which, const struct re
                    struct output *sink, struct error *error)
 {
     struct arena scratch = {0};
-    struct growing remarks = {.arena = &scratch}, kept = {.arena = job->run->arena};
+    struct text_buffer remarks = {.arena = &scratch}, kept = {.arena = job->run->arena};
     struct text bytes;
     const bool done = expose(job->inputs[which], shot, job->type, &remarks, &bytes, error);
     if (done) {

@@ -21,8 +21,8 @@ const struct word render_focus_ats[] = {
  * Errors    ERROR_DOMAIN: no stop, a card within the focal length; as photo_lens_single,
  *           distance_to_principal and conjugates_working_distance
  */
-static bool find_object(const struct render_input *input, struct arena *arena, double *object,
-                        struct error *error)
+static bool render_focus_find_object(const struct render_input *input, struct arena *arena,
+                                     double *object, struct error *error)
 {
     const struct photo_lens_question question = {.lens = input->question.lens,
                                                  .position = input->question.position,
@@ -53,21 +53,22 @@ static bool find_object(const struct render_input *input, struct arena *arena, d
 /* -------- gaps -------- */
 
 /* A lens that is focused by its gaps, and what of it is asked for. */
-struct moving {
-    struct focusing focusing;
+struct focus_movement {
+    struct focus_mechanism focusing;
     struct conjugate_question question;
     double fnumber; /* NaN = that of the lens */
     struct arena *arena;
 };
 
 /* A state of it. */
-struct state {
+struct render_focus_state {
     struct focused focused;
     double object;     /* before the first vertex, mm */
     double aberration; /* from the paraxial to the sharpest image, mm */
 };
 
-static bool find_aberration(const struct moving *moving, struct state *state, struct error *error)
+static bool find_aberration(const struct focus_movement *moving, struct render_focus_state *state,
+                            struct error *error)
 {
     const struct setup_question question = {.lens = state->focused.lens,
                                             .object = &state->object,
@@ -89,10 +90,10 @@ static bool find_aberration(const struct moving *moving, struct state *state, st
  *
  * Errors    as focus_solve; ERROR_DOMAIN: an object that is not before the lens
  */
-static bool move_gaps(const struct moving *moving, double shift, struct state *state,
-                      struct error *error)
+static bool move_gaps(const struct focus_movement *moving, double shift,
+                      struct render_focus_state *state, struct error *error)
 {
-    struct focusing focusing = moving->focusing;
+    struct focus_mechanism focusing = moving->focusing;
     struct conjugate_question question = moving->question;
     struct paraxial_system system;
     struct paraxial_trace trace;
@@ -123,7 +124,8 @@ static bool move_gaps(const struct moving *moving, double shift, struct state *s
  * The sharpest image in the film: the shift of the paraxial one that its aberration undoes, by
  * secants, as aberrations change with the gaps.
  */
-static bool sharpen(const struct moving *moving, struct state *state, struct error *error)
+static bool sharpen(const struct focus_movement *moving, struct render_focus_state *state,
+                    struct error *error)
 {
     enum { TURNS = 30 };
     const double enough = 1e-9; /* mm */
@@ -149,11 +151,11 @@ static bool sharpen(const struct moving *moving, struct state *state, struct err
 }
 
 /* Of what is too near for the gaps: the hint how near it may be; none helps what is too far. */
-static bool hint_least(const struct moving *moving, struct error *error)
+static bool hint_least(const struct focus_movement *moving, struct error *error)
 {
     enum { DOUBLINGS = 30, HALVINGS = 50 };
-    struct moving tried = *moving;
-    struct state state;
+    struct focus_movement tried = *moving;
+    struct render_focus_state state;
     struct error ignored;
     double *distance = &tried.question.distance, near = fmax(*distance, 1e-3), far = near;
     bool is_found = false;
@@ -170,8 +172,8 @@ static bool hint_least(const struct moving *moving, struct error *error)
 }
 
 /* The lens in the only position that is asked for. */
-static bool find_lens(const struct render_input *input, struct arena *arena,
-                      const struct lens **lens, struct error *error)
+static bool render_focus_find_lens(const struct render_input *input, struct arena *arena,
+                                   const struct lens **lens, struct error *error)
 {
     const size_t *positions;
     size_t count;
@@ -192,16 +194,17 @@ static bool focus_by_gaps(const struct render_input *input, struct arena *arena,
                                                 [FROM_FRONT] = CONJUGATE_FROM_FRONT};
     struct named_gap named[FOCUS_GAPS];
     struct focus_gap gaps[FOCUS_GAPS];
-    struct moving moving = {.focusing = {.section = SECTION_Y, .gaps = gaps},
-                            .question = {CONJUGATE_OBJECT, froms[input->from], input->distance, 0},
-                            .fnumber = question->fnumber,
-                            .arena = arena};
+    struct focus_movement moving = {
+        .focusing = {.section = SECTION_Y, .gaps = gaps},
+        .question = {CONJUGATE_OBJECT, froms[input->from], input->distance, 0},
+        .fnumber = question->fnumber,
+        .arena = arena};
     struct first_order first;
-    struct state state;
+    struct render_focus_state state;
     const struct lens *lens;
     size_t count;
     if (!focus_gaps_read(text_of(input->gap), input->question.lens.lens, named, &count, error) ||
-        !find_lens(input, arena, &lens, error)) {
+        !render_focus_find_lens(input, arena, &lens, error)) {
         return false;
     }
     for (size_t i = 0; i < count; i++) {
@@ -239,5 +242,5 @@ bool render_focus(const struct render_input *input, struct arena *arena,
     } else if (question->focus.kind == PLANE_OF_LENS) {
         question->focus.kind = PLANE_PARAXIAL;
     }
-    return find_object(input, arena, &question->object, error);
+    return render_focus_find_object(input, arena, &question->object, error);
 }

@@ -62,7 +62,7 @@ void render_filter(const struct render_input *input, const struct setup *setup, 
     photograph->reference *= most; /* white is exposed by its brightest colour */
 }
 
-void render_say_light(const struct render_input *input, struct growing *remarks)
+void render_say_light(const struct render_input *input, struct text_buffer *remarks)
 {
     if (input->light.name != NULL) {
         growing_format(remarks, "light of %s, EV %.4g at ISO 100: %s\n", input->light.name,

@@ -4,7 +4,7 @@
 #include "light/colour.h"
 
 /* Of all pixels, lx. */
-static double mean_of(const struct image *image)
+static double render_mean_of(const struct image *image)
 {
     const size_t pixels = image->width * image->height;
     double sum = 0;
@@ -31,7 +31,7 @@ static double allowed_loss(const struct photograph *photograph)
 }
 
 void render_say_mean(const struct photograph_question *question,
-                     const struct photograph *photograph, struct growing *remarks)
+                     const struct photograph *photograph, struct text_buffer *remarks)
 {
     const double doubtful = 0.1; /* a sixth of a stop */
     const struct image *image = &photograph->image;
@@ -44,7 +44,7 @@ void render_say_mean(const struct photograph_question *question,
                        "rays find what makes it\n",
                        100 * photograph->mean_error);
     }
-    const double shown = is_whole ? mean_of(image) : NAN;
+    const double shown = is_whole ? render_mean_of(image) : NAN;
     if (photograph->is_metered_directly && shown > 0 &&
         shown < (1 - allowed_loss(photograph)) * metered) {
         growing_format(

@@ -15,14 +15,15 @@ static bool is_thick(const struct lens *lens)
     return thick == 1 && others == 0;
 }
 
-struct fitting {
+struct model_fit {
     struct run *run;
     struct lens *lens;
 };
 
-static bool fit(const struct setup *setup, const char *warning, void *context, struct error *error)
+static bool render_model_fit(const struct setup *setup, const char *warning, void *context,
+                             struct error *error)
 {
-    const struct fitting *fitting = context;
+    const struct model_fit *fitting = context;
     /* without what `answer` adds, the fit of twice the rays */
     const struct fit_input input = {.object = NAN,
                                     .distortion = 0,
@@ -39,7 +40,7 @@ static bool fit(const struct setup *setup, const char *warning, void *context, s
 }
 
 /* By eighths as far as the film goes, for a lens that states no fields. */
-static struct fields_value fields_of_film(const struct render_opening *opening,
+static struct fields_value fields_of_film(const struct lens_visitor *opening,
                                           const struct setup *setup)
 {
     enum { STEPS = 8 };
@@ -56,7 +57,7 @@ static struct fields_value fields_of_film(const struct render_opening *opening,
 }
 
 /* Fitted as `lenscalc fit --distortion 0` does, to rays from the object of the picture. */
-static bool fit_lens_of(const struct render_opening *opening, const struct analysis_case *one,
+static bool fit_lens_of(const struct lens_visitor *opening, const struct analysis_case *one,
                         struct lens *stand_in, struct error *error)
 {
     struct run *run = opening->run;
@@ -67,7 +68,7 @@ static bool fit_lens_of(const struct render_opening *opening, const struct analy
         *error = *run->no_solver;
         return false;
     }
-    struct fitting fitting = {run, stand_in};
+    struct model_fit fitting = {run, stand_in};
     *lens = *one->setup->lens;
     lens->object = (struct figure){one->setup->object.distance, {NULL, 0}, LENS_NONE};
     lens->object_is_infinite = one->setup->object.is_infinite;
@@ -80,13 +81,13 @@ static bool fit_lens_of(const struct render_opening *opening, const struct analy
     if (lens->field_count == 0) {
         question.fields = fields_of_film(opening, one->setup);
     }
-    return lens_each_setup(&question, &policy, run->arena, fit, &fitting, error) ||
+    return lens_each_setup(&question, &policy, run->arena, render_model_fit, &fitting, error) ||
            error_prefix(error, "no thick lens could be fitted: ");
 }
 
 /* Where the film of a model stands: in its own image if that is what was asked for. */
-static struct plane_value plane_of(const struct analysis_case *one,
-                                   const struct render_input *input)
+static struct plane_value render_model_plane_of(const struct analysis_case *one,
+                                                const struct render_input *input)
 {
     const struct plane_value *asked = &one->question->focus;
     const enum focus_kind own = one->setup->lens->focus;
@@ -102,7 +103,7 @@ static struct plane_value plane_of(const struct analysis_case *one,
     return *asked;
 }
 
-bool render_model(const struct render_opening *opening, const struct analysis_case *one,
+bool render_model(const struct lens_visitor *opening, const struct analysis_case *one,
                   const struct analysis_policy *policy, struct error *error)
 {
     const enum lens_model model = (enum lens_model)opening->input->model;
@@ -113,7 +114,7 @@ bool render_model(const struct render_opening *opening, const struct analysis_ca
     }
     struct analysis_question *question = ARENA_NEW(run->arena, struct analysis_question);
     *question = *one->question;
-    question->focus = plane_of(one, opening->input);
+    question->focus = render_model_plane_of(one, opening->input);
     if (lens_model_replaces(model)) {
         struct lens *stand_in = ARENA_NEW(run->arena, struct lens);
         if (!lens_model_check(setup->lens, &setup->first, error) ||
@@ -130,7 +131,7 @@ bool render_model(const struct render_opening *opening, const struct analysis_ca
 }
 
 void render_say_model(const struct render_input *input, const struct analysis_case *one,
-                      struct growing *remarks)
+                      struct text_buffer *remarks)
 {
     const struct lens *lens = one->setup->lens;
     const bool is_fitted = input->model == MODEL_FITTED && lens->note_count > 0;

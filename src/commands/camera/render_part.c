@@ -51,7 +51,7 @@ bool render_check_part(const struct artifact_job *job, struct error *error)
 
 /* What a result depends on besides words and files: glasses, formats, films. */
 static bool find_facts(const struct render_input *input, const struct analysis_case *one,
-                       struct growing *facts, struct error *error)
+                       struct text_buffer *facts, struct error *error)
 {
     const struct setup *setup = one->setup;
     for (size_t w = 0; w < setup->wavelength_count; w++) {
@@ -119,7 +119,7 @@ static void mark_tiles(struct render_part *part)
 }
 
 /* Tiles that are there already go into the picture, once. */
-static void fill(struct render_part *part, struct photograph *photograph)
+static void render_part_image_fill(struct render_part *part, struct photograph *photograph)
 {
     for (size_t i = 0; i < part->file_count && !part->is_filled; i++) {
         const struct part_file *file = &part->files[i];
@@ -173,17 +173,18 @@ static struct text body_of(struct render_part *part, struct photograph *photogra
     return bytes_text(&body);
 }
 
-static void write_file(struct render_part *part, struct photograph *photograph, struct output *sink)
+static void render_part_write_file(struct render_part *part, struct photograph *photograph,
+                                   struct output *sink)
 {
     struct arena arena = {0};
-    fill(part, photograph);
+    render_part_image_fill(part, photograph);
     const struct text body = body_of(part, photograph, &arena);
     division_write(&part->head, body, &arena, sink);
     arena_free(&arena);
 }
 
 /* What there is so far is saved now and then: who is killed loses little. */
-static void save(void *context, struct photograph *photograph)
+static void render_part_save(void *context, struct photograph *photograph)
 {
     struct render_part *part = context;
     struct arena arena = {0};
@@ -194,7 +195,7 @@ static void save(void *context, struct photograph *photograph)
     }
     part->saved = time(NULL);
     if (output_open(&sink, part->job->path, &arena, &ignored)) {
-        write_file(part, photograph, &sink);
+        render_part_write_file(part, photograph, &sink);
         output_close(&sink, true, &ignored);
     }
     arena_free(&arena);
@@ -205,7 +206,7 @@ bool render_part_begin(const struct artifact_job *job, const struct analysis_cas
                        struct render_part *part, struct error *error)
 {
     const struct render_input *input = job->inputs[0];
-    struct growing facts = {.arena = job->run->arena};
+    struct text_buffer facts = {.arena = job->run->arena};
     *part = (struct render_part){.job = job, .question = question};
     if (!render_is_part(job) && job->run->parts == NULL) {
         return true;
@@ -231,7 +232,7 @@ bool render_part_begin(const struct artifact_job *job, const struct analysis_cas
     mark_tiles(part);
     question->done = part->done;
     if (render_is_part(job)) {
-        question->pause = save;
+        question->pause = render_part_save;
         question->pauser = part;
     }
     return true;
@@ -239,7 +240,7 @@ bool render_part_begin(const struct artifact_job *job, const struct analysis_cas
 
 void render_part_fill(struct render_part *part, struct photograph *photograph)
 {
-    fill(part, photograph);
+    render_part_image_fill(part, photograph);
     for (size_t tile = 0; tile < part->tiles; tile++) {
         photograph->is_incomplete = photograph->is_incomplete || part->done[tile] != TILE_DONE;
     }
@@ -252,7 +253,7 @@ void render_part_write(struct render_part *part, struct photograph *photograph, 
 {
     struct run *run = part->job->run;
     const struct part_head *head = &part->head;
-    write_file(part, photograph, sink);
+    render_part_write_file(part, photograph, sink);
     const bool has_none = part->own.end == part->own.begin;
     if (photograph->is_incomplete) {
         fail(&run->shortfall, ERROR_DOMAIN,

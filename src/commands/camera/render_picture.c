@@ -57,27 +57,27 @@ struct picture_job {
     double until;               /* of progress_clock */
 };
 
-static bool is_over(const void *clock)
+static bool render_picture_is_over(const void *clock)
 {
     return progress_clock() >= *(const double *)clock;
 }
 
 /* Take a picture, with all the time that one may have. */
-static bool take(struct picture_job *picture, struct photograph_question *question,
-                 struct photograph *photograph, struct error *error)
+static bool render_picture_take(struct picture_job *picture, struct photograph_question *question,
+                                struct photograph *photograph, struct error *error)
 {
     const struct render_input *input = picture->job->inputs[0];
     if (!isnan(input->seconds)) {
         picture->until = progress_clock() + input->seconds;
-        question->is_over = is_over;
+        question->is_over = render_picture_is_over;
         question->clock = &picture->until;
     }
     return photograph_take(question, picture->job->run->arena, photograph, error);
 }
 
 /* What is the same in all exposures. */
-static void add_notes(const struct analysis_case *one, const struct picture_job *picture,
-                      struct image *image)
+static void render_picture_add_notes(const struct analysis_case *one,
+                                     const struct picture_job *picture, struct image *image)
 {
     const struct render_input *input = picture->job->inputs[0];
     struct arena *arena = picture->job->run->arena;
@@ -117,14 +117,15 @@ static void add_notes(const struct analysis_case *one, const struct picture_job 
     }
 }
 
-static struct text doubts_of(const struct analysis_case *one, const struct picture_job *picture,
-                             const struct photograph_question *question,
-                             const struct render_shot *shot)
+static struct text render_picture_doubts_of(const struct analysis_case *one,
+                                            const struct picture_job *picture,
+                                            const struct photograph_question *question,
+                                            const struct render_shot *shot)
 {
     const struct photograph *photograph = &shot->photograph;
     const struct artifact_job *job = picture->job;
     const struct render_input *input = job->inputs[0];
-    struct growing doubts = {.arena = job->run->arena};
+    struct text_buffer doubts = {.arena = job->run->arena};
     const bool all_of_pupil = !skip_is_kept(question->kept, SKIP_PUPIL);
     const struct render_arrival arrival = {
         photograph->largest, photograph->corner, photograph->reference_at,
@@ -155,15 +156,17 @@ static struct text doubts_of(const struct analysis_case *one, const struct pictu
 }
 
 /* All that does not depend on the exposure. */
-static void finish(const struct analysis_case *one, const struct picture_job *picture,
-                   const struct photograph_question *question, struct render_shot *shot)
+static void render_picture_finish(const struct analysis_case *one,
+                                  const struct picture_job *picture,
+                                  const struct photograph_question *question,
+                                  struct render_shot *shot)
 {
     const struct artifact_job *job = picture->job;
     const struct render_input *input = job->inputs[0];
     struct arena *arena = job->run->arena;
     render_filter(input, one->setup, input->spectral ? picture->world->white : NULL,
                   &shot->photograph);
-    add_notes(one, picture, &shot->photograph.image);
+    render_picture_add_notes(one, picture, &shot->photograph.image);
     shot->photograph.image.aspect = render_aspect(input, &shot->frame);
     if (shot->photograph.is_incomplete) {
         const char *why = job->run->parts != NULL ? "parts are missing" : "interrupted";
@@ -171,7 +174,7 @@ static void finish(const struct analysis_case *one, const struct picture_job *pi
         fail(&job->run->shortfall, ERROR_DOMAIN,
              "%s: the picture is incomplete, and black where it is missing", why);
     }
-    shot->doubts = doubts_of(one, picture, question, shot);
+    shot->doubts = render_picture_doubts_of(one, picture, question, shot);
 }
 
 /* What moves is somewhere else in an exposure of another length. */
@@ -194,7 +197,7 @@ static bool is_another(const struct picture_job *picture, size_t i, unsigned kep
 }
 
 /* Who interrupts a picture has none of those that come after it. */
-static void leave_out(const struct picture_job *picture, size_t first)
+static void render_picture_leave_out(const struct picture_job *picture, size_t first)
 {
     const struct artifact_job *job = picture->job;
     const size_t left = job->count - first;
@@ -220,16 +223,16 @@ static bool expose_all(const struct analysis_case *one, struct picture_job *pict
     for (size_t i = 0; i < job->count && done; i++) {
         const bool is_new = i > 0 && is_another(picture, i, question.kept);
         if (is_new && photograph->is_incomplete && job->run->parts == NULL) {
-            leave_out(picture, i);
+            render_picture_leave_out(picture, i);
             break;
         }
         if (is_new && !photograph->is_incomplete) {
             question.duration = duration_of(picture, job->inputs[i], question.kept);
             done = render_shutter(job->inputs[i], one, job->run->arena, &question.film.shutter,
                                   error) &&
-                   take(picture, &question, &shot->photograph, error);
+                   render_picture_take(picture, &question, &shot->photograph, error);
             if (done) {
-                finish(one, picture, &question, shot);
+                render_picture_finish(one, picture, &question, shot);
             }
         }
         if (photograph->is_incomplete && job->run->parts == NULL) {
@@ -292,7 +295,7 @@ static bool take_picture(const struct analysis_case *one, void *context, struct 
         !render_shutter(input, one, arena, &question.film.shutter, error) ||
         !ask_subject(picture, one, &question, error) ||
         !render_part_begin(job, one, digest_of_world(picture), &question, &part, error) ||
-        !take(picture, &question, &shot.photograph, error)) {
+        !render_picture_take(picture, &question, &shot.photograph, error)) {
         return false;
     }
     if (render_is_part(job)) {
@@ -301,7 +304,7 @@ static bool take_picture(const struct analysis_case *one, void *context, struct 
     }
     render_part_fill(&part, &shot.photograph);
     shot.enclosed = picture->world != NULL ? picture->world->enclosed : NULL;
-    finish(one, picture, &question, &shot);
+    render_picture_finish(one, picture, &question, &shot);
     return expose_all(one, picture, question, &shot, error);
 }
 
@@ -316,7 +319,7 @@ static bool take_card(struct picture_job *picture, struct error *error)
                        picture, error);
 }
 
-static bool take_scene(struct picture_job *picture, struct error *error)
+static bool render_picture_take_scene(struct picture_job *picture, struct error *error)
 {
     const struct artifact_job *job = picture->job;
     const struct render_input *input = job->inputs[0];
@@ -336,7 +339,7 @@ static bool take_scene(struct picture_job *picture, struct error *error)
 bool render_picture(const struct artifact_job *job, struct output *sinks, struct error *error)
 {
     struct picture_job picture = {.job = job, .sinks = sinks};
-    return render_is_world(job->inputs[0]) ? take_scene(&picture, error)
+    return render_is_world(job->inputs[0]) ? render_picture_take_scene(&picture, error)
                                            : take_card(&picture, error);
 }
 

@@ -13,7 +13,7 @@ static const char *const names[NUMBERS] = {"film_x_mm", "film_y_mm", "wavelength
                                            "y_mm",      "z_mm",      "cos_x",         "cos_y",
                                            "cos_z",     "weight",    "time"};
 
-static void numbers_of(const struct lens_ray *ray, double numbers[NUMBERS])
+static void render_rays_numbers_of(const struct lens_ray *ray, double numbers[NUMBERS])
 {
     numbers[0] = ray->film[0];
     numbers[1] = ray->film[1];
@@ -48,7 +48,7 @@ struct ray_writer {
     struct watch *watch; /* null: nobody looks */
 };
 
-static void write_names(const struct ray_writer *writer)
+static void render_rays_write_names(const struct ray_writer *writer)
 {
     const char separator = writer->file->separator;
     for (int k = 0; k < NUMBERS; k++) {
@@ -76,7 +76,7 @@ static bool write_rays(void *context, const struct lens_ray *rays, size_t count,
     for (size_t i = 0; i < count; i++) {
         double numbers[NUMBERS];
         char *to = output_reserve(writer->sink, NUMBERS * (NUMBER_LENGTH + 1));
-        numbers_of(&rays[i], numbers);
+        render_rays_numbers_of(&rays[i], numbers);
         for (int k = 0; k < NUMBERS; k++) {
             if (separator == 0) {
                 to = put_raw(to, numbers[k]);
@@ -117,14 +117,14 @@ static bool send_rays(const struct analysis_case *one, void *context, struct err
                                           .samples = input->samples == 0 ? USUAL_RAYS
                                                                          : (uint64_t)input->samples,
                                           .seed = (uint64_t)input->seed};
-    write_names(&writer);
+    render_rays_write_names(&writer);
     watch_begin(writer.watch, "rays", question.samples);
     if (!render_acceptance(input, job->run->arena, &question.film.acceptance, error) ||
         !render_shutter(input, one, job->run->arena, &question.film.shutter, error) ||
         !lens_rays_make(&question, job->run->arena, write_rays, &writer, &result, error)) {
         return false;
     }
-    struct growing remarks = {.arena = job->run->arena};
+    struct text_buffer remarks = {.arena = job->run->arena};
     render_say_model(input, one, &remarks);
     render_say_shutter(input, &question.film, &remarks);
     const double share = (double)result.arrived / (double)question.samples;

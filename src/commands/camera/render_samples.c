@@ -47,7 +47,7 @@ static const char *error_in_words(const struct render_input *input, double reach
 }
 
 void render_say_samples(const struct render_input *input, const struct photograph *photograph,
-                        struct growing *remarks)
+                        struct text_buffer *remarks)
 {
     const uint64_t *counts = photograph->counts + PHOTOGRAPH_CONVERGENCE;
     const size_t *reached = photograph->reached;

@@ -43,14 +43,14 @@ static const char *or_kept(const struct photograph_question *question, enum skip
 static uint64_t count_tiles(const uint64_t *tiles)
 {
     uint64_t all = 0;
-    for (int way = 0; way < SPARE_WAYS; way++) {
+    for (int way = 0; way < RAY_REUSE_WAYS; way++) {
         all += tiles[way];
     }
     return all;
 }
 
 static void explain_colour(const struct photograph_question *question,
-                           const struct photograph *photograph, struct growing *remarks)
+                           const struct photograph *photograph, struct text_buffer *remarks)
 {
     const uint64_t *tiles = photograph->counts + PHOTOGRAPH_WAYS;
     const bool as_one = photograph->passes == 1;
@@ -69,14 +69,14 @@ static void explain_colour(const struct photograph_question *question,
         growing_format(remarks,
                        ", but one for all in %" PRIu64 " of %" PRIu64
                        " tiles, where the lens sends them to within a quarter of a pixel",
-                       tiles[SPARE_SHARED], count_tiles(tiles));
+                       tiles[RAY_REUSE_SHARED], count_tiles(tiles));
     }
     growing_format(remarks, "%s\n", or_kept(question, SKIP_COLOUR));
 }
 
 /* Tiles that need few rays, or none. */
 static void explain_tiles(const struct photograph_question *question, const uint64_t *tiles,
-                          struct growing *remarks)
+                          struct text_buffer *remarks)
 {
     const uint64_t all = count_tiles(tiles);
     if (question->view == NULL) {
@@ -84,7 +84,7 @@ static void explain_tiles(const struct photograph_question *question, const uint
                        "blur: below a quarter of a pixel in %" PRIu64 " of %" PRIu64
                        " tiles of 16 x 8 pixels, each "
                        "with one pupil%s\n",
-                       tiles[SPARE_SHARP], all, or_kept(question, SKIP_BLUR));
+                       tiles[RAY_REUSE_SHARP], all, or_kept(question, SKIP_BLUR));
     } else {
         growing_format(remarks, "blur: no tile of a scene goes without: little of its time is that "
                                 "of ways through the lens\n");
@@ -92,11 +92,11 @@ static void explain_tiles(const struct photograph_question *question, const uint
     growing_format(remarks,
                    "uniform: %" PRIu64 " of %" PRIu64
                    " tiles see the same light everywhere: no rays%s\n",
-                   tiles[SPARE_EVEN], all, or_kept(question, SKIP_UNIFORM));
+                   tiles[RAY_REUSE_EVEN], all, or_kept(question, SKIP_UNIFORM));
 }
 
 /* What a scene goes without. */
-static void explain_scene(const struct photograph_question *question, struct growing *remarks)
+static void explain_scene(const struct photograph_question *question, struct text_buffer *remarks)
 {
     const int bounces = question->view->path->bounces;
     growing_format(remarks, "secondary: ");
@@ -120,7 +120,7 @@ static const char *why_anew(const struct artifact_job *job,
 }
 
 void render_explain(const struct artifact_job *job, const struct photograph_question *question,
-                    const struct photograph *photograph, struct growing *remarks)
+                    const struct photograph *photograph, struct text_buffer *remarks)
 {
     const uint64_t *tiles = photograph->counts + PHOTOGRAPH_WAYS;
     const double traced = (double)photograph->counts[PHOTOGRAPH_TRACED];

@@ -88,8 +88,8 @@ static bool scatters(const struct scene *scene)
 }
 
 /* Times and what moves in them. */
-static bool check_times(const struct artifact_job *job, const struct render_world *world,
-                        struct error *error)
+static bool render_world_check_times(const struct artifact_job *job,
+                                     const struct render_world *world, struct error *error)
 {
     const struct render_input *input = job->inputs[0];
     if (world->moves && isnan(input->time)) {
@@ -129,7 +129,7 @@ bool render_world_read(const struct artifact_job *job, struct render_world *worl
     world->scatters = scatters(&world->scene);
     bands_three(&world->bands);
     return (!input->spectral || bands_many((size_t)input->bands, &world->bands, error)) &&
-           check_times(job, world, error);
+           render_world_check_times(job, world, error);
 }
 
 struct spectrum_value render_world_colours(const struct render_world *world, struct arena *arena)
@@ -145,13 +145,13 @@ struct spectrum_value render_world_colours(const struct render_world *world, str
 /* -------- where the lens stands in it -------- */
 
 /* At no time does anything stand where no ray can come. */
-static bool stand_clear(const struct render_world *world, const struct lens_room *room,
+static bool stand_clear(const struct render_world *world, const struct lens_clearance *room,
                         const double span[2], struct error *error)
 {
     const struct scene_place *camera = &world->scene.camera.where;
     size_t which;
     double time;
-    if (!lens_room_holds(room, &world->world, camera, span, &which, &time)) {
+    if (!lens_clearance_holds(room, &world->world, camera, span, &which, &time)) {
         return true;
     }
     const struct scene_thing *thing = &world->scene.things[which];
@@ -180,16 +180,16 @@ static const char *enclosing_words(const struct render_world *world, struct aren
 
 /* -------- focus -------- */
 
-struct looking {
+struct world_view {
     const struct artifact_job *job;
     struct render_world *world;
     double x, y;     /* of the picture, from the upper left, 0 to 1 */
     double distance; /* of what is there before the first vertex, mm; infinite: nothing */
 };
 
-static bool look(const struct analysis_case *one, void *context, struct error *error)
+static bool render_world_look(const struct analysis_case *one, void *context, struct error *error)
 {
-    struct looking *looking = context;
+    struct world_view *looking = context;
     const struct render_input *input = looking->job->inputs[0];
     struct arena *arena = looking->job->run->arena;
     const struct film_question question = render_film(input, one);
@@ -197,7 +197,7 @@ static bool look(const struct analysis_case *one, void *context, struct error *e
     /* the film is upside down */
     const double at[2] = {(0.5 - looking->x) * question.width,
                           (looking->y - 0.5) * question.height};
-    const double pupil = lens_room_pupil(one->setup);
+    const double pupil = lens_clearance_pupil(one->setup);
     struct film_samples *samples = ARENA_NEW(arena, struct film_samples);
     struct rays rays = rays_new(arena, RAYS_BLOCK);
     struct lens_film *film = ARENA_NEW(arena, struct lens_film);
@@ -220,7 +220,7 @@ static bool look(const struct analysis_case *one, void *context, struct error *e
 }
 
 /* A lens that is focused sees another way: again, until the distance stays. */
-static bool find_distance(struct looking *looking, struct render_input *focused,
+static bool find_distance(struct world_view *looking, struct render_input *focused,
                           struct error *error)
 {
     enum { TURNS = 20 };
@@ -234,7 +234,7 @@ static bool find_distance(struct looking *looking, struct render_input *focused,
     }
     for (int turn = 0; turn < TURNS; turn++) {
         const double before = focused->distance;
-        if (!render_open(focused, NULL, run, look, looking, error)) {
+        if (!render_open(focused, NULL, run, render_world_look, looking, error)) {
             return false;
         }
         focused->distance = looking->distance;
@@ -251,7 +251,7 @@ static bool find_distance(struct looking *looking, struct render_input *focused,
 static bool pupil_note(const struct analysis_case *one, void *context, struct error *error)
 {
     (void)error;
-    *(double *)context = lens_room_pupil(one->setup);
+    *(double *)context = lens_clearance_pupil(one->setup);
     return true;
 }
 
@@ -304,7 +304,7 @@ bool render_world_focus(const struct artifact_job *job, struct render_world *wor
     const struct render_input *input = job->inputs[0];
     *focused = *input;
     if (input->autofocus != NULL) {
-        struct looking looking = {.job = job, .world = world};
+        struct world_view looking = {.job = job, .world = world};
         return render_autofocus_place(input->autofocus, &looking.x, &looking.y, error) &&
                find_distance(&looking, focused, error);
     }
@@ -344,8 +344,9 @@ static void put_filter(const struct render_input *input, struct render_world *wo
 }
 
 /* Light that becomes white in a PNG of the longest exposure, lx; NaN: nobody said how long. */
-static bool find_white(const struct artifact_job *job, const struct render_frame *frame,
-                       double *white, struct error *error)
+static bool render_world_find_white(const struct artifact_job *job,
+                                    const struct render_frame *frame, double *white,
+                                    struct error *error)
 {
     *white = INFINITY;
     for (size_t i = 0; i < job->count; i++) {
@@ -363,8 +364,8 @@ static bool find_white(const struct artifact_job *job, const struct render_frame
 }
 
 /* All times that rays of any exposure may come at. */
-static bool find_span(const struct artifact_job *job, const struct analysis_case *one,
-                      double span[2], struct error *error)
+static bool render_world_find_span(const struct artifact_job *job, const struct analysis_case *one,
+                                   double span[2], struct error *error)
 {
     span[0] = span[1] = 0;
     for (size_t i = 0; i < job->count; i++) {
@@ -387,12 +388,13 @@ bool render_world_open(const struct artifact_job *job, const struct analysis_cas
     const struct render_frame frame = {.columns = question->columns, .rows = question->rows};
     double span[2];
     struct arena *arena = job->run->arena;
-    if (!find_span(job, one, span, error) || !render_open_stars(question, arena, world, error) ||
+    if (!render_world_find_span(job, one, span, error) ||
+        !render_open_stars(question, arena, world, error) ||
         !world_open(&world->scene, span, arena, &world->world, error) ||
         !lights_open(&world->scene, &world->bands, arena, &world->lights, error)) {
         return false;
     }
-    const struct lens_room room = lens_room_of(one->setup, arena);
+    const struct lens_clearance room = lens_clearance_of(one->setup, arena);
     if (!stand_clear(world, &room, span, error)) {
         return false;
     }
@@ -405,10 +407,10 @@ bool render_world_open(const struct artifact_job *job, const struct analysis_cas
                                 .bands = &world->seen,
                                 .points = tile_rays_points(question->samples, arena),
                                 .camera = world->scene.camera.where,
-                                .pupil = lens_room_pupil(one->setup)};
+                                .pupil = lens_clearance_pupil(one->setup)};
     question->view = &world->view;
     question->white_of_mean = saturation_exposure(1) / (DEVELOP_HEADROOM * recommended_exposure(1));
-    return find_white(job, &frame, &question->white, error);
+    return render_world_find_white(job, &frame, &question->white, error);
 }
 
 /* -------- what is said of it -------- */
@@ -436,7 +438,7 @@ static double in_focus(const struct analysis_case *one)
 const char *render_focus_text(const struct analysis_case *one, struct arena *arena)
 {
     const struct setup *setup = one->setup;
-    const double object = in_focus(one), pupil = lens_room_pupil(setup);
+    const double object = in_focus(one), pupil = lens_clearance_pupil(setup);
     const double film = object + setup->first.length + setup->image;
     return isinf(object)
                ? (object > 0 ? "infinity" : "nothing, the film stands before the focal point")
@@ -445,23 +447,23 @@ const char *render_focus_text(const struct analysis_case *one, struct arena *are
 }
 
 /* Of each file once. */
-static void say_degenerate(const struct world *world, struct growing *remarks)
+static void say_degenerate(const struct world *world, struct text_buffer *remarks)
 {
-    struct name_index said = {0};
+    struct name_table said = {0};
     for (size_t i = 0; i < world->scene->thing_count; i++) {
         const struct mesh *mesh = world->things[i].mesh;
         const size_t flat = mesh != NULL ? mesh->degenerate : 0;
         const struct text file = text_of(flat > 0 ? mesh->triangles->file : "");
-        if (flat == 0 || name_index_find(&said, file) != NAME_NONE) {
+        if (flat == 0 || name_table_find(&said, file) != NAME_NONE) {
             continue;
         }
-        name_index_add(&said, file, remarks->arena);
+        name_table_add(&said, file, remarks->arena);
         growing_format(remarks, "%.200s: %zu triangle%s no area, and %s left out\n", file.start,
                        flat, flat == 1 ? " has" : "s have", flat == 1 ? "is" : "are");
     }
 }
 
-void render_say_world(const struct render_world *world, struct growing *remarks)
+void render_say_world(const struct render_world *world, struct text_buffer *remarks)
 {
     for (size_t i = 0; i < world->scene.note_count; i++) {
         growing_format(remarks, "%s\n", world->scene.notes[i]);

@@ -67,7 +67,7 @@ struct spectrum_value render_world_colours(const struct render_world *world, str
 const char *render_focus_text(const struct analysis_case *one, struct arena *arena);
 
 /* What is to be known of it. */
-void render_say_world(const struct render_world *world, struct growing *remarks);
+void render_say_world(const struct render_world *world, struct text_buffer *remarks);
 
 /*
  * Whether the light on the film is known, and that of a picture's pixels is as much.
@@ -77,7 +77,7 @@ void render_say_world(const struct render_world *world, struct growing *remarks)
  *           four of their standard errors, and more than that leaves out, have missed some of it
  */
 void render_say_mean(const struct photograph_question *question,
-                     const struct photograph *photograph, struct growing *remarks);
+                     const struct photograph *photograph, struct text_buffer *remarks);
 
 /*
  * How wide stars are that do not say so: as a pixel in the middle of the film is by its larger
@@ -94,6 +94,6 @@ bool render_open_stars(const struct photograph_question *question, struct arena 
 const char *render_stars_text(const struct render_world *world, struct arena *arena);
 
 /* Its colours that red, green and blue of sRGB do not hold, and what becomes of them. */
-void render_say_colours(const struct render_world *world, struct growing *remarks);
+void render_say_colours(const struct render_world *world, struct text_buffer *remarks);
 
 #endif

@@ -10,14 +10,14 @@ enum { SAID_MOST = 3 }; /* each by itself; of more how many */
 static const double seen_as_same = 0.002;
 
 /* What is said so far. */
-struct saying {
-    struct growing *remarks;
+struct colour_remarks {
+    struct text_buffer *remarks;
     size_t count;
 };
 
 /* Less than half a percent is within what tables and observers differ by. */
-static void say(struct saying *saying, const struct typed_place *place, const char *what,
-                const struct banded *banded)
+static void render_world_colours_say(struct colour_remarks *saying, const struct typed_place *place,
+                                     const char *what, const struct banded *banded)
 {
     if (banded != NULL && banded->held < 0.995 && saying->count++ < SAID_MOST) {
         growing_format(saying->remarks,
@@ -29,7 +29,7 @@ static void say(struct saying *saying, const struct typed_place *place, const ch
 }
 
 /* Lights have spectra that are narrower than bands. */
-static void say_narrow(struct saying *saying, const struct typed_place *place,
+static void say_narrow(struct colour_remarks *saying, const struct typed_place *place,
                        const struct spectrum *spectrum, const struct banded *banded)
 {
     if (banded == NULL || !(banded->off > seen_as_same) || saying->count++ >= SAID_MOST) {
@@ -47,19 +47,19 @@ static void say_narrow(struct saying *saying, const struct typed_place *place,
     growing_string(saying->remarks, "\n");
 }
 
-void render_say_colours(const struct render_world *world, struct growing *remarks)
+void render_say_colours(const struct render_world *world, struct text_buffer *remarks)
 {
-    struct saying saying = {remarks, 0};
+    struct colour_remarks saying = {remarks, 0};
     const struct scene *scene = &world->scene;
     for (size_t i = 0; i < scene->material_count; i++) {
         const struct material *material = &world->lights.materials.of[i];
-        say(&saying, &scene->materials[i].place, "surface", material->colour);
-        say(&saying, &scene->materials[i].place, "light", material->light);
+        render_world_colours_say(&saying, &scene->materials[i].place, "surface", material->colour);
+        render_world_colours_say(&saying, &scene->materials[i].place, "light", material->light);
         say_narrow(&saying, &scene->materials[i].place, &scene->materials[i].emission,
                    material->light);
     }
     for (size_t i = 0; i < scene->light_count; i++) {
-        say(&saying, &scene->lights[i].place, "light", world->lights.units[i]);
+        render_world_colours_say(&saying, &scene->lights[i].place, "light", world->lights.units[i]);
         say_narrow(&saying, &scene->lights[i].place, &scene->lights[i].spectrum,
                    world->lights.units[i]);
     }

@@ -17,7 +17,7 @@ const struct file_type *tone_curve_types(size_t i)
     return i < sizeof types / sizeof types[0] ? &types[i] : NULL;
 }
 
-static void write_numbers(const struct tone_light *light, struct output *sink)
+static void tone_curves_write_numbers(const struct tone_light *light, struct output *sink)
 {
     output_string(sink, "code,red,green,blue\n");
     for (int z = 0; z < FRAME_LEVELS; z++) {
@@ -27,8 +27,8 @@ static void write_numbers(const struct tone_light *light, struct output *sink)
 }
 
 /* As Debevec and Malik draw them: the logarithm of light over the codes. */
-static bool draw_curves(const struct tone_light *light, const struct artifact_job *job,
-                        struct output *sink, struct error *error)
+static bool tone_curves_draw_curves(const struct tone_light *light, const struct artifact_job *job,
+                                    struct output *sink, struct error *error)
 {
     struct svg drawing = {.arena = job->run->arena};
     struct plot_series series[FRAME_CHANNELS];
@@ -59,8 +59,8 @@ bool tone_curves(const struct artifact_job *job, struct output *sink, struct err
     }
     sink->remarks = light->remarks;
     if (strcmp(job->type->ending, ".csv") == 0) {
-        write_numbers(light, sink);
+        tone_curves_write_numbers(light, sink);
         return true;
     }
-    return draw_curves(light, job, sink, error);
+    return tone_curves_draw_curves(light, job, sink, error);
 }

@@ -13,7 +13,7 @@
 static const double TIME_LEAST = 1e-9, TIME_MOST = 1e9;
 
 /* Frames as they are read, one after the other. */
-struct reading {
+struct frame_reader {
     const struct tone_input *input;
     struct arena *arena;
     struct tone_frames *frames;
@@ -21,7 +21,7 @@ struct reading {
     struct text times;             /* what is left of --times */
 };
 
-static const char *note_of(const struct image *image, const char *key)
+static const char *tone_frames_note_of(const struct image *image, const char *key)
 {
     for (size_t i = 0; i < image->note_count; i++) {
         if (strcmp(image->notes[i].key, key) == 0) {
@@ -34,7 +34,7 @@ static const char *note_of(const struct image *image, const char *key)
 /* NaN: it is not noted, or nothing that can be read. */
 static double noted(const struct image *image, const char *key, const struct dimension *dimension)
 {
-    const char *note = note_of(image, key);
+    const char *note = tone_frames_note_of(image, key);
     struct error ignored;
     double value = NAN;
     return note != NULL && quantity_read(text_of(note), dimension, NULL, &value, NULL, &ignored) &&
@@ -62,7 +62,7 @@ static void cut_time(struct text word, struct arena *arena, const char **path, d
 }
 
 /* The next of --times. */
-static bool take_time(struct reading *reading, double *time, struct error *error)
+static bool tone_frames_take_time(struct frame_reader *reading, double *time, struct error *error)
 {
     if (reading->input->times == NULL) {
         return true;
@@ -80,18 +80,18 @@ static bool take_time(struct reading *reading, double *time, struct error *error
 }
 
 /* What cannot be light. */
-static bool check_kind(const struct image *image, struct error *error)
+static bool tone_frames_check_kind(const struct image *image, struct error *error)
 {
-    const char *unit = note_of(image, "Unit");
-    if (note_of(image, "CFA pattern") != NULL) {
+    const char *unit = tone_frames_note_of(image, "Unit");
+    if (tone_frames_note_of(image, "CFA pattern") != NULL) {
         return fail(error, ERROR_DATA, "raw data of a sensor: develop it first");
     }
     return unit == NULL || strcmp(unit, "density") != 0 ||
            fail(error, ERROR_DATA, "densities of a film, not light");
 }
 
-static bool check_size(const struct tone_frames *frames, const struct tone_frame *frame,
-                       struct error *error)
+static bool tone_frames_check_size(const struct tone_frames *frames, const struct tone_frame *frame,
+                                   struct error *error)
 {
     const double enough = 1e-6; /* between the digits of formats */
     const struct tone_frame *first = &frames->frames[0];
@@ -119,10 +119,10 @@ static bool check_alike(const struct tone_frames *frames, const struct tone_fram
 }
 
 /* Luminance needs no exposure, and pictures of it are no bracket. */
-static bool check_unit(const struct reading *reading, const struct image *image, bool is_timed,
+static bool check_unit(const struct frame_reader *reading, const struct image *image, bool is_timed,
                        size_t i, struct error *error)
 {
-    const char *const units[] = {note_of(image, "Unit"), reading->frames->unit};
+    const char *const units[] = {tone_frames_note_of(image, "Unit"), reading->frames->unit};
     for (size_t k = 0; k < sizeof units / sizeof units[0]; k++) {
         if (units[k] != NULL && strcmp(units[k], "cd/m2") == 0 && (is_timed || i > 0)) {
             return fail(
@@ -135,10 +135,11 @@ static bool check_unit(const struct reading *reading, const struct image *image,
     return true;
 }
 
-static void take_notes(struct reading *reading, const struct image *image, size_t i)
+static void take_notes(struct frame_reader *reading, const struct image *image, size_t i)
 {
     struct tone_frames *frames = reading->frames;
-    const char *unit = note_of(image, "Unit"), *filter = note_of(image, "Filter");
+    const char *unit = tone_frames_note_of(image, "Unit"),
+               *filter = tone_frames_note_of(image, "Filter");
     if (filter != NULL && frames->filter == NULL) {
         frames->filtered = frames->frames[i].name;
         frames->filter = arena_string(reading->arena, filter, strlen(filter));
@@ -156,10 +157,10 @@ static void take_notes(struct reading *reading, const struct image *image, size_
 }
 
 /* Where the sensor was full, if it says so. */
-static bool take_saturation(const struct reading *reading, const struct image *image,
+static bool take_saturation(const struct frame_reader *reading, const struct image *image,
                             struct tone_frame *frame, struct error *error)
 {
-    const char *note = note_of(image, RENDER_NOTE_SATURATION);
+    const char *note = tone_frames_note_of(image, RENDER_NOTE_SATURATION);
     struct saturation saturation;
     if (note == NULL) {
         return true;
@@ -172,7 +173,8 @@ static bool take_saturation(const struct reading *reading, const struct image *i
 }
 
 /* Its noise would count as if it were another's. */
-static bool check_once(const struct reading *reading, const char *path, struct error *error)
+static bool tone_frames_check_once(const struct frame_reader *reading, const char *path,
+                                   struct error *error)
 {
     for (size_t i = 0; i < reading->frames->count; i++) {
         const char *other = reading->frames->frames[i].name;
@@ -186,8 +188,8 @@ static bool check_once(const struct reading *reading, const char *path, struct e
     return true;
 }
 
-static bool read_one(struct reading *reading, const char *path, double time, size_t i,
-                     struct error *error)
+static bool tone_frames_read_one(struct frame_reader *reading, const char *path, double time,
+                                 size_t i, struct error *error)
 {
     struct arena scratch = {0};
     const struct image_wish wish = {IMAGE_CODES, IMAGE_VALUES_MOST / FRAME_CHANNELS};
@@ -195,13 +197,14 @@ static bool read_one(struct reading *reading, const char *path, double time, siz
     struct tone_frame *frame = &reading->frames->frames[i];
     bool done = image_file_read(path, &wish, &scratch, &image, error);
     if (done) {
-        done = check_kind(&image, error) && frame_take(&image, reading->arena, frame, error) &&
+        done = tone_frames_check_kind(&image, error) &&
+               frame_take(&image, reading->arena, frame, error) &&
                take_saturation(reading, &image, frame, error);
         frame->name = path;
         frame->remark = image_file_remark(path, &image, reading->arena);
         frame->time = isnan(time) ? noted(&image, "Exposure time", &dimension_time) : time;
         done = done && check_unit(reading, &image, !isnan(time), i, error) &&
-               check_size(reading->frames, frame, error) &&
+               tone_frames_check_size(reading->frames, frame, error) &&
                check_alike(reading->frames, frame, error);
         done = done || error_locate(error, path, 0, 0);
         take_notes(reading, &image, i);
@@ -227,8 +230,8 @@ static bool check_timed(const struct tone_frames *frames, struct error *error)
  * What one setting of all frames is: that of the option or of the first; times change with it where
  * frames differ, so that light over time is the same in all.
  */
-static bool settle(const struct tone_frames *frames, const double *values, double power,
-                   const char *name, double *setting, struct error *error)
+static bool tone_frames_settle(const struct tone_frames *frames, const double *values, double power,
+                               const char *name, double *setting, struct error *error)
 {
     if (!isnan(*setting)) {
         return true; /* an option says so of all */
@@ -251,7 +254,7 @@ static bool settle(const struct tone_frames *frames, const double *values, doubl
  * Light over time is the same in all frames whose own whites say how much each of them got: through
  * which shutter and filter, too. Who asks for times, or for light by f-number and speed, has these.
  */
-static bool settle_whites(const struct reading *reading, struct error *error)
+static bool settle_whites(const struct frame_reader *reading, struct error *error)
 {
     const double rounding = 1e-4; /* of what is noted, and a little more */
     const struct tone_input *input = reading->input;
@@ -274,7 +277,7 @@ static bool settle_whites(const struct reading *reading, struct error *error)
 }
 
 /* Weights go with squares of times, in single precision. */
-static bool check_times(const struct tone_frames *frames, struct error *error)
+static bool tone_frames_check_times(const struct tone_frames *frames, struct error *error)
 {
     for (size_t i = 0; i < frames->count; i++) {
         const struct tone_frame *frame = &frames->frames[i];
@@ -290,7 +293,7 @@ static bool check_times(const struct tone_frames *frames, struct error *error)
 bool tone_frames_read(const struct tone_input *input, struct arena *arena,
                       struct tone_frames *frames, struct error *error)
 {
-    struct reading reading = {.input = input, .arena = arena, .frames = frames};
+    struct frame_reader reading = {.input = input, .arena = arena, .frames = frames};
     *frames = (struct tone_frames){.iso = input->iso, .fnumber = input->fnumber};
     frames->frames = ARENA_ARRAY(arena, FRAMES_MOST, struct tone_frame);
     reading.iso = ARENA_ARRAY(arena, FRAMES_MOST, double);
@@ -305,12 +308,12 @@ bool tone_frames_read(const struct tone_input *input, struct arena *arena,
             return fail(error, ERROR_USAGE, "at most %d frames can be merged", FRAMES_MOST);
         }
         cut_time(word, arena, &path, &time);
-        if (!take_time(&reading, &time, error)) {
+        if (!tone_frames_take_time(&reading, &time, error)) {
             return false;
         }
         frames->is_timed = frames->is_timed || !isnan(time);
-        if (!check_once(&reading, path, error) ||
-            !read_one(&reading, path, time, frames->count, error)) {
+        if (!tone_frames_check_once(&reading, path, error) ||
+            !tone_frames_read_one(&reading, path, time, frames->count, error)) {
             return false;
         }
     }
@@ -318,8 +321,8 @@ bool tone_frames_read(const struct tone_input *input, struct arena *arena,
         return fail(error, ERROR_USAGE, "{--times} '%.100s' has more times than the %zu frame%s",
                     input->times, frames->count, frames->count == 1 ? "" : "s");
     }
-    return check_timed(frames, error) && check_times(frames, error) &&
-           settle(frames, reading.iso, 1, "ISO speed", &frames->iso, error) &&
-           settle(frames, reading.fnumber, -2, "f-number", &frames->fnumber, error) &&
-           settle_whites(&reading, error) && check_times(frames, error);
+    return check_timed(frames, error) && tone_frames_check_times(frames, error) &&
+           tone_frames_settle(frames, reading.iso, 1, "ISO speed", &frames->iso, error) &&
+           tone_frames_settle(frames, reading.fnumber, -2, "f-number", &frames->fnumber, error) &&
+           settle_whites(&reading, error) && tone_frames_check_times(frames, error);
 }

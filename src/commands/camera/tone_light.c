@@ -18,7 +18,7 @@ static const double usual_full = 20000, usual_noise = 5;
 
 /* A picture by itself needs no time: its values are what they are. */
 static double plain_unit(struct tone_frames *frames, double unit, bool is_known,
-                         struct growing *remarks)
+                         struct text_buffer *remarks)
 {
     const bool is_single = frames->count == 1 && !frames->is_timed;
     frames->frames[0].time = is_single ? 1 : frames->frames[0].time;
@@ -29,7 +29,7 @@ static double plain_unit(struct tone_frames *frames, double unit, bool is_known,
 }
 
 /* By f-number and ISO speed, as ISO 12232 has it. */
-static double standard_unit(const struct tone_frames *frames, struct growing *remarks)
+static double standard_unit(const struct tone_frames *frames, struct text_buffer *remarks)
 {
     const double N = frames->fnumber, S = frames->iso;
     const bool is_light = frames->frames[0].bits == 0;
@@ -53,7 +53,7 @@ static bool is_unit(const struct tone_frames *frames, const char *unit)
 }
 
 /* Luminance by what was asked for, but something is missing. */
-static bool miss(const struct tone_frames *frames, struct error *error)
+static bool tone_light_miss(const struct tone_frames *frames, struct error *error)
 {
     const bool is_light = frames->frames[0].bits == 0;
     if (is_light && !is_unit(frames, "lx s")) {
@@ -70,8 +70,8 @@ static bool miss(const struct tone_frames *frames, struct error *error)
 }
 
 /* What one of a merged picture's values is, cd/m^2, and why. */
-static bool unit_of(const struct tone_input *input, struct tone_frames *frames,
-                    struct growing *remarks, double *unit, struct error *error)
+static bool tone_light_unit_of(const struct tone_input *input, struct tone_frames *frames,
+                               struct text_buffer *remarks, double *unit, struct error *error)
 {
     const struct tone_frame *first = &frames->frames[0];
     const bool is_asked = !isnan(input->iso) || !isnan(input->fnumber);
@@ -80,7 +80,7 @@ static bool unit_of(const struct tone_input *input, struct tone_frames *frames,
     if (!isnan(input->calibrate)) {
         *unit = plain_unit(frames, input->calibrate, true, remarks);
     } else if (is_asked && !is_standard) {
-        return miss(frames, error);
+        return tone_light_miss(frames, error);
     } else if (is_unit(frames, "cd/m2") && frames->count == 1) {
         *unit = plain_unit(frames, 1, true, remarks);
     } else if (!isnan(frames->white) && !isnan(first->time) && !is_asked) {
@@ -98,7 +98,7 @@ static bool unit_of(const struct tone_input *input, struct tone_frames *frames,
 
 /* A camera that moved, and frames that cannot be told from. */
 static void say_shifts(const struct tone_input *input, const struct tone_frames *frames,
-                       const struct align_step *steps, struct growing *remarks)
+                       const struct align_step *steps, struct text_buffer *remarks)
 {
     bool is_silent = input->align;
     for (size_t i = 0; i < frames->count; i++) {
@@ -130,7 +130,7 @@ static void say_shifts(const struct tone_input *input, const struct tone_frames 
 }
 
 static void align(const struct tone_input *input, struct tone_frames *frames,
-                  struct growing *remarks)
+                  struct text_buffer *remarks)
 {
     struct align_step steps[FRAMES_MOST];
     align_frames(frames->frames, frames->count, steps);
@@ -140,8 +140,8 @@ static void align(const struct tone_input *input, struct tone_frames *frames,
     }
 }
 
-static bool recover(struct tone_frames *frames, struct tone_light *light, struct growing *remarks,
-                    struct error *error)
+static bool recover(struct tone_frames *frames, struct tone_light *light,
+                    struct text_buffer *remarks, struct error *error)
 {
     static const char *const names[FRAME_CHANNELS] = {"red", "green", "blue"};
     if (!debevec_recover(frames->frames, frames->count, remarks->arena, light->curves, error)) {
@@ -170,8 +170,8 @@ static bool recover(struct tone_frames *frames, struct tone_light *light, struct
 }
 
 /* What is of several frames, and of their noise. */
-static bool check_asked(const struct tone_input *input, const struct tone_frames *frames,
-                        struct error *error)
+static bool tone_light_check_asked(const struct tone_input *input, const struct tone_frames *frames,
+                                   struct error *error)
 {
     const bool has_noise = !isnan(input->full_well) || !isnan(input->read_noise);
     if (frames->count == 1 && (has_noise || input->align)) {
@@ -191,7 +191,7 @@ static double either(double given, double noted, double usual)
 }
 
 static struct merge_noise noise_of(const struct tone_input *input, const struct tone_frames *frames,
-                                   struct growing *remarks)
+                                   struct text_buffer *remarks)
 {
     const struct merge_noise noise = {either(input->full_well, frames->full_well, usual_full),
                                       either(input->read_noise, frames->read_noise, usual_noise)};
@@ -208,7 +208,7 @@ static struct merge_noise noise_of(const struct tone_input *input, const struct 
     return noise;
 }
 
-static void say_frames(const struct tone_frames *frames, struct growing *remarks)
+static void say_frames(const struct tone_frames *frames, struct text_buffer *remarks)
 {
     char least[SPOKEN_LENGTH], most[SPOKEN_LENGTH];
     const struct tone_frame *first = &frames->frames[0];
@@ -243,11 +243,11 @@ static void say_frames(const struct tone_frames *frames, struct growing *remarks
 
 /* Frames of who knows which camera, whose full pixels are not the highest number. */
 static void find_saturation(struct tone_frames *frames, struct arena *arena,
-                            struct growing *remarks)
+                            struct text_buffer *remarks)
 {
     static const char *const names[FRAME_CHANNELS] = {"red", "green", "blue"};
     struct saturation_found found;
-    struct growing which = {.arena = remarks->arena};
+    struct text_buffer which = {.arena = remarks->arena};
     saturation_find(frames->frames, frames->count, arena, &found);
     for (size_t k = 0; k < FRAME_CHANNELS; k++) {
         if (found.is_found[k]) {
@@ -265,25 +265,25 @@ static void find_saturation(struct tone_frames *frames, struct arena *arena,
     }
 }
 
-static double percent(size_t part, size_t whole)
+static double tone_light_percent(size_t part, size_t whole)
 {
     return 100 * (double)part / (double)whole;
 }
 
-static void say_merged(const struct merged *merged, size_t count, struct growing *remarks)
+static void say_merged(const struct merged *merged, size_t count, struct text_buffer *remarks)
 {
     const size_t pixels = merged->image.width * merged->image.height;
-    const double saturated = percent(merged->saturated, pixels);
+    const double saturated = tone_light_percent(merged->saturated, pixels);
     if (saturated > 0) { /* a few are lights and their reflections; of them it is said too */
         growing_format(remarks, "%s%.3g %% of the pixels are saturated in %s\n",
                        saturated >= 1 ? "warning: " : "", saturated,
                        count > 1 ? "all frames" : "some channel");
     }
-    if (merged->looked > 0 && percent(merged->apart, merged->looked) >= 1) {
+    if (merged->looked > 0 && tone_light_percent(merged->apart, merged->looked) >= 1) {
         growing_format(remarks,
                        "warning: in %.3g %% of the pixels frames differ by more than noise: "
                        "something has moved, or the response is another\n",
-                       percent(merged->apart, merged->looked));
+                       tone_light_percent(merged->apart, merged->looked));
     }
 }
 
@@ -297,7 +297,7 @@ static bool to_luminance(struct image *image, double unit, struct error *error)
     return image_check(image, IMAGE_FINITE, error);
 }
 
-static void say_light(const struct image *image, struct growing *remarks)
+static void say_light(const struct image *image, struct text_buffer *remarks)
 {
     float least = INFINITY, most = 0;
     for (size_t i = 0; i < image->width * image->height; i++) {
@@ -312,13 +312,13 @@ static void say_light(const struct image *image, struct growing *remarks)
 static bool make_light(const struct tone_input *input, struct arena *frames_arena,
                        struct arena *arena, struct tone_light *light, struct error *error)
 {
-    struct growing remarks = {.arena = arena};
+    struct text_buffer remarks = {.arena = arena};
     struct merge_noise noise = {1, 0}; /* of a picture alone it says nothing */
     struct tone_frames frames;
     struct merged merged;
     double unit = 1;
     if (!tone_frames_read(input, frames_arena, &frames, error) ||
-        !check_asked(input, &frames, error)) {
+        !tone_light_check_asked(input, &frames, error)) {
         return false;
     }
     say_frames(&frames, &remarks);
@@ -330,7 +330,7 @@ static bool make_light(const struct tone_input *input, struct arena *frames_aren
     if (input->response == RESPONSE_DEBEVEC && !recover(&frames, light, &remarks, error)) {
         return false;
     }
-    if (!unit_of(input, &frames, &remarks, &unit, error) ||
+    if (!tone_light_unit_of(input, &frames, &remarks, &unit, error) ||
         !merge_frames(frames.frames, frames.count, &noise, arena, &merged, error) ||
         !to_luminance(&merged.image, unit, error)) {
         return false;

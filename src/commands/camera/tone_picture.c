@@ -34,7 +34,8 @@ static int asked_of(const struct artifact_job *job)
 }
 
 /* Two luminances, the first smaller: "1,100". */
-static bool read_range(const char *option, const char *text, double range[2], struct error *error)
+static bool tone_picture_read_range(const char *option, const char *text, double range[2],
+                                    struct error *error)
 {
     struct text rest = text_of(text);
     for (int i = 0; i < 2; i++) {
@@ -96,7 +97,7 @@ static bool check_colours(const struct artifact_job *job, struct error *error)
     }
     return (is_png(job) || fail(error, ERROR_USAGE, "{--falsecolor} is written as .png, not %s",
                                 job->type->ending)) &&
-           (input->scale == NULL || read_range("scale", input->scale, range, error));
+           (input->scale == NULL || tone_picture_read_range("scale", input->scale, range, error));
 }
 
 static bool check_bits(const struct tone_input *input, const struct artifact_job *job,
@@ -139,13 +140,14 @@ bool tone_picture_check(const struct artifact_job *job, struct error *error)
     }
     return check_bits(input, job, error) &&
            (input->falsecolor ? check_colours(job, error) : check_operator(job, error)) &&
-           (input->display == NULL || read_range("display", input->display, range, error));
+           (input->display == NULL ||
+            tone_picture_read_range("display", input->display, range, error));
 }
 
 /* -------- what an eye sees -------- */
 
 /* In places of about a degree; no place is smaller than a pixel. */
-static void say_places(const struct foveal *foveal, double view, struct growing *remarks)
+static void say_places(const struct foveal *foveal, double view, struct text_buffer *remarks)
 {
     const double cell = fmax(foveal->cell[0], foveal->cell[1]);
     const double across = 2 * atan(cell / 2) / RADIANS_PER_DEGREE;
@@ -159,7 +161,8 @@ static void say_places(const struct foveal *foveal, double view, struct growing 
     }
 }
 
-static void scatter(struct foveal *foveal, struct image *image, struct growing *remarks)
+static void tone_picture_scatter(struct foveal *foveal, struct image *image,
+                                 struct text_buffer *remarks)
 {
     const struct foveal_grid grid = foveal_veil(foveal, image, remarks->arena);
     if (grid.columns != foveal->columns || grid.rows != foveal->rows) {
@@ -170,8 +173,8 @@ static void scatter(struct foveal *foveal, struct image *image, struct growing *
 }
 
 /* In the order in which the eye does it. */
-static bool see(const struct tone_input *input, struct foveal *foveal, struct image *image,
-                struct growing *remarks, struct error *error)
+static bool tone_picture_see(const struct tone_input *input, struct foveal *foveal,
+                             struct image *image, struct text_buffer *remarks, struct error *error)
 {
     struct arena *const arena = remarks->arena;
     struct image made;
@@ -182,7 +185,7 @@ static bool see(const struct tone_input *input, struct foveal *foveal, struct im
         *image = made;
     }
     if (input->glare) {
-        scatter(foveal, image, remarks);
+        tone_picture_scatter(foveal, image, remarks);
     }
     if (input->color_loss) {
         acuity_fade(image);
@@ -193,7 +196,7 @@ static bool see(const struct tone_input *input, struct foveal *foveal, struct im
 /* -------- what a display shows -------- */
 
 static void say_shown(const struct tone_way *way, const struct toned *toned, size_t pixels,
-                      struct growing *remarks)
+                      struct text_buffer *remarks)
 {
     static const char *const names[] = {"linear", "gamma", "filmic", "ward"};
     const struct histogram *histogram = &toned->histogram;
@@ -219,8 +222,8 @@ static void say_shown(const struct tone_way *way, const struct toned *toned, siz
     }
 }
 
-static bool show(const struct artifact_job *job, const struct foveal *foveal, struct image *image,
-                 struct growing *remarks, struct error *error)
+static bool tone_picture_show(const struct artifact_job *job, const struct foveal *foveal,
+                              struct image *image, struct text_buffer *remarks, struct error *error)
 {
     const struct tone_input *input = job->inputs[0];
     struct tone_way way = {.operation = (enum tone_operator)(asked_of(job) - ASKED_FIRST),
@@ -232,7 +235,7 @@ static bool show(const struct artifact_job *job, const struct foveal *foveal, st
     struct toned toned;
     double range[2];
     if (input->display != NULL) {
-        if (!read_range("display", input->display, range, error)) {
+        if (!tone_picture_read_range("display", input->display, range, error)) {
             return false;
         }
         way.display = (struct display){range[0], range[1]};
@@ -245,7 +248,7 @@ static bool show(const struct artifact_job *job, const struct foveal *foveal, st
 }
 
 /* Percent of the pixels that have the colour of an end. */
-static double beyond(const struct image *image, const double range[2])
+static double tone_picture_beyond(const struct image *image, const double range[2])
 {
     const size_t pixels = image->width * image->height;
     size_t count = 0;
@@ -257,7 +260,7 @@ static double beyond(const struct image *image, const double range[2])
 }
 
 /* The scale that is asked for, or the decades that hold the picture, down to six below the top. */
-static bool colour(const struct tone_input *input, struct image *image, struct growing *remarks,
+static bool colour(const struct tone_input *input, struct image *image, struct text_buffer *remarks,
                    struct error *error)
 {
     struct image picture;
@@ -272,13 +275,13 @@ static bool colour(const struct tone_input *input, struct image *image, struct g
     }
     range[1] = pow(10, ceil(log10(range[1]) - 1e-9));
     range[0] = fmin(fmax(pow(10, floor(log10(range[0]) + 1e-9)), range[1] * 1e-6), range[1] / 10);
-    if (input->scale != NULL && !read_range("scale", input->scale, range, error)) {
+    if (input->scale != NULL && !tone_picture_read_range("scale", input->scale, range, error)) {
         return false;
     }
     growing_format(remarks,
                    "colours from %.6g to %.6g cd/m2, by the logarithm; %.3g %% of the pixels lie "
                    "beyond\n",
-                   range[0], range[1], beyond(image, range));
+                   range[0], range[1], tone_picture_beyond(image, range));
     if (!tone_falsecolor(image, range, remarks->arena, &picture, error)) {
         return false;
     }
@@ -291,13 +294,14 @@ static bool colour(const struct tone_input *input, struct image *image, struct g
 
 /* -------- a file -------- */
 
-static void note(struct image *image, struct arena *arena, const char *key, const char *value)
+static void tone_picture_note(struct image *image, struct arena *arena, const char *key,
+                              const char *value)
 {
     image_note(image, arena, text_of(key), text_of(value));
 }
 
-static bool make(const struct artifact_job *job, struct image *image, struct growing *remarks,
-                 struct error *error)
+static bool tone_picture_make(const struct artifact_job *job, struct image *image,
+                              struct text_buffer *remarks, struct error *error)
 {
     const struct tone_input *input = job->inputs[0];
     const bool is_shown = !input->falsecolor && asked_of(job) != ASKED_NONE;
@@ -308,22 +312,22 @@ static bool make(const struct artifact_job *job, struct image *image, struct gro
     if (needs_view(job)) {
         say_places(&foveal, input->view, remarks);
     }
-    if (!see(input, &foveal, image, remarks, error)) {
+    if (!tone_picture_see(input, &foveal, image, remarks, error)) {
         return false;
     }
-    note(image, remarks->arena, "Software", "lenscalc " LENSCALC_VERSION);
+    tone_picture_note(image, remarks->arena, "Software", "lenscalc " LENSCALC_VERSION);
     if (!is_png(job)) {
-        note(image, remarks->arena, "Unit", "cd/m2");
+        tone_picture_note(image, remarks->arena, "Unit", "cd/m2");
     }
     return input->falsecolor ? colour(input, image, remarks, error)
-                             : !is_shown || show(job, &foveal, image, remarks, error);
+                             : !is_shown || tone_picture_show(job, &foveal, image, remarks, error);
 }
 
 bool tone_picture(const struct artifact_job *job, struct output *sink, struct error *error)
 {
     const struct tone_input *input = job->inputs[0];
     struct tone_light *light;
-    struct growing remarks = {.arena = job->run->kept};
+    struct text_buffer remarks = {.arena = job->run->kept};
     struct text bytes;
     if (!tone_light_of(job, &light, error)) {
         return false;
@@ -336,7 +340,7 @@ bool tone_picture(const struct artifact_job *job, struct output *sink, struct er
     light->is_taken = true;
     struct image image = light->image;
     growing_text(&remarks, light->remarks);
-    if (!make(job, &image, &remarks, error) ||
+    if (!tone_picture_make(job, &image, &remarks, error) ||
         !image_file_bytes(&image, job->type, &way, job->run->kept, &bytes, error)) {
         return false;
     }

@@ -11,7 +11,7 @@
 enum { CHANNELS = 3, LETTERS = 8, HEIGHT_OF_SIZE = 240, LEAST_LINES = 4, BAR = 6, GAP = 3 };
 
 /* The colour of a place on the scale. */
-static void put_colour(double share, float *pixel)
+static void tone_scale_put_colour(double share, float *pixel)
 {
     double colour[CHANNELS];
     palette_scale(false, share, colour);
@@ -20,7 +20,7 @@ static void put_colour(double share, float *pixel)
     }
 }
 
-static double share_of(double luminance, const double range[2])
+static double tone_scale_share_of(double luminance, const double range[2])
 {
     return luminance > 0 ? log(luminance / range[0]) / log(range[1] / range[0]) : 0;
 }
@@ -38,9 +38,10 @@ static void write_marks(struct image *picture, size_t left, size_t size, const d
         const double luminance = decade < first  ? range[0]
                                  : decade > last ? range[1]
                                                  : pow(10, decade);
-        const double y = bottom - share_of(luminance, range) * (bottom - top);
+        const double y = bottom - tone_scale_share_of(luminance, range) * (bottom - top);
         const double other = decade < first ? pow(10, first) : pow(10, last);
-        const double away = fabs(share_of(luminance, range) - share_of(other, range));
+        const double away =
+            fabs(tone_scale_share_of(luminance, range) - tone_scale_share_of(other, range));
         if (!is_end || first > last || away * (bottom - top) > 1.5 * tall) {
             lettering_write(picture, left, (size_t)(y - tall / 2), size,
                             arena_printf(arena, "%.6g", luminance));
@@ -49,8 +50,8 @@ static void write_marks(struct image *picture, size_t left, size_t size, const d
 }
 
 /* The bar beside the picture: its lower end is the lowest luminance. */
-static void draw_scale(struct image *picture, size_t from, size_t size, const double range[2],
-                       struct arena *arena)
+static void tone_scale_draw_scale(struct image *picture, size_t from, size_t size,
+                                  const double range[2], struct arena *arena)
 {
     const double tall = (double)(LETTERING_HIGH * size);
     const double top = 2 * tall, bottom = (double)picture->height - tall;
@@ -58,7 +59,7 @@ static void draw_scale(struct image *picture, size_t from, size_t size, const do
     for (size_t y = (size_t)top; (double)y < bottom; y++) {
         const double share = (bottom - (double)y - 0.5) / (bottom - top);
         for (size_t x = left; x < right; x++) {
-            put_colour(share, image_row(picture, y) + CHANNELS * x);
+            tone_scale_put_colour(share, image_row(picture, y) + CHANNELS * x);
         }
     }
     write_marks(picture, right + size, size, range, arena);
@@ -79,11 +80,11 @@ bool tone_falsecolor(const struct image *light, const double range[2], struct ar
         float *to = image_row(picture, y);
         for (size_t x = 0; x < light->width; x++) {
             const double luminance = (double)sight_luminance(from + CHANNELS * x);
-            put_colour(share_of(luminance, range), to + CHANNELS * x);
+            tone_scale_put_colour(tone_scale_share_of(luminance, range), to + CHANNELS * x);
         }
     }
     if (has_scale) {
-        draw_scale(picture, light->width, size, range, arena);
+        tone_scale_draw_scale(picture, light->width, size, range, arena);
     }
     return true;
 }

@@ -14,29 +14,30 @@
 
 enum { FILES_A_PIECE = 4 };
 
-struct input {
+struct check_files_input {
     bool check;
     const char *files; /* separated by OPTION_MANY_SEPARATOR */
     long threads;
 };
 
-struct row {
+struct check_files_row {
     const char *file, *format, *status, *reasons;
     double efl;
     long surfaces, losses;
 };
 
 static const struct option options[] = {
-    {OPTION(struct input, check), .name = "check",
+    {OPTION(struct check_files_input, check), .name = "check",
      .help = "only report whether each file can be read, and with what losses; one row a file"},
-    {OPTION(struct input, files), .name = "files", .value = "FILE",
+    {OPTION(struct check_files_input, files), .name = "files", .value = "FILE",
      .flags = OPTION_OPERAND | OPTION_TOGETHER,
      .help = "with --check: files, and folders with their contents"},
-    {OPTION(struct input, threads), .name = "threads", .lowest = 0, .highest = PARALLEL_MOST,
-     .value = "N", .fallback = "0", .help = "with --check: threads to work with; 0 = one a core"},
+    {OPTION(struct check_files_input, threads), .name = "threads", .lowest = 0,
+     .highest = PARALLEL_MOST, .value = "N", .fallback = "0",
+     .help = "with --check: threads to work with; 0 = one a core"},
 };
 
-#define ROW(member) COLUMN(struct row, member)
+#define ROW(member) COLUMN(struct check_files_row, member)
 
 static const struct column columns[] = {
     {ROW(file), .name = "file", .flags = COLUMN_BRIEF, .label = "file", .help = "its name"},
@@ -55,12 +56,12 @@ static const struct column columns[] = {
 };
 
 /* What all threads share, each with a database of its own. */
-struct checking {
+struct file_check {
     const struct lensdb *db;
     struct watch *watch;
     struct lensdb *of_thread[PARALLEL_MOST];
     const struct check_list *files;
-    struct row *rows;
+    struct check_files_row *rows;
 };
 
 static const char *kept_string(struct arena *arena, const char *text)
@@ -69,14 +70,15 @@ static const char *kept_string(struct arena *arena, const char *text)
 }
 
 /* The lens of a file; its row says what became of it. Texts of the row are in `scratch`. */
-static void judge(struct foreign_job *job, struct text content, struct row *row)
+static void check_files_judge(struct foreign_job *job, struct text content,
+                              struct check_files_row *row)
 {
     struct arena *scratch = job->arena;
     struct lens lens;
     struct lens_warnings warnings;
     struct first_order first;
     struct error error = {0};
-    struct growing reasons = {.arena = scratch};
+    struct text_buffer reasons = {.arena = scratch};
     row->status = "refused";
     bool done =
         foreign_read(job, content, &lens, &error) && lens_check(&lens, scratch, &warnings, &error);
@@ -108,7 +110,7 @@ static void judge(struct foreign_job *job, struct text content, struct row *row)
 }
 
 static void check_file(struct lensdb *db, const struct check_item *item, struct arena *kept,
-                       struct row *row)
+                       struct check_files_row *row)
 {
     struct arena scratch = {0};
     struct lens_glasses place = {db, &scratch};
@@ -127,7 +129,7 @@ static void check_file(struct lensdb *db, const struct check_item *item, struct 
                         : regular_file(row->file, WHOLE_FILE_MOST, &scratch, &content, &error));
     if (has) {
         row->format = foreign_format_name(row->file, content, &scratch);
-        judge(&job, content, row);
+        check_files_judge(&job, content, row);
     } else {
         row->status = "refused";
         row->reasons = item->problem != NULL      ? item->problem
@@ -140,7 +142,7 @@ static void check_file(struct lensdb *db, const struct check_item *item, struct 
 }
 
 /* A thread reads its glass catalogues once. */
-static struct lensdb *database_of(struct checking *checking, const struct parallel_piece *piece)
+static struct lensdb *database_of(struct file_check *checking, const struct parallel_piece *piece)
 {
     struct lensdb **own = &checking->of_thread[piece->thread];
     if (*own == NULL) {
@@ -156,22 +158,22 @@ static struct lensdb *database_of(struct checking *checking, const struct parall
 
 static void check_piece(void *context, const struct parallel_piece *piece)
 {
-    struct checking *checking = context;
+    struct file_check *checking = context;
     struct lensdb *db = database_of(checking, piece);
     for (size_t i = piece->begin; i < piece->end && !watch_is_ended(checking->watch); i++) {
-        struct row *row = &checking->rows[i];
-        *row = (struct row){.file = checking->files->items[i].path,
-                            .efl = NAN,
-                            .surfaces = NO_INTEGER,
-                            .losses = NO_INTEGER};
+        struct check_files_row *row = &checking->rows[i];
+        *row = (struct check_files_row){.file = checking->files->items[i].path,
+                                        .efl = NAN,
+                                        .surfaces = NO_INTEGER,
+                                        .losses = NO_INTEGER};
         check_file(db, &checking->files->items[i], piece->arena, row);
         watch_add(checking->watch, 1);
     }
 }
 
-static bool run(const void *data, struct run *run, struct error *error)
+static bool check_files_run(const void *data, struct run *run, struct error *error)
 {
-    const struct input *input = data;
+    const struct check_files_input *input = data;
     struct check_list files = {.arena = run->arena};
     size_t refused = 0;
     if (input->files == NULL) {
@@ -181,11 +183,12 @@ static bool run(const void *data, struct run *run, struct error *error)
         check_list_add(&files, text_cut(&rest, OPTION_MANY_SEPARATOR));
     }
     struct parallel *parallel = ARENA_NEW(run->arena, struct parallel);
-    struct checking *checking = ARENA_NEW(run->arena, struct checking);
-    *checking = (struct checking){.db = run->db,
-                                  .watch = run->watch,
-                                  .files = &files,
-                                  .rows = ARENA_ARRAY(run->arena, files.count + 1, struct row)};
+    struct file_check *checking = ARENA_NEW(run->arena, struct file_check);
+    *checking = (struct file_check){
+        .db = run->db,
+        .watch = run->watch,
+        .files = &files,
+        .rows = ARENA_ARRAY(run->arena, files.count + 1, struct check_files_row)};
     parallel->threads = parallel_threads(input->threads);
     watch_begin(run->watch, "files", files.count);
     parallel_pieces(parallel, files.count, FILES_A_PIECE, check_piece, checking);
@@ -211,9 +214,9 @@ const struct command command_convert_check = {
     .name = "convert",
     .group = "data",
     .summary = "say of each file whether it is read",
-    COMMAND_ASKS(struct input),
-    .sheet = SHEET(columns, struct row),
+    COMMAND_ASKS(struct check_files_input),
+    .sheet = SHEET(columns, struct check_files_row),
     .makes_many = command_always_many,
     .reads = READS_LENSDB | READS_GLASSES,
-    .run = run,
+    .run = check_files_run,
 };

@@ -11,7 +11,7 @@
 #include <math.h>
 #include <string.h>
 
-struct input {
+struct convert_input {
     struct lens_text_value lens;
     int to, unit;
     bool reverse;
@@ -36,29 +36,29 @@ static const struct word *unit_word_at(size_t i)
 }
 
 static const struct option options[] = {
-    {OPTION(struct input, lens), .name = "lens", .letter = 'l', .value = "LENS",
+    {OPTION(struct convert_input, lens), .name = "lens", .letter = 'l', .value = "LENS",
      .flags = OPTION_OPERAND | OPTION_FILE, .types = lens_types,
      .help = "a lens of lensdb (list lenses), a file, or - for standard input"},
-    {OPTION(struct input, to), .name = "to", .word_at = format_word_at, .fallback = "auto",
+    {OPTION(struct convert_input, to), .name = "to", .word_at = format_word_at, .fallback = "auto",
      .value = "FORMAT", .help = "what to write"},
-    {OPTION(struct input, position), .name = "position", .value = "NAME|LENGTH",
+    {OPTION(struct convert_input, position), .name = "position", .value = "NAME|LENGTH",
      .help = "only this zoom or focus position, or the one nearest to a focal length: 135mm; "
              "without it all"},
-    {OPTION(struct input, reverse), .name = "reverse", .help = "turn the lens around"},
-    {OPTION(struct input, scale), .name = "scale", .dimension = &dimension_number, .lowest = 0,
-     .highest = 1e6, .flags = OPTION_ABOVE_LOWEST, .value = "FACTOR", .excludes = "focal-length",
-     .help = "all lengths times a factor"},
-    {OPTION(struct input, focal_length), .name = "focal-length", .letter = 'f',
+    {OPTION(struct convert_input, reverse), .name = "reverse", .help = "turn the lens around"},
+    {OPTION(struct convert_input, scale), .name = "scale", .dimension = &dimension_number,
+     .lowest = 0, .highest = 1e6, .flags = OPTION_ABOVE_LOWEST, .value = "FACTOR",
+     .excludes = "focal-length", .help = "all lengths times a factor"},
+    {OPTION(struct convert_input, focal_length), .name = "focal-length", .letter = 'f',
      .dimension = &dimension_length, .unit = "mm", .lowest = 0, .highest = 1e9,
      .flags = OPTION_ABOVE_LOWEST | OPTION_NO_INFINITY, .value = "LENGTH",
      .help = "scale to this focal length at the primary wavelength, in the first position"},
-    {OPTION(struct input, unit), .name = "unit", .word_at = unit_word_at, .fallback = "keep",
-     .value = "UNIT", .help = "unit of the lengths in the file"},
+    {OPTION(struct convert_input, unit), .name = "unit", .word_at = unit_word_at,
+     .fallback = "keep", .value = "UNIT", .help = "unit of the lengths in the file"},
 };
 
 /* What is done, step by step. */
 struct conversion {
-    const struct input *input;
+    const struct convert_input *input;
     struct arena *arena;
     struct lens_glasses place;
     struct glass_source glasses;
@@ -90,7 +90,7 @@ static bool choose_position(struct conversion *conversion, struct error *error)
 }
 
 /* The factor as the decimal that was typed. */
-static struct pair decimal_of(double value)
+static struct pair convert_decimal_of(double value)
 {
     char text[NUMBER_LENGTH];
     struct pair pair = {value, 0};
@@ -98,13 +98,13 @@ static struct pair decimal_of(double value)
     return pair;
 }
 
-static bool scale(struct conversion *conversion, struct error *error)
+static bool convert_scale(struct conversion *conversion, struct error *error)
 {
-    const struct input *input = conversion->input;
+    const struct convert_input *input = conversion->input;
     struct arena *arena = conversion->arena;
     const struct lens *lens = conversion->lens;
     if (!isnan(input->scale)) {
-        conversion->lens = lens_scaled(lens, decimal_of(input->scale), false, arena);
+        conversion->lens = lens_scaled(lens, convert_decimal_of(input->scale), false, arena);
     }
     if (isnan(input->focal_length)) {
         return true;
@@ -122,9 +122,9 @@ static bool scale(struct conversion *conversion, struct error *error)
     return true;
 }
 
-static bool change(struct conversion *conversion, struct error *error)
+static bool convert_change(struct conversion *conversion, struct error *error)
 {
-    const struct input *input = conversion->input;
+    const struct convert_input *input = conversion->input;
     if (!choose_position(conversion, error)) {
         return false;
     }
@@ -136,7 +136,7 @@ static bool change(struct conversion *conversion, struct error *error)
             return false;
         }
     }
-    if (!scale(conversion, error)) {
+    if (!convert_scale(conversion, error)) {
         return false;
     }
     conversion->goals -= conversion->lens->goal_count;
@@ -148,15 +148,15 @@ static bool change(struct conversion *conversion, struct error *error)
 }
 
 /* What --to says. */
-static const struct file_type *choose_type(const void *data)
+static const struct file_type *convert_choose_type(const void *data)
 {
-    const struct input *input = data;
+    const struct convert_input *input = data;
     return input->to > 0 ? lens_types((size_t)input->to - 1) : NULL;
 }
 
-static bool check(const struct artifact_job *job, struct error *error)
+static bool convert_check(const struct artifact_job *job, struct error *error)
 {
-    const struct input *input = job->inputs[0];
+    const struct convert_input *input = job->inputs[0];
     const struct foreign_format *format = foreign_by_name(text_of(job->type->word.word));
     if (format != NULL && format->write == NULL) {
         return fail(error, ERROR_USAGE, "lenscalc does not write files of the format '%s'",
@@ -170,8 +170,8 @@ static bool check(const struct artifact_job *job, struct error *error)
 static struct text remarks_of(struct conversion *conversion, const struct lens *read,
                               const struct foreign_format *format)
 {
-    const struct input *input = conversion->input;
-    struct growing lost = {.arena = input->lens.arena};
+    const struct convert_input *input = conversion->input;
+    struct text_buffer lost = {.arena = input->lens.arena};
     if (read->cut_short != NULL) {
         growing_format(&lost, "%s: %s\n", input->lens.source, read->cut_short);
     }
@@ -202,7 +202,7 @@ static struct text remarks_of(struct conversion *conversion, const struct lens *
 static bool convert(struct conversion *conversion, const struct foreign_format *format,
                     struct output *output, struct error *error)
 {
-    const struct input *input = conversion->input;
+    const struct convert_input *input = conversion->input;
     struct arena *arena = conversion->arena;
     struct lens *lens = ARENA_NEW(arena, struct lens);
     struct lens_warnings warnings;
@@ -214,7 +214,7 @@ static bool convert(struct conversion *conversion, const struct foreign_format *
     if (!lens_check(lens, arena, &warnings, error)) {
         return error_prefix(error, "%s: ", input->lens.source);
     }
-    if (!change(conversion, error)) {
+    if (!convert_change(conversion, error)) {
         return false;
     }
     if (format == NULL) {
@@ -227,9 +227,9 @@ static bool convert(struct conversion *conversion, const struct foreign_format *
     return true;
 }
 
-static bool write(const struct artifact_job *job, struct output *sink, struct error *error)
+static bool convert_write(const struct artifact_job *job, struct output *sink, struct error *error)
 {
-    const struct input *input = job->inputs[0];
+    const struct convert_input *input = job->inputs[0];
     struct conversion conversion = {.input = input, .arena = job->run->arena};
     conversion.place = (struct lens_glasses){input->lens.db, conversion.arena};
     conversion.glasses = lens_glass_source(&conversion.place);
@@ -243,8 +243,8 @@ static bool write(const struct artifact_job *job, struct output *sink, struct er
 }
 
 static const struct artifact artifacts[] = {
-    {ARTIFACT_ANSWER(lens_types), .choose = choose_type, .chooser = "to", .check = check,
-     .make = write},
+    {ARTIFACT_ANSWER(lens_types), .choose = convert_choose_type, .chooser = "to",
+     .check = convert_check, .make = convert_write},
 };
 
 static const struct example examples[] = {
@@ -260,7 +260,7 @@ const struct command command_convert = {
     .name = "convert",
     .group = "data",
     .summary = "read and write lens files of other programs; scale and reverse a lens",
-    COMMAND_ASKS(struct input),
+    COMMAND_ASKS(struct convert_input),
     COMMAND_MAKES(artifacts),
     .other = &command_convert_check,
 };

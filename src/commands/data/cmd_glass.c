@@ -9,7 +9,7 @@
 
 #include <math.h>
 
-struct input {
+struct glass_input {
     struct glass_value glass, like;
     double wavelength, thickness; /* mm; NaN = not given */
     double temperature, pressure; /* C, Pa; NaN = not given */
@@ -20,46 +20,46 @@ struct input {
 };
 
 static const struct option options[] = {
-    {OPTION(struct input, glass), .name = "glass", .column = "glass", .value = "NAME",
+    {OPTION(struct glass_input, glass), .name = "glass", .column = "glass", .value = "NAME",
      .flags = OPTION_OPERAND | OPTION_CURRENT,
      .help = "NAME or CATALOG:NAME, or nd/Vd, or a number; without it all glasses are searched"},
-    {OPTION(struct input, wavelength), .name = "wavelength", .letter = 'w', .column = "wavelength",
-     .dimension = &dimension_wavelength, .unit = "nm", OPTION_POSITIVE,
+    {OPTION(struct glass_input, wavelength), .name = "wavelength", .letter = 'w',
+     .column = "wavelength", .dimension = &dimension_wavelength, .unit = "nm", OPTION_POSITIVE,
      .flags = OPTION_ABOVE_LOWEST | OPTION_NO_INFINITY, .value = "LENGTH",
      .help = "wavelength, or a line by name (d F C e g ..); otherwise d, F and C, in a search d"},
-    {OPTION(struct input, thickness), .name = "thickness", .column = "thickness",
+    {OPTION(struct glass_input, thickness), .name = "thickness", .column = "thickness",
      .dimension = &dimension_length, .unit = "mm", .lowest = 0, .highest = INFINITY,
      .flags = OPTION_NO_INFINITY, .value = "LENGTH",
      .help = "thickness for the internal transmittance"},
-    {OPTION(struct input, temperature), .name = "temperature", .column = "temperature",
+    {OPTION(struct glass_input, temperature), .name = "temperature", .column = "temperature",
      .dimension = &dimension_temperature, .unit = "C", .lowest = -100, .highest = 140,
      .value = "DEGREES", .help = "temperature of glass and air; otherwise that of the catalogue"},
-    {OPTION(struct input, pressure), .name = "pressure", .column = "pressure",
+    {OPTION(struct glass_input, pressure), .name = "pressure", .column = "pressure",
      .dimension = &dimension_pressure, .unit = "hPa", .lowest = 0, .highest = 1e6,
      .value = "PRESSURE", .help = "pressure of the air, 0 for vacuum; otherwise 1013.25 hPa"},
-    {OPTION(struct input, air), .name = "air", .words = air_models, .fallback = "edlen",
+    {OPTION(struct glass_input, air), .name = "air", .words = air_models, .fallback = "edlen",
      .value = "MODEL", .wants = "temperature|pressure",
      .help = "formula for air, with --temperature or --pressure"},
-    {OPTION(struct input, nd), .name = "nd", .lowest = 1, .highest = 5, .value = "NUMBER",
+    {OPTION(struct glass_input, nd), .name = "nd", .lowest = 1, .highest = 5, .value = "NUMBER",
      .help = "search by index at the d line: the nearest, or LOW..HIGH"},
-    {OPTION(struct input, Vd), .name = "vd", .lowest = 1, .highest = 1000, .value = "NUMBER",
+    {OPTION(struct glass_input, Vd), .name = "vd", .lowest = 1, .highest = 1000, .value = "NUMBER",
      .help = "search by Abbe number: the nearest, or LOW..HIGH"},
-    {OPTION(struct input, PgF), .name = "pgf", .column = "pgf_wanted", .value = "LOW..HIGH",
+    {OPTION(struct glass_input, PgF), .name = "pgf", .column = "pgf_wanted", .value = "LOW..HIGH",
      .help = "search by partial dispersion (ng - nF)/(nF - nC)"},
-    {OPTION(struct input, catalog), .name = "catalog", .value = "NAME",
+    {OPTION(struct glass_input, catalog), .name = "catalog", .value = "NAME",
      .help = "search in one catalogue"},
-    {OPTION(struct input, status), .name = "status", .value = "WORD",
+    {OPTION(struct glass_input, status), .name = "status", .value = "WORD",
      .help = "search by status: current, obsolete, .."},
-    {OPTION(struct input, like), .name = "like", .value = "NAME", .flags = OPTION_CURRENT,
+    {OPTION(struct glass_input, like), .name = "like", .value = "NAME", .flags = OPTION_CURRENT,
      .help = "the nearest equivalents of this glass in g F e d C, nearest first"},
-    {OPTION(struct input, count), .name = "count", .dimension = &dimension_number, .lowest = 1,
-     .highest = 1000, .value = "NUMBER", .wants = "like|nd|vd",
+    {OPTION(struct glass_input, count), .name = "count", .dimension = &dimension_number,
+     .lowest = 1, .highest = 1000, .value = "NUMBER", .wants = "like|nd|vd",
      .help = "number of nearest glasses, with --like or a single --nd or --vd (10)"},
-    {OPTION(struct input, label), .name = "label", .value = "NAMES", .wants = "abbe",
+    {OPTION(struct glass_input, label), .name = "label", .value = "NAMES", .wants = "abbe",
      .help = "glasses to emphasise in the Abbe diagram, separated by commas"},
 };
 
-struct row {
+struct glass_command_row {
     const char *glass, *catalog, *line, *status, *source, *licence, *formula, *relative_to;
     const char *taken_as, *warning;
     double wavelength, thickness, temperature, pressure;
@@ -69,7 +69,7 @@ struct row {
     double from, to, density, expansion;
 };
 
-#define NUMBER(member)          COLUMN(struct row, member)
+#define NUMBER(member)          COLUMN(struct glass_command_row, member)
 #define LENGTH(member, in_unit) NUMBER(member), .dimension = &dimension_length, .unit = in_unit
 
 static const struct column columns[] = {
@@ -151,28 +151,29 @@ static const struct column columns[] = {
 };
 
 /* A text that lives as long as the row; null where it is empty. */
-static const char *string(struct arena *arena, struct text text)
+static const char *glass_string(struct arena *arena, struct text text)
 {
     return text.length == 0 ? NULL : arena_string(arena, text.start, text.length);
 }
 
 /* What was asked, at work. */
 struct question {
-    const struct input *input;
+    const struct glass_input *input;
     struct run *run;
     double wavelength; /* mm, of what follows, found once for all rows */
     struct pair um;    /* as the decimal that was typed */
     const char *line;  /* the name of the spectral line */
 };
 
-static void set_facts(const struct glass_record *record, struct arena *arena, struct row *row)
+static void set_facts(const struct glass_record *record, struct arena *arena,
+                      struct glass_command_row *row)
 {
     const struct glass *glass = &record->glass;
-    row->glass = string(arena, glass->name);
-    row->catalog = string(arena, glass->catalog);
-    row->status = string(arena, record->status);
-    row->source = string(arena, record->source);
-    row->licence = string(arena, record->licence);
+    row->glass = glass_string(arena, glass->name);
+    row->catalog = glass_string(arena, glass->catalog);
+    row->status = glass_string(arena, record->status);
+    row->source = glass_string(arena, record->source);
+    row->licence = glass_string(arena, record->licence);
     row->warning = record->warning;
     row->formula = glass_formula_name(glass->formula);
     row->from = glass->shortest / 1000;
@@ -192,10 +193,10 @@ static struct pair typed_wavelength(double wavelength)
 }
 
 /* Index and slope at the row's wavelength, in the state of air that is asked for. */
-static bool set_index(const struct question *question, const struct glass *glass, struct row *row,
-                      struct error *error)
+static bool glass_set_index(const struct question *question, const struct glass *glass,
+                            struct glass_command_row *row, struct error *error)
 {
-    const struct input *input = question->input;
+    const struct glass_input *input = question->input;
     double um = question->um.hi;
     struct glass_index index = glass_index(glass, question->um);
     const struct glass_thermal *thermal = &glass->thermal;
@@ -225,32 +226,32 @@ static bool set_index(const struct question *question, const struct glass *glass
 }
 
 /* One row: a glass at a wavelength (mm). */
-static bool fill_row(struct question *question, const struct glass_record *record,
-                     const struct glass_summary *summary, double wavelength, struct row *row,
-                     struct error *error)
+static bool glass_fill_row(struct question *question, const struct glass_record *record,
+                           const struct glass_summary *summary, double wavelength,
+                           struct glass_command_row *row, struct error *error)
 {
-    const struct input *input = question->input;
+    const struct glass_input *input = question->input;
     struct arena *arena = question->run->arena;
-    *row = (struct row){.wavelength = wavelength,
-                        .thickness = input->thickness,
-                        .temperature = input->temperature,
-                        .pressure = input->pressure,
-                        .n = NAN,
-                        .slope = NAN,
-                        .group = NAN,
-                        .dn_dT = NAN,
-                        .transmittance = NAN,
-                        .difference = NAN,
-                        .nd_wanted = input->nd.near,
-                        .Vd_wanted = input->Vd.near,
-                        .nd_difference = summary->nd - input->nd.near,
-                        .Vd_difference = summary->Vd - input->Vd.near,
-                        .distance = NAN,
-                        .summary = *summary};
+    *row = (struct glass_command_row){.wavelength = wavelength,
+                                      .thickness = input->thickness,
+                                      .temperature = input->temperature,
+                                      .pressure = input->pressure,
+                                      .n = NAN,
+                                      .slope = NAN,
+                                      .group = NAN,
+                                      .dn_dT = NAN,
+                                      .transmittance = NAN,
+                                      .difference = NAN,
+                                      .nd_wanted = input->nd.near,
+                                      .Vd_wanted = input->Vd.near,
+                                      .nd_difference = summary->nd - input->nd.near,
+                                      .Vd_difference = summary->Vd - input->Vd.near,
+                                      .distance = NAN,
+                                      .summary = *summary};
     if (!(fabs(wavelength - question->wavelength) <= 0)) {
         question->wavelength = wavelength;
         question->um = typed_wavelength(wavelength);
-        question->line = string(arena, lines_name(question->run->db, wavelength));
+        question->line = glass_string(arena, lines_name(question->run->db, wavelength));
     }
     row->line = question->line;
     const struct glass_record *asked =
@@ -258,7 +259,7 @@ static bool fill_row(struct question *question, const struct glass_record *recor
     row->taken_as = asked != NULL ? asked->taken_as : NULL;
     set_facts(record, arena, row);
     if (!glass_check_range(&record->glass, question->um.hi, error) ||
-        !set_index(question, &record->glass, row, error)) {
+        !glass_set_index(question, &record->glass, row, error)) {
         return false;
     }
     if (!isnan(input->thickness)) {
@@ -273,14 +274,14 @@ static bool show_named(struct question *question, struct error *error)
     const double lines[] = {wavelength_millimetres(WAVELENGTH_D),
                             wavelength_millimetres(WAVELENGTH_F),
                             wavelength_millimetres(WAVELENGTH_C)};
-    const struct input *input = question->input;
+    const struct glass_input *input = question->input;
     const struct glass_record *record = input->glass.record;
     struct glass_summary summary = glass_summary(&record->glass);
     bool given = !isnan(input->wavelength);
     for (size_t i = 0; i < (given ? 1 : 3); i++) {
-        struct row row;
-        if (!fill_row(question, record, &summary, given ? input->wavelength : lines[i], &row,
-                      error)) {
+        struct glass_command_row row;
+        if (!glass_fill_row(question, record, &summary, given ? input->wavelength : lines[i], &row,
+                            error)) {
             return false;
         }
         if (!run_emit(question->run, &row)) {
@@ -291,15 +292,15 @@ static bool show_named(struct question *question, struct error *error)
 }
 
 /* A glass that was found; it may have no index at this wavelength, or no known dn/dT. */
-static bool show_found(const struct glass_match *match, void *context)
+static bool glass_show_found(const struct glass_match *match, void *context)
 {
     struct question *question = context;
-    const struct input *input = question->input;
+    const struct glass_input *input = question->input;
     double wavelength =
         !isnan(input->wavelength) ? input->wavelength : wavelength_millimetres(WAVELENGTH_D);
-    struct row row;
+    struct glass_command_row row;
     struct error no_index;
-    if (!fill_row(question, &match->record, &match->summary, wavelength, &row, &no_index)) {
+    if (!glass_fill_row(question, &match->record, &match->summary, wavelength, &row, &no_index)) {
         row.n = row.slope = row.group = row.dn_dT = NAN;
     }
     *(input->like.record != NULL ? &row.difference : &row.distance) = match->away;
@@ -309,7 +310,7 @@ static bool show_found(const struct glass_match *match, void *context)
 /* So many nearest glasses are shown where nothing else is said. */
 enum { NEAREST = 10 };
 
-static struct glass_wishes wishes_of(const struct input *input)
+static struct glass_wishes wishes_of(const struct glass_input *input)
 {
     return (struct glass_wishes){.nd = input->nd,
                                  .Vd = input->Vd,
@@ -327,7 +328,7 @@ static bool is_interval(struct interval_value interval)
 }
 
 /* The search option that is given beside a name; null if there is none. */
-static const char *search_option(const struct input *input)
+static const char *search_option(const struct glass_input *input)
 {
     const struct {
         bool given;
@@ -345,9 +346,9 @@ static const char *search_option(const struct input *input)
     return NULL;
 }
 
-static bool run(const void *data, struct run *run, struct error *error)
+static bool glass_run(const void *data, struct run *run, struct error *error)
 {
-    const struct input *input = data;
+    const struct glass_input *input = data;
     struct question question = {.input = input, .run = run, .wavelength = NAN};
     const char *option = search_option(input);
     if (input->glass.record != NULL && option != NULL) {
@@ -369,13 +370,13 @@ static bool run(const void *data, struct run *run, struct error *error)
                     "{--vd}");
     }
     const struct glass_wishes wishes = wishes_of(input);
-    return glass_search(&wishes, run->db, run->arena, show_found, &question, error);
+    return glass_search(&wishes, run->db, run->arena, glass_show_found, &question, error);
 }
 
 /* A glass that is named is none that was found. */
 static bool check_diagram(const struct artifact_job *job, struct error *error)
 {
-    const struct input *input = job->inputs[0];
+    const struct glass_input *input = job->inputs[0];
     if (input->glass.record == NULL) {
         return true;
     }
@@ -385,7 +386,7 @@ static bool check_diagram(const struct artifact_job *job, struct error *error)
 
 static bool draw_diagram(const struct artifact_job *job, struct output *sink, struct error *error)
 {
-    const struct input *input = job->inputs[0];
+    const struct glass_input *input = job->inputs[0];
     const struct glass_wishes wishes = wishes_of(input);
     struct svg svg = {.arena = job->run->arena};
     return glass_diagram(&wishes, input->label, job->run->db, &svg, error) &&
@@ -397,9 +398,9 @@ static const struct artifact artifacts[] = {
      .scope = ARTIFACT_OF_ANSWER, .check = check_diagram, .make = draw_diagram},
 };
 
-static bool makes_many(const void *data)
+static bool glass_makes_many(const void *data)
 {
-    const struct input *input = data;
+    const struct glass_input *input = data;
     return input->glass.record == NULL || isnan(input->wavelength);
 }
 
@@ -433,10 +434,11 @@ const struct command command_glass = {
     .name = "glass",
     .group = "data",
     .summary = "indices of optical glasses, and glasses by their indices",
-    COMMAND_ASKS(struct input),
-    COMMAND_ANSWERS(struct row),
+    COMMAND_ASKS(struct glass_input),
+    COMMAND_ANSWERS(struct glass_command_row),
+    .run = glass_run,
     COMMAND_MAKES(artifacts),
-    .makes_many = makes_many,
+    .makes_many = glass_makes_many,
     .plot = "index",
     .cell = "index",
 };

@@ -48,14 +48,14 @@ static const struct sheet *const sheets[] = {
     &topic_units.sheet,   &topic_keywords.sheet,   &topic_commands.sheet,
     &topic_options.sheet, &topic_columns.sheet,    NULL};
 
-static const struct sheet *choose_sheet(const void *data, const struct asking *asking)
+static const struct sheet *list_choose_sheet(const void *data, const struct option_query *asking)
 {
     (void)asking;
     const struct list_input *input = data;
     return &topics[input->topic]->sheet;
 }
 
-static bool run(const void *data, struct run *run, struct error *error)
+static bool list_run(const void *data, struct run *run, struct error *error)
 {
     const struct list_input *input = data;
     struct list list = {.input = input, .run = run};
@@ -91,9 +91,9 @@ const struct command command_list = {
     .summary = "lenses, formats, cameras, films, scenes, filters, glasses, tolerances, stops, "
                "units, commands, options, columns",
     COMMAND_ASKS(struct list_input),
-    .choose_sheet = choose_sheet,
+    .choose_sheet = list_choose_sheet,
     .sheets = sheets,
     .makes_many = command_always_many,
     .reads = READS_LENSDB | READS_GLASSES,
-    .run = run,
+    .run = list_run,
 };

@@ -48,7 +48,8 @@ static bool fulfils(const struct glass_match *match, const struct glass_wishes *
 }
 
 /* What needs no computing. */
-static bool is_wanted(const struct glass_record *record, const struct glass_wishes *wishes)
+static bool glass_search_is_wanted(const struct glass_record *record,
+                                   const struct glass_wishes *wishes)
 {
     return (wishes->catalog == NULL ||
             text_same_name(record->glass.catalog, text_of(wishes->catalog))) &&
@@ -63,12 +64,12 @@ static bool is_same_record(const struct glass_record *a, const struct glass_reco
 }
 
 /* The most similar ones so far, nearest first. */
-struct ranking {
+struct glass_ranking {
     struct glass_match *best;
     size_t count, most;
 };
 
-static void rank(struct ranking *ranking, const struct glass_match *match)
+static void rank(struct glass_ranking *ranking, const struct glass_match *match)
 {
     size_t at = ranking->count;
     if (isnan(match->away) || ranking->most == 0) {
@@ -90,8 +91,8 @@ static void rank(struct ranking *ranking, const struct glass_match *match)
 
 /* Hand out each match, or rank it if the most similar are wanted. */
 static bool search_all(const struct glass_wishes *wishes, struct glass_catalogs *catalogs,
-                       struct ranking *ranking, glass_found *found, void *context, size_t *count,
-                       struct error *error)
+                       struct glass_ranking *ranking, glass_found *found, void *context,
+                       size_t *count, struct error *error)
 {
     struct glass_match match;
     struct glass_lines like = {0}, lines;
@@ -99,7 +100,7 @@ static bool search_all(const struct glass_wishes *wishes, struct glass_catalogs 
         like = glass_lines(&wishes->like->glass);
     }
     while (glass_catalogs_next(catalogs, &match.record, error)) {
-        if (!is_wanted(&match.record, wishes)) {
+        if (!glass_search_is_wanted(&match.record, wishes)) {
             continue;
         }
         lines = glass_lines(&match.record.glass);
@@ -129,7 +130,7 @@ bool glass_search(const struct glass_wishes *wishes, struct lensdb *db, struct a
 {
     struct glass_catalogs catalogs;
     size_t most = wishes->count < MOST_SIMILAR ? wishes->count : MOST_SIMILAR, count = 0;
-    struct ranking ranking = {.most = most};
+    struct glass_ranking ranking = {.most = most};
     if (wishes->like != NULL || wishes_near(wishes)) {
         ranking.best = ARENA_ARRAY(arena, most + 1, struct glass_match);
     }
@@ -180,7 +181,7 @@ static size_t group_of(struct sheet_of_points *sheet, struct text catalog)
     return sheet->group_count++;
 }
 
-static bool add_point(const struct glass_match *match, void *context)
+static bool glass_search_add_point(const struct glass_match *match, void *context)
 {
     struct sheet_of_points *sheet = context;
     struct text name = match->record.glass.name;
@@ -253,13 +254,13 @@ bool glass_diagram(const struct glass_wishes *wishes, const char *labelled, stru
     sheet->db = db;
     sheet->points = ARENA_ARRAY(arena, MOST_POINTS, struct abbe_point);
     if (!find_labelled(sheet, labelled, error) ||
-        !glass_search(wishes, db, arena, add_point, sheet, error)) {
+        !glass_search(wishes, db, arena, glass_search_add_point, sheet, error)) {
         return false;
     }
     if (wishes->like != NULL) {
         struct glass_match like = {.record = *wishes->like,
                                    .summary = glass_summary(&wishes->like->glass)};
-        add_point(&like, sheet);
+        glass_search_add_point(&like, sheet);
         sheet->points[sheet->count - (sheet->count > 0)].chosen = true;
     }
     if (!check_labelled(sheet, error)) {

@@ -8,7 +8,7 @@ const char *list_string(const struct list *list, struct text text)
 }
 
 /* Does each word occur in some text? "canon mirrorless" asks for maker and class. */
-static bool has_all_words(struct text words, const char *const *texts, size_t count)
+static bool list_has_all_words(struct text words, const char *const *texts, size_t count)
 {
     bool all = words.length > 0;
     while (words.length > 0 && all) {
@@ -33,7 +33,7 @@ bool list_matches(const struct list *list, const char *kind, const char *const *
     for (size_t i = 0; i < count && !found; i++) {
         found = texts[i] != NULL && text_contains_name(text_of(texts[i]), text_of(input->search));
     }
-    return found || has_all_words(text_of(input->search), texts, count);
+    return found || list_has_all_words(text_of(input->search), texts, count);
 }
 
 void list_row(struct list *list, const void *row)

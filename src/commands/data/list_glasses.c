@@ -3,12 +3,12 @@
 #include "commands/data/list.h"
 #include "data/glass_catalog.h"
 
-struct glass_row {
+struct list_glasses_glass_row {
     const char *name, *catalog, *status, *formula, *source, *licence, *place, *warning;
     double nd, Vd, from, to;
 };
 
-#define GLASS(member) COLUMN(struct glass_row, member)
+#define GLASS(member) COLUMN(struct list_glasses_glass_row, member)
 
 static const struct column columns[] = {
     {GLASS(name), .name = "glass", .flags = COLUMN_BRIEF, .label = "glass",
@@ -43,7 +43,7 @@ static bool list_glasses(struct list *list, struct error *error)
         return false;
     }
     while (glass_catalogs_next(&catalogs, &record, error)) {
-        struct glass_row row = {
+        struct list_glasses_glass_row row = {
             .name = list_string(list, record.glass.name),
             .catalog = list_string(list, record.glass.catalog),
             .status = list_string(list, record.status),
@@ -65,4 +65,4 @@ static bool list_glasses(struct list *list, struct error *error)
     return error->code == ERROR_NONE;
 }
 
-const struct topic topic_glasses = {SHEET(columns, struct glass_row), list_glasses};
+const struct topic topic_glasses = {SHEET(columns, struct list_glasses_glass_row), list_glasses};

@@ -6,13 +6,13 @@
 
 #include <math.h>
 
-struct lens_row {
+struct list_lenses_lens_row {
     const char *name, *title, *kind, *positions, *source, *note, *place, *warning;
     double efl, bfl, fnumber; /* of the first position */
     long surfaces;
 };
 
-#define LENS(member)        COLUMN(struct lens_row, member)
+#define LENS(member)        COLUMN(struct list_lenses_lens_row, member)
 #define LENS_LENGTH(member) LENS(member), .dimension = &dimension_length, .unit = "mm"
 
 static const struct column lens_columns[] = {
@@ -56,7 +56,8 @@ static const char *join_positions(const struct lens *lens, struct arena *arena)
 }
 
 /* A lens that cannot be computed keeps its row. */
-static void compute(const struct lens *lens, struct arena *arena, struct lens_row *row)
+static void list_lenses_compute(const struct lens *lens, struct arena *arena,
+                                struct list_lenses_lens_row *row)
 {
     const struct lens *first = lens_at_position(lens, 0, arena);
     const struct conjugate_object object = lens_object(first);
@@ -81,7 +82,8 @@ static void compute(const struct lens *lens, struct arena *arena, struct lens_ro
 }
 
 /* A file that is no lens keeps its row, too, and the rest is listed. */
-static void list_broken(struct list *list, struct lens_row *row, const struct error *failure)
+static void list_broken(struct list *list, struct list_lenses_lens_row *row,
+                        const struct error *failure)
 {
     struct arena *arena = list->run->arena;
     row->surfaces = NO_INTEGER;
@@ -93,13 +95,13 @@ static void list_broken(struct list *list, struct lens_row *row, const struct er
         return;
     }
     list_row(list, row);
-    doubts_add(list->run->doubts, "%s: %s", row->name, row->warning);
+    warnings_add(list->run->doubts, "%s: %s", row->name, row->warning);
     fail(&list->run->shortfall, ERROR_DATA, "not all files of %s/lenses are lenses",
          list->run->db->directory);
 }
 
 /* A row outlives its lens. */
-static void emit(struct list *list, struct lens_row *row)
+static void list_lenses_emit(struct list *list, struct list_lenses_lens_row *row)
 {
     const char **const texts[] = {&row->title,  &row->kind, &row->positions,
                                   &row->source, &row->note, &row->warning};
@@ -115,7 +117,7 @@ static void list_lens(struct list *list, const char *name, enum lensdb_place pla
 {
     struct lens lens;
     struct error error;
-    struct lens_row row = {
+    struct list_lenses_lens_row row = {
         .name = name, .place = list_place(place), .efl = NAN, .bfl = NAN, .fnumber = NAN};
     if (!lens_open(list->run->db, text_of(name), arena, &lens, &error)) {
         list_broken(list, &row, &error);
@@ -133,8 +135,8 @@ static void list_lens(struct list *list, const char *name, enum lensdb_place pla
                            ? list->input->kind
                            : row.kind;
     if (list_matches(list, kind, (const char *[]){row.name, row.title, row.source}, 3)) {
-        compute(&lens, arena, &row);
-        emit(list, &row);
+        list_lenses_compute(&lens, arena, &row);
+        list_lenses_emit(list, &row);
     }
 }
 
@@ -159,4 +161,4 @@ static bool list_lenses(struct list *list, struct error *error)
     return list_place_of(list, LENSDB_USER, error) && list_place_of(list, LENSDB_EMBEDDED, error);
 }
 
-const struct topic topic_lenses = {SHEET(lens_columns, struct lens_row), list_lenses};
+const struct topic topic_lenses = {SHEET(lens_columns, struct list_lenses_lens_row), list_lenses};

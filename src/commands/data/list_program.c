@@ -88,7 +88,7 @@ static const struct column unit_columns[] = {
      .help = "in words"},
 };
 
-static bool list_units(struct list *list, struct error *error)
+static bool list_program_list_units(struct list *list, struct error *error)
 {
     (void)error;
     for (size_t i = 0; dimensions[i] != NULL; i++) {
@@ -178,7 +178,7 @@ static void list_option(struct list *list, const char *command, const struct opt
     }
 }
 
-static bool list_options(struct list *list, struct error *error)
+static bool list_program_list_options(struct list *list, struct error *error)
 {
     (void)error;
     for (size_t i = 0; commands[i] != NULL; i++) {
@@ -229,7 +229,8 @@ static bool list_columns(struct list *list, struct error *error)
 }
 
 const struct topic topic_stops = {SHEET(stop_columns, struct stop_row), list_stops};
-const struct topic topic_units = {SHEET(unit_columns, struct unit_row), list_units};
+const struct topic topic_units = {SHEET(unit_columns, struct unit_row), list_program_list_units};
 const struct topic topic_commands = {SHEET(command_columns, struct command_row), list_commands};
-const struct topic topic_options = {SHEET(option_columns, struct option_row), list_options};
+const struct topic topic_options = {SHEET(option_columns, struct option_row),
+                                    list_program_list_options};
 const struct topic topic_columns = {SHEET(columns_of_columns, struct column_row), list_columns};

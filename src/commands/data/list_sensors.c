@@ -103,7 +103,7 @@ static bool list_sensors(struct list *list, enum lensdb_place place, bool camera
     return error->code == ERROR_NONE;
 }
 
-static bool list_formats(struct list *list, struct error *error)
+static bool list_sensors_list_formats(struct list *list, struct error *error)
 {
     return list_sensors(list, LENSDB_USER, false, error) &&
            list_sensors(list, LENSDB_EMBEDDED, false, error);
@@ -115,5 +115,6 @@ static bool list_cameras(struct list *list, struct error *error)
            list_sensors(list, LENSDB_EMBEDDED, true, error);
 }
 
-const struct topic topic_formats = {SHEET(format_columns, struct sensor_row), list_formats};
+const struct topic topic_formats = {SHEET(format_columns, struct sensor_row),
+                                    list_sensors_list_formats};
 const struct topic topic_cameras = {SHEET(camera_columns, struct sensor_row), list_cameras};

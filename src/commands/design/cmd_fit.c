@@ -120,21 +120,21 @@ static const struct sheet *const all_sheets[] = {&fit_lens_sheet,        &fit_pa
                                                  &fit_goal_sheet,        &fit_glass_sheet,
                                                  &fit_index_sheet,       NULL};
 
-static const struct fit_kind *kind_of(const struct fit_input *input)
+static const struct fit_kind *fit_kind_of(const struct fit_input *input)
 {
     return input->glass != NULL ? &glass : input->goals != NULL ? &prescription : &thick_lens;
 }
 
 /* Those that there are not are refused by `run`. */
-static const struct sheet *choose_sheet(const void *data, const struct asking *asking)
+static const struct sheet *fit_choose_sheet(const void *data, const struct option_query *asking)
 {
     const struct fit_input *input = data;
-    const struct fit_kind *kind = kind_of(input);
+    const struct fit_kind *kind = fit_kind_of(input);
     (void)asking;
     return kind->sheets[kind->sheets[input->show] != NULL ? input->show : FIT_ANSWER];
 }
 
-static bool makes_many(const void *data)
+static bool fit_makes_many(const void *data)
 {
     const struct fit_input *input = data;
     const struct lens *lens = input->question.lens.lens;
@@ -157,10 +157,10 @@ static bool refuse_show(const struct fit_kind *kind, int show, struct arena *are
     return fail(error, ERROR_USAGE, "{--show} %s: %s has %s", shows[show].word, kind->name, words);
 }
 
-static bool run(const void *data, struct run *run, struct error *error)
+static bool fit_run(const void *data, struct run *run, struct error *error)
 {
     const struct fit_input *input = data;
-    const struct fit_kind *kind = kind_of(input);
+    const struct fit_kind *kind = fit_kind_of(input);
     if (kind->sheets[input->show] == NULL) {
         return refuse_show(kind, input->show, run->arena, error);
     }
@@ -171,14 +171,14 @@ static bool run(const void *data, struct run *run, struct error *error)
     return kind->run(input, run, error);
 }
 
-static const struct file_type *saved_types(size_t i)
+static const struct file_type *fit_saved_types(size_t i)
 {
     const struct file_type *const types[] = {&lens_file_type, &glass_type};
     return i < 2 ? types[i] : NULL;
 }
 
 /* A file holds one position, a .lens file one lens for all wavelengths. */
-static bool check_lens(const struct artifact_job *job, struct error *error)
+static bool fit_check_lens(const struct artifact_job *job, struct error *error)
 {
     const struct fit_input *input = job->inputs[0];
     return !lens_positions_several(input->question.lens.lens, input->question.position) ||
@@ -186,7 +186,7 @@ static bool check_lens(const struct artifact_job *job, struct error *error)
                 job->artifact->option.name);
 }
 
-static bool check_glass(const struct fit_input *input, struct error *error)
+static bool fit_check_glass(const struct fit_input *input, struct error *error)
 {
     return input->name == NULL || strpbrk(input->name, "\t\n:") == NULL ||
            fail(error, ERROR_USAGE, "{--name} has a tab, a line feed or a colon");
@@ -195,20 +195,20 @@ static bool check_glass(const struct fit_input *input, struct error *error)
 static bool check_saved(const struct artifact_job *job, struct error *error)
 {
     const struct fit_input *input = job->inputs[0];
-    const struct fit_kind *kind = kind_of(input);
+    const struct fit_kind *kind = fit_kind_of(input);
     if (job->type != kind->type) {
         return fail(error, ERROR_USAGE, "{--output} '%s': %s is saved as %s", job->path, kind->name,
                     kind->type->ending);
     }
     if (input->glass != NULL) {
-        return check_glass(input, error);
+        return fit_check_glass(input, error);
     }
     if (input->chromatic && input->goals == NULL) {
         return fail(error, ERROR_USAGE,
                     "a .lens holds one thick lens for all wavelengths: {--output} without "
                     "{--chromatic}");
     }
-    if (!check_lens(job, error)) {
+    if (!fit_check_lens(job, error)) {
         return false;
     }
     if (input->goals != NULL || input->distortion <= 0) {
@@ -218,9 +218,9 @@ static bool check_saved(const struct artifact_job *job, struct error *error)
     return error_hint(error, "f then makes up for the distortion as well as it can");
 }
 
-static bool save(const struct artifact_job *job, struct output *sink, struct error *error)
+static bool fit_save(const struct artifact_job *job, struct output *sink, struct error *error)
 {
-    return kind_of(job->inputs[0])->save(job, sink, error);
+    return fit_kind_of(job->inputs[0])->save(job, sink, error);
 }
 
 static const struct artifact artifacts[] = {
@@ -229,11 +229,11 @@ static const struct artifact artifacts[] = {
                 .letter = 'o',
                 .value = "FILE",
                 .flags = OPTION_FILE,
-                .types = saved_types,
+                .types = fit_saved_types,
                 .help = "write the thick lens or the glass to FILE; rows go to standard output"},
      .is_kept = true,
      .check = check_saved,
-     .make = save},
+     .make = fit_save},
     {.option = {.kind = &kind_text,
                 .name = "map",
                 .value = "FILE",
@@ -242,7 +242,7 @@ static const struct artifact artifacts[] = {
                 .excludes = "prescription glass",
                 .help = "map the error of the thick lens over field and pupil"},
      .is_kept = true,
-     .check = check_lens,
+     .check = fit_check_lens,
      .make = fit_draw_map},
 };
 
@@ -277,10 +277,10 @@ const struct command command_fit = {
     .options = options,
     .option_count = sizeof options / sizeof options[0],
     .input_size = sizeof(struct fit_input),
-    .choose_sheet = choose_sheet,
+    .choose_sheet = fit_choose_sheet,
     .sheets = all_sheets,
-    .makes_many = makes_many,
-    .run = run,
+    .makes_many = fit_makes_many,
+    .run = fit_run,
     COMMAND_MAKES(artifacts),
     .explanations = explanations,
     .plot = "rms_um|distance_um|index",

@@ -4,26 +4,26 @@
 #include "cli/division.h"
 #include "report/version.h"
 
-struct input {
+struct merge_input {
     const char *files; /* separated by OPTION_MANY_SEPARATOR */
     const char *output;
     bool incomplete;
 };
 
 static const struct option options[] = {
-    {OPTION(struct input, files), .name = "parts", .value = "FILE", .types = division_types,
+    {OPTION(struct merge_input, files), .name = "parts", .value = "FILE", .types = division_types,
      .flags = OPTION_OPERAND | OPTION_TOGETHER | OPTION_FILE,
      .help = "all parts of a run, in any order"},
-    {OPTION(struct input, incomplete), .name = "incomplete",
+    {OPTION(struct merge_input, incomplete), .name = "incomplete",
      .help = "make what there is of parts that are missing or incomplete"},
-    {OPTION(struct input, output), .name = "output", .letter = 'o', .value = "FILE",
+    {OPTION(struct merge_input, output), .name = "output", .letter = 'o', .value = "FILE",
      .flags = OPTION_FILE, .help = "where the whole goes, as of the command that was divided"},
 };
 
 /* -------- the parts -------- */
 
-static bool read_parts(const struct input *input, struct arena *arena, struct part_file **files,
-                       size_t *count, struct error *error)
+static bool merge_read_parts(const struct merge_input *input, struct arena *arena,
+                             struct part_file **files, size_t *count, struct error *error)
 {
     size_t room = 0;
     *files = NULL;
@@ -49,10 +49,10 @@ static bool read_parts(const struct input *input, struct arena *arena, struct pa
 
 static bool again(const void *data, struct run *run, struct again *question, struct error *error)
 {
-    const struct input *input = data;
+    const struct merge_input *input = data;
     struct part_file *files;
     size_t count;
-    if (!read_parts(input, run->kept, &files, &count, error)) {
+    if (!merge_read_parts(input, run->kept, &files, &count, error)) {
         return false;
     }
     const struct part_head *head = &files[0].head;
@@ -97,6 +97,6 @@ const struct command command_merge = {
     .name = "merge",
     .group = "design",
     .summary = "puts the parts of a divided run together",
-    COMMAND_ASKS(struct input),
+    COMMAND_ASKS(struct merge_input),
     .again = again,
 };

@@ -98,19 +98,20 @@ static const struct option options[] = {
      .value = "WHAT", .help = "which rows"},
 };
 
-static const struct sheet *choose_sheet(const void *data, const struct asking *asking)
+static const struct sheet *optimize_choose_sheet(const void *data,
+                                                 const struct option_query *asking)
 {
     (void)asking;
     return optimize_sheets[((const struct optimize_input *)data)->show];
 }
 
-static bool makes_many(const void *data)
+static bool optimize_makes_many(const void *data)
 {
     return ((const struct optimize_input *)data)->show != OPTIMIZE_ANSWER ||
            optimize_keep_count(data) > 1;
 }
 
-static bool run(const void *data, struct run *run, struct error *error)
+static bool optimize_command_run(const void *data, struct run *run, struct error *error)
 {
     struct optimize_job *job = ARENA_NEW(run->arena, struct optimize_job);
     struct optimize_input *input = ARENA_NEW(run->arena, struct optimize_input);
@@ -122,7 +123,7 @@ static bool run(const void *data, struct run *run, struct error *error)
     return optimize_job_run(job, error) && optimize_emit(job, error);
 }
 
-static const struct file_type *saved_types(size_t i)
+static const struct file_type *optimize_saved_types(size_t i)
 {
     return i == 0 ? &lens_file_type : NULL;
 }
@@ -144,7 +145,7 @@ static const struct artifact artifacts[] = {
                 .letter = 'o',
                 .value = "NEW.lens",
                 .flags = OPTION_FILE,
-                .types = saved_types,
+                .types = optimize_saved_types,
                 .help = "write the lens that was found; rows go to standard output"},
      .is_kept = true,
      .choose = choose_part,
@@ -198,10 +199,10 @@ const struct command command_optimize = {
     .group = "design",
     .summary = "make a lens better: the nearest minimum, or the best of many",
     COMMAND_ASKS(struct optimize_input),
-    .choose_sheet = choose_sheet,
+    .choose_sheet = optimize_choose_sheet,
     .sheets = optimize_sheets,
-    .makes_many = makes_many,
-    .run = run,
+    .makes_many = optimize_makes_many,
+    .run = optimize_command_run,
     COMMAND_MAKES(artifacts),
     .explanations = explanations,
     .cell = "merit_after",

@@ -109,13 +109,14 @@ static const struct option options[] = {
      .wants = "output", .help = "only part I of N, into a .part for 'lenscalc merge'"},
 };
 
-static const struct sheet *choose_sheet(const void *data, const struct asking *asking)
+static const struct sheet *tolerance_choose_sheet(const void *data,
+                                                  const struct option_query *asking)
 {
     (void)asking;
     return tolerance_sheets[((const struct tolerance_input *)data)->show];
 }
 
-static bool run(const void *data, struct run *run, struct error *error)
+static bool tolerance_command_run(const void *data, struct run *run, struct error *error)
 {
     struct tolerance_job *job = ARENA_NEW(run->arena, struct tolerance_job);
     struct tolerance_input *input = ARENA_NEW(run->arena, struct tolerance_input);
@@ -162,7 +163,7 @@ static const struct example examples[] = {
     {NULL, NULL},
 };
 
-static double weight(const void *data)
+static double tolerance_weight(const void *data)
 {
     return (double)((const struct tolerance_input *)data)->trials;
 }
@@ -172,14 +173,14 @@ const struct command command_tolerance = {
     .group = "design",
     .summary = "will a lens work when it is built: trials, yield, percentiles",
     COMMAND_ASKS(struct tolerance_input),
-    .choose_sheet = choose_sheet,
+    .choose_sheet = tolerance_choose_sheet,
     .sheets = tolerance_sheets,
     .makes_many = command_always_many,
-    .run = run,
+    .run = tolerance_command_run,
     COMMAND_MAKES(artifacts),
     .explanations = explanations,
     .cell = "mean",
     .keeps_best = true,
-    .weight = weight,
+    .weight = tolerance_weight,
     .is_divided = true,
 };

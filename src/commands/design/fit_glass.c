@@ -17,7 +17,7 @@ const struct word fit_formulas[] = {
     {NULL, NULL},
 };
 
-struct glass_row {
+struct fit_glass_glass_row {
     const char *formula, *coefficients, *status;
     double rms, largest;
     double from, to; /* um */
@@ -28,33 +28,33 @@ struct glass_row {
 #define PLAIN(S, member_name) COLUMN(S, member_name), .flags = COLUMN_BRIEF
 
 static const struct column glass_columns[] = {
-    {PLAIN(struct glass_row, formula), .name = "formula", .label = "formula",
+    {PLAIN(struct fit_glass_glass_row, formula), .name = "formula", .label = "formula",
      .help = "form of the dispersion, l in um"},
-    {PLAIN(struct glass_row, coefficients), .name = "coefficients", .label = "coefficients",
-     .help = "in the order of the formula, as catalogues have them"},
-    {COLUMN(struct glass_row, from), .dimension = &dimension_wavelength_um, .unit = "nm",
+    {PLAIN(struct fit_glass_glass_row, coefficients), .name = "coefficients",
+     .label = "coefficients", .help = "in the order of the formula, as catalogues have them"},
+    {COLUMN(struct fit_glass_glass_row, from), .dimension = &dimension_wavelength_um, .unit = "nm",
      .name = "from", .flags = COLUMN_BRIEF | COLUMN_ECHO, .label = "from",
      .help = "shortest measured wavelength"},
-    {COLUMN(struct glass_row, to), .dimension = &dimension_wavelength_um, .unit = "nm",
+    {COLUMN(struct fit_glass_glass_row, to), .dimension = &dimension_wavelength_um, .unit = "nm",
      .name = "to", .flags = COLUMN_BRIEF | COLUMN_ECHO, .label = "to",
      .help = "longest measured wavelength: the formula holds between the two"},
-    {PLAIN(struct glass_row, rms), .name = "rms", .label = "error of the index, rms",
+    {PLAIN(struct fit_glass_glass_row, rms), .name = "rms", .label = "error of the index, rms",
      .help = "difference from the measured indices, root mean square"},
-    {PLAIN(struct glass_row, largest), .name = "largest", .label = "largest error",
+    {PLAIN(struct fit_glass_glass_row, largest), .name = "largest", .label = "largest error",
      .help = "the largest of these differences"},
-    {COLUMN(struct glass_row, nd), .name = "nd", .digits = 7, .label = "nd",
+    {COLUMN(struct fit_glass_glass_row, nd), .name = "nd", .digits = 7, .label = "nd",
      .help = "index at the d line; absent where the range does not reach"},
-    {COLUMN(struct glass_row, Vd), .name = "vd", .label = "Vd", .help = "Abbe number"},
-    {COLUMN(struct glass_row, indices), .name = "indices", .label = "measured indices",
+    {COLUMN(struct fit_glass_glass_row, Vd), .name = "vd", .label = "Vd", .help = "Abbe number"},
+    {COLUMN(struct fit_glass_glass_row, indices), .name = "indices", .label = "measured indices",
      .help = "how many there are"},
-    {COLUMN(struct glass_row, iterations), .name = "iterations", .label = "iterations",
+    {COLUMN(struct fit_glass_glass_row, iterations), .name = "iterations", .label = "iterations",
      .help = "of the solver, from the best start"},
-    {COLUMN(struct glass_row, status), .name = "status", .label = "status",
+    {COLUMN(struct fit_glass_glass_row, status), .name = "status", .label = "status",
      .help = "converged, or why the fit ended otherwise"},
 };
 
 const struct sheet fit_glass_sheet = {glass_columns, sizeof glass_columns / sizeof glass_columns[0],
-                                      sizeof(struct glass_row)};
+                                      sizeof(struct fit_glass_glass_row)};
 
 struct index_row {
     double wavelength; /* um */
@@ -76,8 +76,8 @@ static const struct column index_columns[] = {
 const struct sheet fit_index_sheet = {index_columns, sizeof index_columns / sizeof index_columns[0],
                                       sizeof(struct index_row)};
 
-static bool read_indices(const struct fit_input *input, struct run *run, struct index_table *table,
-                         struct error *error)
+static bool fit_glass_read_indices(const struct fit_input *input, struct run *run,
+                                   struct index_table *table, struct error *error)
 {
     struct text content;
     if (!whole_file(input->glass, run->arena, &content, error)) {
@@ -116,7 +116,7 @@ static void emit_glass(const struct index_table *table, const struct dispersion_
                        struct run *run)
 {
     const struct glass_summary summary = glass_summary(&fit->glass);
-    const struct glass_row row = {
+    const struct fit_glass_glass_row row = {
         .formula = glass_formula_name(fit->glass.formula),
         .coefficients = coefficients_of(&fit->glass, run->arena),
         .status = fit_status(&fit->summary),
@@ -136,7 +136,7 @@ bool fit_glass(const struct fit_input *input, struct run *run, struct error *err
 {
     struct index_table table;
     struct dispersion_fit fit;
-    if (!read_indices(input, run, &table, error)) {
+    if (!fit_glass_read_indices(input, run, &table, error)) {
         return false;
     }
     const struct dispersion_data data = {table.count, table.wavelength, table.index,

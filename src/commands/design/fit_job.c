@@ -30,7 +30,7 @@ static void set_rivals(struct fit_job *job)
     }
 }
 
-static void set_pupils(struct fit_job *job)
+static void fit_job_set_pupils(struct fit_job *job)
 {
     const struct thick_pupil none = {NAN, NAN, NAN, NAN, NAN, NAN, NAN};
     struct thick_pupil *const pupils[2] = {&job->entrance, &job->exit};
@@ -92,8 +92,9 @@ static bool open_rays(const struct fit_job *job, size_t rays, struct ray_data *r
 }
 
 /* Trace all rays and add them up; also for the pupils unless that is null. */
-static bool add_rays(const struct fit_job *job, struct ray_data *ray_data, struct thick_sums *sums,
-                     struct thick_pupil_sums *pupils, struct error *error)
+static bool fit_job_add_rays(const struct fit_job *job, struct ray_data *ray_data,
+                             struct thick_sums *sums, struct thick_pupil_sums *pupils,
+                             struct error *error)
 {
     const struct setup *setup = job->setup;
     const struct ray_part *part;
@@ -141,18 +142,18 @@ static void set_sampling(struct fit_job *job)
     struct thick_sums sums;
     struct thick_fit fit;
     struct error ignored;
-    job->sampling = ARENA_ARRAY(arena, job->setup->wavelength_count, struct fit_sampling);
+    job->sampling = ARENA_ARRAY(arena, job->setup->wavelength_count, struct fit_sampling_change);
     struct arena_mark mark = arena_mark(arena);
     task.sums = &sums;
     task.start = job->fit.lenses[0];
     bool found = open_rays(job, 2 * (size_t)job->input->rays, &ray_data, &ignored) &&
-                 add_rays(job, &ray_data, &sums, NULL, &ignored) &&
+                 fit_job_add_rays(job, &ray_data, &sums, NULL, &ignored) &&
                  thick_fit(&task, arena, &fit, &ignored);
     for (size_t g = 0; g < job->setup->wavelength_count; g++) {
         const struct thick_lens *one = &job->fit.lenses[g], *other = found ? &fit.lenses[g] : one;
-        job->sampling[g] = (struct fit_sampling){NAN, NAN, NAN, NAN};
+        job->sampling[g] = (struct fit_sampling_change){NAN, NAN, NAN, NAN};
         if (found) {
-            job->sampling[g] = (struct fit_sampling){
+            job->sampling[g] = (struct fit_sampling_change){
                 fabs(other->focal - one->focal), fabs(other->front - one->front),
                 fabs(other->rear - one->rear), fabs(fit.rms - job->fit.rms)};
         }
@@ -170,13 +171,13 @@ bool fit_job_run(struct fit_job *job, struct error *error)
                     "an afocal lens has no principal planes: no thick lens equals it");
     }
     if (!open_rays(job, (size_t)job->input->rays, &job->ray_data, error) ||
-        !add_rays(job, &job->ray_data, &job->sums, job->pupils, error)) {
+        !fit_job_add_rays(job, &job->ray_data, &job->sums, job->pupils, error)) {
         return false;
     }
     set_task(job);
     watch_begin(job->run->watch, "iterations", 0);
     set_rivals(job);
-    set_pupils(job);
+    fit_job_set_pupils(job);
     if (!thick_fit(&job->task, job->run->arena, &job->fit, error)) {
         const char *missing = fit_missing_fields(job);
         return missing == NULL ? false : error_hint(error, "%s", missing);

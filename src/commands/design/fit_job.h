@@ -10,7 +10,7 @@
 enum { MOST_WAVELENGTHS = THICK_GROUPS };
 
 /* By how much twice as many rays change what was found; NaN = they found nothing. mm. */
-struct fit_sampling {
+struct fit_sampling_change {
     double efl, front, rear, rms;
 };
 
@@ -26,9 +26,9 @@ struct fit_job {
     struct thick_pupil_sums pupils[2]; /* before and behind the lens */
     struct thick_task task;
     struct thick_fit fit;
-    struct fit_sampling *sampling;      /* one a lens that was fitted */
-    struct thick_lens *paraxial, *thin; /* one a wavelength */
-    struct thick_pupil entrance, exit;  /* NaN where there is no stop */
+    struct fit_sampling_change *sampling; /* one a lens that was fitted */
+    struct thick_lens *paraxial, *thin;   /* one a wavelength */
+    struct thick_pupil entrance, exit;    /* NaN where there is no stop */
 };
 
 /* A field: rad of a distant object, else its height in mm. */

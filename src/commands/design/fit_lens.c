@@ -3,12 +3,12 @@
 #include "commands/design/fit_job.h"
 
 /* The answer for one position, and for one wavelength where each has its own lens. */
-struct lens_row {
+struct fit_lens_lens_row {
     const char *position, *lens, *fields, *status, *warning;
     double wavelength; /* um; NaN = all of them */
     double fnumber;
     double efl, front, rear, efl_error, front_error, rear_error;
-    struct fit_sampling sampling;
+    struct fit_sampling_change sampling;
     double rms, rms_percent, largest, rms_pupil, rms_paraxial, rms_thin;
     double paraxial_efl, paraxial_front, paraxial_rear;
     double d[THICK_DISTORTIONS];
@@ -20,9 +20,9 @@ struct lens_row {
 };
 
 #define LENGTH(member_name, in_unit, more)                                                         \
-    COLUMN(struct lens_row, member_name), .dimension = &dimension_length, .unit = in_unit,         \
-                                          .flags = (more)
-#define NUMBER(member_name, more) COLUMN(struct lens_row, member_name), .flags = (more)
+    COLUMN(struct fit_lens_lens_row, member_name), .dimension = &dimension_length,                 \
+                                                   .unit = in_unit, .flags = (more)
+#define NUMBER(member_name, more) COLUMN(struct fit_lens_lens_row, member_name), .flags = (more)
 
 static const struct column columns[] = {
     {NUMBER(position, COLUMN_BRIEF | COLUMN_SPARSE), .name = "position", .label = "position",
@@ -119,7 +119,7 @@ static const struct column columns[] = {
 };
 
 const struct sheet fit_lens_sheet = {columns, sizeof columns / sizeof columns[0],
-                                     sizeof(struct lens_row)};
+                                     sizeof(struct fit_lens_lens_row)};
 
 /* What takes every ray once more. */
 struct ray_extremes {
@@ -127,7 +127,7 @@ struct ray_extremes {
     double height;  /* of the exact image, in the plane where rays are compared, mm */
 };
 
-static struct ray_extremes find_extremes(struct fit_job *job)
+static struct ray_extremes fit_lens_find_extremes(struct fit_job *job)
 {
     struct thick_score score = {.largest = 0};
     double z = job->task.planes[0], height = 0;
@@ -166,14 +166,15 @@ static const char *misfit(const struct fit_job *job, double height)
 }
 
 /* Of group g, or of all rays. */
-static void emit_answer(const struct fit_job *job, const struct ray_extremes *extremes, size_t g)
+static void fit_lens_emit_answer(const struct fit_job *job, const struct ray_extremes *extremes,
+                                 size_t g)
 {
     const struct thick_fit *fit = &job->fit;
     const struct solver_summary *summary = &fit->summary;
     size_t base = job->task.separate ? 3 * g : 0;
     double plane = job->task.planes[0];
     bool one = job->task.separate || job->input->question.wavelength.name != NULL;
-    struct lens_row row = {
+    struct fit_lens_lens_row row = {
         .position = job->setup->position,
         .lens = job->setup->lens->title,
         .fields = job->setup->fields_from != NULL ? job->setup->fields_from
@@ -218,13 +219,13 @@ static void emit_answer(const struct fit_job *job, const struct ray_extremes *ex
 
 static void show_answers(struct fit_job *job)
 {
-    const struct ray_extremes extremes = find_extremes(job);
+    const struct ray_extremes extremes = fit_lens_find_extremes(job);
     for (size_t g = 0; g < (job->input->chromatic ? job->setup->wavelength_count : 1); g++) {
-        emit_answer(job, &extremes, g);
+        fit_lens_emit_answer(job, &extremes, g);
     }
 }
 
-static void show_found(struct fit_job *job)
+static void fit_lens_show_found(struct fit_job *job)
 {
     const struct fit_found found = {job->setup->position, job->fit.parameter_count, job->fit.names,
                                     job->fit.parameters, &job->fit.summary};
@@ -232,13 +233,16 @@ static void show_found(struct fit_job *job)
 }
 
 static void (*const views[FIT_SHOWS])(struct fit_job *job) = {
-    [FIT_ANSWER] = show_answers,     [FIT_PARAMETERS] = show_found,
-    [FIT_CORRELATIONS] = show_found, [FIT_RESIDUALS] = fit_show_rays,
-    [FIT_MODELS] = fit_show_models,  [FIT_MATRIX] = fit_show_matrix,
+    [FIT_ANSWER] = show_answers,
+    [FIT_PARAMETERS] = fit_lens_show_found,
+    [FIT_CORRELATIONS] = fit_lens_show_found,
+    [FIT_RESIDUALS] = fit_show_rays,
+    [FIT_MODELS] = fit_show_models,
+    [FIT_MATRIX] = fit_show_matrix,
 };
 
-static bool visit(const struct setup *setup, const char *warning, void *context,
-                  struct error *error)
+static bool fit_lens_visit(const struct setup *setup, const char *warning, void *context,
+                           struct error *error)
 {
     const struct fit_asked *asked = context;
     const struct fit_input *input = asked->input;
@@ -274,5 +278,5 @@ bool fit_lens(const struct fit_input *input, struct run *run, struct error *erro
         question.lens.lens = lens;
     }
     struct fit_asked asked = {input, run};
-    return lens_each_setup(&question, &policy, run->arena, visit, &asked, error);
+    return lens_each_setup(&question, &policy, run->arena, fit_lens_visit, &asked, error);
 }

@@ -98,8 +98,8 @@ static const struct column matrix_columns[] = {
 const struct sheet fit_matrix_sheet = {
     matrix_columns, sizeof matrix_columns / sizeof matrix_columns[0], sizeof(struct matrix_row)};
 /* What the fitted lens makes of the rays of a part, less what they are, in the image. */
-static void find_errors(const struct fit_job *job, const struct ray_part *part, double *dx,
-                        double *dy)
+static void fit_view_find_errors(const struct fit_job *job, const struct ray_part *part, double *dx,
+                                 double *dy)
 {
     thick_errors(&part->rays, job->fit.lenses, job->task.planes[0], dx, dy);
 }
@@ -126,7 +126,7 @@ void fit_show_rays(struct fit_job *job)
     const struct ray_part *part;
     double dx[RAY_PART], dy[RAY_PART];
     while ((part = ray_data_next(&job->ray_data)) != NULL) {
-        find_errors(job, part, dx, dy);
+        fit_view_find_errors(job, part, dx, dy);
         for (size_t i = 0; i < part->rays.count; i++) {
             if (!emit_ray(job, &part->rays, i, dx[i], dy[i])) {
                 ray_data_rewind(&job->ray_data);
@@ -203,7 +203,7 @@ static void label_map(const struct fit_job *job, struct ray_map *map)
 }
 
 /* The points of all rays; those that came through first. Result: the largest error, mm. */
-static double place_points(struct fit_job *job, struct ray_map *map)
+static double fit_view_place_points(struct fit_job *job, struct ray_map *map)
 {
     const struct ray_data *ray_data = &job->ray_data;
     const struct ray_part *part;
@@ -213,7 +213,7 @@ static double place_points(struct fit_job *job, struct ray_map *map)
     size_t count = 0, lost = ray_data->count;
     while ((part = ray_data_next(&job->ray_data)) != NULL) {
         const struct thick_rays *rays = &part->rays;
-        find_errors(job, part, dx, dy);
+        fit_view_find_errors(job, part, dx, dy);
         for (size_t i = 0; i < rays->count; i++) {
             points[count++] =
                 (struct ray_map_point){rays->field[i],  rays->group[i], rays->stop_x[i],
@@ -240,7 +240,7 @@ bool fit_draw_map(const struct artifact_job *wanted, struct output *sink, struct
     struct ray_map map = {.unit = "um"};
     struct svg svg = {.arena = arena};
     label_map(job, &map);
-    const double largest = place_points(job, &map);
+    const double largest = fit_view_place_points(job, &map);
     map.title = arena_printf(arena, "%s%s%s: exact rays against the fitted thick lens", title,
                              job->setup->position != NULL ? ", " : "",
                              job->setup->position != NULL ? job->setup->position : "");

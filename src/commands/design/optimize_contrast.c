@@ -17,8 +17,9 @@ static bool is_contrast(const struct operand *operand)
 /* -------- as it is -------- */
 
 /* The lens that was found, in the position of a slot, at its wavelengths. */
-static bool open_setup(const struct optimize_job *job, const struct merit_slot *slot,
-                       struct setup *setup, struct error *error)
+static bool optimize_contrast_open_setup(const struct optimize_job *job,
+                                         const struct merit_slot *slot, struct setup *setup,
+                                         struct error *error)
 {
     const struct merit_question *question = &job->merit.question;
     const struct merit_place *place = &job->merit.places[slot->place];
@@ -59,31 +60,31 @@ static bool look_again(const struct optimize_job *job, const struct merit_slot *
 }
 
 /* The contrast that is off most. */
-struct doubt {
+struct optimize_contrast_doubt {
     const struct operand *operand;
     double off, seen, is; /* is NaN: it is not known */
 };
 
-static void compare(const struct optimize_job *job, const struct merit_slot *slot, size_t row,
-                    double is, struct doubt *doubt)
+static void optimize_contrast_compare(const struct optimize_job *job, const struct merit_slot *slot,
+                                      size_t row, double is, struct optimize_contrast_doubt *doubt)
 {
     const double seen = job->answer.after.values[slot->first + row];
     const double off = isnan(is) ? 1 : fabs(is - seen);
     if (off > doubt->off) {
-        *doubt = (struct doubt){slot->operand, off, seen, is};
+        *doubt = (struct optimize_contrast_doubt){slot->operand, off, seen, is};
     }
 }
 
 /* All residuals of a slot: of fields that count, tangential before sagittal. */
 static void look_at_slot(const struct optimize_job *job, const struct merit_slot *slot,
-                         struct doubt *doubt)
+                         struct optimize_contrast_doubt *doubt)
 {
     const struct operand *operand = slot->operand;
     const struct setup_field axis = {{.kind = FIELD_NONE}, 1};
     struct setup setup;
     struct error ignored;
     size_t row = 0;
-    const bool is_open = open_setup(job, slot, &setup, &ignored);
+    const bool is_open = optimize_contrast_open_setup(job, slot, &setup, &ignored);
     const struct setup *start = &job->merit.places[slot->place].setup;
     const struct setup_field *fields = operand->field != NULL   ? operand->field
                                        : start->field_count > 0 ? start->fields
@@ -98,10 +99,10 @@ static void look_at_slot(const struct optimize_job *job, const struct merit_slot
             mtf.contrast[0] = mtf.contrast[1] = NAN;
         }
         if (operand->orientation != ORIENTATION_SAGITTAL) {
-            compare(job, slot, row++, mtf.contrast[MTF_TANGENTIAL], doubt);
+            optimize_contrast_compare(job, slot, row++, mtf.contrast[MTF_TANGENTIAL], doubt);
         }
         if (operand->orientation != ORIENTATION_TANGENTIAL) {
-            compare(job, slot, row++, mtf.contrast[MTF_SAGITTAL], doubt);
+            optimize_contrast_compare(job, slot, row++, mtf.contrast[MTF_SAGITTAL], doubt);
         }
     }
 }
@@ -110,7 +111,7 @@ const char *optimize_contrast_doubt(const struct optimize_job *job)
 {
     struct arena *arena = job->run->arena;
     const size_t rays = job->merit.question.rays;
-    struct doubt doubt = {.off = doubtful};
+    struct optimize_contrast_doubt doubt = {.off = doubtful};
     for (size_t i = 0; i < job->merit.slot_count; i++) {
         if (is_contrast(job->merit.slots[i].operand)) {
             look_at_slot(job, &job->merit.slots[i], &doubt);
@@ -134,7 +135,7 @@ const char *optimize_contrast_doubt(const struct optimize_job *job)
 /* -------- as wanted -------- */
 
 /* By how much a contrast is missed; "= 1" is how one asks for as much as can be. */
-static double missed_by(const struct operand *operand, double value)
+static double optimize_contrast_missed_by(const struct operand *operand, double value)
 {
     switch (operand->relation) {
     case OPERAND_ABOVE:
@@ -157,7 +158,8 @@ const char *optimize_contrast_missed(const struct optimize_job *job)
     for (size_t i = 0; i < job->merit.slot_count; i++) {
         const struct merit_slot *slot = &job->merit.slots[i];
         for (size_t k = 0; k < slot->count && is_contrast(slot->operand); k++) {
-            const double by = missed_by(slot->operand, job->answer.after.values[slot->first + k]);
+            const double by = optimize_contrast_missed_by(
+                slot->operand, job->answer.after.values[slot->first + k]);
             /* more than a deviation is said of all goals alike */
             if (by > most && by <= slot->operand->deviation) {
                 most = by;

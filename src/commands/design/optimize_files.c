@@ -27,7 +27,7 @@ static void put_goals(const struct optimize_job *job, struct lens *lens)
     fit_note(lens, "its goals are those that it was optimized for, no longer its own", arena);
 }
 
-static void save(const struct optimize_job *done, struct output *sink)
+static void optimize_files_save(const struct optimize_job *done, struct output *sink)
 {
     struct arena *arena = done->run->arena;
     struct lens lens = *done->found;
@@ -51,7 +51,7 @@ bool optimize_save(const struct artifact_job *job, struct output *sink, struct e
     const struct optimize_job *done = job->run->state;
     (void)error;
     if (done->search == NULL) {
-        save(done, sink);
+        optimize_files_save(done, sink);
         return true;
     }
     if (job->type == division_types(0)) {
@@ -60,7 +60,7 @@ bool optimize_save(const struct artifact_job *job, struct output *sink, struct e
     }
     for (size_t i = 0; i < job->files; i++) {
         if (i < done->kept_count) {
-            save(&done->kept[i], &sink[i]);
+            optimize_files_save(&done->kept[i], &sink[i]);
         } else {
             sink[i].is_unused = true;
         }
@@ -84,7 +84,7 @@ bool optimize_save_state(const struct artifact_job *job, struct output *sink, st
 }
 
 /* "f/2.8", "seed 3"; null: there is only one. */
-static const char *label_of(const struct optimize_job *job, bool several)
+static const char *optimize_files_label_of(const struct optimize_job *job, bool several)
 {
     const struct optimize_input *input = job->input;
     struct arena *arena = job->run->arena;
@@ -98,19 +98,21 @@ static const char *label_of(const struct optimize_job *job, bool several)
 }
 
 /* What is drawn of a job: its merit after each iteration, or where its starts ended. */
-struct curve {
+struct optimize_files_curve {
     const double *y;
     size_t count;
 };
 
-static struct curve curve_of(const struct optimize_job *job)
+static struct optimize_files_curve optimize_files_curve_of(const struct optimize_job *job)
 {
-    return job->kept_count > 0 ? (struct curve){job->ends, job->end_count}
-                               : (struct curve){job->answer.history, job->answer.history_count};
+    return job->kept_count > 0
+               ? (struct optimize_files_curve){job->ends, job->end_count}
+               : (struct optimize_files_curve){job->answer.history, job->answer.history_count};
 }
 
 /* As long as the longest. */
-static const double *stretch(struct curve curve, size_t length, struct arena *arena)
+static const double *optimize_files_stretch(struct optimize_files_curve curve, size_t length,
+                                            struct arena *arena)
 {
     double *y = ARENA_ARRAY(arena, length, double);
     for (size_t i = 0; i < length; i++) {
@@ -119,7 +121,7 @@ static const double *stretch(struct curve curve, size_t length, struct arena *ar
     return y;
 }
 
-static bool is_positive(struct curve curve)
+static bool optimize_files_is_positive(struct optimize_files_curve curve)
 {
     bool positive = true;
     for (size_t i = 0; i < curve.count; i++) {
@@ -137,15 +139,16 @@ bool optimize_plot(const struct artifact_job *job, struct output *sink, struct e
     size_t length = 0, at = job->count;
     bool log_y = true;
     for (const struct optimize_job *one = last; one != NULL; one = one->earlier) {
-        const struct curve curve = curve_of(one);
+        const struct optimize_files_curve curve = optimize_files_curve_of(one);
         length = curve.count > length ? curve.count : length;
-        log_y = log_y && is_positive(curve);
+        log_y = log_y && optimize_files_is_positive(curve);
     }
     for (const struct optimize_job *one = last; one != NULL && at > 0; one = one->earlier) {
         at--;
-        series[at] = (struct plot_series){.label = label_of(one, job->count > 1),
-                                          .y = stretch(curve_of(one), length, arena),
-                                          .style = at};
+        series[at] = (struct plot_series){
+            .label = optimize_files_label_of(one, job->count > 1),
+            .y = optimize_files_stretch(optimize_files_curve_of(one), length, arena),
+            .style = at};
     }
     const bool is_search = last->kept_count > 0;
     double *x = ARENA_ARRAY(arena, length, double);

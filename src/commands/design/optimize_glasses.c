@@ -31,7 +31,7 @@ struct glass_list {
     size_t wavelength_count, wavelength_room;
 };
 
-static void add_wavelength(struct glass_list *list, double wavelength)
+static void optimize_glasses_add_wavelength(struct glass_list *list, double wavelength)
 {
     list->wavelengths = arena_grow(list->arena, list->wavelengths, list->wavelength_count,
                                    &list->wavelength_room, sizeof wavelength);
@@ -39,24 +39,25 @@ static void add_wavelength(struct glass_list *list, double wavelength)
 }
 
 /* Of the merit, and of the lens in all its positions: it is to be usable. */
-static void list_wavelengths(struct glass_list *list)
+static void optimize_glasses_list_wavelengths(struct glass_list *list)
 {
     const struct optimize_job *job = list->job;
     for (size_t p = 0; p == 0 || p < job->lens->position_count; p++) {
         const struct lens *lens = lens_at_position(job->lens, p, list->arena);
         for (size_t i = 0; i < lens->wavelength_count; i++) {
-            add_wavelength(list, lens->wavelengths[i].wavelength);
+            optimize_glasses_add_wavelength(list, lens->wavelengths[i].wavelength);
         }
     }
     for (size_t p = 0; p < job->merit.place_count; p++) {
         for (size_t i = 0; i < job->merit.places[p].light_count; i++) {
-            add_wavelength(list, job->merit.places[p].lights[i].wavelength);
+            optimize_glasses_add_wavelength(list, job->merit.places[p].lights[i].wavelength);
         }
     }
 }
 
 /* Is one of the list the same to light? As one with higher transmittance is, by another name. */
-static bool is_there(const struct glass_list *list, const struct glass_candidate *one)
+static bool optimize_glasses_is_there(const struct glass_list *list,
+                                      const struct glass_candidate *one)
 {
     bool found = false;
     for (size_t i = 0; i < list->count && !found; i++) {
@@ -91,7 +92,7 @@ static bool add_glass(struct glass_list *list, const struct glass *glass, struct
     if (!isfinite(one.nd) || !isfinite(one.Vd)) {
         return fail(error, ERROR_DOMAIN, "glass %s has no nd and Vd to choose it by", name);
     }
-    if (is_there(list, &one)) {
+    if (optimize_glasses_is_there(list, &one)) {
         return true;
     }
     list->glasses = arena_grow(list->arena, list->glasses, list->count, &list->room, sizeof one);
@@ -110,7 +111,7 @@ static bool is_current(struct text status)
  * Go through all catalogues: first which of the words name one, then for their glasses. Of one that
  * does not say what is made all but what is not made any more.
  */
-static bool read_catalogs(struct glass_list *list, bool takes, struct error *error)
+static bool optimize_glasses_read_catalogs(struct glass_list *list, bool takes, struct error *error)
 {
     struct glass_catalogs catalogs;
     struct glass_record record;
@@ -152,7 +153,8 @@ static bool add_named(struct glass_list *list, const struct glass_word *word, st
     return false;
 }
 
-static bool read_words(struct glass_list *list, const char *typed, struct error *error)
+static bool optimize_glasses_read_words(struct glass_list *list, const char *typed,
+                                        struct error *error)
 {
     size_t most = 1;
     for (const char *at = typed; *at != '\0'; at++) {
@@ -167,7 +169,7 @@ static bool read_words(struct glass_list *list, const char *typed, struct error 
         list->words[list->word_count++] =
             (struct glass_word){.text = word, .nearest = {.typed = word}};
     }
-    if (!read_catalogs(list, false, error)) {
+    if (!optimize_glasses_read_catalogs(list, false, error)) {
         return false;
     }
     for (size_t i = 0; i < list->word_count; i++) {
@@ -175,7 +177,8 @@ static bool read_words(struct glass_list *list, const char *typed, struct error 
             return false;
         }
     }
-    return read_catalogs(list, true, error) && /* those that were named come first */
+    return optimize_glasses_read_catalogs(list, true,
+                                          error) && /* those that were named come first */
            (list->count > 0 || fail(error, ERROR_DOMAIN,
                                     "'%s' has no glass that is made, has nd and Vd, and reaches "
                                     "to all wavelengths",
@@ -204,8 +207,8 @@ bool optimize_glasses_open(struct optimize_job *job, struct error *error)
         fail(error, ERROR_DOMAIN, "{--glasses}: no model glass nd/Vd varies");
         return error_hint(error, "those that do are replaced: {--vary} glass3, or the mark glass~");
     }
-    list_wavelengths(&list);
-    if (!read_words(&list, job->input->glasses, error)) {
+    optimize_glasses_list_wavelengths(&list);
+    if (!optimize_glasses_read_words(&list, job->input->glasses, error)) {
         return error_prefix(error, "{--glasses}: ");
     }
     job->glasses = list.glasses;
@@ -299,7 +302,7 @@ bool optimize_glasses_choose(struct optimize_job *job, struct error *error)
 
 /* -------- rows -------- */
 
-struct glass_row {
+struct optimize_glasses_glass_row {
     const char *glass, *lens, *warning;
     double model_nd, model_Vd, nd, Vd, distance, before, after, loss;
     double fnumber;
@@ -307,55 +310,57 @@ struct glass_row {
 };
 
 static const struct column glass_columns[] = {
-    OPTIMIZE_SWEPT_COLUMNS(struct glass_row),
-    {COLUMN(struct glass_row, surface), .flags = COLUMN_BRIEF, .name = "surface",
+    OPTIMIZE_SWEPT_COLUMNS(struct optimize_glasses_glass_row),
+    {COLUMN(struct optimize_glasses_glass_row, surface), .flags = COLUMN_BRIEF, .name = "surface",
      .label = "surface", .help = "that the glass lies behind, in the order of the exchanges"},
-    {COLUMN(struct glass_row, model_nd), .flags = COLUMN_BRIEF, .digits = 5, .name = "model_nd",
-     .label = "model nd", .help = "of the model glass, as it was optimised"},
-    {COLUMN(struct glass_row, model_Vd), .flags = COLUMN_BRIEF, .name = "model_vd",
+    {COLUMN(struct optimize_glasses_glass_row, model_nd), .flags = COLUMN_BRIEF, .digits = 5,
+     .name = "model_nd", .label = "model nd", .help = "of the model glass, as it was optimised"},
+    {COLUMN(struct optimize_glasses_glass_row, model_Vd), .flags = COLUMN_BRIEF, .name = "model_vd",
      .label = "model Vd", .help = "its Abbe number"},
-    {COLUMN(struct glass_row, glass), .flags = COLUMN_BRIEF, .name = "glass", .label = "glass",
-     .help = "what took its place; absent: there was no time"},
-    {COLUMN(struct glass_row, nd), .flags = COLUMN_BRIEF, .digits = 5, .name = "nd", .label = "nd",
-     .help = "of that glass"},
-    {COLUMN(struct glass_row, Vd), .flags = COLUMN_BRIEF, .name = "vd", .label = "Vd",
-     .help = "its Abbe number"},
-    {COLUMN(struct glass_row, distance), .name = "distance", .label = "distance",
+    {COLUMN(struct optimize_glasses_glass_row, glass), .flags = COLUMN_BRIEF, .name = "glass",
+     .label = "glass", .help = "what took its place; absent: there was no time"},
+    {COLUMN(struct optimize_glasses_glass_row, nd), .flags = COLUMN_BRIEF, .digits = 5,
+     .name = "nd", .label = "nd", .help = "of that glass"},
+    {COLUMN(struct optimize_glasses_glass_row, Vd), .flags = COLUMN_BRIEF, .name = "vd",
+     .label = "Vd", .help = "its Abbe number"},
+    {COLUMN(struct optimize_glasses_glass_row, distance), .name = "distance", .label = "distance",
      .help = "between the two: sqrt((dnd/0.1)^2 + (dVd/10)^2 + (dP/0.02)^2), dP of PgF from the "
              "normal line"},
-    {COLUMN(struct glass_row, before), .flags = COLUMN_BRIEF, .name = "merit_before",
-     .label = "merit before", .help = "before this exchange"},
-    {COLUMN(struct glass_row, after), .flags = COLUMN_BRIEF, .name = "merit_after",
+    {COLUMN(struct optimize_glasses_glass_row, before), .flags = COLUMN_BRIEF,
+     .name = "merit_before", .label = "merit before", .help = "before this exchange"},
+    {COLUMN(struct optimize_glasses_glass_row, after), .flags = COLUMN_BRIEF, .name = "merit_after",
      .label = "merit after", .help = "after it, everything else optimised again"},
-    {COLUMN(struct glass_row, loss), .flags = COLUMN_BRIEF, .name = "loss", .label = "loss",
-     .help = "how much the merit has grown"},
-    LENS_TITLE_COLUMN(struct glass_row, lens),
-    LENS_WARNING_COLUMN(struct glass_row, warning),
+    {COLUMN(struct optimize_glasses_glass_row, loss), .flags = COLUMN_BRIEF, .name = "loss",
+     .label = "loss", .help = "how much the merit has grown"},
+    LENS_TITLE_COLUMN(struct optimize_glasses_glass_row, lens),
+    LENS_WARNING_COLUMN(struct optimize_glasses_glass_row, warning),
 };
 
-const struct sheet optimize_glass_sheet = {
-    glass_columns, sizeof glass_columns / sizeof glass_columns[0], sizeof(struct glass_row)};
+const struct sheet optimize_glass_sheet = {glass_columns,
+                                           sizeof glass_columns / sizeof glass_columns[0],
+                                           sizeof(struct optimize_glasses_glass_row)};
 
 bool optimize_emit_glasses(struct optimize_job *job)
 {
     const struct glass_choice *choice = job->choice;
     for (size_t i = 0; i < choice->count; i++) {
         const struct glass_exchange *exchange = &choice->exchanges[i];
-        const struct glass_row row = {.fnumber = job->input->question.fnumber,
-                                      .seed = job->input->seed,
-                                      .rank = job->rank,
-                                      .surface = (long)exchange->surface + 1,
-                                      .model_nd = exchange->nd,
-                                      .model_Vd = exchange->Vd,
-                                      .glass = exchange->glass->medium.written.start,
-                                      .nd = exchange->glass->nd,
-                                      .Vd = exchange->glass->Vd,
-                                      .distance = exchange->distance,
-                                      .before = exchange->before,
-                                      .after = exchange->after,
-                                      .loss = exchange->after - exchange->before,
-                                      .lens = job->lens->title,
-                                      .warning = i == 0 ? job->warning : NULL};
+        const struct optimize_glasses_glass_row row = {.fnumber = job->input->question.fnumber,
+                                                       .seed = job->input->seed,
+                                                       .rank = job->rank,
+                                                       .surface = (long)exchange->surface + 1,
+                                                       .model_nd = exchange->nd,
+                                                       .model_Vd = exchange->Vd,
+                                                       .glass =
+                                                           exchange->glass->medium.written.start,
+                                                       .nd = exchange->glass->nd,
+                                                       .Vd = exchange->glass->Vd,
+                                                       .distance = exchange->distance,
+                                                       .before = exchange->before,
+                                                       .after = exchange->after,
+                                                       .loss = exchange->after - exchange->before,
+                                                       .lens = job->lens->title,
+                                                       .warning = i == 0 ? job->warning : NULL};
         if (!run_emit(job->run, &row)) {
             break;
         }

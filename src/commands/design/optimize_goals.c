@@ -49,8 +49,8 @@ static const char *add_focal_lengths(const struct optimize_job *job,
 }
 
 /* The least of the lens's own centres, edges or gaps, mm; NaN: it cannot be told. */
-static double least_of(struct optimize_job *job, const struct merit_question *question,
-                       const char *name)
+static double optimize_goals_least_of(struct optimize_job *job,
+                                      const struct merit_question *question, const char *name)
 {
     struct arena *arena = job->run->arena;
     const struct goals_reader reader = {job->run->db, job->lens, arena, "--goals", 1};
@@ -98,7 +98,7 @@ static const char *usual_goals(struct optimize_job *job, const struct merit_ques
     double size;
     const char *words = add_focal_lengths(job, question, "poly", &size);
     for (size_t i = 0; i < sizeof limits / sizeof limits[0] && isfinite(size); i++) {
-        const double least = least_of(job, question, limits[i].name),
+        const double least = optimize_goals_least_of(job, question, limits[i].name),
                      usual = limits[i].share * size;
         if (!isnan(least)) {
             words = arena_printf(arena, "%s, %s > %.2g", words, limits[i].name,
@@ -120,7 +120,7 @@ static const char *join_goals(const struct lens *lens, struct arena *arena)
 }
 
 /* Rays near loss count, wherever rays do and nothing else is said. */
-static void add_grazing(struct optimize_job *job, struct goals *goals)
+static void optimize_goals_add_grazing(struct optimize_job *job, struct goals *goals)
 {
     struct operand grazing = operand_of(OPERAND_GRAZING, "grazing < 85");
     grazing.relation = OPERAND_BELOW;
@@ -139,8 +139,9 @@ static void add_grazing(struct optimize_job *job, struct goals *goals)
     }
 }
 
-static bool read_goals(struct optimize_job *job, const struct merit_question *question,
-                       struct goals *goals, struct error *error)
+static bool optimize_goals_read_goals(struct optimize_job *job,
+                                      const struct merit_question *question, struct goals *goals,
+                                      struct error *error)
 {
     struct arena *arena = job->run->arena;
     const char *typed = job->input->goals;
@@ -177,10 +178,11 @@ static bool check_used(const struct merit_question *question, const struct goals
 bool optimize_goals(struct optimize_job *job, const struct merit_question *question,
                     struct goals *goals, struct error *error)
 {
-    if (!read_goals(job, question, goals, error) || !check_used(question, goals, error)) {
+    if (!optimize_goals_read_goals(job, question, goals, error) ||
+        !check_used(question, goals, error)) {
         return false;
     }
-    add_grazing(job, goals);
+    optimize_goals_add_grazing(job, goals);
     return true;
 }
 

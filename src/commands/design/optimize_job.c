@@ -17,14 +17,15 @@
 #include <string.h>
 
 /* What is seen of the lens while it changes. */
-struct view {
+struct optimize_job_view {
     struct setup_field *fields;
     const size_t *positions;
     size_t position_count;
 };
 
 /* A position that is named twice would count twice. */
-static bool check_once(const struct lens *lens, const struct view *view, struct error *error)
+static bool optimize_job_check_once(const struct lens *lens, const struct optimize_job_view *view,
+                                    struct error *error)
 {
     for (size_t i = 0; i < view->position_count; i++) {
         for (size_t k = 0; k < i; k++) {
@@ -37,7 +38,8 @@ static bool check_once(const struct lens *lens, const struct view *view, struct 
     return true;
 }
 
-static bool set_view(const struct optimize_job *job, struct view *view, struct error *error)
+static bool set_view(const struct optimize_job *job, struct optimize_job_view *view,
+                     struct error *error)
 {
     const struct lens_question *question = &job->input->question;
     struct arena *arena = job->run->arena;
@@ -45,12 +47,13 @@ static bool set_view(const struct optimize_job *job, struct view *view, struct e
     view->fields = ARENA_ARRAY(arena, question->fields.count + 1, struct setup_field);
     return lens_positions(question->lens.lens, names, arena, &view->positions,
                           &view->position_count, error) &&
-           check_once(question->lens.lens, view, error) &&
+           optimize_job_check_once(question->lens.lens, view, error) &&
            lens_fields_asked(question, view->positions[0], view->fields, error);
 }
 
 /* The question of the merit, without goals. */
-static struct merit_question question_of(struct optimize_job *job, const struct view *view)
+static struct merit_question optimize_job_question_of(struct optimize_job *job,
+                                                      const struct optimize_job_view *view)
 {
     const struct optimize_input *input = job->input;
     return (struct merit_question){.lens = job->lens,
@@ -118,13 +121,13 @@ static bool open_variables(struct optimize_job *job, struct error *error)
 }
 
 /* Once an iteration, from any thread. */
-static bool goes_on(void *context)
+static bool optimize_job_goes_on(void *context)
 {
     const struct optimize_job *job = context;
     return watch_add(job->run->watch, 1) && progress_clock() < job->until;
 }
 
-static const char *status_of(const struct optimize_job *job)
+static const char *optimize_job_status_of(const struct optimize_job *job)
 {
     static const char *const words[] = {
         [SOLVER_CONVERGED] = "converged",
@@ -161,7 +164,7 @@ static void warn_of_idle(struct optimize_job *job)
 }
 
 /* By how many deviations a goal of a figure is missed; those of rays have no target. */
-static double missed_by(const struct optimize_job *job, const struct merit_slot *slot)
+static double optimize_job_missed_by(const struct optimize_job *job, const struct merit_slot *slot)
 {
     const struct operand *operand = slot->operand;
     double most = 0;
@@ -184,7 +187,7 @@ static void warn_of_missed(struct optimize_job *job)
     double most = 1;
     size_t count = 0;
     for (size_t i = 0; i < merit->slot_count; i++) {
-        const double by = missed_by(job, &merit->slots[i]);
+        const double by = optimize_job_missed_by(job, &merit->slots[i]);
         count += by > 1;
         if (by > most) {
             most = by;
@@ -363,7 +366,7 @@ static const char *missed_goal(const struct optimize_job *job)
     return name;
 }
 
-static void judge(struct optimize_job *job)
+static void optimize_job_judge(struct optimize_job *job)
 {
     const struct solver_summary *summary = &job->answer.summary;
     struct arena *arena = job->run->arena;
@@ -390,13 +393,13 @@ static void judge(struct optimize_job *job)
     }
 }
 
-static bool optimise(struct optimize_job *job, struct error *error)
+static bool optimize_job_optimise(struct optimize_job *job, struct error *error)
 {
     const struct optimize_input *input = job->input;
     job->task = (struct optimize_task){.merit = &job->merit,
                                        .engine = (enum solver_engine)input->solver,
                                        .iterations = (int)input->iterations,
-                                       .goes_on = goes_on,
+                                       .goes_on = optimize_job_goes_on,
                                        .context = job};
     job->until = isnan(input->seconds) ? INFINITY : progress_clock() + input->seconds;
     watch_begin(job->run->watch, "iterations", 0);
@@ -413,7 +416,7 @@ static bool optimise(struct optimize_job *job, struct error *error)
 
 bool optimize_judge(struct optimize_job *job, struct error *error)
 {
-    job->status = status_of(job);
+    job->status = optimize_job_status_of(job);
     optimize_warn(job, job->answer.begun);
     warn_of_elsewhere(job);
     warn_of_fnumber(job);
@@ -423,19 +426,19 @@ bool optimize_judge(struct optimize_job *job, struct error *error)
     warn_of_glasses(job);
     optimize_warn(job, optimize_contrast_missed(job));
     optimize_warn(job, optimize_contrast_doubt(job));
-    judge(job);
+    optimize_job_judge(job);
     return warn_of_power(job, error) && check_found(job, error);
 }
 
 bool optimize_open(struct optimize_job *job, struct merit_question *question, struct error *error)
 {
-    struct view view;
+    struct optimize_job_view view;
     struct goals goals;
     job->lens = job->input->question.lens.lens;
     if (!set_view(job, &view, error) || !open_variables(job, error)) {
         return false;
     }
-    *question = question_of(job, &view);
+    *question = optimize_job_question_of(job, &view);
     if (!optimize_goals(job, question, &goals, error) || !optimize_errors(job, &goals, error)) {
         return false;
     }
@@ -448,5 +451,5 @@ bool optimize_open(struct optimize_job *job, struct merit_question *question, st
 
 bool optimize_near(struct optimize_job *job, struct error *error)
 {
-    return optimise(job, error) && optimize_judge(job, error);
+    return optimize_job_optimise(job, error) && optimize_judge(job, error);
 }

@@ -16,7 +16,7 @@
  */
 enum { COUNT_BYTES = 4, LONG_BYTES = 8, SAVED_EVERY = 30 /* s */ };
 
-static uint64_t bits_of(double value)
+static uint64_t optimize_part_bits_of(double value)
 {
     uint64_t bits;
     memcpy(&bits, &value, sizeof bits);
@@ -38,15 +38,16 @@ static void put_result(struct bytes *body, const struct global_result *result, s
     bytes_put_little(body, (uint64_t)result->evaluations, LONG_BYTES);
     for (size_t i = 0; i < result->count; i++) {
         const struct global_minimum *minimum = &result->minima[i];
-        bytes_put_little(body, bits_of(minimum->cost), LONG_BYTES);
-        bytes_put_little(body, bits_of(minimum->excess), LONG_BYTES);
+        bytes_put_little(body, optimize_part_bits_of(minimum->cost), LONG_BYTES);
+        bytes_put_little(body, optimize_part_bits_of(minimum->excess), LONG_BYTES);
         for (size_t j = 0; j < numbers; j++) {
-            bytes_put_little(body, bits_of(minimum->parameters[j]), LONG_BYTES);
+            bytes_put_little(body, optimize_part_bits_of(minimum->parameters[j]), LONG_BYTES);
         }
     }
 }
 
-static void write_file(struct optimize_part *part, struct part_head *head, struct output *sink)
+static void optimize_part_write_file(struct optimize_part *part, struct part_head *head,
+                                     struct output *sink)
 {
     const struct optimize_global *global = part->global;
     const struct part_range range = part_range(head->part, head->total);
@@ -71,7 +72,7 @@ void optimize_part_write(struct optimize_part *part, struct output *sink)
     const struct part_head *head = &part->part;
     const struct part_range own = part_range(head->part, head->total);
     struct arena *arena = part->run->arena;
-    write_file(part, &part->part, sink);
+    optimize_part_write_file(part, &part->part, sink);
     sink->remarks = text_of(
         own.begin == own.end
             ? arena_printf(arena, "part %ld/%ld: none of %" PRIu64 " starts\n", head->part.number,
@@ -83,7 +84,7 @@ void optimize_part_write(struct optimize_part *part, struct output *sink)
 
 void optimize_state_write(struct optimize_part *part, struct output *sink)
 {
-    write_file(part, &part->state, sink);
+    optimize_part_write_file(part, &part->state, sink);
 }
 
 void optimize_part_save(struct optimize_part *part)
@@ -114,7 +115,7 @@ struct rest {
     size_t length;
 };
 
-static uint64_t take(struct rest *rest, int bytes)
+static uint64_t optimize_part_take(struct rest *rest, int bytes)
 {
     const uint64_t value = bytes_little(rest->at, bytes);
     rest->at += bytes;
@@ -130,8 +131,8 @@ static bool take_result(const struct optimize_global *global, struct arena *aren
     if (rest->length < COUNT_BYTES + LONG_BYTES) {
         return false;
     }
-    const uint64_t count = take(rest, COUNT_BYTES);
-    result->evaluations = (long)take(rest, LONG_BYTES);
+    const uint64_t count = optimize_part_take(rest, COUNT_BYTES);
+    result->evaluations = (long)optimize_part_take(rest, LONG_BYTES);
     if (count > (uint64_t)global->escapes + 1 ||
         rest->length < count * (numbers + 2) * LONG_BYTES) {
         return false;
@@ -141,11 +142,11 @@ static bool take_result(const struct optimize_global *global, struct arena *aren
     result->minima = ARENA_ARRAY(arena, result->count + 1, struct global_minimum);
     for (size_t i = 0; i < result->count; i++) {
         struct global_minimum *minimum = &result->minima[i];
-        minimum->cost = double_of(take(rest, LONG_BYTES));
-        minimum->excess = double_of(take(rest, LONG_BYTES));
+        minimum->cost = double_of(optimize_part_take(rest, LONG_BYTES));
+        minimum->excess = double_of(optimize_part_take(rest, LONG_BYTES));
         minimum->parameters = ARENA_ARRAY(arena, numbers + 1, double);
         for (size_t j = 0; j < numbers; j++) {
-            minimum->parameters[j] = double_of(take(rest, LONG_BYTES));
+            minimum->parameters[j] = double_of(optimize_part_take(rest, LONG_BYTES));
         }
     }
     return true;
@@ -188,9 +189,9 @@ static bool take_files(struct optimize_part *part, const struct part_head *head,
 /* -------- before a search -------- */
 
 /* What a result depends on besides words and files: glasses, what the lens is and has. */
-static struct text facts_of(const struct optimize_job *job)
+static struct text optimize_part_facts_of(const struct optimize_job *job)
 {
-    struct growing facts = {.arena = job->run->arena};
+    struct text_buffer facts = {.arena = job->run->arena};
     growing_string(&facts, job->goals);
     for (size_t i = 0; i < job->merit.place_count; i++) {
         const struct merit_place *place = &job->merit.places[i];
@@ -214,7 +215,7 @@ static bool make_heads(const struct optimize_job *job, struct optimize_part *par
     struct division division = {.part = {1, 1},
                                 .seed = part->global->seed,
                                 .total = part->global->start_count,
-                                .facts = facts_of(job)};
+                                .facts = optimize_part_facts_of(job)};
     if (run->parts != NULL) {
         division.part.count = run->parts[0].head.part.count;
     } else if (job->input->part.count > 0) {

@@ -56,14 +56,15 @@ static const struct column answer_columns[] = {
 static const struct sheet answer_sheet = {
     answer_columns, sizeof answer_columns / sizeof answer_columns[0], sizeof(struct answer_row)};
 
-static const char *rays_in_words(const struct optimize_input *input, struct arena *arena)
+static const char *optimize_rows_rays_in_words(const struct optimize_input *input,
+                                               struct arena *arena)
 {
     return arena_printf(arena, "%ld %s, in the %s, %s", input->rays, patterns[input->pattern].word,
                         input->aim == ANALYSIS_AIM_ENTRANCE ? "entrance pupil" : "stop",
                         input->clip ? "clipped" : "not clipped");
 }
 
-static void emit_answer(struct optimize_job *job)
+static void optimize_rows_emit_answer(struct optimize_job *job)
 {
     const struct optimize_answer *answer = &job->answer;
     const struct answer_row row = {.fnumber = job->input->question.fnumber,
@@ -81,7 +82,7 @@ static void emit_answer(struct optimize_job *job)
                                    .status = job->status,
                                    .goals = job->goals,
                                    .made = job->made,
-                                   .rays = rays_in_words(job->input, job->run->arena),
+                                   .rays = optimize_rows_rays_in_words(job->input, job->run->arena),
                                    .search = job->search,
                                    .lens = job->lens->title,
                                    .warning = job->warning};
@@ -90,7 +91,7 @@ static void emit_answer(struct optimize_job *job)
 
 /* -------- goals -------- */
 
-struct goal_row {
+struct optimize_rows_goal_row {
     const char *position, *goal, *unit, *lens, *warning;
     double before, after, share_before, share_after;
     double part;
@@ -99,31 +100,31 @@ struct goal_row {
 };
 
 static const struct column goal_columns[] = {
-    OPTIMIZE_SWEPT_COLUMNS(struct goal_row),
-    LENS_POSITION_COLUMN(struct goal_row, position, COLUMN_BRIEF),
-    {COLUMN(struct goal_row, goal), .flags = COLUMN_BRIEF, .name = "goal", .label = "goal",
-     .help = "what is wanted"},
-    {COLUMN(struct goal_row, before), .flags = COLUMN_BRIEF | COLUMN_INFINITE,
+    OPTIMIZE_SWEPT_COLUMNS(struct optimize_rows_goal_row),
+    LENS_POSITION_COLUMN(struct optimize_rows_goal_row, position, COLUMN_BRIEF),
+    {COLUMN(struct optimize_rows_goal_row, goal), .flags = COLUMN_BRIEF, .name = "goal",
+     .label = "goal", .help = "what is wanted"},
+    {COLUMN(struct optimize_rows_goal_row, before), .flags = COLUMN_BRIEF | COLUMN_INFINITE,
      .name = "value_before", .label = "value before",
      .help = "what the lens had, of many surfaces the worst; of rays the root of their sum of "
              "squares"},
-    {COLUMN(struct goal_row, after), .flags = COLUMN_BRIEF | COLUMN_INFINITE, .name = "value_after",
-     .label = "value after", .help = "what the lens that was found has"},
-    {COLUMN(struct goal_row, unit), .flags = COLUMN_BRIEF, .name = "unit", .label = "unit",
-     .help = "of the two values; a plain number has none"},
-    {COLUMN(struct goal_row, share_before), .flags = COLUMN_BRIEF, .name = "merit_before",
-     .label = "merit before", .help = "its part of the sum of squares"},
-    {COLUMN(struct goal_row, share_after), .flags = COLUMN_BRIEF, .name = "merit_after",
-     .label = "merit after", .help = "the same afterwards"},
-    {COLUMN(struct goal_row, part), .dimension = &dimension_ratio, .unit = "%",
+    {COLUMN(struct optimize_rows_goal_row, after), .flags = COLUMN_BRIEF | COLUMN_INFINITE,
+     .name = "value_after", .label = "value after", .help = "what the lens that was found has"},
+    {COLUMN(struct optimize_rows_goal_row, unit), .flags = COLUMN_BRIEF, .name = "unit",
+     .label = "unit", .help = "of the two values; a plain number has none"},
+    {COLUMN(struct optimize_rows_goal_row, share_before), .flags = COLUMN_BRIEF,
+     .name = "merit_before", .label = "merit before", .help = "its part of the sum of squares"},
+    {COLUMN(struct optimize_rows_goal_row, share_after), .flags = COLUMN_BRIEF,
+     .name = "merit_after", .label = "merit after", .help = "the same afterwards"},
+    {COLUMN(struct optimize_rows_goal_row, part), .dimension = &dimension_ratio, .unit = "%",
      .flags = COLUMN_BRIEF, .name = "share", .label = "share",
      .help = "of the merit afterwards; absent of what is met exactly"},
-    LENS_TITLE_COLUMN(struct goal_row, lens),
-    LENS_WARNING_COLUMN(struct goal_row, warning),
+    LENS_TITLE_COLUMN(struct optimize_rows_goal_row, lens),
+    LENS_WARNING_COLUMN(struct optimize_rows_goal_row, warning),
 };
 
 static const struct sheet goal_sheet = {goal_columns, sizeof goal_columns / sizeof goal_columns[0],
-                                        sizeof(struct goal_row)};
+                                        sizeof(struct optimize_rows_goal_row)};
 
 static double squares(const double *residuals, const struct merit_slot *slot)
 {
@@ -144,7 +145,8 @@ static double wrong_by(const struct operand *operand, double value)
 }
 
 /* A figure, of many the worst, in the unit that the goal has; of rays their root sum square. */
-static double value_of(const struct optimize_state *state, const struct merit_slot *slot)
+static double optimize_rows_value_of(const struct optimize_state *state,
+                                     const struct merit_slot *slot)
 {
     const struct operand *operand = slot->operand;
     const struct operand_type *type = operand_type(operand->kind);
@@ -160,7 +162,7 @@ static double value_of(const struct optimize_state *state, const struct merit_sl
     return unit_from_own(unit_find(type->dimension, text_of(type->unit)), worst);
 }
 
-static const char *unit_words(const char *unit)
+static const char *optimize_rows_unit_words(const char *unit)
 {
     return unit[0] != '\0' ? unit : NULL;
 }
@@ -174,19 +176,20 @@ static bool emit_merit(struct optimize_job *job)
         const double before = squares(answer->before.residuals, slot);
         const double after = squares(answer->after.residuals, slot);
         const bool is_exact = slot->operand->relation == OPERAND_EXACT;
-        const struct goal_row row = {.fnumber = job->input->question.fnumber,
-                                     .seed = job->input->seed,
-                                     .rank = job->rank,
-                                     .position = merit->places[slot->place].setup.position,
-                                     .goal = slot->operand->name,
-                                     .unit = unit_words(operand_type(slot->operand->kind)->unit),
-                                     .before = value_of(&answer->before, slot),
-                                     .after = value_of(&answer->after, slot),
-                                     .share_before = before,
-                                     .share_after = after,
-                                     .part = is_exact ? NAN : after / answer->after.merit,
-                                     .lens = job->lens->title,
-                                     .warning = i == 0 ? job->warning : NULL};
+        const struct optimize_rows_goal_row row = {
+            .fnumber = job->input->question.fnumber,
+            .seed = job->input->seed,
+            .rank = job->rank,
+            .position = merit->places[slot->place].setup.position,
+            .goal = slot->operand->name,
+            .unit = optimize_rows_unit_words(operand_type(slot->operand->kind)->unit),
+            .before = optimize_rows_value_of(&answer->before, slot),
+            .after = optimize_rows_value_of(&answer->after, slot),
+            .share_before = before,
+            .share_after = after,
+            .part = is_exact ? NAN : after / answer->after.merit,
+            .lens = job->lens->title,
+            .warning = i == 0 ? job->warning : NULL};
         const bool is_quiet =
             job->guards && slot->operand->kind == OPERAND_GRAZING && !(before > 0) && !(after > 0);
         if (!is_quiet && !run_emit(job->run, &row)) {
@@ -316,9 +319,9 @@ static const struct sheet spot_sheet = {spot_columns, sizeof spot_columns / size
                                         sizeof(struct spot_row)};
 
 /* One lens in one position at one wavelength, its image plane placed. */
-static bool open_setup(const struct optimize_job *job, const struct lens *lens, size_t place,
-                       const struct setup_wavelength *light, struct setup *setup,
-                       struct error *error)
+static bool optimize_rows_open_setup(const struct optimize_job *job, const struct lens *lens,
+                                     size_t place, const struct setup_wavelength *light,
+                                     struct setup *setup, struct error *error)
 {
     const struct merit_question *asked = &job->merit.question;
     const struct plane_value own = {.kind = PLANE_OF_LENS};
@@ -339,7 +342,8 @@ static bool open_setup(const struct optimize_job *job, const struct lens *lens, 
 }
 
 /* mm; NaN: none. */
-static double spot_of(const struct optimize_job *job, const struct setup *setup, size_t field)
+static double optimize_rows_spot_of(const struct optimize_job *job, const struct setup *setup,
+                                    size_t field)
 {
     const struct spot_question question = {
         .bundle = {.setup = setup,
@@ -363,8 +367,8 @@ static bool emit_spots_of(struct optimize_job *job, size_t place,
     const bool is_first = place == 0 && light == at_place->setup.wavelengths;
     const struct setup_wavelength alone = {light->wavelength, 1}; /* whatever it counted for */
     struct setup before, after;
-    if (!open_setup(job, job->lens, place, &alone, &before, error) ||
-        !open_setup(job, job->found, place, &alone, &after, error)) {
+    if (!optimize_rows_open_setup(job, job->lens, place, &alone, &before, error) ||
+        !optimize_rows_open_setup(job, job->found, place, &alone, &after, error)) {
         return false;
     }
     for (size_t f = 0; f < before.field_count; f++) {
@@ -378,8 +382,8 @@ static bool emit_spots_of(struct optimize_job *job, size_t place,
                                      .field = is_angle ? at : NAN,
                                      .height = is_angle ? NAN : at,
                                      .wavelength = light->wavelength,
-                                     .before = spot_of(job, &before, f),
-                                     .after = spot_of(job, &after, f),
+                                     .before = optimize_rows_spot_of(job, &before, f),
+                                     .after = optimize_rows_spot_of(job, &after, f),
                                      .lens = job->lens->title,
                                      .warning = f == 0 && is_first ? job->warning : NULL};
         if (!run_emit(job->run, &row)) {
@@ -408,7 +412,7 @@ const struct sheet *const optimize_sheets[] = {
     [OPTIMIZE_GLASSES] = &optimize_glass_sheet, [OPTIMIZE_SHOWS] = NULL,
 };
 
-static bool emit(struct optimize_job *job, struct error *error)
+static bool optimize_rows_emit(struct optimize_job *job, struct error *error)
 {
     switch ((enum optimize_show)job->input->show) {
     case OPTIMIZE_MERIT:
@@ -420,16 +424,16 @@ static bool emit(struct optimize_job *job, struct error *error)
     case OPTIMIZE_GLASSES:
         return optimize_emit_glasses(job);
     default:
-        emit_answer(job);
+        optimize_rows_emit_answer(job);
         return true;
     }
 }
 
 bool optimize_emit(struct optimize_job *job, struct error *error)
 {
-    bool done = job->search != NULL || emit(job, error);
+    bool done = job->search != NULL || optimize_rows_emit(job, error);
     for (size_t i = 0; i < job->kept_count && done; i++) {
-        done = emit(&job->kept[i], error);
+        done = optimize_rows_emit(&job->kept[i], error);
     }
     return done;
 }

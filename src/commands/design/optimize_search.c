@@ -19,7 +19,7 @@ size_t optimize_keep_count(const void *data)
     return optimize_is_global(input) ? (size_t)input->keep : 1;
 }
 
-static bool check(const struct optimize_input *input, struct error *error)
+static bool optimize_search_check(const struct optimize_input *input, struct error *error)
 {
     if (input->keep > input->global) {
         return fail(error, ERROR_USAGE, "{--keep} %ld of {--global} %ld: at most one a start",
@@ -37,7 +37,7 @@ static void keep_state(void *context)
 }
 
 /* Once an iteration, from any thread: the watch itself looks no sooner than a start is done. */
-static bool goes_on(void *context)
+static bool optimize_search_goes_on(void *context)
 {
     const struct optimize_job *job = context;
     if (job->run->watch != NULL && interrupt_came()) {
@@ -117,7 +117,7 @@ static const char *search_in_words(const struct optimize_job *job, size_t done)
 
 /* -------- the search -------- */
 
-static int compare(const void *one, const void *other)
+static int optimize_search_compare(const void *one, const void *other)
 {
     const double a = *(const double *)one, b = *(const double *)other;
     return (a > b) - (a < b);
@@ -146,7 +146,7 @@ static size_t count_done(struct optimize_job *job, const struct optimize_global 
             job->ends[job->end_count++] = best;
         }
     }
-    qsort(job->ends, job->end_count, sizeof(double), compare);
+    qsort(job->ends, job->end_count, sizeof(double), optimize_search_compare);
     return done;
 }
 
@@ -194,11 +194,11 @@ static size_t descend_last(struct optimize_job *job, const struct optimize_globa
     struct watch *watch = job->run->watch;
     const bool is_cut = job->is_late || job->incomplete != NULL;
     const int longest = is_cut ? CUT_ITERATIONS : LAST_ITERATIONS;
-    const struct optimize_task task = {.merit = &job->merit,
-                                       .iterations =
-                                           global->iterations > 0 ? global->iterations : longest,
-                                       .goes_on = watch_is_ended(watch) ? NULL : goes_on,
-                                       .context = job};
+    const struct optimize_task task = {
+        .merit = &job->merit,
+        .iterations = global->iterations > 0 ? global->iterations : longest,
+        .goes_on = watch_is_ended(watch) ? NULL : optimize_search_goes_on,
+        .context = job};
     bool is_stopped = false;
     job->until = is_cut ? INFINITY : job->until;
     const size_t count = optimize_global_keep(global, &task, most, job->run->arena, kept);
@@ -237,7 +237,8 @@ static bool take_kept(struct optimize_job *job, const struct optimize_global *gl
 /* Nothing was found: why the lens itself is none. */
 static bool fail_empty(struct optimize_job *job, size_t done, struct error *error)
 {
-    const struct optimize_task task = {.merit = &job->merit, .goes_on = goes_on, .context = job};
+    const struct optimize_task task = {
+        .merit = &job->merit, .goes_on = optimize_search_goes_on, .context = job};
     if (done == 0) {
         return fail(error, ERROR_DOMAIN, "%s before any start came to its end",
                     watch_is_ended(job->run->watch) ? "interrupted" : "the time was up");
@@ -270,8 +271,8 @@ static void run_search(struct optimize_job *job, struct optimize_global *global)
     }
 }
 
-static bool search(struct optimize_job *job, const struct merit_question *question,
-                   struct error *error)
+static bool optimize_search_search(struct optimize_job *job, const struct merit_question *question,
+                                   struct error *error)
 {
     const struct optimize_input *input = job->input;
     struct arena *arena = job->run->arena;
@@ -283,7 +284,7 @@ static bool search(struct optimize_job *job, const struct merit_question *questi
                                        .spread = input->spread,
                                        .threads = parallel_threads(input->threads),
                                        .watch = job->run->watch,
-                                       .goes_on = goes_on,
+                                       .goes_on = optimize_search_goes_on,
                                        .context = job,
                                        .start_count = (size_t)input->global,
                                        .end = (size_t)input->global};
@@ -291,7 +292,7 @@ static bool search(struct optimize_job *job, const struct merit_question *questi
     job->part = ARENA_NEW(arena, struct optimize_part);
     const double until = isnan(input->seconds) ? INFINITY : progress_clock() + input->seconds;
     job->until = INFINITY; /* what is searched is the same, however little time there is */
-    if (!check(input, error) || !drop_idle(job, global, question, error) ||
+    if (!optimize_search_check(input, error) || !drop_idle(job, global, question, error) ||
         !optimize_part_begin(job, global, job->part, error)) {
         return false;
     }
@@ -317,6 +318,6 @@ bool optimize_job_run(struct optimize_job *job, struct error *error)
 {
     struct merit_question question;
     return optimize_open(job, &question, error) &&
-           (optimize_is_global(job->input) ? search(job, &question, error)
+           (optimize_is_global(job->input) ? optimize_search_search(job, &question, error)
                                            : optimize_near(job, error));
 }

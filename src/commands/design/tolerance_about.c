@@ -60,7 +60,7 @@ static const char *adjusted_in_words(const struct tolerance_job *job)
 }
 
 /* With what rays that are not aimed anew are off by. */
-static const char *rays_in_words(const struct tolerance_job *job)
+static const char *tolerance_about_rays_in_words(const struct tolerance_job *job)
 {
     const struct tolerance_input *input = job->input;
     struct arena *arena = job->run->arena;
@@ -114,7 +114,7 @@ struct tolerance_about tolerance_about_of(const struct tolerance_job *job)
                              job->perturbations.count == 1 ? "" : "s", job->made),
         .lens = job->lens->title,
         .method = tolerance_method_in_words(job),
-        .rays = rays_in_words(job),
+        .rays = tolerance_about_rays_in_words(job),
         .adjusted = adjusted_in_words(job),
         .limit = limit_in_words(job),
         .warning = job->warning};

@@ -14,7 +14,8 @@
 /* -------- what is adjusted -------- */
 
 /* "[a,b]" behind the gaps: how far they may go, mm. */
-static bool read_range(struct text *text, double *low, double *high, struct error *error)
+static bool tolerance_ask_read_range(struct text *text, double *low, double *high,
+                                     struct error *error)
 {
     const char *open = text->start + text->length;
     while (open > text->start && open[-1] != '[') {
@@ -52,7 +53,7 @@ static bool add_gaps(struct tolerance_job *job, struct compensator *compensator,
     struct named_gap gaps[FOCUS_GAPS];
     size_t count;
     *compensator = (struct compensator){.name = job->input->gap};
-    if (!read_range(&text, &compensator->low, &compensator->high, error) ||
+    if (!tolerance_ask_read_range(&text, &compensator->low, &compensator->high, error) ||
         !focus_gaps_read(text, job->lens, gaps, &count, error)) {
         return false;
     }
@@ -172,8 +173,8 @@ static struct text without_unit(struct text text, const struct criterion_type *t
 }
 
 /* A figure above 0; by the name of what it is. */
-static bool read_figure(const char *what, struct text text, enum criterion_kind kind,
-                        double *figure, struct error *error)
+static bool tolerance_ask_read_figure(const char *what, struct text text, enum criterion_kind kind,
+                                      double *figure, struct error *error)
 {
     const struct criterion_type *type = criterion_type(kind);
     const bool is_length = type->dimension == &dimension_length;
@@ -237,9 +238,9 @@ static bool ask_drop(struct tolerance_job *job, struct error *error)
                               "{--show} inverse needs {--drop}: how much worse a lens may be than "
                               "the nominal one");
     }
-    return wants
-               ? read_figure("drop", text_of(drop), job->question.criterion.kind, &job->drop, error)
-               : fail(error, ERROR_USAGE, "{--drop} is for {--show} inverse");
+    return wants ? tolerance_ask_read_figure("drop", text_of(drop), job->question.criterion.kind,
+                                             &job->drop, error)
+                 : fail(error, ERROR_USAGE, "{--drop} is for {--show} inverse");
 }
 
 static bool ask_criterion(struct tolerance_job *job, struct error *error)
@@ -249,8 +250,9 @@ static bool ask_criterion(struct tolerance_job *job, struct error *error)
         return error_prefix(error, "{--criterion}: ");
     }
     job->limit = NAN;
-    return (job->input->limit == NULL || read_figure("limit", text_of(job->input->limit),
-                                                     criterion->kind, &job->limit, error)) &&
+    return (job->input->limit == NULL ||
+            tolerance_ask_read_figure("limit", text_of(job->input->limit), criterion->kind,
+                                      &job->limit, error)) &&
            ask_show(job, error) && ask_drop(job, error) && ask_saved(job, error);
 }
 

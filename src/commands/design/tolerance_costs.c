@@ -16,12 +16,12 @@
 #include <string.h>
 
 /* How wide a tolerance is, as people say it. */
-struct range {
+struct tolerance_costs_range {
     double scale; /* times the amount of a perturbation */
     const char *unit;
 };
 
-static struct range range_of(const struct perturbation *one)
+static struct tolerance_costs_range tolerance_costs_range_of(const struct perturbation *one)
 {
     const double arcminutes = 60 * DEGREES_PER_RADIAN;
     switch (one->kind) {
@@ -29,17 +29,18 @@ static struct range range_of(const struct perturbation *one)
     case TOLERANCE_ELEMENT_TILT:
     case TOLERANCE_ELEMENT_ROLL:
     case TOLERANCE_WEDGE:
-        return (struct range){arcminutes, "arcmin"};
+        return (struct tolerance_costs_range){arcminutes, "arcmin"};
     case TOLERANCE_IRREGULARITY:
-        return (struct range){TOLERANCE_WAVE_MM / TOLERANCE_FRINGE_MM, "fringes"};
+        return (struct tolerance_costs_range){TOLERANCE_WAVE_MM / TOLERANCE_FRINGE_MM, "fringes"};
     case TOLERANCE_INDEX:
     case TOLERANCE_ABBE:
     case TOLERANCE_CONIC:
-        return (struct range){1, "1"};
+        return (struct tolerance_costs_range){1, "1"};
     case TOLERANCE_COEFFICIENT:
-        return (struct range){1, "mm^(1-n)"};
+        return (struct tolerance_costs_range){1, "mm^(1-n)"};
     default:
-        return (struct range){1, one->what.kind == PARAMETER_CURVATURE ? "1/mm" : "mm"};
+        return (struct tolerance_costs_range){1, one->what.kind == PARAMETER_CURVATURE ? "1/mm"
+                                                                                       : "mm"};
     }
 }
 
@@ -123,11 +124,11 @@ bool tolerance_emit_sensitivity(struct tolerance_job *job, struct error *error)
              "interrupted after %zu of %zu errors: those so far, incomplete", done, n);
     }
     if (failure != NULL) {
-        doubts_add(job->run->doubts, "%s", failure);
+        warnings_add(job->run->doubts, "%s", failure);
     }
     for (size_t i = 0; i < done; i++) {
         const struct perturbation *one = &job->question.perturbations[i];
-        const struct range range = range_of(one);
+        const struct tolerance_costs_range range = tolerance_costs_range_of(one);
         for (size_t m = 0; m < tolerance_moves(tolerance); m++) {
             moves[m] = table[i * figures + tolerance->figure_count + m].plus;
         }
@@ -199,7 +200,7 @@ static const struct column inverse_columns[] = {
 const struct sheet tolerance_inverse_sheet = SHEET(inverse_columns, struct inverse_row);
 
 /* How much worse a lens is than the nominal one: by its worst figure, or its mean. */
-static double cost_of(void *context, const double *figures)
+static double tolerance_costs_cost_of(void *context, const double *figures)
 {
     const struct tolerance_job *job = context;
     const struct tolerance *tolerance = &job->tolerance;
@@ -293,13 +294,13 @@ static const char *thing_name(const struct tolerance_job *job, const struct thin
 }
 
 /* The line of the tolerance, so many times as wide, in the unit that it was written in. */
-static const char *line_of(const struct tolerance_job *job, const struct perturbation *one,
-                           double factor)
+static const char *tolerance_costs_line_of(const struct tolerance_job *job,
+                                           const struct perturbation *one, double factor)
 {
     static const char *const endings[TOLERANCE_UNITS] = {"mm", "arcmin", "", "%", "fringes"};
     const double arcminutes = 60 * DEGREES_PER_RADIAN;
     struct lens_tolerance now = *one->line;
-    struct growing text = {.arena = job->run->arena};
+    struct text_buffer text = {.arena = job->run->arena};
     const bool is_power = now.kind == TOLERANCE_COEFFICIENT && now.unit == TOLERANCE_NUMBER;
     const double scale = is_power ? pow(lens_unit_mm(job->lens->unit),
                                         -parameter_length(PARAMETER_COEFFICIENT, now.order))
@@ -323,23 +324,23 @@ static void emit_inverse(struct tolerance_job *job, const struct things *things,
     bool goes_on = true;
     for (size_t i = 0; i < things->count && goes_on; i++) {
         const struct perturbation *one = &job->question.perturbations[things->first[i]];
-        const struct range range = range_of(one);
+        const struct tolerance_costs_range range = tolerance_costs_range_of(one);
         const double proposed = one->amount * range.scale * answers[i].factor;
         const char *name = thing_name(job, things, i);
-        const struct inverse_row row = {.about = about,
-                                        .perturbation = name,
-                                        .range = one->amount * range.scale,
-                                        .range_unit = range.unit,
-                                        .criterion = job->question.criterion.name,
-                                        .of =
-                                            job->trials.of == TOLERANCE_OF_MEAN ? "mean" : "worst",
-                                        .unit = type->unit,
-                                        .limited = limits[answers[i].limit],
-                                        .line = line_of(job, one, answers[i].factor),
-                                        .proposed = proposed,
-                                        .factor = answers[i].factor,
-                                        .cost = type->scale * answers[i].cost,
-                                        .together = type->scale * together};
+        const struct inverse_row row = {
+            .about = about,
+            .perturbation = name,
+            .range = one->amount * range.scale,
+            .range_unit = range.unit,
+            .criterion = job->question.criterion.name,
+            .of = job->trials.of == TOLERANCE_OF_MEAN ? "mean" : "worst",
+            .unit = type->unit,
+            .limited = limits[answers[i].limit],
+            .line = tolerance_costs_line_of(job, one, answers[i].factor),
+            .proposed = proposed,
+            .factor = answers[i].factor,
+            .cost = type->scale * answers[i].cost,
+            .together = type->scale * together};
         goes_on = run_emit(job->run, &row);
     }
 }
@@ -353,7 +354,7 @@ bool tolerance_emit_inverse(struct tolerance_job *job, struct error *error)
     struct inverse *answers = ARENA_ARRAY(arena, things.count + 1, struct inverse);
     tolerance_model_open(&job->tolerance, job->run->watch, arena, model);
     const struct inverse_question question = {.problem = &model->problem,
-                                              .cost = cost_of,
+                                              .cost = tolerance_costs_cost_of,
                                               .context = job,
                                               .drop = job->drop,
                                               .thing = things.of,
@@ -371,10 +372,10 @@ bool tolerance_emit_inverse(struct tolerance_job *job, struct error *error)
                     "figures");
     }
     if (together > job->drop * (1 + 1e-6)) {
-        doubts_add(job->run->doubts,
-                   "the tightest tolerances that shops promise cost %.4g %s together, more than "
-                   "the drop of %.4g %s",
-                   type->scale * together, type->unit, type->scale * job->drop, type->unit);
+        warnings_add(job->run->doubts,
+                     "the tightest tolerances that shops promise cost %.4g %s together, more than "
+                     "the drop of %.4g %s",
+                     type->scale * together, type->unit, type->scale * job->drop, type->unit);
     }
     emit_inverse(job, &things, answers, together);
     return true;
@@ -417,7 +418,7 @@ static int by_share(const void *a, const void *b)
 }
 
 /* What figures, of roots their squares, spread by rounding alone. */
-static double rounding_of(const struct differential_problem *problem, const double *nominal)
+static double rounding_of(const struct second_order_problem *problem, const double *nominal)
 {
     const double rounding = 1e-9; /* of second differences */
     double sum = 0;
@@ -433,17 +434,17 @@ bool tolerance_offenders(struct tolerance_job *job, struct tolerance_offender **
     struct arena *arena = job->run->arena;
     const size_t n = job->question.perturbation_count;
     struct tolerance_model *model = ARENA_NEW(arena, struct tolerance_model);
-    struct differential differential;
-    struct differential_share *shares = ARENA_ARRAY(arena, n + 1, struct differential_share);
+    struct second_order differential;
+    struct second_order_share *shares = ARENA_ARRAY(arena, n + 1, struct second_order_share);
     struct perturbation_moments *moments = ARENA_ARRAY(arena, n + 1, struct perturbation_moments);
     tolerance_model_open(&job->tolerance, job->run->watch, arena, model);
-    if (!differential_open(&model->problem, arena, &differential, error)) {
+    if (!second_order_open(&model->problem, arena, &differential, error)) {
         return false;
     }
     for (size_t i = 0; i < n; i++) {
         moments[i] = perturbation_moments(&job->question.perturbations[i]);
     }
-    *deviation = differential_shares(&differential, moments, LENS_NONE, shares);
+    *deviation = second_order_shares(&differential, moments, LENS_NONE, shares);
     if (*deviation <= rounding_of(&model->problem, model->nominal)) {
         *deviation = 0;
         memset(shares, 0, n * sizeof *shares);
@@ -466,7 +467,7 @@ bool tolerance_emit_offenders(struct tolerance_job *job, struct error *error)
     }
     for (size_t i = 0; i < job->question.perturbation_count; i++) {
         const struct perturbation *one = &job->question.perturbations[offenders[i].perturbation];
-        const struct range range = range_of(one);
+        const struct tolerance_costs_range range = tolerance_costs_range_of(one);
         const struct offender_row row = {.about = about,
                                          .rank = (long)i + 1,
                                          .perturbation = one->name,

@@ -17,7 +17,7 @@ bool tolerance_emit_offenders(struct tolerance_job *job, struct error *error);
 /* Who makes the figures spread, the largest first. */
 struct tolerance_offender {
     size_t perturbation;
-    struct differential_share share;
+    struct second_order_share share;
 };
 bool tolerance_offenders(struct tolerance_job *job, struct tolerance_offender **offenders,
                          double *deviation, struct error *error);

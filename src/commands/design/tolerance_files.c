@@ -113,7 +113,7 @@ static bool save_trial(struct tolerance_job *job, uint64_t number, struct output
 }
 
 /* The part: what was counted of its trials. */
-static void write_part(struct tolerance_job *job, struct output *sink)
+static void tolerance_files_write_part(struct tolerance_job *job, struct output *sink)
 {
     struct arena *arena = job->run->arena;
     struct part_head head = job->head;
@@ -126,7 +126,7 @@ bool tolerance_write_output(const struct artifact_job *asked, struct output *sin
 {
     struct tolerance_job *job = asked->run->state;
     if (is_part(asked)) {
-        write_part(job, sink);
+        tolerance_files_write_part(job, sink);
         return true;
     }
     if (job->save_trial > 0) {

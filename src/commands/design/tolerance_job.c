@@ -11,7 +11,7 @@
 /* -------- divided runs -------- */
 
 /* What trials depend on besides words and files: glasses, by what the nominal lens has. */
-static struct text facts_of(const struct tolerance_job *job)
+static struct text tolerance_job_facts_of(const struct tolerance_job *job)
 {
     struct arena *arena = job->run->arena;
     const size_t count = job->tolerance.figure_count;
@@ -23,13 +23,13 @@ static struct text facts_of(const struct tolerance_job *job)
     return text_of(arena_join(arena, facts, count + 1));
 }
 
-static bool divide(struct tolerance_job *job, struct error *error)
+static bool tolerance_job_divide(struct tolerance_job *job, struct error *error)
 {
     const struct run *run = job->run;
     struct division division = {.part = {1, 1},
                                 .seed = job->trials.seed,
                                 .total = job->trials.total,
-                                .facts = facts_of(job)};
+                                .facts = tolerance_job_facts_of(job)};
     if (run->parts != NULL) {
         division.part.count = run->parts[0].head.part.count;
     } else if (job->input->part.count > 0) {
@@ -120,7 +120,7 @@ static void say_incomplete(struct tolerance_job *job)
     }
 }
 
-static int by_first(const void *a, const void *b)
+static int tolerance_job_by_first(const void *a, const void *b)
 {
     const struct tolerance_reason *left = a, *right = b;
     return left->first < right->first ? -1 : 1;
@@ -136,11 +136,11 @@ static void add_doubts(const struct tolerance_job *job)
     memcpy(reasons, result->reasons, kept * sizeof reasons[0]);
     reasons[kept] = result->others;
     reasons[kept].why = "other reasons";
-    qsort(reasons, all, sizeof reasons[0], by_first);
+    qsort(reasons, all, sizeof reasons[0], tolerance_job_by_first);
     for (size_t i = 0; i < all; i++) {
-        doubts_add(job->run->doubts, "%llu of %llu lenses failed, trial %llu first: %s",
-                   (unsigned long long)reasons[i].count, (unsigned long long)result->done,
-                   (unsigned long long)reasons[i].first + 1, reasons[i].why);
+        warnings_add(job->run->doubts, "%llu of %llu lenses failed, trial %llu first: %s",
+                     (unsigned long long)reasons[i].count, (unsigned long long)result->done,
+                     (unsigned long long)reasons[i].first + 1, reasons[i].why);
     }
 }
 
@@ -150,8 +150,8 @@ bool tolerance_job_run(struct tolerance_job *job, struct error *error)
     job->aim_error = NAN;
     watch_begin(job->run->watch, "rays", 0);
     if (!tolerance_ask(job, error) ||
-        !tolerance_open(&job->question, arena, &job->tolerance, error) || !divide(job, error) ||
-        !tolerance_method_open(job, error)) {
+        !tolerance_open(&job->question, arena, &job->tolerance, error) ||
+        !tolerance_job_divide(job, error) || !tolerance_method_open(job, error)) {
         return false;
     }
     job->trials.ready = &job->tolerance;

@@ -49,7 +49,7 @@ struct tolerance_job {
     double aim_error;      /* of figures, by rays that are not aimed anew; NaN: they are */
     long save_count;       /* of --save worst:K; 0: none */
     long save_trial;       /* of --save trial:K, from 1; 0: none */
-    struct differential differential; /* of --method differential */
+    struct second_order differential; /* of --method differential */
     struct tolerance_model model;     /* of its trials */
     double method_rms, method_most;   /* by what exact trials differ from it, of figures */
     const char *incomplete, *warning; /* null: all is well */

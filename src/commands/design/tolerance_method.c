@@ -20,7 +20,7 @@ bool tolerance_method_open(struct tolerance_job *job, struct error *error)
         }
     }
     tolerance_model_open(&job->tolerance, job->run->watch, job->run->arena, &job->model);
-    if (!differential_open(&job->model.problem, job->run->arena, &job->differential, error)) {
+    if (!second_order_open(&job->model.problem, job->run->arena, &job->differential, error)) {
         return false;
     }
     job->trials.differential = &job->differential;
@@ -28,17 +28,17 @@ bool tolerance_method_open(struct tolerance_job *job, struct error *error)
 }
 
 /* Figures of one trial to second order. */
-static void try_about(const struct tolerance_job *job, const double *errors, double *figures,
-                      double *room)
+static void tolerance_method_try_about(const struct tolerance_job *job, const double *errors,
+                                       double *figures, double *room)
 {
-    enum { LANES = DIFFERENTIAL_LANES };
+    enum { LANES = SECOND_ORDER_LANES };
     const size_t n = job->differential.error_count, count = job->differential.figure_count;
     double *results = room + n * LANES;
     memset(room, 0, n * LANES * sizeof *room);
     for (size_t i = 0; i < n; i++) {
         room[i * LANES] = errors[i];
     }
-    differential_trials(&job->differential, room, results);
+    second_order_trials(&job->differential, room, results);
     for (size_t f = 0; f < count; f++) {
         figures[f] = results[f * LANES];
     }
@@ -47,7 +47,7 @@ static void try_about(const struct tolerance_job *job, const double *errors, dou
 bool tolerance_method_check(struct tolerance_job *job, struct error *error)
 {
     enum { LOOKS = 100 };
-    const struct differential_problem *problem = &job->model.problem;
+    const struct second_order_problem *problem = &job->model.problem;
     if (job->trials.differential == NULL) {
         return true;
     }
@@ -56,7 +56,7 @@ bool tolerance_method_check(struct tolerance_job *job, struct error *error)
     double *exact = ARENA_ARRAY(arena, problem->figure_count, double);
     double *about = ARENA_ARRAY(arena, problem->figure_count, double);
     double *room = ARENA_ARRAY(
-        arena, DIFFERENTIAL_LANES * (problem->error_count + problem->figure_count), double);
+        arena, SECOND_ORDER_LANES * (problem->error_count + problem->figure_count), double);
     double sum = 0;
     size_t count = 0;
     (void)error;
@@ -66,11 +66,11 @@ bool tolerance_method_check(struct tolerance_job *job, struct error *error)
         struct error why;
         tolerance_errors(&job->question, job->trials.seed, k, errors);
         if (!problem->trial(problem->context, errors, exact, &why)) {
-            doubts_add(job->run->doubts, "trial %llu fails where it is made exactly: %s",
-                       (unsigned long long)k + 1, why.message);
+            warnings_add(job->run->doubts, "trial %llu fails where it is made exactly: %s",
+                         (unsigned long long)k + 1, why.message);
             continue;
         }
-        try_about(job, errors, about, room);
+        tolerance_method_try_about(job, errors, about, room);
         const double off = tolerance_judged(&job->tolerance, job->trials.of, about) -
                            tolerance_judged(&job->tolerance, job->trials.of, exact);
         sum += off * off;

@@ -8,7 +8,7 @@
 /*
  * Make trials ready that --method asks for.
  *
- * Errors    ERROR_USAGE: a compensator with a range, which has no derivatives; as differential_open
+ * Errors    ERROR_USAGE: a compensator with a range, which has no derivatives; as second_order_open
  */
 bool tolerance_method_open(struct tolerance_job *job, struct error *error);
 

@@ -80,7 +80,8 @@ static const char *moves_in_words(const struct tolerance_job *job)
 {
     const char *words = NULL;
     for (size_t i = 0; i < job->question.compensator_count; i++) {
-        const struct tally_moments moments = tally_moments(&job->result.moves[i + 1]);
+        const struct trial_statistics_moments moments =
+            trial_statistics_moments(&job->result.moves[i + 1]);
         const char *unit;
         const double scale = tolerance_move_scale(&job->question.compensators[i], &unit);
         words = arena_printf(job->run->arena, "%s%s%s %.4g +- %.4g %s", words != NULL ? words : "",
@@ -91,7 +92,8 @@ static const char *moves_in_words(const struct tolerance_job *job)
 }
 
 /* The worst of a column: of a sense that looks both ways the one that is farther off. */
-static double worst_of(const struct tolerance_job *job, const struct tally *tally)
+static double tolerance_rows_worst_of(const struct tolerance_job *job,
+                                      const struct trial_statistics *tally)
 {
     const enum criterion_kind kind = job->question.criterion.kind;
     const bool is_high = criterion_badness(kind, tally->highest, tally->nominal) >=
@@ -103,13 +105,13 @@ static void emit_summary(struct tolerance_job *job, struct tolerance_column *col
 {
     const struct criterion_type *type = criterion_type(job->question.criterion.kind);
     const double scale = type->scale, done = (double)job->result.done;
-    const struct tally_moments moments = tally_moments(&column->tally);
-    const struct tally_moments moves = tally_moments(&job->result.moves[0]);
+    const struct trial_statistics_moments moments = trial_statistics_moments(&column->tally);
+    const struct trial_statistics_moments moves = trial_statistics_moments(&job->result.moves[0]);
     const double yield = (double)column->passed / done;
     const bool judges = !isnan(job->limit);
     double p[PERCENTILES];
     for (int i = 0; i < PERCENTILES; i++) {
-        p[i] = scale * tally_quantile(&column->tally, shares[i], NULL);
+        p[i] = scale * trial_statistics_quantile(&column->tally, shares[i], NULL);
     }
     const struct summary_row row = {.about = tolerance_about_of(job),
                                     .position = tolerance_position_of(job, column->of),
@@ -123,7 +125,7 @@ static void emit_summary(struct tolerance_job *job, struct tolerance_column *col
                                     .error = scale * moments.mean_error,
                                     .sd = scale * moments.sd,
                                     .sd_error = scale * moments.sd_error,
-                                    .worst = scale * worst_of(job, &column->tally),
+                                    .worst = scale * tolerance_rows_worst_of(job, &column->tally),
                                     .p02 = p[0],
                                     .p10 = p[1],
                                     .p20 = p[2],
@@ -195,7 +197,7 @@ static bool emit_yields(struct tolerance_job *job, struct error *error)
                 shares[k] * (double)job->result.done / (double)column->badness.count;
             double off;
             const double bad =
-                share <= 1 ? tally_quantile(&column->badness, share, &off) : (off = NAN);
+                share <= 1 ? trial_statistics_quantile(&column->badness, share, &off) : (off = NAN);
             row.yield = shares[k];
             row.figure = type->scale * (type->sense == SENSE_MOST ? -bad : bad);
             row.error = type->scale * off;
@@ -236,7 +238,7 @@ static const struct column trial_columns[] = {
 static const struct sheet trial_sheet = SHEET(trial_columns, struct trial_row);
 
 /* Trials that were made and wait to be printed. */
-struct waiting {
+struct pending_trials {
     struct tolerance_job *job;
     struct tolerance_trial *trials;
     bool *made, *found;
@@ -245,7 +247,7 @@ struct waiting {
 /* tolerance_listener, from any thread. */
 static void hear(void *context, size_t at, bool found, const struct tolerance_trial *trial)
 {
-    const struct waiting *waiting = context;
+    const struct pending_trials *waiting = context;
     const struct tolerance *tolerance = &waiting->job->tolerance;
     struct tolerance_trial *kept = &waiting->trials[at];
     waiting->made[at] = true;
@@ -286,12 +288,12 @@ static bool emit_trial(struct tolerance_job *job, uint64_t number, bool found,
 
 enum { AT_ONCE = 2048 };
 
-static struct waiting waiting_open(struct tolerance_job *job)
+static struct pending_trials waiting_open(struct tolerance_job *job)
 {
     struct arena *arena = job->run->arena;
-    const struct waiting waiting = {job, ARENA_ARRAY(arena, AT_ONCE, struct tolerance_trial),
-                                    ARENA_ARRAY(arena, AT_ONCE, bool),
-                                    ARENA_ARRAY(arena, AT_ONCE, bool)};
+    const struct pending_trials waiting = {job, ARENA_ARRAY(arena, AT_ONCE, struct tolerance_trial),
+                                           ARENA_ARRAY(arena, AT_ONCE, bool),
+                                           ARENA_ARRAY(arena, AT_ONCE, bool)};
     for (size_t i = 0; i < AT_ONCE; i++) {
         waiting.trials[i].figures = ARENA_ARRAY(arena, job->tolerance.figure_count, double);
         waiting.trials[i].moves = ARENA_ARRAY(arena, tolerance_moves(&job->tolerance), double);
@@ -304,7 +306,7 @@ static bool emit_trials(struct tolerance_job *job, struct error *error)
 {
     struct arena *arena = job->run->arena;
     const struct tolerance_about about = tolerance_about_of(job);
-    struct waiting waiting = waiting_open(job);
+    struct pending_trials waiting = waiting_open(job);
     uint64_t k = job->trials.begin;
     watch_begin(job->run->watch, "trials", (size_t)(job->trials.end - k));
     struct tolerance_team *team = tolerance_team_open(&job->trials, &job->result);

@@ -27,14 +27,14 @@ static const char *title_of(const struct tolerance_job *job, const char *what)
                         job->question.criterion.name);
 }
 
-static const char *subtitle_of(const struct tolerance_job *job, const char *which)
+static const char *tolerance_view_subtitle_of(const struct tolerance_job *job, const char *which)
 {
     const struct tolerance_about about = tolerance_about_of(job);
     return arena_printf(job->run->arena, "%s%s, adjusted: %s", which, about.made, about.adjusted);
 }
 
 /* Of the figure of each lens. */
-static const char *label_of(const struct tolerance_job *job, const char *what)
+static const char *tolerance_view_label_of(const struct tolerance_job *job, const char *what)
 {
     const struct criterion_type *type = criterion_type(job->question.criterion.kind);
     const bool has_unit = type->unit != NULL && *type->unit != '\0';
@@ -46,7 +46,8 @@ static const char *label_of(const struct tolerance_job *job, const char *what)
 }
 
 /* The marks, in the unit of rows; a limit of what may depart to both sides has no place here. */
-static void mark(const struct tolerance_job *job, double nominal, struct tally_plot *plot)
+static void tolerance_view_mark(const struct tolerance_job *job, double nominal,
+                                struct tally_plot *plot)
 {
     const struct tolerance_column *column = &job->result.columns[0];
     const struct criterion_type *type = criterion_type(job->question.criterion.kind);
@@ -69,21 +70,21 @@ static const char *lenses_of(const struct tolerance_job *job)
 
 static bool draw_histogram(struct tolerance_job *job, struct svg *svg, struct error *error)
 {
-    struct tally *tally = &job->result.columns[0].tally;
+    struct trial_statistics *tally = &job->result.columns[0].tally;
     const double scale = criterion_type(job->question.criterion.kind)->scale;
     double *counts = ARENA_ARRAY(job->run->arena, BARS, double);
     struct tally_plot plot = {.title = title_of(job, "spread"),
-                              .subtitle = subtitle_of(job, lenses_of(job)),
-                              .x_label = label_of(job, ""),
+                              .subtitle = tolerance_view_subtitle_of(job, lenses_of(job)),
+                              .x_label = tolerance_view_label_of(job, ""),
                               .y_label = "lenses",
                               .low = scale * tally->lowest,
                               .high = scale * tally->highest,
                               .values = counts,
                               .count = BARS};
     if (tally->count > 0) {
-        tally_histogram(tally, tally->lowest, tally->highest, BARS, counts);
+        trial_statistics_histogram(tally, tally->lowest, tally->highest, BARS, counts);
     }
-    mark(job, scale * tally->nominal, &plot);
+    tolerance_view_mark(job, scale * tally->nominal, &plot);
     return tally_plot_draw(&plot, svg, error);
 }
 
@@ -92,12 +93,13 @@ static bool draw_yield(struct tolerance_job *job, struct svg *svg, struct error 
 {
     const struct criterion_type *type = criterion_type(job->question.criterion.kind);
     const bool plain = type->sense == SENSE_LEAST || type->sense == SENSE_MOST;
-    struct tally *tally = plain ? &job->result.columns[0].tally : &job->result.columns[0].badness;
+    struct trial_statistics *tally =
+        plain ? &job->result.columns[0].tally : &job->result.columns[0].badness;
     double *shares = ARENA_ARRAY(job->run->arena, STEPS + 1, double);
     double *counts = ARENA_ARRAY(job->run->arena, STEPS, double), sum = 0;
     struct tally_plot plot = {.title = title_of(job, "yield"),
-                              .subtitle = subtitle_of(job, lenses_of(job)),
-                              .x_label = label_of(job, "limit of "),
+                              .subtitle = tolerance_view_subtitle_of(job, lenses_of(job)),
+                              .x_label = tolerance_view_label_of(job, "limit of "),
                               .y_label = "lenses that pass (%)",
                               .low = type->scale * tally->lowest,
                               .high = type->scale * tally->highest,
@@ -105,7 +107,7 @@ static bool draw_yield(struct tolerance_job *job, struct svg *svg, struct error 
                               .count = STEPS,
                               .is_curve = true};
     if (tally->count > 0) {
-        tally_histogram(tally, tally->lowest, tally->highest, STEPS, counts);
+        trial_statistics_histogram(tally, tally->lowest, tally->highest, STEPS, counts);
     }
     for (int i = 0; i <= STEPS; i++) {
         const double below = sum, above = (double)tally->count - sum;
@@ -113,7 +115,7 @@ static bool draw_yield(struct tolerance_job *job, struct svg *svg, struct error 
         shares[i] = 100 * pass / (double)job->result.done;
         sum += i < STEPS ? counts[i] : 0;
     }
-    mark(job, plain ? type->scale * tally->nominal : NAN, &plot);
+    tolerance_view_mark(job, plain ? type->scale * tally->nominal : NAN, &plot);
     return tally_plot_draw(&plot, svg, error);
 }
 
@@ -131,7 +133,7 @@ static bool draw_offenders(struct tolerance_job *job, struct svg *svg, struct er
                                       offenders[i].share.first, offenders[i].share.total};
     }
     const struct pareto pareto = {.title = title_of(job, "who makes the spread"),
-                                  .subtitle = subtitle_of(job, ""),
+                                  .subtitle = tolerance_view_subtitle_of(job, ""),
                                   .x_label = "share of the variance, mean of all fields",
                                   .part_name = "by itself",
                                   .whole_name = "with what it does together with others",

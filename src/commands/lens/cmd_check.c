@@ -6,33 +6,33 @@
 
 #include "base/constants.h"
 
-struct input {
+struct check_input {
     struct lens_question question;
     double tolerance;
     long steps;
 };
 
 static const struct option options[] = {
-    LENS_OPTION(struct input, question),
-    LENS_WAVELENGTH_OPTION(struct input, question, LENS_PRIMARY_WAVELENGTH),
-    LENS_FNUMBER_OPTION(struct input, question),
-    {OPTION(struct input, question.field), .name = "field", .dimension = &dimension_angle,
+    LENS_OPTION(struct check_input, question),
+    LENS_WAVELENGTH_OPTION(struct check_input, question, LENS_PRIMARY_WAVELENGTH),
+    LENS_FNUMBER_OPTION(struct check_input, question),
+    {OPTION(struct check_input, question.field), .name = "field", .dimension = &dimension_angle,
      .unit = "deg", .lowest = -PI, .highest = PI,
      .flags = OPTION_FIELD | OPTION_ABOVE_LOWEST | OPTION_BELOW_HIGHEST, .value = "ANGLE",
      .help = "largest field angle, in object space, a list is swept; without it that of the lens, "
              "else 5 deg"},
-    LENS_FIELD_X_OPTION(struct input, question.field_x),
-    LENS_POSITION_OPTION(struct input, question),
-    LENS_SECTION_OPTION(struct input, question),
-    {OPTION(struct input, tolerance), .name = "tolerance", .column = "tolerance",
+    LENS_FIELD_X_OPTION(struct check_input, question.field_x),
+    LENS_POSITION_OPTION(struct check_input, question),
+    LENS_SECTION_OPTION(struct check_input, question),
+    {OPTION(struct check_input, tolerance), .name = "tolerance", .column = "tolerance",
      .dimension = &dimension_ratio, .lowest = 0, .highest = 1, .flags = OPTION_ABOVE_LOWEST,
      .fallback = "1%", .value = "RATIO", .help = "tolerance for the verdict 'trusted'"},
-    {OPTION(struct input, steps), .name = "steps", .lowest = 1, .highest = 100, .fallback = "3",
-     .value = "COUNT",
+    {OPTION(struct check_input, steps), .name = "steps", .lowest = 1, .highest = 100,
+     .fallback = "3", .value = "COUNT",
      .help = "number of apertures, each a stop smaller, and of fields, evenly spaced"},
 };
 
-struct row {
+struct check_row {
     const char *quantity, *unit, *position, *status, *verdict, *warning, *lens;
     double wavelength; /* um */
     double fraction, fnumber, height, field;
@@ -42,16 +42,18 @@ struct row {
 };
 
 #define LENGTH(member_name, more)                                                                  \
-    COLUMN(struct row, member_name), .dimension = &dimension_length, .unit = "mm", .flags = (more)
+    COLUMN(struct check_row, member_name), .dimension = &dimension_length, .unit = "mm",           \
+                                           .flags = (more)
 #define ANGLE(member_name, more)                                                                   \
-    COLUMN(struct row, member_name), .dimension = &dimension_angle, .unit = "deg", .flags = (more)
-#define PLAIN(member_name, more) COLUMN(struct row, member_name), .flags = (more)
+    COLUMN(struct check_row, member_name), .dimension = &dimension_angle, .unit = "deg",           \
+                                           .flags = (more)
+#define PLAIN(member_name, more) COLUMN(struct check_row, member_name), .flags = (more)
 
 static const struct column columns[] = {
-    {COLUMN(struct row, wavelength), .dimension = &dimension_wavelength_um, .unit = "nm",
+    {COLUMN(struct check_row, wavelength), .dimension = &dimension_wavelength_um, .unit = "nm",
      .flags = COLUMN_ECHO, .name = "wavelength", .with = "wavelength", .label = "wavelength",
      .help = "wavelength"},
-    LENS_POSITION_COLUMN(struct row, position, 0),
+    LENS_POSITION_COLUMN(struct check_row, position, 0),
     {PLAIN(quantity, COLUMN_BRIEF), .name = "quantity", .label = "quantity",
      .help = "what is compared"},
     {PLAIN(unit, COLUMN_BRIEF), .name = "unit", .label = "unit",
@@ -71,7 +73,7 @@ static const struct column columns[] = {
      .help = "by the exact ray; absent where it is lost"},
     {PLAIN(difference, COLUMN_BRIEF), .name = "difference", .symbol = "d", .label = "difference",
      .help = "exact - paraxial"},
-    {COLUMN(struct row, relative), .dimension = &dimension_ratio, .unit = "percent",
+    {COLUMN(struct check_row, relative), .dimension = &dimension_ratio, .unit = "percent",
      .flags = COLUMN_BRIEF, .name = "relative", .label = "relative",
      .help = "difference over the paraxial value, of places over the focal length"},
     {PLAIN(local_order, COLUMN_BRIEF), .name = "local_order", .label = "order here", .digits = 3,
@@ -87,7 +89,7 @@ static const struct column columns[] = {
      .label = "trusted from", .help = "the same as an f-number"},
     {ANGLE(trusted_field, COLUMN_HIDDEN), .name = "trusted_field", .label = "trusted to field",
      .help = "the same as a field angle"},
-    {COLUMN(struct row, tolerance), .dimension = &dimension_ratio, .unit = "percent",
+    {COLUMN(struct check_row, tolerance), .dimension = &dimension_ratio, .unit = "percent",
      .name = "tolerance", .flags = COLUMN_ECHO | COLUMN_HIDDEN, .with = "tolerance",
      .label = "tolerance", .help = "of the verdict"},
     {PLAIN(status, COLUMN_HIDDEN), .name = "status", .label = "status",
@@ -97,8 +99,8 @@ static const struct column columns[] = {
      .help = "where the exact ray is lost"},
     {PLAIN(verdict, COLUMN_NOTE), .name = "verdict", .label = "verdict",
      .help = "how far the paraxial value may be trusted, in words"},
-    LENS_TITLE_COLUMN(struct row, lens),
-    LENS_WARNING_COLUMN(struct row, warning),
+    LENS_TITLE_COLUMN(struct check_row, lens),
+    LENS_WARNING_COLUMN(struct check_row, warning),
 };
 
 /* How a quantity is called, and its unit. */
@@ -126,13 +128,13 @@ static const struct lens_policy policy = {.wavelengths = WAVELENGTHS_PRIMARY,
 
 /* The lens in one case, ready for comparison. */
 struct check_job {
-    const struct input *input;
+    const struct check_input *input;
     const struct lens_case *one;
     struct check_problem problem;
 };
 
-static bool set_up(const struct input *input, const struct lens_case *one, struct check_job *check,
-                   struct error *error)
+static bool check_set_up(const struct check_input *input, const struct lens_case *one,
+                         struct check_job *check, struct error *error)
 {
     const struct lens *lens = one->setup->lens;
     for (size_t i = 0; i < lens->surface_count; i++) {
@@ -182,7 +184,7 @@ static const char *order_words(const struct check_order *order, struct arena *ar
 }
 
 /* Of a quantity by field; `largest` in degrees, NaN for a field that no beam has. */
-static const char *field_words(const struct row *row, double largest, bool arrives,
+static const char *field_words(const struct check_row *row, double largest, bool arrives,
                                struct arena *arena)
 {
     const double whole = 1 - 1e-9;
@@ -198,7 +200,7 @@ static const char *field_words(const struct row *row, double largest, bool arriv
                    : arena_printf(arena, "%s, from where no chief ray reaches the stop", words);
 }
 
-static const char *extent_words(const struct row *row, enum check_quantity quantity,
+static const char *extent_words(const struct check_row *row, enum check_quantity quantity,
                                 const struct check_value *edge, struct arena *arena)
 {
     const double whole = 1 - 1e-9;
@@ -217,8 +219,8 @@ static const char *extent_words(const struct row *row, enum check_quantity quant
                         row->trusted_fnumber);
 }
 
-static void judge(const struct check_job *check, enum check_quantity quantity, struct arena *arena,
-                  struct row *row)
+static void check_judge(const struct check_job *check, enum check_quantity quantity,
+                        struct arena *arena, struct check_row *row)
 {
     const struct check_problem *problem = &check->problem;
     const struct check_order order = check_order(problem, quantity, arena);
@@ -250,8 +252,8 @@ static void judge(const struct check_job *check, enum check_quantity quantity, s
 
 /* -------- rows -------- */
 
-static void fill(const struct check_job *check, enum check_quantity quantity, double fraction,
-                 struct arena *arena, struct row *row)
+static void check_fill(const struct check_job *check, enum check_quantity quantity, double fraction,
+                       struct arena *arena, struct check_row *row)
 {
     struct check_value here = check_at(&check->problem, quantity, fraction, arena);
     struct check_value half = check_at(&check->problem, quantity, fraction / 2, arena);
@@ -284,22 +286,22 @@ static double fraction_of(enum check_quantity quantity, long step, long steps)
 }
 
 /* Where the rows go. */
-struct asked {
-    const struct input *input;
+struct check_asked {
+    const struct check_input *input;
     struct run *run;
 };
 
-static bool compare(const struct lens_case *one, void *context, struct error *error)
+static bool check_compare(const struct lens_case *one, void *context, struct error *error)
 {
-    const struct asked *asked = context;
-    const struct input *input = asked->input;
+    const struct check_asked *asked = context;
+    const struct check_input *input = asked->input;
     struct run *run = asked->run;
     struct check_job check;
-    if (!set_up(input, one, &check, error)) {
+    if (!check_set_up(input, one, &check, error)) {
         return false;
     }
     for (int quantity = 0; quantity < CHECK_QUANTITIES; quantity++) {
-        struct row row = {
+        struct check_row row = {
             .quantity = names[quantity].name,
             .unit = names[quantity].unit,
             .position = one->setup->position,
@@ -310,10 +312,10 @@ static bool compare(const struct lens_case *one, void *context, struct error *er
         if (!check_applies(&check.problem, (enum check_quantity)quantity)) {
             continue;
         }
-        judge(&check, (enum check_quantity)quantity, run->arena, &row);
+        check_judge(&check, (enum check_quantity)quantity, run->arena, &row);
         for (long step = 0; step < input->steps; step++) {
             double fraction = fraction_of((enum check_quantity)quantity, step, input->steps);
-            fill(&check, (enum check_quantity)quantity, fraction, run->arena, &row);
+            check_fill(&check, (enum check_quantity)quantity, fraction, run->arena, &row);
             if (!run_emit(run, &row)) {
                 return true;
             }
@@ -322,10 +324,10 @@ static bool compare(const struct lens_case *one, void *context, struct error *er
     return true;
 }
 
-static bool run(const void *data, struct run *run, struct error *error)
+static bool check_command_run(const void *data, struct run *run, struct error *error)
 {
-    struct asked asked = {data, run};
-    return lens_each(&asked.input->question, &policy, run->arena, compare, &asked, error);
+    struct check_asked asked = {data, run};
+    return lens_each(&asked.input->question, &policy, run->arena, check_compare, &asked, error);
 }
 
 /* -------- the plot -------- */
@@ -333,20 +335,20 @@ static bool run(const void *data, struct run *run, struct error *error)
 enum { POINTS = 41 };
 
 /* Of the first case only: the curves of one lens fill a page. */
-struct curves {
-    const struct input *input;
+struct check_curves {
+    const struct check_input *input;
     struct arena *arena;
     struct plot plot;
     struct plot_series series[CHECK_QUANTITIES];
     double x[POINTS];
 };
 
-static bool add_curves(const struct lens_case *one, void *context, struct error *error)
+static bool check_add_curves(const struct lens_case *one, void *context, struct error *error)
 {
-    struct curves *curves = context;
+    struct check_curves *curves = context;
     struct arena *arena = curves->arena;
     struct check_job check;
-    if (!set_up(curves->input, one, &check, error)) {
+    if (!check_set_up(curves->input, one, &check, error)) {
         return false;
     }
     for (int quantity = 0; quantity < CHECK_QUANTITIES; quantity++) {
@@ -382,34 +384,34 @@ static bool add_curves(const struct lens_case *one, void *context, struct error 
 
 static bool check_plot(const struct artifact_job *job, struct error *error)
 {
-    const struct input *input = job->inputs[0];
+    const struct check_input *input = job->inputs[0];
     return !lens_positions_several(input->question.lens.lens, input->question.position) ||
            fail(error, ERROR_USAGE, "{--plot} shows one position: name it with {--position}");
 }
 
-static bool draw(const struct artifact_job *job, struct output *sink, struct error *error)
+static bool check_draw(const struct artifact_job *job, struct output *sink, struct error *error)
 {
     struct svg svg = {.arena = job->run->arena};
-    struct curves curves = {.input = job->inputs[0],
-                            .arena = svg.arena,
-                            .plot = {.x_label = "fraction of the aperture, or of the field",
-                                     .y_label = "difference (% of the value or focal length)",
-                                     .count = POINTS,
-                                     .log_x = true,
-                                     .log_y = true}};
+    struct check_curves curves = {.input = job->inputs[0],
+                                  .arena = svg.arena,
+                                  .plot = {.x_label = "fraction of the aperture, or of the field",
+                                           .y_label = "difference (% of the value or focal length)",
+                                           .count = POINTS,
+                                           .log_x = true,
+                                           .log_y = true}};
     const struct lens_question *question = &curves.input->question;
     for (size_t i = 0; i < POINTS; i++) {
         curves.x[i] = pow(10, -1.5 * (1 - (double)i / (POINTS - 1)));
     }
     curves.plot.x = curves.x;
     curves.plot.series = curves.series;
-    return lens_each(question, &policy, svg.arena, add_curves, &curves, error) &&
+    return lens_each(question, &policy, svg.arena, check_add_curves, &curves, error) &&
            plot_draw(&curves.plot, &svg, error) && drawing_write(job, &svg, sink, error);
 }
 
 static const struct artifact artifacts[] = {
     {ARTIFACT_OPTION("plot", drawing_types, "draw the differences over aperture and field"),
-     .scope = ARTIFACT_OF_ANSWER, .check = check_plot, .make = draw},
+     .scope = ARTIFACT_OF_ANSWER, .check = check_plot, .make = check_draw},
 };
 
 static const struct explanation explanations[] = {
@@ -436,8 +438,9 @@ const struct command command_check = {
     .name = "check",
     .group = "a lens",
     .summary = "paraxial results against exact rays, and how far to trust them",
-    COMMAND_ASKS(struct input),
-    COMMAND_ANSWERS(struct row),
+    COMMAND_ASKS(struct check_input),
+    COMMAND_ANSWERS(struct check_row),
+    .run = check_command_run,
     .makes_many = command_always_many,
     COMMAND_MAKES(artifacts),
     .most_answers = 100000,

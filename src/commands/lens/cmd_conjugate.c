@@ -10,7 +10,7 @@
 
 enum { FOCUS_BY_NOTHING, FOCUS_BY_LENS };
 
-struct input {
+struct conjugate_input {
     struct lens_question question;
     double object, image, magnification; /* at most one */
     int from, focus_by;
@@ -35,37 +35,38 @@ static const struct word focusings[] = {
 };
 
 #define MILLIMETRES(member_name)                                                                   \
-    OPTION(struct input, member_name), .dimension = &dimension_length, .unit = "mm",               \
-                                       .value = "LENGTH"
+    OPTION(struct conjugate_input, member_name), .dimension = &dimension_length, .unit = "mm",     \
+                                                 .value = "LENGTH"
 
 static const struct lens_policy policy = {.wavelengths = WAVELENGTHS_PRIMARY,
                                           .fields = FIELDS_LARGEST};
 
 static const struct option options[] = {
-    LENS_OPTION(struct input, question),
+    LENS_OPTION(struct conjugate_input, question),
     {MILLIMETRES(object), .name = "object",
      .help = "distance of the object before the lens; negative: a virtual object behind it"},
     {MILLIMETRES(image), .name = "image",
      .help = "distance of the image behind the lens; negative: a virtual image"},
-    {OPTION(struct input, magnification), .name = "magnification", .letter = 'm',
+    {OPTION(struct conjugate_input, magnification), .name = "magnification", .letter = 'm',
      .dimension = &dimension_ratio, .value = "RATIO",
      .help = "lateral magnification; negative: upside down, as a camera's"},
-    OPTION_FROM(struct input, from, froms),
-    {OPTION(struct input, focus_by), .name = "focus-by", .column = "focus_by", .words = focusings,
-     .fallback = "nothing", .value = "HOW", .help = "bring the image to the image plane"},
-    {OPTION(struct input, gap), .name = "gap", .value = "GAPS",
+    OPTION_FROM(struct conjugate_input, from, froms),
+    {OPTION(struct conjugate_input, focus_by), .name = "focus-by", .column = "focus_by",
+     .words = focusings, .fallback = "nothing", .value = "HOW",
+     .help = "bring the image to the image plane"},
+    {OPTION(struct conjugate_input, gap), .name = "gap", .value = "GAPS",
      .help = "focus by these gaps: variables or surface numbers, each with a weight: d5,10:-1"},
-    {OPTION(struct input, object_medium), .name = "object-medium", .value = "MEDIUM",
+    {OPTION(struct conjugate_input, object_medium), .name = "object-medium", .value = "MEDIUM",
      .help = "medium before the lens: a glass, nd/Vd or an index"},
-    {OPTION(struct input, image_medium), .name = "image-medium", .value = "MEDIUM",
+    {OPTION(struct conjugate_input, image_medium), .name = "image-medium", .value = "MEDIUM",
      .help = "medium behind the lens"},
-    LENS_WAVELENGTH_OPTION(struct input, question, LENS_PRIMARY_WAVELENGTH),
-    LENS_FNUMBER_OPTION(struct input, question),
-    LENS_POSITION_OPTION(struct input, question),
-    LENS_SECTION_OPTION(struct input, question),
+    LENS_WAVELENGTH_OPTION(struct conjugate_input, question, LENS_PRIMARY_WAVELENGTH),
+    LENS_FNUMBER_OPTION(struct conjugate_input, question),
+    LENS_POSITION_OPTION(struct conjugate_input, question),
+    LENS_SECTION_OPTION(struct conjugate_input, question),
 };
 
-struct row {
+struct conjugate_row {
     double wavelength; /* um */
     const char *position, *from, *focus_by, *gaps, *lens, *warning;
     const char *object_kind, *image_kind, *orientation;
@@ -75,14 +76,15 @@ struct row {
 };
 
 #define LENGTH(member_name, more)                                                                  \
-    COLUMN(struct row, member_name), .dimension = &dimension_length, .unit = "mm", .flags = (more)
-#define PLAIN(member_name, more) COLUMN(struct row, member_name), .flags = (more)
+    COLUMN(struct conjugate_row, member_name), .dimension = &dimension_length, .unit = "mm",       \
+                                               .flags = (more)
+#define PLAIN(member_name, more) COLUMN(struct conjugate_row, member_name), .flags = (more)
 
 static const struct column columns[] = {
-    {COLUMN(struct row, wavelength), .dimension = &dimension_wavelength_um, .unit = "nm",
+    {COLUMN(struct conjugate_row, wavelength), .dimension = &dimension_wavelength_um, .unit = "nm",
      .flags = COLUMN_ECHO, .name = "wavelength", .with = "wavelength", .label = "wavelength",
      .help = "wavelength"},
-    LENS_POSITION_COLUMN(struct row, position, COLUMN_BRIEF),
+    LENS_POSITION_COLUMN(struct conjugate_row, position, COLUMN_BRIEF),
     {LENGTH(movement, COLUMN_BRIEF | COLUMN_SPARSE), .name = "movement",
      .when = "with --focus-by lens, or --gap", .label = "movement",
      .help = "by how much the gaps grow, times their weights; the extension of the whole lens"},
@@ -138,20 +140,21 @@ static const struct column columns[] = {
      .label = "distances from", .help = "where the first two distances are measured from"},
     {PLAIN(focus_by, COLUMN_EXTRA | COLUMN_ASSUMED), .name = "focus_by", .depends = "focus-by",
      .label = "focused by", .help = "what moves; absent where nothing does"},
-    LENS_TITLE_COLUMN(struct row, lens),
-    LENS_WARNING_COLUMN(struct row, warning),
+    LENS_TITLE_COLUMN(struct conjugate_row, lens),
+    LENS_WARNING_COLUMN(struct conjugate_row, warning),
 };
 
 /* What is asked of one lens, wavelength after wavelength. */
 struct task {
-    const struct input *input;
+    const struct conjugate_input *input;
     struct run *run;
     struct lens_value typed; /* the lens as the file has it, its media too */
     struct named_gap gaps[FOCUS_GAPS];
     size_t gap_count; /* 0: nothing moves */
 };
 
-static struct conjugate_question question_of(const struct input *input, const struct lens *lens)
+static struct conjugate_question conjugate_question_of(const struct conjugate_input *input,
+                                                       const struct lens *lens)
 {
     enum conjugate_from from = (enum conjugate_from)input->from;
     if (!isnan(input->magnification)) {
@@ -167,7 +170,7 @@ static struct conjugate_question question_of(const struct input *input, const st
     return (struct conjugate_question){CONJUGATE_OBJECT, CONJUGATE_FROM_FRONT, own, 0};
 }
 
-static const char *kind_of(double distance, bool is_virtual)
+static const char *conjugate_kind_of(double distance, bool is_virtual)
 {
     return isinf(distance) ? "at infinity" : is_virtual ? "virtual" : "real";
 }
@@ -180,7 +183,7 @@ static const char *orientation_of(const struct conjugate_points *all, double pow
 }
 
 /* The first of the two distances, as --from has them. */
-static void set_distances(const struct conjugate_points *all, int from, struct row *row)
+static void set_distances(const struct conjugate_points *all, int from, struct conjugate_row *row)
 {
     const double pairs[CONJUGATE_FROMS][2] = {
         [CONJUGATE_FROM_PRINCIPAL] = {all->object_principal, all->image_principal},
@@ -196,7 +199,7 @@ static void set_distances(const struct conjugate_points *all, int from, struct r
 /* Brightness with the stop as wide as it is, for the object of the row. */
 static void set_brightness(const struct paraxial_system *system, const struct paraxial_trace *trace,
                            const struct conjugate_object *object, double stop_radius,
-                           struct row *row)
+                           struct conjugate_row *row)
 {
     struct first_order first;
     first_order_compute(system, trace, object, &first);
@@ -213,23 +216,23 @@ static void set_brightness(const struct paraxial_system *system, const struct pa
 }
 
 /* The row of one object, which lies on `place` (mm to the left of the first vertex). */
-static bool emit_row(const struct lens_case *one, const struct task *task, const struct lens *lens,
-                     const struct conjugate_ray *ray, const char *gaps, double movement,
-                     struct error *error)
+static bool conjugate_emit_row(const struct lens_case *one, const struct task *task,
+                               const struct lens *lens, const struct conjugate_ray *ray,
+                               const char *gaps, double movement, struct error *error)
 {
     struct run *run = task->run;
     struct paraxial_system system;
     struct paraxial_trace trace;
-    struct row row = {.wavelength = one->light.wavelength,
-                      .position = one->setup->position,
-                      .from = froms[task->input->from].word,
-                      .focus_by = task->input->gap != NULL     ? task->input->gap
-                                  : task->input->focus_by != 0 ? "the whole lens"
-                                                               : NULL,
-                      .gaps = gaps,
-                      .movement = movement,
-                      .lens = one->setup->lens->title,
-                      .warning = one->warning};
+    struct conjugate_row row = {.wavelength = one->light.wavelength,
+                                .position = one->setup->position,
+                                .from = froms[task->input->from].word,
+                                .focus_by = task->input->gap != NULL     ? task->input->gap
+                                            : task->input->focus_by != 0 ? "the whole lens"
+                                                                         : NULL,
+                                .gaps = gaps,
+                                .movement = movement,
+                                .lens = one->setup->lens->title,
+                                .warning = one->warning};
     if (!paraxial_compile(lens, one->light.wavelength, one->setup->section, run->arena, &system,
                           error)) {
         return false;
@@ -244,29 +247,29 @@ static bool emit_row(const struct lens_case *one, const struct task *task, const
     conjugate_compute(&system, &trace, &here, &row.all);
     set_distances(&row.all, task->input->from, &row);
     set_brightness(&system, &trace, &object, one->light.first.stop_radius, &row);
-    row.object_kind = kind_of(row.all.object, row.all.object_is_virtual);
-    row.image_kind = kind_of(row.all.image, row.all.image_is_virtual);
+    row.object_kind = conjugate_kind_of(row.all.object, row.all.object_is_virtual);
+    row.image_kind = conjugate_kind_of(row.all.image, row.all.image_is_virtual);
     row.orientation = orientation_of(&row.all, trace.whole.c.hi == 0 ? 0 : -trace.whole.c.hi);
     run_emit(run, &row);
     return true;
 }
 
 /* y and v = n u become y and u: the ray is that of a place, not of a reduced distance. */
-static struct conjugate_ray place_of(const struct conjugate_ray *ray, struct pair index)
+static struct conjugate_ray conjugate_place_of(const struct conjugate_ray *ray, struct pair index)
 {
     return (struct conjugate_ray){pair_multiply(ray->y, index), ray->v};
 }
 
 static bool emit_unmoved(const struct lens_case *one, const struct task *task, struct error *error)
 {
-    const struct conjugate_question question = question_of(task->input, one->setup->lens);
+    const struct conjugate_question question = conjugate_question_of(task->input, one->setup->lens);
     struct conjugate_ray rays[2];
     struct paraxial_trace trace;
     paraxial_trace(&one->light.system, &trace);
     size_t count = conjugate_find(&one->light.system, &trace, &question, rays, error);
     for (size_t i = 0; i < count; i++) {
-        const struct conjugate_ray place = place_of(&rays[i], one->light.system.index[0]);
-        if (!emit_row(one, task, one->setup->lens, &place, NULL, NAN, error)) {
+        const struct conjugate_ray place = conjugate_place_of(&rays[i], one->light.system.index[0]);
+        if (!conjugate_emit_row(one, task, one->setup->lens, &place, NULL, NAN, error)) {
             return false;
         }
     }
@@ -312,17 +315,17 @@ static const char *list_gaps(const struct task *task, const struct focused *focu
 static bool emit_focused(const struct lens_case *one, const struct task *task, struct error *error)
 {
     struct arena *arena = task->run->arena;
-    const struct conjugate_question question = question_of(task->input, one->setup->lens);
+    const struct conjugate_question question = conjugate_question_of(task->input, one->setup->lens);
     struct focused *solutions = ARENA_ARRAY(arena, FOCUS_SOLUTIONS, struct focused);
     struct focus_gap gaps[FOCUS_GAPS];
     for (size_t i = 0; i < task->gap_count; i++) {
         gaps[i] = task->gaps[i].gap;
     }
-    struct focusing focusing = {.lens = one->setup->lens,
-                                .wavelength = lens_primary_wavelength(one->setup->lens),
-                                .section = one->setup->section,
-                                .gaps = gaps,
-                                .gap_count = task->gap_count};
+    struct focus_mechanism focusing = {.lens = one->setup->lens,
+                                       .wavelength = lens_primary_wavelength(one->setup->lens),
+                                       .section = one->setup->section,
+                                       .gaps = gaps,
+                                       .gap_count = task->gap_count};
     if (!find_image_plane(one, task, &focusing.image_plane, error)) {
         return false;
     }
@@ -339,10 +342,10 @@ static bool emit_focused(const struct lens_case *one, const struct task *task, s
         if (!focus_object(&solutions[i], &system, &trace, &question, &ray, error)) {
             return false;
         }
-        const struct conjugate_ray place = place_of(&ray, system.index[0]);
+        const struct conjugate_ray place = conjugate_place_of(&ray, system.index[0]);
         const char *names = list_gaps(task, &solutions[i], arena);
-        if (!emit_row(one, task, solutions[i].lens, &place, names, solutions[i].movement.hi,
-                      error)) {
+        if (!conjugate_emit_row(one, task, solutions[i].lens, &place, names,
+                                solutions[i].movement.hi, error)) {
             return false;
         }
     }
@@ -356,8 +359,8 @@ static bool emit_case(const struct lens_case *one, void *context, struct error *
 }
 
 /* The lens with other media around it. */
-static bool put_into_media(const struct input *input, struct lens_value *value, struct arena *arena,
-                           struct error *error)
+static bool put_into_media(const struct conjugate_input *input, struct lens_value *value,
+                           struct arena *arena, struct error *error)
 {
     const struct glass_record *before = input->object_medium.record;
     const struct glass_record *behind = input->image_medium.record;
@@ -390,7 +393,7 @@ static bool put_into_media(const struct input *input, struct lens_value *value, 
     return true;
 }
 
-static bool check_asked(const struct input *input, struct error *error)
+static bool conjugate_check_asked(const struct conjugate_input *input, struct error *error)
 {
     int given = !isnan(input->object) + !isnan(input->image) + !isnan(input->magnification);
     if (given > 1) {
@@ -409,13 +412,13 @@ static bool check_asked(const struct input *input, struct error *error)
     return true;
 }
 
-static bool run(const void *data, struct run *run, struct error *error)
+static bool conjugate_run(const void *data, struct run *run, struct error *error)
 {
-    const struct input *input = data;
+    const struct conjugate_input *input = data;
     struct lens_question question = input->question;
     struct task task = {.input = input, .run = run, .typed = input->question.lens};
     question.field = question.field_x = NAN;
-    if (!check_asked(input, error)) {
+    if (!conjugate_check_asked(input, error)) {
         return false;
     }
     const struct lens *lens = question.lens.lens;
@@ -432,9 +435,9 @@ static bool run(const void *data, struct run *run, struct error *error)
     return lens_each(&question, &policy, run->arena, emit_case, &task, error);
 }
 
-static bool makes_many(const void *data)
+static bool conjugate_makes_many(const void *data)
 {
-    const struct input *input = data;
+    const struct conjugate_input *input = data;
     return lens_makes_many(&input->question, &policy) || input->gap != NULL ||
            input->focus_by != FOCUS_BY_NOTHING ||
            (input->from == CONJUGATE_FROM_SENSOR && !isnan(input->object));
@@ -465,9 +468,10 @@ const struct command command_conjugate = {
     .name = "conjugate",
     .group = "a lens",
     .summary = "object and image anywhere, in any medium; focusing by the lens or by gaps",
-    COMMAND_ASKS(struct input),
-    COMMAND_ANSWERS(struct row),
-    .makes_many = makes_many,
+    COMMAND_ASKS(struct conjugate_input),
+    COMMAND_ANSWERS(struct conjugate_row),
+    .run = conjugate_run,
+    .makes_many = conjugate_makes_many,
     .plot = "magnification|image_principal_mm",
     .cell = "magnification",
 };

@@ -3,36 +3,36 @@
 #include "commands/lens/lens_options.h"
 #include "draw/section.h"
 
-struct input {
+struct draw_input {
     struct lens_question question;
     bool planes, construction, no_rays;
     const char *title;
 };
 
 static const struct option options[] = {
-    LENS_OPTION(struct input, question),
-    LENS_WAVELENGTH_OPTION(struct input, question, LENS_PRIMARY_WAVELENGTH),
-    LENS_FNUMBER_OPTION(struct input, question),
-    LENS_FIELD_OPTIONS(struct input, question),
-    LENS_POSITION_OPTION(struct input, question),
-    LENS_SECTION_OPTION(struct input, question),
-    {OPTION(struct input, planes), .name = "planes",
+    LENS_OPTION(struct draw_input, question),
+    LENS_WAVELENGTH_OPTION(struct draw_input, question, LENS_PRIMARY_WAVELENGTH),
+    LENS_FNUMBER_OPTION(struct draw_input, question),
+    LENS_FIELD_OPTIONS(struct draw_input, question),
+    LENS_POSITION_OPTION(struct draw_input, question),
+    LENS_SECTION_OPTION(struct draw_input, question),
+    {OPTION(struct draw_input, planes), .name = "planes",
      .help = "principal planes, focal points and pupils"},
-    {OPTION(struct input, construction), .name = "construction", .excludes = "field field-x",
+    {OPTION(struct draw_input, construction), .name = "construction", .excludes = "field field-x",
      .help = "the three Gauss rays of the equivalent lens in place of the bundles"},
-    {OPTION(struct input, no_rays), .name = "no-rays", .excludes = "field field-x",
+    {OPTION(struct draw_input, no_rays), .name = "no-rays", .excludes = "field field-x",
      .help = "the lens alone"},
-    {OPTION(struct input, title), .name = "title", .value = "TEXT",
+    {OPTION(struct draw_input, title), .name = "title", .value = "TEXT",
      .help = "title in place of the lens's own"},
 };
 
 /* What draws, and the drawing. */
 struct drawer {
-    const struct input *input;
+    const struct draw_input *input;
     struct svg svg;
 };
 
-static const char *subtitle_of(const struct lens_case *one, struct arena *arena)
+static const char *draw_subtitle_of(const struct lens_case *one, struct arena *arena)
 {
     const struct first_order *first = &one->light.first;
     const char *focal =
@@ -50,7 +50,7 @@ static bool draw_case(const struct lens_case *one, void *context, struct error *
 {
     struct drawer *drawer = context;
     struct arena *arena = drawer->svg.arena;
-    const struct input *input = drawer->input;
+    const struct draw_input *input = drawer->input;
     const struct layout_request request = {.wavelength = one->index,
                                            .light = &one->light,
                                            .planes = input->planes,
@@ -71,15 +71,15 @@ static bool draw_case(const struct lens_case *one, void *context, struct error *
         layout_note(&layout, arena_printf(arena, "warning: %s", one->warning));
     }
     const struct section section = {.title = input->title != NULL ? input->title : title,
-                                    .subtitle = subtitle_of(one, arena),
+                                    .subtitle = draw_subtitle_of(one, arena),
                                     .layout = &layout,
                                     .faint = input->construction};
     return section_draw(&section, &drawer->svg, error);
 }
 
-static bool check(const struct artifact_job *job, struct error *error)
+static bool draw_check(const struct artifact_job *job, struct error *error)
 {
-    const struct input *input = job->inputs[0];
+    const struct draw_input *input = job->inputs[0];
     if (lens_positions_several(input->question.lens.lens, input->question.position)) {
         return fail(error, ERROR_USAGE, "a drawing shows one position: {--position} NAME");
     }
@@ -90,9 +90,9 @@ static bool check(const struct artifact_job *job, struct error *error)
     return true;
 }
 
-static bool draw(const struct artifact_job *job, struct output *sink, struct error *error)
+static bool draw_draw(const struct artifact_job *job, struct output *sink, struct error *error)
 {
-    const struct input *input = job->inputs[0];
+    const struct draw_input *input = job->inputs[0];
     const struct lens *lens = input->question.lens.lens;
     const struct plane_value focus = {.kind = lens != NULL ? layout_plane(lens) : PLANE_OF_LENS};
     const struct lens_policy policy = {
@@ -103,7 +103,7 @@ static bool draw(const struct artifact_job *job, struct output *sink, struct err
 }
 
 static const struct artifact artifacts[] = {
-    {ARTIFACT_ANSWER(drawing_types), .check = check, .make = draw},
+    {ARTIFACT_ANSWER(drawing_types), .check = draw_check, .make = draw_draw},
 };
 
 static const struct example examples[] = {
@@ -118,6 +118,6 @@ const struct command command_draw = {
     .name = "draw",
     .group = "a lens",
     .summary = "cross-section of a lens as an SVG drawing",
-    COMMAND_ASKS(struct input),
+    COMMAND_ASKS(struct draw_input),
     COMMAND_MAKES(artifacts),
 };

@@ -2,7 +2,7 @@
 /* SPDX-License-Identifier: MIT */
 #include "commands/lens/lens_options.h"
 
-struct input {
+struct lens_input {
     struct lens_question question;
 };
 
@@ -10,15 +10,15 @@ static const struct lens_policy policy = {
     .wavelengths = WAVELENGTHS_ALL, .fields = FIELDS_LARGEST, .telecentric = true};
 
 static const struct option options[] = {
-    LENS_OPTION(struct input, question),
-    LENS_WAVELENGTH_OPTION(struct input, question, LENS_ALL_WAVELENGTHS),
-    LENS_FNUMBER_OPTION(struct input, question),
-    LENS_FIELD_OPTIONS(struct input, question),
-    LENS_POSITION_OPTION(struct input, question),
-    LENS_SECTION_OPTION(struct input, question),
+    LENS_OPTION(struct lens_input, question),
+    LENS_WAVELENGTH_OPTION(struct lens_input, question, LENS_ALL_WAVELENGTHS),
+    LENS_FNUMBER_OPTION(struct lens_input, question),
+    LENS_FIELD_OPTIONS(struct lens_input, question),
+    LENS_POSITION_OPTION(struct lens_input, question),
+    LENS_SECTION_OPTION(struct lens_input, question),
 };
 
-struct row {
+struct lens_command_row {
     double wavelength; /* um */
     const char *position, *warning, *lens, *places;
     double track;
@@ -26,14 +26,15 @@ struct row {
 };
 
 #define PLACE(member_name, more)                                                                   \
-    COLUMN(struct row, member_name), .dimension = &dimension_length, .unit = "mm", .flags = (more)
-#define NUMBER(member_name, more) COLUMN(struct row, member_name), .flags = (more)
+    COLUMN(struct lens_command_row, member_name), .dimension = &dimension_length, .unit = "mm",    \
+                                                  .flags = (more)
+#define NUMBER(member_name, more) COLUMN(struct lens_command_row, member_name), .flags = (more)
 
 static const struct column columns[] = {
-    LENS_WAVELENGTH_COLUMN(struct row, wavelength),
-    LENS_POSITION_COLUMN(struct row, position, COLUMN_BRIEF),
-    {COLUMN(struct row, first.power), .dimension = &dimension_vergence, .unit = "per_m",
-     .name = "power", .symbol = "P", .label = "power",
+    LENS_WAVELENGTH_COLUMN(struct lens_command_row, wavelength),
+    LENS_POSITION_COLUMN(struct lens_command_row, position, COLUMN_BRIEF),
+    {COLUMN(struct lens_command_row, first.power), .dimension = &dimension_vergence,
+     .unit = "per_m", .name = "power", .symbol = "P", .label = "power",
      .help = "power, from before the first to "
              "behind the last surface"},
     {PLACE(first.efl, COLUMN_BRIEF | COLUMN_INFINITE), .name = "efl", .symbol = "f",
@@ -87,17 +88,18 @@ static const struct column columns[] = {
      .label = "Petzval radius", .help = "radius of the Petzval surface at the image"},
     {PLACE(track, COLUMN_INFINITE), .name = "track", .label = "track",
      .help = "first vertex to the image plane"},
-    LENS_TITLE_COLUMN(struct row, lens),
-    {COLUMN(struct row, places), .name = "places_from", .flags = COLUMN_EXTRA | COLUMN_ASSUMED,
-     .label = "places from", .help = "where places on the axis are measured from"},
-    LENS_WARNING_COLUMN(struct row, warning),
+    LENS_TITLE_COLUMN(struct lens_command_row, lens),
+    {COLUMN(struct lens_command_row, places), .name = "places_from",
+     .flags = COLUMN_EXTRA | COLUMN_ASSUMED, .label = "places from",
+     .help = "where places on the axis are measured from"},
+    LENS_WARNING_COLUMN(struct lens_command_row, warning),
 };
 
-static bool emit_row(const struct lens_case *one, void *context, struct error *error)
+static bool lens_emit_row(const struct lens_case *one, void *context, struct error *error)
 {
     struct run *run = context;
     (void)error;
-    struct row row = {
+    struct lens_command_row row = {
         .wavelength = one->light.wavelength,
         .position = one->setup->position,
         .lens = one->setup->lens->title,
@@ -111,15 +113,15 @@ static bool emit_row(const struct lens_case *one, void *context, struct error *e
     return true;
 }
 
-static bool run(const void *data, struct run *run, struct error *error)
+static bool lens_run(const void *data, struct run *run, struct error *error)
 {
-    const struct input *input = data;
-    return lens_each(&input->question, &policy, run->arena, emit_row, run, error);
+    const struct lens_input *input = data;
+    return lens_each(&input->question, &policy, run->arena, lens_emit_row, run, error);
 }
 
-static bool makes_many(const void *data)
+static bool lens_command_makes_many(const void *data)
 {
-    return lens_makes_many(&((const struct input *)data)->question, &policy);
+    return lens_makes_many(&((const struct lens_input *)data)->question, &policy);
 }
 
 static const struct explanation explanations[] = {
@@ -144,9 +146,10 @@ const struct command command_lens = {
     .name = "lens",
     .group = "a lens",
     .summary = "first-order data: focal length, cardinal points, pupils",
-    COMMAND_ASKS(struct input),
-    COMMAND_ANSWERS(struct row),
-    .makes_many = makes_many,
+    COMMAND_ASKS(struct lens_input),
+    COMMAND_ANSWERS(struct lens_command_row),
+    .run = lens_run,
+    .makes_many = lens_command_makes_many,
     .plot = "bfl_mm",
     .cell = "efl_mm",
 };

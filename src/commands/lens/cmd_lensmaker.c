@@ -10,7 +10,7 @@
 #include <math.h>
 #include <string.h>
 
-struct input {
+struct lensmaker_input {
     struct lensmaker lens;
     bool ball;
     int solution;
@@ -24,11 +24,11 @@ static const struct word solutions[] = {
 };
 
 #define INDEX(member_name)                                                                         \
-    OPTION(struct input, lens.member_name), .dimension = &dimension_number, OPTION_POSITIVE,       \
-                                            .value = "INDEX"
+    OPTION(struct lensmaker_input, lens.member_name), .dimension = &dimension_number,              \
+                                                      OPTION_POSITIVE, .value = "INDEX"
 #define PLACE(member_name)                                                                         \
-    OPTION(struct input, lens.member_name), .dimension = &dimension_length, .unit = "mm",          \
-                                            .value = "LENGTH"
+    OPTION(struct lensmaker_input, lens.member_name), .dimension = &dimension_length,              \
+                                                      .unit = "mm", .value = "LENGTH"
 
 static const struct option options[] = {
     {PLACE(f), .name = "focal-length", .letter = 'f', .column = "focal", .flags = OPTION_GOAL,
@@ -43,7 +43,7 @@ static const struct option options[] = {
     {PLACE(d), .name = "thickness", .letter = 'd', .column = "thickness", .lowest = 0,
      .highest = INFINITY, .flags = OPTION_NO_INFINITY | OPTION_SETTING,
      .help = "thickness at the vertices, of a ball its diameter; 0 (thin) unless solved for"},
-    {OPTION(struct input, lens.q), .name = "shape", .letter = 'q', .column = "shape",
+    {OPTION(struct lensmaker_input, lens.q), .name = "shape", .letter = 'q', .column = "shape",
      .dimension = &dimension_number, .value = "NUMBER", .flags = OPTION_GOAL,
      .help = "shape factor (R2 + R1)/(R2 - R1): 0 equiconvex, 1 and -1 with a plane, beyond a "
              "meniscus"},
@@ -51,12 +51,14 @@ static const struct option options[] = {
      .flags = OPTION_ABOVE_LOWEST | OPTION_NO_INFINITY, .help = "index of the medium before"},
     {INDEX(n1), .name = "after", .column = "index_after", .fallback = "1",
      .flags = OPTION_ABOVE_LOWEST | OPTION_NO_INFINITY, .help = "index of the medium after"},
-    {OPTION(struct input, ball), .name = "ball", .help = "a ball lens of diameter --thickness"},
-    {OPTION(struct input, solution), .name = "solution", .column = "solution", .words = solutions,
-     .fallback = "first", .value = "WHICH", .help = "which solution, where there are two"},
+    {OPTION(struct lensmaker_input, ball), .name = "ball",
+     .help = "a ball lens of diameter --thickness"},
+    {OPTION(struct lensmaker_input, solution), .name = "solution", .column = "solution",
+     .words = solutions, .fallback = "first", .value = "WHICH",
+     .help = "which solution, where there are two"},
 };
 
-struct row {
+struct lensmaker_row {
     struct lensmaker lens;
     struct lensmaker_facts facts;
     long solutions;
@@ -64,10 +66,11 @@ struct row {
 };
 
 #define LENGTH(member_name)                                                                        \
-    COLUMN(struct row, member_name), .dimension = &dimension_length, .unit = "mm"
+    COLUMN(struct lensmaker_row, member_name), .dimension = &dimension_length, .unit = "mm"
 #define POWER(member_name)                                                                         \
-    COLUMN(struct row, facts.member_name), .dimension = &dimension_vergence, .unit = "diopter"
-#define SURE .condition = offsetof(struct row, facts.condition)
+    COLUMN(struct lensmaker_row, facts.member_name), .dimension = &dimension_vergence,             \
+                                                     .unit = "diopter"
+#define SURE .condition = offsetof(struct lensmaker_row, facts.condition)
 
 static const struct column columns[] = {
     {LENGTH(lens.f), .name = "focal", .flags = COLUMN_ECHO | COLUMN_INFINITE | COLUMN_BRIEF,
@@ -78,11 +81,11 @@ static const struct column columns[] = {
     {LENGTH(lens.R2), .name = "radius_2", .flags = COLUMN_ECHO | COLUMN_INFINITE | COLUMN_BRIEF,
      .with = "r2", .symbol = "R2", .label = "second radius",
      .help = "radius of the second surface"},
-    {COLUMN(struct row, lens.n), .name = "index", .flags = COLUMN_ECHO | COLUMN_BRIEF,
+    {COLUMN(struct lensmaker_row, lens.n), .name = "index", .flags = COLUMN_ECHO | COLUMN_BRIEF,
      .with = "index", .symbol = "n", .label = "index", .help = "index of the lens"},
     {LENGTH(lens.d), .name = "thickness", .flags = COLUMN_ECHO | COLUMN_BRIEF, .with = "thickness",
      .symbol = "d", .label = "thickness", .help = "between the vertices"},
-    {COLUMN(struct row, lens.q), .name = "shape", .flags = COLUMN_ECHO | COLUMN_INFINITE,
+    {COLUMN(struct lensmaker_row, lens.q), .name = "shape", .flags = COLUMN_ECHO | COLUMN_INFINITE,
      .with = "shape", .symbol = "q", .label = "shape factor", .help = "(R2 + R1)/(R2 - R1)"},
     {POWER(power), .name = "power", .symbol = "P", .flags = COLUMN_BRIEF, .label = "power",
      .help = "power of the lens", SURE},
@@ -107,20 +110,20 @@ static const struct column columns[] = {
      .label = "front nodal point", SURE, .help = "N from the first vertex"},
     {LENGTH(facts.N_rear), .name = "rear_nodal", .flags = COLUMN_INFINITE | COLUMN_HIDDEN,
      .label = "rear nodal point", SURE, .help = "N' from the last vertex"},
-    {COLUMN(struct row, solutions), .name = "solutions", .label = "solutions",
+    {COLUMN(struct lensmaker_row, solutions), .name = "solutions", .label = "solutions",
      .help = "how many lenses answer the question: see --solution"},
-    {COLUMN(struct row, solution), .name = "solution", .flags = COLUMN_EXTRA, .with = "solution",
-     .label = "solution", .help = "which of them this is"},
-    {COLUMN(struct row, lens.n0), .name = "index_before", .symbol = "n0",
+    {COLUMN(struct lensmaker_row, solution), .name = "solution", .flags = COLUMN_EXTRA,
+     .with = "solution", .label = "solution", .help = "which of them this is"},
+    {COLUMN(struct lensmaker_row, lens.n0), .name = "index_before", .symbol = "n0",
      .flags = COLUMN_ASSUMED | COLUMN_EXTRA | COLUMN_ECHO, .depends = "before",
      .label = "index before", .help = "index of the medium before the lens"},
-    {COLUMN(struct row, lens.n1), .name = "index_after", .symbol = "n1",
+    {COLUMN(struct lensmaker_row, lens.n1), .name = "index_after", .symbol = "n1",
      .flags = COLUMN_ASSUMED | COLUMN_EXTRA | COLUMN_ECHO, .depends = "after",
      .label = "index after", .help = "index of the medium after the lens"},
 };
 
-static bool solve(const struct input *input, struct lensmaker *lens, int *count,
-                  struct error *error)
+static bool lensmaker_row_solve(const struct lensmaker_input *input, struct lensmaker *lens,
+                                int *count, struct error *error)
 {
     struct lensmaker_choice choice = {.second = input->solution != 0};
     *lens = input->lens;
@@ -129,12 +132,12 @@ static bool solve(const struct input *input, struct lensmaker *lens, int *count,
     return done;
 }
 
-static bool run(const void *data, struct run *run, struct error *error)
+static bool lensmaker_run(const void *data, struct run *run, struct error *error)
 {
-    const struct input *input = data;
-    struct row row = {0};
+    const struct lensmaker_input *input = data;
+    struct lensmaker_row row = {0};
     int count;
-    if (!solve(input, &row.lens, &count, error)) {
+    if (!lensmaker_row_solve(input, &row.lens, &count, error)) {
         return false;
     }
     row.solutions = count;
@@ -145,7 +148,7 @@ static bool run(const void *data, struct run *run, struct error *error)
 }
 
 /* A length or index of a prescription: as many digits as the double needs, `-` for a plane. */
-static const char *cell(struct arena *arena, double value)
+static const char *lensmaker_cell(struct arena *arena, double value)
 {
     char number[NUMBER_LENGTH + 1];
     if (isinf(value)) {
@@ -158,18 +161,18 @@ static const char *cell(struct arena *arena, double value)
 /* The lens as a .lens file. */
 static bool write_lens(const struct artifact_job *job, struct output *sink, struct error *error)
 {
-    const struct input *input = job->inputs[0];
+    const struct lensmaker_input *input = job->inputs[0];
     struct arena *arena = job->run->arena;
     struct lensmaker lens;
     struct lensmaker_facts facts;
     int count;
-    if (!solve(input, &lens, &count, error)) {
+    if (!lensmaker_row_solve(input, &lens, &count, error)) {
         return false;
     }
     lensmaker_facts(&lens, &facts);
     double back = isfinite(facts.bfl) && facts.bfl > 0 ? facts.bfl : 0;
     const char *medium =
-        lens.n0 == 1 ? "" : arena_printf(arena, "medium      %s\n", cell(arena, lens.n0));
+        lens.n0 == 1 ? "" : arena_printf(arena, "medium      %s\n", lensmaker_cell(arena, lens.n0));
     output_string(sink, arena_printf(arena,
                                      "lens        %s, f = %.6g mm\n"
                                      "source      lenscalc lensmaker\n"
@@ -182,9 +185,10 @@ static bool write_lens(const struct artifact_job *job, struct output *sink, stru
                                      "surface     %-19s %-19s %-9s -\n"
                                      "surface     %-19s %-19s %-9s -\n",
                                      input->ball ? "Ball lens" : "Single lens", lens.f, medium,
-                                     cell(arena, lens.R1), cell(arena, lens.d), cell(arena, lens.n),
-                                     cell(arena, lens.R2), cell(arena, back),
-                                     lens.n1 == 1 ? "air" : cell(arena, lens.n1)));
+                                     lensmaker_cell(arena, lens.R1), lensmaker_cell(arena, lens.d),
+                                     lensmaker_cell(arena, lens.n), lensmaker_cell(arena, lens.R2),
+                                     lensmaker_cell(arena, back),
+                                     lens.n1 == 1 ? "air" : lensmaker_cell(arena, lens.n1)));
     return true;
 }
 
@@ -230,8 +234,9 @@ const struct command command_lensmaker = {
     .name = "lensmaker",
     .group = "one surface, one lens",
     .summary = "one lens, thin or thick: focal length, or radii, index, thickness for it",
-    COMMAND_ASKS(struct input),
-    COMMAND_ANSWERS(struct row),
+    COMMAND_ASKS(struct lensmaker_input),
+    COMMAND_ANSWERS(struct lensmaker_row),
+    .run = lensmaker_run,
     COMMAND_MAKES(artifacts),
     .plot = "focal_mm,bfl_mm",
     .cell = "focal_mm",

@@ -2,7 +2,7 @@
 /* SPDX-License-Identifier: MIT */
 #include "commands/lens/lens_options.h"
 
-struct input {
+struct matrix_input {
     struct lens_question question;
     bool perspective;
 };
@@ -11,36 +11,37 @@ static const struct lens_policy policy = {
     .wavelengths = WAVELENGTHS_ALL, .fields = FIELDS_LARGEST, .telecentric = true};
 
 static const struct option options[] = {
-    LENS_OPTION(struct input, question),
-    LENS_WAVELENGTH_OPTION(struct input, question, LENS_ALL_WAVELENGTHS),
-    LENS_POSITION_OPTION(struct input, question),
-    LENS_SECTION_OPTION(struct input, question),
-    {OPTION(struct input, perspective), .name = "perspective",
+    LENS_OPTION(struct matrix_input, question),
+    LENS_WAVELENGTH_OPTION(struct matrix_input, question, LENS_ALL_WAVELENGTHS),
+    LENS_POSITION_OPTION(struct matrix_input, question),
+    LENS_SECTION_OPTION(struct matrix_input, question),
+    {OPTION(struct matrix_input, perspective), .name = "perspective",
      .help = "the 4x4 matrix of the equivalent thick lens instead"},
 };
 
-struct row {
+struct matrix_command_row {
     double wavelength; /* um */
     const char *position, *factor, *lens, *warning;
     double a, b, c, d, determinant;
 };
 
-#define PLAIN(member_name) COLUMN(struct row, member_name), .flags = COLUMN_BRIEF
+#define PLAIN(member_name) COLUMN(struct matrix_command_row, member_name), .flags = COLUMN_BRIEF
 
 static const struct column columns[] = {
-    LENS_WAVELENGTH_COLUMN(struct row, wavelength),
-    LENS_POSITION_COLUMN(struct row, position, 0),
+    LENS_WAVELENGTH_COLUMN(struct matrix_command_row, wavelength),
+    LENS_POSITION_COLUMN(struct matrix_command_row, position, 0),
     {PLAIN(factor), .name = "factor", .label = "factor",
      .help = "R1 refraction at surface 1, T1 transfer from it to the next; system, their product"},
     {PLAIN(a), .name = "a", .label = "a", .help = "[y'; v'] = [[a, b], [c, d]] [y; v], v = n u"},
-    {COLUMN(struct row, b), .dimension = &dimension_length, .unit = "mm", .name = "b",
-     .flags = COLUMN_BRIEF, .label = "b", .help = "of a transfer t/n"},
-    {COLUMN(struct row, c), .dimension = &dimension_vergence, .unit = "per_mm", .name = "c",
-     .flags = COLUMN_BRIEF, .label = "c", .help = "of a refraction -P; of the system -power"},
+    {COLUMN(struct matrix_command_row, b), .dimension = &dimension_length, .unit = "mm",
+     .name = "b", .flags = COLUMN_BRIEF, .label = "b", .help = "of a transfer t/n"},
+    {COLUMN(struct matrix_command_row, c), .dimension = &dimension_vergence, .unit = "per_mm",
+     .name = "c", .flags = COLUMN_BRIEF, .label = "c",
+     .help = "of a refraction -P; of the system -power"},
     {PLAIN(d), .name = "d", .label = "d", .help = "the fourth"},
     {PLAIN(determinant), .name = "determinant", .label = "determinant", .help = "a d - b c: 1"},
-    LENS_TITLE_COLUMN(struct row, lens),
-    LENS_WARNING_COLUMN(struct row, warning),
+    LENS_TITLE_COLUMN(struct matrix_command_row, lens),
+    LENS_WARNING_COLUMN(struct matrix_command_row, warning),
 };
 
 struct perspective_row {
@@ -67,11 +68,11 @@ static const struct column perspective_columns[] = {
     LENS_WARNING_COLUMN(struct perspective_row, warning),
 };
 
-static const struct sheet matrix_sheet = SHEET(columns, struct row);
+static const struct sheet matrix_sheet = SHEET(columns, struct matrix_command_row);
 static const struct sheet perspective_sheet = SHEET(perspective_columns, struct perspective_row);
 static const struct sheet *const sheets[] = {&matrix_sheet, &perspective_sheet, NULL};
 
-static double determinant(const struct paraxial_matrix *m)
+static double matrix_determinant(const struct paraxial_matrix *m)
 {
     return pair_subtract(pair_multiply(m->a, m->d), pair_multiply(m->b, m->c)).hi;
 }
@@ -79,16 +80,16 @@ static double determinant(const struct paraxial_matrix *m)
 static bool emit_matrix(const struct lens_case *one, struct run *run, const char *factor,
                         const struct paraxial_matrix *m)
 {
-    const struct row row = {one->light.wavelength,
-                            one->setup->position,
-                            factor,
-                            one->setup->lens->title,
-                            one->warning,
-                            m->a.hi,
-                            m->b.hi,
-                            m->c.hi + 0.0,
-                            m->d.hi,
-                            determinant(m)};
+    const struct matrix_command_row row = {one->light.wavelength,
+                                           one->setup->position,
+                                           factor,
+                                           one->setup->lens->title,
+                                           one->warning,
+                                           m->a.hi,
+                                           m->b.hi,
+                                           m->c.hi + 0.0,
+                                           m->d.hi,
+                                           matrix_determinant(m)};
     return run_emit(run, &row);
 }
 
@@ -140,19 +141,19 @@ static bool emit_perspective(const struct lens_case *one, void *context, struct 
     return true;
 }
 
-static bool run(const void *data, struct run *run, struct error *error)
+static bool matrix_run(const void *data, struct run *run, struct error *error)
 {
-    const struct input *input = data;
+    const struct matrix_input *input = data;
     struct lens_question question = input->question;
     question.fnumber = question.field = question.field_x = NAN;
     return lens_each(&question, &policy, run->arena,
                      input->perspective ? emit_perspective : emit_factors, run, error);
 }
 
-static const struct sheet *choose_sheet(const void *data, const struct asking *asking)
+static const struct sheet *matrix_choose_sheet(const void *data, const struct option_query *asking)
 {
     (void)asking;
-    return ((const struct input *)data)->perspective ? &perspective_sheet : &matrix_sheet;
+    return ((const struct matrix_input *)data)->perspective ? &perspective_sheet : &matrix_sheet;
 }
 
 static const struct explanation explanations[] = {
@@ -171,9 +172,10 @@ const struct command command_matrix = {
     .name = "matrix",
     .group = "a lens",
     .summary = "refraction and transfer matrices, and the 4x4 of the thick lens",
-    COMMAND_ASKS(struct input),
-    COMMAND_ANSWERS(struct row),
-    .choose_sheet = choose_sheet,
+    COMMAND_ASKS(struct matrix_input),
+    COMMAND_ANSWERS(struct matrix_command_row),
+    .run = matrix_run,
+    .choose_sheet = matrix_choose_sheet,
     .sheets = sheets,
     .makes_many = command_always_many,
 };

@@ -41,7 +41,7 @@ static const struct option options[] = {
      .value = "COUNT", .help = "print this many points of the edge instead"},
 };
 
-struct row {
+struct pupil_row {
     const char *pupil, *position, *status, *warning, *lens;
     double wavelength; /* um */
     double field, object, height, film;
@@ -57,12 +57,13 @@ struct row {
 };
 
 #define LENGTH(member_name, more)                                                                  \
-    COLUMN(struct row, member_name), .dimension = &dimension_length, .unit = "mm", .flags = (more)
-#define PLAIN(member_name, more) COLUMN(struct row, member_name), .flags = (more)
+    COLUMN(struct pupil_row, member_name), .dimension = &dimension_length, .unit = "mm",           \
+                                           .flags = (more)
+#define PLAIN(member_name, more) COLUMN(struct pupil_row, member_name), .flags = (more)
 #define AREA(member_name, more)  PLAIN(member_name, more)
 /* What both sheets begin with. */
 #define CASE_COLUMNS                                                                               \
-    {COLUMN(struct row, wavelength),                                                               \
+    {COLUMN(struct pupil_row, wavelength),                                                         \
      .dimension = &dimension_wavelength_um,                                                        \
      .unit = "nm",                                                                                 \
      .name = "wavelength",                                                                         \
@@ -70,8 +71,8 @@ struct row {
      .with = "wavelength",                                                                         \
      .label = "wavelength",                                                                        \
      .help = "wavelength"},                                                                        \
-        LENS_POSITION_COLUMN(struct row, position, COLUMN_BRIEF),                                  \
-        {COLUMN(struct row, field),                                                                \
+        LENS_POSITION_COLUMN(struct pupil_row, position, COLUMN_BRIEF),                            \
+        {COLUMN(struct pupil_row, field),                                                          \
          .name = "field",                                                                          \
          .dimension = &dimension_angle,                                                            \
          .unit = "deg",                                                                            \
@@ -82,7 +83,7 @@ struct row {
          .label = "object", .help = "height of the object point; absent at infinity"},             \
         {LENGTH(height, COLUMN_BRIEF | COLUMN_ECHO | COLUMN_SPARSE), .name = "height",             \
          .label = "height", .help = "of the point in the film; absent from the object"},           \
-        {COLUMN(struct row, field_x),                                                              \
+        {COLUMN(struct pupil_row, field_x),                                                        \
          .dimension = &dimension_angle,                                                            \
          .unit = "deg",                                                                            \
          .flags = COLUMN_EXTRA | COLUMN_BRIEF | COLUMN_ECHO,                                       \
@@ -170,8 +171,8 @@ static const struct column columns[] = {
      .help = "where the film stands, from the last vertex; absent for fields"},
     {PLAIN(rays, COLUMN_EXTRA), .name = "rays", .label = "rays",
      .help = "about how many were traced"},
-    LENS_TITLE_COLUMN(struct row, lens),
-    LENS_WARNING_COLUMN(struct row, warning),
+    LENS_TITLE_COLUMN(struct pupil_row, lens),
+    LENS_WARNING_COLUMN(struct pupil_row, warning),
 };
 
 static const struct column outline_columns[] = {
@@ -189,25 +190,25 @@ static const struct column outline_columns[] = {
     {PLAIN(stop_x, COLUMN_BRIEF), .name = "stop_x", .label = "stop x",
      .help = "in the stop, in units of its radius"},
     {PLAIN(stop_y, COLUMN_BRIEF), .name = "stop_y", .label = "stop y", .help = "the same"},
-    LENS_TITLE_COLUMN(struct row, lens),
-    LENS_WARNING_COLUMN(struct row, warning),
+    LENS_TITLE_COLUMN(struct pupil_row, lens),
+    LENS_WARNING_COLUMN(struct pupil_row, warning),
 };
 
-static const struct sheet outline_sheet = SHEET(outline_columns, struct row);
-static const struct sheet bounds_sheet = SHEET(columns, struct row);
+static const struct sheet outline_sheet = SHEET(outline_columns, struct pupil_row);
+static const struct sheet bounds_sheet = SHEET(columns, struct pupil_row);
 static const struct sheet *const sheets[] = {&bounds_sheet, &outline_sheet, NULL};
 
-static const struct sheet *choose_sheet(const void *data, const struct asking *asking)
+static const struct sheet *pupil_choose_sheet(const void *data, const struct option_query *asking)
 {
     (void)asking;
     return ((const struct pupil_input *)data)->outline > 0 ? &outline_sheet : &bounds_sheet;
 }
 
 /* What a row says of its point, with everything else absent. */
-static struct row row_of(const struct pupil_case *point)
+static struct pupil_row pupil_row_of(const struct pupil_case *point)
 {
     const struct pupil_shape *shape = point->shape;
-    struct row row = {
+    struct pupil_row row = {
         .position = point->one->setup->position,
         .lens = point->one->setup->lens->title,
         .warning = point->one->warning,
@@ -262,7 +263,7 @@ static double ratio(double here, double axis, bool is_empty)
     return is_empty ? 0 : here / axis;
 }
 
-static void fill_bounds(const struct pupil_side *side, struct row *row)
+static void fill_bounds(const struct pupil_side *side, struct pupil_row *row)
 {
     const struct pupil_extent *pupil = &side->pupil, *vertex = &side->vertex;
     row->x_min = pupil->low[0];
@@ -289,8 +290,8 @@ static void fill_bounds(const struct pupil_side *side, struct row *row)
 }
 
 /* That the bundle folds, which leaves numbers absent, beside what else there is to say. */
-static const char *fold_warning(const struct pupil_side *side, bool exit, const char *other,
-                                struct arena *arena)
+static const char *pupil_fold_warning(const struct pupil_side *side, bool exit, const char *other,
+                                      struct arena *arena)
 {
     if (!side->pupil.folds && !side->vertex.folds) {
         return other;
@@ -307,18 +308,18 @@ static const char *fold_warning(const struct pupil_side *side, bool exit, const 
     return other == NULL ? text : arena_printf(arena, "%s; %s", other, text);
 }
 
-static struct row bounds_row(const struct pupil_case *point, bool exit, struct arena *arena)
+static struct pupil_row bounds_row(const struct pupil_case *point, bool exit, struct arena *arena)
 {
     const struct pupil_shape *shape = point->shape, *axis = point->axis;
     const struct pupil_side *side = exit ? &shape->exit : &shape->entrance;
     const struct pupil_side *middle = exit ? &axis->exit : &axis->entrance;
     const struct first_order *first = &point->one->light.first;
-    struct row row = row_of(point);
+    struct pupil_row row = pupil_row_of(point);
     row.pupil = exit ? "exit" : "entrance";
     row.z = exit ? first->exit_pupil : first->entrance_pupil;
     if (!shape->is_empty) {
         fill_bounds(side, &row);
-        row.warning = fold_warning(side, exit, row.warning, arena);
+        row.warning = pupil_fold_warning(side, exit, row.warning, arena);
         row.warning =
             lens_warnings_join(row.warning, lens_island_warning(&shape->islands, arena), arena);
     }
@@ -342,7 +343,7 @@ static bool emit_outline(const struct pupil_case *point, bool exit, long count, 
 {
     const struct pupil_shape *shape = point->shape;
     const struct pupil_side *side = exit ? &shape->exit : &shape->entrance;
-    struct row row = row_of(point);
+    struct pupil_row row = pupil_row_of(point);
     row.pupil = exit ? "exit" : "entrance";
     row.z = exit ? point->one->light.first.exit_pupil : point->one->light.first.entrance_pupil;
     for (long i = 0; i < count && !shape->is_empty; i++) {
@@ -363,14 +364,14 @@ static bool emit_outline(const struct pupil_case *point, bool exit, long count, 
 }
 
 /* Where the rows go. */
-struct asked {
+struct pupil_asked {
     const struct pupil_input *input;
     struct run *run;
 };
 
-static bool emit_rows(const struct pupil_case *point, void *context, struct error *error)
+static bool pupil_emit_rows(const struct pupil_case *point, void *context, struct error *error)
 {
-    const struct asked *asked = context;
+    const struct pupil_asked *asked = context;
     const struct pupil_input *input = asked->input;
     struct run *run = asked->run;
     (void)error;
@@ -384,7 +385,7 @@ static bool emit_rows(const struct pupil_case *point, void *context, struct erro
             }
             continue;
         }
-        struct row row = bounds_row(point, exit, run->arena);
+        struct pupil_row row = bounds_row(point, exit, run->arena);
         if (!run_emit(run, &row)) {
             break;
         }
@@ -392,18 +393,18 @@ static bool emit_rows(const struct pupil_case *point, void *context, struct erro
     return true;
 }
 
-static bool run(const void *data, struct run *run, struct error *error)
+static bool pupil_run(const void *data, struct run *run, struct error *error)
 {
-    struct asked asked = {data, run};
+    struct pupil_asked asked = {data, run};
     if (run->state == NULL) {
         run->state = pupil_memo_new(run->kept);
     }
-    const struct pupil_visitor visitor = {emit_rows, &asked,
+    const struct pupil_visitor visitor = {pupil_emit_rows, &asked,
                                           asked.input->outline > 0 ? PUPIL_EDGES : 0};
     return pupil_each(data, run->arena, run->state, &visitor, error);
 }
 
-static bool brings(const void *data, const char *option)
+static bool pupil_brings(const void *data, const char *option)
 {
     const struct pupil_input *input = data;
     const struct lens *lens = input->question.lens.lens;
@@ -413,18 +414,18 @@ static bool brings(const void *data, const char *option)
 
 /* -------- the drawing -------- */
 
-struct painter {
+struct pupil_painter {
     struct arena *arena;
-    struct outline *shapes;
+    struct pupil_outline *shapes;
     size_t count, room;
     const char *title;
     bool several; /* cases of one input: each says which it is */
 };
 
 /* The point on the axis, for comparison, then each point. */
-static bool add_shape(const struct pupil_case *point, void *context, struct error *error)
+static bool pupil_add_shape(const struct pupil_case *point, void *context, struct error *error)
 {
-    struct painter *painter = context;
+    struct pupil_painter *painter = context;
     struct arena *arena = painter->arena;
     const struct pupil_shape *shape = point->shape;
     const struct lens_case *one = point->one;
@@ -432,9 +433,9 @@ static bool add_shape(const struct pupil_case *point, void *context, struct erro
         arena_grow(arena, painter->shapes, painter->count, &painter->room, sizeof *painter->shapes);
     (void)error;
     const char *words = pupil_point_words(point, arena);
-    struct outline outline = {.label = words,
-                              .dashed = point->axis->across,
-                              .dashed_count = point->axis->is_empty ? 0 : point->axis->count};
+    struct pupil_outline outline = {.label = words,
+                                    .dashed = point->axis->across,
+                                    .dashed_count = point->axis->is_empty ? 0 : point->axis->count};
     if (painter->several) {
         outline.label = arena_printf(
             arena, "%s%s%.4g nm, %s", one->setup->position != NULL ? one->setup->position : "",
@@ -454,11 +455,11 @@ static bool add_shape(const struct pupil_case *point, void *context, struct erro
     return true;
 }
 
-static bool draw(const struct artifact_job *job, struct output *sink, struct error *error)
+static bool pupil_draw(const struct artifact_job *job, struct output *sink, struct error *error)
 {
     struct svg svg = {.arena = job->run->arena};
-    struct painter painter = {.arena = svg.arena};
-    const struct pupil_visitor visitor = {add_shape, &painter, PUPIL_EDGES};
+    struct pupil_painter painter = {.arena = svg.arena};
+    const struct pupil_visitor visitor = {pupil_add_shape, &painter, PUPIL_EDGES};
     for (size_t i = 0; i < job->count; i++) {
         const struct pupil_input *input = job->inputs[i];
         painter.several =
@@ -485,7 +486,7 @@ static bool draw(const struct artifact_job *job, struct output *sink, struct err
 
 static const struct artifact artifacts[] = {
     {ARTIFACT_OPTION("plot", drawing_types, "draw the pupils as the points see them"),
-     .scope = ARTIFACT_OF_SWEEP, .make = draw},
+     .scope = ARTIFACT_OF_SWEEP, .make = pupil_draw},
 };
 
 static const struct explanation explanations[] = {
@@ -511,11 +512,12 @@ const struct command command_pupil = {
     .group = "a lens",
     .summary = "shapes and bounds of the entrance and exit pupil",
     COMMAND_ASKS(struct pupil_input),
-    COMMAND_ANSWERS(struct row),
-    .choose_sheet = choose_sheet,
+    COMMAND_ANSWERS(struct pupil_row),
+    .run = pupil_run,
+    .choose_sheet = pupil_choose_sheet,
     .sheets = sheets,
     .makes_many = command_always_many,
-    .brings = brings,
+    .brings = pupil_brings,
     COMMAND_MAKES(artifacts),
     .most_answers = 100000,
 };

@@ -8,7 +8,7 @@
 
 #include <math.h>
 
-struct input {
+struct refract_input {
     double n, n_after, radius, object, image;
     bool mirror;
     struct refract_aim aim;
@@ -23,11 +23,11 @@ static const struct word planes[] = {
 };
 
 #define INDEX(member_name)                                                                         \
-    OPTION(struct input, member_name), .dimension = &dimension_number, OPTION_POSITIVE,            \
-                                       .value = "INDEX"
+    OPTION(struct refract_input, member_name), .dimension = &dimension_number, OPTION_POSITIVE,    \
+                                               .value = "INDEX"
 #define PLACE(member_name)                                                                         \
-    OPTION(struct input, member_name), .dimension = &dimension_length, .unit = "mm",               \
-                                       .value = "LENGTH"
+    OPTION(struct refract_input, member_name), .dimension = &dimension_length, .unit = "mm",       \
+                                               .value = "LENGTH"
 
 static const struct option options[] = {
     {INDEX(n), .name = "before", .column = "index_before",
@@ -45,15 +45,16 @@ static const struct option options[] = {
      .help = "wanted Gaussian image, + to the right: solves for what is not given"},
     {PLACE(aim.height), .name = "height", .letter = 'y', .column = "height",
      .flags = OPTION_NO_INFINITY, .help = "height of the ray: adds the exact results"},
-    {OPTION(struct input, aim.angle), .name = "angle", .letter = 'u', .dimension = &dimension_angle,
-     .unit = "deg", .lowest = -PI / 2, .highest = PI / 2, .value = "ANGLE",
+    {OPTION(struct refract_input, aim.angle), .name = "angle", .letter = 'u',
+     .dimension = &dimension_angle, .unit = "deg", .lowest = -PI / 2, .highest = PI / 2,
+     .value = "ANGLE",
      .help = "slope angle U of the ray, + rising to the right; instead of --height or --object"},
-    {OPTION(struct input, height_at), .name = "height-at", .words = planes, .fallback = "surface",
-     .value = "PLACE", .help = "where --height is measured"},
-    {OPTION(struct input, mirror), .name = "mirror", .help = "a mirror: n' = -n"},
+    {OPTION(struct refract_input, height_at), .name = "height-at", .words = planes,
+     .fallback = "surface", .value = "PLACE", .help = "where --height is measured"},
+    {OPTION(struct refract_input, mirror), .name = "mirror", .help = "a mirror: n' = -n"},
 };
 
-struct row {
+struct refract_row {
     struct refract_surface surface;
     struct refract_ray ray;
     double index_after; /* -n of a mirror */
@@ -63,31 +64,33 @@ struct row {
 };
 
 #define LENGTH(member_name)                                                                        \
-    COLUMN(struct row, member_name), .dimension = &dimension_length, .unit = "mm"
+    COLUMN(struct refract_row, member_name), .dimension = &dimension_length, .unit = "mm"
 #define ANGLE(member_name)                                                                         \
-    COLUMN(struct row, ray.member_name), .dimension = &dimension_angle, .unit = "deg"
+    COLUMN(struct refract_row, ray.member_name), .dimension = &dimension_angle, .unit = "deg"
 #define VERGENCE(member_name)                                                                      \
-    COLUMN(struct row, member_name), .dimension = &dimension_vergence, .unit = "diopter"
+    COLUMN(struct refract_row, member_name), .dimension = &dimension_vergence, .unit = "diopter"
 
 /* Of the exact ray. */
 #define WITH_RAY .when = "with --height or --angle"
 
 static const struct column columns[] = {
-    {COLUMN(struct row, surface.n), .name = "index_before", .flags = COLUMN_ECHO, .with = "before",
-     .symbol = "n", .label = "index before", .help = "index before the surface"},
-    {COLUMN(struct row, index_after), .name = "index_after", .flags = COLUMN_ECHO, .with = "after",
-     .symbol = "n'", .label = "index after", .help = "index after the surface; -n of a mirror"},
+    {COLUMN(struct refract_row, surface.n), .name = "index_before", .flags = COLUMN_ECHO,
+     .with = "before", .symbol = "n", .label = "index before", .help = "index before the surface"},
+    {COLUMN(struct refract_row, index_after), .name = "index_after", .flags = COLUMN_ECHO,
+     .with = "after", .symbol = "n'", .label = "index after",
+     .help = "index after the surface; -n of a mirror"},
     {LENGTH(surface.R), .name = "radius", .flags = COLUMN_ECHO | COLUMN_INFINITE, .with = "radius",
      .symbol = "R", .label = "radius", .help = "radius, + with the centre to the right"},
     {LENGTH(surface.z), .name = "object", .flags = COLUMN_ECHO | COLUMN_INFINITE | COLUMN_BRIEF,
      .with = "object", .symbol = "z", .label = "object",
      .help = "object point from the vertex, + to the right"},
     {LENGTH(surface.z_image), .name = "image", .flags = COLUMN_INFINITE | COLUMN_BRIEF,
-     .symbol = "z'", .label = "image, paraxial", .condition = offsetof(struct row, condition),
+     .symbol = "z'", .label = "image, paraxial",
+     .condition = offsetof(struct refract_row, condition),
      .help = "Gaussian image from the vertex, + to the right"},
-    {COLUMN(struct row, object_kind), .name = "object_kind", .label = "object is",
+    {COLUMN(struct refract_row, object_kind), .name = "object_kind", .label = "object is",
      .help = "real before the surface, virtual behind it"},
-    {COLUMN(struct row, image_kind), .name = "image_kind", .label = "image is",
+    {COLUMN(struct refract_row, image_kind), .name = "image_kind", .label = "image is",
      .help = "real where the light goes, else virtual"},
     {VERGENCE(power), .name = "power", .symbol = "P", .label = "power of the surface",
      .help = "(n' - n)/R"},
@@ -95,7 +98,7 @@ static const struct column columns[] = {
      .label = "vergence before", .help = "n/z, of the light that arrives"},
     {VERGENCE(image_vergence), .name = "image_vergence", .symbol = "V'", .label = "vergence after",
      .help = "n'/z', of the light that leaves"},
-    {COLUMN(struct row, magnification), .name = "magnification", .flags = COLUMN_INFINITE,
+    {COLUMN(struct refract_row, magnification), .name = "magnification", .flags = COLUMN_INFINITE,
      .symbol = "m", .label = "magnification", .help = "n z'/(n' z); negative is upside down"},
     {LENGTH(ray.height), .name = "height", .flags = COLUMN_ECHO, .with = "height", .symbol = "h",
      .label = "height", .help = "of the point where the ray meets the surface"},
@@ -129,13 +132,13 @@ static const struct column columns[] = {
      .label = "u', paraxial", .help = "(n u - h P)/n'"},
 };
 
-static bool has_ray(const struct input *input)
+static bool has_ray(const struct refract_input *input)
 {
     return !isnan(input->aim.height) || !isnan(input->aim.angle);
 }
 
 /* What is not said: air before, an object at infinity; never what is asked for. */
-static void assume(const struct input *input, struct refract_surface *surface)
+static void refract_assume(const struct refract_input *input, struct refract_surface *surface)
 {
     bool after = surface->mirror || !isnan(surface->n_after);
     int unknown = !after + isnan(surface->R) + isnan(surface->z) + isnan(surface->z_image);
@@ -148,7 +151,7 @@ static void assume(const struct input *input, struct refract_surface *surface)
 }
 
 /* Four of five, named as they are typed. */
-static bool check_count(const struct refract_surface *s, struct error *error)
+static bool refract_check_count(const struct refract_surface *s, struct error *error)
 {
     bool after = s->mirror || !isnan(s->n_after);
     int unknown = isnan(s->n) + !after + isnan(s->R) + isnan(s->z) + isnan(s->z_image);
@@ -167,7 +170,7 @@ static bool check_count(const struct refract_surface *s, struct error *error)
     return true;
 }
 
-static void fill_row(struct row *row)
+static void refract_fill_row(struct refract_row *row)
 {
     const struct refract_surface *s = &row->surface;
     row->index_after = s->mirror ? -s->n : s->n_after;
@@ -193,8 +196,8 @@ static const struct refract_ray no_ray = {NAN, NAN, NAN, NAN, NAN, NAN, NAN, NAN
                                           NAN, NAN, NAN, NAN, NAN, NAN, NAN, NAN, NAN};
 
 /* The surface and the ray that meets it: height and angle together say where the object is. */
-static bool solve(const struct input *input, const struct refract_aim *aim, struct row *row,
-                  struct error *error)
+static bool refract_row_solve(const struct refract_input *input, const struct refract_aim *aim,
+                              struct refract_row *row, struct error *error)
 {
     struct refract_surface *s = &row->surface;
     bool line = !isnan(aim->height) && !isnan(aim->angle);
@@ -208,7 +211,7 @@ static bool solve(const struct input *input, const struct refract_aim *aim, stru
         return false;
     }
     s->z = line ? row->ray.z : s->z;
-    if (!check_count(s, error) || !refract_solve(s, error)) {
+    if (!refract_check_count(s, error) || !refract_solve(s, error)) {
         return false;
     }
     if (!has_ray(input)) {
@@ -219,11 +222,11 @@ static bool solve(const struct input *input, const struct refract_aim *aim, stru
            refract_through(s, &row->ray, error);
 }
 
-static bool run(const void *data, struct run *run, struct error *error)
+static bool refract_run(const void *data, struct run *run, struct error *error)
 {
-    const struct input *input = data;
-    struct row row = {.surface = {input->n, input->n_after, input->radius, input->object,
-                                  input->image, input->mirror}};
+    const struct refract_input *input = data;
+    struct refract_row row = {.surface = {input->n, input->n_after, input->radius, input->object,
+                                          input->image, input->mirror}};
     struct refract_surface *s = &row.surface;
     struct refract_aim aim = input->aim;
     aim.at_vertex = input->height_at != 0;
@@ -233,11 +236,11 @@ static bool run(const void *data, struct run *run, struct error *error)
     if (isnan(aim.height) && !isnan(aim.angle) && isnan(s->z) && isnan(s->z_image)) {
         return fail(error, ERROR_USAGE, "{--angle} needs {--height} or {--object} beside it");
     }
-    assume(input, s);
-    if (!solve(input, &aim, &row, error)) {
+    refract_assume(input, s);
+    if (!refract_row_solve(input, &aim, &row, error)) {
         return false;
     }
-    fill_row(&row);
+    refract_fill_row(&row);
     run_emit(run, &row);
     return true;
 }
@@ -276,8 +279,9 @@ const struct command command_refract = {
     .name = "refract",
     .group = "one surface, one lens",
     .summary = "one surface or mirror: conjugate points, a ray exactly and paraxially",
-    COMMAND_ASKS(struct input),
-    COMMAND_ANSWERS(struct row),
+    COMMAND_ASKS(struct refract_input),
+    COMMAND_ANSWERS(struct refract_row),
+    .run = refract_run,
     .plot = "crossing_mm,image_mm",
     .cell = "image_mm",
 };

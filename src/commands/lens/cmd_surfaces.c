@@ -2,7 +2,7 @@
 /* SPDX-License-Identifier: MIT */
 #include "commands/lens/lens_options.h"
 
-struct input {
+struct surfaces_input {
     struct lens_question question;
 };
 
@@ -10,15 +10,15 @@ static const struct lens_policy policy = {
     .wavelengths = WAVELENGTHS_PRIMARY, .fields = FIELDS_LARGEST, .telecentric = true};
 
 static const struct option options[] = {
-    LENS_OPTION(struct input, question),
-    LENS_WAVELENGTH_OPTION(struct input, question, LENS_PRIMARY_WAVELENGTH),
-    LENS_FNUMBER_OPTION(struct input, question),
-    LENS_FIELD_OPTIONS(struct input, question),
-    LENS_POSITION_OPTION(struct input, question),
-    LENS_SECTION_OPTION(struct input, question),
+    LENS_OPTION(struct surfaces_input, question),
+    LENS_WAVELENGTH_OPTION(struct surfaces_input, question, LENS_PRIMARY_WAVELENGTH),
+    LENS_FNUMBER_OPTION(struct surfaces_input, question),
+    LENS_FIELD_OPTIONS(struct surfaces_input, question),
+    LENS_POSITION_OPTION(struct surfaces_input, question),
+    LENS_SECTION_OPTION(struct surfaces_input, question),
 };
 
-struct row {
+struct surfaces_row {
     long surface;
     const char *kind, *name, *medium, *position, *warning, *lens;
     double wavelength, field, field_x; /* um; rad */
@@ -28,23 +28,24 @@ struct row {
 };
 
 #define LENGTH(member_name, more)                                                                  \
-    COLUMN(struct row, member_name), .dimension = &dimension_length, .unit = "mm", .flags = (more)
+    COLUMN(struct surfaces_row, member_name), .dimension = &dimension_length, .unit = "mm",        \
+                                              .flags = (more)
 #define PER_LENGTH(member_name, more)                                                              \
-    COLUMN(struct row, member_name), .dimension = &dimension_vergence, .unit = "per_m",            \
-                                     .flags = (more)
-#define PLAIN(member_name, more) COLUMN(struct row, member_name), .flags = (more)
+    COLUMN(struct surfaces_row, member_name), .dimension = &dimension_vergence, .unit = "per_m",   \
+                                              .flags = (more)
+#define PLAIN(member_name, more) COLUMN(struct surfaces_row, member_name), .flags = (more)
 
 static const struct column columns[] = {
-    {COLUMN(struct row, wavelength), .dimension = &dimension_wavelength_um, .unit = "nm",
+    {COLUMN(struct surfaces_row, wavelength), .dimension = &dimension_wavelength_um, .unit = "nm",
      .name = "wavelength", .flags = COLUMN_ECHO, .with = "wavelength", .label = "wavelength",
      .help = "wavelength"},
-    {COLUMN(struct row, field), .dimension = &dimension_angle, .unit = "deg", .name = "field",
-     .flags = COLUMN_ECHO | COLUMN_EXTRA, .with = "field", .label = "field",
+    {COLUMN(struct surfaces_row, field), .dimension = &dimension_angle, .unit = "deg",
+     .name = "field", .flags = COLUMN_ECHO | COLUMN_EXTRA, .with = "field", .label = "field",
      .help = "field angle of the chief ray, as --field says it"},
-    {COLUMN(struct row, field_x), .dimension = &dimension_angle, .unit = "deg", .name = "field_x",
-     .flags = COLUMN_ECHO | COLUMN_EXTRA, .with = "field-x", .label = "field x",
+    {COLUMN(struct surfaces_row, field_x), .dimension = &dimension_angle, .unit = "deg",
+     .name = "field_x", .flags = COLUMN_ECHO | COLUMN_EXTRA, .with = "field-x", .label = "field x",
      .help = "that in the x-z plane, as --field-x says it"},
-    LENS_POSITION_COLUMN(struct row, position, 0),
+    LENS_POSITION_COLUMN(struct surfaces_row, position, 0),
     {PLAIN(surface, COLUMN_BRIEF), .name = "surface", .head = "surf", .label = "surface",
      .help = "number of the surface, from 1, the stop counted"},
     {PLAIN(kind, COLUMN_BRIEF), .name = "kind", .label = "kind",
@@ -85,11 +86,11 @@ static const struct column columns[] = {
     {PLAIN(chief.after, COLUMN_BRIEF | COLUMN_SPARSE), .name = "chief_v", .symbol = "vbar",
      .head = "vbar", .label = "n u of the chief ray",
      .help = "n u of the chief ray after the surface; absent without a stop or a field"},
-    LENS_TITLE_COLUMN(struct row, lens),
-    LENS_WARNING_COLUMN(struct row, warning),
+    LENS_TITLE_COLUMN(struct surfaces_row, lens),
+    LENS_WARNING_COLUMN(struct surfaces_row, warning),
 };
 
-static const char *kind_of(const struct surface *surface)
+static const char *surfaces_kind_of(const struct surface *surface)
 {
     const char *name = surface_traits(surface)->name;
     return name != NULL                 ? name
@@ -98,14 +99,14 @@ static const char *kind_of(const struct surface *surface)
 }
 
 /* Of the beam that starts on the axis: v over -y, whatever its size. */
-static double vergence(double y, double v)
+static double surfaces_vergence(double y, double v)
 {
     return y == 0 ? INFINITY : -v / y + 0.0;
 }
 
 /* Rays at every surface; NaN where there is none. */
-static struct paraxial_ray *follow(const struct lens_case *one, double y, double v,
-                                   struct arena *arena)
+static struct paraxial_ray *surfaces_follow(const struct lens_case *one, double y, double v,
+                                            struct arena *arena)
 {
     struct paraxial_ray *rays = ARENA_ARRAY(arena, one->light.system.count, struct paraxial_ray);
     paraxial_follow(&one->light.system, pair_of(y), pair_of(v), rays);
@@ -116,34 +117,36 @@ static struct paraxial_ray *follow(const struct lens_case *one, double y, double
 static struct paraxial_ray *follow_axial(const struct lens_case *one, struct arena *arena)
 {
     if (one->setup->lens->object_is_infinite) {
-        return follow(one, 1, 0, arena);
+        return surfaces_follow(one, 1, 0, arena);
     }
-    return follow(one, one->setup->lens->object.value.hi, one->light.first.index_object, arena);
+    return surfaces_follow(one, one->setup->lens->object.value.hi, one->light.first.index_object,
+                           arena);
 }
 
 /* Of one field. */
-struct listing {
+struct surface_list {
     double field, field_x; /* rad; NaN = that of the lens */
     struct run *run;
 };
 
-static bool emit_rows(const struct lens_case *one, void *context, struct error *error)
+static bool surfaces_emit_rows(const struct lens_case *one, void *context, struct error *error)
 {
-    const struct listing *listing = context;
+    const struct surface_list *listing = context;
     struct run *run = listing->run;
     const struct first_order *first = &one->light.first;
     const struct paraxial_ray *axial = follow_axial(one, run->arena);
     const struct paraxial_ray *marginal =
-        follow(one, first->marginal_y, first->marginal_v, run->arena);
-    const struct paraxial_ray *chief = follow(one, first->chief_y, first->chief_v, run->arena);
+        surfaces_follow(one, first->marginal_y, first->marginal_v, run->arena);
+    const struct paraxial_ray *chief =
+        surfaces_follow(one, first->chief_y, first->chief_v, run->arena);
     (void)error;
     for (size_t i = 0; i < one->light.system.count; i++) {
         const struct surface *surface = &one->setup->lens->surfaces[i];
         double curvature = one->light.system.curvature[i].hi;
         struct text medium = surface->medium.written;
-        struct row row = {
+        struct surfaces_row row = {
             .surface = (long)i + 1,
-            .kind = kind_of(surface),
+            .kind = surfaces_kind_of(surface),
             .name = surface->name,
             .medium = arena_string(run->arena, medium.start, medium.length),
             .position = one->setup->position,
@@ -158,8 +161,8 @@ static bool emit_rows(const struct lens_case *one, void *context, struct error *
             .diameter = surface->has_diameter ? surface->diameter.value.hi : NAN,
             .conic = surface->conic.value.hi != 0 ? surface->conic.value.hi : NAN,
             .power = one->light.system.surfaces[i].power.hi + 0.0,
-            .vergence_before = vergence(axial[i].y, axial[i].before),
-            .vergence_after = vergence(axial[i].y, axial[i].after),
+            .vergence_before = surfaces_vergence(axial[i].y, axial[i].before),
+            .vergence_after = surfaces_vergence(axial[i].y, axial[i].after),
             .marginal = marginal[i],
             .chief = chief[i],
         };
@@ -176,11 +179,11 @@ static bool emit_rows(const struct lens_case *one, void *context, struct error *
     return true;
 }
 
-static bool run(const void *data, struct run *run, struct error *error)
+static bool surfaces_run(const void *data, struct run *run, struct error *error)
 {
-    const struct input *input = data;
-    struct listing listing = {input->question.field, input->question.field_x, run};
-    return lens_each(&input->question, &policy, run->arena, emit_rows, &listing, error);
+    const struct surfaces_input *input = data;
+    struct surface_list listing = {input->question.field, input->question.field_x, run};
+    return lens_each(&input->question, &policy, run->arena, surfaces_emit_rows, &listing, error);
 }
 
 static const struct explanation explanations[] = {
@@ -197,9 +200,9 @@ static const struct example examples[] = {
     {NULL, NULL},
 };
 
-static double weight(const void *data)
+static double surfaces_weight(const void *data)
 {
-    const struct lens *lens = ((const struct input *)data)->question.lens.lens;
+    const struct lens *lens = ((const struct surfaces_input *)data)->question.lens.lens;
     return lens != NULL ? (double)lens->surface_count : 1;
 }
 
@@ -207,8 +210,9 @@ const struct command command_surfaces = {
     .name = "surfaces",
     .group = "a lens",
     .summary = "a lens surface by surface: powers, vergences, paraxial rays",
-    COMMAND_ASKS(struct input),
-    COMMAND_ANSWERS(struct row),
+    COMMAND_ASKS(struct surfaces_input),
+    COMMAND_ANSWERS(struct surfaces_row),
+    .run = surfaces_run,
     .makes_many = command_always_many,
-    .weight = weight,
+    .weight = surfaces_weight,
 };

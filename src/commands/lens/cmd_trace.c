@@ -185,14 +185,14 @@ static const struct column columns[] = {
     LENS_WARNING_COLUMN(struct trace_row, warning),
 };
 
-static bool run(const void *data, struct run *run, struct error *error)
+static bool trace_run(const void *data, struct run *run, struct error *error)
 {
     return trace_answer(data, run, error);
 }
 
 enum { FEW_RAYS = 4 };
 
-static bool makes_many(const void *data)
+static bool trace_makes_many(const void *data)
 {
     const struct trace_input *input = data;
     const struct lens *lens = input->question.lens.lens;
@@ -203,11 +203,11 @@ static bool makes_many(const void *data)
 }
 
 /* The rays of all its fields, each with a row a surface where all are shown. */
-static double weight(const void *data)
+static double trace_weight(const void *data)
 {
     const struct trace_input *input = data;
     const struct lens *lens = input->question.lens.lens;
-    if (lens == NULL || !makes_many(data)) {
+    if (lens == NULL || !trace_makes_many(data)) {
         return 1;
     }
     const double rays = trace_is_explicit(input) || trace_has_pupil(input) ? 1
@@ -217,14 +217,14 @@ static double weight(const void *data)
     return rays * (double)fields * (input->all ? (double)lens->surface_count : 1);
 }
 
-static bool brings(const void *data, const char *option)
+static bool trace_brings(const void *data, const char *option)
 {
     const struct trace_input *input = data;
     return !trace_has_field(input) && !trace_is_explicit(input) &&
            lens_brings(input->question.lens.lens, option);
 }
 
-static bool varies(const void *data, const char *option)
+static bool trace_varies(const void *data, const char *option)
 {
     const struct ray_question *question = &((const struct trace_input *)data)->question;
     return strcmp(option, "position") == 0 &&
@@ -232,7 +232,7 @@ static bool varies(const void *data, const char *option)
 }
 
 /* Rays by point and direction, all through the lens of the command line. */
-static bool takes_blocks(const void *data, const struct asking *asking)
+static bool takes_blocks(const void *data, const struct option_query *asking)
 {
     static const char *const constant[] = {"lens", "position", "paraxial", "verify", "all"};
     static const char *const single[] = {"field",       "field-x", "height",  "height-x", "real",
@@ -278,12 +278,12 @@ const struct command command_trace = {
     COMMAND_ASKS(struct trace_input),
     .sheet = SHEET(columns, struct trace_row),
     .explanations = explanations,
-    .run = run,
+    .run = trace_run,
     .run_block = trace_block,
     .takes_blocks = takes_blocks,
-    .makes_many = makes_many,
-    .varies = varies,
-    .brings = brings,
+    .makes_many = trace_makes_many,
+    .varies = trace_varies,
+    .brings = trace_brings,
     .plot = "y_out",
-    .weight = weight,
+    .weight = trace_weight,
 };

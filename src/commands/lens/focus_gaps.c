@@ -6,7 +6,8 @@
 
 #include <math.h>
 
-static bool add(struct named_gap *gaps, size_t *count, struct named_gap gap, struct error *error)
+static bool focus_gaps_add(struct named_gap *gaps, size_t *count, struct named_gap gap,
+                           struct error *error)
 {
     for (size_t i = 0; i < *count; i++) {
         if (gaps[i].gap.surface == gap.gap.surface) {
@@ -32,14 +33,14 @@ static bool add_variable(const struct lens *lens, struct named_gap gap, struct n
         }
         gap.gap.surface = i;
         *found = true;
-        if (!add(gaps, count, gap, error)) {
+        if (!focus_gaps_add(gaps, count, gap, error)) {
             return false;
         }
     }
     return true;
 }
 
-static size_t surface_of(const struct lens *lens, struct text name)
+static size_t focus_gaps_surface_of(const struct lens *lens, struct text name)
 {
     double number;
     struct error ignored;
@@ -57,7 +58,7 @@ static size_t surface_of(const struct lens *lens, struct text name)
     return exists ? (size_t)number - 1 : LENS_NONE;
 }
 
-static bool unknown(const struct lens *lens, struct text name, struct error *error)
+static bool focus_gaps_unknown(const struct lens *lens, struct text name, struct error *error)
 {
     struct nearest nearest = {.typed = name};
     for (size_t i = 0; i < lens->variable_count; i++) {
@@ -95,11 +96,11 @@ bool focus_gaps_read(struct text text, const struct lens *lens, struct named_gap
         if (found) {
             continue;
         }
-        gap.gap.surface = surface_of(lens, gap.name);
+        gap.gap.surface = focus_gaps_surface_of(lens, gap.name);
         if (gap.gap.surface == LENS_NONE) {
-            return unknown(lens, gap.name, error);
+            return focus_gaps_unknown(lens, gap.name, error);
         }
-        if (!add(gaps, count, gap, error)) {
+        if (!focus_gaps_add(gaps, count, gap, error)) {
             return false;
         }
     }

@@ -47,7 +47,7 @@ const char *lens_warnings_join(const char *first, const char *second, struct are
                             : arena_printf(arena, "%s; %s", first, second);
 }
 
-const char *lens_island_warning(const struct islands *islands, struct arena *arena)
+const char *lens_island_warning(const struct pupil_islands *islands, struct arena *arena)
 {
     return !(islands->share > 0)
                ? NULL
@@ -58,8 +58,8 @@ const char *lens_island_warning(const struct islands *islands, struct arena *are
 }
 
 /* What is doubtful about the lens, and what its first-order data leave out. */
-static const char *warning_of(const struct lens_question *question, size_t position,
-                              const struct setup *setup)
+static const char *lens_options_warning_of(const struct lens_question *question, size_t position,
+                                           const struct setup *setup)
 {
     struct arena *arena = setup->arena;
     struct first_order stated = setup->first;
@@ -144,9 +144,10 @@ static bool check_pair(const struct lens_question *question, struct error *error
                 "{--field} and {--field-x}: where neither is 0 both must be below 90 degrees");
 }
 
-static bool visit_position(const struct lens_question *question, const struct lens_policy *policy,
-                           size_t position, struct arena *arena, lens_setup_visit *visit,
-                           void *context, struct error *error)
+static bool lens_options_visit_position(const struct lens_question *question,
+                                        const struct lens_policy *policy, size_t position,
+                                        struct arena *arena, lens_setup_visit *visit, void *context,
+                                        struct error *error)
 {
     const bool one = !isnan(question->field) || !isnan(question->field_x);
     size_t count = one ? 1 : question->fields.count;
@@ -171,7 +172,7 @@ static bool visit_position(const struct lens_question *question, const struct le
     }
     return setup_open(&asked, arena, setup, error) &&
            (policy->focus == NULL || lens_place_image(setup, policy->focus, error)) &&
-           visit(setup, warning_of(question, position, setup), context, error);
+           visit(setup, lens_options_warning_of(question, position, setup), context, error);
 }
 
 /* The focal length of each position at the primary wavelength, mm; NaN where it has none. */
@@ -295,7 +296,8 @@ bool lens_each_setup(const struct lens_question *question, const struct lens_pol
         return false;
     }
     for (size_t i = 0; i < count; i++) {
-        if (!visit_position(question, policy, positions[i], arena, visit, context, error)) {
+        if (!lens_options_visit_position(question, policy, positions[i], arena, visit, context,
+                                         error)) {
             return false;
         }
     }
@@ -303,7 +305,7 @@ bool lens_each_setup(const struct lens_question *question, const struct lens_pol
 }
 
 /* Who gets the cases of a setup. */
-struct visitor {
+struct lens_options_visitor {
     lens_visit *visit;
     void *context;
 };
@@ -311,7 +313,7 @@ struct visitor {
 static bool visit_wavelengths(const struct setup *setup, const char *warning, void *context,
                               struct error *error)
 {
-    const struct visitor *visitor = context;
+    const struct lens_options_visitor *visitor = context;
     struct lens_case one = {.setup = setup, .warning = warning};
     for (; one.index < setup->wavelength_count; one.index++) {
         if (!setup_light(setup, one.index, &one.light, error) ||
@@ -325,6 +327,6 @@ static bool visit_wavelengths(const struct setup *setup, const char *warning, vo
 bool lens_each(const struct lens_question *question, const struct lens_policy *policy,
                struct arena *arena, lens_visit *visit, void *context, struct error *error)
 {
-    struct visitor visitor = {visit, context};
+    struct lens_options_visitor visitor = {visit, context};
     return lens_each_setup(question, policy, arena, visit_wavelengths, &visitor, error);
 }

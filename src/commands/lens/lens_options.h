@@ -148,7 +148,7 @@ extern const struct word section_words[];
 const char *lens_warnings_join(const char *first, const char *second, struct arena *arena);
 
 /* That there is light which the figures leave out; null = there is none. */
-const char *lens_island_warning(const struct islands *islands, struct arena *arena);
+const char *lens_island_warning(const struct pupil_islands *islands, struct arena *arena);
 
 /* Will the question have several answers? */
 bool lens_makes_many(const struct lens_question *question, const struct lens_policy *policy);

@@ -8,7 +8,7 @@
 #include <string.h>
 
 /* What is asked, and who gets the answers. */
-struct asked {
+struct pupil_cases_asked {
     const struct pupil_input *input;
     struct arena *arena;
     struct pupil_memo *memo; /* null = none */
@@ -17,7 +17,7 @@ struct asked {
 
 /* What one lens at one wavelength needs for all its points. */
 struct pupil_job {
-    const struct asked *asked;
+    const struct pupil_cases_asked *asked;
     const struct lens_case *one;
     const struct system *clipped, *open;
     double film; /* from the last vertex, mm; NaN for fields */
@@ -26,7 +26,7 @@ struct pupil_job {
 };
 
 /* Both systems go the way the light of the points does. */
-static bool open_systems(struct pupil_job *job, unsigned way, struct error *error)
+static bool pupil_cases_open_systems(struct pupil_job *job, unsigned way, struct error *error)
 {
     const struct lens_case *one = job->one;
     job->open = setup_system(one->setup, one->index, SETUP_OPEN | way, error);
@@ -45,8 +45,9 @@ static bool check_film(double film, struct error *error)
     return true;
 }
 
-static bool shape_of(const struct pupil_job *job, const struct beam *beam, struct arena *arena,
-                     struct pupil_shape *shape, struct error *error)
+static bool pupil_cases_shape_of(const struct pupil_job *job, const struct beam *beam,
+                                 struct arena *arena, struct pupil_shape *shape,
+                                 struct error *error)
 {
     const struct pupil_question question = {.clipped = job->clipped,
                                             .open = job->open,
@@ -62,15 +63,15 @@ static struct beam film_beam(const struct pupil_job *job, double x, double y)
                          job->open->index_first);
 }
 
-static bool show(const struct pupil_job *job, const struct beam *beam, struct pupil_case *point,
-                 struct error *error)
+static bool pupil_cases_show(const struct pupil_job *job, const struct beam *beam,
+                             struct pupil_case *point, struct error *error)
 {
     const struct pupil_visitor *visitor = job->asked->visitor;
     /* the point on the axis itself: compared byte by byte, as a beam has no gaps */
     const bool is_axis = memcmp(beam, &job->axis_beam, sizeof *beam) == 0;
     struct pupil_shape shape = job->axis;
     if (!(is_axis && shape.count == visitor->edges) &&
-        !shape_of(job, beam, job->asked->arena, &shape, error)) {
+        !pupil_cases_shape_of(job, beam, job->asked->arena, &shape, error)) {
         return false;
     }
     point->shape = &shape;
@@ -97,7 +98,7 @@ static bool show_field(const struct pupil_job *job, const struct field_point *fi
         point.object = -beam.axis[1] * beam.distance + 0.0;
         point.object_x = -beam.axis[0] * beam.distance + 0.0;
     }
-    return show(job, &beam, &point, error);
+    return pupil_cases_show(job, &beam, &point, error);
 }
 
 static bool show_fields(const struct pupil_job *job, struct error *error)
@@ -128,7 +129,7 @@ struct pupil_memo {
     struct pupil_shape shapes[AXES]; /* their numbers only: outlines end with their row */
 };
 
-static struct axis_key key_of(const struct pupil_job *job)
+static struct axis_key pupil_cases_key_of(const struct pupil_job *job)
 {
     struct axis_key key;
     memset(&key, 0, sizeof key);
@@ -145,17 +146,18 @@ struct pupil_memo *pupil_memo_new(struct arena *arena)
     return ARENA_NEW(arena, struct pupil_memo);
 }
 
-static bool find_axis(struct pupil_job *job, const struct beam *beam, struct error *error)
+static bool pupil_cases_find_axis(struct pupil_job *job, const struct beam *beam,
+                                  struct error *error)
 {
     struct pupil_memo *memo = job->asked->memo;
-    const struct axis_key key = key_of(job);
+    const struct axis_key key = pupil_cases_key_of(job);
     for (size_t i = 0; memo != NULL && i < memo->count; i++) {
         if (memcmp(&memo->keys[i], &key, sizeof key) == 0) {
             job->axis = memo->shapes[i];
             return true;
         }
     }
-    if (!shape_of(job, beam, job->asked->arena, &job->axis, error)) {
+    if (!pupil_cases_shape_of(job, beam, job->asked->arena, &job->axis, error)) {
         return false;
     }
     if (memo != NULL) {
@@ -178,13 +180,13 @@ static double or_zero(double given)
 
 static bool visit_lens(const struct lens_case *one, void *context, struct error *error)
 {
-    const struct asked *asked = context;
+    const struct pupil_cases_asked *asked = context;
     const struct setup *setup = one->setup;
     struct pupil_job job = {.asked = asked, .one = one, .film = NAN};
     bool from_film = pupil_is_from_film(asked->input);
     const struct field_point centre = {FIELD_NONE, {0, 0}};
     struct beam beam;
-    if (!open_systems(&job, from_film ? SETUP_REVERSED : 0, error) ||
+    if (!pupil_cases_open_systems(&job, from_film ? SETUP_REVERSED : 0, error) ||
         (from_film && !check_film(setup->image, error))) {
         return false;
     }
@@ -195,7 +197,7 @@ static bool visit_lens(const struct lens_case *one, void *context, struct error 
         return false;
     }
     job.axis_beam = beam;
-    if (!find_axis(&job, &beam, error)) {
+    if (!pupil_cases_find_axis(&job, &beam, error)) {
         return false;
     }
     if (!from_film) {
@@ -210,13 +212,13 @@ static bool visit_lens(const struct lens_case *one, void *context, struct error 
                                .height_x = or_zero(asked->input->height_x),
                                .film = job.film};
     beam = film_beam(&job, point.height_x, point.height);
-    return show(&job, &beam, &point, error);
+    return pupil_cases_show(&job, &beam, &point, error);
 }
 
 bool pupil_each(const struct pupil_input *input, struct arena *arena, struct pupil_memo *memo,
                 const struct pupil_visitor *visitor, struct error *error)
 {
-    struct asked asked = {input, arena, memo, visitor};
+    struct pupil_cases_asked asked = {input, arena, memo, visitor};
     const struct lens_policy policy = {.wavelengths = WAVELENGTHS_PRIMARY,
                                        .fields = FIELDS_ALL,
                                        .focus = pupil_is_from_film(input) ? &input->focus : NULL};

@@ -62,8 +62,8 @@ bool trace_job_open(const struct trace_input *input, const struct ray_case *one,
 }
 
 /* Where a ray is, or that it is lost. */
-static void set_end(const struct trace_job *job, const struct ray *ray, bool at_image,
-                    struct trace_row *row)
+static void trace_answer_set_end(const struct trace_job *job, const struct ray *ray, bool at_image,
+                                 struct trace_row *row)
 {
     bool arrived = ray->status == RAY_OK;
     for (int i = 0; i < 3; i++) {
@@ -85,21 +85,23 @@ void trace_row_end(const struct trace_job *job, const struct ray_block *block, s
     double n =
         job->to > 0 ? system_index_after(job->system, job->to - 1) : job->system->index_first;
     struct ray ray = rays_get(&rays, lane, n);
-    set_end(job, &ray, job->one->to_image, row);
+    trace_answer_set_end(job, &ray, job->one->to_image, row);
 }
 
 /* The paraxial ray where the row is. */
-static bool set_paraxial(const struct trace_job *job, const struct ray *start, size_t place,
-                         struct arena *arena, struct trace_row *row, struct error *error)
+static bool trace_answer_set_paraxial(const struct trace_job *job, const struct ray *start,
+                                      size_t place, struct arena *arena, struct trace_row *row,
+                                      struct error *error)
 {
     const struct lens *lens = job->one->setup.lens;
-    struct paraxial_meeting *meetings =
-        ARENA_ARRAY(arena, lens->surface_count, struct paraxial_meeting);
+    struct paraxial_intersection *meetings =
+        ARENA_ARRAY(arena, lens->surface_count, struct paraxial_intersection);
     if (!ray_follow_paraxially(lens, job->wavelength, start, arena, meetings, error)) {
         return false;
     }
     bool at_image = place >= lens->surface_count;
-    const struct paraxial_meeting *here = &meetings[at_image ? lens->surface_count - 1 : place];
+    const struct paraxial_intersection *here =
+        &meetings[at_image ? lens->surface_count - 1 : place];
     double distance = at_image ? job->one->setup.image : 0;
     row->slope[0] = here->slope_x;
     row->slope[1] = here->slope_y;
@@ -109,8 +111,8 @@ static bool set_paraxial(const struct trace_job *job, const struct ray *start, s
 }
 
 /* Only rays that go all the way can be verified. */
-static void set_errors(const struct trace_job *job, const struct ray *start, size_t place,
-                       struct trace_row *row)
+static void trace_answer_set_errors(const struct trace_job *job, const struct ray *start,
+                                    size_t place, struct trace_row *row)
 {
     if (place + 1 != job->system->places) {
         return;
@@ -133,19 +135,21 @@ bool trace_row_extras(const struct trace_job *job, const struct ray *start, size
                       struct arena *arena, struct trace_row *row, struct error *error)
 {
     if (job->input->verify) {
-        set_errors(job, start, place, row);
+        trace_answer_set_errors(job, start, place, row);
     }
-    return !job->input->paraxial || set_paraxial(job, start, place, arena, row, error);
+    return !job->input->paraxial || trace_answer_set_paraxial(job, start, place, arena, row, error);
 }
 
 /* One row a surface. False with `error` set, or if no more rows are wanted. */
 static bool emit_all(const struct trace_job *job, const struct ray *start, struct trace_row *row,
                      struct run *run, struct error *error)
 {
-    struct ray_meeting *meetings = ARENA_ARRAY(run->arena, job->system->places, struct ray_meeting);
+    struct ray_intersection *meetings =
+        ARENA_ARRAY(run->arena, job->system->places, struct ray_intersection);
     ray_follow(job->system, start, run->arena, meetings);
     for (size_t place = 0; place < job->to; place++) {
-        set_end(job, &meetings[place].ray, place >= job->one->setup.lens->surface_count, row);
+        trace_answer_set_end(job, &meetings[place].ray,
+                             place >= job->one->setup.lens->surface_count, row);
         row->surface = (long)place + 1;
         row->incidence = meetings[place].angles.incidence;
         row->refraction = meetings[place].angles.refraction;
@@ -163,12 +167,12 @@ static bool emit_lost(const struct trace_job *job, const struct ray *start, stru
     for (int i = 0; i < 3; i++) {
         row->start[i] = row->start_cosine[i] = NAN;
     }
-    set_end(job, start, false, row);
+    trace_answer_set_end(job, start, false, row);
     return run_emit(run, row);
 }
 
 /* Rays that share everything but their start. */
-struct bundle {
+struct trace_answer_bundle {
     const struct trace_job *job;
     double field, field_x, height, height_x;
     const struct pupil_point *points; /* null: a ray as given */
@@ -177,7 +181,7 @@ struct bundle {
 };
 
 /* The weights of a quadrature are those of the whole pupil. */
-static const char *weight_warning(const struct bundle *bundle, const char *other,
+static const char *weight_warning(const struct trace_answer_bundle *bundle, const char *other,
                                   struct arena *arena)
 {
     static const char text[] =
@@ -189,7 +193,8 @@ static const char *weight_warning(const struct bundle *bundle, const char *other
 }
 
 /* Of two rays through one point of the stop the one was aimed that is joined to the chief ray. */
-static const char *fold_warning(const struct bundle *bundle, const char *other, struct arena *arena)
+static const char *trace_answer_fold_warning(const struct trace_answer_bundle *bundle,
+                                             const char *other, struct arena *arena)
 {
     static const char text[] =
         "the pupil folds inside the stop: near its edge a point is met by two rays, and the one "
@@ -199,7 +204,7 @@ static const char *fold_warning(const struct bundle *bundle, const char *other, 
                            : arena_printf(arena, "%s; %s", other, text);
 }
 
-static void label_row(const struct bundle *bundle, size_t i, struct trace_row *row)
+static void label_row(const struct trace_answer_bundle *bundle, size_t i, struct trace_row *row)
 {
     row->field = bundle->field;
     row->field_x = bundle->field_x;
@@ -217,8 +222,8 @@ static void label_row(const struct bundle *bundle, size_t i, struct trace_row *r
     }
 }
 
-static bool emit_bundle(const struct bundle *bundle, const struct ray *starts, size_t first,
-                        size_t count, struct run *run, struct error *error)
+static bool emit_bundle(const struct trace_answer_bundle *bundle, const struct ray *starts,
+                        size_t first, size_t count, struct run *run, struct error *error)
 {
     const struct trace_job *job = bundle->job;
     struct rays rays = rays_new(run->arena, count);
@@ -232,7 +237,7 @@ static bool emit_bundle(const struct bundle *bundle, const struct ray *starts, s
         bool going;
         trace_row_begin(job, &starts[i], &row);
         label_row(bundle, first + i, &row);
-        row.warning = fold_warning(bundle, row.warning, run->arena);
+        row.warning = trace_answer_fold_warning(bundle, row.warning, run->arena);
         if (starts[i].status != RAY_OK ||
             ray_block_status(&rays.blocks[i / RAYS_BLOCK], i % RAYS_BLOCK) != RAY_OK) {
             row.warning = weight_warning(bundle, row.warning, run->arena);
@@ -255,7 +260,7 @@ static bool emit_bundle(const struct bundle *bundle, const struct ray *starts, s
 }
 
 /* A telecentric object space has its pupil where it says, not where the stop is seen. */
-static int aim_of(const struct trace_job *job)
+static int trace_answer_aim_of(const struct trace_job *job)
 {
     return job->one->setup.first.is_telecentric ? AIM_ENTRANCE : job->input->aim;
 }
@@ -288,7 +293,7 @@ static bool aim_starts(const struct trace_job *job, const struct beam *beam, con
                        const struct pupil_point *points, size_t count, struct ray *starts,
                        struct arena *arena, struct error *error)
 {
-    if (aim_of(job) == AIM_STOP) {
+    if (trace_answer_aim_of(job) == AIM_STOP) {
         struct rays rays = rays_new(arena, count);
         aim_rays(aim, points, count, &rays);
         for (size_t i = 0; i < count; i++) {
@@ -306,8 +311,8 @@ static bool aim_starts(const struct trace_job *job, const struct beam *beam, con
 }
 
 /* Where rays cross the stop, in units of its radius; NaN where they do not, or it has none. */
-static void find_pupil(const struct system *open, const struct ray *starts, size_t count,
-                       struct arena *arena, struct pupil_point *points)
+static void trace_answer_find_pupil(const struct system *open, const struct ray *starts,
+                                    size_t count, struct arena *arena, struct pupil_point *points)
 {
     const struct rays work = rays_new(arena, count);
     bool has_stop = open->stop != LENS_NONE && !isnan(open->stop_radius);
@@ -361,8 +366,8 @@ static bool is_folded(const struct trace_job *job, const struct beam *beam, cons
     return false;
 }
 
-static bool emit_sample(struct bundle *bundle, const struct beam *beam, const struct aim *aim,
-                        struct run *run, struct error *error)
+static bool emit_sample(struct trace_answer_bundle *bundle, const struct beam *beam,
+                        const struct aim *aim, struct run *run, struct error *error)
 {
     const struct trace_job *job = bundle->job;
     struct sample sample;
@@ -371,7 +376,7 @@ static bool emit_sample(struct bundle *bundle, const struct beam *beam, const st
     }
     struct ray *starts = ARENA_ARRAY(run->arena, CHUNK, struct ray);
     bundle->points = sample.points;
-    bundle->folds = aim_of(job) == AIM_STOP && is_folded(job, beam, aim, run->arena);
+    bundle->folds = trace_answer_aim_of(job) == AIM_STOP && is_folded(job, beam, aim, run->arena);
     bundle->is_named = job->input->pattern == TRACE_FEW && !trace_has_pupil(job->input);
     for (size_t done = 0; done < sample.count; done += CHUNK) {
         struct arena_mark mark = arena_mark(run->arena);
@@ -389,7 +394,7 @@ static bool emit_sample(struct bundle *bundle, const struct beam *beam, const st
  * The few rays of a beam that passes all clear apertures: its chief ray and its edges. A lens
  * without a stop has no chief ray: the middle of the beam stands for it.
  */
-static bool emit_edges(struct bundle *bundle, const struct beam *beam,
+static bool emit_edges(struct trace_answer_bundle *bundle, const struct beam *beam,
                        const struct clear_cross *cross, const struct aim *aim, struct run *run,
                        struct error *error)
 {
@@ -403,7 +408,7 @@ static bool emit_edges(struct bundle *bundle, const struct beam *beam,
     for (size_t i = 0; i < FEW; i++) {
         starts[i] = beam_ray(beam, places[i][0], places[i][1]);
     }
-    find_pupil(bundle->job->open, starts, FEW, run->arena, points);
+    trace_answer_find_pupil(bundle->job->open, starts, FEW, run->arena, points);
     if (aim != NULL && !aim->has_chief) {
         points[0].x = points[0].y = 0;
         starts[0].status = aim->lost;
@@ -437,11 +442,11 @@ static bool aim_without_chief(const struct trace_job *job, const struct beam *be
 static bool wants_edges(const struct trace_job *job)
 {
     return job->input->pattern == TRACE_FEW && !trace_has_pupil(job->input) && job->one->clip &&
-           aim_of(job) == AIM_STOP;
+           trace_answer_aim_of(job) == AIM_STOP;
 }
 
-static bool emit_field(struct bundle *bundle, const struct field_point *field, struct run *run,
-                       struct error *error)
+static bool emit_field(struct trace_answer_bundle *bundle, const struct field_point *field,
+                       struct run *run, struct error *error)
 {
     const struct trace_job *job = bundle->job;
     const struct setup *setup = &job->one->setup;
@@ -449,7 +454,7 @@ static bool emit_field(struct bundle *bundle, const struct field_point *field, s
     struct beam beam;
     struct aim aim;
     bool edges = wants_edges(job);
-    bool aims = aim_of(job) == AIM_STOP && !(edges && setup->lens->stop == LENS_NONE);
+    bool aims = trace_answer_aim_of(job) == AIM_STOP && !(edges && setup->lens->stop == LENS_NONE);
     if (!setup_beam(setup, field, &beam, error) ||
         (aims && !aim_open(job->open, &beam, run->arena, &aim, error) &&
          !aim_without_chief(job, &beam, &aim, run->arena, error))) {
@@ -482,11 +487,11 @@ static bool emit_fields(const struct trace_job *plain, struct run *run, struct e
         const struct arena_mark mark = arena_mark(run->arena);
         const struct field_point *field = &setup->fields[i].point;
         bool angle = field->kind == FIELD_ANGLE || field->kind == FIELD_NONE;
-        struct bundle bundle = {.job = job,
-                                .field = angle ? field->value[1] : (double)NAN,
-                                .field_x = angle ? field->value[0] : (double)NAN,
-                                .height = angle ? (double)NAN : field->value[1],
-                                .height_x = angle ? (double)NAN : field->value[0]};
+        struct trace_answer_bundle bundle = {.job = job,
+                                             .field = angle ? field->value[1] : (double)NAN,
+                                             .field_x = angle ? field->value[0] : (double)NAN,
+                                             .height = angle ? (double)NAN : field->value[1],
+                                             .height_x = angle ? (double)NAN : field->value[0]};
         error->code = ERROR_NONE;
         if (!emit_field(&bundle, field, run, error)) {
             return error->code == ERROR_NONE ||
@@ -500,7 +505,7 @@ static bool emit_fields(const struct trace_job *plain, struct run *run, struct e
 static bool emit_explicit(const struct trace_job *job, struct run *run, struct error *error)
 {
     struct ray start;
-    struct bundle bundle = {
+    struct trace_answer_bundle bundle = {
         .job = job, .field = NAN, .field_x = NAN, .height = NAN, .height_x = NAN};
     error->code = ERROR_NONE;
     return trace_start(job->input, &start, error) &&
@@ -517,7 +522,7 @@ static bool check_field(const struct trace_input *input, struct error *error)
 }
 
 /* What cannot go together, whatever the lens. */
-static bool check(const struct trace_input *input, struct error *error)
+static bool trace_answer_check(const struct trace_input *input, struct error *error)
 {
     bool ray = trace_is_explicit(input);
     bool x = !isnan(input->pupil_at[0]), y = !isnan(input->pupil_at[1]);
@@ -569,7 +574,7 @@ bool trace_answer(const struct trace_input *input, struct run *run, struct error
     size_t count;
     if (!lens_positions(question->lens.lens, question->position, run->arena, &positions, &count,
                         error) ||
-        !check(input, error)) {
+        !trace_answer_check(input, error)) {
         return false;
     }
     for (size_t i = 0; i < count; i++) {

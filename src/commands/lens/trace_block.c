@@ -15,7 +15,7 @@ struct compiled {
 };
 
 /* What is kept from block to block: one lens as one set of options has it. */
-struct kept {
+struct trace_block_kept {
     struct trace_input key; /* whose question the case answers */
     struct ray_case one;    /* at the primary wavelength */
     struct rays work;       /* one block */
@@ -25,14 +25,14 @@ struct kept {
     struct arena_mark mark; /* behind it: systems lie there */
 };
 
-static bool is_same(const struct trace_input *a, const struct trace_input *b)
+static bool trace_block_is_same(const struct trace_input *a, const struct trace_input *b)
 {
     return memcmp(&a->question, &b->question, sizeof a->question) == 0;
 }
 
 /* The lens as this input wants it; what was kept for another is given up. */
-static bool open_case(struct kept *kept, const struct trace_input *input, struct run *run,
-                      struct error *error)
+static bool open_case(struct trace_block_kept *kept, const struct trace_input *input,
+                      struct run *run, struct error *error)
 {
     const size_t *positions;
     size_t count;
@@ -54,8 +54,8 @@ static bool open_case(struct kept *kept, const struct trace_input *input, struct
 static const struct trace_job *find_job(const struct trace_input *input, struct run *run,
                                         struct error *error)
 {
-    struct kept *kept = run->state;
-    if (!is_same(&kept->key, input) && !open_case(kept, input, run, error)) {
+    struct trace_block_kept *kept = run->state;
+    if (!trace_block_is_same(&kept->key, input) && !open_case(kept, input, run, error)) {
         return NULL;
     }
     for (size_t i = kept->count; i-- > 0;) {
@@ -90,19 +90,20 @@ struct group {
     size_t count;
 };
 
-static const struct trace_input *input_at(const struct block *block, size_t i)
+static const struct trace_input *trace_block_input_at(const struct block *block, size_t i)
 {
     return (const struct trace_input *)(const void *)block->inputs + i;
 }
 
 /* All inputs from `first` on that are like it; the others are left for later. */
-static void gather(const struct block *block, size_t first, bool done[], struct group *group)
+static void trace_block_gather(const struct block *block, size_t first, bool done[],
+                               struct group *group)
 {
-    const struct trace_input *like = input_at(block, first);
+    const struct trace_input *like = trace_block_input_at(block, first);
     group->count = 0;
     for (size_t i = first; i < block->count; i++) {
-        const struct trace_input *input = input_at(block, i);
-        bool same = i == first || (!done[i] && is_same(input, like) &&
+        const struct trace_input *input = trace_block_input_at(block, i);
+        bool same = i == first || (!done[i] && trace_block_is_same(input, like) &&
                                    (input->wavelength == like->wavelength ||
                                     (isnan(input->wavelength) && isnan(like->wavelength))));
         if (!same || done[i]) {
@@ -117,7 +118,7 @@ static void gather(const struct block *block, size_t first, bool done[], struct 
 
 static void trace_group(const struct block *block, const struct group *group, struct run *run)
 {
-    const struct kept *kept = run->state;
+    const struct trace_block_kept *kept = run->state;
     const struct trace_job *job = group->job;
     for (size_t k = 0; k < group->count; k++) {
         rays_set(&kept->work, k, job->system->index_first, &group->starts[k]);
@@ -137,7 +138,7 @@ void trace_block(const struct block *block, struct run *run)
     bool done[RAYS_BLOCK] = {false};
     struct group group;
     if (run->state == NULL) {
-        struct kept *kept = ARENA_NEW(run->kept, struct kept);
+        struct trace_block_kept *kept = ARENA_NEW(run->kept, struct trace_block_kept);
         kept->work = rays_new(run->kept, RAYS_BLOCK);
         kept->base = arena_mark(run->kept);
         run->state = kept;
@@ -146,10 +147,10 @@ void trace_block(const struct block *block, struct run *run)
         if (done[i]) {
             continue;
         }
-        group.job = find_job(input_at(block, i), run, &block->errors[i]);
+        group.job = find_job(trace_block_input_at(block, i), run, &block->errors[i]);
         done[i] = group.job == NULL;
         if (group.job != NULL) {
-            gather(block, i, done, &group);
+            trace_block_gather(block, i, done, &group);
             trace_group(block, &group, run);
         }
     }

@@ -33,7 +33,7 @@ static bool read_three(const struct vector_value *vector, const double numbers[3
 }
 
 /* Numbers that are of unit length but for rounding stay as they are: they are exact enough. */
-static void normalise(double cosine[3])
+static void trace_start_normalise(double cosine[3])
 {
     double square = cosine[0] * cosine[0] + cosine[1] * cosine[1] + cosine[2] * cosine[2];
     if (fabs(square - 1) <= 4 * DBL_EPSILON) {
@@ -77,6 +77,6 @@ bool trace_start(const struct trace_input *input, struct ray *ray, struct error 
              sqrt(square));
         return error_hint(error, "{--direction} takes a vector of any length");
     }
-    normalise(ray->cosine);
+    trace_start_normalise(ray->cosine);
     return true;
 }

@@ -5,7 +5,7 @@
 #include "photo/attach.h"
 
 /* In the order in which they are put on. */
-static size_t list_steps(const struct attachments *a, struct attach_step *steps)
+static size_t attachments_list_steps(const struct attachments *a, struct attach_step *steps)
 {
     const struct attach_step all[] = {
         {ATTACH_CLOSE_UP, 1000 * a->close_up, 0, 0},
@@ -21,8 +21,8 @@ static size_t list_steps(const struct attachments *a, struct attach_step *steps)
     return count;
 }
 
-static bool check_question(const struct attachments *a, const struct photo_lens *lens,
-                           struct error *error)
+static bool attachments_check_question(const struct attachments *a, const struct photo_lens *lens,
+                                       struct error *error)
 {
     if (isnan(lens->f)) {
         return fail(error, ERROR_USAGE,
@@ -41,7 +41,7 @@ bool attachments_combine(const struct attachments *a, const struct photo_lens *l
                          struct photo_lens *room, struct attached_lens *attached,
                          struct error *error)
 {
-    const struct measuring *bare = &lens->measuring;
+    const struct distance_reference *bare = &lens->measuring;
     bool has_front = !isnan(bare->front);
     const struct attach_bare sold = {.f = lens->f,
                                      .N = 1,
@@ -50,8 +50,8 @@ bool attachments_combine(const struct attachments *a, const struct photo_lens *l
                                      .hiatus = bare->hiatus};
     struct attach_step steps[3];
     struct attach_lens all;
-    if (!check_question(a, lens, error) || !attach_bare(&sold, &all, error) ||
-        !attach_apply(&all, steps, list_steps(a, steps), error)) {
+    if (!attachments_check_question(a, lens, error) || !attach_bare(&sold, &all, error) ||
+        !attach_apply(&all, steps, attachments_list_steps(a, steps), error)) {
         return false;
     }
     *room = *lens;

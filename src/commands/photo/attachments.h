@@ -90,7 +90,7 @@ static inline bool attachments_any(const struct attachments *a)
 }
 
 /* Were any of the options given? */
-static inline bool attachments_asked(const struct asking *asking)
+static inline bool attachments_asked(const struct option_query *asking)
 {
     return asking_given(asking, "close-up") || asking_given(asking, "tube") ||
            asking_given(asking, "converter");

@@ -19,7 +19,7 @@ static bool bad_rule(const char *text, struct error *error)
 }
 
 /* A number behind a word, with what may follow it. */
-static bool read_number(const char *text, const char *word, const char *unit, double *value)
+static bool by_rays_read_number(const char *text, const char *word, const char *unit, double *value)
 {
     const size_t length = strlen(word);
     if (strncmp(text, word, length) != 0) {
@@ -36,11 +36,11 @@ static bool read_rule(const char *text, struct blur_rule *rule, struct error *er
         *rule = (struct blur_rule){BLUR_RMS, 0};
         return true;
     }
-    if (read_number(text, "energy", "%", &value) && value >= 1 && value <= 99) {
+    if (by_rays_read_number(text, "energy", "%", &value) && value >= 1 && value <= 99) {
         *rule = (struct blur_rule){BLUR_ENERGY, value / 100};
         return true;
     }
-    if (read_number(text, "mtf@", "/mm", &value) && value >= 1e-3 && value <= 1e4) {
+    if (by_rays_read_number(text, "mtf@", "/mm", &value) && value >= 1e-3 && value <= 1e4) {
         *rule = (struct blur_rule){BLUR_MTF, value};
         return true;
     }
@@ -53,7 +53,7 @@ bool by_rays_accepts(const char *criterion, struct error *error)
     return read_rule(criterion, &rule, error);
 }
 
-static const char *words_of(struct blur_rule rule, struct arena *arena)
+static const char *by_rays_words_of(struct blur_rule rule, struct arena *arena)
 {
     switch (rule.measure) {
     case BLUR_ENERGY:
@@ -67,8 +67,8 @@ static const char *words_of(struct blur_rule rule, struct arena *arena)
 }
 
 /* What may not be asked together with rays. */
-static bool check(const struct photo_lens_question *question, const struct photo_lens *lens,
-                  struct error *error)
+static bool by_rays_check(const struct photo_lens_question *question, const struct photo_lens *lens,
+                          struct error *error)
 {
     if (lens->lens == NULL) {
         return fail(error, ERROR_USAGE, "{--exact} traces rays: it needs {--lens}");
@@ -86,7 +86,8 @@ bool by_rays_open(const struct by_rays_question *all, struct run *run, struct re
     const struct photo_lens *lens = all->lens;
     struct setup setup;
     struct real_focus_question seen = {.c = all->c};
-    if (!check(question, lens, error) || !read_rule(all->asked->criterion, &seen.rule, error)) {
+    if (!by_rays_check(question, lens, error) ||
+        !read_rule(all->asked->criterion, &seen.rule, error)) {
         return false;
     }
     seen.lens = (struct setup_question){
@@ -102,7 +103,7 @@ bool by_rays_open(const struct by_rays_question *all, struct run *run, struct re
     if (!setup_open(&seen.lens, run->arena, &setup, error)) {
         return false;
     }
-    row->rule = words_of(seen.rule, run->arena);
+    row->rule = by_rays_words_of(seen.rule, run->arena);
     row->spectrum = analysis_spectrum_words(&setup);
     if (!real_focus_open(&seen, run->arena, focus, error)) {
         return false;
@@ -110,11 +111,11 @@ bool by_rays_open(const struct by_rays_question *all, struct run *run, struct re
     const char *width = setup_width_warning(&setup, seen.lens.fnumber, run->arena);
     const char *said = lens->real->warning;
     if (width != NULL && (said == NULL || strstr(said, width) == NULL)) {
-        doubts_add(run->doubts, "%s", width);
+        warnings_add(run->doubts, "%s", width);
     }
     if (focus->error > 2e-3) {
-        doubts_add(run->doubts, "blurs have not converged: twice the rays change them by more "
-                                "than 0.2 %%");
+        warnings_add(run->doubts, "blurs have not converged: twice the rays change them by more "
+                                  "than 0.2 %%");
     }
     return true;
 }

@@ -7,46 +7,46 @@
 
 #include <math.h>
 
-struct input {
+struct bracket_input {
     struct bracket_given given;
     double time, scene_range, range;
     struct series_value series;
 };
 
 #define STOPS_OPTION(member_name)                                                                  \
-    OPTION(struct input, member_name), .dimension = &dimension_stops, OPTION_POSITIVE,             \
-                                       .flags = OPTION_ABOVE_LOWEST | OPTION_NO_INFINITY,          \
-                                       .value = "STOPS"
+    OPTION(struct bracket_input, member_name), .dimension = &dimension_stops, OPTION_POSITIVE,     \
+                                               .flags = OPTION_ABOVE_LOWEST | OPTION_NO_INFINITY,  \
+                                               .value = "STOPS"
 #define TIME_OPTION(member_name)                                                                   \
-    OPTION(struct input, member_name), .dimension = &dimension_time, .unit = "s", OPTION_POSITIVE, \
-                                       .value = "TIME",                                            \
-                                       .flags = OPTION_ABOVE_LOWEST | OPTION_NO_INFINITY
+    OPTION(struct bracket_input, member_name), .dimension = &dimension_time, .unit = "s",          \
+                                               OPTION_POSITIVE, .value = "TIME",                   \
+                                               .flags = OPTION_ABOVE_LOWEST | OPTION_NO_INFINITY
 
 static const struct option options[] = {
     {TIME_OPTION(given.from), .name = "from", .quantity = "time at one end",
      .help = "time at one end: 30s"},
     {TIME_OPTION(given.to), .name = "to", .quantity = "time at the other end",
      .help = "time at the other end: 1/1000s"},
-    OPTION_TIME(struct input, time, 0),
+    OPTION_TIME(struct bracket_input, time, 0),
     {STOPS_OPTION(given.step), .name = "step", .column = "step",
      .help = "stops between two shots (1 unless --shots divides the span)"},
-    {OPTION(struct input, given.shots), .name = "shots", .quantity = "number of shots",
+    {OPTION(struct bracket_input, given.shots), .name = "shots", .quantity = "number of shots",
      .column = "shots", .dimension = &dimension_number, .lowest = 1, .highest = BRACKET_SHOTS,
      .value = "N", .help = "number of shots"},
     {STOPS_OPTION(range), .name = "range", .quantity = "range of a shot", .column = "range",
      .help = "contrast that one shot records: shows what the bracket covers"},
     {STOPS_OPTION(scene_range), .name = "scene-range", .column = "scene_range",
      .help = "contrast of the scene: with --range gives the number of shots"},
-    OPTION_SERIES(struct input, series),
+    OPTION_SERIES(struct bracket_input, series),
 };
 
-struct row {
+struct bracket_row {
     long shot, shots;
     double time, offset, elapsed, step, span, residual, total, covered, overlap;
     const char *nominal_time;
 };
 
-#define NUMBER(member) COLUMN(struct row, member)
+#define NUMBER(member) COLUMN(struct bracket_row, member)
 #define STOPS(member)  NUMBER(member), .dimension = &dimension_stops, .unit = "stops"
 #define TIME(member)   NUMBER(member), .dimension = &dimension_time, .unit = "s"
 
@@ -55,7 +55,7 @@ static const struct column columns[] = {
      .help = "number of the shot, the longest first"},
     {TIME(time), .name = "time", .flags = COLUMN_BRIEF, .symbol = "t", .label = "time",
      .help = "exposure time, an exact step from the longest"},
-    COLUMN_NOMINAL_TIME(struct row, nominal_time),
+    COLUMN_NOMINAL_TIME(struct bracket_row, nominal_time),
     {STOPS(offset), .name = "offset", .flags = COLUMN_BRIEF, .symbol = "d", .label = "offset",
      .help = "stops above (+) or below (-) the middle given by --time, else the longest shot"},
     {TIME(elapsed), .name = "elapsed", .flags = COLUMN_BRIEF | COLUMN_SPAN, .label = "elapsed",
@@ -76,7 +76,8 @@ static const struct column columns[] = {
 };
 
 /* The number of shots that the scene's contrast asks for. */
-static bool count_shots(const struct input *input, struct bracket_given *given, struct error *error)
+static bool count_shots(const struct bracket_input *input, struct bracket_given *given,
+                        struct error *error)
 {
     int shots = 0;
     if (!is_given(input->scene_range)) {
@@ -104,7 +105,7 @@ static bool check_ends(const struct bracket_given *given, struct error *error)
                 from ? "to" : "from");
 }
 
-static bool make_plan(const struct input *input, struct bracket *plan, struct error *error)
+static bool make_plan(const struct bracket_input *input, struct bracket *plan, struct error *error)
 {
     struct bracket_given given = input->given;
     if (!count_shots(input, &given, error)) {
@@ -130,9 +131,9 @@ static bool make_plan(const struct input *input, struct bracket *plan, struct er
     return bracket_around(input->time, given.step, given.shots, plan, error);
 }
 
-static bool run(const void *data, struct run *run, struct error *error)
+static bool bracket_run(const void *data, struct run *run, struct error *error)
 {
-    const struct input *input = data;
+    const struct bracket_input *input = data;
     const struct series_value *series = &input->series;
     struct bracket plan;
     struct bracket_range range = {NAN, NAN};
@@ -140,13 +141,13 @@ static bool run(const void *data, struct run *run, struct error *error)
         (is_given(input->range) && !bracket_covers(&plan, input->range, &range, error))) {
         return false;
     }
-    struct row row = {.shots = plan.shots,
-                      .step = plan.step,
-                      .span = plan.span,
-                      .residual = plan.residual,
-                      .total = plan.total,
-                      .covered = range.covered,
-                      .overlap = range.overlap};
+    struct bracket_row row = {.shots = plan.shots,
+                              .step = plan.step,
+                              .span = plan.span,
+                              .residual = plan.residual,
+                              .total = plan.total,
+                              .covered = range.covered,
+                              .overlap = range.overlap};
     double base = is_given(input->time) ? input->time : plan.longest;
     for (int i = 0; i < plan.shots; i++) {
         row.shot = i + 1;
@@ -186,7 +187,8 @@ const struct command command_bracket = {
     .name = "bracket",
     .group = "photography",
     .summary = "plan of an exposure bracket for high dynamic range",
-    COMMAND_ASKS(struct input),
-    COMMAND_ANSWERS(struct row),
+    COMMAND_ASKS(struct bracket_input),
+    COMMAND_ANSWERS(struct bracket_row),
+    .run = bracket_run,
     .makes_many = command_always_many,
 };

@@ -6,7 +6,7 @@
 
 #include <math.h>
 
-struct input {
+struct diffraction_input {
     double magnification;
     struct photo_lens_question lens;
     struct sharpness sharp;
@@ -15,12 +15,12 @@ struct input {
     double focus_spread, near, far;
 };
 
-#define NUMBER(member_name) OPTION(struct input, member_name)
+#define NUMBER(member_name) OPTION(struct diffraction_input, member_name)
 #define FINITE              OPTION_POSITIVE, .flags = OPTION_ABOVE_LOWEST | OPTION_NO_INFINITY
 
 static const struct option options[] = {
-    PHOTO_LENS_OPTIONS(struct input, lens),
-    OPTION_APERTURE(struct input, lens.fnumber, 0),
+    PHOTO_LENS_OPTIONS(struct diffraction_input, lens),
+    OPTION_APERTURE(struct diffraction_input, lens.fnumber, 0),
     {NUMBER(frequency), .name = "frequency", .quantity = "spatial frequency", .column = "frequency",
      .dimension = &dimension_frequency, .unit = "per_mm", .lowest = 0, .highest = INFINITY,
      .flags = OPTION_NO_INFINITY, .value = "FREQUENCY",
@@ -29,9 +29,9 @@ static const struct option options[] = {
     {NUMBER(magnification), .name = "magnification", .letter = 'm', .column = "magnification",
      .dimension = &dimension_ratio, .lowest = 0, .highest = INFINITY, .flags = OPTION_NO_INFINITY,
      .fallback = "0", .value = "RATIO", .help = "magnification: 1:2 or 0.5"},
-    OPTION_PUPIL_OF_LENS(struct input, lens.pupil, NULL),
-    SHARPNESS_OPTIONS_DARK(struct input, sharp, 0, "d/1500", NULL),
-    OPTION_WAVELENGTH_OF_LENS(struct input, lens.wavelength, NULL),
+    OPTION_PUPIL_OF_LENS(struct diffraction_input, lens.pupil, NULL),
+    SHARPNESS_OPTIONS_DARK(struct diffraction_input, sharp, 0, "d/1500", NULL),
+    OPTION_WAVELENGTH_OF_LENS(struct diffraction_input, lens.wavelength, NULL),
     {NUMBER(pixels), .name = "pixels", .dimension = &dimension_number, FINITE, .fallback = "2",
      .wants = "aperture|lens", .value = "NUMBER",
      .help = "how many pixels wide the Airy disc may be"},
@@ -45,7 +45,7 @@ static const struct option options[] = {
     {NUMBER(focus_spread), .name = "focus-spread", .column = "focus_spread",
      .dimension = &dimension_length, .unit = "mm", FINITE, .value = "LENGTH",
      .help = "between the images of the nearest and farthest points: gives the best f-number"},
-    OPTION_FOCAL_LENGTH(struct input, lens.focal, 0),
+    OPTION_FOCAL_LENGTH(struct diffraction_input, lens.focal, 0),
     {NUMBER(near), .name = "near", .quantity = "nearest point", .column = "near",
      .dimension = &dimension_length, .unit = "m", FINITE, .value = "LENGTH",
      .help = "nearest point that must be sharp, with -f or --lens: the best f-number"},
@@ -55,7 +55,7 @@ static const struct option options[] = {
      .help = "farthest point that must be sharp"},
 };
 
-struct row {
+struct diffraction_row {
     struct diffraction_setting setting;
     struct diffraction airy;
     struct diffraction_mtf mtf;
@@ -70,11 +70,11 @@ struct row {
 };
 
 #define LENGTH(member_name, in_unit)                                                               \
-    COLUMN(struct row, member_name), .dimension = &dimension_length, .unit = in_unit
+    COLUMN(struct diffraction_row, member_name), .dimension = &dimension_length, .unit = in_unit
 #define FREQUENCY(member_name)                                                                     \
-    COLUMN(struct row, member_name), .dimension = &dimension_frequency, .unit = "per_mm"
+    COLUMN(struct diffraction_row, member_name), .dimension = &dimension_frequency, .unit = "per_mm"
 #define ANGLE(member_name)                                                                         \
-    COLUMN(struct row, member_name), .dimension = &dimension_angle, .unit = "arcsec"
+    COLUMN(struct diffraction_row, member_name), .dimension = &dimension_angle, .unit = "arcsec"
 
 #define COLUMN_CUTOFF(more)                                                                        \
     {                                                                                              \
@@ -91,15 +91,16 @@ struct row {
     }
 /* What contrast and Airy disc have in common. */
 #define COLUMNS_ASSUMED                                                                            \
-    COLUMN_WAVELENGTH(struct row, wavelength),                                                     \
-        {COLUMN(struct row, setting.m),                                                            \
+    COLUMN_WAVELENGTH(struct diffraction_row, wavelength),                                         \
+        {COLUMN(struct diffraction_row, setting.m),                                                \
          .name = "magnification",                                                                  \
          .flags = COLUMN_ASSUMED | COLUMN_EXTRA | COLUMN_ECHO,                                     \
          .symbol = "m",                                                                            \
          .depends = "magnification",                                                               \
          .label = "magnification",                                                                 \
          .help = "size on the sensor over size of the subject"},                                   \
-        COLUMN_PUPIL(struct row, setting.P), COLUMN_SENSOR(struct row, sensor),                    \
+        COLUMN_PUPIL(struct diffraction_row, setting.P),                                           \
+        COLUMN_SENSOR(struct diffraction_row, sensor),                                             \
     {                                                                                              \
         LENGTH(pitch, "um"), .name = "pitch", .flags = COLUMN_ASSUMED | COLUMN_EXTRA,              \
                              .symbol = "p", .depends = "pitch sensor", .label = "pixel pitch",     \
@@ -114,7 +115,7 @@ struct row {
      .symbol = "dv",                                                                               \
      .label = "focus spread",                                                                      \
      .help = "between the images of nearest and farthest point"},                                  \
-        {COLUMN(struct row, optimum.fnumber),                                                      \
+        {COLUMN(struct diffraction_row, optimum.fnumber),                                          \
          .name = "optimum_fnumber",                                                                \
          .when = "with --near or --focus-spread",                                                  \
          .flags = (more),                                                                          \
@@ -129,10 +130,10 @@ struct row {
     }
 
 static const struct column columns[] = {
-    PHOTO_LENS_COLUMNS(struct row, real),
-    COLUMN_FNUMBER(struct row, setting.N, 0),
-    {COLUMN(struct row, airy.working_fnumber), .name = "working_fnumber", .symbol = "Nw",
-     .label = "working f-number", .help = "f-number that diffracts, N (1 + m/P)"},
+    PHOTO_LENS_COLUMNS(struct diffraction_row, real),
+    COLUMN_FNUMBER(struct diffraction_row, setting.N, 0),
+    {COLUMN(struct diffraction_row, airy.working_fnumber), .name = "working_fnumber",
+     .symbol = "Nw", .label = "working f-number", .help = "f-number that diffracts, N (1 + m/P)"},
     {LENGTH(airy.airy_diameter, "um"), .name = "airy_diameter", .flags = COLUMN_BRIEF,
      .symbol = "A", .label = "Airy disc, diameter", .help = "to the first dark ring"},
     {LENGTH(airy.airy_radius, "um"), .name = "airy_radius", .symbol = "a",
@@ -145,13 +146,13 @@ static const struct column columns[] = {
      .help = "frequency of 50 % contrast: lens, defocus and pixels together"},
     {FREQUENCY(mtf10), .name = "mtf10", .label = "MTF10, 10 % contrast at",
      .help = "frequency of 10 % contrast"},
-    {COLUMN(struct row, fnumber_pixel), .name = "fnumber_pixel",
+    {COLUMN(struct diffraction_row, fnumber_pixel), .name = "fnumber_pixel",
      .when = "with --pitch, or a camera of known pixels", .symbol = "Np",
      .label = "f-number of the pixels", .help = "where the Airy disc is --pixels wide"},
-    {COLUMN(struct row, fnumber_coc), .name = "fnumber_coc", .symbol = "Nc",
+    {COLUMN(struct diffraction_row, fnumber_coc), .name = "fnumber_coc", .symbol = "Nc",
      .label = "f-number of the circle of confusion",
      .help = "where the Airy disc is as wide as the circle of confusion"},
-    {COLUMN(struct row, fnumber_film), .name = "fnumber_film", .when = "with --film",
+    {COLUMN(struct diffraction_row, fnumber_film), .name = "fnumber_film", .when = "with --film",
      .symbol = "Nf", .label = "f-number of the film",
      .help = "where the Rayleigh limit is that of --film"},
     COLUMNS_SPREAD(0),
@@ -162,13 +163,14 @@ static const struct column columns[] = {
     {FREQUENCY(frequency), .name = "frequency", .flags = COLUMN_EXTRA | COLUMN_ECHO,
      .with = "frequency", .symbol = "nu", .label = "spatial frequency",
      .help = "frequency on the sensor"},
-    {COLUMN(struct row, mtf.lens), .name = "mtf_lens", .flags = COLUMN_EXTRA, .with = "frequency",
-     .symbol = "M", .label = "contrast, lens", .help = "perfect lens in focus"},
-    {COLUMN(struct row, mtf.total), .name = "mtf_total", .flags = COLUMN_EXTRA, .with = "frequency",
-     .label = "combined MTF", .help = "lens, defocus and pixels"},
-    COLUMN_COC(struct row, coc, 0, ""),
-    COLUMN_CRITERION(struct row, criterion),
-    {COLUMN(struct row, pixels), .name = "pixels", .symbol = "k",
+    {COLUMN(struct diffraction_row, mtf.lens), .name = "mtf_lens", .flags = COLUMN_EXTRA,
+     .with = "frequency", .symbol = "M", .label = "contrast, lens",
+     .help = "perfect lens in focus"},
+    {COLUMN(struct diffraction_row, mtf.total), .name = "mtf_total", .flags = COLUMN_EXTRA,
+     .with = "frequency", .label = "combined MTF", .help = "lens, defocus and pixels"},
+    COLUMN_COC(struct diffraction_row, coc, 0, ""),
+    COLUMN_CRITERION(struct diffraction_row, criterion),
+    {COLUMN(struct diffraction_row, pixels), .name = "pixels", .symbol = "k",
      .flags = COLUMN_EXTRA | COLUMN_ECHO, .with = "pixels", .label = "pixels across the Airy disc",
      .help = "width of the Airy disc that fnumber_pixel allows"},
     {FREQUENCY(film), .name = "film", .symbol = "Rf", .flags = COLUMN_EXTRA | COLUMN_ECHO,
@@ -176,54 +178,55 @@ static const struct column columns[] = {
     {LENGTH(setting.blur, "um"), .name = "defocus", .flags = COLUMN_EXTRA | COLUMN_ECHO,
      .with = "defocus", .symbol = "b", .label = "defocus", .help = "diameter of the blur disc"},
     COLUMNS_ASSUMED,
-    PHOTO_LENS_WARNING_COLUMN(struct row, real),
+    PHOTO_LENS_WARNING_COLUMN(struct diffraction_row, real),
 };
 
 /* With --frequency: contrast alone, a row a frequency. */
 static const struct column contrast_columns[] = {
-    PHOTO_LENS_COLUMNS(struct row, real),
-    COLUMN_FNUMBER(struct row, setting.N, 0),
+    PHOTO_LENS_COLUMNS(struct diffraction_row, real),
+    COLUMN_FNUMBER(struct diffraction_row, setting.N, 0),
     {FREQUENCY(frequency), .name = "frequency", .flags = COLUMN_ECHO | COLUMN_BRIEF,
      .with = "frequency", .symbol = "nu", .label = "spatial frequency",
      .help = "frequency on the sensor"},
-    {COLUMN(struct row, mtf.lens), .name = "mtf_lens", .flags = COLUMN_BRIEF, .symbol = "Ml",
-     .label = "contrast, lens", .help = "perfect lens in focus"},
-    {COLUMN(struct row, mtf.defocus), .name = "mtf_defocus", .flags = COLUMN_BRIEF, .symbol = "Md",
-     .label = "contrast, defocus", .help = "disc of defocus alone"},
-    {COLUMN(struct row, mtf.pixel), .name = "mtf_pixel", .flags = COLUMN_BRIEF, .symbol = "Mp",
-     .label = "contrast, pixels", .help = "square pixels without gaps alone"},
-    {COLUMN(struct row, mtf.total), .name = "mtf_total", .flags = COLUMN_BRIEF, .symbol = "M",
-     .label = "combined MTF", .help = "the product"},
-    {COLUMN(struct row, airy.working_fnumber), .name = "working_fnumber", .symbol = "Nw",
-     .label = "working f-number", .help = "f-number that diffracts, N (1 + m/P)"},
+    {COLUMN(struct diffraction_row, mtf.lens), .name = "mtf_lens", .flags = COLUMN_BRIEF,
+     .symbol = "Ml", .label = "contrast, lens", .help = "perfect lens in focus"},
+    {COLUMN(struct diffraction_row, mtf.defocus), .name = "mtf_defocus", .flags = COLUMN_BRIEF,
+     .symbol = "Md", .label = "contrast, defocus", .help = "disc of defocus alone"},
+    {COLUMN(struct diffraction_row, mtf.pixel), .name = "mtf_pixel", .flags = COLUMN_BRIEF,
+     .symbol = "Mp", .label = "contrast, pixels", .help = "square pixels without gaps alone"},
+    {COLUMN(struct diffraction_row, mtf.total), .name = "mtf_total", .flags = COLUMN_BRIEF,
+     .symbol = "M", .label = "combined MTF", .help = "the product"},
+    {COLUMN(struct diffraction_row, airy.working_fnumber), .name = "working_fnumber",
+     .symbol = "Nw", .label = "working f-number", .help = "f-number that diffracts, N (1 + m/P)"},
     COLUMN_CUTOFF(0),
     COLUMN_NYQUIST,
     {LENGTH(setting.blur, "um"), .name = "defocus",
      .flags = COLUMN_ASSUMED | COLUMN_EXTRA | COLUMN_ECHO, .symbol = "b", .depends = "defocus",
      .label = "defocus", .help = "diameter of the blur disc"},
     COLUMNS_ASSUMED,
-    PHOTO_LENS_WARNING_COLUMN(struct row, real),
+    PHOTO_LENS_WARNING_COLUMN(struct diffraction_row, real),
 };
 
 /* Without --aperture, with --near or --focus-spread: the best f-number. */
 static const struct column best_columns[] = {
-    PHOTO_LENS_COLUMNS(struct row, real),
-    COLUMN_FOCAL(struct row, focal, COLUMN_EXTRA),
+    PHOTO_LENS_COLUMNS(struct diffraction_row, real),
+    COLUMN_FOCAL(struct diffraction_row, focal, COLUMN_EXTRA),
     {LENGTH(near, "m"), .name = "near", .flags = COLUMN_ECHO | COLUMN_EXTRA, .with = "near",
      .symbol = "n", .label = "near point", .help = "nearest point that must be sharp"},
     {LENGTH(far, "m"), .name = "far", .flags = COLUMN_ECHO | COLUMN_EXTRA | COLUMN_INFINITE,
      .with = "near", .symbol = "r", .label = "far point", .help = "farthest point"},
     COLUMNS_SPREAD(COLUMN_BRIEF),
     COLUMNS_ASSUMED,
-    PHOTO_LENS_WARNING_COLUMN(struct row, real),
+    PHOTO_LENS_WARNING_COLUMN(struct diffraction_row, real),
 };
 
-static const struct sheet best = SHEET(best_columns, struct row);
-static const struct sheet contrast = SHEET(contrast_columns, struct row);
-static const struct sheet all = SHEET(columns, struct row);
+static const struct sheet best = SHEET(best_columns, struct diffraction_row);
+static const struct sheet contrast = SHEET(contrast_columns, struct diffraction_row);
+static const struct sheet all = SHEET(columns, struct diffraction_row);
 static const struct sheet *const sheets[] = {&all, &best, &contrast, NULL};
 
-static const struct sheet *choose_sheet(const void *data, const struct asking *asking)
+static const struct sheet *diffraction_choose_sheet(const void *data,
+                                                    const struct option_query *asking)
 {
     (void)data;
     bool spread = asking_given(asking, "near") || asking_given(asking, "focus-spread");
@@ -237,7 +240,7 @@ static double um_from_mm(double length)
 }
 
 /* Absent until computed. */
-static const struct row empty = {
+static const struct diffraction_row empty = {
     .airy = {NAN, NAN, NAN, NAN, NAN, NAN, NAN, NAN},
     .mtf = {NAN, NAN, NAN, NAN},
     .angles = {NAN, NAN, NAN},
@@ -250,7 +253,8 @@ static const struct row empty = {
 };
 
 /* Where the Airy disc outgrows pixels, circle of confusion and film. */
-static bool compute_limits(const struct input *input, struct row *row, struct error *error)
+static bool compute_limits(const struct diffraction_input *input, struct diffraction_row *row,
+                           struct error *error)
 {
     const struct diffraction_setting *s = &row->setting;
     const struct {
@@ -272,7 +276,7 @@ static bool compute_limits(const struct input *input, struct row *row, struct er
 }
 
 /* Without an f-number the answer is the best one, to which what is sharp says nothing. */
-static bool check_best(const struct input *input, const struct sharpness *sharp,
+static bool check_best(const struct diffraction_input *input, const struct sharpness *sharp,
                        struct error *error)
 {
     const bool is_best =
@@ -287,7 +291,8 @@ static bool check_best(const struct input *input, const struct sharpness *sharp,
                 "{--%s} says nothing of the best f-number: give {--aperture} too", idle);
 }
 
-static bool compute_optimum(const struct input *input, struct row *row, struct error *error)
+static bool compute_optimum(const struct diffraction_input *input, struct diffraction_row *row,
+                            struct error *error)
 {
     row->spread = input->focus_spread;
     row->near = input->near;
@@ -307,7 +312,7 @@ static bool compute_optimum(const struct input *input, struct row *row, struct e
                                &row->optimum, error);
 }
 
-static bool compute_airy(struct row *row, struct error *error)
+static bool compute_airy(struct diffraction_row *row, struct error *error)
 {
     if (!diffraction_compute(&row->setting, &row->airy, error)) {
         return false;
@@ -317,7 +322,8 @@ static bool compute_airy(struct row *row, struct error *error)
                                                     row->setting.wavelength, &row->angles, error);
 }
 
-static bool compute_contrast(const struct input *input, struct row *row, struct error *error)
+static bool compute_contrast(const struct diffraction_input *input, struct diffraction_row *row,
+                             struct error *error)
 {
     if (!isnan(input->frequency)) {
         return diffraction_mtf_at(&row->setting, input->frequency, &row->mtf, error);
@@ -326,13 +332,13 @@ static bool compute_contrast(const struct input *input, struct row *row, struct 
            diffraction_frequency(&row->setting, 0.1, &row->mtf10, error);
 }
 
-static bool answer(const void *data, const struct photo_lens *lens, struct run *run,
-                   struct error *error)
+static bool diffraction_answer(const void *data, const struct photo_lens *lens, struct run *run,
+                               struct error *error)
 {
-    const struct input *input = data;
+    const struct diffraction_input *input = data;
     struct sharpness implied;
     const struct sharpness *sharp = &implied;
-    struct row row = empty;
+    struct diffraction_row row = empty;
     if (!sharpness_imply(&input->sharp, PITCH_FOR_MORE, &implied, error) ||
         !check_best(input, sharp, error)) {
         return false;
@@ -370,12 +376,12 @@ static bool answer(const void *data, const struct photo_lens *lens, struct run *
     return true;
 }
 
-static bool run(const void *data, struct run *run, struct error *error)
+static bool diffraction_run(const void *data, struct run *run, struct error *error)
 {
-    const struct input *input = data;
+    const struct diffraction_input *input = data;
     bool solves = !isnan(input->near) || !isnan(input->focus_spread);
-    return photo_lens_each(&input->lens, solves ? PHOTO_LENS_SOLVES_FNUMBER : 0, run, answer, input,
-                           error);
+    return photo_lens_each(&input->lens, solves ? PHOTO_LENS_SOLVES_FNUMBER : 0, run,
+                           diffraction_answer, input, error);
 }
 
 static const struct explanation explanations[] = {
@@ -414,15 +420,16 @@ static const struct example examples[] = {
     {NULL, NULL},
 };
 
-PHOTO_LENS_MAKES_MANY(struct input, lens)
+PHOTO_LENS_MAKES_MANY(struct diffraction_input, lens)
 
 const struct command command_diffraction = {
     .name = "diffraction",
     .group = "photography",
     .summary = "Airy disc, contrast (MTF), and the f-number where diffraction takes over",
-    COMMAND_ASKS(struct input),
-    COMMAND_ANSWERS(struct row),
-    .choose_sheet = choose_sheet,
+    COMMAND_ASKS(struct diffraction_input),
+    COMMAND_ANSWERS(struct diffraction_row),
+    .run = diffraction_run,
+    .choose_sheet = diffraction_choose_sheet,
     .sheets = sheets,
     .makes_many = makes_many,
     .varies = varies,

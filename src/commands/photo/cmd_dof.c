@@ -57,7 +57,7 @@ static const struct option options[] = {
     BY_RAYS_CRITERION_OPTION(struct dof_question, rays),
 };
 
-struct row {
+struct dof_row {
     struct dof_setting setting; /* of lens and attachments together */
     struct dof dof;
     struct photo_real real;
@@ -76,72 +76,73 @@ struct row {
 };
 
 #define COLUMN_LENGTH(member_name, in_unit)                                                        \
-    COLUMN(struct row, member_name), .dimension = &dimension_length, .unit = in_unit
+    COLUMN(struct dof_row, member_name), .dimension = &dimension_length, .unit = in_unit
 
 #define ON_THE_LENS .flags = COLUMN_EXTRA | COLUMN_ECHO, .with = ATTACHMENT_NAMES
 
 static const struct column columns[] = {
     {COLUMN_LENGTH(setting.f, "mm"), .name = "combined_focal", ON_THE_LENS, .symbol = "f",
      .label = "combined focal length", .help = "focal length of lens and attachments"},
-    {COLUMN(struct row, setting.N), .name = "combined_fnumber", ON_THE_LENS, .symbol = "N",
+    {COLUMN(struct dof_row, setting.N), .name = "combined_fnumber", ON_THE_LENS, .symbol = "N",
      .label = "combined f-number", .help = "f-number of lens and attachments"},
-    PHOTO_LENS_COLUMNS(struct row, real),
-    {COLUMN(struct row, shot), .name = "shot", .flags = COLUMN_EXTRA | COLUMN_ECHO, .with = "stack",
-     .label = "shot", .help = "number of the shot in a focus stack, nearest first"},
-    {COLUMN(struct row, shots), .name = "shots", .when = "with --stack", .flags = COLUMN_EXTRA,
+    PHOTO_LENS_COLUMNS(struct dof_row, real),
+    {COLUMN(struct dof_row, shot), .name = "shot", .flags = COLUMN_EXTRA | COLUMN_ECHO,
+     .with = "stack", .label = "shot",
+     .help = "number of the shot in a focus stack, nearest first"},
+    {COLUMN(struct dof_row, shots), .name = "shots", .when = "with --stack", .flags = COLUMN_EXTRA,
      .label = "shots", .help = "number of shots in the focus stack"},
-    COLUMN_FOCAL(struct row, focal, 0),
-    COLUMN_FNUMBER(struct row, fnumber, 0),
-    {COLUMN(struct row, t_stop), .name = "t_stop", .flags = COLUMN_EXTRA | COLUMN_ECHO,
+    COLUMN_FOCAL(struct dof_row, focal, 0),
+    COLUMN_FNUMBER(struct dof_row, fnumber, 0),
+    {COLUMN(struct dof_row, t_stop), .name = "t_stop", .flags = COLUMN_EXTRA | COLUMN_ECHO,
      .with = "t-stop lens", .symbol = "T", .label = "T-stop", .help = "T-stop as marked"},
-    ATTACHMENT_COLUMNS(struct row, attached),
+    ATTACHMENT_COLUMNS(struct dof_row, attached),
     {COLUMN_LENGTH(distance, "m"), .name = "distance",
      .flags = COLUMN_ECHO | COLUMN_INFINITE | COLUMN_BRIEF, .with = "distance", .label = "distance",
      .help = "distance of the subject"},
-    COLUMN_SENSOR(struct row, sensor),
-    COLUMN_COC(struct row, setting.c, 0, SHARPNESS_WISHES),
-    COLUMN_CRITERION(struct row, criterion),
-    COLUMN_WAVELENGTH(struct row, wavelength),
+    COLUMN_SENSOR(struct dof_row, sensor),
+    COLUMN_COC(struct dof_row, setting.c, 0, SHARPNESS_WISHES),
+    COLUMN_CRITERION(struct dof_row, criterion),
+    COLUMN_WAVELENGTH(struct dof_row, wavelength),
     {COLUMN_LENGTH(dof.hyperfocal, "m"), .name = "hyperfocal", .flags = COLUMN_INFINITE,
      .symbol = "H", .label = "hyperfocal distance",
      .help = "nearest focus that keeps infinity sharp, from the front principal plane"},
     {COLUMN_LENGTH(dof.near, "m"), .name = "near", .flags = COLUMN_INFINITE | COLUMN_BRIEF,
      .symbol = "n", .label = "near limit", .help = "nearest sharp distance",
-     .condition = offsetof(struct row, dof.near_condition)},
+     .condition = offsetof(struct dof_row, dof.near_condition)},
     {COLUMN_LENGTH(dof.far, "m"), .name = "far", .flags = COLUMN_INFINITE | COLUMN_BRIEF,
      .symbol = "r", .label = "far limit", .help = "farthest sharp distance",
-     .condition = offsetof(struct row, dof.far_condition)},
+     .condition = offsetof(struct dof_row, dof.far_condition)},
     {COLUMN_LENGTH(dof.front, "m"), .name = "front", .flags = COLUMN_INFINITE | COLUMN_BRIEF,
      .symbol = "front", .label = "in front of the subject",
      .help = "depth of field before the subject"},
     {COLUMN_LENGTH(dof.behind, "m"), .name = "behind", .flags = COLUMN_INFINITE | COLUMN_BRIEF,
      .symbol = "behind", .label = "behind the subject", .help = "depth of field behind the subject",
-     .condition = offsetof(struct row, dof.far_condition)},
+     .condition = offsetof(struct dof_row, dof.far_condition)},
     {COLUMN_LENGTH(dof.total, "m"), .name = "dof", .flags = COLUMN_INFINITE | COLUMN_BRIEF,
      .symbol = "T", .label = "depth of field", .help = "front and behind together",
-     .condition = offsetof(struct row, dof.far_condition)},
+     .condition = offsetof(struct dof_row, dof.far_condition)},
     {COLUMN_LENGTH(sensor_distance, "m"), .name = "distance_sensor",
      .flags = COLUMN_EXTRA | COLUMN_INFINITE | COLUMN_BRIEF, .with = "lens", .symbol = "Ds",
      .label = "distance from the sensor", .help = "distance of the subject from the sensor"},
     {COLUMN_LENGTH(sensor_near, "m"), .name = "near_sensor",
      .flags = COLUMN_EXTRA | COLUMN_INFINITE | COLUMN_BRIEF, .with = "lens",
      .label = "near limit from the sensor", .help = "nearest sharp distance, from the sensor",
-     .condition = offsetof(struct row, dof.near_condition)},
+     .condition = offsetof(struct dof_row, dof.near_condition)},
     {COLUMN_LENGTH(sensor_far, "m"), .name = "far_sensor",
      .flags = COLUMN_EXTRA | COLUMN_INFINITE | COLUMN_BRIEF, .with = "lens",
      .label = "far limit from the sensor", .help = "farthest sharp distance, from the sensor",
-     .condition = offsetof(struct row, dof.far_condition)},
-    COLUMN_MAGNIFICATION(struct row, dof.magnification, 0),
+     .condition = offsetof(struct dof_row, dof.far_condition)},
+    COLUMN_MAGNIFICATION(struct dof_row, dof.magnification, 0),
     {COLUMN_LENGTH(dof.depth_of_focus, "mm"), .name = "depth_of_focus", .symbol = "t",
      .label = "depth of focus", .help = "tolerance of the sensor's place, both sides together"},
     {COLUMN_LENGTH(dof.blur_at_infinity, "mm"), .name = "blur_at_infinity", .symbol = "b",
      .label = "blur of the background", .help = "blur disc of a point at infinity, on the sensor"},
-    {COLUMN(struct row, dof.working_fnumber), .name = "working_fnumber", .symbol = "Nw",
+    {COLUMN(struct dof_row, dof.working_fnumber), .name = "working_fnumber", .symbol = "Nw",
      .label = "working f-number", .help = "f-number that exposes, N (1 + m/P)"},
-    {COLUMN(struct row, working_t_stop), .name = "working_t_stop", .flags = COLUMN_EXTRA,
+    {COLUMN(struct dof_row, working_t_stop), .name = "working_t_stop", .flags = COLUMN_EXTRA,
      .with = "t-stop lens", .symbol = "Tw", .label = "working T-stop",
      .help = "T-stop that exposes: as the working f-number, with the lens's own loss"},
-    BY_RAYS_COLUMNS(struct row, rays),
+    BY_RAYS_COLUMNS(struct dof_row, rays),
     {COLUMN_LENGTH(across.focal, "mm"), .name = "horizontal_focal", .flags = COLUMN_EXTRA,
      .with = "squeeze", .symbol = "fh", .label = "horizontal focal length",
      .help = "focal length across the picture, by the squeeze"},
@@ -163,42 +164,42 @@ static const struct column columns[] = {
     {COLUMN_LENGTH(dof.image_far, "mm"), .name = "image_far",
      .flags = COLUMN_INFINITE | COLUMN_HIDDEN, .label = "image of the far limit",
      .help = "image of the far limit, from the rear principal plane"},
-    {COLUMN(struct row, dof.near_vergence), .dimension = &dimension_vergence, .unit = "diopter",
+    {COLUMN(struct dof_row, dof.near_vergence), .dimension = &dimension_vergence, .unit = "diopter",
      .name = "near", .flags = COLUMN_HIDDEN, .label = "near limit, reciprocal",
      .help = "1 / near limit"},
-    {COLUMN(struct row, dof.far_vergence), .dimension = &dimension_vergence, .unit = "diopter",
+    {COLUMN(struct dof_row, dof.far_vergence), .dimension = &dimension_vergence, .unit = "diopter",
      .name = "far", .flags = COLUMN_HIDDEN, .label = "far limit, reciprocal",
      .help = "1 / far limit; 0 at infinity"},
-    {COLUMN(struct row, other_sensor), .name = "equal_sensor", .flags = COLUMN_EXTRA,
+    {COLUMN(struct dof_row, other_sensor), .name = "equal_sensor", .flags = COLUMN_EXTRA,
      .with = "equal-on", .label = "equivalent sensor", .help = "the format of the equal picture"},
     {COLUMN_LENGTH(other_focal, "mm"), .name = "equal_focal", .flags = COLUMN_EXTRA | COLUMN_BRIEF,
      .with = "equal-on", .label = "equivalent focal length",
      .help = "focal length with the same framing on the other format"},
-    {COLUMN(struct row, other_fnumber), .name = "equal_fnumber",
+    {COLUMN(struct dof_row, other_fnumber), .name = "equal_fnumber",
      .flags = COLUMN_EXTRA | COLUMN_BRIEF, .with = "equal-on", .label = "equivalent f-number",
      .help = "f-number with the same depth of field on the other format"},
     {COLUMN_LENGTH(other_coc, "mm"), .name = "equal_coc", .flags = COLUMN_EXTRA, .with = "equal-on",
      .label = "equivalent circle of confusion",
      .help = "circle of confusion in proportion to the other format"},
-    COLUMN_PUPIL(struct row, setting.P),
-    {COLUMN(struct row, model), .name = "model", .flags = COLUMN_ASSUMED | COLUMN_EXTRA,
+    COLUMN_PUPIL(struct dof_row, setting.P),
+    {COLUMN(struct dof_row, model), .name = "model", .flags = COLUMN_ASSUMED | COLUMN_EXTRA,
      .depends = "model", .label = "model", .help = "the formulas that were used"},
-    COLUMN_FROM(struct row, from),
-    COLUMN_SQUEEZE(struct row, squeeze),
-    {COLUMN(struct row, lens_focus), .name = "lens_focus", .with = "tube close-up",
+    COLUMN_FROM(struct dof_row, from),
+    COLUMN_SQUEEZE(struct dof_row, squeeze),
+    {COLUMN(struct dof_row, lens_focus), .name = "lens_focus", .with = "tube close-up",
      .flags = COLUMN_ASSUMED | COLUMN_EXTRA | COLUMN_TIED, .depends = "distance",
      .label = "lens itself focused at", .help = "infinity, where no distance is given"},
-    PHOTO_LENS_HIATUS_COLUMN(struct row, real.hiatus),
+    PHOTO_LENS_HIATUS_COLUMN(struct dof_row, real.hiatus),
     {COLUMN_LENGTH(setting.s, "m"), .name = "principal_distance",
      .flags = COLUMN_EXTRA | COLUMN_INFINITE, .symbol = "s",
      .label = "distance from the principal plane",
      .help = "distance of the subject from the front principal plane"},
-    PHOTO_LENS_WARNING_COLUMN(struct row, real),
+    PHOTO_LENS_WARNING_COLUMN(struct dof_row, real),
 };
 
 /* What attachments, squeeze and T-stop add to a row. */
 static bool fill_more(const struct dof_question *input, const struct attached_lens *attached,
-                      struct row *row, struct error *error)
+                      struct dof_row *row, struct error *error)
 {
     double transmittance, T = input->t_stop;
     double exposes = row->dof.working_fnumber / row->setting.N;
@@ -217,8 +218,8 @@ static bool fill_more(const struct dof_question *input, const struct attached_le
 }
 
 /* Complete a row that has its setting and what follows from it. */
-static bool fill_row(const struct dof_question *input, const struct attached_lens *attached,
-                     struct row *row, struct error *error)
+static bool dof_fill_row(const struct dof_question *input, const struct attached_lens *attached,
+                         struct dof_row *row, struct error *error)
 {
     const struct photo_lens *lens = attached->lens;
     double to_sensor = row->dof.image + lens->measuring.hiatus;
@@ -251,7 +252,7 @@ static bool fill_row(const struct dof_question *input, const struct attached_len
 }
 
 /* The same picture on another format, if that is asked for. */
-static bool fill_other(const struct dof_question *input, struct row *row, struct error *error)
+static bool fill_other(const struct dof_question *input, struct dof_row *row, struct error *error)
 {
     struct dof_setting other;
     row->other_sensor = input->other.name;
@@ -270,7 +271,7 @@ static bool fill_other(const struct dof_question *input, struct row *row, struct
 }
 
 static bool answer_by_rays(const struct dof_question *input, const struct attached_lens *attached,
-                           struct run *run, struct row *row, struct error *error)
+                           struct run *run, struct dof_row *row, struct error *error)
 {
     struct dof_traced traced = {row->setting, row->dof, by_rays_none};
     const bool found = dof_question_by_rays(input, attached, run, &traced, error);
@@ -284,13 +285,13 @@ static bool run_stack(const struct dof_question *input, const struct attached_le
                       const struct dof_plan *plan, const char *criterion, struct run *run,
                       struct error *error)
 {
-    struct row row;
+    struct dof_row row;
     row.rays = by_rays_none;
     for (long i = 0; i < plan->count; i++) {
         if (!dof_plan_shot(plan, i, &row.setting, &row.dof, error) ||
             !photo_lens_check_subject(attached->lens, row.setting.s, error) ||
             !attached_check_reach(attached, row.setting.s, error) ||
-            !fill_row(input, attached, &row, error)) {
+            !dof_fill_row(input, attached, &row, error)) {
             return false;
         }
         row.shot = i + 1;
@@ -348,14 +349,14 @@ static void say_wish(const struct dof_question *input, const struct dof_setting 
     }
 }
 
-static bool answer(const void *data, const struct photo_lens *lens, struct run *run,
-                   struct error *error)
+static bool dof_answer(const void *data, const struct photo_lens *lens, struct run *run,
+                       struct error *error)
 {
     const struct dof_question *input = data;
     struct dof_question own;
     struct photo_lens room;
     struct attached_lens attached;
-    struct row row;
+    struct dof_row row;
     if (!sharpness_is_plain(&input->sharp)) {
         own = *input;
         if (!sharpness_imply(&input->sharp, PITCH_FOR_COC, &own.sharp, error)) {
@@ -384,7 +385,7 @@ static bool answer(const void *data, const struct photo_lens *lens, struct run *
     if (!dof_question_solve(input, &attached, setting, error) ||
         !dof_compute(setting, (enum dof_model)input->model, &row.dof, error) ||
         (input->rays.exact && !answer_by_rays(input, &attached, run, &row, error)) ||
-        !fill_row(input, &attached, &row, error)) {
+        !dof_fill_row(input, &attached, &row, error)) {
         return false;
     }
     row.criterion = criterion;
@@ -395,18 +396,18 @@ static bool answer(const void *data, const struct photo_lens *lens, struct run *
     return fill_other(input, &row, error) && (run_emit(run, &row), true);
 }
 
-static bool run(const void *data, struct run *run, struct error *error)
+static bool dof_run(const void *data, struct run *run, struct error *error)
 {
     const struct dof_question *input = data;
     if (photo_lens_is_thin(&input->lens)) {
         /* as photo_lens_each does, without a detour through memory: most batches come here */
         const struct photo_lens thin = photo_lens_thin(&input->lens);
-        return answer(input, &thin, run, error);
+        return dof_answer(input, &thin, run, error);
     }
-    return photo_lens_each(&input->lens, dof_question_use(input), run, answer, input, error);
+    return photo_lens_each(&input->lens, dof_question_use(input), run, dof_answer, input, error);
 }
 
-static bool makes_many(const void *data)
+static bool dof_makes_many(const void *data)
 {
     const struct dof_question *input = data;
     return input->stack || photo_lens_makes_many(&input->lens);
@@ -489,9 +490,10 @@ const struct command command_dof = {
     .group = "photography",
     .summary = "depth of field, and the settings for a wanted one",
     COMMAND_ASKS(struct dof_question),
-    COMMAND_ANSWERS(struct row),
+    COMMAND_ANSWERS(struct dof_row),
+    .run = dof_run,
     COMMAND_MAKES(artifacts),
-    .makes_many = makes_many,
+    .makes_many = dof_makes_many,
     .varies = varies,
     .weight = weight,
     .plot = "near_m,far_m",

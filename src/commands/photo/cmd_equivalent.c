@@ -7,7 +7,7 @@
 
 #include <math.h>
 
-struct input {
+struct equivalent_input {
     double iso, distance, magnification;
     struct photo_lens_question lens;
     struct sharpness sharp;
@@ -32,29 +32,31 @@ static const struct word kept[] = {
 };
 
 static const struct option options[] = {
-    OPTION_FOCAL_LENGTH(struct input, lens.focal, 0),
-    PHOTO_LENS_OPTIONS(struct input, lens),
-    OPTION_APERTURE(struct input, lens.fnumber, 0),
-    {OPTION(struct input, iso), .name = "iso", .quantity = "ISO speed", .column = "iso",
+    OPTION_FOCAL_LENGTH(struct equivalent_input, lens.focal, 0),
+    PHOTO_LENS_OPTIONS(struct equivalent_input, lens),
+    OPTION_APERTURE(struct equivalent_input, lens.fnumber, 0),
+    {OPTION(struct equivalent_input, iso), .name = "iso", .quantity = "ISO speed", .column = "iso",
      .dimension = &dimension_iso, OPTION_POSITIVE,
      .flags = OPTION_ABOVE_LOWEST | OPTION_NO_INFINITY, .fallback = "100", .value = "NUMBER",
      .help = "ISO speed"},
-    OPTION_DISTANCE(struct input, distance, 0, "distance of the subject, otherwise infinity"),
-    {OPTION(struct input, magnification), .name = "magnification", .letter = 'm',
+    OPTION_DISTANCE(struct equivalent_input, distance, 0,
+                    "distance of the subject, otherwise infinity"),
+    {OPTION(struct equivalent_input, magnification), .name = "magnification", .letter = 'm',
      .column = "magnification", .dimension = &dimension_ratio, .lowest = 0, .highest = INFINITY,
      .flags = OPTION_NO_INFINITY, .value = "RATIO",
      .help = "magnification in place of the distance: 1:2 or 0.5"},
-    OPTION_PUPIL_OF_LENS(struct input, lens.pupil, NULL),
-    SHARPNESS_OPTIONS_OF_LENS(struct input, sharp, lens, 0, "d/1500", coc_is_pixels),
-    {OPTION(struct input, to), .name = "to", .column = "equal_sensor", .fallback = "35mm",
-     .value = "NAME|WxH", .help = "the other format or camera; a list for several at once"},
-    {OPTION(struct input, by), .name = "by", .column = "measure", .words = measures,
+    OPTION_PUPIL_OF_LENS(struct equivalent_input, lens.pupil, NULL),
+    SHARPNESS_OPTIONS_OF_LENS(struct equivalent_input, sharp, lens, 0, "d/1500", coc_is_pixels),
+    {OPTION(struct equivalent_input, to), .name = "to", .column = "equal_sensor",
+     .fallback = "35mm", .value = "NAME|WxH",
+     .help = "the other format or camera; a list for several at once"},
+    {OPTION(struct equivalent_input, by), .name = "by", .column = "measure", .words = measures,
      .fallback = "diagonal", .value = "MEASURE", .help = "how formats are compared"},
-    {OPTION(struct input, keep), .name = "keep", .column = "keep", .words = kept,
+    {OPTION(struct equivalent_input, keep), .name = "keep", .column = "keep", .words = kept,
      .fallback = "picture", .value = "WHAT", .help = "what stays the same besides framing"},
 };
 
-struct row {
+struct equivalent_row {
     const char *sensor, *other, *criterion, *measure, *keep;
     struct equivalent_setting setting;
     struct equivalent equal;
@@ -63,13 +65,13 @@ struct row {
 };
 
 #define LENGTH(member_name, in_unit)                                                               \
-    COLUMN(struct row, member_name), .dimension = &dimension_length, .unit = in_unit
-#define NUMBER(member_name) COLUMN(struct row, member_name)
+    COLUMN(struct equivalent_row, member_name), .dimension = &dimension_length, .unit = in_unit
+#define NUMBER(member_name) COLUMN(struct equivalent_row, member_name)
 
 static const struct column columns[] = {
-    PHOTO_LENS_COLUMNS(struct row, real),
-    COLUMN_FOCAL(struct row, setting.f, 0),
-    COLUMN_FNUMBER(struct row, setting.N, 0),
+    PHOTO_LENS_COLUMNS(struct equivalent_row, real),
+    COLUMN_FOCAL(struct equivalent_row, setting.f, 0),
+    COLUMN_FNUMBER(struct equivalent_row, setting.N, 0),
     {NUMBER(setting.iso), .name = "iso", .flags = COLUMN_ECHO | COLUMN_ASSUMED | COLUMN_EXTRA,
      .symbol = "S", .depends = "iso", .label = "ISO speed", .help = "ISO speed"},
     {NUMBER(setting.m), .name = "magnification", .flags = COLUMN_ASSUMED | COLUMN_EXTRA,
@@ -102,19 +104,20 @@ static const struct column columns[] = {
      .label = "depth of field, ratio", .help = "depth of field there over here; 1 is equal"},
     {NUMBER(crop), .name = "crop_factor", .flags = COLUMN_HIDDEN, .label = "crop factor",
      .help = "43.27 mm over the diagonal of this format"},
-    COLUMN_SENSOR(struct row, sensor),
-    COLUMN_COC(struct row, setting.c, COLUMN_EXTRA, ""),
-    COLUMN_CRITERION(struct row, criterion),
-    COLUMN_PUPIL(struct row, setting.P),
+    COLUMN_SENSOR(struct equivalent_row, sensor),
+    COLUMN_COC(struct equivalent_row, setting.c, COLUMN_EXTRA, ""),
+    COLUMN_CRITERION(struct equivalent_row, criterion),
+    COLUMN_PUPIL(struct equivalent_row, setting.P),
     {NUMBER(measure), .name = "measure", .flags = COLUMN_ASSUMED | COLUMN_EXTRA, .depends = "by",
      .label = "compared by", .help = "how formats are compared"},
     {NUMBER(keep), .name = "keep", .flags = COLUMN_ASSUMED | COLUMN_EXTRA, .depends = "keep",
      .label = "keeping", .help = "what stays the same besides framing"},
-    PHOTO_LENS_WARNING_COLUMN(struct row, real),
+    PHOTO_LENS_WARNING_COLUMN(struct equivalent_row, real),
 };
 
 /* Magnification from distance or as given; 0 where neither is. */
-static bool find_magnification(const struct input *input, double f, double *m, struct error *error)
+static bool find_magnification(const struct equivalent_input *input, double f, double *m,
+                               struct error *error)
 {
     struct conjugates c;
     bool at_infinity = isnan(input->distance) && isnan(input->magnification);
@@ -138,24 +141,24 @@ static bool find_magnification(const struct input *input, double f, double *m, s
     return true;
 }
 
-static struct equivalent_format format_of(const struct sensor_value *sensor)
+static struct equivalent_format equivalent_format_of(const struct sensor_value *sensor)
 {
     return (struct equivalent_format){sensor->size.width, sensor->size.height};
 }
 
 /* Without an f-number: everything that does not follow from it. */
-static void forget_fnumber(struct row *row)
+static void forget_fnumber(struct equivalent_row *row)
 {
     row->setting.N = row->equal.N = NAN;
     row->equal.pupil_diameter = row->equal.working_fnumber = NAN;
 }
 
-static bool answer(const void *data, const struct photo_lens *lens, struct run *run,
-                   struct error *error)
+static bool equivalent_answer(const void *data, const struct photo_lens *lens, struct run *run,
+                              struct error *error)
 {
-    const struct input *input = data;
-    const struct equivalent_format from = format_of(&input->sharp.sensor);
-    const struct equivalent_format to = format_of(&input->to);
+    const struct equivalent_input *input = data;
+    const struct equivalent_format from = equivalent_format_of(&input->sharp.sensor);
+    const struct equivalent_format to = equivalent_format_of(&input->to);
     bool has_fnumber = !isnan(lens->N);
     double k;
     struct sharpness sharp;
@@ -165,7 +168,7 @@ static bool answer(const void *data, const struct photo_lens *lens, struct run *
     if (sharpness_in_pixels(&sharp)) {
         sharpness_doubt_pitch(&sharp, run->doubts);
     }
-    struct row row = {
+    struct equivalent_row row = {
         .sensor = input->sharp.sensor.name,
         .other = input->to.name,
         .criterion = sharp.coc.criterion,
@@ -193,10 +196,10 @@ static bool answer(const void *data, const struct photo_lens *lens, struct run *
     return true;
 }
 
-static bool run(const void *data, struct run *run, struct error *error)
+static bool equivalent_run(const void *data, struct run *run, struct error *error)
 {
-    const struct input *input = data;
-    return photo_lens_each(&input->lens, 0, run, answer, input, error);
+    const struct equivalent_input *input = data;
+    return photo_lens_each(&input->lens, 0, run, equivalent_answer, input, error);
 }
 
 static const struct explanation explanations[] = {
@@ -223,14 +226,15 @@ static const struct example examples[] = {
     {NULL, NULL},
 };
 
-PHOTO_LENS_MAKES_MANY(struct input, lens)
+PHOTO_LENS_MAKES_MANY(struct equivalent_input, lens)
 
 const struct command command_equivalent = {
     .name = "equivalent",
     .group = "photography",
     .summary = "focal length, f-number and ISO of the same picture on another format",
-    COMMAND_ASKS(struct input),
-    COMMAND_ANSWERS(struct row),
+    COMMAND_ASKS(struct equivalent_input),
+    COMMAND_ANSWERS(struct equivalent_row),
+    .run = equivalent_run,
     .makes_many = makes_many,
     .varies = varies,
     .plot = "equal_focal_mm",

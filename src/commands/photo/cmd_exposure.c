@@ -257,8 +257,8 @@ static bool take_lens_light(const struct photo_lens *lens, struct run *run,
     return true;
 }
 
-static bool answer(const void *data, const struct photo_lens *lens, struct run *run,
-                   struct error *error)
+static bool exposure_row_answer(const void *data, const struct photo_lens *lens, struct run *run,
+                                struct error *error)
 {
     struct exposure_input own = *(const struct exposure_input *)data;
     const struct exposure_input *input = &own;
@@ -307,7 +307,7 @@ static bool answer(const void *data, const struct photo_lens *lens, struct run *
 }
 
 /* The f-number is found where all the rest is given; else that of a real lens counts. */
-static bool solves_fnumber(const struct exposure_input *input)
+static bool exposure_solves_fnumber(const struct exposure_input *input)
 {
     const struct exposure_given *g = &input->given;
     bool time = !isnan(g->t) || !isnan(input->shutter_angle) || !isnan(input->corrected_time);
@@ -316,15 +316,15 @@ static bool solves_fnumber(const struct exposure_input *input)
     return time && light && !isnan(g->S);
 }
 
-static bool run(const void *data, struct run *run, struct error *error)
+static bool exposure_run(const void *data, struct run *run, struct error *error)
 {
     const struct exposure_input *input = data;
-    int use = (solves_fnumber(input) ? PHOTO_LENS_SOLVES_FNUMBER : 0) |
+    int use = (exposure_solves_fnumber(input) ? PHOTO_LENS_SOLVES_FNUMBER : 0) |
               (isnan(input->magnification) ? PHOTO_LENS_WITHOUT_PUPILS : 0);
-    return photo_lens_each(&input->lens, use, run, answer, input, error);
+    return photo_lens_each(&input->lens, use, run, exposure_row_answer, input, error);
 }
 
-static bool makes_many(const void *data)
+static bool exposure_makes_many(const void *data)
 {
     const struct exposure_input *input = data;
     return input->equivalent || photo_lens_makes_many(&input->lens);
@@ -391,7 +391,8 @@ const struct command command_exposure = {
     .summary = "aperture, time, speed and light, each from the others",
     COMMAND_ASKS(struct exposure_input),
     COMMAND_ANSWERS(struct exposure_row),
-    .makes_many = makes_many,
+    .run = exposure_run,
+    .makes_many = exposure_makes_many,
     .varies = varies,
     .weight = weight,
     .plot = "time_s|ev100|iso",

@@ -7,7 +7,7 @@
 
 #include <math.h>
 
-struct input {
+struct flash_input {
     const char *zoom; /* guide numbers by reflector position */
     double at;
     double guide_number, second, fnumber, distance, iso, power, flashes;
@@ -19,36 +19,38 @@ struct input {
 };
 
 #define LENGTH_OPTION(member_name)                                                                 \
-    OPTION(struct input, member_name), .dimension = &dimension_length, .unit = "m",                \
-                                       OPTION_POSITIVE, .value = "LENGTH",                         \
-                                       .flags = OPTION_ABOVE_LOWEST | OPTION_NO_INFINITY
+    OPTION(struct flash_input, member_name), .dimension = &dimension_length, .unit = "m",          \
+                                             OPTION_POSITIVE, .value = "LENGTH",                   \
+                                             .flags = OPTION_ABOVE_LOWEST | OPTION_NO_INFINITY
 
 static const struct option options[] = {
     {LENGTH_OPTION(guide_number), .name = "guide-number", .letter = 'g', .column = "guide_number",
      .help = "of one flash at ISO 100 and full power, in m (or ft)"},
-    {OPTION(struct input, zoom), .name = "zoom", .value = "F:GN,F:GN...", .wants = "at",
+    {OPTION(struct flash_input, zoom), .name = "zoom", .value = "F:GN,F:GN...", .wants = "at",
      .excludes = "guide-number",
      .help = "guide numbers by reflector position, as the manual lists them: 35mm:36m,105mm:58m"},
-    {OPTION(struct input, at), .name = "at", .quantity = "reflector position", .column = "at",
+    {OPTION(struct flash_input, at), .name = "at", .quantity = "reflector position", .column = "at",
      .dimension = &dimension_length, .unit = "mm", OPTION_POSITIVE, .wants = "zoom",
      .flags = OPTION_ABOVE_LOWEST | OPTION_NO_INFINITY, .value = "LENGTH",
      .help = "focal length the reflector is set for"},
     {LENGTH_OPTION(second), .name = "second", .column = "second",
      .help = "guide number of another flash beside it"},
-    OPTION_APERTURE(struct input, fnumber, 0),
-    OPTION_DISTANCE(struct input, distance, OPTION_NO_INFINITY, "from the flash to the subject"),
-    OPTION_ISO(struct input, iso, "film or sensor speed (100 unless it is solved for)"),
-    {OPTION(struct input, power), .name = "power", .quantity = "flash power", .column = "power",
-     .dimension = &dimension_ratio, .lowest = 0, .highest = 1, .flags = OPTION_ABOVE_LOWEST,
-     .value = "FRACTION", .help = "of full power: 1/16 (solved for if all else is given)"},
-    {OPTION(struct input, flashes), .name = "flashes", .quantity = "number of flashes",
+    OPTION_APERTURE(struct flash_input, fnumber, 0),
+    OPTION_DISTANCE(struct flash_input, distance, OPTION_NO_INFINITY,
+                    "from the flash to the subject"),
+    OPTION_ISO(struct flash_input, iso, "film or sensor speed (100 unless it is solved for)"),
+    {OPTION(struct flash_input, power), .name = "power", .quantity = "flash power",
+     .column = "power", .dimension = &dimension_ratio, .lowest = 0, .highest = 1,
+     .flags = OPTION_ABOVE_LOWEST, .value = "FRACTION",
+     .help = "of full power: 1/16 (solved for if all else is given)"},
+    {OPTION(struct flash_input, flashes), .name = "flashes", .quantity = "number of flashes",
      .column = "flashes", .dimension = &dimension_number, OPTION_POSITIVE,
      .flags = OPTION_ABOVE_LOWEST | OPTION_NO_INFINITY, .value = "N",
      .help = "number of equal flashes side by side (1)"},
-    {OPTION(struct input, loss), .name = "loss", .quantity = "loss of light", .column = "loss",
-     .dimension = &dimension_stops, .value = "LOSS",
+    {OPTION(struct flash_input, loss), .name = "loss", .quantity = "loss of light",
+     .column = "loss", .dimension = &dimension_stops, .value = "LOSS",
      .help = "light lost at the flash, by umbrella, bounce or gel: 1.5stops, ND8, 2x"},
-    OPTION_FILTER(struct input, filter, "filter"),
+    OPTION_FILTER(struct flash_input, filter, "filter"),
     {LENGTH_OPTION(ceiling), .name = "ceiling", .quantity = "ceiling over the flash",
      .column = "ceiling", .help = "bounce: from the flash up to the ceiling"},
     {LENGTH_OPTION(ceiling_subject), .name = "ceiling-subject",
@@ -56,23 +58,24 @@ static const struct option options[] = {
      .help = "bounce: from the subject up to the ceiling (as --ceiling)"},
     {LENGTH_OPTION(background), .name = "background", .column = "background",
      .help = "from the flash to the background: how much darker it gets"},
-    OPTION_TIME(struct input, time, 0),
-    {OPTION(struct input, sync), .name = "sync", .quantity = "flash sync time",
+    OPTION_TIME(struct flash_input, time, 0),
+    {OPTION(struct flash_input, sync), .name = "sync", .quantity = "flash sync time",
      .dimension = &dimension_time, .unit = "s", OPTION_POSITIVE,
      .flags = OPTION_ABOVE_LOWEST | OPTION_NO_INFINITY, .value = "TIME", .wants = "time",
      .help = "shortest time with flash; a shorter --time is refused"},
-    OPTION_EV(struct input, ev, "other light, as exposure value at ISO 100: balance with --time"),
-    {OPTION(struct input, key_to_fill), .name = "key-to-fill", .column = "key_to_fill",
+    OPTION_EV(struct flash_input, ev,
+              "other light, as exposure value at ISO 100: balance with --time"),
+    {OPTION(struct flash_input, key_to_fill), .name = "key-to-fill", .column = "key_to_fill",
      .dimension = &dimension_stops, .lowest = -100, .highest = 100, .value = "STOPS",
      .help = "key light above fill light: gives the lighting ratio"},
-    {OPTION(struct input, ratio), .name = "ratio", .quantity = "lighting ratio",
+    {OPTION(struct flash_input, ratio), .name = "ratio", .quantity = "lighting ratio",
      .column = "lighting_ratio", .dimension = &dimension_ratio, .lowest = 1, .highest = INFINITY,
      .flags = OPTION_ABOVE_LOWEST | OPTION_NO_INFINITY, .value = "RATIO",
      .help = "wanted lighting ratio, lit to shadow side: 3:1"},
-    OPTION_SERIES(struct input, series),
+    OPTION_SERIES(struct flash_input, series),
 };
 
-struct row {
+struct flash_row {
     struct flash_setting setting;
     double guide_number; /* of one flash */
     double distance, path, second, background, background_stops;
@@ -83,7 +86,7 @@ struct row {
     const char *nominal_fnumber, *filter, *zoom;
 };
 
-#define NUMBER(member)     COLUMN(struct row, member)
+#define NUMBER(member)     COLUMN(struct flash_row, member)
 #define STOPS(member)      NUMBER(member), .dimension = &dimension_stops, .unit = "stops"
 #define LENGTH(member)     NUMBER(member), .dimension = &dimension_length, .unit = "m"
 #define WITH(option)       .flags = COLUMN_EXTRA, .with = option
@@ -102,7 +105,7 @@ static const struct column columns[] = {
      .label = "combined guide number", .help = "what is reckoned with: that of all flashes joined"},
     {NUMBER(setting.N), .name = "fnumber", .flags = COLUMN_ECHO | COLUMN_BRIEF, .symbol = "N",
      .label = "f-number", .help = "f-number"},
-    COLUMN_NOMINAL_FNUMBER(struct row, nominal_fnumber),
+    COLUMN_NOMINAL_FNUMBER(struct flash_row, nominal_fnumber),
     {LENGTH(distance), .name = "distance", .flags = COLUMN_BRIEF, .symbol = "s",
      .label = "distance", .help = "from the flash to the subject"},
     {LENGTH(path), .name = "path", BRIEF_WITH("ceiling"), .symbol = "d",
@@ -148,7 +151,7 @@ static const struct column columns[] = {
 };
 
 /* The light's path, over the ceiling if it is bounced. */
-static bool find_path(const struct input *input, double *path, struct error *error)
+static bool find_path(const struct flash_input *input, double *path, struct error *error)
 {
     double subject_gap = is_given(input->ceiling_subject) ? input->ceiling_subject : input->ceiling;
     *path = input->distance;
@@ -179,7 +182,7 @@ static bool read_mark(struct text text, struct flash_mark *mark, struct error *e
 }
 
 /* The guide number at --at, and how it was found. */
-static bool zoom(const struct input *input, struct run *run, double *GN, const char **words,
+static bool zoom(const struct flash_input *input, struct run *run, double *GN, const char **words,
                  struct error *error)
 {
     enum { MOST_MARKS = 32 };
@@ -208,7 +211,8 @@ static bool zoom(const struct input *input, struct run *run, double *GN, const c
 }
 
 /* Two flashes beside each other are one of their joint guide number. */
-static bool join(const struct input *input, double one, double *joint, struct error *error)
+static bool flash_join(const struct flash_input *input, double one, double *joint,
+                       struct error *error)
 {
     const double both[] = {one, input->second};
     *joint = one;
@@ -219,13 +223,14 @@ static bool join(const struct input *input, double one, double *joint, struct er
 }
 
 /* Beside other light a flash of given power is not solved for: it may expose too much or little. */
-static bool is_complete(const struct input *input, const struct flash_setting *setting)
+static bool flash_is_complete(const struct flash_input *input, const struct flash_setting *setting)
 {
     return is_given(input->ev) && is_given(setting->GN) && is_given(setting->N) &&
            is_given(setting->d) && is_given(setting->power);
 }
 
-static bool solve(const struct input *input, double one, struct row *row, struct error *error)
+static bool flash_row_solve(const struct flash_input *input, double one, struct flash_row *row,
+                            struct error *error)
 {
     enum flash_unknown unknown;
     struct flash_setting *setting = &row->setting;
@@ -234,11 +239,11 @@ static bool solve(const struct input *input, double one, struct row *row, struct
                                       .power = input->power,
                                       .flashes = input->flashes,
                                       .loss = input->loss.stops + input->filter.stops};
-    if (!find_path(input, &row->path, error) || !join(input, one, &setting->GN, error)) {
+    if (!find_path(input, &row->path, error) || !flash_join(input, one, &setting->GN, error)) {
         return false;
     }
     setting->d = row->path;
-    if (is_complete(input, setting)) {
+    if (flash_is_complete(input, setting)) {
         setting->S = is_given(setting->S) ? setting->S : 100;
         setting->flashes = is_given(setting->flashes) ? setting->flashes : 1;
     } else if (!flash_solve(setting, &unknown, error)) {
@@ -250,7 +255,8 @@ static bool solve(const struct input *input, double one, struct row *row, struct
     return true;
 }
 
-static bool fill_background(const struct input *input, struct row *row, struct error *error)
+static bool fill_background(const struct flash_input *input, struct flash_row *row,
+                            struct error *error)
 {
     row->background = input->background;
     return !is_given(input->background) ||
@@ -258,7 +264,8 @@ static bool fill_background(const struct input *input, struct row *row, struct e
 }
 
 /* Flash and other light; a filter takes from both, and is in the flash's loss already. */
-static bool fill_balance(const struct input *input, struct row *row, struct error *error)
+static bool fill_balance(const struct flash_input *input, struct flash_row *row,
+                         struct error *error)
 {
     const struct flash_ambient light = {row->setting, input->time, input->sync,
                                         input->ev - input->filter.stops};
@@ -267,7 +274,7 @@ static bool fill_balance(const struct input *input, struct row *row, struct erro
     return !is_given(input->ev) || flash_against_ambient(&light, &row->balance, error);
 }
 
-static bool fill_ratio(const struct input *input, struct row *row, struct error *error)
+static bool fill_ratio(const struct flash_input *input, struct flash_row *row, struct error *error)
 {
     row->key_to_fill = input->key_to_fill;
     row->ratio = input->ratio;
@@ -281,35 +288,35 @@ static bool fill_ratio(const struct input *input, struct row *row, struct error 
 }
 
 /* A lighting ratio may be asked for by itself. */
-static bool is_ratio_only(const struct input *input)
+static bool is_ratio_only(const struct flash_input *input)
 {
     bool ratio = is_given(input->ratio) || is_given(input->key_to_fill);
     return ratio && !is_given(input->guide_number) && input->zoom == NULL &&
            !is_given(input->fnumber) && !is_given(input->distance);
 }
 
-static bool run(const void *data, struct run *run, struct error *error)
+static bool flash_run(const void *data, struct run *run, struct error *error)
 {
-    const struct input *input = data;
-    struct row row = {.setting = {NAN, NAN, NAN, NAN, NAN, NAN, NAN},
-                      .distance = NAN,
-                      .path = NAN,
-                      .guide_number = NAN,
-                      .second = input->second,
-                      .background = NAN,
-                      .background_stops = NAN,
-                      .balance = {NAN, NAN, NAN, NAN, NAN},
-                      .time = NAN,
-                      .ev = NAN,
-                      .at = input->at,
-                      .filter = input->filter.name};
+    const struct flash_input *input = data;
+    struct flash_row row = {.setting = {NAN, NAN, NAN, NAN, NAN, NAN, NAN},
+                            .distance = NAN,
+                            .path = NAN,
+                            .guide_number = NAN,
+                            .second = input->second,
+                            .background = NAN,
+                            .background_stops = NAN,
+                            .balance = {NAN, NAN, NAN, NAN, NAN},
+                            .time = NAN,
+                            .ev = NAN,
+                            .at = input->at,
+                            .filter = input->filter.name};
     double one = input->guide_number;
     if ((input->zoom != NULL && !zoom(input, run, &one, &row.zoom, error)) ||
         !fill_ratio(input, &row, error)) {
         return false;
     }
     if (!is_ratio_only(input) &&
-        (!solve(input, one, &row, error) || !fill_background(input, &row, error) ||
+        (!flash_row_solve(input, one, &row, error) || !fill_background(input, &row, error) ||
          !fill_balance(input, &row, error))) {
         return false;
     }
@@ -354,8 +361,9 @@ const struct command command_flash = {
     .name = "flash",
     .group = "photography",
     .summary = "guide number, f-number, distance and power of flashes",
-    COMMAND_ASKS(struct input),
-    COMMAND_ANSWERS(struct row),
+    COMMAND_ASKS(struct flash_input),
+    COMMAND_ANSWERS(struct flash_row),
+    .run = flash_run,
     .plot = "distance_m|fnumber",
     .cell = "fnumber",
 };

@@ -8,7 +8,7 @@
 
 #include <math.h>
 
-struct input {
+struct focus_input {
     double distance, image, magnification, sensor_distance; /* two of these and the focal length */
     struct photo_lens_question lens;
     bool enlarged;
@@ -28,64 +28,65 @@ static const struct word orders[] = {
 };
 
 #define MILLIMETRES(member_name)                                                                   \
-    OPTION(struct input, member_name), .dimension = &dimension_length, .unit = "mm",               \
-                                       .value = "LENGTH"
+    OPTION(struct focus_input, member_name), .dimension = &dimension_length, .unit = "mm",         \
+                                             .value = "LENGTH"
 #define NOT_NEGATIVE .lowest = 0, .highest = INFINITY, .flags = OPTION_NO_INFINITY
 #define POSITIVE     OPTION_POSITIVE, .flags = OPTION_ABOVE_LOWEST | OPTION_NO_INFINITY
 
 static const struct option options[] = {
-    OPTION_FOCAL_LENGTH(struct input, lens.focal, OPTION_SETTING),
-    PHOTO_LENS_OPTIONS(struct input, lens),
-    OPTION_WAVELENGTH_OF_LENS(struct input, lens.wavelength, "lens"),
-    OPTION_DISTANCE(struct input, distance, OPTION_SETTING,
+    OPTION_FOCAL_LENGTH(struct focus_input, lens.focal, OPTION_SETTING),
+    PHOTO_LENS_OPTIONS(struct focus_input, lens),
+    OPTION_WAVELENGTH_OF_LENS(struct focus_input, lens.wavelength, "lens"),
+    OPTION_DISTANCE(struct focus_input, distance, OPTION_SETTING,
                     "distance of the subject; inf for infinity"),
     {MILLIMETRES(image), .name = "image", .quantity = "image distance", .column = "image",
      OPTION_POSITIVE, .flags = OPTION_ABOVE_LOWEST | OPTION_NO_INFINITY | OPTION_GOAL,
      .help = "distance of the sensor from the rear principal plane"},
-    {OPTION(struct input, magnification), .name = "magnification", .letter = 'm',
+    {OPTION(struct focus_input, magnification), .name = "magnification", .letter = 'm',
      .column = "magnification", .dimension = &dimension_ratio, .lowest = 0, .highest = INFINITY,
      .flags = OPTION_NO_INFINITY | OPTION_GOAL, .value = "RATIO",
      .help = "magnification: 1:2 or 0.5"},
-    {OPTION(struct input, sensor_distance), .name = "sensor-distance", .column = "sensor_distance",
-     .dimension = &dimension_length, .unit = "m", OPTION_POSITIVE,
+    {OPTION(struct focus_input, sensor_distance), .name = "sensor-distance",
+     .column = "sensor_distance", .dimension = &dimension_length, .unit = "m", OPTION_POSITIVE,
      .flags = OPTION_ABOVE_LOWEST | OPTION_GOAL, .value = "LENGTH",
      .help = "distance from subject to sensor, as lens scales have it"},
-    {OPTION(struct input, enlarged), .name = "enlarged", .wants = "sensor-distance|from=sensor",
+    {OPTION(struct focus_input, enlarged), .name = "enlarged",
+     .wants = "sensor-distance|from=sensor",
      .help = "of the two solutions for --sensor-distance, the one with m above 1"},
-    OPTION_APERTURE(struct input, lens.fnumber, 0),
-    OPTION_PUPIL_OF_LENS(struct input, lens.pupil, NULL),
-    OPTION_FROM(struct input, lens.from, distances_from),
+    OPTION_APERTURE(struct focus_input, lens.fnumber, 0),
+    OPTION_PUPIL_OF_LENS(struct focus_input, lens.pupil, NULL),
+    OPTION_FROM(struct focus_input, lens.from, distances_from),
     {MILLIMETRES(hiatus), .name = "hiatus", .flags = OPTION_NO_INFINITY,
      .help = "distance between the principal planes; without it that of --lens, else 0"},
     {MILLIMETRES(front), .name = "front", .quantity = "front principal plane",
      .flags = OPTION_NO_INFINITY,
      .help = "front principal plane seen from the lens's front, + towards the sensor; brings the "
              "working distance"},
-    {OPTION(struct input, reversed), .name = "reversed",
+    {OPTION(struct focus_input, reversed), .name = "reversed",
      .help = "the lens is mounted back to front"},
-    OPTION_CLOSE_UP(struct input, attached.close_up),
+    OPTION_CLOSE_UP(struct focus_input, attached.close_up),
     {MILLIMETRES(stacked), .name = "stacked", .quantity = "stacked lens", .column = "stacked",
      POSITIVE, .help = "focal length of a lens reversed before the lens"},
-    {OPTION(struct input, stacked_aperture), .name = "stacked-aperture",
+    {OPTION(struct focus_input, stacked_aperture), .name = "stacked-aperture",
      .quantity = "f-number of the stacked lens", .wants = "stacked",
      .dimension = &dimension_fnumber, POSITIVE, .value = "NUMBER",
      .help = "f-number of the stacked lens, where it limits the beam", OPTION_USUAL_FNUMBER},
     {MILLIMETRES(gap), .name = "gap", NOT_NEGATIVE, .fallback = "0", .wants = "stacked|close-up",
      .help = "from the front of the lens to what is attached there"},
-    OPTION_TUBE(struct input, attached.tube),
-    OPTION_CONVERTER(struct input, attached.converter),
+    OPTION_TUBE(struct focus_input, attached.tube),
+    OPTION_CONVERTER(struct focus_input, attached.converter),
     {MILLIMETRES(converter_length), .name = "converter-length",
      .quantity = "length of the converter", NOT_NEGATIVE, .fallback = "0", .wants = "converter",
      .help = "how much longer the converter makes the lens"},
-    {OPTION(struct input, order), .name = "order", .column = "order", .words = orders,
+    {OPTION(struct focus_input, order), .name = "order", .column = "order", .words = orders,
      .fallback = "tube-converter", .value = "ORDER",
      .help = "which of tube and converter is nearer to the lens"},
-    BY_RAYS_EXACT_OPTION(struct input, rays,
+    BY_RAYS_EXACT_OPTION(struct focus_input, rays,
                          "put the sensor where the rays of --lens are sharpest"),
-    BY_RAYS_CRITERION_OPTION(struct input, rays),
+    BY_RAYS_CRITERION_OPTION(struct focus_input, rays),
 };
 
-struct row {
+struct focus_row {
     struct photo_real real;
     struct by_rays_row rays;
     double shift; /* of the sharpest image, mm; NaN: no rays were asked */
@@ -98,47 +99,48 @@ struct row {
 };
 
 #define LENGTH(member_name, in_unit)                                                               \
-    COLUMN(struct row, member_name), .dimension = &dimension_length, .unit = in_unit
+    COLUMN(struct focus_row, member_name), .dimension = &dimension_length, .unit = in_unit
 
 /* The first columns are only there with attachments. */
 enum { ATTACHED_COLUMNS = 2 };
 
 static const struct column columns[] = {
-    {COLUMN(struct row, lens_focus), .name = "lens_focus", .flags = COLUMN_BRIEF,
+    {COLUMN(struct focus_row, lens_focus), .name = "lens_focus", .flags = COLUMN_BRIEF,
      .label = "lens itself focused", .help = "at infinity, or as given"},
     {LENGTH(c.f, "mm"), .name = "combined_focal", .symbol = "f", .label = "combined focal length",
      .help = "focal length of lens and attachments"},
-    PHOTO_LENS_COLUMNS(struct row, real),
-    PHOTO_LENS_WAVELENGTH_COLUMN(struct row, real),
-    COLUMN_FOCAL(struct row, focal, 0),
-    COLUMN_FNUMBER(struct row, fnumber, 0),
-    COLUMN_CLOSE_UP(struct row, attached.close_up),
+    PHOTO_LENS_COLUMNS(struct focus_row, real),
+    PHOTO_LENS_WAVELENGTH_COLUMN(struct focus_row, real),
+    COLUMN_FOCAL(struct focus_row, focal, 0),
+    COLUMN_FNUMBER(struct focus_row, fnumber, 0),
+    COLUMN_CLOSE_UP(struct focus_row, attached.close_up),
     {LENGTH(stacked, "mm"), .name = "stacked", .flags = COLUMN_ECHO | COLUMN_EXTRA,
      .with = "stacked", .label = "stacked lens",
      .help = "focal length of the lens before the lens"},
-    COLUMN_TUBE(struct row, attached.tube),
-    COLUMN_CONVERTER(struct row, attached.converter),
-    {COLUMN(struct row, order), .name = "order", .flags = COLUMN_EXTRA, .with = "order",
+    COLUMN_TUBE(struct focus_row, attached.tube),
+    COLUMN_CONVERTER(struct focus_row, attached.converter),
+    {COLUMN(struct focus_row, order), .name = "order", .flags = COLUMN_EXTRA, .with = "order",
      .label = "order", .help = "which of tube and converter is nearer to the lens"},
     {LENGTH(distance, "m"), .name = "distance",
      .flags = COLUMN_ECHO | COLUMN_INFINITE | COLUMN_BRIEF, .with = "distance", .label = "distance",
      .help = "distance of the subject"},
     {LENGTH(c.v, "mm"), .name = "image", .flags = COLUMN_BRIEF, .symbol = "v",
      .label = "image distance", .help = "sensor from the rear principal plane"},
-    COLUMN_MAGNIFICATION(struct row, c.m, COLUMN_BRIEF),
+    COLUMN_MAGNIFICATION(struct focus_row, c.m, COLUMN_BRIEF),
     {LENGTH(c.T, "m"), .name = "sensor_distance", .flags = COLUMN_INFINITE | COLUMN_BRIEF,
      .symbol = "T", .label = "subject to sensor", .help = "distance from subject to sensor"},
     {LENGTH(c.extension, "mm"), .name = "extension", .symbol = "x", .label = "extension",
      .help = "how far the lens is from its place for infinity: f m"},
-    {COLUMN(struct row, c.twin_magnification), .name = "twin_magnification",
+    {COLUMN(struct focus_row, c.twin_magnification), .name = "twin_magnification",
      .flags = COLUMN_INFINITE | COLUMN_HIDDEN, .label = "magnification of the other focusing",
      .help = "1/m: the other focusing between the same subject and sensor"},
-    {COLUMN(struct row, working_fnumber), .name = "working_fnumber", .symbol = "Nw",
+    {COLUMN(struct focus_row, working_fnumber), .name = "working_fnumber", .symbol = "Nw",
      .label = "working f-number", .help = "f-number that exposes"},
-    {COLUMN(struct row, factor), .name = "exposure_factor", .symbol = "E",
+    {COLUMN(struct focus_row, factor), .name = "exposure_factor", .symbol = "E",
      .label = "exposure factor", .help = "times the exposure at the marked f-number"},
-    {COLUMN(struct row, stops), .name = "exposure", .dimension = &dimension_stops, .unit = "stops",
-     .flags = COLUMN_BRIEF, .label = "exposure factor, stops", .help = "the same in stops"},
+    {COLUMN(struct focus_row, stops), .name = "exposure", .dimension = &dimension_stops,
+     .unit = "stops", .flags = COLUMN_BRIEF, .label = "exposure factor, stops",
+     .help = "the same in stops"},
     {LENGTH(working_distance, "m"), .name = "working_distance", .flags = COLUMN_INFINITE,
      .with = "front lens", .label = "working distance",
      .help = "from the subject to the lens's front"},
@@ -150,29 +152,29 @@ static const struct column columns[] = {
      .help =
          "of the sharpest image from where the lens has it wide open, + away from the lens; null "
          "where the lens states no aperture"},
-    BY_RAYS_COLUMNS(struct row, rays),
-    PHOTO_LENS_HIATUS_COLUMN(struct row, real.hiatus),
-    COLUMN_PUPIL(struct row, pupil),
-    COLUMN_FROM(struct row, from),
+    BY_RAYS_COLUMNS(struct focus_row, rays),
+    PHOTO_LENS_HIATUS_COLUMN(struct focus_row, real.hiatus),
+    COLUMN_PUPIL(struct focus_row, pupil),
+    COLUMN_FROM(struct focus_row, from),
     {LENGTH(c.s, "m"), .name = "principal_distance", .flags = COLUMN_EXTRA | COLUMN_INFINITE,
      .symbol = "s", .label = "distance from the principal plane",
      .help = "distance of the subject from the front principal plane"},
-    PHOTO_LENS_WARNING_COLUMN(struct row, real),
+    PHOTO_LENS_WARNING_COLUMN(struct focus_row, real),
 };
 
 static const struct sheet plain = {columns + ATTACHED_COLUMNS,
                                    sizeof columns / sizeof columns[0] - ATTACHED_COLUMNS,
-                                   sizeof(struct row)};
-static const struct sheet attached = SHEET(columns, struct row);
+                                   sizeof(struct focus_row)};
+static const struct sheet attached = SHEET(columns, struct focus_row);
 static const struct sheet *const sheets[] = {&attached, NULL};
 
 static bool has_attachments(const void *data)
 {
-    const struct input *input = data;
+    const struct focus_input *input = data;
     return input->reversed || !isnan(input->stacked) || attachments_any(&input->attached);
 }
 
-static const struct sheet *choose_sheet(const void *data, const struct asking *asking)
+static const struct sheet *focus_choose_sheet(const void *data, const struct option_query *asking)
 {
     (void)data;
     bool any = asking_given(asking, "reversed") || asking_given(asking, "stacked") ||
@@ -181,7 +183,7 @@ static const struct sheet *choose_sheet(const void *data, const struct asking *a
 }
 
 /* --distance from wherever it is measured, as one of the conjugates. */
-static bool place_subject(const struct input *input, const struct photo_lens *lens,
+static bool place_subject(const struct focus_input *input, const struct photo_lens *lens,
                           struct conjugates_given *given, struct error *error)
 {
     if (input->lens.from == FROM_PRINCIPAL || isnan(input->distance)) {
@@ -206,8 +208,8 @@ static bool place_subject(const struct input *input, const struct photo_lens *le
 }
 
 /* The bare lens. With attachments a focal length alone means a lens that stays at infinity. */
-static bool solve(const struct input *input, const struct photo_lens *lens, bool attaches,
-                  struct conjugates *c, struct error *error)
+static bool focus_row_solve(const struct focus_input *input, const struct photo_lens *lens,
+                            bool attaches, struct conjugates *c, struct error *error)
 {
     struct conjugates_given given = {
         .f = lens->f,
@@ -228,8 +230,8 @@ static bool solve(const struct input *input, const struct photo_lens *lens, bool
 }
 
 /* What is the same for lenses with and without attachments. */
-static void fill_row(const struct input *input, const struct photo_lens *lens, double P,
-                     struct row *row)
+static void focus_fill_row(const struct focus_input *input, const struct photo_lens *lens, double P,
+                           struct focus_row *row)
 {
     row->real = *lens->real;
     row->pupil_distance = conjugates_pupil_distance(row->c.f, row->c.m, P);
@@ -245,7 +247,7 @@ static void fill_row(const struct input *input, const struct photo_lens *lens, d
     row->from = distances_from[input->lens.from].word;
 }
 
-static bool check_rays(const struct input *input, struct error *error)
+static bool focus_check_rays(const struct focus_input *input, struct error *error)
 {
     const char *other = !isnan(input->image)    ? "image"
                         : !isnan(input->hiatus) ? "hiatus"
@@ -261,8 +263,8 @@ static bool check_rays(const struct input *input, struct error *error)
 }
 
 /* The image by rays, and its shift against that of the lens wide open. */
-static bool find_by_rays(const struct input *input, const struct photo_lens *lens, struct run *run,
-                         struct row *row, struct error *error)
+static bool focus_find_by_rays(const struct focus_input *input, const struct photo_lens *lens,
+                               struct run *run, struct focus_row *row, struct error *error)
 {
     struct conjugates *c = &row->c;
     struct real_focus focus, open;
@@ -297,14 +299,14 @@ static bool find_by_rays(const struct input *input, const struct photo_lens *len
     return true;
 }
 
-static bool run_plain(const struct input *input, const struct photo_lens *lens, struct run *run,
-                      struct error *error)
+static bool run_plain(const struct focus_input *input, const struct photo_lens *lens,
+                      struct run *run, struct error *error)
 {
-    struct row row = {.working_distance = NAN, .shift = NAN, .rays = by_rays_none};
+    struct focus_row row = {.working_distance = NAN, .shift = NAN, .rays = by_rays_none};
     struct conjugates_exposure exposure;
     double front = lens->measuring.front;
-    if (!solve(input, lens, false, &row.c, error) ||
-        (input->rays.exact && !find_by_rays(input, lens, run, &row, error)) ||
+    if (!focus_row_solve(input, lens, false, &row.c, error) ||
+        (input->rays.exact && !focus_find_by_rays(input, lens, run, &row, error)) ||
         !conjugates_exposure(isnan(lens->N) ? 1 : lens->N, row.c.m, lens->P, &exposure, error)) {
         return false;
     }
@@ -316,14 +318,14 @@ static bool run_plain(const struct input *input, const struct photo_lens *lens, 
     row.working_fnumber = isnan(lens->N) ? NAN : exposure.working_fnumber;
     row.factor = exposure.factor;
     row.stops = exposure.stops;
-    fill_row(input, lens, lens->P, &row);
+    focus_fill_row(input, lens, lens->P, &row);
     run_emit(run, &row);
     return true;
 }
 
 /* What is attached, in the order in which it is put on: see --order and the manual. */
-static size_t list_steps(const struct input *input, const struct photo_lens *lens,
-                         const struct conjugates *bare, struct attach_step *steps)
+static size_t focus_list_steps(const struct focus_input *input, const struct photo_lens *lens,
+                               const struct conjugates *bare, struct attach_step *steps)
 {
     const struct attach_step tube = {ATTACH_TUBE, input->attached.tube, 0, 0};
     const struct attach_step converter = {ATTACH_CONVERTER, input->attached.converter,
@@ -347,16 +349,16 @@ static size_t list_steps(const struct input *input, const struct photo_lens *len
     return count;
 }
 
-static bool emit_focus(const struct input *input, const struct photo_lens *bare, double bare_focal,
-                       const struct attach_lens *lens, bool near, struct run *run,
-                       struct error *error)
+static bool emit_focus(const struct focus_input *input, const struct photo_lens *bare,
+                       double bare_focal, const struct attach_lens *lens, bool near,
+                       struct run *run, struct error *error)
 {
     struct attach_focus focus;
     if (!attach_focused(lens, near, &focus, error)) {
         return false;
     }
     double ratio = focus.working_fnumber / (isnan(bare->N) ? 1 : bare->N);
-    struct row row = {
+    struct focus_row row = {
         .lens_focus = near ? "as given" : "infinity",
         .c = {.f = lens->f,
               .s = focus.distance,
@@ -373,14 +375,14 @@ static bool emit_focus(const struct input *input, const struct photo_lens *bare,
         .stops = 2 * log2(ratio),
         .working_distance = isnan(bare->measuring.front) ? NAN : focus.working_distance,
     };
-    fill_row(input, bare, lens->P, &row);
+    focus_fill_row(input, bare, lens->P, &row);
     run_emit(run, &row);
     return true;
 }
 
 /* A row for the lens at infinity and one for its own focusing as given, where these differ. */
-static bool run_attached(const struct input *input, const struct photo_lens *real, struct run *run,
-                         struct error *error)
+static bool run_attached(const struct focus_input *input, const struct photo_lens *real,
+                         struct run *run, struct error *error)
 {
     struct conjugates bare;
     struct attach_lens lens;
@@ -390,7 +392,7 @@ static bool run_attached(const struct input *input, const struct photo_lens *rea
         return fail(error, ERROR_USAGE,
                     "{--stacked-aperture} needs {--aperture}: the narrower counts");
     }
-    if (!solve(input, real, true, &bare, error)) {
+    if (!focus_row_solve(input, real, true, &bare, error)) {
         return false;
     }
     const struct attach_bare sold = {.f = bare.f,
@@ -400,7 +402,7 @@ static bool run_attached(const struct input *input, const struct photo_lens *rea
                                      .front = front,
                                      .hiatus = real->measuring.hiatus};
     if (!attach_bare(&sold, &lens, error) ||
-        !attach_apply(&lens, steps, list_steps(input, real, &bare, steps), error)) {
+        !attach_apply(&lens, steps, focus_list_steps(input, real, &bare, steps), error)) {
         return false;
     }
     bool moves = lens.m_near > lens.m_far;
@@ -409,10 +411,10 @@ static bool run_attached(const struct input *input, const struct photo_lens *rea
            ((at_infinity && !moves) || emit_focus(input, real, bare.f, &lens, true, run, error));
 }
 
-static bool answer(const void *data, const struct photo_lens *lens, struct run *run,
-                   struct error *error)
+static bool focus_answer(const void *data, const struct photo_lens *lens, struct run *run,
+                         struct error *error)
 {
-    const struct input *input = data;
+    const struct focus_input *input = data;
     struct photo_lens own = *lens;
     if (input->reversed && lens->lens != NULL && !isnan(input->front)) {
         return fail(error, ERROR_USAGE,
@@ -424,25 +426,26 @@ static bool answer(const void *data, const struct photo_lens *lens, struct run *
     struct photo_real said = *lens->real;
     said.hiatus = own.measuring.hiatus;
     own.real = &said;
-    if (input->rays.exact && !check_rays(input, error)) {
+    if (input->rays.exact && !focus_check_rays(input, error)) {
         return false;
     }
     return has_attachments(input) ? run_attached(input, &own, run, error)
                                   : run_plain(input, &own, run, error);
 }
 
-static bool run(const void *data, struct run *run, struct error *error)
+static bool focus_run(const void *data, struct run *run, struct error *error)
 {
-    const struct input *input = data;
-    return photo_lens_each(&input->lens, 0, run, answer, input, error);
+    const struct focus_input *input = data;
+    return photo_lens_each(&input->lens, 0, run, focus_answer, input, error);
 }
 
-static bool makes_many(const void *data)
+static bool focus_makes_many(const void *data)
 {
-    return has_attachments(data) || photo_lens_makes_many(&((const struct input *)data)->lens);
+    return has_attachments(data) ||
+           photo_lens_makes_many(&((const struct focus_input *)data)->lens);
 }
 
-PHOTO_LENS_VARIES(struct input, lens)
+PHOTO_LENS_VARIES(struct focus_input, lens)
 
 static const struct explanation explanations[] = {
     {"image !blur_rule", "v = {f} (1 + {m})", "[Gauss41] thin lens 1/f = 1/s + 1/v",
@@ -473,19 +476,19 @@ static const struct example examples[] = {
     {NULL, NULL},
 };
 
-BY_RAYS_WEIGHT(struct input, rays)
+BY_RAYS_WEIGHT(struct focus_input, rays)
 
 const struct command command_focus = {
     .name = "focus",
     .group = "photography",
     .summary = "conjugate distances, magnification, close-up attachments, exposure factor",
-    COMMAND_ASKS(struct input),
+    COMMAND_ASKS(struct focus_input),
     .sheet = {columns + ATTACHED_COLUMNS, sizeof columns / sizeof columns[0] - ATTACHED_COLUMNS,
-              sizeof(struct row)},
-    .choose_sheet = choose_sheet,
+              sizeof(struct focus_row)},
+    .choose_sheet = focus_choose_sheet,
     .sheets = sheets,
-    .makes_many = makes_many,
-    .run = run,
+    .makes_many = focus_makes_many,
+    .run = focus_run,
     .explanations = explanations,
     .varies = varies,
     .weight = weight,

@@ -25,7 +25,7 @@ static const struct word ways[] = {
     {NULL, NULL},
 };
 
-struct input {
+struct fov_input {
     double distance, magnification, squeeze;
     struct photo_lens_question lens;
     struct sensor_value sensor;
@@ -47,33 +47,33 @@ static const struct word focusings[] = {
 };
 
 #define ANGLE_GOAL(member_name)                                                                    \
-    OPTION(struct input, member_name), .name = #member_name, .column = #member_name,               \
-                                       .dimension = &dimension_angle, .unit = "deg", .lowest = 0,  \
-                                       .highest = 2 * PI, .value = "ANGLE",                        \
-                                       .flags = OPTION_ABOVE_LOWEST | OPTION_GOAL
+    OPTION(struct fov_input, member_name), .name = #member_name, .column = #member_name,           \
+                                           .dimension = &dimension_angle, .unit = "deg",           \
+                                           .lowest = 0, .highest = 2 * PI, .value = "ANGLE",       \
+                                           .flags = OPTION_ABOVE_LOWEST | OPTION_GOAL
 #define FIELD_GOAL(member_name)                                                                    \
-    OPTION(struct input, member_name),                                                             \
+    OPTION(struct fov_input, member_name),                                                         \
         .dimension = &dimension_length, .unit = "m", OPTION_POSITIVE, .value = "LENGTH",           \
         .flags = OPTION_ABOVE_LOWEST | OPTION_NO_INFINITY | OPTION_GOAL
 
 static const struct option options[] = {
-    OPTION_FOCAL_LENGTH(struct input, lens.focal, OPTION_SETTING),
-    PHOTO_LENS_OPTIONS(struct input, lens),
-    OPTION_WAVELENGTH_OF_LENS(struct input, lens.wavelength, "lens"),
-    OPTION_SENSOR(struct input, sensor),
-    {OPTION(struct input, distance), .name = "distance", .letter = 's', .column = "distance",
+    OPTION_FOCAL_LENGTH(struct fov_input, lens.focal, OPTION_SETTING),
+    PHOTO_LENS_OPTIONS(struct fov_input, lens),
+    OPTION_WAVELENGTH_OF_LENS(struct fov_input, lens.wavelength, "lens"),
+    OPTION_SENSOR(struct fov_input, sensor),
+    {OPTION(struct fov_input, distance), .name = "distance", .letter = 's', .column = "distance",
      .dimension = &dimension_length, .unit = "m", OPTION_POSITIVE, .flags = OPTION_ABOVE_LOWEST,
      .fallback = "inf", .value = "LENGTH",
      .help = "distance the lens is focused at; the field there is reported"},
-    OPTION_FROM(struct input, lens.from, distances_from),
-    {OPTION(struct input, magnification), .name = "magnification", .letter = 'm',
+    OPTION_FROM(struct fov_input, lens.from, distances_from),
+    {OPTION(struct fov_input, magnification), .name = "magnification", .letter = 'm',
      .column = "magnification", .dimension = &dimension_ratio, OPTION_POSITIVE,
      .flags = OPTION_NO_INFINITY, .value = "RATIO", .excludes = "distance from",
      .help = "in place of the distance: 1:2 or 0.5"},
-    {OPTION(struct input, projection), .name = "projection", .column = "projection", .words = ways,
-     .fallback = "auto", .value = "KIND", .help = "how the lens maps angles"},
-    OPTION_PUPIL_OF_LENS(struct input, lens.pupil, "distance|magnification|lens"),
-    OPTION_SQUEEZE(struct input, squeeze, "1",
+    {OPTION(struct fov_input, projection), .name = "projection", .column = "projection",
+     .words = ways, .fallback = "auto", .value = "KIND", .help = "how the lens maps angles"},
+    OPTION_PUPIL_OF_LENS(struct fov_input, lens.pupil, "distance|magnification|lens"),
+    OPTION_SQUEEZE(struct fov_input, squeeze, "1",
                    "anamorphic squeeze: 2 doubles the width that is seen"),
     {ANGLE_GOAL(horizontal), .quantity = "horizontal angle of view",
      .help = "wanted horizontal angle: solves for the focal length"},
@@ -86,27 +86,27 @@ static const struct option options[] = {
      .column = "field_height", .help = "wanted height of the field"},
     {FIELD_GOAL(field_diagonal), .name = "field-diagonal", .quantity = "diagonal of the field",
      .column = "field_diagonal", .help = "wanted diagonal of the field"},
-    {OPTION(struct input, altitude), .name = "altitude", .column = "altitude",
+    {OPTION(struct fov_input, altitude), .name = "altitude", .column = "altitude",
      .dimension = &dimension_length, .unit = "m", OPTION_POSITIVE,
      .flags = OPTION_ABOVE_LOWEST | OPTION_NO_INFINITY, .value = "LENGTH",
      .help = "of a drone looking straight down: adds the ground coverage of pixel and picture"},
-    {OPTION(struct input, gsd), .name = "gsd", .quantity = "ground sample", .column = "gsd",
+    {OPTION(struct fov_input, gsd), .name = "gsd", .quantity = "ground sample", .column = "gsd",
      .dimension = &dimension_length, .unit = "cm", OPTION_POSITIVE,
      .flags = OPTION_ABOVE_LOWEST | OPTION_NO_INFINITY, .value = "LENGTH",
      .help = "wanted ground sampling distance, in place of --altitude: solves for it"},
-    OPTION_PIXELS(struct input, pitch, "altitude|gsd",
+    OPTION_PIXELS(struct fov_input, pitch, "altitude|gsd",
                   "pixel pitch (otherwise that of the camera)"),
-    BY_RAYS_EXACT_OPTION(struct input, rays,
+    BY_RAYS_EXACT_OPTION(struct fov_input, rays,
                          "put the sensor where the rays of --lens are sharpest"),
-    BY_RAYS_CRITERION_OPTION(struct input, rays),
-    {OPTION(struct input, focus_by), .name = "focus-by", .words = focusings, .fallback = "lens",
+    BY_RAYS_CRITERION_OPTION(struct fov_input, rays),
+    {OPTION(struct fov_input, focus_by), .name = "focus-by", .words = focusings, .fallback = "lens",
      .wants = "lens", .excludes = "gap", .value = "HOW",
      .help = "how --lens is focused; adds how much it breathes"},
-    {OPTION(struct input, gap), .name = "gap", .wants = "lens", .value = "GAPS",
+    {OPTION(struct fov_input, gap), .name = "gap", .wants = "lens", .value = "GAPS",
      .help = "focus by these gaps before a sensor that stays, as 'conjugate' does: d5,10:-1"},
 };
 
-struct row {
+struct fov_row {
     struct fov_setting setting;
     struct fov fov;
     double magnification, width, height, crop, image, sensor_distance, circle, pitch;
@@ -118,16 +118,16 @@ struct row {
 };
 
 #define LENGTH(member_name, in_unit)                                                               \
-    COLUMN(struct row, member_name), .dimension = &dimension_length, .unit = in_unit
+    COLUMN(struct fov_row, member_name), .dimension = &dimension_length, .unit = in_unit
 #define ANGLE(member_name)                                                                         \
-    COLUMN(struct row, member_name), .dimension = &dimension_angle, .unit = "deg"
+    COLUMN(struct fov_row, member_name), .dimension = &dimension_angle, .unit = "deg"
 
 #define OF_GROUND .with = "altitude gsd", .flags = COLUMN_EXTRA | COLUMN_BRIEF
 
 static const struct column columns[] = {
-    PHOTO_LENS_COLUMNS(struct row, real),
-    PHOTO_LENS_WAVELENGTH_COLUMN(struct row, real),
-    COLUMN_FOCAL(struct row, setting.f, COLUMN_BRIEF),
+    PHOTO_LENS_COLUMNS(struct fov_row, real),
+    PHOTO_LENS_WAVELENGTH_COLUMN(struct fov_row, real),
+    COLUMN_FOCAL(struct fov_row, setting.f, COLUMN_BRIEF),
     {LENGTH(setting.s, "m"), .name = "distance", .flags = COLUMN_ECHO | COLUMN_INFINITE,
      .with = "distance", .symbol = "s", .label = "focused at",
      .help = "distance the lens is focused at, from the front principal plane"},
@@ -146,12 +146,13 @@ static const struct column columns[] = {
     {LENGTH(fov.diagonal_at_s, "m"), .name = "field_diagonal", .flags = COLUMN_INFINITE,
      .with = "distance magnification", .label = "field diagonal",
      .help = "diagonal seen in the plane of focus"},
-    COLUMN_MAGNIFICATION(struct row, magnification, 0),
-    {COLUMN(struct row, breathing), .dimension = &dimension_ratio, .unit = "percent",
+    COLUMN_MAGNIFICATION(struct fov_row, magnification, 0),
+    {COLUMN(struct fov_row, breathing), .dimension = &dimension_ratio, .unit = "percent",
      .name = "breathing", .flags = COLUMN_EXTRA | COLUMN_BRIEF, .with = "exact focus-by gap",
      .symbol = "b", .label = "breathing",
      .help = "how much wider the diagonal angle is than of the lens focused at infinity"},
-    {COLUMN(struct row, fov.kind), .name = "class", .flags = COLUMN_BRIEF, .label = "class of lens",
+    {COLUMN(struct fov_row, fov.kind), .name = "class", .flags = COLUMN_BRIEF,
+     .label = "class of lens",
      .help = "narrow, medium, normal, wide or ultra-wide, by the diagonal angle"},
     {LENGTH(ground.altitude, "m"), .name = "altitude", OF_GROUND, .symbol = "A",
      .label = "altitude", .help = "of the entrance pupil above level ground, camera straight down"},
@@ -165,7 +166,7 @@ static const struct column columns[] = {
      .label = "sensor width", .help = "width of the sensor"},
     {LENGTH(height, "mm"), .name = "sensor_height", .flags = COLUMN_HIDDEN, .symbol = "h",
      .label = "sensor height", .help = "height of the sensor"},
-    {COLUMN(struct row, crop), .name = "crop_factor", .label = "crop factor",
+    {COLUMN(struct fov_row, crop), .name = "crop_factor", .label = "crop factor",
      .help = "43.27 mm over the sensor's diagonal"},
     {LENGTH(sensor_distance, "m"), .name = "distance_sensor",
      .flags = COLUMN_EXTRA | COLUMN_INFINITE, .with = "lens", .symbol = "Ds",
@@ -177,46 +178,46 @@ static const struct column columns[] = {
      .label = "image circle",
      .help =
          "its diameter, by chief rays, where it does not cover the sensor; absent where it does"},
-    BY_RAYS_COLUMNS(struct row, rays),
-    PHOTO_LENS_HIATUS_COLUMN(struct row, real.hiatus),
-    COLUMN_SENSOR(struct row, sensor),
-    {COLUMN(struct row, projection), .name = "projection",
+    BY_RAYS_COLUMNS(struct fov_row, rays),
+    PHOTO_LENS_HIATUS_COLUMN(struct fov_row, real.hiatus),
+    COLUMN_SENSOR(struct fov_row, sensor),
+    {COLUMN(struct fov_row, projection), .name = "projection",
      .flags = COLUMN_ASSUMED | COLUMN_EXTRA | COLUMN_HIDDEN, .with = "lens projection",
      .depends = "projection lens pupil", .label = "projection", .help = "how the lens maps angles"},
     {LENGTH(pitch, "um"), .name = "pitch", .with = "altitude gsd", .symbol = "p",
      .flags = COLUMN_ASSUMED | COLUMN_EXTRA | COLUMN_TIED, .depends = "pitch sensor",
      .label = "pixel pitch", .help = "spacing of the pixels"},
-    COLUMN_FROM(struct row, from),
-    COLUMN_PUPIL(struct row, setting.P),
-    {COLUMN(struct row, setting.squeeze), .name = "squeeze", .symbol = "q",
+    COLUMN_FROM(struct fov_row, from),
+    COLUMN_PUPIL(struct fov_row, setting.P),
+    {COLUMN(struct fov_row, setting.squeeze), .name = "squeeze", .symbol = "q",
      .flags = COLUMN_ASSUMED | COLUMN_EXTRA | COLUMN_ECHO, .depends = "squeeze", .label = "squeeze",
      .help = "anamorphic squeeze"},
-    PHOTO_LENS_WARNING_COLUMN(struct row, real),
+    PHOTO_LENS_WARNING_COLUMN(struct fov_row, real),
 };
 
 /* The focal length from the one goal that is given. */
-static bool solve(const struct input *input, const struct fov_setting *setting, double *f,
-                  struct error *error)
+static bool fov_row_solve(const struct fov_input *input, const struct fov_setting *setting,
+                          double *f, struct error *error)
 {
     const struct fov_goals goals = {input->horizontal,  input->vertical,     input->diagonal,
                                     input->field_width, input->field_height, input->field_diagonal};
     return fov_solve(setting, &input->sensor.size, &goals, f, error);
 }
 
-static void doubt(struct row *row, const char *warning, struct arena *arena)
+static void doubt(struct fov_row *row, const char *warning, struct arena *arena)
 {
     row->real.warning = lens_warnings_join(row->real.warning, warning, arena);
 }
 
 /* Angles by the lens's own rays? Not where the user puts another pupil in place of its own. */
-static bool wants_rays(const struct input *input, const struct photo_lens *lens)
+static bool wants_rays(const struct fov_input *input, const struct photo_lens *lens)
 {
     return input->projection == VIEW_RAYS ||
            (input->projection == VIEW_AUTO && lens->lens != NULL && isnan(input->lens.pupil));
 }
 
-static bool check_rays(const struct input *input, const struct photo_lens *lens,
-                       struct error *error)
+static bool fov_check_rays(const struct fov_input *input, const struct photo_lens *lens,
+                           struct error *error)
 {
     if (lens->lens == NULL) {
         return fail(error, ERROR_USAGE, "{--projection} chief-rays needs {--lens}");
@@ -227,8 +228,9 @@ static bool check_rays(const struct input *input, const struct photo_lens *lens,
 }
 
 /* What the exact chief rays of the real lens make of it, the film so far behind H'. */
-static bool trace_view(const struct input *input, const struct photo_lens *lens, double distance,
-                       double image, struct arena *arena, struct view *view, struct error *error)
+static bool trace_view(const struct fov_input *input, const struct photo_lens *lens,
+                       double distance, double image, struct arena *arena, struct view *view,
+                       struct error *error)
 {
     const struct setup_question asked = {.lens = lens->lens,
                                          .position = lens->position,
@@ -247,8 +249,9 @@ static bool trace_view(const struct input *input, const struct photo_lens *lens,
 }
 
 /* The film behind H' where an image is sharpest; the distance is met again from the sensor. */
-static bool place_film(const struct input *input, const struct photo_lens *lens, double *distance,
-                       struct run *run, double *image, struct by_rays_row *row, struct error *error)
+static bool place_film(const struct fov_input *input, const struct photo_lens *lens,
+                       double *distance, struct run *run, double *image, struct by_rays_row *row,
+                       struct error *error)
 {
     struct real_focus focus;
     if (input->gap != NULL) {
@@ -263,8 +266,8 @@ static bool place_film(const struct input *input, const struct photo_lens *lens,
 }
 
 /* How much wider the angle is than at infinity. */
-static bool find_breathing(const struct input *input, const struct photo_lens *lens,
-                           struct run *run, struct row *row, struct error *error)
+static bool find_breathing(const struct fov_input *input, const struct photo_lens *lens,
+                           struct run *run, struct fov_row *row, struct error *error)
 {
     const struct photo_lens *far = input->at_infinity != NULL ? input->at_infinity : lens;
     double image = far->f, distance = INFINITY;
@@ -278,7 +281,7 @@ static bool find_breathing(const struct input *input, const struct photo_lens *l
     return true;
 }
 
-static void take_view(const struct view *view, double diagonal, struct row *row,
+static void take_view(const struct view *view, double diagonal, struct fov_row *row,
                       struct arena *arena)
 {
     row->fov =
@@ -307,11 +310,11 @@ static void take_view(const struct view *view, double diagonal, struct row *row,
 }
 
 /* In place of what the projection says, which has checked the setting. */
-static bool view_by_rays(const struct input *input, const struct photo_lens *lens, struct row *row,
-                         struct arena *arena, struct error *error)
+static bool view_by_rays(const struct fov_input *input, const struct photo_lens *lens,
+                         struct fov_row *row, struct arena *arena, struct error *error)
 {
     struct view view;
-    if (!check_rays(input, lens, error) ||
+    if (!fov_check_rays(input, lens, error) ||
         !trace_view(input, lens, row->setting.s, row->image, arena, &view, error)) {
         return false;
     }
@@ -319,16 +322,16 @@ static bool view_by_rays(const struct input *input, const struct photo_lens *len
     return true;
 }
 
-static bool look_by_rays(const struct input *input, const struct photo_lens *lens, struct run *run,
-                         struct row *row, struct error *error)
+static bool look_by_rays(const struct fov_input *input, const struct photo_lens *lens,
+                         struct run *run, struct fov_row *row, struct error *error)
 {
     return view_by_rays(input, lens, row, run->arena, error) &&
-           (!run_shows(run, offsetof(struct row, breathing)) ||
+           (!run_shows(run, offsetof(struct fov_row, breathing)) ||
             find_breathing(input, lens, run, row, error));
 }
 
 /* How far the subject is from the front principal plane. */
-static bool find_subject(const struct input *input, const struct photo_lens *lens, double *s,
+static bool find_subject(const struct fov_input *input, const struct photo_lens *lens, double *s,
                          struct error *error)
 {
     const bool both = !isnan(input->magnification) && !isinf(input->distance);
@@ -355,7 +358,7 @@ static bool find_subject(const struct input *input, const struct photo_lens *len
 }
 
 /* What a camera in the air sees of the ground, if that is asked for. */
-static bool fill_ground(const struct input *input, struct row *row, struct run *run,
+static bool fill_ground(const struct fov_input *input, struct fov_row *row, struct run *run,
                         struct error *error)
 {
     const struct sharpness pixels = {.sensor = input->sensor, .pitch = input->pitch};
@@ -371,18 +374,18 @@ static bool fill_ground(const struct input *input, struct row *row, struct run *
                     "{--gsd} needs the pixel pitch: give {--pitch}, or a camera as {--sensor}");
     }
     if (isnan(row->pitch)) {
-        doubts_add(run->doubts, "the ground sample needs the pixel pitch (--pitch, or --sensor "
-                                "with a camera): it is left out");
+        warnings_add(run->doubts, "the ground sample needs the pixel pitch (--pitch, or --sensor "
+                                  "with a camera): it is left out");
     }
     return fov_ground(&row->setting, &row->fov, row->pitch, &row->ground, error);
 }
 
-static bool answer(const void *data, const struct photo_lens *lens, struct run *run,
-                   struct error *error)
+static bool fov_answer(const void *data, const struct photo_lens *lens, struct run *run,
+                       struct error *error)
 {
-    const struct input *input = data;
+    const struct fov_input *input = data;
     bool chosen = input->projection >= VIEW_PROJECTIONS;
-    struct row row = {
+    struct fov_row row = {
         .setting = {(enum projection)(chosen ? input->projection - VIEW_PROJECTIONS : RECTILINEAR),
                     lens->f, input->distance, lens->P, input->squeeze},
         .width = input->sensor.size.width,
@@ -397,7 +400,7 @@ static bool answer(const void *data, const struct photo_lens *lens, struct run *
     };
     if (!find_subject(input, lens, &row.setting.s, error) ||
         !photo_lens_check_subject(lens, row.setting.s, error) ||
-        !solve(input, &row.setting, &row.setting.f, error) ||
+        !fov_row_solve(input, &row.setting, &row.setting.f, error) ||
         !fov_compute(&row.setting, &input->sensor.size, &row.fov, error)) {
         return false;
     }
@@ -423,11 +426,11 @@ static bool answer(const void *data, const struct photo_lens *lens, struct run *
 }
 
 /* The lens in a position, focused by its gaps. */
-static bool answer_focused(const struct input *input, size_t position, struct run *run,
+static bool answer_focused(const struct fov_input *input, size_t position, struct run *run,
                            struct error *error)
 {
     const struct lens *lens = input->lens.lens.lens;
-    struct input own = *input;
+    struct fov_input own = *input;
     struct photo_lens_question far;
     struct photo_lens near, infinity;
     if (!isnan(input->magnification)) {
@@ -445,16 +448,16 @@ static bool answer_focused(const struct input *input, size_t position, struct ru
     }
     own.at_infinity = &infinity;
     own.position = lens->position_count > 0 ? lens->positions[position] : NULL;
-    return answer(&own, &near, run, error);
+    return fov_answer(&own, &near, run, error);
 }
 
-static bool run(const void *data, struct run *run, struct error *error)
+static bool fov_run(const void *data, struct run *run, struct error *error)
 {
-    const struct input *input = data;
+    const struct fov_input *input = data;
     const size_t *positions;
     size_t count;
     if (input->gap == NULL || input->lens.lens.lens == NULL) {
-        return photo_lens_each(&input->lens, 0, run, answer, input, error);
+        return photo_lens_each(&input->lens, 0, run, fov_answer, input, error);
     }
     if (!lens_positions(input->lens.lens.lens, input->lens.position, run->arena, &positions, &count,
                         error)) {
@@ -516,16 +519,17 @@ static const struct example examples[] = {
     {NULL, NULL},
 };
 
-PHOTO_LENS_MAKES_MANY(struct input, lens)
+PHOTO_LENS_MAKES_MANY(struct fov_input, lens)
 
-BY_RAYS_WEIGHT(struct input, rays)
+BY_RAYS_WEIGHT(struct fov_input, rays)
 
 const struct command command_fov = {
     .name = "fov",
     .group = "photography",
     .summary = "field of view, and the focal length for a wanted one",
-    COMMAND_ASKS(struct input),
-    COMMAND_ANSWERS(struct row),
+    COMMAND_ASKS(struct fov_input),
+    COMMAND_ANSWERS(struct fov_row),
+    .run = fov_run,
     .makes_many = makes_many,
     .varies = varies,
     .weight = weight,

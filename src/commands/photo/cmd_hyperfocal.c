@@ -8,7 +8,7 @@
 
 #include <math.h>
 
-struct input {
+struct hyperfocal_input {
     double hyperfocal, near; /* wanted */
     struct photo_lens_question lens;
     struct sharpness sharp;
@@ -17,26 +17,27 @@ struct input {
 };
 
 static const struct option options[] = {
-    OPTION_FOCAL_LENGTH(struct input, lens.focal, OPTION_SETTING),
-    PHOTO_LENS_OPTIONS(struct input, lens),
-    OPTION_APERTURE(struct input, lens.fnumber, OPTION_SETTING),
-    SHARPNESS_OPTIONS_OF_LENS(struct input, sharp, lens, 0, "d/1500", coc_is_pixels),
-    OPTION_PUPIL_OF_LENS(struct input, lens.pupil, NULL),
-    {OPTION(struct input, hyperfocal), .name = "hyperfocal", .quantity = "hyperfocal distance",
-     .column = "hyperfocal", .dimension = &dimension_length, .unit = "m", OPTION_POSITIVE,
-     .flags = OPTION_ABOVE_LOWEST | OPTION_NO_INFINITY | OPTION_GOAL, .value = "LENGTH",
-     .help = "wanted hyperfocal distance: solves for focal length or f-number"},
-    {OPTION(struct input, near), .name = "near", .quantity = "near limit", .column = "near",
-     .dimension = &dimension_length, .unit = "m", OPTION_POSITIVE,
+    OPTION_FOCAL_LENGTH(struct hyperfocal_input, lens.focal, OPTION_SETTING),
+    PHOTO_LENS_OPTIONS(struct hyperfocal_input, lens),
+    OPTION_APERTURE(struct hyperfocal_input, lens.fnumber, OPTION_SETTING),
+    SHARPNESS_OPTIONS_OF_LENS(struct hyperfocal_input, sharp, lens, 0, "d/1500", coc_is_pixels),
+    OPTION_PUPIL_OF_LENS(struct hyperfocal_input, lens.pupil, NULL),
+    {OPTION(struct hyperfocal_input, hyperfocal), .name = "hyperfocal",
+     .quantity = "hyperfocal distance", .column = "hyperfocal", .dimension = &dimension_length,
+     .unit = "m", OPTION_POSITIVE, .flags = OPTION_ABOVE_LOWEST | OPTION_NO_INFINITY | OPTION_GOAL,
+     .value = "LENGTH", .help = "wanted hyperfocal distance: solves for focal length or f-number"},
+    {OPTION(struct hyperfocal_input, near), .name = "near", .quantity = "near limit",
+     .column = "near", .dimension = &dimension_length, .unit = "m", OPTION_POSITIVE,
      .flags = OPTION_ABOVE_LOWEST | OPTION_NO_INFINITY | OPTION_GOAL, .value = "LENGTH",
      .help = "wanted near limit there, in place of --hyperfocal"},
-    OPTION_SQUEEZE(struct input, squeeze, NULL,
+    OPTION_SQUEEZE(struct hyperfocal_input, squeeze, NULL,
                    "anamorphic squeeze: adds the horizontal focal length; -f is the marked one"),
-    BY_RAYS_EXACT_OPTION(struct input, rays, "by the rays of --lens, aberrations included"),
-    BY_RAYS_CRITERION_OPTION(struct input, rays),
+    BY_RAYS_EXACT_OPTION(struct hyperfocal_input, rays,
+                         "by the rays of --lens, aberrations included"),
+    BY_RAYS_CRITERION_OPTION(struct hyperfocal_input, rays),
 };
 
-struct row {
+struct hyperfocal_row {
     double focal, fnumber, coc, pupil, wavelength, hyperfocal, near, image;
     double sensor_hyperfocal, sensor_near; /* from the sensor */
     double squeeze, horizontal_focal;
@@ -46,16 +47,16 @@ struct row {
 };
 
 #define LENGTH(member_name, in_unit)                                                               \
-    COLUMN(struct row, member_name), .dimension = &dimension_length, .unit = in_unit
+    COLUMN(struct hyperfocal_row, member_name), .dimension = &dimension_length, .unit = in_unit
 
 static const struct column columns[] = {
-    PHOTO_LENS_COLUMNS(struct row, real),
-    COLUMN_FOCAL(struct row, focal, COLUMN_BRIEF),
-    COLUMN_FNUMBER(struct row, fnumber, COLUMN_BRIEF),
-    COLUMN_SENSOR(struct row, sensor),
-    COLUMN_COC(struct row, coc, 0, SHARPNESS_WISHES),
-    COLUMN_CRITERION(struct row, criterion),
-    COLUMN_WAVELENGTH(struct row, wavelength),
+    PHOTO_LENS_COLUMNS(struct hyperfocal_row, real),
+    COLUMN_FOCAL(struct hyperfocal_row, focal, COLUMN_BRIEF),
+    COLUMN_FNUMBER(struct hyperfocal_row, fnumber, COLUMN_BRIEF),
+    COLUMN_SENSOR(struct hyperfocal_row, sensor),
+    COLUMN_COC(struct hyperfocal_row, coc, 0, SHARPNESS_WISHES),
+    COLUMN_CRITERION(struct hyperfocal_row, criterion),
+    COLUMN_WAVELENGTH(struct hyperfocal_row, wavelength),
     {LENGTH(hyperfocal, "m"), .name = "hyperfocal", .flags = COLUMN_INFINITE | COLUMN_BRIEF,
      .symbol = "H", .label = "hyperfocal distance",
      .help = "nearest focus that keeps infinity sharp, from the front principal plane"},
@@ -70,18 +71,18 @@ static const struct column columns[] = {
      .label = "near limit from the sensor", .help = "near limit, from the sensor"},
     {LENGTH(image, "mm"), .name = "image", .flags = COLUMN_EXTRA | COLUMN_INFINITE, .symbol = "v",
      .label = "image distance", .help = "sensor from the rear principal plane"},
-    BY_RAYS_COLUMNS(struct row, rays),
+    BY_RAYS_COLUMNS(struct hyperfocal_row, rays),
     {LENGTH(horizontal_focal, "mm"), .name = "horizontal_focal", .flags = COLUMN_EXTRA,
      .with = "squeeze", .symbol = "fh", .label = "horizontal focal length",
      .help = "focal length across the picture, by the squeeze"},
-    PHOTO_LENS_HIATUS_COLUMN(struct row, real.hiatus),
-    COLUMN_PUPIL(struct row, pupil),
-    COLUMN_SQUEEZE(struct row, squeeze),
-    PHOTO_LENS_WARNING_COLUMN(struct row, real),
+    PHOTO_LENS_HIATUS_COLUMN(struct hyperfocal_row, real.hiatus),
+    COLUMN_PUPIL(struct hyperfocal_row, pupil),
+    COLUMN_SQUEEZE(struct hyperfocal_row, squeeze),
+    PHOTO_LENS_WARNING_COLUMN(struct hyperfocal_row, real),
 };
 
 /* What is wanted, as a hyperfocal distance; NaN: nothing is. */
-static double wanted(const struct input *input, const struct dof_setting *setting)
+static double wanted(const struct hyperfocal_input *input, const struct dof_setting *setting)
 {
     return isnan(input->near) ? input->hyperfocal
                               : dof_hyperfocal_of_near(setting->f, setting->P,
@@ -89,8 +90,9 @@ static double wanted(const struct input *input, const struct dof_setting *settin
 }
 
 /* The Airy disc grows with the magnification at that distance: in turn till they agree. */
-static bool solve(const struct input *input, const struct sharpness *sharp,
-                  const struct photo_lens *lens, struct dof_setting *setting, struct error *error)
+static bool hyperfocal_solve(const struct hyperfocal_input *input, const struct sharpness *sharp,
+                             const struct photo_lens *lens, struct dof_setting *setting,
+                             struct error *error)
 {
     const struct dof_setting given = *setting;
     struct dof_targets targets = {NAN, NAN, NAN, NAN, NAN};
@@ -117,8 +119,9 @@ static bool solve(const struct input *input, const struct sharpness *sharp,
 }
 
 /* By the rays of the lens in place of what formulas gave. */
-static bool find_by_rays(const struct input *input, const struct photo_lens *lens, double c,
-                         struct run *run, struct row *row, struct error *error)
+static bool hyperfocal_find_by_rays(const struct hyperfocal_input *input,
+                                    const struct photo_lens *lens, double c, struct run *run,
+                                    struct hyperfocal_row *row, struct error *error)
 {
     const double front = lens->measuring.front;
     double blur;
@@ -151,10 +154,10 @@ static bool find_by_rays(const struct input *input, const struct photo_lens *len
     return true;
 }
 
-static bool answer(const void *data, const struct photo_lens *lens, struct run *run,
-                   struct error *error)
+static bool hyperfocal_answer(const void *data, const struct photo_lens *lens, struct run *run,
+                              struct error *error)
 {
-    const struct input *input = data;
+    const struct hyperfocal_input *input = data;
     struct dof_setting setting = {lens->f, lens->N, 0, INFINITY, lens->P};
     if (!isnan(input->near) && !isnan(input->hyperfocal)) {
         return fail(error, ERROR_USAGE, "give only one of {--hyperfocal} and {--near}");
@@ -168,13 +171,13 @@ static bool answer(const void *data, const struct photo_lens *lens, struct run *
     }
     struct sharpness sharp;
     if (!sharpness_imply(&input->sharp, PITCH_FOR_COC, &sharp, error) ||
-        !solve(input, &sharp, lens, &setting, error)) {
+        !hyperfocal_solve(input, &sharp, lens, &setting, error)) {
         return false;
     }
     if (sharpness_in_pixels(&sharp)) {
         sharpness_doubt_pitch(&sharp, run->doubts);
     }
-    struct row row = {
+    struct hyperfocal_row row = {
         .focal = setting.f,
         .fnumber = setting.N,
         .coc = setting.c,
@@ -190,7 +193,7 @@ static bool answer(const void *data, const struct photo_lens *lens, struct run *
         .criterion = sharp.coc.criterion,
     };
     row.image = distance_image(setting.f, row.hyperfocal);
-    if (input->rays.exact && !find_by_rays(input, lens, setting.c, run, &row, error)) {
+    if (input->rays.exact && !hyperfocal_find_by_rays(input, lens, setting.c, run, &row, error)) {
         return false;
     }
     double to_sensor = row.image + lens->measuring.hiatus;
@@ -200,12 +203,12 @@ static bool answer(const void *data, const struct photo_lens *lens, struct run *
     return true;
 }
 
-static bool run(const void *data, struct run *run, struct error *error)
+static bool hyperfocal_run(const void *data, struct run *run, struct error *error)
 {
-    const struct input *input = data;
+    const struct hyperfocal_input *input = data;
     bool aimless = isnan(input->hyperfocal) && isnan(input->near);
     int use = aimless ? 0 : PHOTO_LENS_SOLVES_FNUMBER;
-    return photo_lens_each(&input->lens, use, run, answer, input, error);
+    return photo_lens_each(&input->lens, use, run, hyperfocal_answer, input, error);
 }
 
 static const struct explanation explanations[] = {
@@ -237,16 +240,17 @@ static const struct example examples[] = {
     {NULL, NULL},
 };
 
-PHOTO_LENS_MAKES_MANY(struct input, lens)
+PHOTO_LENS_MAKES_MANY(struct hyperfocal_input, lens)
 
-BY_RAYS_WEIGHT(struct input, rays)
+BY_RAYS_WEIGHT(struct hyperfocal_input, rays)
 
 const struct command command_hyperfocal = {
     .name = "hyperfocal",
     .group = "photography",
     .summary = "hyperfocal distance and its near limit",
-    COMMAND_ASKS(struct input),
-    COMMAND_ANSWERS(struct row),
+    COMMAND_ASKS(struct hyperfocal_input),
+    COMMAND_ANSWERS(struct hyperfocal_row),
+    .run = hyperfocal_run,
     .makes_many = makes_many,
     .varies = varies,
     .weight = weight,

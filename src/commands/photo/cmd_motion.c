@@ -10,7 +10,7 @@
 
 #include <math.h>
 
-struct input {
+struct motion_input {
     struct focal_value focal;
     double distance, magnification, speed, time, angle, height;
     double rotation, track, stabiliser, readout;
@@ -21,42 +21,43 @@ struct input {
 #define POSITIVE OPTION_POSITIVE, .flags = OPTION_ABOVE_LOWEST | OPTION_NO_INFINITY
 
 static const struct option options[] = {
-    OPTION_FOCAL_LENGTH(struct input, focal, OPTION_SETTING),
-    OPTION_DISTANCE(struct input, distance, OPTION_SETTING, "distance of the subject"),
-    {OPTION(struct input, magnification), .name = "magnification", .letter = 'm',
+    OPTION_FOCAL_LENGTH(struct motion_input, focal, OPTION_SETTING),
+    OPTION_DISTANCE(struct motion_input, distance, OPTION_SETTING, "distance of the subject"),
+    {OPTION(struct motion_input, magnification), .name = "magnification", .letter = 'm',
      .column = "magnification", .dimension = &dimension_ratio, POSITIVE | OPTION_GOAL,
      .value = "RATIO", .help = "in place of focal length and distance: 1:2 or 0.5"},
-    {OPTION(struct input, speed), .name = "speed", .letter = 'v', .column = "speed",
+    {OPTION(struct motion_input, speed), .name = "speed", .letter = 'v', .column = "speed",
      .dimension = &dimension_speed, .unit = "m_s", POSITIVE | OPTION_SETTING, .value = "SPEED",
      .help = "of the subject: 5m/s, 30km/h, 20mph"},
-    OPTION_TIME(struct input, time, OPTION_SETTING),
-    {OPTION(struct input, blur), .name = "blur", .column = "blur", .dimension = &dimension_length,
-     .unit = "mm", .flags = OPTION_GOAL, .value = "LENGTH",
+    OPTION_TIME(struct motion_input, time, OPTION_SETTING),
+    {OPTION(struct motion_input, blur), .name = "blur", .column = "blur",
+     .dimension = &dimension_length, .unit = "mm", .flags = OPTION_GOAL, .value = "LENGTH",
      .help = "blur allowed on the sensor: 0.02mm, 2px, d/1500 (the circle of confusion unless "
              "given)"},
-    {OPTION(struct input, angle), .name = "angle", .quantity = "angle of the motion",
+    {OPTION(struct motion_input, angle), .name = "angle", .quantity = "angle of the motion",
      .column = "angle", .dimension = &dimension_angle, .unit = "deg", .lowest = 0, .highest = PI,
      .fallback = "90", .value = "ANGLE",
      .help = "of the motion: 90 deg across the view, 0 straight at the camera"},
-    {OPTION(struct input, height), .name = "height", .quantity = "image height", .column = "height",
-     .dimension = &dimension_length, .unit = "mm", .fallback = "0", .value = "LENGTH",
-     .flags = OPTION_NO_INFINITY, .help = "image height of the subject, for motion in depth"},
-    {OPTION(struct input, rotation), .name = "rotation", .column = "rotation",
+    {OPTION(struct motion_input, height), .name = "height", .quantity = "image height",
+     .column = "height", .dimension = &dimension_length, .unit = "mm", .fallback = "0",
+     .value = "LENGTH", .flags = OPTION_NO_INFINITY,
+     .help = "image height of the subject, for motion in depth"},
+    {OPTION(struct motion_input, rotation), .name = "rotation", .column = "rotation",
      .dimension = &dimension_rotation, .unit = "deg_s", POSITIVE, .value = "RATE",
      .help = "of the camera: its shake or pan"},
-    {OPTION(struct input, track), .name = "track", .column = "track", .dimension = &dimension_ratio,
-     .lowest = 0, .highest = INFINITY, .flags = OPTION_NO_INFINITY, .value = "FRACTION",
-     .help = "panning: 1 follows exactly, 0.9 lags by a tenth"},
-    {OPTION(struct input, stabiliser), .name = "stabiliser", .column = "stabiliser",
+    {OPTION(struct motion_input, track), .name = "track", .column = "track",
+     .dimension = &dimension_ratio, .lowest = 0, .highest = INFINITY, .flags = OPTION_NO_INFINITY,
+     .value = "FRACTION", .help = "panning: 1 follows exactly, 0.9 lags by a tenth"},
+    {OPTION(struct motion_input, stabiliser), .name = "stabiliser", .column = "stabiliser",
      .dimension = &dimension_stops, .lowest = 0, .highest = 20, .fallback = "0", .value = "STOPS",
      .help = "stops gained by stabilisation, for the hand-held rule"},
-    {OPTION(struct input, readout), .name = "readout", .quantity = "readout time",
+    {OPTION(struct motion_input, readout), .name = "readout", .quantity = "readout time",
      .column = "readout", .dimension = &dimension_time, .unit = "s", POSITIVE | OPTION_NO_SERIES,
      .value = "TIME", .help = "rolling shutter: time from first to last row"},
-    SHARPNESS_OPTIONS(struct input, sharp, 0, "d/1500", NULL),
+    SHARPNESS_OPTIONS(struct motion_input, sharp, 0, "d/1500", NULL),
 };
 
-struct row {
+struct motion_row {
     struct motion motion;
     double focal, distance, c, pitch;
     struct blur_size size;
@@ -69,7 +70,7 @@ struct row {
     const char *sensor, *criterion;
 };
 
-#define NUMBER(member)          COLUMN(struct row, member)
+#define NUMBER(member)          COLUMN(struct motion_row, member)
 #define TIME(member)            NUMBER(member), .dimension = &dimension_time, .unit = "s"
 #define LENGTH(member, in_unit) NUMBER(member), .dimension = &dimension_length, .unit = in_unit
 #define ANGLE(member)           NUMBER(member), .dimension = &dimension_angle, .unit = "deg"
@@ -77,10 +78,10 @@ struct row {
 #define BRIEF_WITH(option)      .flags = COLUMN_EXTRA | COLUMN_BRIEF, .with = option
 
 static const struct column columns[] = {
-    COLUMN_FOCAL(struct row, focal, 0),
+    COLUMN_FOCAL(struct motion_row, focal, 0),
     {LENGTH(distance, "m"), .name = "distance", .flags = COLUMN_ECHO | COLUMN_INFINITE,
      .with = "distance", .symbol = "s", .label = "distance", .help = "distance of the subject"},
-    COLUMN_MAGNIFICATION(struct row, motion.m, 0),
+    COLUMN_MAGNIFICATION(struct motion_row, motion.m, 0),
     {NUMBER(motion.v), .dimension = &dimension_speed, .unit = "m_s", .name = "speed",
      .flags = COLUMN_BRIEF, .symbol = "v", .label = "speed", .help = "of the subject"},
     {ANGLE(motion.angle), .name = "angle", ECHO_WITH("angle"), .symbol = "a", .label = "angle",
@@ -119,13 +120,13 @@ static const struct column columns[] = {
      .symbol = "x", .label = "rolling shutter shifts", .help = "from first to last row"},
     {ANGLE(skew.angle), .name = "skew", BRIEF_WITH("readout"), .symbol = "lean",
      .label = "skew of upright edges", .help = "by the rolling shutter"},
-    COLUMN_SENSOR(struct row, sensor),
-    COLUMN_COC(struct row, c, COLUMN_EXTRA, ""),
-    COLUMN_CRITERION(struct row, criterion),
+    COLUMN_SENSOR(struct motion_row, sensor),
+    COLUMN_COC(struct motion_row, c, COLUMN_EXTRA, ""),
+    COLUMN_CRITERION(struct motion_row, criterion),
 };
 
 /* The blur that is given, or the circle of confusion where it limits an unknown. */
-static bool limit(const struct input *input, double c, bool wanted, double *blur,
+static bool limit(const struct motion_input *input, double c, bool wanted, double *blur,
                   struct error *error)
 {
     struct sharpness sharp = input->sharp;
@@ -138,7 +139,7 @@ static bool limit(const struct input *input, double c, bool wanted, double *blur
 }
 
 /* Magnification from focal length and distance, or as given. */
-static bool magnify(const struct input *input, double *m, struct error *error)
+static bool magnify(const struct motion_input *input, double *m, struct error *error)
 {
     *m = input->magnification;
     if (!is_given(input->focal.length) || !is_given(input->distance)) {
@@ -152,7 +153,8 @@ static bool magnify(const struct input *input, double *m, struct error *error)
 }
 
 /* A moving subject: speed, time, magnification or blur from the other three. */
-static bool solve_subject(const struct input *input, struct row *row, struct error *error)
+static bool solve_subject(const struct motion_input *input, struct motion_row *row,
+                          struct error *error)
 {
     struct motion *motion = &row->motion;
     bool open = !is_given(input->speed) || !is_given(input->time) || !is_given(motion->m);
@@ -167,7 +169,8 @@ static bool solve_subject(const struct input *input, struct row *row, struct err
 }
 
 /* A turning camera. Beside a moving subject it has that one's time. */
-static bool solve_shake(const struct input *input, struct row *row, struct error *error)
+static bool solve_shake(const struct motion_input *input, struct motion_row *row,
+                        struct error *error)
 {
     struct shake *shake = &row->shake;
     bool alone = !is_given(input->speed);
@@ -190,15 +193,17 @@ static bool solve_shake(const struct input *input, struct row *row, struct error
     return true;
 }
 
-static bool solve_panning(const struct input *input, struct row *row, struct error *error)
+static bool solve_panning(const struct motion_input *input, struct motion_row *row,
+                          struct error *error)
 {
-    const struct panning pan = {row->motion.v, row->motion.angle, row->motion.t,
-                                row->focal,    row->distance,     input->track};
+    const struct panning_shot pan = {row->motion.v, row->motion.angle, row->motion.t,
+                                     row->focal,    row->distance,     input->track};
     row->track = input->track;
     return panning_solve(&pan, &row->pan, error);
 }
 
-static bool solve(const struct input *input, struct row *row, struct error *error)
+static bool motion_row_solve(const struct motion_input *input, struct motion_row *row,
+                             struct error *error)
 {
     const struct sensor *sensor = &input->sharp.sensor.size;
     bool turns = is_given(input->rotation);
@@ -217,15 +222,16 @@ static bool solve(const struct input *input, struct row *row, struct error *erro
            handheld_time(row->focal, sensor_crop(sensor), input->stabiliser, &row->handheld, error);
 }
 
-static bool run(const void *data, struct run *run, struct error *error)
+static bool motion_run(const void *data, struct run *run, struct error *error)
 {
-    struct input own = *(const struct input *)data;
-    const struct input *input = &own;
-    if (!sharpness_imply(&((const struct input *)data)->sharp, PITCH_FOR_MORE, &own.sharp, error)) {
+    struct motion_input own = *(const struct motion_input *)data;
+    const struct motion_input *input = &own;
+    if (!sharpness_imply(&((const struct motion_input *)data)->sharp, PITCH_FOR_MORE, &own.sharp,
+                         error)) {
         return false;
     }
     sharpness_doubt_pitch(&own.sharp, run->doubts);
-    struct row row = {
+    struct motion_row row = {
         .motion = {input->speed, input->time, NAN, NAN, input->angle, input->distance,
                    input->height},
         .focal = input->focal.length,
@@ -242,7 +248,7 @@ static bool run(const void *data, struct run *run, struct error *error)
         .sensor = input->sharp.sensor.name,
         .criterion = input->sharp.coc.criterion,
     };
-    if (!solve(input, &row, error)) {
+    if (!motion_row_solve(input, &row, error)) {
         return false;
     }
     run_emit(run, &row);
@@ -279,8 +285,9 @@ const struct command command_motion = {
     .name = "motion",
     .group = "photography",
     .summary = "blur of moving subjects, panning, shake, rolling shutter",
-    COMMAND_ASKS(struct input),
-    COMMAND_ANSWERS(struct row),
+    COMMAND_ASKS(struct motion_input),
+    COMMAND_ANSWERS(struct motion_row),
+    .run = motion_run,
     .plot = "time_s|blur_um|speed_m_s",
     .cell = "time_s",
 };

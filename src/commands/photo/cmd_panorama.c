@@ -10,7 +10,7 @@
 
 #include <math.h>
 
-struct input {
+struct panorama_input {
     struct focal_value focal;
     double distance, pupil, hiatus;
     struct sensor_value sensor;
@@ -25,21 +25,23 @@ struct input {
 };
 
 #define ANGLE_OPTION(member_name)                                                                  \
-    OPTION(struct input, member_name), .name = #member_name, .dimension = &dimension_angle,        \
-                                       .unit = "deg", .value = "ANGLE"
+    OPTION(struct panorama_input, member_name),                                                    \
+        .name = #member_name, .dimension = &dimension_angle, .unit = "deg", .value = "ANGLE"
 #define POSITIVE OPTION_POSITIVE, .flags = OPTION_ABOVE_LOWEST | OPTION_NO_INFINITY
 
 static const struct option options[] = {
-    OPTION_FOCAL_LENGTH(struct input, focal, OPTION_SETTING),
-    OPTION_SENSOR(struct input, sensor),
-    {OPTION(struct input, portrait), .name = "portrait", .help = "the camera is held upright"},
-    {OPTION(struct input, distance), .name = "distance", .letter = 's', .column = "distance",
-     .dimension = &dimension_length, .unit = "m", OPTION_POSITIVE, .flags = OPTION_ABOVE_LOWEST,
-     .fallback = "inf", .value = "LENGTH", .help = "distance the lens is focused at"},
-    OPTION_PUPIL(struct input, pupil),
-    {OPTION(struct input, hiatus), .name = "hiatus", .dimension = &dimension_length, .unit = "mm",
-     .flags = OPTION_NO_INFINITY, .fallback = "0", .value = "LENGTH", .excludes = "each-row",
-     .help = "distance between the principal planes"},
+    OPTION_FOCAL_LENGTH(struct panorama_input, focal, OPTION_SETTING),
+    OPTION_SENSOR(struct panorama_input, sensor),
+    {OPTION(struct panorama_input, portrait), .name = "portrait",
+     .help = "the camera is held upright"},
+    {OPTION(struct panorama_input, distance), .name = "distance", .letter = 's',
+     .column = "distance", .dimension = &dimension_length, .unit = "m", OPTION_POSITIVE,
+     .flags = OPTION_ABOVE_LOWEST, .fallback = "inf", .value = "LENGTH",
+     .help = "distance the lens is focused at"},
+    OPTION_PUPIL(struct panorama_input, pupil),
+    {OPTION(struct panorama_input, hiatus), .name = "hiatus", .dimension = &dimension_length,
+     .unit = "mm", .flags = OPTION_NO_INFINITY, .fallback = "0", .value = "LENGTH",
+     .excludes = "each-row", .help = "distance between the principal planes"},
     {ANGLE_OPTION(horizontal), .column = "horizontal", .lowest = 0, .highest = 2 * PI,
      .flags = OPTION_ABOVE_LOWEST | OPTION_GOAL,
      .help = "horizontal angle of one frame as held, in place of -f (a fisheye)"},
@@ -51,33 +53,35 @@ static const struct option options[] = {
      .help = "vertical angle of the panorama; up to that of a frame: one row"},
     {ANGLE_OPTION(elevation), .lowest = -PI / 2, .highest = PI / 2, .fallback = "0",
      .wants = "each-row", .help = "of the panorama's middle, for --each-row"},
-    {OPTION(struct input, overlap), .name = "overlap", .dimension = &dimension_ratio, .lowest = 0,
-     .highest = 0.95, .fallback = "30%", .value = "FRACTION",
+    {OPTION(struct panorama_input, overlap), .name = "overlap", .dimension = &dimension_ratio,
+     .lowest = 0, .highest = 0.95, .fallback = "30%", .value = "FRACTION",
      .help = "least overlap of neighbouring frames: 30% or 0.3"},
-    {OPTION(struct input, per_row), .name = "per-row", .lowest = 1, .highest = 1e6,
+    {OPTION(struct panorama_input, per_row), .name = "per-row", .lowest = 1, .highest = 1e6,
      .value = "NUMBER", .help = "frames per row, in place of the number that --overlap gives"},
-    {OPTION(struct input, rows), .name = "rows", .quantity = "number of rows", .lowest = 1,
+    {OPTION(struct panorama_input, rows), .name = "rows", .quantity = "number of rows", .lowest = 1,
      .highest = 1e6, .value = "NUMBER",
      .help = "number of rows, in place of that from --span and --overlap"},
-    {OPTION(struct input, each_row), .name = "each-row", .excludes = "offset near pixels",
+    {OPTION(struct panorama_input, each_row), .name = "each-row", .excludes = "offset near pixels",
      .help = "a line for each row: its elevation, and the fewest frames it needs"},
-    {OPTION(struct input, pixels), .name = "pixels", .lowest = 1, .highest = 1e6, .value = "NUMBER",
+    {OPTION(struct panorama_input, pixels), .name = "pixels", .lowest = 1, .highest = 1e6,
+     .value = "NUMBER",
      .help = "frame width in pixels, as held (default: from the camera's pitch)"},
-    {OPTION(struct input, offset), .name = "offset", .dimension = &dimension_length, .unit = "mm",
-     .flags = OPTION_NO_INFINITY, .value = "LENGTH",
+    {OPTION(struct panorama_input, offset), .name = "offset", .dimension = &dimension_length,
+     .unit = "mm", .flags = OPTION_NO_INFINITY, .value = "LENGTH",
      .help =
          "offset of the entrance pupil from the axis of rotation, along the lens: causes parallax"},
-    {OPTION(struct input, near), .name = "near", .quantity = "nearest point",
+    {OPTION(struct panorama_input, near), .name = "near", .quantity = "nearest point",
      .dimension = &dimension_length, .unit = "m", POSITIVE, .value = "LENGTH",
      .help = "nearest object where frames overlap, for parallax"},
-    {OPTION(struct input, far), .name = "far", .quantity = "farthest point",
+    {OPTION(struct panorama_input, far), .name = "far", .quantity = "farthest point",
      .dimension = &dimension_length, .unit = "m", OPTION_POSITIVE, .flags = OPTION_ABOVE_LOWEST,
      .fallback = "inf", .value = "LENGTH", .wants = "near", .help = "farthest object there"},
-    {OPTION(struct input, tolerance), .name = "tolerance", .dimension = &dimension_number, POSITIVE,
-     .fallback = "1", .value = "NUMBER", .wants = "near", .help = "allowed parallax in pixels"},
+    {OPTION(struct panorama_input, tolerance), .name = "tolerance", .dimension = &dimension_number,
+     POSITIVE, .fallback = "1", .value = "NUMBER", .wants = "near",
+     .help = "allowed parallax in pixels"},
 };
 
-struct row {
+struct panorama_command_row {
     double focal, distance;
     struct panorama_frame frame;
     double step, row_step, overlap, row_overlap, arc, span;
@@ -89,16 +93,19 @@ struct row {
 };
 
 #define LENGTH(member_name, in_unit)                                                               \
-    COLUMN(struct row, member_name), .dimension = &dimension_length, .unit = in_unit
+    COLUMN(struct panorama_command_row, member_name), .dimension = &dimension_length,              \
+                                                      .unit = in_unit
 #define ANGLE(member_name)                                                                         \
-    COLUMN(struct row, member_name), .dimension = &dimension_angle, .unit = "deg"
+    COLUMN(struct panorama_command_row, member_name), .dimension = &dimension_angle, .unit = "deg"
 #define RATIO(member_name)                                                                         \
-    COLUMN(struct row, member_name), .dimension = &dimension_ratio, .unit = "percent"
+    COLUMN(struct panorama_command_row, member_name), .dimension = &dimension_ratio,               \
+                                                      .unit = "percent"
 
 #define COLUMNS_ASSUMED                                                                            \
-    COLUMN_SENSOR(struct row, sensor),                                                             \
-        {COLUMN(struct row, held), .name = "held", .flags = COLUMN_ASSUMED | COLUMN_EXTRA,         \
-         .label = "held", .help = "landscape or portrait"},                                        \
+    COLUMN_SENSOR(struct panorama_command_row, sensor),                                            \
+        {COLUMN(struct panorama_command_row, held), .name = "held",                                \
+         .flags = COLUMN_ASSUMED | COLUMN_EXTRA, .label = "held",                                  \
+         .help = "landscape or portrait"},                                                         \
         {ANGLE(arc),                                                                               \
          .name = "arc",                                                                            \
          .flags = COLUMN_ASSUMED | COLUMN_EXTRA | COLUMN_ECHO,                                     \
@@ -115,7 +122,7 @@ struct row {
 #define WITH_PIXELS .when = "with --pixels, or a camera of known pixels"
 
 static const struct column columns[] = {
-    COLUMN_FOCAL(struct row, focal, 0),
+    COLUMN_FOCAL(struct panorama_command_row, focal, 0),
     {LENGTH(distance, "m"), .name = "distance",
      .flags = COLUMN_ECHO | COLUMN_EXTRA | COLUMN_INFINITE, .with = "distance", .symbol = "s",
      .label = "focused at", .help = "distance the lens is focused at"},
@@ -123,12 +130,13 @@ static const struct column columns[] = {
      .help = "of one frame as held"},
     {ANGLE(frame.vertical), .name = "vertical", .symbol = "v", .label = "vertical angle",
      .help = "of one frame as held"},
-    {COLUMN(struct row, columns), .name = "columns", .flags = COLUMN_BRIEF, .symbol = "n",
-     .repeats = "per-row", .label = "columns, frames a row", .help = "frames a row at the horizon"},
-    {COLUMN(struct row, rows), .name = "rows", .flags = COLUMN_BRIEF, .label = "rows",
-     .help = "rows"},
-    {COLUMN(struct row, shots), .name = "shots", .flags = COLUMN_BRIEF, .label = "shots in total",
-     .help = "columns times rows"},
+    {COLUMN(struct panorama_command_row, columns), .name = "columns", .flags = COLUMN_BRIEF,
+     .symbol = "n", .repeats = "per-row", .label = "columns, frames a row",
+     .help = "frames a row at the horizon"},
+    {COLUMN(struct panorama_command_row, rows), .name = "rows", .flags = COLUMN_BRIEF,
+     .label = "rows", .help = "rows"},
+    {COLUMN(struct panorama_command_row, shots), .name = "shots", .flags = COLUMN_BRIEF,
+     .label = "shots in total", .help = "columns times rows"},
     {ANGLE(step), .name = "step", .flags = COLUMN_BRIEF, .symbol = "d", .label = "step",
      .help = "from frame to frame"},
     {ANGLE(row_step), .name = "row_step", .when = "where there are several rows",
@@ -137,23 +145,23 @@ static const struct column columns[] = {
      .help = "of neighbouring frames, achieved"},
     {RATIO(row_overlap), .name = "row_overlap", .when = "where there are several rows",
      .label = "overlap of rows", .help = "of neighbouring rows, achieved"},
-    {COLUMN(struct row, size.per_degree), .name = "pixels_per_degree", WITH_PIXELS,
+    {COLUMN(struct panorama_command_row, size.per_degree), .name = "pixels_per_degree", WITH_PIXELS,
      .label = "pixels per degree", .help = "in the middle of a frame"},
-    {COLUMN(struct row, size.width), .name = "width_px", WITH_PIXELS, .label = "width, pixels",
-     .help = "of the stitched picture, cylinder or sphere"},
-    {COLUMN(struct row, size.sphere_height), .name = "sphere_height_px", WITH_PIXELS,
-     .label = "height as a sphere, pixels", .help = "equirectangular"},
-    {COLUMN(struct row, size.cylinder_height), .name = "cylinder_height_px", WITH_PIXELS,
-     .flags = COLUMN_INFINITE | COLUMN_HIDDEN, .label = "height as a cylinder, pixels",
+    {COLUMN(struct panorama_command_row, size.width), .name = "width_px", WITH_PIXELS,
+     .label = "width, pixels", .help = "of the stitched picture, cylinder or sphere"},
+    {COLUMN(struct panorama_command_row, size.sphere_height), .name = "sphere_height_px",
+     WITH_PIXELS, .label = "height as a sphere, pixels", .help = "equirectangular"},
+    {COLUMN(struct panorama_command_row, size.cylinder_height), .name = "cylinder_height_px",
+     WITH_PIXELS, .flags = COLUMN_INFINITE | COLUMN_HIDDEN, .label = "height as a cylinder, pixels",
      .help = "infinite from 180 degrees on"},
-    {COLUMN(struct row, size.flat_width), .name = "flat_width_px", WITH_PIXELS,
+    {COLUMN(struct panorama_command_row, size.flat_width), .name = "flat_width_px", WITH_PIXELS,
      .flags = COLUMN_INFINITE | COLUMN_HIDDEN, .label = "width laid flat, pixels",
      .help = "rectilinear; infinite from 180 degrees on"},
     {LENGTH(offset, "mm"), .name = "offset", .flags = COLUMN_ECHO | COLUMN_EXTRA, .with = "offset",
      .symbol = "e", .label = "offset of the pupil", .help = "entrance pupil off the axis"},
     {ANGLE(parallax), .name = "parallax", .flags = COLUMN_EXTRA | COLUMN_BRIEF, .with = "offset",
      .symbol = "p", .label = "parallax", .help = "of near against far between two frames"},
-    {COLUMN(struct row, parallax_pixels), .name = "parallax_px",
+    {COLUMN(struct panorama_command_row, parallax_pixels), .name = "parallax_px",
      .flags = COLUMN_EXTRA | COLUMN_BRIEF, .with = "offset", .label = "parallax, pixels",
      .help = "the same in pixels"},
     {LENGTH(most_offset, "mm"), .name = "max_offset", .flags = COLUMN_EXTRA | COLUMN_BRIEF,
@@ -165,20 +173,20 @@ static const struct column columns[] = {
      .label = "pupil before the sensor",
      .help = "thin-lens estimate of what to put between the axis and the sensor mark"},
     COLUMNS_ASSUMED,
-    COLUMN_PUPIL(struct row, pupil),
+    COLUMN_PUPIL(struct panorama_command_row, pupil),
 };
 
 /* With --each-row. */
 static const struct column row_columns[] = {
-    {COLUMN(struct row, row), .name = "row", .flags = COLUMN_BRIEF | COLUMN_ECHO, .label = "row",
-     .help = "lowest first"},
+    {COLUMN(struct panorama_command_row, row), .name = "row", .flags = COLUMN_BRIEF | COLUMN_ECHO,
+     .label = "row", .help = "lowest first"},
     {ANGLE(elevation), .name = "elevation", .flags = COLUMN_BRIEF, .label = "elevation",
      .help = "of the frames' middle"},
-    {COLUMN(struct row, columns), .name = "columns", .flags = COLUMN_BRIEF,
+    {COLUMN(struct panorama_command_row, columns), .name = "columns", .flags = COLUMN_BRIEF,
      .label = "frames in this row", .help = "enough at this elevation"},
     {ANGLE(step), .name = "step", .flags = COLUMN_BRIEF, .label = "step",
      .help = "from frame to frame"},
-    COLUMN_FOCAL(struct row, focal, 0),
+    COLUMN_FOCAL(struct panorama_command_row, focal, 0),
     {ANGLE(frame.horizontal), .name = "horizontal", .label = "horizontal angle",
      .help = "of one frame as held"},
     {ANGLE(frame.vertical), .name = "vertical", .label = "vertical angle",
@@ -186,23 +194,24 @@ static const struct column row_columns[] = {
     COLUMNS_ASSUMED,
 };
 
-static const struct sheet whole = SHEET(columns, struct row);
-static const struct sheet by_row = SHEET(row_columns, struct row);
+static const struct sheet whole = SHEET(columns, struct panorama_command_row);
+static const struct sheet by_row = SHEET(row_columns, struct panorama_command_row);
 static const struct sheet *const sheets[] = {&whole, &by_row, NULL};
 
-static bool makes_many(const void *data)
+static bool panorama_makes_many(const void *data)
 {
-    return ((const struct input *)data)->each_row;
+    return ((const struct panorama_input *)data)->each_row;
 }
 
-static const struct sheet *choose_sheet(const void *data, const struct asking *asking)
+static const struct sheet *panorama_choose_sheet(const void *data,
+                                                 const struct option_query *asking)
 {
     (void)asking;
-    return makes_many(data) ? &by_row : &whole;
+    return panorama_makes_many(data) ? &by_row : &whole;
 }
 
 /* The sides of the sensor as the camera is held. */
-static struct sensor held_sensor(const struct input *input)
+static struct sensor held_sensor(const struct panorama_input *input)
 {
     struct sensor sensor = input->sensor.size;
     if (input->portrait) {
@@ -213,7 +222,8 @@ static struct sensor held_sensor(const struct input *input)
 }
 
 /* The angles of a frame: given, or from lens and sensor. */
-static bool find_frame(const struct input *input, struct row *row, struct error *error)
+static bool find_frame(const struct panorama_input *input, struct panorama_command_row *row,
+                       struct error *error)
 {
     struct sensor sensor = held_sensor(input);
     struct conjugates_given given = {input->focal.length, input->distance, NAN, NAN, NAN, 0, 0};
@@ -239,7 +249,7 @@ static bool find_frame(const struct input *input, struct row *row, struct error 
 }
 
 /* A number of frames a row that is given, and the overlap it leaves. */
-static bool set_columns(const struct input *input, const struct panorama_frame *frame,
+static bool set_columns(const struct panorama_input *input, const struct panorama_frame *frame,
                         struct panorama *plan, struct error *error)
 {
     int count = (int)input->per_row;
@@ -260,7 +270,7 @@ static bool set_columns(const struct input *input, const struct panorama_frame *
 }
 
 /* Pixels along the width of a frame, 0 = unknown. */
-static double frame_pixels(const struct input *input)
+static double frame_pixels(const struct panorama_input *input)
 {
     struct sensor sensor = held_sensor(input);
     if (input->pixels > 0) {
@@ -271,7 +281,8 @@ static double frame_pixels(const struct input *input)
 }
 
 /* Parallax needs a size in pixels only where it is told in pixels. */
-static bool find_parallax(const struct input *input, struct row *row, struct error *error)
+static bool find_parallax(const struct panorama_input *input, struct panorama_command_row *row,
+                          struct error *error)
 {
     double per_radian = row->size.per_degree / RADIANS_PER_DEGREE;
     bool has_offset = !isnan(input->offset), has_near = !isnan(input->near);
@@ -302,9 +313,9 @@ static bool find_parallax(const struct input *input, struct row *row, struct err
             panorama_nearest(input->offset, allowed, row->step, &row->nearest, error));
 }
 
-static bool emit_rows(const struct input *input, const struct panorama_goal *goal,
-                      const struct panorama *plan, struct row *row, struct run *run,
-                      struct error *error)
+static bool panorama_emit_rows(const struct panorama_input *input, const struct panorama_goal *goal,
+                               const struct panorama *plan, struct panorama_command_row *row,
+                               struct run *run, struct error *error)
 {
     for (int i = 0; i < plan->rows; i++) {
         struct panorama_row one;
@@ -323,13 +334,13 @@ static bool emit_rows(const struct input *input, const struct panorama_goal *goa
     return true;
 }
 
-static bool run(const void *data, struct run *run, struct error *error)
+static bool panorama_run(const void *data, struct run *run, struct error *error)
 {
-    const struct input *input = data;
+    const struct panorama_input *input = data;
     struct panorama_goal goal = {input->arc, input->span, input->overlap};
     double pixels = frame_pixels(input);
     struct panorama plan;
-    struct row row = {
+    struct panorama_command_row row = {
         .focal = input->focal.length,
         .distance = input->distance,
         .size = {NAN, NAN, NAN, NAN, NAN},
@@ -356,7 +367,7 @@ static bool run(const void *data, struct run *run, struct error *error)
                         "{--each-row} chooses the frames of each row itself: no "
                         "{--per-row} with it");
         }
-        return emit_rows(input, &goal, &plan, &row, run, error);
+        return panorama_emit_rows(input, &goal, &plan, &row, run, error);
     }
     if (!set_columns(input, &row.frame, &plan, error) ||
         (pixels > 0 && !panorama_size(&row.frame, &goal, pixels, &row.size, error))) {
@@ -405,11 +416,12 @@ const struct command command_panorama = {
     .name = "panorama",
     .group = "photography",
     .summary = "frames, steps and size of a panorama, and parallax",
-    COMMAND_ASKS(struct input),
-    COMMAND_ANSWERS(struct row),
-    .choose_sheet = choose_sheet,
+    COMMAND_ASKS(struct panorama_input),
+    COMMAND_ANSWERS(struct panorama_command_row),
+    .run = panorama_run,
+    .choose_sheet = panorama_choose_sheet,
     .sheets = sheets,
-    .makes_many = makes_many,
+    .makes_many = panorama_makes_many,
     .plot = "shots|columns",
     .cell = "shots",
 };

@@ -12,7 +12,7 @@
 
 #include <math.h>
 
-struct input {
+struct stars_input {
     struct focal_value focal;
     double fnumber, declination, time, rule, accuracy;
     struct coc_value trail;
@@ -20,29 +20,29 @@ struct input {
 };
 
 static const struct option options[] = {
-    OPTION_FOCAL_LENGTH(struct input, focal, 0),
-    OPTION_APERTURE(struct input, fnumber, 0),
+    OPTION_FOCAL_LENGTH(struct stars_input, focal, 0),
+    OPTION_APERTURE(struct stars_input, fnumber, 0),
     OPTION_DECLINATION(
-        struct input, declination, NULL,
+        struct stars_input, declination, NULL,
         "of the frame's centre; 0 is the celestial equator, where stars are fastest"),
-    OPTION_TIME(struct input, time, 0),
-    {OPTION(struct input, trail), .name = "trail", .column = "trail_wanted",
+    OPTION_TIME(struct stars_input, time, 0),
+    {OPTION(struct stars_input, trail), .name = "trail", .column = "trail_wanted",
      .dimension = &dimension_length, .unit = "um", .value = "LENGTH", .excludes = "coc",
      .help = "longest trail allowed: 2px, 10um, d/1500 (the circle of confusion unless given)"},
-    SHARPNESS_OPTIONS_DARK(struct input, sharp, 0, "d/1500", NULL),
-    OPTION_WAVELENGTH(struct input, sharp.wavelength, "coc=airy|trail=airy"),
-    {OPTION(struct input, rule), .name = "rule", .quantity = "rule constant",
+    SHARPNESS_OPTIONS_DARK(struct stars_input, sharp, 0, "d/1500", NULL),
+    OPTION_WAVELENGTH(struct stars_input, sharp.wavelength, "coc=airy|trail=airy"),
+    {OPTION(struct stars_input, rule), .name = "rule", .quantity = "rule constant",
      .column = "rule_constant", .dimension = &dimension_number, OPTION_POSITIVE,
      .flags = OPTION_ABOVE_LOWEST | OPTION_NO_INFINITY, .fallback = "500", .value = "NUMBER",
      .no_number = "the NPF rule has no constant: the column npf answers it beside this rule",
      .help = "constant of the rule of thumb: 500, 400, 300 or 600"},
-    {OPTION(struct input, accuracy), .name = "accuracy", .column = "accuracy",
+    {OPTION(struct stars_input, accuracy), .name = "accuracy", .column = "accuracy",
      .dimension = &dimension_number, OPTION_POSITIVE,
      .flags = OPTION_ABOVE_LOWEST | OPTION_NO_INFINITY, .fallback = "1", .value = "K",
      .help = "factor k of the NPF rule: 1 for points, 2 and 3 for longer and longer trails"},
 };
 
-struct row {
+struct stars_row {
     double focal, fnumber, declination, allowed, pitch, crop, rule, accuracy;
     struct star_time time;
     double rule_time, npf, npf_simple, four_minus_crop;
@@ -55,7 +55,7 @@ struct row {
     const char *sensor, *criterion;
 };
 
-#define NUMBER(member)          COLUMN(struct row, member)
+#define NUMBER(member)          COLUMN(struct stars_row, member)
 #define TIME(member)            NUMBER(member), .dimension = &dimension_time, .unit = "s"
 #define LENGTH(member, in_unit) NUMBER(member), .dimension = &dimension_length, .unit = in_unit
 #define ANGLE(member)           NUMBER(member), .dimension = &dimension_angle, .unit = "deg"
@@ -74,7 +74,7 @@ static const struct column columns[] = {
      .help = "as given or of the camera, else that of 24 megapixels on the sensor"},
     {LENGTH(focal, "mm"), .name = "focal", .flags = ECHO, .symbol = "f", .label = "focal length",
      .help = "focal length"},
-    COLUMN_FNUMBER(struct row, fnumber, 0),
+    COLUMN_FNUMBER(struct stars_row, fnumber, 0),
     {ANGLE(declination), .name = "declination", .flags = COLUMN_ECHO, .with = "declination",
      .symbol = "dec", .label = "declination", .help = "of the frame's centre"},
     {LENGTH(allowed, "um"), .name = "allowed_trail", .symbol = "a", .label = "allowed trail",
@@ -119,13 +119,13 @@ static const struct column columns[] = {
      .label = "NPF rule for", .help = "what was taken where f-number or pixel pitch is not known"},
     {LENGTH(pitch, "um"), .name = "pitch", ASSUMED, .depends = "pitch sensor",
      .label = "pixel pitch", .help = "spacing of the pixels"},
-    COLUMN_SENSOR(struct row, sensor),
+    COLUMN_SENSOR(struct stars_row, sensor),
     {NUMBER(criterion), .name = "trail_criterion", ASSUMED, .depends = "coc trail",
      .label = "trail criterion", .help = "where the allowed trail comes from"},
 };
 
 /* How long a trail may be: as asked, else the circle of confusion. */
-static bool allow(const struct input *input, struct row *row, struct error *error)
+static bool allow(const struct stars_input *input, struct stars_row *row, struct error *error)
 {
     struct sharpness sharp;
     if (!sharpness_imply(&input->sharp, PITCH_FOR_MORE, &sharp, error)) {
@@ -147,7 +147,7 @@ static bool allow(const struct input *input, struct row *row, struct error *erro
 #define USUAL_MEGAPIXELS 24
 
 /* What the NPF rule wants, and what of it is assumed. */
-static void assume(const struct sensor *sensor, struct row *row, struct arena *arena)
+static void stars_assume(const struct sensor *sensor, struct stars_row *row, struct arena *arena)
 {
     bool has_N = is_given(row->fnumber), has_pitch = is_given(row->pitch);
     row->npf_fnumber = has_N ? row->fnumber : USUAL_FNUMBER;
@@ -165,7 +165,7 @@ static void assume(const struct sensor *sensor, struct row *row, struct arena *a
 }
 
 /* The rules of thumb. */
-static bool apply_rules(struct row *row, struct error *error)
+static bool apply_rules(struct stars_row *row, struct error *error)
 {
     row->npf = row->npf_simple = row->four_minus_crop = NAN;
     if (!star_rule_time(row->rule, row->focal, row->crop, &row->rule_time, error)) {
@@ -184,7 +184,7 @@ static bool apply_rules(struct row *row, struct error *error)
            npf_full_time(&full, &row->npf, error);
 }
 
-static bool measure_trail(const struct sensor *sensor, struct row *row, struct error *error)
+static bool measure_trail(const struct sensor *sensor, struct stars_row *row, struct error *error)
 {
     if (!is_given(row->exposure)) {
         return true;
@@ -195,11 +195,11 @@ static bool measure_trail(const struct sensor *sensor, struct row *row, struct e
            blur_measure(row->trail.chord, row->pitch, row->allowed, &row->size, error);
 }
 
-static bool run(const void *data, struct run *run, struct error *error)
+static bool stars_run(const void *data, struct run *run, struct error *error)
 {
-    const struct input *input = data;
+    const struct stars_input *input = data;
     const struct sensor *sensor = &input->sharp.sensor.size;
-    struct row row = {
+    struct stars_row row = {
         .focal = input->focal.length,
         .fnumber = input->fnumber,
         .declination = input->declination,
@@ -219,7 +219,7 @@ static bool run(const void *data, struct run *run, struct error *error)
                     "the longest focal length");
     }
     sharpness_doubt_pitch(&input->sharp, run->doubts);
-    assume(sensor, &row, run->arena);
+    stars_assume(sensor, &row, run->arena);
     if (!allow(input, &row, error) ||
         (!is_given(row.focal) &&
          !star_focal_length(row.declination, row.exposure, row.allowed, &row.focal, error)) ||
@@ -266,8 +266,9 @@ const struct command command_stars = {
     .name = "stars",
     .group = "photography",
     .summary = "longest exposure of stars without trails, and their trails",
-    COMMAND_ASKS(struct input),
-    COMMAND_ANSWERS(struct row),
+    COMMAND_ASKS(struct stars_input),
+    COMMAND_ANSWERS(struct stars_row),
+    .run = stars_run,
     .plot = "exact_s,rule_of_thumb_s,npf_s",
     .cell = "exact_s",
 };

@@ -8,7 +8,7 @@
 
 #include <math.h>
 
-struct input {
+struct tilt_input {
     struct focal_value focal;
     double fnumber;
     double tilt, hinge;
@@ -21,19 +21,20 @@ struct input {
 };
 
 #define LENGTH_OPTION(member_name, in_unit)                                                        \
-    OPTION(struct input, member_name), .dimension = &dimension_length, .unit = in_unit,            \
-                                       .value = "LENGTH"
+    OPTION(struct tilt_input, member_name), .dimension = &dimension_length, .unit = in_unit,       \
+                                            .value = "LENGTH"
 #define ANGLE_OPTION(member_name)                                                                  \
-    OPTION(struct input, member_name), .name = #member_name, .column = #member_name,               \
-                                       .dimension = &dimension_angle, .unit = "deg",               \
-                                       .value = "ANGLE", .flags = OPTION_NO_INFINITY
+    OPTION(struct tilt_input, member_name), .name = #member_name, .column = #member_name,          \
+                                            .dimension = &dimension_angle, .unit = "deg",          \
+                                            .value = "ANGLE", .flags = OPTION_NO_INFINITY
 #define POSITIVE OPTION_POSITIVE, .flags = OPTION_ABOVE_LOWEST | OPTION_NO_INFINITY
 
 static const struct option options[] = {
-    OPTION_FOCAL_LENGTH(struct input, focal, 0),
-    OPTION_APERTURE(struct input, fnumber, 0),
-    {OPTION(struct input, tilt), .name = "tilt", .column = "tilt", .dimension = &dimension_angle,
-     .unit = "deg", .flags = OPTION_NO_INFINITY | OPTION_SETTING, .value = "ANGLE",
+    OPTION_FOCAL_LENGTH(struct tilt_input, focal, 0),
+    OPTION_APERTURE(struct tilt_input, fnumber, 0),
+    {OPTION(struct tilt_input, tilt), .name = "tilt", .column = "tilt",
+     .dimension = &dimension_angle, .unit = "deg", .flags = OPTION_NO_INFINITY | OPTION_SETTING,
+     .value = "ANGLE",
      .help = "of the lens against the sensor, -90 to 90 deg; positive turns its top forward"},
     {LENGTH_OPTION(hinge, "m"), .name = "hinge", .column = "hinge",
      .flags = OPTION_NO_INFINITY | OPTION_GOAL,
@@ -44,13 +45,13 @@ static const struct option options[] = {
     {LENGTH_OPTION(distance, "m"), .name = "distance", .letter = 's', .column = "distance",
      OPTION_POSITIVE, .flags = OPTION_ABOVE_LOWEST | OPTION_GOAL,
      .help = "distance of the sharp point straight ahead, along the sensor's normal"},
-    {OPTION(struct input, angle), .name = "angle", .quantity = "angle of the plane of focus",
+    {OPTION(struct tilt_input, angle), .name = "angle", .quantity = "angle of the plane of focus",
      .column = "angle", .dimension = &dimension_angle, .unit = "deg",
      .flags = OPTION_NO_INFINITY | OPTION_GOAL, .value = "ANGLE",
      .help = "of the plane of sharp focus against the sensor: 90deg for level ground"},
-    {OPTION(struct input, through), .name = "through", .value = "POINT,POINT",
+    {OPTION(struct tilt_input, through), .name = "through", .value = "POINT,POINT",
      .help = "two points that must be sharp, as distance:height: 2m:-1.5m,30m:0m, inf:5deg"},
-    SHARPNESS_OPTIONS(struct input, sharp, 0, "d/1500", coc_is_pixels),
+    SHARPNESS_OPTIONS(struct tilt_input, sharp, 0, "d/1500", coc_is_pixels),
     {ANGLE_OPTION(sight), .fallback = "0",
      .help = "near, sharp and far points along a line of sight at this angle above the sensor's "
              "normal"},
@@ -64,7 +65,7 @@ static const struct option options[] = {
      .help = "how far the drawing reaches; default: chosen to fit"},
 };
 
-struct row {
+struct tilt_row {
     struct tilt camera;
     struct tilt_reach reach;
     double sight, height, rise, shift;
@@ -73,13 +74,13 @@ struct row {
 };
 
 #define LENGTH(member_name, in_unit)                                                               \
-    COLUMN(struct row, member_name), .dimension = &dimension_length, .unit = in_unit
+    COLUMN(struct tilt_row, member_name), .dimension = &dimension_length, .unit = in_unit
 #define ANGLE(member_name)                                                                         \
-    COLUMN(struct row, member_name), .dimension = &dimension_angle, .unit = "deg"
+    COLUMN(struct tilt_row, member_name), .dimension = &dimension_angle, .unit = "deg"
 
 static const struct column columns[] = {
-    COLUMN_FOCAL(struct row, camera.f, 0),
-    COLUMN_FNUMBER(struct row, camera.N, 0),
+    COLUMN_FOCAL(struct tilt_row, camera.f, 0),
+    COLUMN_FNUMBER(struct tilt_row, camera.N, 0),
     {ANGLE(camera.tilt), .name = "tilt", .flags = COLUMN_BRIEF, .symbol = "a", .label = "tilt",
      .help = "of the lens against the sensor"},
     {LENGTH(camera.hinge, "m"), .name = "hinge", .flags = COLUMN_INFINITE | COLUMN_BRIEF,
@@ -96,7 +97,7 @@ static const struct column columns[] = {
      .label = "near limit, plane", .help = "angle of the near limit against the sensor"},
     {ANGLE(camera.far_angle), .name = "far_angle", .flags = COLUMN_BRIEF, .symbol = "psif",
      .label = "far limit, plane", .help = "angle of the far limit against the sensor"},
-    {COLUMN(struct row, camera.half_height), .name = "half_height", .flags = COLUMN_INFINITE,
+    {COLUMN(struct tilt_row, camera.half_height), .name = "half_height", .flags = COLUMN_INFINITE,
      .symbol = "q", .label = "half height of the wedge per distance",
      .help = "near limit above, far limit below the plane of focus, over the distance"},
     {LENGTH(camera.hyperfocal, "m"), .name = "hyperfocal", .flags = COLUMN_INFINITE, .symbol = "H",
@@ -124,21 +125,21 @@ static const struct column columns[] = {
      .label = "image circle needed", .help = "diameter at infinity that holds all corners"},
     {ANGLE(coverage), .name = "coverage", .flags = COLUMN_HIDDEN, .symbol = "w",
      .label = "coverage needed", .help = "half angle from the lens axis to the worst corner"},
-    {COLUMN(struct row, covers), .name = "covers", .flags = COLUMN_EXTRA, .with = "circle",
+    {COLUMN(struct tilt_row, covers), .name = "covers", .flags = COLUMN_EXTRA, .with = "circle",
      .label = "the circle covers the frame", .help = "is --circle large enough"},
     {LENGTH(rise_limit, "mm"), .name = "rise_limit", .flags = COLUMN_EXTRA, .with = "circle",
      .label = "largest rise or fall", .help = "how far the untilted lens may be raised or lowered"},
     {LENGTH(shift_limit, "mm"), .name = "shift_limit", .flags = COLUMN_EXTRA, .with = "circle",
      .label = "largest shift", .help = "how far the untilted lens may be moved sideways"},
-    COLUMN_SENSOR(struct row, sensor),
-    COLUMN_COC(struct row, camera.c, 0, ""),
-    COLUMN_CRITERION(struct row, criterion),
+    COLUMN_SENSOR(struct tilt_row, sensor),
+    COLUMN_COC(struct tilt_row, camera.c, 0, ""),
+    COLUMN_CRITERION(struct tilt_row, criterion),
 };
 
 /* -------- two points that shall be sharp -------- */
 
 /* "2m:-1.5m", "inf:5deg": distance along the sensor's normal, and height or elevation. */
-static bool read_point(struct text text, struct tilt_point *point, struct error *error)
+static bool tilt_read_point(struct text text, struct tilt_point *point, struct error *error)
 {
     struct text height = text, distance = text_cut(&height, ':');
     const struct unit *metre = unit_find(&dimension_length, text_of("m")), *typed;
@@ -166,7 +167,8 @@ static bool read_point(struct text text, struct tilt_point *point, struct error 
     return true;
 }
 
-static bool solve_through(const struct input *input, struct tilt_given *given, struct error *error)
+static bool solve_through(const struct tilt_input *input, struct tilt_given *given,
+                          struct error *error)
 {
     struct text second = text_of(input->through), first = text_cut(&second, ',');
     struct tilt_point a, b;
@@ -179,11 +181,11 @@ static bool solve_through(const struct input *input, struct tilt_given *given, s
     if (second.start == NULL) {
         return fail(error, ERROR_USAGE, "{--through} needs two points: 2m:-1.5m,30m:0m");
     }
-    return read_point(first, &a, error) && read_point(second, &b, error) &&
+    return tilt_read_point(first, &a, error) && tilt_read_point(second, &b, error) &&
            tilt_through(given->f, &a, &b, &given->tilt, &given->image, error);
 }
 
-static bool solve(const struct input *input, struct tilt *camera, struct error *error)
+static bool tilt_row_solve(const struct tilt_input *input, struct tilt *camera, struct error *error)
 {
     struct tilt_given given = {
         .f = input->focal.length,
@@ -213,7 +215,7 @@ static bool solve(const struct input *input, struct tilt *camera, struct error *
 }
 
 /* The image circle that is needed, and how much one that is given leaves. */
-static void fill_coverage(const struct input *input, struct row *row)
+static void fill_coverage(const struct tilt_input *input, struct tilt_row *row)
 {
     const struct sensor *size = &input->sharp.sensor.size;
     const struct tilt_frame frame = {size->width, size->height, input->rise, input->shift};
@@ -235,17 +237,18 @@ static void fill_coverage(const struct input *input, struct row *row)
     }
 }
 
-static bool run(const void *data, struct run *run, struct error *error)
+static bool tilt_run(const void *data, struct run *run, struct error *error)
 {
-    struct input own = *(const struct input *)data;
-    const struct input *input = &own;
-    if (!sharpness_imply(&((const struct input *)data)->sharp, PITCH_FOR_COC, &own.sharp, error)) {
+    struct tilt_input own = *(const struct tilt_input *)data;
+    const struct tilt_input *input = &own;
+    if (!sharpness_imply(&((const struct tilt_input *)data)->sharp, PITCH_FOR_COC, &own.sharp,
+                         error)) {
         return false;
     }
     if (sharpness_in_pixels(&own.sharp)) {
         sharpness_doubt_pitch(&own.sharp, run->doubts);
     }
-    struct row row = {
+    struct tilt_row row = {
         .sight = input->sight,
         .sensor = input->sharp.sensor.name,
         .criterion = input->sharp.coc.criterion,
@@ -255,7 +258,7 @@ static bool run(const void *data, struct run *run, struct error *error)
         return fail(error, ERROR_DOMAIN,
                     "{--sight} lies beside the camera or behind it (-90 to 90 deg, exclusive)");
     }
-    if (!solve(input, &row.camera, error)) {
+    if (!tilt_row_solve(input, &row.camera, error)) {
         return false;
     }
     row.height = -row.camera.image * slope;
@@ -267,13 +270,13 @@ static bool run(const void *data, struct run *run, struct error *error)
 
 static bool draw_wedge(const struct artifact_job *job, struct output *sink, struct error *error)
 {
-    struct input own = *(const struct input *)job->inputs[0];
-    const struct input *input = &own;
+    struct tilt_input own = *(const struct tilt_input *)job->inputs[0];
+    const struct tilt_input *input = &own;
     const struct sharpness asked = own.sharp;
     struct svg svg = {.arena = job->run->arena};
     struct tilt camera;
     if (!sharpness_imply(&asked, PITCH_FOR_COC, &own.sharp, error) ||
-        !solve(input, &camera, error)) {
+        !tilt_row_solve(input, &camera, error)) {
         return false;
     }
     double height = input->sharp.sensor.size.height;
@@ -338,8 +341,9 @@ const struct command command_tilt = {
     .name = "tilt",
     .group = "photography",
     .summary = "tilted lens: Scheimpflug, hinge rule, wedge of sharpness, image circle",
-    COMMAND_ASKS(struct input),
-    COMMAND_ANSWERS(struct row),
+    COMMAND_ASKS(struct tilt_input),
+    COMMAND_ANSWERS(struct tilt_row),
+    .run = tilt_run,
     COMMAND_MAKES(artifacts),
     .plot = "angle_deg,near_angle_deg,far_angle_deg",
     .zone = "near_angle far_angle",

@@ -9,7 +9,7 @@
 
 #include <math.h>
 
-struct input {
+struct timelapse_input {
     struct timelapse_given given;
     struct focal_value focal;
     double declination, pitch;
@@ -17,47 +17,49 @@ struct input {
 
 #define POSITIVE OPTION_POSITIVE, .flags = OPTION_ABOVE_LOWEST | OPTION_NO_INFINITY
 #define TIME_OPTION(member_name)                                                                   \
-    OPTION(struct input, member_name), .dimension = &dimension_time, .unit = "s",                  \
-                                       POSITIVE | OPTION_NO_SERIES, .value = "TIME"
+    OPTION(struct timelapse_input, member_name), .dimension = &dimension_time, .unit = "s",        \
+                                                 POSITIVE | OPTION_NO_SERIES, .value = "TIME"
 #define DATA_OPTION(member_name)                                                                   \
-    OPTION(struct input, member_name), .dimension = &dimension_storage, POSITIVE, .value = "SIZE"
+    OPTION(struct timelapse_input, member_name), .dimension = &dimension_storage, POSITIVE,        \
+                                                 .value = "SIZE"
 
 static const struct option options[] = {
     {TIME_OPTION(given.event), .name = "event", .quantity = "event length", .column = "event",
      .help = "length of the event that is recorded: 2h, 45min"},
     {TIME_OPTION(given.interval), .name = "interval", .column = "interval",
      .help = "from the start of one shot to the start of the next"},
-    {OPTION(struct input, given.shots), .name = "shots", .quantity = "number of shots",
+    {OPTION(struct timelapse_input, given.shots), .name = "shots", .quantity = "number of shots",
      .column = "shots", .dimension = &dimension_number, .lowest = 1, .highest = TIMELAPSE_SHOTS,
      .value = "N", .help = "number of shots"},
     {TIME_OPTION(given.clip), .name = "clip", .quantity = "clip length", .column = "clip",
      .help = "length of the clip"},
-    {OPTION(struct input, given.rate), .name = "frame-rate", .column = "frame_rate",
+    {OPTION(struct timelapse_input, given.rate), .name = "frame-rate", .column = "frame_rate",
      .dimension = &dimension_rate, POSITIVE, .value = "RATE",
      .help = "frames per second of the clip (24 unless it follows from the rest)"},
-    OPTION_TIME(struct input, given.time, 0),
-    {OPTION(struct input, given.gap), .name = "gap", .column = "gap", .dimension = &dimension_time,
-     .unit = "s", .lowest = 0, .highest = INFINITY, .flags = OPTION_NO_INFINITY | OPTION_NO_SERIES,
-     .fallback = "1", .value = "TIME", .wants = "time",
+    OPTION_TIME(struct timelapse_input, given.time, 0),
+    {OPTION(struct timelapse_input, given.gap), .name = "gap", .column = "gap",
+     .dimension = &dimension_time, .unit = "s", .lowest = 0, .highest = INFINITY,
+     .flags = OPTION_NO_INFINITY | OPTION_NO_SERIES, .fallback = "1", .value = "TIME",
+     .wants = "time",
      .help = "that the camera needs between two exposures, to write and for a delay of its own"},
     {DATA_OPTION(given.frame), .name = "frame-size", .column = "frame_size", .unit = "MB",
      .help = "storage per shot: 25MB"},
     {DATA_OPTION(given.card), .name = "card", .column = "card", .unit = "GB",
      .help = "card capacity: 64GB; with --frame-size alone it gives the number of shots"},
-    {OPTION(struct input, given.star_angle), .name = "star-angle", .column = "star_angle",
+    {OPTION(struct timelapse_input, given.star_angle), .name = "star-angle", .column = "star_angle",
      .dimension = &dimension_angle, .unit = "deg", .lowest = 0, .highest = 2 * PI,
      .flags = OPTION_ABOVE_LOWEST, .value = "ANGLE", .wants = "time",
      .help = "angle about the pole that star trails are to span, in place of --event"},
-    {OPTION(struct input, focal), .name = "focal-length", .letter = 'f', .column = "focal",
-     .dimension = &dimension_focal_length, .unit = "mm", POSITIVE, .value = "LENGTH",
-     .wants = "time", .help = "focal length: adds the trails of stars"},
-    OPTION_DECLINATION(struct input, declination, "focal-length",
+    {OPTION(struct timelapse_input, focal), .name = "focal-length", .letter = 'f',
+     .column = "focal", .dimension = &dimension_focal_length, .unit = "mm", POSITIVE,
+     .value = "LENGTH", .wants = "time", .help = "focal length: adds the trails of stars"},
+    OPTION_DECLINATION(struct timelapse_input, declination, "focal-length",
                        "of the stars; 0 is the celestial equator, where they are fastest"),
-    OPTION_PIXELS(struct input, pitch, "focal-length",
+    OPTION_PIXELS(struct timelapse_input, pitch, "focal-length",
                   "pixel pitch: gives the gaps of star trails in pixels"),
 };
 
-struct row {
+struct timelapse_row {
     struct timelapse plan;
     struct timelapse_given given;
     double focal, declination;
@@ -66,7 +68,7 @@ struct row {
     const char *rate_assumed;
 };
 
-#define NUMBER(member)          COLUMN(struct row, member)
+#define NUMBER(member)          COLUMN(struct timelapse_row, member)
 #define TIME(member)            NUMBER(member), .dimension = &dimension_time, .unit = "s"
 #define LENGTH(member, in_unit) NUMBER(member), .dimension = &dimension_length, .unit = in_unit
 #define DATA(member, in_unit)   NUMBER(member), .dimension = &dimension_storage, .unit = in_unit
@@ -135,7 +137,8 @@ static const struct column columns[] = {
 };
 
 /* The trails of stars, where a focal length is given. */
-static bool fill_trails(const struct input *input, struct row *row, struct error *error)
+static bool fill_trails(const struct timelapse_input *input, struct timelapse_row *row,
+                        struct error *error)
 {
     struct star_trail all, shot;
     row->trail = row->shot_trail = row->gap_trail = row->gap_pixels = NAN;
@@ -163,10 +166,10 @@ static long whole(double number)
     return isnan(number) ? NO_INTEGER : (long)number;
 }
 
-static bool run(const void *data, struct run *run, struct error *error)
+static bool timelapse_run(const void *data, struct run *run, struct error *error)
 {
-    const struct input *input = data;
-    struct row row = {
+    const struct timelapse_input *input = data;
+    struct timelapse_row row = {
         .given = input->given, .focal = input->focal.length, .declination = input->declination};
     if (!timelapse_solve(&input->given, &row.plan, error) || !fill_trails(input, &row, error)) {
         return false;
@@ -209,8 +212,9 @@ const struct command command_timelapse = {
     .name = "timelapse",
     .group = "photography",
     .summary = "time-lapse and star trails: shots, interval, clip, storage",
-    COMMAND_ASKS(struct input),
-    COMMAND_ANSWERS(struct row),
+    COMMAND_ASKS(struct timelapse_input),
+    COMMAND_ANSWERS(struct timelapse_row),
+    .run = timelapse_run,
     .plot = "shots|interval_s|clip_s",
     .cell = "interval_s",
 };

@@ -3,7 +3,7 @@
 #include "commands/photo/dof_question.h"
 
 /* Is the f-number what the wishes are for? Otherwise that of a real lens counts. */
-static bool solves_fnumber(const struct dof_question *input)
+static bool dof_question_solves_fnumber(const struct dof_question *input)
 {
     const struct dof_targets *t = &input->targets;
     int wishes = !isnan(t->near) + !isnan(t->far) + !isnan(t->total) + !isnan(t->hyperfocal) +
@@ -13,7 +13,7 @@ static bool solves_fnumber(const struct dof_question *input)
 
 int dof_question_use(const struct dof_question *input)
 {
-    return solves_fnumber(input) ? PHOTO_LENS_SOLVES_FNUMBER : 0;
+    return dof_question_solves_fnumber(input) ? PHOTO_LENS_SOLVES_FNUMBER : 0;
 }
 
 /* Is the subject where the lens itself is focused at infinity? So it is if nothing else is said. */
@@ -25,8 +25,9 @@ static bool stays_at_infinity(const struct dof_question *input,
            isnan(t->far) && isnan(t->total) && isnan(t->magnification) && isnan(t->hyperfocal);
 }
 
-static bool set_up(const struct dof_question *input, const struct attached_lens *attached,
-                   struct dof_setting *setting, struct error *error)
+static bool dof_question_set_up(const struct dof_question *input,
+                                const struct attached_lens *attached, struct dof_setting *setting,
+                                struct error *error)
 {
     const struct photo_lens *lens = attached->lens;
     setting->f = lens->f;
@@ -65,8 +66,8 @@ static bool solve_airy(const struct dof_question *input, const struct photo_lens
         "no distance agrees with the Airy disc that belongs to it: give {--coc} as a length");
 }
 
-static bool solve(const struct dof_question *input, const struct photo_lens *lens,
-                  struct dof_setting *setting, struct error *error)
+static bool dof_question_complete(const struct dof_question *input, const struct photo_lens *lens,
+                                  struct dof_setting *setting, struct error *error)
 {
     return sharpness_is_airy(&input->sharp)
                ? solve_airy(input, lens, setting, error)
@@ -74,7 +75,7 @@ static bool solve(const struct dof_question *input, const struct photo_lens *len
 }
 
 /* Rays answer for a lens, an f-number and a distance; nothing is solved for. */
-static bool check_rays(const struct dof_question *input, struct error *error)
+static bool dof_question_check_rays(const struct dof_question *input, struct error *error)
 {
     const struct dof_targets *t = &input->targets;
     const char *other = input->stack                        ? "stack"
@@ -98,9 +99,9 @@ bool dof_question_open(const struct dof_question *input, const struct photo_lens
                        struct photo_lens *room, struct attached_lens *attached,
                        struct dof_setting *setting, struct error *error)
 {
-    return (!input->rays.exact || check_rays(input, error)) &&
+    return (!input->rays.exact || dof_question_check_rays(input, error)) &&
            attachments_apply(&input->attached, lens, room, attached, error) &&
-           set_up(input, attached, setting, error);
+           dof_question_set_up(input, attached, setting, error);
 }
 
 bool dof_question_solve(const struct dof_question *input, const struct attached_lens *attached,
@@ -110,7 +111,7 @@ bool dof_question_solve(const struct dof_question *input, const struct attached_
         setting->s = attached->farthest;
         return dof_check(setting, error);
     }
-    return solve(input, attached->lens, setting, error) &&
+    return dof_question_complete(input, attached->lens, setting, error) &&
            photo_lens_check_subject(attached->lens, setting->s, error) &&
            attached_check_reach(attached, setting->s, error);
 }

@@ -12,7 +12,8 @@
 static const double LENS_TRANSMITTANCE = 0.9;
 
 /* Absent is what nothing below fills in. */
-static void begin_row(const struct exposure_input *input, struct exposure_row *restrict row)
+static void exposure_answer_begin_row(const struct exposure_input *input,
+                                      struct exposure_row *restrict row)
 {
     *row = (struct exposure_row){
         .deviation = NAN,
@@ -43,19 +44,19 @@ static void begin_row(const struct exposure_input *input, struct exposure_row *r
     };
 }
 
-static int count_lights(const struct exposure_given *g)
+static int exposure_answer_count_lights(const struct exposure_given *g)
 {
     return !isnan(g->ev100) + !isnan(g->ev) + !isnan(g->L) + !isnan(g->E);
 }
 
 /* A scene is a light like any other. */
-static bool take_scene(const struct exposure_input *input, struct exposure_given *g,
-                       struct error *error)
+static bool exposure_answer_take_scene(const struct exposure_input *input, struct exposure_given *g,
+                                       struct error *error)
 {
     if (input->scene.name == NULL) {
         return true;
     }
-    if (count_lights(g) > 0) {
+    if (exposure_answer_count_lights(g) > 0) {
         return fail(error, ERROR_USAGE,
                     "give only one of {--scene}, {--ev}, {--ev-at-iso}, {--luminance} and "
                     "{--illuminance}");
@@ -65,8 +66,8 @@ static bool take_scene(const struct exposure_input *input, struct exposure_given
 }
 
 /* The time by the shutter's angle, or by what the film needs. */
-static bool take_time(const struct exposure_input *input, struct exposure_given *g,
-                      struct exposure_row *row, struct error *error)
+static bool exposure_answer_take_time(const struct exposure_input *input, struct exposure_given *g,
+                                      struct exposure_row *row, struct error *error)
 {
     if (!isnan(input->corrected_time)) {
         if (input->film.model == NULL || !isnan(g->t)) {
@@ -121,8 +122,8 @@ static bool take_loss(const struct exposure_input *input, struct exposure_given 
 }
 
 /* Everything is given: the light asks for one exposure, the camera makes another. */
-static bool compare(const struct exposure_given *given, struct exposure_row *row,
-                    struct error *error)
+static bool exposure_answer_compare(const struct exposure_given *given, struct exposure_row *row,
+                                    struct error *error)
 {
     struct exposure_given light = *given;
     light.t = NAN;
@@ -150,7 +151,7 @@ static bool solve_metered(const struct exposure_input *input, struct exposure_gi
                           struct exposure_row *row, struct error *error)
 {
     bool corrects = !isnan(input->corrected_time) || !isnan(input->shutter_angle);
-    if (count_lights(g) > 0 || !isnan(g->t) || corrects || input->equivalent) {
+    if (exposure_answer_count_lights(g) > 0 || !isnan(g->t) || corrects || input->equivalent) {
         return fail(error, ERROR_USAGE,
                     "{--metered} stands in place of {--time}, {--corrected-time}, "
                     "{--shutter-angle}, {--equivalent} and of the light");
@@ -193,15 +194,15 @@ static bool take_box_speed(const struct exposure_input *input, struct exposure_g
     return exposure_solve(g, &row->x, error);
 }
 
-static bool solve(const struct exposure_input *input, struct exposure_given *g,
-                  struct exposure_row *row, struct error *error)
+static bool exposure_answer_solve(const struct exposure_input *input, struct exposure_given *g,
+                                  struct exposure_row *row, struct error *error)
 {
-    int lights = count_lights(g);
+    int lights = exposure_answer_count_lights(g);
     if (input->equivalent && lights > 0 && isnan(g->N) && isnan(g->t)) {
         g->N = 1; /* any will do: all of them are asked for */
     }
     if (lights > 0 && !isnan(g->N) && !isnan(g->t) && !isnan(g->S)) {
-        return compare(g, row, error);
+        return exposure_answer_compare(g, row, error);
     }
     if (input->film.model != NULL && lights == 0 && isnan(g->N) && !isnan(g->t)) {
         take_time_only(g, row);
@@ -211,8 +212,8 @@ static bool solve(const struct exposure_input *input, struct exposure_given *g,
            (!row->x.speed_assumed || take_box_speed(input, g, row, error));
 }
 
-static bool correct(const struct exposure_input *input, struct exposure_row *row,
-                    struct error *error)
+static bool exposure_answer_correct(const struct exposure_input *input, struct exposure_row *row,
+                                    struct error *error)
 {
     bool asks = !isnan(input->metered);
     row->time_to_set = asks ? row->x.t : NAN;
@@ -266,16 +267,18 @@ static bool fill_focal_plane(const struct exposure_input *input, struct exposure
 }
 
 /* What a label says, as a number. */
-static double label_value(const char *label, const struct dimension *dimension)
+static double exposure_answer_label_value(const char *label, const struct dimension *dimension)
 {
     double value;
     struct error ignored;
     return quantity_read(text_of(label), dimension, NULL, &value, NULL, &ignored) ? value : NAN;
 }
 
-static bool is_label(const char *label, const struct dimension *dimension, double value)
+static bool exposure_answer_is_label(const char *label, const struct dimension *dimension,
+                                     double value)
 {
-    return label != NULL && fabs(label_value(label, dimension) - value) <= 1e-12 * value;
+    return label != NULL &&
+           fabs(exposure_answer_label_value(label, dimension) - value) <= 1e-12 * value;
 }
 
 static void fill_nominal(const struct exposure_input *input, struct exposure_row *row)
@@ -292,8 +295,9 @@ static void fill_nominal(const struct exposure_input *input, struct exposure_row
     row->nominal_time = stop_label(series->times, t);
     row->nominal_iso = solved_speed ? series_speed(series, row->x.S, &S) : NULL;
     /* settings that are on the dial are set, whatever their labels are rounded from */
-    bool is_set = (time_alone || is_label(row->nominal_fnumber, &dimension_fnumber, row->x.N)) &&
-                  is_label(row->nominal_time, &dimension_time, time);
+    bool is_set = (time_alone ||
+                   exposure_answer_is_label(row->nominal_fnumber, &dimension_fnumber, row->x.N)) &&
+                  exposure_answer_is_label(row->nominal_time, &dimension_time, time);
     row->residual = is_set ? 0 : Av + Tv - (N + t) / series->per_stop;
     if (asks && row->nominal_time == NULL) {
         row->residual = NAN; /* for a timer, not for a shutter */
@@ -304,17 +308,18 @@ static void fill_nominal(const struct exposure_input *input, struct exposure_row
 bool exposure_is_asked(const struct exposure_input *input)
 {
     const struct exposure_given *g = &input->given;
-    return count_lights(g) > 0 || !isnan(g->N) || !isnan(g->S) || !isnan(input->metered) ||
-           !isnan(input->corrected_time) || !isnan(input->t_stop) || input->scene.name != NULL ||
-           input->film.name != NULL || input->focal_plane || input->equivalent;
+    return exposure_answer_count_lights(g) > 0 || !isnan(g->N) || !isnan(g->S) ||
+           !isnan(input->metered) || !isnan(input->corrected_time) || !isnan(input->t_stop) ||
+           input->scene.name != NULL || input->film.name != NULL || input->focal_plane ||
+           input->equivalent;
 }
 
 bool exposure_blank(const struct exposure_input *input, struct exposure_row *row,
                     struct error *error)
 {
     struct exposure_given given = input->given;
-    begin_row(input, row);
-    if (!take_time(input, &given, row, error)) {
+    exposure_answer_begin_row(input, row);
+    if (!exposure_answer_take_time(input, &given, row, error)) {
         return false;
     }
     take_time_only(&given, row);
@@ -328,13 +333,15 @@ bool exposure_answer(const struct exposure_input *input, struct exposure_row *ro
                      struct error *error)
 {
     struct exposure_given given = input->given;
-    begin_row(input, row);
-    if (!take_scene(input, &given, error) || !take_time(input, &given, row, error) ||
+    exposure_answer_begin_row(input, row);
+    if (!exposure_answer_take_scene(input, &given, error) ||
+        !exposure_answer_take_time(input, &given, row, error) ||
         !take_t_stop(input, &given, row, error) || !take_loss(input, &given, row, error) ||
-        !(isnan(input->metered) ? solve : solve_metered)(input, &given, row, error) ||
+        !(isnan(input->metered) ? exposure_answer_solve : solve_metered)(input, &given, row,
+                                                                         error) ||
         !fill_t_stop(row, error) || !fill_shutter(input, row, error) ||
         !fill_focal_plane(input, row, error) ||
-        (!input->equivalent && !correct(input, row, error))) {
+        (!input->equivalent && !exposure_answer_correct(input, row, error))) {
         return false;
     }
     fill_nominal(input, row);
@@ -361,10 +368,11 @@ bool exposure_equivalent_row(const struct exposure_input *input, const struct ex
         return false;
     }
     const struct camera_setting exact = {N, equal.t, 100};
-    const struct camera_setting label = {label_value(line->nominal_fnumber, &dimension_fnumber),
-                                         label_value(line->nominal_time, &dimension_time), 100};
+    const struct camera_setting label = {
+        exposure_answer_label_value(line->nominal_fnumber, &dimension_fnumber),
+        exposure_answer_label_value(line->nominal_time, &dimension_time), 100};
     exposure_stops(&exact, &label, &line->label_residual, &ignored);
     /* a time that the film's source does not cover stays without correction */
-    correct(input, line, &ignored);
+    exposure_answer_correct(input, line, &ignored);
     return true;
 }

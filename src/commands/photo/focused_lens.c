@@ -22,7 +22,7 @@ bool focused_lens(const struct focused_question *asked, struct arena *arena,
     struct named_gap named[FOCUS_GAPS];
     struct focus_gap moved[FOCUS_GAPS];
     struct first_order first;
-    struct focusing focusing = {
+    struct focus_mechanism focusing = {
         .lens = lens,
         .wavelength = question->wavelength > 0 ? wavelength_micrometres(question->wavelength)
                                                : lens_primary_wavelength(typed),

@@ -51,8 +51,8 @@ static const char *time_words(double mains, long pulses, struct arena *arena)
 }
 
 /* The times without flicker and their angles, the first of them. */
-static void list_free(const struct lamps *lamps, const struct flicker *flicker, double rate,
-                      struct arena *arena, struct lamp_row *row)
+static void lamps_list_free(const struct lamps *lamps, const struct flicker *flicker, double rate,
+                            struct arena *arena, struct lamp_row *row)
 {
     enum { FOR_A_PICTURE = 6, MOST = 12 };
     bool film = !isnan(rate);
@@ -97,7 +97,7 @@ static bool answer_flicker(const struct lamps *lamps, double t, double rate, str
     }
     row->free_time = flicker.nearest;
     row->flicker = flicker_words(&flicker, rate, run->arena);
-    list_free(lamps, &flicker, rate, run->arena, row);
+    lamps_list_free(lamps, &flicker, rate, run->arena, row);
     return true;
 }
 

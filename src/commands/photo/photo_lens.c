@@ -16,7 +16,7 @@ bool photo_lens_varies(const struct photo_lens_question *question, const char *o
     return photo_lens_makes_many(question) && strcmp(option, "position") == 0;
 }
 
-static bool keep(const struct lens_case *one, void *context, struct error *error)
+static bool photo_lens_keep(const struct lens_case *one, void *context, struct error *error)
 {
     struct lens_memo *memo = context;
     (void)error;
@@ -31,8 +31,9 @@ static const struct lens_policy policy = {.wavelengths = WAVELENGTHS_PRIMARY,
                                           .fields = FIELDS_LARGEST};
 
 /* What the lens is in a position, worked out once as long as nothing changes. */
-static bool find(const struct photo_lens_question *question, size_t position, double wavelength,
-                 struct arena *arena, const struct lens_memo **found, struct error *error)
+static bool photo_lens_find(const struct photo_lens_question *question, size_t position,
+                            double wavelength, struct arena *arena, const struct lens_memo **found,
+                            struct error *error)
 {
     const struct lens_value *value = &question->lens;
     struct lens_memo *memo = &value->memo[position];
@@ -50,7 +51,7 @@ static bool find(const struct photo_lens_question *question, size_t position, do
         .section = question->section,
     };
     memo->is_known = false;
-    if (!lens_each(&asked, &policy, arena, keep, memo, error)) {
+    if (!lens_each(&asked, &policy, arena, photo_lens_keep, memo, error)) {
         return false;
     }
     if (memo->warning != NULL) {
@@ -64,7 +65,7 @@ static bool find(const struct photo_lens_question *question, size_t position, do
 }
 
 /* Can the formulas of photography take it? */
-static bool check_power(const struct first_order *first, struct error *error)
+static bool photo_lens_check_power(const struct first_order *first, struct error *error)
 {
     if (first->index_image < 0) {
         return fail(error, ERROR_DOMAIN,
@@ -132,7 +133,7 @@ static bool work_out(const struct photo_lens_question *question, size_t position
     bool has_fnumber = question->fnumber > 0 || (use & PHOTO_LENS_SOLVES_FNUMBER) != 0;
     double wavelength =
         has_light ? wavelength_micrometres(question->wavelength) : lens_primary_wavelength(real);
-    if (!find(question, position, wavelength, arena, &found, error)) {
+    if (!photo_lens_find(question, position, wavelength, arena, &found, error)) {
         return false;
     }
     const struct first_order *first = &found->first;
@@ -161,7 +162,7 @@ static bool work_out(const struct photo_lens_question *question, size_t position
         .rear = first->rear_principal,
     };
     lens->real = said;
-    return check_power(first, error) && take_t_ratio(first, lens, error) &&
+    return photo_lens_check_power(first, error) && take_t_ratio(first, lens, error) &&
            take_pupil(first, question, use, lens, error);
 }
 
@@ -173,7 +174,8 @@ static bool take_lens(const struct photo_lens_question *question, size_t positio
            error_prefix(error, "%.60s: ", question->lens.name);
 }
 
-static bool check_question(const struct photo_lens_question *question, struct error *error)
+static bool photo_lens_check_question(const struct photo_lens_question *question,
+                                      struct error *error)
 {
     if (question->lens.lens == NULL) {
         return fail(error, ERROR_USAGE, "{--%s} needs {--lens}",
@@ -195,8 +197,9 @@ bool photo_lens_single(const struct photo_lens_question *question, int use, stru
         *lens = photo_lens_thin(question);
         return true;
     }
-    if (!check_question(question, error) || !lens_positions(question->lens.lens, question->position,
-                                                            arena, &positions, &count, error)) {
+    if (!photo_lens_check_question(question, error) ||
+        !lens_positions(question->lens.lens, question->position, arena, &positions, &count,
+                        error)) {
         return false;
     }
     if (count > 1) {
@@ -212,7 +215,7 @@ bool photo_lens_visit(const struct photo_lens_question *question, int use, struc
     const size_t *positions;
     size_t count;
     struct photo_lens lens;
-    if (!check_question(question, error) ||
+    if (!photo_lens_check_question(question, error) ||
         !lens_positions(question->lens.lens, question->position, run->arena, &positions, &count,
                         error)) {
         return false;

@@ -55,7 +55,7 @@ struct photo_real {
 struct photo_lens {
     double f, N, P;
     double wavelength;
-    struct measuring measuring;
+    struct distance_reference measuring;
     const struct photo_real *real;
     double t_ratio; /* T-stop over f-number, of a real lens whose source states it; else NaN */
     const struct lens *lens;         /* in all its positions; null: a thin one */

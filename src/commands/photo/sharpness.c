@@ -71,11 +71,11 @@ double sharpness_pitch(const struct sharpness *a)
     return isnan(a->pitch) ? a->sensor.size.pitch : a->pitch;
 }
 
-void sharpness_doubt_pitch(const struct sharpness *a, struct doubts *doubts)
+void sharpness_doubt_pitch(const struct sharpness *a, struct warnings *doubts)
 {
     if (isnan(a->pitch) && !isnan(a->sensor.size.pitch) && a->sensor.pitch_note != NULL) {
-        doubts_add(doubts, "the pixel pitch of %s, %.4g um, is %s", a->sensor.name,
-                   1000 * a->sensor.size.pitch, a->sensor.pitch_note);
+        warnings_add(doubts, "the pixel pitch of %s, %.4g um, is %s", a->sensor.name,
+                     1000 * a->sensor.size.pitch, a->sensor.pitch_note);
     }
 }
 

@@ -88,7 +88,7 @@ static inline bool sharpness_is_plain(const struct sharpness *a)
 double sharpness_pitch(const struct sharpness *sharpness);
 
 /* Where the sensor's own pitch was used: say so if it is an estimate. */
-void sharpness_doubt_pitch(const struct sharpness *sharpness, struct doubts *doubts);
+void sharpness_doubt_pitch(const struct sharpness *sharpness, struct warnings *doubts);
 
 /*
  * The circle of confusion.

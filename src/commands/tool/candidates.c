@@ -10,7 +10,7 @@
 #include <string.h>
 
 /* The words, and where the candidates go. */
-struct typing {
+struct typed_words {
     struct text *words;
     size_t count; /* at least 1 */
     const struct command *command;
@@ -21,22 +21,24 @@ struct typing {
     const struct sheet *sheet; /* of a list; its first column has the names */
 };
 
-static char lower(char c)
+static char candidates_lower(char c)
 {
     return c >= 'A' && c <= 'Z' ? (char)(c - 'A' + 'a') : c;
 }
 
 /* Does the candidate begin with what is typed? Case does not count. */
-static bool begins(const struct typing *typing, const char *candidate)
+static bool begins(const struct typed_words *typing, const char *candidate)
 {
     size_t i = 0;
-    while (i < typing->typed.length && lower(typing->typed.start[i]) == lower(candidate[i])) {
+    while (i < typing->typed.length &&
+           candidates_lower(typing->typed.start[i]) == candidates_lower(candidate[i])) {
         i++;
     }
     return i == typing->typed.length;
 }
 
-static void offer(const struct typing *typing, const char *candidate, const char *help)
+static void candidates_offer(const struct typed_words *typing, const char *candidate,
+                             const char *help)
 {
     if (begins(typing, candidate) && strpbrk(candidate, "\n\t") == NULL) {
         output_string(typing->output, typing->before);
@@ -47,10 +49,10 @@ static void offer(const struct typing *typing, const char *candidate, const char
     }
 }
 
-static void offer_words(const struct typing *typing, const struct option *option)
+static void offer_words(const struct typed_words *typing, const struct option *option)
 {
     for (size_t i = 0; option_word(option, i) != NULL; i++) {
-        offer(typing, option_word(option, i)->word, option_word(option, i)->help);
+        candidates_offer(typing, option_word(option, i)->word, option_word(option, i)->help);
     }
 }
 
@@ -58,10 +60,10 @@ static void offer_words(const struct typing *typing, const struct option *option
 
 static bool offer_row(struct run *run, const void *row)
 {
-    const struct typing *typing = run->driver;
+    const struct typed_words *typing = run->driver;
     const char *name = row_text(row, &typing->sheet->columns[0]);
     if (name != NULL) {
-        offer(typing, name, NULL);
+        candidates_offer(typing, name, NULL);
     }
     /* other names are many: only who begins one sees it */
     for (size_t i = 0; i < typing->sheet->column_count && typing->typed.length > 0; i++) {
@@ -70,14 +72,14 @@ static bool offer_row(struct run *run, const void *row)
         struct text rest = text_of(is_other ? row_text(row, column) : "");
         while (rest.start != NULL && rest.length > 0) {
             struct text other = text_trim(text_cut(&rest, ','));
-            offer(typing, arena_string(run->arena, other.start, other.length), name);
+            candidates_offer(typing, arena_string(run->arena, other.start, other.length), name);
         }
     }
     return true;
 }
 
 /* The names of "lenscalc list TOPIC". */
-static void offer_list(struct typing *typing, const char *topic)
+static void offer_list(struct typed_words *typing, const char *topic)
 {
     const struct command *list = command_find(text_of("list"));
     const struct option *option = &list->options[0];
@@ -128,7 +130,7 @@ static const struct word *words_of_kind(const struct option_kind *kind)
 
 /* -------- what depends on the words before -------- */
 
-static const struct option *find_letter(const struct command *command, char letter)
+static const struct option *candidates_find_letter(const struct command *command, char letter)
 {
     const struct option *common = NULL;
     for (size_t i = 0; command_option(command, i) != NULL; i++) {
@@ -156,12 +158,12 @@ static const struct option *find_name(const struct command *command, struct text
 }
 
 /* The option that a word names; `value` receives what stands behind its '=', if there is one. */
-static const struct option *option_of(const struct command *command, struct text word,
-                                      struct text *value)
+static const struct option *candidates_option_of(const struct command *command, struct text word,
+                                                 struct text *value)
 {
     *value = (struct text){NULL, 0};
     if (word.length == 2 && word.start[0] == '-' && word.start[1] != '-') {
-        return find_letter(command, word.start[1]);
+        return candidates_find_letter(command, word.start[1]);
     }
     struct text name = text_behind(word, "--");
     if (name.start == NULL) {
@@ -183,11 +185,13 @@ static bool is_operand(const struct option *option)
 }
 
 /* The value that an option has among the words, also as an operand; null start: none. */
-static struct text value_of(const struct typing *typing, const struct option *wanted)
+static struct text candidates_value_of(const struct typed_words *typing,
+                                       const struct option *wanted)
 {
     struct text value;
     for (size_t i = 1; i + 1 < typing->count && wanted != NULL; i++) {
-        const struct option *option = option_of(typing->command, typing->words[i], &value);
+        const struct option *option =
+            candidates_option_of(typing->command, typing->words[i], &value);
         bool attached = value.start != NULL;
         if (takes_value(option) && !attached) {
             value = typing->words[++i];
@@ -211,11 +215,12 @@ static const struct option *of_kind(const struct command *command, const struct 
 }
 
 /* The positions of the lens that is named. */
-static void offer_positions(const struct typing *typing)
+static void offer_positions(const struct typed_words *typing)
 {
     const struct option *option = of_kind(typing->command, &kind_lens);
     option = option != NULL ? option : of_kind(typing->command, &kind_lens_text);
-    struct text name = option != NULL ? value_of(typing, option) : (struct text){NULL, 0};
+    struct text name =
+        option != NULL ? candidates_value_of(typing, option) : (struct text){NULL, 0};
     struct error ignored;
     struct lens lens;
     /* standard input belongs to the shell */
@@ -224,21 +229,21 @@ static void offer_positions(const struct typing *typing)
         return;
     }
     for (size_t i = 0; i < lens.position_count; i++) {
-        offer(typing, lens.positions[i], NULL);
+        candidates_offer(typing, lens.positions[i], NULL);
     }
-    offer(typing, "all", "every position");
+    candidates_offer(typing, "all", "every position");
 }
 
 static bool offer_column(void *context, const struct column_row *row)
 {
-    offer(context, row->column, row->label);
+    candidates_offer(context, row->column, row->label);
     return true;
 }
 
 /* -------- what is being typed -------- */
 
 /* In a list only what follows the last comma. */
-static void step_into_list(struct typing *typing)
+static void step_into_list(struct typed_words *typing)
 {
     struct text typed = typing->typed;
     size_t at = typed.length;
@@ -250,7 +255,7 @@ static void step_into_list(struct typing *typing)
     typing->typed = (struct text){typed.start + at, typed.length - at};
 }
 
-static void offer_value(struct typing *typing, const struct option *option)
+static void offer_value(struct typed_words *typing, const struct option *option)
 {
     bool is_columns = strcmp(option->name, "columns") == 0;
     bool is_position = strcmp(option->name, "position") == 0;
@@ -261,7 +266,7 @@ static void offer_value(struct typing *typing, const struct option *option)
     offer_words(typing, option);
     const struct word *word = words_of_kind(option->kind);
     for (; word != NULL && word->word != NULL; word++) {
-        offer(typing, word->word, word->help);
+        candidates_offer(typing, word->word, word->help);
     }
     for (size_t i = 0; i < sizeof sources / sizeof sources[0]; i++) {
         bool is_this = sources[i].kind == option->kind;
@@ -280,12 +285,12 @@ static void offer_value(struct typing *typing, const struct option *option)
     }
 }
 
-static void offer_option(const struct typing *typing, const struct option *option)
+static void offer_option(const struct typed_words *typing, const struct option *option)
 {
-    offer(typing, arena_printf(typing->run->arena, "--%s", option->name), option->help);
+    candidates_offer(typing, arena_printf(typing->run->arena, "--%s", option->name), option->help);
 }
 
-static void offer_options(const struct typing *typing)
+static void offer_options(const struct typed_words *typing)
 {
     const struct option *common = NULL;
     for (size_t i = 0; command_option(typing->command, i) != NULL; i++) {
@@ -296,20 +301,21 @@ static void offer_options(const struct typing *typing)
     }
 }
 
-static void offer_commands(const struct typing *typing)
+static void offer_commands(const struct typed_words *typing)
 {
     for (size_t i = 0; commands[i] != NULL; i++) {
-        offer(typing, commands[i]->name, commands[i]->summary);
+        candidates_offer(typing, commands[i]->name, commands[i]->summary);
     }
 }
 
 /* How many of the words before the last one are operands? */
-static size_t count_operands(const struct typing *typing)
+static size_t count_operands(const struct typed_words *typing)
 {
     size_t count = 0;
     for (size_t i = 1; i + 1 < typing->count; i++) {
         struct text value;
-        const struct option *option = option_of(typing->command, typing->words[i], &value);
+        const struct option *option =
+            candidates_option_of(typing->command, typing->words[i], &value);
         bool dashed = typing->words[i].length > 1 && typing->words[i].start[0] == '-';
         i += takes_value(option) && value.start == NULL;
         count += !dashed;
@@ -318,7 +324,7 @@ static size_t count_operands(const struct typing *typing)
 }
 
 /* The operand that the last word is; null: none. */
-static const struct option *operand_of(const struct typing *typing)
+static const struct option *operand_of(const struct typed_words *typing)
 {
     size_t before = count_operands(typing);
     for (size_t i = 0; command_option(typing->command, i) != NULL; i++) {
@@ -331,14 +337,14 @@ static const struct option *operand_of(const struct typing *typing)
     return NULL;
 }
 
-static void offer_operand(struct typing *typing)
+static void offer_operand(struct typed_words *typing)
 {
     const struct option *operand = operand_of(typing);
     const struct text first = typing->count > 2 ? typing->words[1] : text_of("");
     if (typing->command == command_find(text_of("help")) && typing->count == 2) {
         offer_commands(typing);
         for (const struct topic_text *topic = help_topics; topic->name != NULL; topic++) {
-            offer(typing, topic->name, topic->summary);
+            candidates_offer(typing, topic->name, topic->summary);
         }
     } else if (text_equal(first, "columns") || text_equal(first, "options")) {
         offer_commands(typing); /* of list: whose they are */
@@ -350,7 +356,7 @@ static void offer_operand(struct typing *typing)
 }
 
 /* The words and the command they ask. False if that is not known. */
-static bool split(struct typing *typing, const char *words)
+static bool candidates_split(struct typed_words *typing, const char *words)
 {
     struct text rest = text_of(words);
     struct arena *arena = typing->run->arena;
@@ -371,9 +377,9 @@ static bool split(struct typing *typing, const char *words)
 
 void candidates_write(const char *words, struct run *run, struct output *output)
 {
-    struct typing typing = {.before = "", .run = run, .output = output};
+    struct typed_words typing = {.before = "", .run = run, .output = output};
     struct text value;
-    bool is_known = split(&typing, words);
+    bool is_known = candidates_split(&typing, words);
     if (typing.count == 1) {
         offer_commands(&typing);
         return;
@@ -382,7 +388,7 @@ void candidates_write(const char *words, struct run *run, struct output *output)
         return;
     }
     struct lensdb own = *run->db;
-    struct text folder = value_of(&typing, find_name(typing.command, text_of("lensdb")));
+    struct text folder = candidates_value_of(&typing, find_name(typing.command, text_of("lensdb")));
     if (folder.start != NULL) {
         own = (struct lensdb){.arena = own.arena,
                               .directory = arena_string(run->arena, folder.start, folder.length)};
@@ -391,12 +397,13 @@ void candidates_write(const char *words, struct run *run, struct output *output)
     within.db = &own;
     typing.run = &within;
     const struct text last = typing.typed;
-    const struct option *option = option_of(typing.command, typing.words[typing.count - 2], &value);
+    const struct option *option =
+        candidates_option_of(typing.command, typing.words[typing.count - 2], &value);
     if (typing.count > 2 && takes_value(option) && value.start == NULL) {
         offer_value(&typing, option);
         return;
     }
-    option = option_of(typing.command, last, &value);
+    option = candidates_option_of(typing.command, last, &value);
     if (takes_value(option) && value.start != NULL) {
         typing.before = arena_string(run->arena, last.start, (size_t)(value.start - last.start));
         typing.typed = value;

@@ -4,7 +4,7 @@
 
 enum shell { BASH, ZSH, FISH, WORDS };
 
-struct input {
+struct completion_input {
     int shell;
     const char *words;
 };
@@ -18,9 +18,9 @@ static const struct word shells[] = {
 };
 
 static const struct option options[] = {
-    {OPTION(struct input, shell), .name = "shell", .words = shells, .value = "SHELL",
+    {OPTION(struct completion_input, shell), .name = "shell", .words = shells, .value = "SHELL",
      .flags = OPTION_OPERAND, .fallback = "bash", .help = "which shell"},
-    {OPTION(struct input, words), .name = "words", .value = "WORD",
+    {OPTION(struct completion_input, words), .name = "words", .value = "WORD",
      .flags = OPTION_OPERAND | OPTION_TOGETHER | OPTION_EMPTY,
      .help = "a command line behind 'lenscalc', its last word being typed; with 'words --'"},
 };
@@ -114,9 +114,9 @@ static const char *const scripts[] = {
         "complete -c lenscalc -f -a '(__lenscalc_candidates)'\n",
 };
 
-static bool check(const struct artifact_job *job, struct error *error)
+static bool completion_check(const struct artifact_job *job, struct error *error)
 {
-    const struct input *input = job->inputs[0];
+    const struct completion_input *input = job->inputs[0];
     if (input->shell == WORDS && input->words == NULL) {
         return fail(error, ERROR_USAGE, "which words? Those behind 'lenscalc'") ||
                error_hint(error, "as in 'lenscalc completion words lens doub'");
@@ -127,7 +127,7 @@ static bool check(const struct artifact_job *job, struct error *error)
 
 static bool write_answer(const struct artifact_job *job, struct output *output, struct error *error)
 {
-    const struct input *input = job->inputs[0];
+    const struct completion_input *input = job->inputs[0];
     (void)error;
     if (input->shell == WORDS) {
         candidates_write(input->words, job->run, output);
@@ -138,7 +138,7 @@ static bool write_answer(const struct artifact_job *job, struct output *output, 
 }
 
 static const struct artifact artifacts[] = {
-    {ARTIFACT_ANSWER(NULL), .check = check, .make = write_answer}};
+    {ARTIFACT_ANSWER(NULL), .check = completion_check, .make = write_answer}};
 
 static const struct example examples[] = {
     {"completion bash", "the script to source in bash"},
@@ -150,6 +150,6 @@ const struct command command_completion = {
     .name = "completion",
     .group = "tool",
     .summary = "completion script for bash, zsh or fish",
-    COMMAND_ASKS(struct input),
+    COMMAND_ASKS(struct completion_input),
     COMMAND_MAKES(artifacts),
 };

@@ -6,16 +6,16 @@
 #include <string.h>
 #include <unistd.h>
 
-struct input {
+struct help_input {
     const char *topic;
 };
 
 static const struct option options[] = {
-    {OPTION(struct input, topic), .name = "topic", .value = "COMMAND|TOPIC",
+    {OPTION(struct help_input, topic), .name = "topic", .value = "COMMAND|TOPIC",
      .flags = OPTION_OPERAND, .help = "the command or topic to explain; without it all are listed"},
 };
 
-static bool unknown(const char *topic, struct error *error)
+static bool help_unknown(const char *topic, struct error *error)
 {
     struct nearest nearest = {.typed = text_of(topic)};
     for (size_t i = 0; commands[i] != NULL; i++) {
@@ -42,9 +42,9 @@ static void write_topic(const struct topic_text *topic, struct output *output)
     }
 }
 
-static bool explain(const struct artifact_job *job, struct output *output, struct error *error)
+static bool help_explain(const struct artifact_job *job, struct output *output, struct error *error)
 {
-    const struct input *input = job->inputs[0];
+    const struct help_input *input = job->inputs[0];
     output->width = job->path == NULL ? terminal_width(STDOUT_FILENO) : 0;
     if (input->topic == NULL) {
         help_write_overview(output);
@@ -57,13 +57,13 @@ static bool explain(const struct artifact_job *job, struct output *output, struc
     }
     const struct command *command = command_find(text_of(input->topic));
     if (command == NULL) {
-        return unknown(input->topic, error);
+        return help_unknown(input->topic, error);
     }
     help_write(command, output, job->run->arena);
     return true;
 }
 
-static const struct artifact artifacts[] = {{ARTIFACT_ANSWER(NULL), .make = explain}};
+static const struct artifact artifacts[] = {{ARTIFACT_ANSWER(NULL), .make = help_explain}};
 
 static const struct example examples[] = {
     {"help", "all commands"},
@@ -76,6 +76,6 @@ const struct command command_help = {
     .name = "help",
     .group = "tool",
     .summary = "explain a command or a topic",
-    COMMAND_ASKS(struct input),
+    COMMAND_ASKS(struct help_input),
     COMMAND_MAKES(artifacts),
 };

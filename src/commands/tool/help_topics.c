@@ -7,7 +7,7 @@
 #include <string.h>
 
 /* Each dimension and its units. */
-static void list_units(struct output *output)
+static void help_topics_list_units(struct output *output)
 {
     enum { NAME_WIDTH = 17 };
     for (size_t i = 0; dimensions[i] != NULL; i++) {
@@ -27,7 +27,7 @@ static void list_units(struct output *output)
     }
 }
 
-static void list_formats(struct output *output)
+static void help_topics_list_formats(struct output *output)
 {
     output_character(output, '\n');
     for (size_t i = 0; format_word(i) != NULL; i++) {
@@ -56,7 +56,7 @@ const struct topic_text help_topics[] = {
      "its unit, and another one there converts: --columns near_ft. --units imperial prints "
      "distances in feet and inches. Other spellings, and the sizes of the units: lenscalc list "
      "units.\n",
-     list_units},
+     help_topics_list_units},
     {"ranges", "lists and ranges, which sweep an option",
      "1.4,2,2.8    these values           1.4..22        the labels of a stop series\n"
      "1..10        steps of 1             1.4..22/third  third (full, half) stops\n"
@@ -74,7 +74,7 @@ const struct topic_text help_topics[] = {
      "print the fewest digits that read back as the same number. Infinity is inf, in JSON null "
      "beside \"..._is_infinite\":true; an absent value is empty, in JSON null. -o FILE appears "
      "only when it is complete. --explain adds formulas and sources.",
-     list_formats},
+     help_topics_list_formats},
     {"batch", "rows in, rows out",
      "--batch FILE (- is standard input) reads csv, tsv or jsonl with a header. A column is named "
      "by an option's letter or name or by an output column, and may carry a unit: f_mm, s_m, "

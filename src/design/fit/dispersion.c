@@ -14,25 +14,25 @@ enum { MOST_PARAMETERS = 8 };
 typedef double curve_function(const double *c, size_t count, double l, double *slope);
 
 /* Terms that a formula may have: resonances of Sellmeier, coefficients of the others. */
-struct terms {
+struct dispersion_terms {
     size_t least, usual, most;
 };
 
-struct curve {
+struct dispersion_curve {
     enum glass_formula formula;
-    struct terms terms;
+    struct dispersion_terms terms;
     bool is_square, is_linear;
     curve_function *value;
     const char *names[MOST_PARAMETERS];
 };
 
-struct fitting {
+struct dispersion_problem {
     const struct dispersion_data *data;
-    const struct curve *curve;
+    const struct dispersion_curve *curve;
     size_t count;
 };
 
-static double sellmeier(const double *c, size_t count, double l, double *slope)
+static double dispersion_sellmeier(const double *c, size_t count, double l, double *slope)
 {
     double square = l * l, sum = 1;
     for (size_t i = 0; i + 1 < count; i += 2) {
@@ -44,7 +44,7 @@ static double sellmeier(const double *c, size_t count, double l, double *slope)
     return sum;
 }
 
-static double schott(const double *c, size_t count, double l, double *slope)
+static double dispersion_schott(const double *c, size_t count, double l, double *slope)
 {
     static const int powers[] = {0, 2, -2, -4, -6, -8};
     double sum = 0;
@@ -65,18 +65,18 @@ static double powers_of(const double *c, size_t count, double x, double *slope)
     return sum;
 }
 
-static double cauchy(const double *c, size_t count, double l, double *slope)
+static double dispersion_cauchy(const double *c, size_t count, double l, double *slope)
 {
     return powers_of(c, count, 1 / (l * l), slope);
 }
 
-static double buchdahl(const double *c, size_t count, double l, double *slope)
+static double dispersion_buchdahl(const double *c, size_t count, double l, double *slope)
 {
     double step = l - WAVELENGTH_D;
     return powers_of(c, count, step / (1 + 2.5 * step), slope);
 }
 
-static double conrady(const double *c, size_t count, double l, double *slope)
+static double dispersion_conrady(const double *c, size_t count, double l, double *slope)
 {
     (void)count;
     slope[0] = 1;
@@ -85,15 +85,25 @@ static double conrady(const double *c, size_t count, double l, double *slope)
     return c[0] + c[1] * slope[1] + c[2] * slope[2];
 }
 
-static const struct curve curves[] = {
-    {GLASS_SELLMEIER, {1, 3, 3}, true, false, sellmeier, {"B1", "C1", "B2", "C2", "B3", "C3"}},
-    {GLASS_SCHOTT, {6, 6, 6}, true, true, schott, {"a0", "a1", "a2", "a3", "a4", "a5"}},
-    {GLASS_CAUCHY, {1, 3, 6}, false, true, cauchy, {"A", "B", "C", "D", "E", "F"}},
-    {GLASS_BUCHDAHL, {2, 4, 7}, false, true, buchdahl, {"n0", "v1", "v2", "v3", "v4", "v5", "v6"}},
-    {GLASS_CONRADY, {3, 3, 3}, false, true, conrady, {"n0", "A", "B"}},
+static const struct dispersion_curve curves[] = {
+    {GLASS_SELLMEIER,
+     {1, 3, 3},
+     true,
+     false,
+     dispersion_sellmeier,
+     {"B1", "C1", "B2", "C2", "B3", "C3"}},
+    {GLASS_SCHOTT, {6, 6, 6}, true, true, dispersion_schott, {"a0", "a1", "a2", "a3", "a4", "a5"}},
+    {GLASS_CAUCHY, {1, 3, 6}, false, true, dispersion_cauchy, {"A", "B", "C", "D", "E", "F"}},
+    {GLASS_BUCHDAHL,
+     {2, 4, 7},
+     false,
+     true,
+     dispersion_buchdahl,
+     {"n0", "v1", "v2", "v3", "v4", "v5", "v6"}},
+    {GLASS_CONRADY, {3, 3, 3}, false, true, dispersion_conrady, {"n0", "A", "B"}},
 };
 
-static const struct curve *curve_of(enum glass_formula formula)
+static const struct dispersion_curve *dispersion_curve_of(enum glass_formula formula)
 {
     for (size_t i = 0; i < sizeof curves / sizeof curves[0]; i++) {
         if (curves[i].formula == formula) {
@@ -108,9 +118,9 @@ static double share(const struct dispersion_data *data, size_t i)
     return data->deviation != NULL ? 1 / data->deviation[i] : 1;
 }
 
-static bool evaluate(void *context, const double *c, double *residuals, double *jacobian)
+static bool dispersion_evaluate(void *context, const double *c, double *residuals, double *jacobian)
 {
-    const struct fitting *fitting = context;
+    const struct dispersion_problem *fitting = context;
     const struct dispersion_data *data = fitting->data;
     for (size_t i = 0; i < data->count; i++) {
         double slope[MOST_PARAMETERS], w = share(data, i);
@@ -157,7 +167,8 @@ static bool check_data(const struct dispersion_data *data, struct error *error)
  * The linear parameters by least squares; of Sellmeier the strengths, with the resonances as they
  * are in c.
  */
-static void solve_linear(const struct fitting *fitting, double *c, struct arena *arena)
+static void dispersion_solve_linear(const struct dispersion_problem *fitting, double *c,
+                                    struct arena *arena)
 {
     const struct dispersion_data *data = fitting->data;
     size_t step = fitting->curve->is_linear ? 1 : 2, count = fitting->count / step;
@@ -188,7 +199,8 @@ static const double resonances[][3] = {
 };
 
 /* Bounds of the resonances: not in the range of the data. */
-static void bound(const struct dispersion_data *data, double resonance, double *low, double *high)
+static void dispersion_bound(const struct dispersion_data *data, double resonance, double *low,
+                             double *high)
 {
     double first = data->wavelength[0], last = data->wavelength[data->count - 1];
     bool ultraviolet = resonance < first * first;
@@ -196,7 +208,7 @@ static void bound(const struct dispersion_data *data, double resonance, double *
     *high = ultraviolet ? 0.7 * first * first : 1e6 * last * last;
 }
 
-static bool fit_from(struct fitting *fitting, double *c, struct arena *arena,
+static bool fit_from(struct dispersion_problem *fitting, double *c, struct arena *arena,
                      struct solver_summary *summary, struct error *error)
 {
     double low[MOST_PARAMETERS], high[MOST_PARAMETERS];
@@ -204,12 +216,12 @@ static bool fit_from(struct fitting *fitting, double *c, struct arena *arena,
         low[j] = -INFINITY;
         high[j] = INFINITY;
         if (!fitting->curve->is_linear && j % 2 == 1) {
-            bound(fitting->data, c[j], &low[j], &high[j]);
+            dispersion_bound(fitting->data, c[j], &low[j], &high[j]);
         }
     }
     const struct solver_problem problem = {.parameter_count = fitting->count,
                                            .residual_count = fitting->data->count,
-                                           .evaluate = evaluate,
+                                           .evaluate = dispersion_evaluate,
                                            .context = fitting,
                                            .low = fitting->curve->is_linear ? NULL : low,
                                            .high = fitting->curve->is_linear ? NULL : high};
@@ -241,7 +253,7 @@ static struct dispersion_data thinned(const struct dispersion_data *data, struct
 }
 
 /* The starts of Sellmeier: k resonances, of which the last may be in the infrared. */
-static bool fit_starts(struct fitting *fitting, double *best, struct arena *arena,
+static bool fit_starts(struct dispersion_problem *fitting, double *best, struct arena *arena,
                        struct solver_summary *summary, struct error *error)
 {
     const struct dispersion_data *data = fitting->data;
@@ -259,7 +271,7 @@ static bool fit_starts(struct fitting *fitting, double *best, struct arena *aren
             c[2 * j + 1] = l * l;
         }
         struct solver_summary one;
-        solve_linear(fitting, c, arena);
+        dispersion_solve_linear(fitting, c, arena);
         if (fit_from(fitting, c, arena, &one, error) &&
             (!found || one.final_cost < summary->final_cost)) {
             found = true;
@@ -271,17 +283,18 @@ static bool fit_starts(struct fitting *fitting, double *best, struct arena *aren
 }
 
 /* The best of all starts; of long data by some of it, and then once by all. */
-static bool fit_sellmeier(struct fitting *fitting, double *best, struct arena *arena,
+static bool fit_sellmeier(struct dispersion_problem *fitting, double *best, struct arena *arena,
                           struct solver_summary *summary, struct error *error)
 {
     const struct dispersion_data few = thinned(fitting->data, arena);
-    struct fitting starting = *fitting;
+    struct dispersion_problem starting = *fitting;
     starting.data = &few;
     return fit_starts(&starting, best, arena, summary, error) &&
            (few.count == fitting->data->count || fit_from(fitting, best, arena, summary, error));
 }
 
-static void set_glass(const struct fitting *fitting, const double *c, struct dispersion_fit *fit)
+static void dispersion_set_glass(const struct dispersion_problem *fitting, const double *c,
+                                 struct dispersion_fit *fit)
 {
     const struct dispersion_data *data = fitting->data;
     struct glass *glass = &fit->glass;
@@ -308,7 +321,7 @@ static void set_glass(const struct fitting *fitting, const double *c, struct dis
 bool dispersion_fit(const struct dispersion_data *data, enum glass_formula formula, size_t terms,
                     struct arena *arena, struct dispersion_fit *fit, struct error *error)
 {
-    const struct curve *curve = curve_of(formula);
+    const struct dispersion_curve *curve = dispersion_curve_of(formula);
     if (curve == NULL) {
         return fail(error, ERROR_DOMAIN, "the formula %s cannot be fitted",
                     glass_formula_name(formula));
@@ -318,7 +331,7 @@ bool dispersion_fit(const struct dispersion_data *data, enum glass_formula formu
         return fail(error, ERROR_DOMAIN, "the formula %s has %zu to %zu terms, not %zu",
                     glass_formula_name(formula), curve->terms.least, curve->terms.most, terms);
     }
-    struct fitting fitting = {data, curve, curve->is_linear ? terms : 2 * terms};
+    struct dispersion_problem fitting = {data, curve, curve->is_linear ? terms : 2 * terms};
     if (data->count < fitting.count) {
         return fail(error, ERROR_DOMAIN,
                     "%zu coefficients need at least as many measured indices: there are %zu",
@@ -333,12 +346,12 @@ bool dispersion_fit(const struct dispersion_data *data, enum glass_formula formu
         return false;
     }
     if (curve->is_linear) {
-        solve_linear(&fitting, fit->parameters, arena);
+        dispersion_solve_linear(&fitting, fit->parameters, arena);
     }
     if (curve->is_linear ? !fit_from(&fitting, fit->parameters, arena, &fit->summary, error)
                          : !fit_sellmeier(&fitting, fit->parameters, arena, &fit->summary, error)) {
         return false;
     }
-    set_glass(&fitting, fit->parameters, fit);
+    dispersion_set_glass(&fitting, fit->parameters, fit);
     return true;
 }

@@ -11,7 +11,7 @@
 static const double nothing = 1e-9;
 
 /* Sums over the rows of each group, in parameters that make J^T J = 1. */
-struct sums {
+struct jackknife_sums {
     size_t columns;
     double *squares; /* Qg^T Qg, columns x columns a group */
     double *slopes;  /* Qg^T rg, columns a group */
@@ -31,7 +31,8 @@ static void rotate(const struct linear_factors *factors, const double *row, doub
     }
 }
 
-static void add_row(const double *q, double residual, size_t group, struct sums *sums)
+static void jackknife_add_row(const double *q, double residual, size_t group,
+                              struct jackknife_sums *sums)
 {
     size_t n = sums->columns;
     double *squares = sums->squares + group * n * n, *slopes = sums->slopes + group * n;
@@ -44,7 +45,7 @@ static void add_row(const double *q, double residual, size_t group, struct sums 
 }
 
 /* x = (1 - squares)^-1 x by Cholesky's factors; false: that is no positive matrix. */
-static bool solve_rest(double *squares, size_t n, double *x)
+static bool jackknife_solve_rest(double *squares, size_t n, double *x)
 {
     for (size_t i = 0; i < n; i++) {
         for (size_t j = 0; j <= i; j++) {
@@ -73,7 +74,7 @@ static bool solve_rest(double *squares, size_t n, double *x)
     return true;
 }
 
-static bool has_rows(const struct sums *sums, size_t group)
+static bool jackknife_has_rows(const struct jackknife_sums *sums, size_t group)
 {
     size_t n = sums->columns;
     double trace = 0;
@@ -84,17 +85,17 @@ static bool has_rows(const struct sums *sums, size_t group)
 }
 
 /* What leaving out each group changes, squared and added up. Result: how many groups; 0 = none. */
-static size_t add_changes(const struct linear_factors *factors, const struct sums *sums,
+static size_t add_changes(const struct linear_factors *factors, const struct jackknife_sums *sums,
                           size_t group_count, struct arena *arena, double *covariance)
 {
     size_t n = sums->columns, count = 0;
     double *change = ARENA_ARRAY(arena, n, double);
     for (size_t g = 0; g < group_count; g++) {
         double *slopes = sums->slopes + g * n;
-        if (!has_rows(sums, g)) {
+        if (!jackknife_has_rows(sums, g)) {
             continue;
         }
-        if (!solve_rest(sums->squares + g * n * n, n, slopes)) {
+        if (!jackknife_solve_rest(sums->squares + g * n * n, n, slopes)) {
             return 0;
         }
         linear_substitute(factors, slopes, change);
@@ -110,15 +111,15 @@ bool jackknife_covariance(const struct jackknife_fit *fit, struct arena *arena, 
 {
     size_t n = fit->columns, rows = fit->rows, group_count = fit->group_count, count = 0;
     double *a = ARENA_ARRAY(arena, rows * n, double), *q = ARENA_ARRAY(arena, n, double);
-    struct sums sums = {n, ARENA_ARRAY(arena, group_count * n * n, double),
-                        ARENA_ARRAY(arena, group_count * n, double)};
+    struct jackknife_sums sums = {n, ARENA_ARRAY(arena, group_count * n * n, double),
+                                  ARENA_ARRAY(arena, group_count * n, double)};
     memcpy(a, fit->jacobian, rows * n * sizeof(double));
     memset(covariance, 0, n * n * sizeof(double));
     const struct linear_factors factors = linear_factor(a, rows, n, 1e-13, arena);
     if (factors.rank == n) {
         for (size_t i = 0; i < rows; i++) {
             rotate(&factors, fit->jacobian + i * n, q);
-            add_row(q, fit->residuals[i], fit->group[i], &sums);
+            jackknife_add_row(q, fit->residuals[i], fit->group[i], &sums);
         }
         count = add_changes(&factors, &sums, group_count, arena, covariance);
     }

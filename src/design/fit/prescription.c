@@ -16,22 +16,22 @@ struct matrix {
 };
 
 /* The lens at the wavelength of one goal, as plain numbers. */
-struct view {
+struct prescription_view {
     double *n;    /* count + 1, signed */
     double power; /* by which bfl and ffl are weighed, 1/mm */
 };
 
 /* A goal as a linear function of a system's matrix: a m.a + c m.c + d m.d + rest. */
-struct aim {
+struct prescription_aim {
     double a, c, d, rest;
 };
 
-struct fitting {
+struct prescription_problem {
     const struct lens *lens;
     const struct prescription_goal *goals;
     const struct prescription_part *parts;
     size_t goal_count, part_count, count; /* surfaces */
-    struct view *views;                   /* one a goal: indices of the lens as it is */
+    struct prescription_view *views;      /* one a goal: indices of the lens as it is */
     double *start;                        /* of the parameters */
     double *c, *t, *n;                    /* of the present trial */
     struct matrix *before;                /* of each surface */
@@ -39,13 +39,13 @@ struct fitting {
     bool is_loose;
 };
 
-static struct matrix times(struct matrix m, struct matrix k)
+static struct matrix prescription_times(struct matrix m, struct matrix k)
 {
     return (struct matrix){m.a * k.a + m.b * k.c, m.a * k.b + m.b * k.d, m.c * k.a + m.d * k.c,
                            m.c * k.b + m.d * k.d};
 }
 
-static double power_of(const struct fitting *fitting, size_t i)
+static double prescription_power_of(const struct prescription_problem *fitting, size_t i)
 {
     const struct surface *surface = &fitting->lens->surfaces[i];
     return surface_has(surface, SURFACE_HAS_FOCAL)
@@ -54,7 +54,7 @@ static double power_of(const struct fitting *fitting, size_t i)
 }
 
 /* The last space of the medium behind a surface: that of the mirrors that stand in it. */
-static size_t last_space(const struct fitting *fitting, size_t surface)
+static size_t last_space(const struct prescription_problem *fitting, size_t surface)
 {
     size_t i = surface + 1;
     while (i < fitting->count && surface_reflects(&fitting->lens->surfaces[i])) {
@@ -64,7 +64,8 @@ static size_t last_space(const struct fitting *fitting, size_t surface)
 }
 
 /* The trial's curvatures, gaps and indices for one goal. */
-static void set_trial(const struct fitting *fitting, size_t goal, const double *parameters)
+static void set_trial(const struct prescription_problem *fitting, size_t goal,
+                      const double *parameters)
 {
     const struct lens *lens = fitting->lens;
     memcpy(fitting->n, fitting->views[goal].n, (fitting->count + 1) * sizeof(double));
@@ -88,38 +89,43 @@ static void set_trial(const struct fitting *fitting, size_t goal, const double *
 }
 
 /* The whole system; leaves what lies before each surface. */
-static struct matrix trace(const struct fitting *fitting)
+static struct matrix prescription_trace(const struct prescription_problem *fitting)
 {
     struct matrix m = {1, 0, 0, 1};
     for (size_t i = 0; i < fitting->count; i++) {
-        const struct matrix refraction = {1, 0, -power_of(fitting, i), 1};
+        const struct matrix refraction = {1, 0, -prescription_power_of(fitting, i), 1};
         const struct matrix transfer = {1, fitting->t[i] / fitting->n[i + 1], 0, 1};
         fitting->before[i] = m;
-        m = times(transfer, times(refraction, m));
+        m = prescription_times(transfer, prescription_times(refraction, m));
     }
     return m;
 }
 
 /* What lies behind the refraction at a surface is whole (before)^-1 (refraction)^-1. */
-static struct matrix by_power(const struct fitting *fitting, struct matrix whole, size_t i)
+static struct matrix by_power(const struct prescription_problem *fitting, struct matrix whole,
+                              size_t i)
 {
     struct matrix k = fitting->before[i];
     const struct matrix inverse = {k.d, -k.b, -k.c, k.a};
-    const struct matrix back = {1, 0, power_of(fitting, i), 1}, slope = {0, 0, -1, 0};
-    return times(times(times(whole, inverse), back), times(slope, k));
+    const struct matrix back = {1, 0, prescription_power_of(fitting, i), 1}, slope = {0, 0, -1, 0};
+    return prescription_times(prescription_times(prescription_times(whole, inverse), back),
+                              prescription_times(slope, k));
 }
 
 /* By t/n of the gap behind a surface. */
-static struct matrix by_gap(const struct fitting *fitting, struct matrix whole, size_t i)
+static struct matrix by_gap(const struct prescription_problem *fitting, struct matrix whole,
+                            size_t i)
 {
-    const struct matrix refraction = {1, 0, -power_of(fitting, i), 1}, slope = {0, 1, 0, 0};
-    struct matrix k = times(refraction, fitting->before[i]);
+    const struct matrix refraction = {1, 0, -prescription_power_of(fitting, i), 1},
+                        slope = {0, 1, 0, 0};
+    struct matrix k = prescription_times(refraction, fitting->before[i]);
     const struct matrix inverse = {k.d, -k.b, -k.c, k.a};
     const struct matrix back = {1, -fitting->t[i] / fitting->n[i + 1], 0, 1};
-    return times(times(times(whole, inverse), back), times(slope, k));
+    return prescription_times(prescription_times(prescription_times(whole, inverse), back),
+                              prescription_times(slope, k));
 }
 
-static void add(struct matrix *sum, struct matrix m, double factor)
+static void prescription_add(struct matrix *sum, struct matrix m, double factor)
 {
     sum->a += factor * m.a;
     sum->b += factor * m.b;
@@ -128,28 +134,28 @@ static void add(struct matrix *sum, struct matrix m, double factor)
 }
 
 /* By the index of a medium, in one of its spaces: space k lies between surfaces k - 1 and k. */
-static void add_index(const struct fitting *fitting, struct matrix whole, size_t k,
+static void add_index(const struct prescription_problem *fitting, struct matrix whole, size_t k,
                       struct matrix *sum)
 {
     double n = fitting->n[k], sign = n < 0 ? -1 : 1;
-    add(sum, by_power(fitting, whole, k - 1), sign * fitting->c[k - 1]);
-    add(sum, by_gap(fitting, whole, k - 1), -sign * fitting->t[k - 1] / (n * n));
+    prescription_add(sum, by_power(fitting, whole, k - 1), sign * fitting->c[k - 1]);
+    prescription_add(sum, by_gap(fitting, whole, k - 1), -sign * fitting->t[k - 1] / (n * n));
     if (k < fitting->count) {
-        add(sum, by_power(fitting, whole, k), -sign * fitting->c[k]);
+        prescription_add(sum, by_power(fitting, whole, k), -sign * fitting->c[k]);
     }
 }
 
 /* The derivative of the whole by one part. */
-static struct matrix derive(const struct fitting *fitting, struct matrix whole,
-                            const struct prescription_part *part)
+static struct matrix prescription_derive(const struct prescription_problem *fitting,
+                                         struct matrix whole, const struct prescription_part *part)
 {
     size_t i = part->what.surface;
     double n = fitting->n[i + 1];
     struct matrix sum = {0, 0, 0, 0};
     if (part->what.kind == PARAMETER_RADIUS) {
-        add(&sum, by_power(fitting, whole, i), n - fitting->n[i]);
+        prescription_add(&sum, by_power(fitting, whole, i), n - fitting->n[i]);
     } else if (part->what.kind == PARAMETER_THICKNESS) {
-        add(&sum, by_gap(fitting, whole, i), 1 / n);
+        prescription_add(&sum, by_gap(fitting, whole, i), 1 / n);
     } else {
         for (size_t k = i + 1; k <= last_space(fitting, i); k++) {
             add_index(fitting, whole, k, &sum);
@@ -158,7 +164,7 @@ static struct matrix derive(const struct fitting *fitting, struct matrix whole,
     return sum;
 }
 
-static double length_of(const struct fitting *fitting)
+static double prescription_length_of(const struct prescription_problem *fitting)
 {
     double sum = 0;
     for (size_t i = 0; i < fitting->count; i++) {
@@ -170,8 +176,8 @@ static double length_of(const struct fitting *fitting)
 }
 
 /* The figure of a goal, mm. */
-static double figure_value(const struct fitting *fitting, const struct prescription_goal *goal,
-                           struct matrix m)
+static double figure_value(const struct prescription_problem *fitting,
+                           const struct prescription_goal *goal, struct matrix m)
 {
     double n = fitting->n[0], last = fitting->n[fitting->count];
     switch (goal->kind) {
@@ -182,7 +188,7 @@ static double figure_value(const struct fitting *fitting, const struct prescript
     case GOAL_HEIGHT:
         return -n * tan(goal->field) / m.c;
     case GOAL_LENGTH:
-        return length_of(fitting);
+        return prescription_length_of(fitting);
     case GOAL_EFL:
     case GOAL_KINDS:
         break;
@@ -194,50 +200,54 @@ static double figure_value(const struct fitting *fitting, const struct prescript
  * What is made 0: near the goal it is (figure - value)/deviation, but it has no poles, so that a
  * lens may pass through no power on its way, and no minimum where the power is endless.
  */
-static struct aim aim_of(const struct fitting *fitting, size_t g)
+static struct prescription_aim prescription_aim_of(const struct prescription_problem *fitting,
+                                                   size_t g)
 {
     const struct prescription_goal *goal = &fitting->goals[g];
     double n = fitting->n[0], last = fitting->n[fitting->count], value = goal->value;
     double power = fitting->views[g].power, turned = n * tan(goal->field);
     switch (goal->kind) {
     case GOAL_BFL:
-        return (struct aim){last / (power * goal->deviation), value / (power * goal->deviation), 0,
-                            0};
+        return (struct prescription_aim){last / (power * goal->deviation),
+                                         value / (power * goal->deviation), 0, 0};
     case GOAL_FFL:
-        return (struct aim){0, value / (power * goal->deviation), -n / (power * goal->deviation),
-                            0};
+        return (struct prescription_aim){0, value / (power * goal->deviation),
+                                         -n / (power * goal->deviation), 0};
     case GOAL_HEIGHT:
-        return (struct aim){0, value * value / (turned * goal->deviation), 0,
-                            value / goal->deviation};
+        return (struct prescription_aim){0, value * value / (turned * goal->deviation), 0,
+                                         value / goal->deviation};
     case GOAL_LENGTH:
-        return (struct aim){0, 0, 0, (length_of(fitting) - value) / goal->deviation};
+        return (struct prescription_aim){
+            0, 0, 0, (prescription_length_of(fitting) - value) / goal->deviation};
     case GOAL_EFL:
     case GOAL_KINDS:
         break;
     }
-    return (struct aim){0, value * value / goal->deviation, 0, value / goal->deviation};
+    return (struct prescription_aim){0, value * value / goal->deviation, 0,
+                                     value / goal->deviation};
 }
 
-static double size_of(const struct fitting *fitting, size_t part)
+static double prescription_size_of(const struct prescription_problem *fitting, size_t part)
 {
     double start = fabs(fitting->start[part]);
     return fitting->parts[part].what.kind == PARAMETER_RADIUS ? fmax(start, 1e-4)
                                                               : fmax(start, 0.1);
 }
 
-static bool evaluate(void *context, const double *parameters, double *residuals, double *jacobian)
+static bool prescription_evaluate(void *context, const double *parameters, double *residuals,
+                                  double *jacobian)
 {
-    const struct fitting *fitting = context;
+    const struct prescription_problem *fitting = context;
     size_t columns = fitting->part_count;
     for (size_t g = 0; g < fitting->goal_count; g++) {
         const struct prescription_goal *goal = &fitting->goals[g];
         set_trial(fitting, g, parameters);
-        struct matrix m = trace(fitting);
-        const struct aim aim = aim_of(fitting, g);
+        struct matrix m = prescription_trace(fitting);
+        const struct prescription_aim aim = prescription_aim_of(fitting, g);
         residuals[g] = aim.a * m.a + aim.c * m.c + aim.d * m.d + aim.rest;
         for (size_t j = 0; j < columns && jacobian != NULL; j++) {
             const struct prescription_part *part = &fitting->parts[j];
-            struct matrix dm = derive(fitting, m, part);
+            struct matrix dm = prescription_derive(fitting, m, part);
             bool adds = goal->kind == GOAL_LENGTH && part->what.kind == PARAMETER_THICKNESS;
             jacobian[g * columns + j] =
                 aim.a * dm.a + aim.c * dm.c + aim.d * dm.d + (adds ? 1 / goal->deviation : 0);
@@ -245,15 +255,16 @@ static bool evaluate(void *context, const double *parameters, double *residuals,
     }
     for (size_t j = 0; j < columns && fitting->is_loose; j++) {
         size_t row = fitting->goal_count + j;
-        residuals[row] = pull * (parameters[j] - fitting->start[j]) / size_of(fitting, j);
+        residuals[row] =
+            pull * (parameters[j] - fitting->start[j]) / prescription_size_of(fitting, j);
         for (size_t k = 0; k < columns && jacobian != NULL; k++) {
-            jacobian[row * columns + k] = k == j ? pull / size_of(fitting, j) : 0;
+            jacobian[row * columns + k] = k == j ? pull / prescription_size_of(fitting, j) : 0;
         }
     }
     return true;
 }
 
-static bool check_goal(const struct prescription_goal *goal, struct error *error)
+static bool prescription_check_goal(const struct prescription_goal *goal, struct error *error)
 {
     bool height = goal->kind == GOAL_HEIGHT;
     if (height && !(fabs(tan(goal->field)) > 0)) {
@@ -271,7 +282,8 @@ bool prescription_fits(enum parameter_kind kind)
     return kind == PARAMETER_RADIUS || kind == PARAMETER_THICKNESS || kind == PARAMETER_INDEX;
 }
 
-static bool check_part(const struct lens *lens, struct parameter what, struct error *error)
+static bool prescription_check_part(const struct lens *lens, struct parameter what,
+                                    struct error *error)
 {
     size_t number = what.surface + 1, count = lens->surface_count;
     const char *words = parameter_type(what.kind)->words;
@@ -310,7 +322,7 @@ static bool curvature_bounds(const struct prescription_part *part, double *low, 
     return true;
 }
 
-static double start_of(const struct fitting *fitting, size_t part)
+static double prescription_start_of(const struct prescription_problem *fitting, size_t part)
 {
     size_t i = fitting->parts[part].what.surface;
     const struct surface *surface = &fitting->lens->surfaces[i];
@@ -321,9 +333,10 @@ static double start_of(const struct fitting *fitting, size_t part)
                : fabs(fitting->views[0].n[i + 1]);
 }
 
-static bool open_views(struct fitting *fitting, struct arena *arena, struct error *error)
+static bool open_views(struct prescription_problem *fitting, struct arena *arena,
+                       struct error *error)
 {
-    fitting->views = ARENA_ARRAY(arena, fitting->goal_count, struct view);
+    fitting->views = ARENA_ARRAY(arena, fitting->goal_count, struct prescription_view);
     for (size_t g = 0; g < fitting->goal_count; g++) {
         struct paraxial_system system;
         if (!paraxial_compile(fitting->lens, fitting->goals[g].wavelength, SECTION_Y, arena,
@@ -338,14 +351,15 @@ static bool open_views(struct fitting *fitting, struct arena *arena, struct erro
     return true;
 }
 
-static bool open_parts(struct fitting *fitting, double *low, double *high, struct error *error)
+static bool prescription_open_parts(struct prescription_problem *fitting, double *low, double *high,
+                                    struct error *error)
 {
     for (size_t j = 0; j < fitting->part_count; j++) {
         const struct prescription_part *part = &fitting->parts[j];
-        if (!check_part(fitting->lens, part->what, error)) {
+        if (!prescription_check_part(fitting->lens, part->what, error)) {
             return false;
         }
-        fitting->start[j] = start_of(fitting, j);
+        fitting->start[j] = prescription_start_of(fitting, j);
         low[j] = part->low;
         high[j] = part->high;
         if (part->what.kind == PARAMETER_RADIUS &&
@@ -364,7 +378,7 @@ static bool open_parts(struct fitting *fitting, double *low, double *high, struc
 }
 
 /* The power that a goal is weighed by at first: what another goal wants, or what the lens has. */
-static double first_power(const struct fitting *fitting, size_t g)
+static double first_power(const struct prescription_problem *fitting, size_t g)
 {
     double longest = 1;
     for (size_t i = 0; i < fitting->goal_count; i++) {
@@ -376,19 +390,19 @@ static double first_power(const struct fitting *fitting, size_t g)
         longest = fmax(longest, fabs(goal->value));
     }
     set_trial(fitting, g, fitting->start);
-    double power = -trace(fitting).c;
+    double power = -prescription_trace(fitting).c;
     /* a lens without power begins somewhere */
     return fabs(power) > 1e-3 / longest ? power : 1 / longest;
 }
 
 /* Weigh by the power that was found. Result: does that change anything? */
-static bool weigh_again(struct fitting *fitting, const double *parameters)
+static bool weigh_again(struct prescription_problem *fitting, const double *parameters)
 {
     bool changes = false;
     for (size_t g = 0; g < fitting->goal_count; g++) {
         enum goal_kind kind = fitting->goals[g].kind;
         set_trial(fitting, g, parameters);
-        double power = -trace(fitting).c;
+        double power = -prescription_trace(fitting).c;
         if ((kind == GOAL_BFL || kind == GOAL_FFL) && fabs(power) > 0) {
             changes = changes || fabs(power / fitting->views[g].power - 1) > 1e-9;
             fitting->views[g].power = power;
@@ -398,8 +412,10 @@ static bool weigh_again(struct fitting *fitting, const double *parameters)
 }
 
 /* A few rounds: the weights of bfl and ffl follow the power of the lens that is found. */
-static bool solve(struct fitting *fitting, const struct solver_problem *problem, double *parameters,
-                  struct arena *arena, struct prescription_fit *fit, struct error *error)
+static bool prescription_solve(struct prescription_problem *fitting,
+                               const struct solver_problem *problem, double *parameters,
+                               struct arena *arena, struct prescription_fit *fit,
+                               struct error *error)
 {
     for (size_t g = 0; g < fitting->goal_count; g++) {
         fitting->views[g].power = first_power(fitting, g);
@@ -417,8 +433,8 @@ static bool solve(struct fitting *fitting, const struct solver_problem *problem,
     return true;
 }
 
-static void set_result(struct fitting *fitting, const double *parameters,
-                       struct prescription_fit *fit)
+static void prescription_set_result(struct prescription_problem *fitting, const double *parameters,
+                                    struct prescription_fit *fit)
 {
     for (size_t j = 0; j < fitting->part_count; j++) {
         bool radius = fitting->parts[j].what.kind == PARAMETER_RADIUS;
@@ -434,7 +450,7 @@ static void set_result(struct fitting *fitting, const double *parameters,
     }
     for (size_t g = 0; g < fitting->goal_count; g++) {
         set_trial(fitting, g, parameters);
-        fit->reached[g] = figure_value(fitting, &fitting->goals[g], trace(fitting));
+        fit->reached[g] = figure_value(fitting, &fitting->goals[g], prescription_trace(fitting));
     }
 }
 
@@ -443,21 +459,21 @@ bool prescription_fit(const struct lens *lens, const struct prescription_task *t
 {
     size_t count = lens->surface_count, goal_count = task->goal_count;
     size_t part_count = task->part_count;
-    struct fitting fitting = {.lens = lens,
-                              .goals = task->goals,
-                              .parts = task->parts,
-                              .goal_count = goal_count,
-                              .part_count = part_count,
-                              .count = count,
-                              .options = task->options,
-                              .is_loose = goal_count < part_count};
+    struct prescription_problem fitting = {.lens = lens,
+                                           .goals = task->goals,
+                                           .parts = task->parts,
+                                           .goal_count = goal_count,
+                                           .part_count = part_count,
+                                           .count = count,
+                                           .options = task->options,
+                                           .is_loose = goal_count < part_count};
     if (goal_count == 0 || part_count == 0) {
         return fail(error, ERROR_DOMAIN,
                     goal_count == 0 ? "nothing was measured: no goals"
                                     : "nothing may change: no R, t or n");
     }
     for (size_t g = 0; g < goal_count; g++) {
-        if (!check_goal(&task->goals[g], error)) {
+        if (!prescription_check_goal(&task->goals[g], error)) {
             return false;
         }
     }
@@ -474,27 +490,28 @@ bool prescription_fit(const struct lens *lens, const struct prescription_task *t
                                      .before = ARENA_ARRAY(arena, part_count, double),
                                      .reached = ARENA_ARRAY(arena, goal_count, double),
                                      .is_loose = fitting.is_loose};
-    if (!open_views(&fitting, arena, error) || !open_parts(&fitting, low, high, error)) {
+    if (!open_views(&fitting, arena, error) ||
+        !prescription_open_parts(&fitting, low, high, error)) {
         return false;
     }
     memcpy(parameters, fitting.start, part_count * sizeof(double));
     const struct solver_problem problem = {.parameter_count = part_count,
                                            .residual_count =
                                                goal_count + (fitting.is_loose ? part_count : 0),
-                                           .evaluate = evaluate,
+                                           .evaluate = prescription_evaluate,
                                            .context = &fitting,
                                            .low = low,
                                            .high = high};
-    if (!solve(&fitting, &problem, parameters, arena, fit, error)) {
+    if (!prescription_solve(&fitting, &problem, parameters, arena, fit, error)) {
         return false;
     }
-    set_result(&fitting, parameters, fit);
+    prescription_set_result(&fitting, parameters, fit);
     return true;
 }
 
 /* What a part has in the lens: its index at the primary wavelength is not that at the goal's. */
-static double number_of(const struct lens *lens, const struct prescription_part *part, double value,
-                        double before)
+static double prescription_number_of(const struct lens *lens, const struct prescription_part *part,
+                                     double value, double before)
 {
     const struct surface *surface = &lens->surfaces[part->what.surface];
     if (part->what.kind == PARAMETER_RADIUS) {
@@ -511,7 +528,8 @@ struct lens prescription_apply(const struct lens *lens, const struct prescriptio
 {
     struct lens *all = parameter_apply(lens, NULL, NULL, 0, arena);
     for (size_t j = 0; j < part_count; j++) {
-        parameter_set(all, parts[j].what, number_of(all, &parts[j], fit->values[j], fit->before[j]),
+        parameter_set(all, parts[j].what,
+                      prescription_number_of(all, &parts[j], fit->values[j], fit->before[j]),
                       arena);
     }
     return *all;

@@ -47,7 +47,7 @@ struct ray_tracing {
     bool keeps, is_counted; /* all were there once */
 };
 
-static double field_of(const struct setup *setup, size_t i)
+static double ray_data_field_of(const struct setup *setup, size_t i)
 {
     return setup->fields[i].point.value[setup_axis(setup)];
 }
@@ -94,10 +94,10 @@ static bool open_tracing(struct ray_tracing *tracing, struct ray_data *ray_data,
         return error_hint(error, "give an f-number, or a diameter in the file");
     }
     for (size_t i = 0; i < setup->field_count; i++) {
-        if (setup->object.is_infinite && !(fabs(field_of(setup, i)) < 1.57)) {
+        if (setup->object.is_infinite && !(fabs(ray_data_field_of(setup, i)) < 1.57)) {
             return fail(error, ERROR_DOMAIN,
                         "the field of %.6g degrees: the rays of a thick lens stay below 90",
-                        field_of(setup, i) * DEGREES_PER_RADIAN);
+                        ray_data_field_of(setup, i) * DEGREES_PER_RADIAN);
         }
     }
     return true;
@@ -118,10 +118,12 @@ static bool open_beam(const struct ray_tracing *tracing, double field, struct be
 }
 
 /* Each colour by its own rays: what one leaves dark of the stop another may fill. */
-static bool open_field(struct ray_tracing *tracing, size_t field, size_t group, struct error *error)
+static bool ray_data_open_field(struct ray_tracing *tracing, size_t field, size_t group,
+                                struct error *error)
 {
     tracing->ways = &tracing->all[group];
-    return open_beam(tracing, field_of(tracing->request.setup, field), &tracing->beam, error) &&
+    return open_beam(tracing, ray_data_field_of(tracing->request.setup, field), &tracing->beam,
+                     error) &&
            (!tracing->has_stop ||
             aim_open(tracing->ways->open, &tracing->beam, &tracing->scratch, &tracing->aim, error));
 }
@@ -172,7 +174,7 @@ static struct ray_part part_new(struct arena *arena, size_t most, size_t fields)
 }
 
 /* A ray that came through, from the plane it is in to the plane of the vertex. */
-static void store(double *const *to, size_t i, const struct ray *ray)
+static void ray_data_store(double *const *to, size_t i, const struct ray *ray)
 {
     double p = ray->cosine[0] / ray->cosine[2], q = ray->cosine[1] / ray->cosine[2];
     to[0][i] = ray->point[0] - ray->point[2] * p;
@@ -182,7 +184,7 @@ static void store(double *const *to, size_t i, const struct ray *ray)
 }
 
 /* The points of the stop, or of a disc about the first vertex that takes its place. */
-static bool open_pupil(const struct ray_tracing *tracing, struct stop_beam *pupil)
+static bool ray_data_open_pupil(const struct ray_tracing *tracing, struct stop_beam *pupil)
 {
     const struct system *clear = tracing->ways->clipped;
     struct first_order first = tracing->request.setup->first;
@@ -205,7 +207,7 @@ static struct quadrature choose_rays(struct ray_tracing *tracing)
 {
     struct quadrature all = {.is_empty = true};
     struct stop_beam pupil;
-    if (tracing->request.pattern == PATTERN_GAUSS && open_pupil(tracing, &pupil)) {
+    if (tracing->request.pattern == PATTERN_GAUSS && ray_data_open_pupil(tracing, &pupil)) {
         all = quadrature_make(&pupil, tracing->request.ray_count, &tracing->scratch);
     }
     if (all.is_empty) {
@@ -258,8 +260,8 @@ static void trace_part(struct ray_tracing *tracing, size_t count, struct ray_dat
         }
         size_t i = part->rays.count++;
         ray.point[2] -= behind;
-        store(to, i, &start);
-        store(to + 4, i, &ray);
+        ray_data_store(to, i, &start);
+        ray_data_store(to + 4, i, &ray);
         to[8][i] = weight * points[k].weight;
         to[9][i] = points[k].x;
         to[10][i] = points[k].y;
@@ -284,7 +286,8 @@ static void open_bundle(struct ray_tracing *tracing, struct ray_data *ray_data)
     arena_reset(&tracing->scratch, (struct arena_mark){0});
     tracing->place = 0;
     tracing->pupil = (struct quadrature){.is_empty = true};
-    if (open_field(tracing, tracing->bundle / groups, tracing->bundle % groups, &tracing->last)) {
+    if (ray_data_open_field(tracing, tracing->bundle / groups, tracing->bundle % groups,
+                            &tracing->last)) {
         tracing->pupil = choose_rays(tracing);
     } else if (!tracing->is_counted) {
         ray_data->wanted += tracing->sample.count;

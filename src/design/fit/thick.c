@@ -36,7 +36,7 @@ static struct thick_lens lens_of(const struct thick_task *task, const double *pa
     return lens;
 }
 
-static size_t bundle_count(const struct thick_sums *sums)
+static size_t thick_bundle_count(const struct thick_sums *sums)
 {
     return sums->field_count * sums->group_count;
 }
@@ -49,7 +49,7 @@ static size_t bundle_rows(const struct thick_bundle *bundle)
 static size_t residual_count(const struct thick_sums *sums)
 {
     size_t count = 0;
-    for (size_t b = 0; b < bundle_count(sums); b++) {
+    for (size_t b = 0; b < thick_bundle_count(sums); b++) {
         count += bundle_rows(&sums->bundles[b]);
     }
     return count;
@@ -67,8 +67,8 @@ struct plane_factors {
     size_t base, terms; /* where its parameters stand */
 };
 
-static void set_factors(const struct thick_task *task, const double *parameters, size_t group,
-                        struct plane_factors *factors)
+static void thick_set_factors(const struct thick_task *task, const double *parameters, size_t group,
+                              struct plane_factors *factors)
 {
     const struct thick_lens lens = lens_of(task, parameters, group);
     factors->base = base_of(task, group);
@@ -128,15 +128,15 @@ bool thick_residuals(void *context, const double *parameters, double *residuals,
         if (!(fabs(parameters[base_of(task, g)]) > 0)) {
             return false;
         }
-        set_factors(task, parameters, g, &factors[g]);
+        thick_set_factors(task, parameters, g, &factors[g]);
     }
-    for (size_t b = 0; b < bundle_count(sums); b++) {
+    for (size_t b = 0; b < thick_bundle_count(sums); b++) {
         put_bundle(task, &sums->bundles[b], &factors[b % sums->group_count], blur, &to);
     }
     return true;
 }
 
-static bool check_rays(const struct thick_task *task, struct error *error)
+static bool thick_check_rays(const struct thick_task *task, struct error *error)
 {
     const struct thick_sums *sums = task->sums;
     if (sums->count == 0) {
@@ -179,7 +179,7 @@ static bool check_task(const struct thick_task *task, struct error *error)
     if (isfinite(task->object) && !(fabs(task->object + start->front) > 0)) {
         return fail(error, ERROR_DOMAIN, "the object lies in the principal plane");
     }
-    return check_rays(task, error);
+    return thick_check_rays(task, error);
 }
 
 static void name_parameters(const struct thick_task *task, struct arena *arena,
@@ -240,7 +240,7 @@ double thick_errors(const struct thick_rays *rays, const struct thick_lens *lens
 }
 
 /* The angle between directions of slopes p, q and u, v; sine and cosine with the same factor. */
-static double angle_between(double p, double q, double u, double v)
+static double thick_angle_between(double p, double q, double u, double v)
 {
     double a = q - v, b = u - p, c = p * v - q * u;
     return atan2(sqrt(a * a + b * b + c * c), 1 + p * u + q * v);
@@ -266,7 +266,7 @@ void thick_score_add(const struct thick_rays *rays, const struct thick_lens *len
             sums[k] += w * off * off;
             score->largest = k == 0 ? fmax(score->largest, off) : score->largest;
         }
-        double turn = angle_between(out.p, out.q, rays->p_out[i], rays->q_out[i]);
+        double turn = thick_angle_between(out.p, out.q, rays->p_out[i], rays->q_out[i]);
         sums[2] += w * turn * turn;
         score->weight += w;
     }
@@ -275,7 +275,7 @@ void thick_score_add(const struct thick_rays *rays, const struct thick_lens *len
     join_rms(&score->direction, before, sums[2], score->weight);
 }
 
-static void set_result(const struct thick_task *task, struct thick_fit *fit)
+static void thick_set_result(const struct thick_task *task, struct thick_fit *fit)
 {
     for (size_t g = 0; g < task->group_count; g++) {
         fit->lenses[g] = lens_of(task, fit->parameters, g);
@@ -285,12 +285,13 @@ static void set_result(const struct thick_task *task, struct thick_fit *fit)
 }
 
 /* By leaving out fields; rays of one field err alike, at all wavelengths. */
-static void set_errors(const struct thick_task *task, struct arena *arena, struct thick_fit *fit)
+static void thick_set_errors(const struct thick_task *task, struct arena *arena,
+                             struct thick_fit *fit)
 {
     const struct thick_sums *sums = task->sums;
     size_t n = fit->parameter_count, rows = residual_count(sums), row = 0;
     size_t *group = ARENA_ARRAY(arena, rows, size_t);
-    for (size_t b = 0; b < bundle_count(sums); b++) {
+    for (size_t b = 0; b < thick_bundle_count(sums); b++) {
         for (size_t end = row + bundle_rows(&sums->bundles[b]); row < end; row++) {
             group[row] = b / sums->group_count;
         }
@@ -339,7 +340,7 @@ bool thick_fit(const struct thick_task *task, struct arena *arena, struct thick_
         !check_determined(task, fit, error)) {
         return false;
     }
-    set_errors(task, arena, fit);
-    set_result(task, fit);
+    thick_set_errors(task, arena, fit);
+    thick_set_result(task, fit);
     return true;
 }

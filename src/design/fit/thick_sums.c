@@ -148,7 +148,7 @@ bool thick_sums_add(struct thick_sums *sums, const struct thick_rays *rays, stru
     return true;
 }
 
-static size_t bundle_count(const struct thick_sums *sums)
+static size_t thick_sums_bundle_count(const struct thick_sums *sums)
 {
     return sums->field_count * sums->group_count;
 }
@@ -156,7 +156,7 @@ static size_t bundle_count(const struct thick_sums *sums)
 double thick_sums_cone(const struct thick_sums *sums)
 {
     double sum = 0;
-    for (size_t b = 0; b < bundle_count(sums); b++) {
+    for (size_t b = 0; b < thick_sums_bundle_count(sums); b++) {
         for (size_t i = 0; i <= THICK_P_OUT; i++) {
             double part = sums->bundles[b].r[i * THICK_COLUMNS + THICK_P_OUT];
             sum += part * part;
@@ -168,7 +168,7 @@ double thick_sums_cone(const struct thick_sums *sums)
 double thick_sums_rms(const struct thick_sums *sums, const struct thick_lens *lenses, double plane)
 {
     double sum = 0, factors[THICK_COLUMNS];
-    for (size_t b = 0; b < bundle_count(sums); b++) {
+    for (size_t b = 0; b < thick_sums_bundle_count(sums); b++) {
         const struct thick_bundle *bundle = &sums->bundles[b];
         thick_factors(&lenses[b % sums->group_count], plane, factors, NULL);
         for (size_t i = 0; i < THICK_COLUMNS; i++) {

@@ -32,8 +32,8 @@ static void add_two(size_t lanes, const double *restrict a, const double *restri
 }
 
 /* to += factor a b */
-static void add_product(size_t lanes, double factor, const double *restrict a,
-                        const double *restrict b, double *restrict to)
+static void kernel_pupil_series_add_product(size_t lanes, double factor, const double *restrict a,
+                                            const double *restrict b, double *restrict to)
 {
     for (size_t l = 0; l < lanes; l++) {
         to[l] += factor * a[l] * b[l];
@@ -41,7 +41,8 @@ static void add_product(size_t lanes, double factor, const double *restrict a,
 }
 
 /* to += factor from */
-static void add(size_t lanes, double factor, const double *restrict from, double *restrict to)
+static void kernel_pupil_series_add(size_t lanes, double factor, const double *restrict from,
+                                    double *restrict to)
 {
     for (size_t l = 0; l < lanes; l++) {
         to[l] += factor * from[l];
@@ -49,8 +50,9 @@ static void add(size_t lanes, double factor, const double *restrict from, double
 }
 
 /* next = 2 z here - before */
-static void go_on(size_t lanes, const double *restrict z, const double *restrict before,
-                  const double *restrict here, double *restrict next)
+static void kernel_pupil_series_go_on(size_t lanes, const double *restrict z,
+                                      const double *restrict before, const double *restrict here,
+                                      double *restrict next)
 {
     for (size_t l = 0; l < lanes; l++) {
         next[l] = 2 * z[l] * here[l] - before[l];
@@ -75,65 +77,66 @@ static void find_powers(const struct pupil_form *form, size_t lanes, const doubl
         add_two(lanes, powers->x[m - 1], y, powers->y[m - 1], x, powers->y[m]);
     }
     for (size_t j = 2; j < form->radial[0]; j++) {
-        go_on(lanes, z, powers->t[j - 2], powers->t[j - 1], powers->t[j]);
-        go_on(lanes, z, powers->dt[j - 2], powers->dt[j - 1], powers->dt[j]);
-        add(lanes, 4, powers->t[j - 1], powers->dt[j]);
+        kernel_pupil_series_go_on(lanes, z, powers->t[j - 2], powers->t[j - 1], powers->t[j]);
+        kernel_pupil_series_go_on(lanes, z, powers->dt[j - 2], powers->dt[j - 1], powers->dt[j]);
+        kernel_pupil_series_add(lanes, 4, powers->t[j - 1], powers->dt[j]);
     }
 }
 
 /* The terms of one m with the cosine or the sine: its power, and what that is by x and by y. */
-struct family {
+struct kernel_pupil_series_family {
     const double *power, *by_x, *by_y;
     double factor_x, factor_y;
     size_t count, first; /* terms */
 };
 
 /* Family 2 m has the cosine, 2 m + 1 the sine. */
-static struct family family_of(const struct pupil_form *form, const struct powers *powers,
-                               size_t number, size_t first)
+static struct kernel_pupil_series_family
+family_of(const struct pupil_form *form, const struct powers *powers, size_t number, size_t first)
 {
     const size_t m = number / 2, below = m > 0 ? m - 1 : 0;
     const bool sine = number % 2 == 1;
-    return (struct family){.power = sine ? powers->y[m] : powers->x[m],
-                           .by_x = sine ? powers->y[below] : powers->x[below],
-                           .by_y = sine ? powers->x[below] : powers->y[below],
-                           .factor_x = (double)m,
-                           .factor_y = sine ? (double)m : -(double)m,
-                           .count = number == 1 ? 0 : form->radial[m],
-                           .first = first};
+    return (struct kernel_pupil_series_family){.power = sine ? powers->y[m] : powers->x[m],
+                                               .by_x = sine ? powers->y[below] : powers->x[below],
+                                               .by_y = sine ? powers->x[below] : powers->y[below],
+                                               .factor_x = (double)m,
+                                               .factor_y = sine ? (double)m : -(double)m,
+                                               .count = number == 1 ? 0 : form->radial[m],
+                                               .first = first};
 }
 
 /* What one function has in a block of lanes; by_q: by r^2. */
-struct sums {
+struct kernel_pupil_series_sums {
     double value[LANES], by_x[LANES], by_y[LANES], by_q[LANES];
 };
 
-static void add_family(const struct powers *powers, const struct family *family, const double *c,
-                       bool slopes, struct sums *sums)
+static void add_family(const struct powers *powers, const struct kernel_pupil_series_family *family,
+                       const double *c, bool slopes, struct kernel_pupil_series_sums *sums)
 {
     const size_t lanes = powers->lanes;
     double t[LANES] = {0}, dt[LANES] = {0};
     c += family->first;
     for (size_t j = 0; j < family->count; j++) {
-        add(lanes, c[j], powers->t[j], t);
+        kernel_pupil_series_add(lanes, c[j], powers->t[j], t);
     }
-    add_product(lanes, 1, family->power, t, sums->value);
+    kernel_pupil_series_add_product(lanes, 1, family->power, t, sums->value);
     if (!slopes) {
         return;
     }
     for (size_t j = 1; j < family->count; j++) {
-        add(lanes, c[j], powers->dt[j], dt);
+        kernel_pupil_series_add(lanes, c[j], powers->dt[j], dt);
     }
-    add_product(lanes, 1, family->power, dt, sums->by_q);
-    add_product(lanes, family->factor_x, family->by_x, t, sums->by_x);
-    add_product(lanes, family->factor_y, family->by_y, t, sums->by_y);
+    kernel_pupil_series_add_product(lanes, 1, family->power, dt, sums->by_q);
+    kernel_pupil_series_add_product(lanes, family->factor_x, family->by_x, t, sums->by_x);
+    kernel_pupil_series_add_product(lanes, family->factor_y, family->by_y, t, sums->by_y);
 }
 
 /* One function at a block of places. */
-static void look_block(const struct pupil_form *form, const double *c, const struct powers *powers,
-                       bool slopes, struct sums *sums)
+static void kernel_pupil_series_look_block(const struct pupil_form *form, const double *c,
+                                           const struct powers *powers, bool slopes,
+                                           struct kernel_pupil_series_sums *sums)
 {
-    struct family family = {.count = 0};
+    struct kernel_pupil_series_family family = {.count = 0};
     memset(sums, 0, sizeof *sums);
     for (size_t i = 0; i < 2 * form->orders; i++) {
         family = family_of(form, powers, i, family.first + family.count);
@@ -156,12 +159,12 @@ void NAMED(kernel_pupil_look, KERNEL)(const struct pupil_form *form, const doubl
         struct powers powers;
         find_powers(form, lanes, x, y, &powers);
         for (int k = 0; k < 2; k++) {
-            struct sums sums;
-            look_block(form, c[k], &powers, slopes, &sums);
+            struct kernel_pupil_series_sums sums;
+            kernel_pupil_series_look_block(form, c[k], &powers, slopes, &sums);
             memcpy(look->value[k] + done, sums.value, lanes * sizeof(double));
             if (slopes) {
-                add_product(lanes, 2, x, sums.by_q, sums.by_x);
-                add_product(lanes, 2, y, sums.by_q, sums.by_y);
+                kernel_pupil_series_add_product(lanes, 2, x, sums.by_q, sums.by_x);
+                kernel_pupil_series_add_product(lanes, 2, y, sums.by_q, sums.by_y);
                 memcpy(look->slope[k][0] + done, sums.by_x, lanes * sizeof(double));
                 memcpy(look->slope[k][1] + done, sums.by_y, lanes * sizeof(double));
             }
@@ -170,45 +173,47 @@ void NAMED(kernel_pupil_look, KERNEL)(const struct pupil_form *form, const doubl
 }
 
 /* What a block of places adds to the terms of a family, lane by lane. */
-static void gather_family(const struct powers *powers, const struct family *family,
-                          const struct sums *sums, bool slopes, double (*terms)[LANES])
+static void gather_family(const struct powers *powers,
+                          const struct kernel_pupil_series_family *family,
+                          const struct kernel_pupil_series_sums *sums, bool slopes,
+                          double (*terms)[LANES])
 {
     const size_t lanes = powers->lanes;
     double by_t[LANES] = {0}, by_dt[LANES] = {0};
     terms += family->first;
-    add_product(lanes, 1, family->power, sums->value, by_t);
+    kernel_pupil_series_add_product(lanes, 1, family->power, sums->value, by_t);
     if (slopes) {
-        add_product(lanes, family->factor_x, family->by_x, sums->by_x, by_t);
-        add_product(lanes, family->factor_y, family->by_y, sums->by_y, by_t);
-        add_product(lanes, 1, family->power, sums->by_q, by_dt);
+        kernel_pupil_series_add_product(lanes, family->factor_x, family->by_x, sums->by_x, by_t);
+        kernel_pupil_series_add_product(lanes, family->factor_y, family->by_y, sums->by_y, by_t);
+        kernel_pupil_series_add_product(lanes, 1, family->power, sums->by_q, by_dt);
     }
     for (size_t j = 0; j < family->count; j++) {
-        add_product(lanes, 1, by_t, powers->t[j], terms[j]);
+        kernel_pupil_series_add_product(lanes, 1, by_t, powers->t[j], terms[j]);
     }
     for (size_t j = 1; j < family->count && slopes; j++) {
-        add_product(lanes, 1, by_dt, powers->dt[j], terms[j]);
+        kernel_pupil_series_add_product(lanes, 1, by_dt, powers->dt[j], terms[j]);
     }
 }
 
 /* What is given of one function at a block of places. */
 static void take_sums(const struct pupil_look *look, int k, size_t done, size_t lanes,
-                      struct sums *sums)
+                      struct kernel_pupil_series_sums *sums)
 {
     memset(sums, 0, sizeof *sums);
     memcpy(sums->value, look->value[k] + done, lanes * sizeof(double));
     if (look->slope[0][0] != NULL) {
         memcpy(sums->by_x, look->slope[k][0] + done, lanes * sizeof(double));
         memcpy(sums->by_y, look->slope[k][1] + done, lanes * sizeof(double));
-        add_product(lanes, 2, look->x + done, sums->by_x, sums->by_q);
-        add_product(lanes, 2, look->y + done, sums->by_y, sums->by_q);
+        kernel_pupil_series_add_product(lanes, 2, look->x + done, sums->by_x, sums->by_q);
+        kernel_pupil_series_add_product(lanes, 2, look->y + done, sums->by_y, sums->by_q);
     }
 }
 
 /* In one order for every instruction set. */
-static double sum_of(double *restrict lanes)
+static double kernel_pupil_series_sum_of(double *restrict lanes)
 {
     for (size_t half = LANES / 2; half > 4; half /= 2) {
-        add(half, 1, lanes + half, lanes);
+        kernel_pupil_series_add(half, 1, lanes + half, lanes);
     }
     return ((lanes[0] + lanes[4]) + (lanes[1] + lanes[5])) +
            ((lanes[2] + lanes[6]) + (lanes[3] + lanes[7]));
@@ -226,8 +231,8 @@ void NAMED(kernel_pupil_gather, KERNEL)(const struct pupil_form *form,
         struct powers powers;
         find_powers(form, lanes, look->x + done, look->y + done, &powers);
         for (int k = 0; k < 2; k++) {
-            struct sums given;
-            struct family family = {.count = 0};
+            struct kernel_pupil_series_sums given;
+            struct kernel_pupil_series_family family = {.count = 0};
             take_sums(look, k, done, lanes, &given);
             for (size_t i = 0; i < 2 * form->orders; i++) {
                 family = family_of(form, &powers, i, family.first + family.count);
@@ -236,14 +241,16 @@ void NAMED(kernel_pupil_gather, KERNEL)(const struct pupil_form *form,
         }
     }
     for (size_t i = 0; i < 2 * form->terms; i++) {
-        sums[i / form->terms][i % form->terms] = sum_of(terms[i / form->terms][i % form->terms]);
+        sums[i / form->terms][i % form->terms] =
+            kernel_pupil_series_sum_of(terms[i / form->terms][i % form->terms]);
     }
 }
 
 /* All terms of a block of lanes, place by place. */
-static void put_terms(const struct pupil_form *form, const struct powers *powers, double *rows)
+static void kernel_pupil_series_put_terms(const struct pupil_form *form,
+                                          const struct powers *powers, double *rows)
 {
-    struct family family = {.count = 0};
+    struct kernel_pupil_series_family family = {.count = 0};
     for (size_t i = 0; i < 2 * form->orders; i++) {
         family = family_of(form, powers, i, family.first + family.count);
         for (size_t j = 0; j < family.count; j++) {
@@ -261,7 +268,7 @@ void NAMED(kernel_pupil_gram, KERNEL)(const struct pupil_fit *fit)
     for (size_t done = 0; done < fit->count; done += LANES) {
         struct powers powers;
         find_powers(fit->form, lanes_from(done, fit->count), fit->x + done, fit->y + done, &powers);
-        put_terms(fit->form, &powers, fit->room + done * n);
+        kernel_pupil_series_put_terms(fit->form, &powers, fit->room + done * n);
     }
     for (size_t place = 0; place < fit->count; place++) {
         const double *restrict terms = fit->room + place * n;

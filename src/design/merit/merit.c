@@ -98,7 +98,7 @@ static bool open_slots(struct merit *merit, struct arena *arena, struct error *e
 }
 
 /* Which residuals are those of '<' and '>'. */
-static void set_sides(struct merit *merit, struct arena *arena)
+static void merit_set_sides(struct merit *merit, struct arena *arena)
 {
     static const enum solver_side sides[OPERAND_RELATIONS] = {
         [OPERAND_BELOW] = SIDE_ABOVE, [OPERAND_ABOVE] = SIDE_BELOW};
@@ -119,7 +119,7 @@ bool merit_open(const struct merit_question *question, struct arena *arena, stru
         return false;
     }
     merit->values = ARENA_ARRAY(arena, merit->residual_count, double);
-    set_sides(merit, arena);
+    merit_set_sides(merit, arena);
     merit->change = ARENA_ARRAY(arena, merit->variable_count + 1, struct dual);
     return true;
 }

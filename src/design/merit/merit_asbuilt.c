@@ -64,8 +64,8 @@ static struct variable_link link_of(const struct lens *lens, size_t column,
     return link;
 }
 
-static size_t find_links(void *context, size_t position, double wavelength,
-                         struct variable_link *links)
+static size_t merit_asbuilt_find_links(void *context, size_t position, double wavelength,
+                                       struct variable_link *links)
 {
     struct merit_asbuilt *asbuilt = context;
     const struct lens *lens = &asbuilt->perturbed.lenses[0].lens;
@@ -105,7 +105,8 @@ static bool open_errors(const struct merit *merit, struct merit_asbuilt *asbuilt
                                              .lenses =
                                                  question->variables->lenses + asbuilt->position};
     asbuilt->links = ARENA_ARRAY(arena, 2 * surfaces + 1, struct perturbed_link);
-    asbuilt->by = (struct merit_by){1 + 2 * surfaces * errors->count, find_links, asbuilt};
+    asbuilt->by =
+        (struct merit_by){1 + 2 * surfaces * errors->count, merit_asbuilt_find_links, asbuilt};
     return perturbed_open(&asked, arena, &asbuilt->perturbed, error);
 }
 
@@ -156,7 +157,8 @@ static bool open_inner(const struct merit *merit, const struct merit_slot *slot,
     return true;
 }
 
-static void make_room(struct merit_asbuilt *asbuilt, size_t variable_count, struct arena *arena)
+static void merit_asbuilt_make_room(struct merit_asbuilt *asbuilt, size_t variable_count,
+                                    struct arena *arena)
 {
     const struct merit *inner = &asbuilt->inner;
     const size_t errors = asbuilt->errors->count;
@@ -180,13 +182,13 @@ size_t merit_prepare_asbuilt(struct merit *merit, struct merit_slot *slot, struc
         !open_inner(merit, slot, asbuilt, arena, error)) {
         return 0;
     }
-    make_room(asbuilt, merit->question.variable_count, arena);
+    merit_asbuilt_make_room(asbuilt, merit->question.variable_count, arena);
     return asbuilt->ray_count + asbuilt->errors->count;
 }
 
 /* -------- filling -------- */
 
-static double product(const struct merit_asbuilt *asbuilt, size_t one, size_t other)
+static double merit_asbuilt_product(const struct merit_asbuilt *asbuilt, size_t one, size_t other)
 {
     const size_t n = asbuilt->inner.variable_count;
     double sum = 0;
@@ -210,17 +212,18 @@ static double left_of(const struct merit_asbuilt *asbuilt, size_t column, double
 }
 
 /* What each error does, of the lens with these numbers. */
-static bool find_errors(struct merit_asbuilt *asbuilt, const double *numbers, double *found)
+static bool merit_asbuilt_find_errors(struct merit_asbuilt *asbuilt, const double *numbers,
+                                      double *found)
 {
     struct merit *inner = &asbuilt->inner;
     merit_put_lens(inner, numbers, true);
     if (!merit_fill_rays(inner, &asbuilt->slot, asbuilt->residuals, asbuilt->jacobian)) {
         return false;
     }
-    const double focus = product(asbuilt, 0, 0);
+    const double focus = merit_asbuilt_product(asbuilt, 0, 0);
     for (size_t j = 0; j < asbuilt->errors->count; j++) {
         const size_t column = asbuilt->columns[j];
-        const double share = focus > 0 ? product(asbuilt, column, 0) / focus : 0;
+        const double share = focus > 0 ? merit_asbuilt_product(asbuilt, column, 0) / focus : 0;
         found[j] = asbuilt->sigmas[j] * left_of(asbuilt, column, share);
         if (!isfinite(found[j])) {
             return fail(&inner->why, ERROR_DOMAIN, "what %s does is not finite",
@@ -231,15 +234,15 @@ static bool find_errors(struct merit_asbuilt *asbuilt, const double *numbers, do
 }
 
 /* Derivatives by one variable: differences of both sides, or of that which has a value. */
-static bool find_slopes(struct merit_asbuilt *asbuilt, const double *numbers, size_t variable,
-                        double step)
+static bool merit_asbuilt_find_slopes(struct merit_asbuilt *asbuilt, const double *numbers,
+                                      size_t variable, double step)
 {
     double *up = asbuilt->up, *down = asbuilt->down, *at = &asbuilt->numbers[variable];
     const double now = numbers[variable], high = now + step, low = now - step;
     *at = high;
-    const bool has_up = find_errors(asbuilt, asbuilt->numbers, up);
+    const bool has_up = merit_asbuilt_find_errors(asbuilt, asbuilt->numbers, up);
     *at = low;
-    const bool has_down = find_errors(asbuilt, asbuilt->numbers, down);
+    const bool has_down = merit_asbuilt_find_errors(asbuilt, asbuilt->numbers, down);
     *at = now;
     const double *from = has_down ? down : asbuilt->here, *to = has_up ? up : asbuilt->here;
     const double between = (has_up ? high : now) - (has_down ? low : now);
@@ -260,12 +263,13 @@ static bool fill_errors(struct merit *merit, struct merit_asbuilt *asbuilt, doub
     asbuilt->inner.question.variables = merit->question.variables;
     asbuilt->perturbed.lenses = variables->lenses + asbuilt->position;
     asbuilt->inner.forgets = merit->forgets;
-    if (!find_errors(asbuilt, merit->parameters, asbuilt->here)) {
+    if (!merit_asbuilt_find_errors(asbuilt, merit->parameters, asbuilt->here)) {
         return false;
     }
     memcpy(residuals, asbuilt->here, count * sizeof *residuals);
     for (size_t k = 0; jacobian != NULL && k < variables->count; k++) {
-        if (!find_slopes(asbuilt, merit->parameters, k, little * variables->scale[k])) {
+        if (!merit_asbuilt_find_slopes(asbuilt, merit->parameters, k,
+                                       little * variables->scale[k])) {
             return false;
         }
         for (size_t j = 0; j < count; j++) {

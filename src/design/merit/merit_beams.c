@@ -17,7 +17,8 @@ static bool displaces(const struct variable_link *links, size_t count)
 }
 
 /* The fields and wavelengths of the operand: its own, or those of the position. */
-static void choose(const struct merit_slot *slot, struct arena *arena, struct bundle_wish *wish)
+static void merit_beams_choose(const struct merit_slot *slot, struct arena *arena,
+                               struct bundle_wish *wish)
 {
     static const struct setup_field axis = {{.kind = FIELD_NONE}, 1};
     const struct setup *setup = wish->setup;
@@ -39,8 +40,8 @@ static void choose(const struct merit_slot *slot, struct arena *arena, struct bu
 }
 
 /* The links as they are now. */
-static void find_links(struct merit *merit, const struct merit_slot *slot,
-                       struct merit_beams *beams)
+static void merit_beams_find_links(struct merit *merit, const struct merit_slot *slot,
+                                   struct merit_beams *beams)
 {
     const struct bundle_wish *wish = &beams->bundle.wish;
     for (size_t i = 0; i < wish->wavelength_count; i++) {
@@ -68,12 +69,12 @@ bool merit_beams_open(struct merit *merit, const struct merit_slot *slot,
                                .irregularity_amounts = question->irregularity_amounts,
                                .whole = wanted.whole};
     wish.from_entrance = wish.from_entrance || wish.setup->first.is_telecentric;
-    choose(slot, arena, &wish);
+    merit_beams_choose(slot, arena, &wish);
     *beams = (struct merit_beams){.bundle = {.wish = wish}};
     beams->links = ARENA_ARRAY(arena, wish.wavelength_count, struct bundle_links);
     merit->derives = true; /* the links of the lens at the start */
     merit->evaluation++;
-    find_links(merit, slot, beams);
+    merit_beams_find_links(merit, slot, beams);
     for (size_t i = 0; i < wish.wavelength_count; i++) {
         wish.is_round = wish.is_round && !displaces(beams->links[i].list, beams->links[i].count);
     }
@@ -129,7 +130,7 @@ bool merit_beams_aim(struct merit *merit, const struct merit_slot *slot, struct 
     if (merit->derives && merit->question.by != NULL && bundle->image_moves) {
         bundle->rates[0].image += 1; /* where it is a distance, a link has it */
     }
-    find_links(merit, slot, beams);
+    merit_beams_find_links(merit, slot, beams);
     return beams->spheres == NULL || find_spheres(merit, slot, figures, beams);
 }
 

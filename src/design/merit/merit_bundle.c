@@ -19,7 +19,7 @@ bool merit_bundle_goes_on(const struct merit_bundle *bundle, size_t rays, struct
 /* -------- choosing -------- */
 
 /* What has no derivatives is refused. */
-static bool check(const struct bundle_wish *wish, struct error *error)
+static bool merit_bundle_check(const struct bundle_wish *wish, struct error *error)
 {
     const struct lens *lens = wish->setup->lens;
     if (lens->focus == FOCUS_BEST) {
@@ -37,15 +37,15 @@ static bool check(const struct bundle_wish *wish, struct error *error)
 }
 
 /* What a field lets through, from wavelength to wavelength as analysis/spot.c has it. */
-struct letting {
+struct bundle_guess {
     struct bundle_source *before; /* null: this is the first */
     struct aim_near near;
 };
 
 /* What the lens at the start lets through. */
-static bool find_clear(const struct bundle_wish *wish, size_t field, size_t light,
-                       struct letting *letting, struct arena *arena, struct sample *sample,
-                       struct error *error)
+static bool merit_bundle_find_clear(const struct bundle_wish *wish, size_t field, size_t light,
+                                    struct bundle_guess *letting, struct arena *arena,
+                                    struct sample *sample, struct error *error)
 {
     struct setup *setup = ARENA_NEW(arena, struct setup);
     struct bundle_question *question = ARENA_NEW(arena, struct bundle_question);
@@ -77,7 +77,7 @@ static bool find_clear(const struct bundle_wish *wish, size_t field, size_t ligh
 
 /* The points of the pupil of a field at a wavelength: a pattern, or what the lens lets through. */
 static bool find_sample(const struct bundle_wish *wish, size_t field, size_t light,
-                        struct letting *letting, struct arena *arena, struct sample *sample,
+                        struct bundle_guess *letting, struct arena *arena, struct sample *sample,
                         struct error *error)
 {
     if (wish->is_chief) {
@@ -89,7 +89,7 @@ static bool find_sample(const struct bundle_wish *wish, size_t field, size_t lig
     if (!wish->clip) {
         return sample_make(wish->pattern, wish->rays, wish->seed, arena, sample, error);
     }
-    return find_clear(wish, field, light, letting, arena, sample, error);
+    return merit_bundle_find_clear(wish, field, light, letting, arena, sample, error);
 }
 
 static enum merit_symmetry symmetry_of(const struct bundle_wish *wish, size_t field)
@@ -105,11 +105,11 @@ static enum merit_symmetry symmetry_of(const struct bundle_wish *wish, size_t fi
 }
 
 /* A field at all wavelengths. */
-static bool open_field(struct merit_bundle *bundle, size_t field, struct arena *room,
-                       struct error *error)
+static bool merit_bundle_open_field(struct merit_bundle *bundle, size_t field, struct arena *room,
+                                    struct error *error)
 {
     const struct bundle_wish *wish = &bundle->wish;
-    struct letting letting = {.before = NULL};
+    struct bundle_guess letting = {.before = NULL};
     for (size_t light = 0; light < wish->wavelength_count; light++) {
         struct bundle_group *group = &bundle->groups[light * wish->field_count + field];
         struct sample sample;
@@ -140,7 +140,7 @@ static bool open_groups(struct merit_bundle *bundle, struct error *error)
     struct arena room = {0}; /* what a field lets through is looked for in much more than is kept */
     bool opened = true;
     for (size_t field = 0; field < wish->field_count && opened; field++) {
-        opened = open_field(bundle, field, &room, error);
+        opened = merit_bundle_open_field(bundle, field, &room, error);
         arena_reset(&room, (struct arena_mark){NULL, 0});
     }
     arena_free(&room);
@@ -150,12 +150,12 @@ static bool open_groups(struct merit_bundle *bundle, struct error *error)
 /* -------- blocks -------- */
 
 /* A block being filled. */
-struct filling {
+struct block_filler {
     struct bundle_block *block;
     int used;
 };
 
-static void open_block(struct merit_bundle *bundle, size_t light, struct filling *filling)
+static void open_block(struct merit_bundle *bundle, size_t light, struct block_filler *filling)
 {
     const size_t fields = bundle->wish.field_count;
     const size_t most = fields < RAYS_BLOCK ? fields : RAYS_BLOCK;
@@ -168,7 +168,7 @@ static void open_block(struct merit_bundle *bundle, size_t light, struct filling
 }
 
 static void add_share(struct merit_bundle *bundle, size_t group, size_t first, int count,
-                      struct filling *filling)
+                      struct block_filler *filling)
 {
     struct aimed *aimed = &filling->block->aimed;
     const struct bundle_group *from = &bundle->groups[group];
@@ -183,7 +183,7 @@ static void add_share(struct merit_bundle *bundle, size_t group, size_t first, i
 }
 
 /* aimed_open keeps beams only. */
-static void close_block(struct merit_bundle *bundle, struct filling *filling)
+static void close_block(struct merit_bundle *bundle, struct block_filler *filling)
 {
     struct aimed *aimed = &filling->block->aimed;
     const struct aimed was = *aimed;
@@ -204,7 +204,7 @@ static size_t count_blocks(const struct merit_bundle *bundle)
 
 static void open_blocks(struct merit_bundle *bundle)
 {
-    struct filling filling = {NULL, 0};
+    struct block_filler filling = {NULL, 0};
     bundle->blocks = ARENA_ARRAY(bundle->arena, count_blocks(bundle), struct bundle_block);
     for (size_t i = 0; i < bundle->group_count; i++) {
         const struct bundle_group *group = &bundle->groups[i];
@@ -229,7 +229,7 @@ static void open_blocks(struct merit_bundle *bundle)
 
 /* -------- opening -------- */
 
-static bool open_beams(struct merit_bundle *bundle, struct error *error)
+static bool merit_bundle_open_beams(struct merit_bundle *bundle, struct error *error)
 {
     const struct bundle_wish *wish = &bundle->wish;
     bundle->beams = ARENA_ARRAY(bundle->arena, wish->field_count, struct beam);
@@ -242,8 +242,8 @@ static bool open_beams(struct merit_bundle *bundle, struct error *error)
 }
 
 /* One wavelength after the other. */
-static bool compile(struct merit_bundle *bundle, size_t light, const struct lens *lens,
-                    double stop_radius, struct error *error)
+static bool merit_bundle_compile(struct merit_bundle *bundle, size_t light, const struct lens *lens,
+                                 double stop_radius, struct error *error)
 {
     struct bundle_light *at = &bundle->lights[light];
     struct system_options options = system_options_default();
@@ -295,7 +295,7 @@ static bool open_lights(struct merit_bundle *bundle, const struct bundle_links *
             .wavelength = wish->wavelengths[i].wavelength,
             .asked = ARENA_ARRAY(bundle->arena, lens->surface_count + 1, struct medium),
             .n = ARENA_ARRAY(bundle->arena, lens->surface_count + 1, struct pair)};
-        if (!compile(bundle, i, lens, wish->setup->first.stop_radius, error)) {
+        if (!merit_bundle_compile(bundle, i, lens, wish->setup->first.stop_radius, error)) {
             return false;
         }
         open_layout(bundle, i, &links[i]);
@@ -307,7 +307,7 @@ static bool open_lights(struct merit_bundle *bundle, const struct bundle_links *
 }
 
 /* The image plane at the start: its kind stays. */
-static bool open_image(struct merit_bundle *bundle, struct error *error)
+static bool merit_bundle_open_image(struct merit_bundle *bundle, struct error *error)
 {
     struct setup setup = *bundle->wish.setup;
     if (isnan(setup.image) &&
@@ -330,8 +330,9 @@ bool merit_bundle_open(const struct bundle_wish *wish, const struct bundle_links
                                     .within = arena_within(arena),
                                     .has_disc = wish->setup->lens->stop == LENS_NONE};
     bundle->rates = ARENA_ARRAY(arena, variable_count + 1, struct bundle_rate);
-    if (!check(wish, error) || !open_image(bundle, error) || !open_beams(bundle, error) ||
-        !open_lights(bundle, links, error) || !open_groups(bundle, error)) {
+    if (!merit_bundle_check(wish, error) || !merit_bundle_open_image(bundle, error) ||
+        !merit_bundle_open_beams(bundle, error) || !open_lights(bundle, links, error) ||
+        !open_groups(bundle, error)) {
         return false;
     }
     open_blocks(bundle);
@@ -340,8 +341,8 @@ bool merit_bundle_open(const struct bundle_wish *wish, const struct bundle_links
 
 /* -------- the lens as it is now -------- */
 
-static struct first_order first_of(const struct merit_bundle *bundle,
-                                   const struct dual_first *first)
+static struct first_order merit_bundle_first_of(const struct merit_bundle *bundle,
+                                                const struct dual_first *first)
 {
     const struct first_order *start = &bundle->wish.setup->first;
     struct first_order now = {.is_telecentric = start->is_telecentric,
@@ -380,7 +381,7 @@ static bool move_beams(struct merit_bundle *bundle, struct error *error)
 }
 
 /* More steps than before: a surface that was not moved is. */
-static void make_room(struct merit_bundle *bundle)
+static void merit_bundle_make_room(struct merit_bundle *bundle)
 {
     for (size_t i = 0; i < bundle->wish.wavelength_count; i++) {
         const struct system *system = &bundle->lights[i].system;
@@ -404,7 +405,7 @@ void merit_bundle_forget(struct merit_bundle *bundle)
 }
 
 /* What a block has of its rays, kept beside it. */
-static void settle(struct merit_bundle *bundle, struct bundle_block *block)
+static void bundle_settle(struct merit_bundle *bundle, struct bundle_block *block)
 {
     const size_t count = block->aimed.beam_count;
     if (block->settled == NULL) {
@@ -433,7 +434,7 @@ void merit_bundle_settle(struct merit_bundle *bundle, bool holds)
     for (size_t k = 0; k < bundle->block_count; k++) {
         struct bundle_block *block = &bundle->blocks[k];
         if (!holds) {
-            settle(bundle, block);
+            bundle_settle(bundle, block);
             continue;
         }
         block->aimed.at_stop = false; /* nor do derivatives know of any aim */
@@ -454,15 +455,15 @@ static bool compile_all(struct merit_bundle *bundle, const struct lens *lens, do
     }
     arena_reset(&bundle->within, (struct arena_mark){NULL, 0});
     for (size_t i = 0; i < bundle->wish.wavelength_count; i++) {
-        if (!compile(bundle, i, lens, stop_radius, error)) {
+        if (!merit_bundle_compile(bundle, i, lens, stop_radius, error)) {
             return false;
         }
     }
-    make_room(bundle);
+    merit_bundle_make_room(bundle);
     return true;
 }
 
-static double table_of(const struct lens *lens)
+static double merit_bundle_table_of(const struct lens *lens)
 {
     return lens->surfaces[lens->surface_count - 1].thickness.value.hi;
 }
@@ -485,9 +486,9 @@ bool merit_bundle_aim(struct merit_bundle *bundle, const struct lens *lens,
                       const struct dual_first *first, struct error *error)
 {
     double stop_radius = bundle->lights[0].system.stop_radius;
-    double image = table_of(lens);
+    double image = merit_bundle_table_of(lens);
     if (first != NULL) {
-        bundle->first = first_of(bundle, first);
+        bundle->first = merit_bundle_first_of(bundle, first);
         stop_radius = fabs(first->stop_radius.value);
         image = bundle->image_moves ? first->image.value : image;
     }
@@ -540,9 +541,9 @@ bool merit_bundle_trace(struct merit_bundle *bundle, size_t block, bool derives,
 }
 
 void merit_bundle_graze(struct merit_bundle *bundle, size_t block, double limit, bool derives,
-                        struct grazing *grazing)
+                        struct grazing_penalty *grazing)
 {
-    graze_find(&bundle->blocks[block].aimed, limit, derives, &bundle->within, grazing);
+    grazing_find(&bundle->blocks[block].aimed, limit, derives, &bundle->within, grazing);
 }
 
 void merit_bundle_start(const struct merit_bundle *bundle, size_t group, size_t point,

@@ -148,7 +148,7 @@ bool merit_bundle_trace(struct merit_bundle *bundle, size_t block, bool derives,
 
 /* What the rays count that are near loss, of the block that was traced last with `keeps`. */
 void merit_bundle_graze(struct merit_bundle *bundle, size_t block, double limit, bool derives,
-                        struct grazing *grazing);
+                        struct grazing_penalty *grazing);
 
 /* Where a ray of a group crosses the plane z = 0 before the lens, mm: for tests. */
 void merit_bundle_start(const struct merit_bundle *bundle, size_t group, size_t point,
@@ -203,6 +203,6 @@ void merit_bundle_sweep(const struct merit_bundle *bundle, size_t block,
 /* The same of what rays near loss count. */
 void merit_bundle_sweep_graze(const struct merit_bundle *bundle, size_t block,
                               const struct bundle_links *links, size_t variable_count,
-                              const struct grazing *grazing, double *columns);
+                              const struct grazing_penalty *grazing, double *columns);
 
 #endif

@@ -8,7 +8,7 @@
 /* The part of a ray that moves: those of struct bent. */
 static double *part(struct ray_block *block, int which)
 {
-    double *const of[BENT_PARTS] = {block->x, block->y, block->p, block->q, block->path};
+    double *const of[LINEAR_RAYS_PARTS] = {block->x, block->y, block->p, block->q, block->path};
     return of[which];
 }
 
@@ -26,7 +26,7 @@ static void deform(struct merit_bundle *bundle, struct bundle_block *block,
     for (size_t i = 0; i < count; i++) {
         irregularity_weigh(&wish->irregularities[i], &sweep, &weights[i]);
     }
-    for (int which = 0; which < BENT_PARTS; which++) {
+    for (int which = 0; which < LINEAR_RAYS_PARTS; which++) {
         memset(&adjoint, 0, sizeof adjoint);
         for (int i = 0; i < block->aimed.lanes; i++) {
             part(&adjoint, which)[i] = 1;
@@ -53,8 +53,8 @@ bool merit_bundle_deform(struct merit_bundle *bundle, struct error *error)
             return false;
         }
         if (block->deformed == NULL) {
-            block->deformed =
-                ARENA_ARRAY(bundle->arena, BENT_PARTS * count * (size_t)block->aimed.lanes, double);
+            block->deformed = ARENA_ARRAY(
+                bundle->arena, LINEAR_RAYS_PARTS * count * (size_t)block->aimed.lanes, double);
         }
         deform(bundle, block, weights);
         block->is_deformed = true;

@@ -26,7 +26,7 @@ struct bundle_rate merit_bundle_rate(const struct merit_bundle *bundle,
                                 .field = moves ? field.slope : 0};
 }
 
-static double dot(const double a[3], const double b[3])
+static double merit_bundle_sweep_dot(const double a[3], const double b[3])
 {
     return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
 }
@@ -35,8 +35,9 @@ static double dot(const double a[3], const double b[3])
  * How the direction e of a ray through T changes where its object moves with the factor of image
  * heights; and P's own way there.
  */
-static void turn_of(const struct merit_bundle *bundle, size_t field, const double T[3],
-                    const double e[3], double turn[3], double way[3])
+static void merit_bundle_sweep_turn_of(const struct merit_bundle *bundle, size_t field,
+                                       const double T[3], const double e[3], double turn[3],
+                                       double way[3])
 {
     const struct bundle_wish *wish = &bundle->wish;
     const double *height = wish->fields[field].point.value;
@@ -45,10 +46,10 @@ static void turn_of(const struct merit_bundle *bundle, size_t field, const doubl
     if (wish->setup->object.is_infinite) { /* along (-h c/n, 1), the factor -c/n */
         const double factor = first->power / first->index_object;
         const double u[3] = {height[0] * factor, height[1] * factor, 1};
-        const double length = sqrt(dot(u, u));
+        const double length = sqrt(merit_bundle_sweep_dot(u, u));
         const double du[3] = {height[0] / length, height[1] / length, 0};
         for (int k = 0; k < 3; k++) {
-            turn[k] = du[k] - e[k] * dot(e, du);
+            turn[k] = du[k] - e[k] * merit_bundle_sweep_dot(e, du);
         }
         way[0] = way[1] = 0;
         return;
@@ -57,11 +58,12 @@ static void turn_of(const struct merit_bundle *bundle, size_t field, const doubl
     const double P[3] = {height[0] / first->magnification, height[1] / first->magnification,
                          -distance};
     const double from[3] = {T[0] - P[0], T[1] - P[1], T[2] - P[2]};
-    const double length = copysign(sqrt(dot(from, from)), dot(from, e));
+    const double length =
+        copysign(sqrt(merit_bundle_sweep_dot(from, from)), merit_bundle_sweep_dot(from, e));
     way[0] = height[0];
     way[1] = height[1];
     for (int k = 0; k < 3; k++) {
-        turn[k] = -(way[k] - e[k] * dot(e, way)) / length;
+        turn[k] = -(way[k] - e[k] * merit_bundle_sweep_dot(e, way)) / length;
     }
 }
 
@@ -83,14 +85,17 @@ static double by_coordinates(const struct aimed *aimed, const struct aimed_beam 
     for (int k = 0; k < 3; k++) {
         tilt[k] = isinf(beam->distance)
                       ? start->turn[k]
-                      : -(start->way[k] - axis[k] * dot(axis, start->way)) / beam->distance;
+                      : -(start->way[k] - axis[k] * merit_bundle_sweep_dot(axis, start->way)) /
+                            beam->distance;
     }
-    const double slide = -(dot(start->X, tilt) + dot(start->shift, axis)) / dot(e, axis);
+    const double slide =
+        -(merit_bundle_sweep_dot(start->X, tilt) + merit_bundle_sweep_dot(start->shift, axis)) /
+        merit_bundle_sweep_dot(e, axis);
     for (int k = 0; k < 3; k++) {
         move[k] = start->shift[k] + slide * e[k];
     }
     for (int k = 0; k < 2 && aimed->by_start[k] != NULL; k++) {
-        gain += aimed->by_start[k][i] * dot(move, beam->across[k]);
+        gain += aimed->by_start[k][i] * merit_bundle_sweep_dot(move, beam->across[k]);
     }
     return gain;
 }
@@ -115,16 +120,18 @@ static double by_field(const struct merit_bundle *bundle, const struct bundle_bl
         T[1] = aimed->y[i] * radius;
         T[2] = bundle->first.entrance_pupil;
     }
-    turn_of(bundle, field, T, e, at.turn, at.way);
-    const double back[3] = {T[0] - X[0], T[1] - X[1], T[2] - X[2]}, L = dot(back, e);
-    const double path = bundle->wish.setup->object.is_infinite ? dot(X, at.turn) : -dot(e, at.way);
+    merit_bundle_sweep_turn_of(bundle, field, T, e, at.turn, at.way);
+    const double back[3] = {T[0] - X[0], T[1] - X[1], T[2] - X[2]},
+                 L = merit_bundle_sweep_dot(back, e);
+    const double path = bundle->wish.setup->object.is_infinite ? merit_bundle_sweep_dot(X, at.turn)
+                                                               : -merit_bundle_sweep_dot(e, at.way);
     const double a[3] = {adjoint->x[i], adjoint->y[i], adjoint->z[i]};
     const double b[3] = {adjoint->p[i], adjoint->q[i], adjoint->r[i]};
     for (int k = 0; k < 3; k++) {
         at.shift[k] = -L * at.turn[k];
     }
-    return n * (dot(b, at.turn) + adjoint->path[i] * path) + dot(a, at.shift) +
-           by_coordinates(aimed, &aimed->beams[beam], i, &at);
+    return n * (merit_bundle_sweep_dot(b, at.turn) + adjoint->path[i] * path) +
+           merit_bundle_sweep_dot(a, at.shift) + by_coordinates(aimed, &aimed->beams[beam], i, &at);
 }
 
 static void field_row(const struct merit_bundle *bundle, const struct bundle_block *block,
@@ -141,7 +148,8 @@ static void field_row(const struct merit_bundle *bundle, const struct bundle_blo
     }
 }
 
-static void add_row(double *restrict column, double factor, const double *restrict row, int lanes)
+static void merit_bundle_sweep_add_row(double *restrict column, double factor,
+                                       const double *restrict row, int lanes)
 {
     for (int from = 0; factor != 0 && from < lanes; from += RAYS_FEW) {
         for (int i = from; i < from + RAYS_FEW; i++) {
@@ -151,8 +159,9 @@ static void add_row(double *restrict column, double factor, const double *restri
 }
 
 /* In a denser medium rays start with a longer n e. */
-static void add_start(double *column, double factor, const struct bundle_block *block,
-                      const struct ray_block *adjoint)
+static void merit_bundle_sweep_add_start(double *column, double factor,
+                                         const struct bundle_block *block,
+                                         const struct ray_block *adjoint)
 {
     const struct ray_block *start = block->aimed.work->start;
     const double n = block->aimed.beams[0].beam.n;
@@ -181,9 +190,10 @@ double merit_bundle_image_slope(const struct merit_bundle *bundle, const struct 
     return slope;
 }
 
-static void add_links(const struct merit_bundle *bundle, const struct bundle_block *block,
-                      const struct bundle_links *links, const struct ray_block *adjoint,
-                      double *columns)
+static void merit_bundle_sweep_add_links(const struct merit_bundle *bundle,
+                                         const struct bundle_block *block,
+                                         const struct bundle_links *links,
+                                         const struct ray_block *adjoint, double *columns)
 {
     const struct derivative_layout *layout = &bundle->lights[block->light].layout;
     for (size_t i = 0; i < links->count; i++) {
@@ -199,9 +209,10 @@ static void add_links(const struct merit_bundle *bundle, const struct bundle_blo
             continue;
         }
         const size_t row = derivative_row(layout, link->basis);
-        add_row(column, link->slope, bundle->gradient + row * RAYS_BLOCK, block->aimed.lanes);
+        merit_bundle_sweep_add_row(column, link->slope, bundle->gradient + row * RAYS_BLOCK,
+                                   block->aimed.lanes);
         if (link->basis.kind == PARAMETER_INDEX && link->basis.surface == LENS_NONE) {
-            add_start(column, link->slope, block, adjoint);
+            merit_bundle_sweep_add_start(column, link->slope, block, adjoint);
         }
     }
 }
@@ -221,10 +232,10 @@ static void add_irregularities(const struct merit_bundle *bundle, const struct b
 }
 
 /* From derivatives by all parameters to those by the variables. */
-static void gather(const struct merit_bundle *bundle, size_t which,
-                   const struct bundle_links *links, size_t variable_count,
-                   const struct ray_block *adjoint, const struct aimed_rates *rates,
-                   double *columns)
+static void merit_bundle_sweep_gather(const struct merit_bundle *bundle, size_t which,
+                                      const struct bundle_links *links, size_t variable_count,
+                                      const struct ray_block *adjoint,
+                                      const struct aimed_rates *rates, double *columns)
 {
     const struct bundle_block *block = &bundle->blocks[which];
     const struct derivative_layout *layout = &bundle->lights[block->light].layout;
@@ -236,15 +247,16 @@ static void gather(const struct merit_bundle *bundle, size_t which,
     for (size_t j = 0; j < variable_count; j++) {
         memset(columns + j * RAYS_BLOCK, 0, (size_t)lanes * sizeof *columns);
     }
-    add_links(bundle, block, links, adjoint, columns);
+    merit_bundle_sweep_add_links(bundle, block, links, adjoint, columns);
     add_irregularities(bundle, block, columns + variable_count * RAYS_BLOCK);
     for (size_t j = 0; j < variable_count; j++) {
         const struct bundle_rate *rate = &bundle->rates[j];
         double *column = columns + j * RAYS_BLOCK;
-        add_row(column, rate->image, bundle->gradient + image * RAYS_BLOCK, lanes);
-        add_row(column, rate->pupil, rates->place, lanes);
-        add_row(column, rate->radius, rates->radius, lanes);
-        add_row(column, rate->field, field, lanes);
+        merit_bundle_sweep_add_row(column, rate->image, bundle->gradient + image * RAYS_BLOCK,
+                                   lanes);
+        merit_bundle_sweep_add_row(column, rate->pupil, rates->place, lanes);
+        merit_bundle_sweep_add_row(column, rate->radius, rates->radius, lanes);
+        merit_bundle_sweep_add_row(column, rate->field, field, lanes);
     }
 }
 
@@ -256,17 +268,17 @@ void merit_bundle_sweep(const struct merit_bundle *bundle, size_t which,
     struct aimed_rates rates;
     aimed_sweep(&block->aimed, &bundle->lights[block->light].layout, adjoint, bundle->gradient,
                 &rates);
-    gather(bundle, which, links, variable_count, adjoint, &rates, columns);
+    merit_bundle_sweep_gather(bundle, which, links, variable_count, adjoint, &rates, columns);
 }
 
 void merit_bundle_sweep_graze(const struct merit_bundle *bundle, size_t which,
                               const struct bundle_links *links, size_t variable_count,
-                              const struct grazing *grazing, double *columns)
+                              const struct grazing_penalty *grazing, double *columns)
 {
     const struct bundle_block *block = &bundle->blocks[which];
     struct ray_block adjoint;
     struct aimed_rates rates;
     aimed_sweep_seeds(&block->aimed, &bundle->lights[block->light].layout, &grazing->seeds,
                       &adjoint, bundle->gradient, &rates);
-    gather(bundle, which, links, variable_count, &adjoint, &rates, columns);
+    merit_bundle_sweep_gather(bundle, which, links, variable_count, &adjoint, &rates, columns);
 }

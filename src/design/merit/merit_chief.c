@@ -7,15 +7,15 @@
 
 #include <math.h>
 
-static const struct field_point *field_of(const struct merit_place *place,
-                                          const struct operand *operand)
+static const struct field_point *merit_chief_field_of(const struct merit_place *place,
+                                                      const struct operand *operand)
 {
     return operand->field != NULL ? &operand->field->point : &place->setup.edge;
 }
 
 /* The direction of a field in the object, and how far out: tan t, or mm. */
-static double direction_of(const struct merit_place *place, const struct field_point *field,
-                           double towards[2])
+static double merit_chief_direction_of(const struct merit_place *place,
+                                       const struct field_point *field, double towards[2])
 {
     const bool is_angle = field->kind == FIELD_ANGLE;
     const double sign = is_angle && !place->setup.object.is_infinite ? -1 : 1;
@@ -31,22 +31,22 @@ static double direction_of(const struct merit_place *place, const struct field_p
 /* -------- one chief ray -------- */
 
 /* Its end by all columns, into `end`. */
-static bool follow(struct merit *merit, const struct merit_slot *slot, double wavelength,
-                   size_t passed, struct merit_ray *end)
+static bool merit_chief_follow(struct merit *merit, const struct merit_slot *slot,
+                               double wavelength, size_t passed, struct merit_ray *end)
 {
     const struct merit_place *place = &merit->places[slot->place];
     struct aim_near *near = slot->own; /* chief rays found last, one a light */
     struct merit_light *light = merit_light(merit, slot, wavelength);
     const struct merit_ray_question question = {.slot = slot,
                                                 .light = light,
-                                                .field = field_of(place, slot->operand),
+                                                .field = merit_chief_field_of(place, slot->operand),
                                                 .near = &near[light - place->lights]};
     struct merit_ray *start = ARENA_ARRAY(merit->arena, merit_columns(merit), struct merit_ray);
     return merit_ray_start(merit, &question, merit->arena, start) &&
            merit_ray_follow(merit, &question, passed, start, merit->arena, end);
 }
 
-static struct dual along(const struct dual *vector, const double towards[2])
+static struct dual merit_chief_along(const struct dual *vector, const double towards[2])
 {
     return dual_add(dual_scale(vector[0], towards[0]), dual_scale(vector[1], towards[1]));
 }
@@ -56,13 +56,14 @@ static bool find_height(struct merit *merit, const struct merit_slot *slot, doub
 {
     struct merit_ray *end = ARENA_ARRAY(merit->arena, merit_columns(merit), struct merit_ray);
     double towards[2];
-    direction_of(&merit->places[slot->place], field_of(&merit->places[slot->place], slot->operand),
-                 towards);
-    if (!follow(merit, slot, wavelength, MERIT_RAY_IMAGE, end)) {
+    merit_chief_direction_of(&merit->places[slot->place],
+                             merit_chief_field_of(&merit->places[slot->place], slot->operand),
+                             towards);
+    if (!merit_chief_follow(merit, slot, wavelength, MERIT_RAY_IMAGE, end)) {
         return false;
     }
     for (size_t j = 0; j < merit_columns(merit); j++) {
-        merit->change[j] = along(end[j].at, towards);
+        merit->change[j] = merit_chief_along(end[j].at, towards);
     }
     return true;
 }
@@ -70,10 +71,10 @@ static bool find_height(struct merit *merit, const struct merit_slot *slot, doub
 static bool find_distortion(struct merit *merit, const struct merit_slot *slot, double wavelength)
 {
     const struct merit_place *place = &merit->places[slot->place];
-    const struct field_point *field = field_of(place, slot->operand);
+    const struct field_point *field = merit_chief_field_of(place, slot->operand);
     const bool far = place->setup.object.is_infinite, is_image = field->kind == FIELD_IMAGE;
     double towards[2];
-    const double size = direction_of(place, field, towards);
+    const double size = merit_chief_direction_of(place, field, towards);
     if (!find_height(merit, slot, wavelength)) {
         return false;
     }
@@ -94,7 +95,8 @@ static bool find_distortion(struct merit *merit, const struct merit_slot *slot, 
     return figures != NULL;
 }
 
-static bool find_lateral(struct merit *merit, const struct merit_slot *slot, double wavelength)
+static bool merit_chief_find_lateral(struct merit *merit, const struct merit_slot *slot,
+                                     double wavelength)
 {
     const size_t columns = merit_columns(merit);
     struct dual *first = ARENA_ARRAY(merit->arena, columns, struct dual);
@@ -121,13 +123,13 @@ static bool find_telecentric(struct merit *merit, const struct merit_slot *slot,
     const struct merit_place *place = &merit->places[slot->place];
     struct merit_ray *end = ARENA_ARRAY(merit->arena, merit_columns(merit), struct merit_ray);
     double towards[2];
-    direction_of(place, field_of(place, slot->operand), towards);
-    if (!follow(merit, slot, wavelength, place->lens->surface_count, end)) {
+    merit_chief_direction_of(place, merit_chief_field_of(place, slot->operand), towards);
+    if (!merit_chief_follow(merit, slot, wavelength, place->lens->surface_count, end)) {
         return false;
     }
     for (size_t j = 0; j < merit_columns(merit); j++) {
-        merit->change[j] =
-            dual_arc_tangent(dual_divide(along(end[j].along, towards), end[j].along[2]));
+        merit->change[j] = dual_arc_tangent(
+            dual_divide(merit_chief_along(end[j].along, towards), end[j].along[2]));
     }
     return true;
 }
@@ -136,7 +138,7 @@ static bool (*const finds[OPERAND_KINDS])(struct merit *merit, const struct meri
                                           double wavelength) = {
     [OPERAND_HEIGHT] = find_height,
     [OPERAND_DISTORTION] = find_distortion,
-    [OPERAND_LATERAL] = find_lateral,
+    [OPERAND_LATERAL] = merit_chief_find_lateral,
     [OPERAND_TELECENTRIC] = find_telecentric,
 };
 
@@ -155,7 +157,7 @@ size_t merit_prepare_chief(struct merit *merit, struct merit_slot *slot, struct 
 {
     const struct merit_place *place = &merit->places[slot->place];
     const enum operand_kind kind = slot->operand->kind;
-    const struct field_point *field = field_of(place, slot->operand);
+    const struct field_point *field = merit_chief_field_of(place, slot->operand);
     double towards[2], colours[2];
     if (field->kind == FIELD_NONE) {
         fail(error, ERROR_DOMAIN,
@@ -168,7 +170,8 @@ size_t merit_prepare_chief(struct merit *merit, struct merit_slot *slot, struct 
         fail(error, ERROR_DOMAIN, "there is only one wavelength, and so no colour");
         return 0;
     }
-    if (kind == OPERAND_DISTORTION && !(fabs(direction_of(place, field, towards)) > 0)) {
+    if (kind == OPERAND_DISTORTION &&
+        !(fabs(merit_chief_direction_of(place, field, towards)) > 0)) {
         fail(error, ERROR_DOMAIN, "there is no distortion on the axis");
         return 0;
     }

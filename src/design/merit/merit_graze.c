@@ -8,7 +8,7 @@
 #include <string.h>
 
 /* Nothing is known of the rays as yet. */
-static void begin(const struct merit *merit, struct merit_graze *graze)
+static void merit_graze_begin(const struct merit *merit, struct merit_graze *graze)
 {
     if (graze->evaluation == merit->evaluation) {
         return;
@@ -38,8 +38,8 @@ void merit_graze_add(struct merit *merit, const struct merit_slot *slot,
     struct merit_graze *graze = merit->places[slot->place].graze;
     const struct bundle_block *at = &bundle->blocks[block];
     double weights[RAYS_BLOCK];
-    struct grazing grazing;
-    begin(merit, graze);
+    struct grazing_penalty grazing;
+    merit_graze_begin(merit, graze);
     merit_bundle_graze(bundle, block, graze->limit, merit->derives, &grazing);
     graze->margin = fmin(graze->margin, grazing.margin);
     if (!grazing.any) {
@@ -71,7 +71,7 @@ bool merit_fill_graze(struct merit *merit, const struct merit_slot *slot, double
 {
     struct merit_graze *graze = slot->own;
     const double deviation = slot->operand->deviation;
-    begin(merit, graze);
+    merit_graze_begin(merit, graze);
     residuals[0] = graze->value / deviation;
     merit->values[slot->first] = acos(sqrt(graze->margin));
     for (size_t j = 0; j < merit->variable_count && jacobian != NULL; j++) {

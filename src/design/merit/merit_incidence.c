@@ -15,18 +15,18 @@ static size_t field_count(const struct merit_place *place, const struct operand 
     return operand->field != NULL ? 1 : place->setup.field_count;
 }
 
-static const struct field_point *field_at(const struct merit_place *place,
-                                          const struct operand *operand, size_t i)
+static const struct field_point *merit_incidence_field_at(const struct merit_place *place,
+                                                          const struct operand *operand, size_t i)
 {
     return operand->field != NULL ? &operand->field->point : &place->setup.fields[i].point;
 }
 
-static size_t end_of(const struct operand *operand, const struct lens *lens)
+static size_t merit_incidence_end_of(const struct operand *operand, const struct lens *lens)
 {
     return operand->first == LENS_NONE ? lens->surface_count : operand->last + 1;
 }
 
-static size_t first_of(const struct operand *operand)
+static size_t merit_incidence_first_of(const struct operand *operand)
 {
     return operand->first == LENS_NONE ? 0 : operand->first;
 }
@@ -52,7 +52,7 @@ static struct dual cross_square(const struct dual a[3], const struct dual b[3])
     return sum;
 }
 
-static struct dual square(const struct dual a[3])
+static struct dual merit_incidence_square(const struct dual a[3])
 {
     struct dual sum = dual_of(0);
     for (int i = 0; i < 3; i++) {
@@ -70,7 +70,7 @@ static struct dual incidence(const struct merit_ray *before, const struct merit_
         dot = dual_add(dot, dual_multiply(step[i], before->along[i]));
     }
     const struct dual cross = cross_square(before->along, after->along);
-    const struct dual size = square(step);
+    const struct dual size = merit_incidence_square(step);
     if (!(cross.value > 1e-28 * size.value)) {
         return dual_of(0); /* at right angles: the slope of |i| has no sign there */
     }
@@ -79,26 +79,27 @@ static struct dual incidence(const struct merit_ray *before, const struct merit_
 }
 
 /* Which ray the number i is. */
-static struct merit_ray_question question_of(struct merit *merit, const struct merit_slot *slot,
-                                             size_t i)
+static struct merit_ray_question
+merit_incidence_question_of(struct merit *merit, const struct merit_slot *slot, size_t i)
 {
     const double *pupil = pupils[i % PUPILS];
     return (struct merit_ray_question){
         .slot = slot,
         .light = merit_light(merit, slot, slot->operand->wavelength),
-        .field = field_at(&merit->places[slot->place], slot->operand, i / PUPILS),
+        .field = merit_incidence_field_at(&merit->places[slot->place], slot->operand, i / PUPILS),
         .pupil = {pupil[0], pupil[1]}};
 }
 
 /* Aim all rays of a slot. */
-static struct merit_ray **aim_all(struct merit *merit, const struct merit_slot *slot)
+static struct merit_ray **merit_incidence_aim_all(struct merit *merit,
+                                                  const struct merit_slot *slot)
 {
     const struct merit_place *place = &merit->places[slot->place];
     struct aim_near *near = slot->own;
     const size_t count = field_count(place, slot->operand) * PUPILS;
     struct merit_ray **starts = ARENA_ARRAY(merit->arena, count, struct merit_ray *);
     for (size_t i = 0; i < count; i++) {
-        struct merit_ray_question question = question_of(merit, slot, i);
+        struct merit_ray_question question = merit_incidence_question_of(merit, slot, i);
         question.near = &near[i / PUPILS];
         starts[i] = ARENA_ARRAY(merit->arena, merit_columns(merit), struct merit_ray);
         if (!merit_ray_start(merit, &question, merit->arena, starts[i])) {
@@ -111,7 +112,8 @@ static struct merit_ray **aim_all(struct merit *merit, const struct merit_slot *
 /* -------- the largest -------- */
 
 /* Through one more surface; the ray that meets it at the largest angle, front->count: none does. */
-static size_t pass(struct merit_front *front, size_t surface, struct arena *arena, double *largest)
+static size_t merit_incidence_pass(struct merit_front *front, size_t surface, struct arena *arena,
+                                   double *largest)
 {
     struct merit_ray *before = ARENA_ARRAY(arena, front->count, struct merit_ray);
     size_t which = front->count;
@@ -130,8 +132,8 @@ static size_t pass(struct merit_front *front, size_t surface, struct arena *aren
 }
 
 /* Its angle and its derivatives into merit->change. */
-static bool derive(struct merit *merit, const struct merit_ray_question *question, size_t surface,
-                   const struct merit_ray *start)
+static bool merit_incidence_derive(struct merit *merit, const struct merit_ray_question *question,
+                                   size_t surface, const struct merit_ray *start)
 {
     const size_t columns = merit_columns(merit);
     struct merit_ray *before = ARENA_ARRAY(merit->arena, columns, struct merit_ray);
@@ -146,12 +148,12 @@ static bool derive(struct merit *merit, const struct merit_ray_question *questio
     return true;
 }
 
-static bool fill(struct merit *merit, const struct merit_slot *slot, double *residuals,
-                 double *jacobian)
+static bool merit_incidence_fill(struct merit *merit, const struct merit_slot *slot,
+                                 double *residuals, double *jacobian)
 {
     const struct lens *lens = merit->places[slot->place].lens;
-    struct merit_ray **starts = aim_all(merit, slot);
-    const struct merit_ray_question first = question_of(merit, slot, 0);
+    struct merit_ray **starts = merit_incidence_aim_all(merit, slot);
+    const struct merit_ray_question first = merit_incidence_question_of(merit, slot, 0);
     const size_t count = field_count(&merit->places[slot->place], slot->operand) * PUPILS;
     struct merit_front front;
     double largest;
@@ -159,17 +161,17 @@ static bool fill(struct merit *merit, const struct merit_slot *slot, double *res
     if (!merit_front_open(merit, &first, starts, count, &front)) {
         return false;
     }
-    for (size_t i = 0; i < end_of(slot->operand, lens); i++) {
-        const size_t which = pass(&front, i, merit->arena, &largest);
-        if (i < first_of(slot->operand) || !bends(lens, i)) {
+    for (size_t i = 0; i < merit_incidence_end_of(slot->operand, lens); i++) {
+        const size_t which = merit_incidence_pass(&front, i, merit->arena, &largest);
+        if (i < merit_incidence_first_of(slot->operand) || !bends(lens, i)) {
             continue;
         }
         if (which == front.count) {
             return fail(&merit->why, ERROR_DOMAIN, "no ray arrives at surface %zu", i + 1);
         }
-        const struct merit_ray_question question = question_of(merit, slot, which);
+        const struct merit_ray_question question = merit_incidence_question_of(merit, slot, which);
         merit->change[0] = dual_of(largest);
-        if ((merit->derives && !derive(merit, &question, i, starts[which])) ||
+        if ((merit->derives && !merit_incidence_derive(merit, &question, i, starts[which])) ||
             !merit_put(merit, slot, at++, residuals, jacobian)) {
             return false;
         }
@@ -181,7 +183,7 @@ bool merit_fill_incidence(struct merit *merit, const struct merit_slot *slot, do
                           double *jacobian)
 {
     const struct arena_mark mark = arena_mark(merit->arena);
-    const bool done = fill(merit, slot, residuals, jacobian);
+    const bool done = merit_incidence_fill(merit, slot, residuals, jacobian);
     arena_reset(merit->arena, mark);
     return done;
 }
@@ -197,11 +199,12 @@ size_t merit_prepare_incidence(struct merit *merit, struct merit_slot *slot, str
         return 0;
     }
     for (size_t i = 0; i < field_count(place, operand); i++) {
-        if (!merit_ray_check(place, field_at(place, operand, i), error)) {
+        if (!merit_ray_check(place, merit_incidence_field_at(place, operand, i), error)) {
             return 0;
         }
     }
-    for (size_t i = first_of(operand); i < end_of(operand, lens) && i < lens->surface_count; i++) {
+    for (size_t i = merit_incidence_first_of(operand);
+         i < merit_incidence_end_of(operand, lens) && i < lens->surface_count; i++) {
         count += bends(lens, i);
         if (lens->surfaces[i].coordinate_break != NULL) {
             fail(error, ERROR_DOMAIN, "surface %zu stands behind a coordinate break", i + 1);

@@ -54,7 +54,8 @@ struct merit_mtf {
 
 /* -------- opening -------- */
 
-static bool check(const struct merit *merit, const struct operand *operand, struct error *error)
+static bool merit_mtf_check(const struct merit *merit, const struct operand *operand,
+                            struct error *error)
 {
     const struct merit_question *question = &merit->question;
     const double frequency = operand->frequency;
@@ -91,7 +92,7 @@ static void open_fields(struct merit_mtf *mtf, size_t variable_count, struct are
     }
 }
 
-static void open_pupils(struct merit_mtf *mtf, struct arena *arena)
+static void merit_mtf_open_pupils(struct merit_mtf *mtf, struct arena *arena)
 {
     const struct merit_bundle *bundle = &mtf->beams.bundle;
     const size_t lines = pupil_overlap_lines(&mtf->rule.form);
@@ -183,7 +184,7 @@ size_t merit_prepare_mtf(struct merit *merit, struct merit_slot *slot, struct ar
     mtf->wants[TANGENTIAL] = operand->orientation != ORIENTATION_SAGITTAL;
     mtf->wants[SAGITTAL] = operand->orientation != ORIENTATION_TANGENTIAL;
     const struct merit_beams_wish wish = {.path = !mtf->by_rays, .whole = true};
-    if (!check(merit, operand, error) ||
+    if (!merit_mtf_check(merit, operand, error) ||
         !merit_beams_open(merit, slot, wish, arena, &mtf->beams, error)) {
         return 0;
     }
@@ -193,7 +194,7 @@ size_t merit_prepare_mtf(struct merit *merit, struct merit_slot *slot, struct ar
     }
     mtf->columns = ARENA_ARRAY(arena, (merit->variable_count + 1) * RAYS_BLOCK, double);
     open_fields(mtf, merit->variable_count, arena);
-    open_pupils(mtf, arena);
+    merit_mtf_open_pupils(mtf, arena);
     const size_t count = count_residuals(mtf);
     if (count == 0) {
         fail(error, ERROR_DOMAIN, "no field counts");
@@ -204,8 +205,8 @@ size_t merit_prepare_mtf(struct merit *merit, struct merit_slot *slot, struct ar
 /* -------- values -------- */
 
 /* The numbers of final rays and of their starts, to the pupils. */
-static void put_rays(struct merit_mtf *mtf, const struct bundle_block *block,
-                     const struct ray_block *end)
+static void merit_mtf_put_rays(struct merit_mtf *mtf, const struct bundle_block *block,
+                               const struct ray_block *end)
 {
     const struct merit_bundle *bundle = &mtf->beams.bundle;
     double path[RAYS_BLOCK] = {0}, to[2][RAYS_BLOCK];
@@ -347,7 +348,7 @@ static bool find_contrasts(struct merit *merit, const struct merit_slot *slot)
         if (!merit_bundle_trace(bundle, k, false, &end, &merit->why)) {
             return false;
         }
-        put_rays(mtf, &bundle->blocks[k], &end);
+        merit_mtf_put_rays(mtf, &bundle->blocks[k], &end);
         if (bundle->keeps && !merit->derives) { /* else when they are traced again */
             merit_graze_add(merit, slot, bundle, k, &mtf->beams.links[bundle->blocks[k].light]);
         }
@@ -390,8 +391,8 @@ static void waves_back(struct mtf_pupil *pupil, int d, const struct by_sums *by)
     pupil_wave_back(wave);
 }
 
-static void rays_back(const struct merit_mtf *mtf, struct mtf_pupil *pupil, int d,
-                      const double along[2], const struct by_sums *by)
+static void merit_mtf_rays_back(const struct merit_mtf *mtf, struct mtf_pupil *pupil, int d,
+                                const double along[2], const struct by_sums *by)
 {
     struct pupil_spot *spot = &pupil->spot;
     memcpy(pupil->wave->back, pupil->back[d], sizeof pupil->wave->back);
@@ -424,7 +425,7 @@ static void find_back(struct merit_mtf *mtf)
                        mtf->rule.room * sizeof(double));
             }
         } else if (mtf->wants[d] && mtf->by_rays) {
-            rays_back(mtf, pupil, d, field->along[d], &by);
+            merit_mtf_rays_back(mtf, pupil, d, field->along[d], &by);
         } else if (mtf->wants[d]) {
             waves_back(pupil, d, &by);
         }
@@ -457,8 +458,8 @@ static void take_back(const struct merit_mtf *mtf, const struct bundle_block *bl
 }
 
 /* The columns of a block to the slopes of its fields; spheres move, too. */
-static void add_columns(struct merit_mtf *mtf, const struct bundle_block *block, int d,
-                        const struct merit_spheres_by *by, size_t variable_count)
+static void merit_mtf_add_columns(struct merit_mtf *mtf, const struct bundle_block *block, int d,
+                                  const struct merit_spheres_by *by, size_t variable_count)
 {
     const struct merit_bundle *bundle = &mtf->beams.bundle;
     for (size_t g = 0; g < block->aimed.beam_count; g++) {
@@ -504,10 +505,10 @@ static void sweep_block(const struct merit *merit, struct merit_mtf *mtf, size_t
     merit_bundle_sweep(bundle, which, &mtf->beams.links[block->light], merit->variable_count,
                        &adjoint, mtf->columns);
     block->aimed.by_start[0] = block->aimed.by_start[1] = NULL;
-    add_columns(mtf, block, d, &back.by, merit->variable_count);
+    merit_mtf_add_columns(mtf, block, d, &back.by, merit->variable_count);
 }
 
-static bool find_slopes(struct merit *merit, const struct merit_slot *slot)
+static bool merit_mtf_find_slopes(struct merit *merit, const struct merit_slot *slot)
 {
     struct merit_mtf *mtf = slot->own;
     struct merit_bundle *bundle = &mtf->beams.bundle;
@@ -537,8 +538,8 @@ static bool find_slopes(struct merit *merit, const struct merit_slot *slot)
 /* -------- filling -------- */
 
 /* One residual, by the root of the weight of its field. */
-static bool put(struct merit *merit, const struct merit_slot *slot, size_t at, double weight,
-                double *residuals, double *jacobian)
+static bool merit_mtf_put(struct merit *merit, const struct merit_slot *slot, size_t at,
+                          double weight, double *residuals, double *jacobian)
 {
     const double root = sqrt(weight);
     if (!merit_put(merit, slot, at, residuals, jacobian)) {
@@ -556,7 +557,7 @@ bool merit_fill_mtf(struct merit *merit, const struct merit_slot *slot, double *
 {
     struct merit_mtf *mtf = slot->own;
     size_t at = 0;
-    if (!find_contrasts(merit, slot) || (merit->derives && !find_slopes(merit, slot))) {
+    if (!find_contrasts(merit, slot) || (merit->derives && !merit_mtf_find_slopes(merit, slot))) {
         return false;
     }
     for (size_t i = 0; i < mtf->beams.bundle.wish.field_count * DIRECTIONS; i++) {
@@ -568,7 +569,7 @@ bool merit_fill_mtf(struct merit *merit, const struct merit_slot *slot, double *
         for (size_t j = 0; j < merit->variable_count + 1; j++) {
             merit->change[j] = (struct dual){field->contrast[d], field->slopes[d][j]};
         }
-        if (!put(merit, slot, at, field->weight, residuals, jacobian)) {
+        if (!merit_mtf_put(merit, slot, at, field->weight, residuals, jacobian)) {
             return false;
         }
         at++;

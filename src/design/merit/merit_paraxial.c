@@ -7,8 +7,8 @@
 /* -------- figures of an evaluation -------- */
 
 /* The chief ray of the field of an operand, else of the edge. */
-static struct dual_question question_of(const struct merit_place *place,
-                                        const struct merit_slot *slot)
+static struct dual_question merit_paraxial_question_of(const struct merit_place *place,
+                                                       const struct merit_slot *slot)
 {
     const struct setup *setup = &place->setup;
     const struct field_point *point =
@@ -21,7 +21,8 @@ static struct dual_question question_of(const struct merit_place *place,
 }
 
 /* The lens changed by one variable. */
-static void change(const struct merit *merit, struct merit_light *light, size_t variable)
+static void merit_paraxial_change(const struct merit *merit, struct merit_light *light,
+                                  size_t variable)
 {
     if (!merit->derives) {
         return;
@@ -36,8 +37,9 @@ static void change(const struct merit *merit, struct merit_light *light, size_t 
 }
 
 /* All columns of a light; the stop is that of the primary one. */
-static bool compute(struct merit *merit, const struct merit_place *place, struct merit_light *light,
-                    const struct dual_question *question, const struct merit_figures *primary)
+static bool merit_paraxial_compute(struct merit *merit, const struct merit_place *place,
+                                   struct merit_light *light, const struct dual_question *question,
+                                   const struct merit_figures *primary)
 {
     if (light->figured == merit->evaluation && light->field_kind == question->field_kind &&
         light->field == question->field) {
@@ -49,7 +51,7 @@ static bool compute(struct merit *merit, const struct merit_place *place, struct
     for (size_t j = 0; j < merit_columns(merit); j++) {
         struct dual_question here = *question;
         here.primary = primary != NULL ? &primary[j].first : NULL;
-        change(merit, light, j);
+        merit_paraxial_change(merit, light, j);
         paraxial_dual_first(&light->paraxial, &here, &light->figures[j].first);
     }
     light->figured = merit->evaluation;
@@ -60,22 +62,23 @@ static bool compute(struct merit *merit, const struct merit_place *place, struct
 }
 
 /* Paraxial figures of a slot, one a column; of its light, or the primary one where that is null. */
-static const struct merit_figures *figures_of(struct merit *merit, const struct merit_slot *slot,
-                                              struct merit_light *light)
+static const struct merit_figures *merit_paraxial_figures_of(struct merit *merit,
+                                                             const struct merit_slot *slot,
+                                                             struct merit_light *light)
 {
     struct merit_place *place = &merit->places[slot->place];
     struct merit_light *primary = merit_light(merit, slot, NAN);
-    const struct dual_question question = question_of(place, slot);
-    const bool done =
-        compute(merit, place, primary, &question, NULL) &&
-        (light == primary || compute(merit, place, light, &question, primary->figures));
+    const struct dual_question question = merit_paraxial_question_of(place, slot);
+    const bool done = merit_paraxial_compute(merit, place, primary, &question, NULL) &&
+                      (light == primary ||
+                       merit_paraxial_compute(merit, place, light, &question, primary->figures));
     return done ? light->figures : NULL;
 }
 
 const struct merit_figures *merit_figures(struct merit *merit, const struct merit_slot *slot,
                                           double wavelength)
 {
-    return figures_of(merit, slot, merit_light(merit, slot, wavelength));
+    return merit_paraxial_figures_of(merit, slot, merit_light(merit, slot, wavelength));
 }
 
 /* What the kinds are of. */
@@ -90,7 +93,8 @@ static const size_t members[OPERAND_KINDS] = {
     [OPERAND_AXIAL] = offsetof(struct dual_first, image),
 };
 
-static struct dual member(const struct merit_figures *figures, const struct merit_slot *slot)
+static struct dual merit_paraxial_member(const struct merit_figures *figures,
+                                         const struct merit_slot *slot)
 {
     const char *start = (const char *)&figures->first + members[slot->operand->kind];
     return *(const struct dual *)(const void *)start;
@@ -137,10 +141,11 @@ bool merit_fill_power(struct merit *merit, const struct merit_slot *slot, double
         return false;
     }
     for (size_t j = 0; j < merit_columns(merit); j++) {
-        merit->change[j] = continued(target, dual_scale(member(&figures[j], slot), target));
+        merit->change[j] =
+            continued(target, dual_scale(merit_paraxial_member(&figures[j], slot), target));
     }
     const bool done = merit_put(merit, slot, 0, residuals, jacobian);
-    merit->values[slot->first] = 1 / member(&figures[0], slot).value;
+    merit->values[slot->first] = 1 / merit_paraxial_member(&figures[0], slot).value;
     return done;
 }
 
@@ -164,7 +169,7 @@ bool merit_fill_first(struct merit *merit, const struct merit_slot *slot, double
 {
     const struct merit_figures *figures = merit_figures(merit, slot, slot->operand->wavelength);
     for (size_t j = 0; j < merit_columns(merit) && figures != NULL; j++) {
-        merit->change[j] = member(&figures[j], slot);
+        merit->change[j] = merit_paraxial_member(&figures[j], slot);
     }
     return figures != NULL && merit_put(merit, slot, 0, residuals, jacobian);
 }
@@ -202,7 +207,7 @@ bool merit_fill_axial(struct merit *merit, const struct merit_slot *slot, double
     for (int k = 0; k < 2; k++) {
         const struct merit_figures *figures = merit_figures(merit, slot, colours[k]);
         for (size_t j = 0; j < merit_columns(merit) && figures != NULL; j++) {
-            const struct dual here = member(&figures[j], slot);
+            const struct dual here = merit_paraxial_member(&figures[j], slot);
             merit->change[j] = k == 0 ? here : dual_subtract(merit->change[j], here);
         }
         if (figures == NULL) {
@@ -251,13 +256,13 @@ bool merit_fill_seidel(struct merit *merit, const struct merit_slot *slot, doubl
 {
     const size_t which = (size_t)(slot->operand->kind - OPERAND_S1);
     struct merit_light *light = merit_light(merit, slot, slot->operand->wavelength);
-    if (figures_of(merit, slot, light) == NULL) {
+    if (merit_paraxial_figures_of(merit, slot, light) == NULL) {
         return false;
     }
     for (size_t j = 0; j < merit_columns(merit); j++) {
         struct merit_figures *figures = &light->figures[j];
         if (light->summed != merit->evaluation) {
-            change(merit, light, j);
+            merit_paraxial_change(merit, light, j);
             paraxial_dual_seidel(&light->paraxial, &figures->first, figures->sums);
         }
         merit->change[j] = figures->sums[which];
@@ -272,11 +277,11 @@ bool merit_reach_paraxial(struct merit *merit, const struct merit_slot *slot)
 {
     struct merit_place *place = &merit->places[slot->place];
     struct merit_light *light = merit_light(merit, slot, NAN);
-    if (figures_of(merit, slot, light) == NULL) {
+    if (merit_paraxial_figures_of(merit, slot, light) == NULL) {
         return false;
     }
     for (size_t j = 0; j < merit_columns(merit); j++) {
-        change(merit, light, j);
+        merit_paraxial_change(merit, light, j);
         paraxial_dual_reach(&light->paraxial, &light->figures[j].first,
                             place->reach + j * place->lens->surface_count);
     }

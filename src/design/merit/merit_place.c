@@ -12,8 +12,8 @@ void merit_begin(struct merit *merit, const struct merit_question *question, str
                             .arena = arena};
 }
 
-static void add_light(const struct merit *merit, struct merit_place *place, double wavelength,
-                      struct arena *arena)
+static void merit_place_add_light(const struct merit *merit, struct merit_place *place,
+                                  double wavelength, struct arena *arena)
 {
     for (size_t i = 0; i < place->light_count; i++) {
         if (place->lights[i].wavelength == wavelength) {
@@ -38,20 +38,20 @@ static void list_lights(const struct merit *merit, struct merit_place *place, st
     const struct merit_question *question = &merit->question;
     const size_t most = 1 + place->setup.wavelength_count + question->operand_count;
     place->lights = ARENA_ARRAY(arena, most, struct merit_light);
-    add_light(merit, place, lens_primary_wavelength(place->setup.lens), arena);
+    merit_place_add_light(merit, place, lens_primary_wavelength(place->setup.lens), arena);
     for (size_t i = 0; i < place->setup.wavelength_count; i++) {
-        add_light(merit, place, place->setup.wavelengths[i].wavelength, arena);
+        merit_place_add_light(merit, place, place->setup.wavelengths[i].wavelength, arena);
     }
     for (size_t i = 0; i < question->operand_count; i++) {
         if (!isnan(question->operands[i].wavelength)) {
-            add_light(merit, place, question->operands[i].wavelength, arena);
+            merit_place_add_light(merit, place, question->operands[i].wavelength, arena);
         }
     }
 }
 
 /* A lens that begins without power has no f-number as yet: its fields and wavelengths are known. */
-static bool open_setup(const struct setup_question *question, struct merit_place *place,
-                       struct arena *arena, struct error *error)
+static bool merit_place_open_setup(const struct setup_question *question, struct merit_place *place,
+                                   struct arena *arena, struct error *error)
 {
     struct setup_question bare = *question;
     struct lens *lens = ARENA_NEW(arena, struct lens);
@@ -89,7 +89,7 @@ static bool open_place(const struct merit *merit, size_t position, struct arena 
     place->aperture = isnan(question->fnumber)
                           ? lens_aperture(place->lens)
                           : (struct aperture_setting){APERTURE_FNUMBER, question->fnumber};
-    if (!open_setup(&asked, place, arena, error)) {
+    if (!merit_place_open_setup(&asked, place, arena, error)) {
         return place->setup.position != NULL &&
                error_prefix(error, "position %s: ", place->setup.position);
     }

@@ -11,12 +11,12 @@ static const double alike = 1e-9;
 /* Each point is compared with each: in larger samples that would cost more than it saves. */
 enum { MOST_COMPARED = 2000 };
 
-static bool is_near(double a, double b)
+static bool merit_points_is_near(double a, double b)
 {
     return fabs(a - b) <= alike;
 }
 
-static void normalise(struct merit_points *points)
+static void merit_points_normalise(struct merit_points *points)
 {
     double sum = 0;
     for (size_t i = 0; i < points->count; i++) {
@@ -37,7 +37,8 @@ static bool fold(const struct sample *sample, struct merit_points *points)
         bool has_image = false;
         for (size_t j = 0; j < sample->count && !has_image; j++) {
             const struct pupil_point *other = &sample->points[j];
-            has_image = is_near(other->x, -point->x) && is_near(other->y, point->y) &&
+            has_image = merit_points_is_near(other->x, -point->x) &&
+                        merit_points_is_near(other->y, point->y) &&
                         fabs(other->weight - point->weight) <= alike * point->weight;
         }
         if (!has_image) {
@@ -54,7 +55,8 @@ static bool fold(const struct sample *sample, struct merit_points *points)
 }
 
 /* Rings, each as one point on the y axis; false: a ring is heavier on one side. */
-static bool gather(const struct sample *sample, struct arena *arena, struct merit_points *points)
+static bool merit_points_gather(const struct sample *sample, struct arena *arena,
+                                struct merit_points *points)
 {
     double(*moment)[2] = arena_array(arena, sample->count, sizeof *moment);
     points->count = 0;
@@ -62,7 +64,7 @@ static bool gather(const struct sample *sample, struct arena *arena, struct meri
         const struct pupil_point *point = &sample->points[i];
         const double radius = hypot(point->x, point->y);
         size_t ring = 0;
-        while (ring < points->count && !is_near(points->points[ring].y, radius)) {
+        while (ring < points->count && !merit_points_is_near(points->points[ring].y, radius)) {
             ring++;
         }
         if (ring == points->count) {
@@ -86,7 +88,7 @@ void merit_points_of(const struct sample *sample, enum merit_symmetry symmetry, 
 {
     *points = (struct merit_points){.points = ARENA_ARRAY(arena, sample->count, struct pupil_point),
                                     .symmetry = symmetry};
-    if (points->symmetry == SYMMETRY_ROUND && !gather(sample, arena, points)) {
+    if (points->symmetry == SYMMETRY_ROUND && !merit_points_gather(sample, arena, points)) {
         memset(points->points, 0, sample->count * sizeof *points->points);
         points->symmetry = SYMMETRY_MIRROR;
     }
@@ -97,5 +99,5 @@ void merit_points_of(const struct sample *sample, enum merit_symmetry symmetry, 
         memcpy(points->points, sample->points, sample->count * sizeof *points->points);
         points->count = sample->count;
     }
-    normalise(points);
+    merit_points_normalise(points);
 }

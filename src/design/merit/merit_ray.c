@@ -12,7 +12,7 @@
 enum { NUMBERS = 6 };
 
 /* One sweep of them. */
-struct sweep {
+struct merit_ray_sweep {
     struct system system;
     struct derivative_layout layout;
     struct ray_block *adjoint; /* receives the derivatives by the start */
@@ -22,7 +22,7 @@ struct sweep {
 };
 
 /* What rays are derived by, of all links. */
-static unsigned kinds_of(const struct merit *merit, const struct merit_light *light)
+static unsigned merit_ray_kinds_of(const struct merit *merit, const struct merit_light *light)
 {
     unsigned what = merit->question.irregularity_count > 0 ? DERIVE_DISPLACEMENT : 0;
     for (size_t i = 0; i < light->link_count; i++) {
@@ -38,7 +38,7 @@ static unsigned kinds_of(const struct merit *merit, const struct merit_light *li
 }
 
 /* The lens as far as it is passed. */
-static const struct lens *cut(const struct lens *lens, size_t passed, struct arena *arena)
+static const struct lens *merit_ray_cut(const struct lens *lens, size_t passed, struct arena *arena)
 {
     struct lens *part = ARENA_NEW(arena, struct lens);
     *part = *lens;
@@ -47,7 +47,7 @@ static const struct lens *cut(const struct lens *lens, size_t passed, struct are
     return part;
 }
 
-static void put(struct ray_block *block, size_t lane, const double numbers[NUMBERS])
+static void merit_ray_put(struct ray_block *block, size_t lane, const double numbers[NUMBERS])
 {
     double *const rows[NUMBERS] = {block->x, block->y, block->z, block->p, block->q, block->r};
     for (int i = 0; i < NUMBERS; i++) {
@@ -55,7 +55,7 @@ static void put(struct ray_block *block, size_t lane, const double numbers[NUMBE
     }
 }
 
-static void get(const struct ray_block *block, size_t lane, double numbers[NUMBERS])
+static void merit_ray_get(const struct ray_block *block, size_t lane, double numbers[NUMBERS])
 {
     const double *const rows[NUMBERS] = {block->x, block->y, block->z,
                                          block->p, block->q, block->r};
@@ -65,7 +65,7 @@ static void get(const struct ray_block *block, size_t lane, double numbers[NUMBE
 }
 
 static void derive_irregular(const struct merit *merit, const struct derivative_tape *tape,
-                             struct arena *arena, struct sweep *sweep)
+                             struct arena *arena, struct merit_ray_sweep *sweep)
 {
     const struct merit_question *question = &merit->question;
     const struct irregularity_sweep swept = {&sweep->system, &sweep->layout, tape, sweep->gradient};
@@ -79,7 +79,7 @@ static void derive_irregular(const struct merit *merit, const struct derivative_
 }
 
 /* The end moves by them; the ray starts where it does without them. */
-static void bend(const struct merit *merit, struct sweep *sweep)
+static void bend(const struct merit *merit, struct merit_ray_sweep *sweep)
 {
     for (size_t i = 0; i < merit->question.irregularity_count; i++) {
         const double amount = merit->question.irregularity_amounts[i];
@@ -92,7 +92,7 @@ static void bend(const struct merit *merit, struct sweep *sweep)
 /* Through a part of the lens, and back: `wanted` are the adjoints, one row a lane. */
 static bool sweep_part(struct merit *merit, const struct merit_light *light,
                        const struct lens *part, double image, const double start[NUMBERS],
-                       struct arena *arena, struct sweep *sweep)
+                       struct arena *arena, struct merit_ray_sweep *sweep)
 {
     struct system_options options = system_options_default();
     options.image = image;
@@ -102,7 +102,7 @@ static bool sweep_part(struct merit *merit, const struct merit_light *light,
     }
     const struct rays rays = rays_new(arena, NUMBERS);
     for (size_t lane = 0; lane < NUMBERS; lane++) {
-        put(rays.blocks, lane, start);
+        merit_ray_put(rays.blocks, lane, start);
     }
     struct derivative_tape tape = derivative_tape_new(&sweep->system, arena);
     tape.lanes = kernel_lanes(NUMBERS);
@@ -111,17 +111,17 @@ static bool sweep_part(struct merit *merit, const struct merit_light *light,
         return fail(&merit->why, ERROR_DOMAIN, "a ray is lost at surface %zu",
                     ray_block_surface(end, 0));
     }
-    get(end, 0, sweep->end);
+    merit_ray_get(end, 0, sweep->end);
     sweep->adjoint = rays_new(arena, NUMBERS).blocks;
     memset(sweep->adjoint, 0, sizeof *sweep->adjoint);
     for (size_t lane = 0; lane < NUMBERS; lane++) {
         double one[NUMBERS] = {0};
         one[lane] = 1;
-        put(sweep->adjoint, lane, one);
+        merit_ray_put(sweep->adjoint, lane, one);
     }
     const bool bends = merit->question.irregularity_amounts != NULL;
     if (merit->derives || bends) {
-        derivative_layout(&sweep->system, kinds_of(merit, light), arena, &sweep->layout);
+        derivative_layout(&sweep->system, merit_ray_kinds_of(merit, light), arena, &sweep->layout);
         sweep->gradient = ARENA_ARRAY(arena, sweep->layout.rows * RAYS_BLOCK, double);
         derivative_sweep(&sweep->system, &sweep->layout, SET_BEST, &tape, sweep->adjoint,
                          sweep->gradient);
@@ -134,7 +134,8 @@ static bool sweep_part(struct merit *merit, const struct merit_light *light,
 }
 
 /* The row of a link in a part of the lens; LENS_NONE: nothing there depends on it. */
-static size_t row_of(const struct sweep *sweep, const struct variable_link *link)
+static size_t merit_ray_row_of(const struct merit_ray_sweep *sweep,
+                               const struct variable_link *link)
 {
     const struct lens *part = sweep->system.lens;
     const struct parameter basis = link->basis;
@@ -148,8 +149,9 @@ static size_t row_of(const struct sweep *sweep, const struct variable_link *link
 }
 
 /* The end by one variable, where the ray starts always at the same place: added to `slopes`. */
-static void add_links(const struct merit *merit, const struct merit_light *light,
-                      const struct sweep *sweep, size_t variable, double slopes[NUMBERS])
+static void merit_ray_add_links(const struct merit *merit, const struct merit_light *light,
+                                const struct merit_ray_sweep *sweep, size_t variable,
+                                double slopes[NUMBERS])
 {
     const size_t irregular = merit->question.variable_count;
     for (size_t k = 0; k < NUMBERS && variable >= irregular; k++) {
@@ -157,7 +159,8 @@ static void add_links(const struct merit *merit, const struct merit_light *light
     }
     for (size_t i = 0; i < light->link_count; i++) {
         const struct variable_link *link = &light->links[i];
-        const size_t row = link->variable == variable ? row_of(sweep, link) : (size_t)LENS_NONE;
+        const size_t row =
+            link->variable == variable ? merit_ray_row_of(sweep, link) : (size_t)LENS_NONE;
         for (size_t k = 0; k < NUMBERS && row != LENS_NONE; k++) {
             slopes[k] += sweep->gradient[row * RAYS_BLOCK + k] * link->slope;
         }
@@ -165,12 +168,12 @@ static void add_links(const struct merit *merit, const struct merit_light *light
 }
 
 /* The end by a change of the start: added to `slopes`. */
-static void add_start(const struct sweep *sweep, const double change[NUMBERS],
-                      double slopes[NUMBERS])
+static void merit_ray_add_start(const struct merit_ray_sweep *sweep, const double change[NUMBERS],
+                                double slopes[NUMBERS])
 {
     for (size_t k = 0; k < NUMBERS; k++) {
         double by[NUMBERS];
-        get(sweep->adjoint, k, by);
+        merit_ray_get(sweep->adjoint, k, by);
         for (int i = 0; i < NUMBERS; i++) {
             slopes[k] += by[i] * change[i];
         }
@@ -180,7 +183,7 @@ static void add_start(const struct sweep *sweep, const double change[NUMBERS],
 /* -------- the object -------- */
 
 /* Index of object space by a variable. */
-static double index_slope(const struct merit_light *light, size_t variable)
+static double merit_ray_index_slope(const struct merit_light *light, size_t variable)
 {
     double slope = 0;
     for (size_t i = 0; i < light->link_count; i++) {
@@ -194,7 +197,7 @@ static double index_slope(const struct merit_light *light, size_t variable)
 }
 
 /* v, a change of a vector of this length, as one of its direction. */
-static void turn(double change[3], const double unit[3], double length)
+static void merit_ray_turn(double change[3], const double unit[3], double length)
 {
     const double along = change[0] * unit[0] + change[1] * unit[1] + change[2] * unit[2];
     for (int i = 0; i < 3; i++) {
@@ -216,7 +219,7 @@ static void turn_with_object(const struct merit_place *place, const struct field
         const struct dual power = dual_divide(primary->power, primary->index_object);
         change[0] = height[0] * power.slope;
         change[1] = height[1] * power.slope;
-        turn(change, u, 1 / u[2]);
+        merit_ray_turn(change, u, 1 / u[2]);
         return;
     }
     const struct dual by_m = dual_divide(dual_of(1), primary->magnification);
@@ -226,20 +229,20 @@ static void turn_with_object(const struct merit_place *place, const struct field
     const double way = from[0] * u[0] + from[1] * u[1] + from[2] * u[2]; /* below 0: virtual */
     change[0] = -height[0] * by_m.slope;
     change[1] = -height[1] * by_m.slope;
-    turn(change, u, way);
+    merit_ray_turn(change, u, way);
 }
 
 /* -------- aiming -------- */
 
 /* What is known of a ray at its start. */
-struct aiming {
+struct ray_start {
     struct beam beam;
     struct ray ray;
     double at[2]; /* coordinates in the beam */
 };
 
 static bool aim_with(struct merit *merit, const struct merit_ray_question *question,
-                     const struct first_order *first, struct arena *arena, struct aiming *aiming)
+                     const struct first_order *first, struct arena *arena, struct ray_start *aiming)
 {
     const struct merit_place *place = &merit->places[question->slot->place];
     struct system_options options = system_options_default();
@@ -262,8 +265,8 @@ static bool aim_with(struct merit *merit, const struct merit_ray_question *quest
     return true;
 }
 
-static bool aim(struct merit *merit, const struct merit_ray_question *question, struct arena *arena,
-                struct aiming *aiming)
+static bool merit_ray_aim(struct merit *merit, const struct merit_ray_question *question,
+                          struct arena *arena, struct ray_start *aiming)
 {
     const struct merit_place *place = &merit->places[question->slot->place];
     const struct setup *setup = &place->setup;
@@ -302,8 +305,8 @@ static void own_axes(const struct system *system, double axes[2][3])
 }
 
 /* How the decentre of the stop itself moves what lies in it. */
-static void add_stop(const struct merit_light *light, const struct lens *lens, size_t variable,
-                     double slopes[NUMBERS])
+static void merit_ray_add_stop(const struct merit_light *light, const struct lens *lens,
+                               size_t variable, double slopes[NUMBERS])
 {
     for (size_t i = 0; i < light->link_count; i++) {
         const struct variable_link *link = &light->links[i];
@@ -315,7 +318,7 @@ static void add_stop(const struct merit_light *light, const struct lens *lens, s
     }
 }
 
-static void own(double axes[2][3], const double numbers[NUMBERS], double place[2])
+static void merit_ray_own(double axes[2][3], const double numbers[NUMBERS], double place[2])
 {
     for (int i = 0; i < 2; i++) {
         place[i] = axes[i][0] * numbers[0] + axes[i][1] * numbers[1] + axes[i][2] * numbers[2];
@@ -323,7 +326,7 @@ static void own(double axes[2][3], const double numbers[NUMBERS], double place[2
 }
 
 /* d(a, b) that keeps the ray where it crosses the stop. */
-static bool solve(double slope[2][2], const double miss[2], double change[2])
+static bool merit_ray_solve(double slope[2][2], const double miss[2], double change[2])
 {
     const double det = slope[0][0] * slope[1][1] - slope[0][1] * slope[1][0];
     change[0] = (slope[1][1] * miss[0] - slope[0][1] * miss[1]) / det;
@@ -332,7 +335,7 @@ static bool solve(double slope[2][2], const double miss[2], double change[2])
 }
 
 /* The start without derivatives. */
-static void set_start(const struct aiming *aiming, size_t columns, struct merit_ray *start)
+static void set_start(const struct ray_start *aiming, size_t columns, struct merit_ray *start)
 {
     for (size_t j = 0; j < columns; j++) {
         for (int i = 0; i < 3; i++) {
@@ -352,11 +355,11 @@ static void put_change(const double change[NUMBERS], struct merit_ray *start)
 
 /* What the object alone does to the start. */
 static void object_change(const struct merit *merit, const struct merit_ray_question *question,
-                          const struct aiming *aiming, const struct dual_first *primary,
+                          const struct ray_start *aiming, const struct dual_first *primary,
                           size_t variable, double change[NUMBERS])
 {
     const struct merit_place *place = &merit->places[question->slot->place];
-    const double n_slope = index_slope(question->light, variable);
+    const double n_slope = merit_ray_index_slope(question->light, variable);
     memset(change, 0, NUMBERS * sizeof(double));
     turn_with_object(place, question->field, primary, &aiming->ray, change + 3);
     for (int i = 0; i < 3; i++) {
@@ -369,15 +372,15 @@ struct by_beam {
     double start[2][NUMBERS], stop[2][2];
 };
 
-static struct by_beam slopes_of(const struct aiming *aiming, const struct sweep *sweep,
+static struct by_beam slopes_of(const struct ray_start *aiming, const struct merit_ray_sweep *sweep,
                                 double axes[2][3])
 {
     struct by_beam by;
     for (int k = 0; k < 2; k++) {
         double end[NUMBERS] = {0}, place[2];
         beam_slope(&aiming->beam, aiming->at, k, by.start[k], by.start[k] + 3);
-        add_start(sweep, by.start[k], end);
-        own(axes, end, place);
+        merit_ray_add_start(sweep, by.start[k], end);
+        merit_ray_own(axes, end, place);
         by.stop[0][k] = place[0];
         by.stop[1][k] = place[1];
     }
@@ -386,17 +389,17 @@ static struct by_beam slopes_of(const struct aiming *aiming, const struct sweep 
 
 /* Derivatives of the start by all variables, from a sweep to the stop. */
 static bool derive_start(struct merit *merit, const struct merit_ray_question *question,
-                         const struct aiming *aiming, const struct merit_figures *figures,
+                         const struct ray_start *aiming, const struct merit_figures *figures,
                          struct arena *arena, struct merit_ray *start)
 {
     const struct merit_place *place = &merit->places[question->slot->place];
     const struct merit_light *light = question->light;
-    const struct lens *part = cut(place->lens, place->lens->stop + 1, arena);
+    const struct lens *part = merit_ray_cut(place->lens, place->lens->stop + 1, arena);
     const struct ray *ray = &aiming->ray;
     const double n = aiming->beam.n;
     const double first[NUMBERS] = {ray->point[0],      ray->point[1],      ray->point[2],
                                    n * ray->cosine[0], n * ray->cosine[1], n * ray->cosine[2]};
-    struct sweep sweep;
+    struct merit_ray_sweep sweep;
     double axes[2][3];
     if (!sweep_part(merit, light, part, NAN, first, arena, &sweep)) {
         return false;
@@ -406,15 +409,15 @@ static bool derive_start(struct merit *merit, const struct merit_ray_question *q
     for (size_t j = 0; j < merit->variable_count; j++) {
         double change[NUMBERS], end[NUMBERS] = {0}, at[2], way[2];
         object_change(merit, question, aiming, &figures[j].first, j, change);
-        add_links(merit, light, &sweep, j, end);
-        add_stop(light, part, j, end);
-        add_start(&sweep, change, end);
-        own(axes, end, at);
+        merit_ray_add_links(merit, light, &sweep, j, end);
+        merit_ray_add_stop(light, part, j, end);
+        merit_ray_add_start(&sweep, change, end);
+        merit_ray_own(axes, end, at);
         const double radius = figures[j].first.stop_radius.slope;
         const bool is_chief = question->pupil[0] == 0 && question->pupil[1] == 0;
         const double miss[2] = {(is_chief ? 0 : radius * question->pupil[0]) - at[0],
                                 (is_chief ? 0 : radius * question->pupil[1]) - at[1]};
-        if (!solve(by.stop, miss, way)) {
+        if (!merit_ray_solve(by.stop, miss, way)) {
             return fail(&merit->why, ERROR_DOMAIN, "the rays about one meet in the stop");
         }
         for (int i = 0; i < NUMBERS; i++) {
@@ -430,10 +433,10 @@ bool merit_ray_start(struct merit *merit, const struct merit_ray_question *quest
 {
     const struct merit_place *place = &merit->places[question->slot->place];
     const struct merit_figures *figures = merit_figures(merit, question->slot, NAN);
-    struct aiming aiming;
+    struct ray_start aiming;
     if (figures == NULL ||
         merit_figures(merit, question->slot, question->light->wavelength) == NULL ||
-        !aim(merit, question, arena, &aiming)) {
+        !merit_ray_aim(merit, question, arena, &aiming)) {
         return false;
     }
     set_start(&aiming, merit_columns(merit), start);
@@ -453,7 +456,8 @@ bool merit_ray_start(struct merit *merit, const struct merit_ray_question *quest
 
 /* -------- following -------- */
 
-static void set_end(const struct sweep *sweep, size_t columns, struct merit_ray *end)
+static void merit_ray_set_end(const struct merit_ray_sweep *sweep, size_t columns,
+                              struct merit_ray *end)
 {
     for (size_t j = 0; j < columns; j++) {
         for (int i = 0; i < 3; i++) {
@@ -475,10 +479,10 @@ bool merit_ray_follow(struct merit *merit, const struct merit_ray_question *ques
                       const struct merit_ray *start, struct arena *arena, struct merit_ray *end)
 {
     const struct merit_place *place = &merit->places[question->slot->place];
-    const struct lens *part = cut(place->lens, passed, arena);
+    const struct lens *part = merit_ray_cut(place->lens, passed, arena);
     const size_t columns = merit_columns(merit);
     const bool to_image = passed == MERIT_RAY_IMAGE;
-    struct sweep sweep;
+    struct merit_ray_sweep sweep;
     double first[NUMBERS];
     const struct dual *image = to_image ? merit_image(merit, question->slot) : NULL;
     if (passed == 0) {
@@ -494,15 +498,15 @@ bool merit_ray_follow(struct merit *merit, const struct merit_ray_question *ques
                     arena, &sweep)) {
         return false;
     }
-    set_end(&sweep, columns, end);
+    merit_ray_set_end(&sweep, columns, end);
     for (size_t j = 0; j < merit->variable_count && merit->derives; j++) {
         double slopes[NUMBERS] = {0}, change[NUMBERS];
         for (int i = 0; i < 3; i++) {
             change[i] = start[j].at[i].slope;
             change[i + 3] = start[j].along[i].slope;
         }
-        add_links(merit, question->light, &sweep, j, slopes);
-        add_start(&sweep, change, slopes);
+        merit_ray_add_links(merit, question->light, &sweep, j, slopes);
+        merit_ray_add_start(&sweep, change, slopes);
         put_change(slopes, &end[j]);
         if (to_image) {
             move_plane(&end[j], image[j].slope);

@@ -21,7 +21,7 @@ struct merit_rays {
 };
 
 /* Numbers of one lane: the value and its derivatives. */
-static size_t rows_of(const struct merit_rays *rays)
+static size_t merit_rays_rows_of(const struct merit_rays *rays)
 {
     return 1 + rays->variable_count;
 }
@@ -57,10 +57,10 @@ static size_t number(struct merit_rays *rays, struct arena *arena)
     return count;
 }
 
-static void make_room(struct merit_rays *rays, struct arena *arena)
+static void merit_rays_make_room(struct merit_rays *rays, struct arena *arena)
 {
     const struct merit_bundle *bundle = &rays->beams.bundle;
-    const size_t rows = (size_t)rays->outputs * rows_of(rays);
+    const size_t rows = (size_t)rays->outputs * merit_rays_rows_of(rays);
     rays->values = ARENA_ARRAY(arena, bundle->block_count * rows * RAYS_BLOCK, double);
     rays->means = ARENA_ARRAY(arena, bundle->group_count * rows, double);
 }
@@ -82,7 +82,7 @@ size_t merit_prepare_rays(struct merit *merit, struct merit_slot *slot, struct a
                           error)) {
         return 0;
     }
-    make_room(rays, arena);
+    merit_rays_make_room(rays, arena);
     return number(rays, arena);
 }
 
@@ -91,14 +91,14 @@ size_t merit_prepare_rays(struct merit *merit, struct merit_slot *slot, struct a
 /* x or y of a block and all of its derivatives. */
 static double *rows_at(const struct merit_rays *rays, size_t block, int output)
 {
-    const size_t rows = rows_of(rays) * RAYS_BLOCK;
+    const size_t rows = merit_rays_rows_of(rays) * RAYS_BLOCK;
     return rays->values + (block * (size_t)rays->outputs + (size_t)output) * rows;
 }
 
 static double *means_at(const struct merit_rays *rays, size_t group, int output)
 {
     const size_t set = rays->is_joint ? rays->beams.bundle.groups[group].field : group;
-    return rays->means + (set * (size_t)rays->outputs + (size_t)output) * rows_of(rays);
+    return rays->means + (set * (size_t)rays->outputs + (size_t)output) * merit_rays_rows_of(rays);
 }
 
 /* The values of an output of the final rays, and what it is by them. */
@@ -145,7 +145,8 @@ static bool trace_block(struct merit *merit, const struct merit_slot *slot, size
 }
 
 /* x or y whose mean is 0 by symmetry. */
-static bool is_centred(const struct merit_rays *rays, const struct bundle_group *group, int output)
+static bool merit_rays_is_centred(const struct merit_rays *rays, const struct bundle_group *group,
+                                  int output)
 {
     return rays->beams.spheres == NULL &&
            (group->points.symmetry == SYMMETRY_ROUND ||
@@ -153,7 +154,7 @@ static bool is_centred(const struct merit_rays *rays, const struct bundle_group 
 }
 
 /* What the rays of a block add to the means. */
-static void add_means(struct merit_rays *rays, size_t which, size_t rows)
+static void merit_rays_add_means(struct merit_rays *rays, size_t which, size_t rows)
 {
     const struct bundle_block *block = &rays->beams.bundle.blocks[which];
     for (size_t g = 0; g < block->aimed.beam_count; g++) {
@@ -168,7 +169,8 @@ static void add_means(struct merit_rays *rays, size_t which, size_t rows)
         for (int k = 0; k < rays->outputs; k++) {
             double *means = means_at(rays, share->group, k);
             const double *from = rows_at(rays, which, k) + beam->first;
-            for (size_t j = 0; j < rows && !is_centred(rays, group, k); j++, from += RAYS_BLOCK) {
+            for (size_t j = 0; j < rows && !merit_rays_is_centred(rays, group, k);
+                 j++, from += RAYS_BLOCK) {
                 double sum = 0;
                 for (int i = 0; i < beam->count; i++) {
                     sum += weights[i] * from[i];
@@ -180,14 +182,14 @@ static void add_means(struct merit_rays *rays, size_t which, size_t rows)
 }
 
 /* One coordinate of the rays of one group in a block. */
-struct part {
+struct merit_rays_part {
     const double *rows, *means;
     double factors[RAYS_BLOCK];
     int count;
 };
 
-static void put_part(const struct part *part, size_t variable_count, double *residuals,
-                     double *jacobian)
+static void merit_rays_put_part(const struct merit_rays_part *part, size_t variable_count,
+                                double *residuals, double *jacobian)
 {
     for (int i = 0; i < part->count; i++) {
         residuals[i] = part->factors[i] * (part->rows[i] - part->means[0]);
@@ -211,7 +213,7 @@ static void put_block(const struct merit_rays *rays, size_t which, double deviat
         const struct bundle_group *group = &rays->beams.bundle.groups[share->group];
         const struct aimed_beam *beam = &block->aimed.beams[g];
         const int begin = first_output(rays, group);
-        struct part part = {.count = beam->count};
+        struct merit_rays_part part = {.count = beam->count};
         for (int i = 0; i < part.count; i++) {
             const double weight = group->points.points[share->first + (size_t)i].weight;
             part.factors[i] = sqrt(weight * group->weight) / unit;
@@ -221,8 +223,8 @@ static void put_block(const struct merit_rays *rays, size_t which, double deviat
             const size_t row = group->row + before + share->first;
             part.rows = rows_at(rays, which, k) + beam->first;
             part.means = means_at(rays, share->group, k);
-            put_part(&part, rays->variable_count, residuals + row,
-                     jacobian != NULL ? jacobian + row * rays->variable_count : NULL);
+            merit_rays_put_part(&part, rays->variable_count, residuals + row,
+                                jacobian != NULL ? jacobian + row * rays->variable_count : NULL);
         }
     }
 }
@@ -238,18 +240,18 @@ bool merit_fill_rays(struct merit *merit, const struct merit_slot *slot, double 
 {
     struct merit_rays *rays = slot->own;
     struct merit_bundle *bundle = &rays->beams.bundle;
-    const size_t rows = merit->derives ? rows_of(rays) : 1;
+    const size_t rows = merit->derives ? merit_rays_rows_of(rays) : 1;
     bundle->keeps = merit->places[slot->place].graze != NULL;
     if (!merit_rays_aim(merit, slot)) {
         return false;
     }
     memset(rays->means, 0,
-           bundle->group_count * (size_t)rays->outputs * rows_of(rays) * sizeof(double));
+           bundle->group_count * (size_t)rays->outputs * merit_rays_rows_of(rays) * sizeof(double));
     for (size_t k = 0; k < bundle->block_count; k++) {
         if (!trace_block(merit, slot, k, &merit->why)) {
             return false;
         }
-        add_means(rays, k, rows);
+        merit_rays_add_means(rays, k, rows);
     }
     for (size_t k = 0; k < bundle->block_count; k++) {
         put_block(rays, k, slot->operand->deviation, residuals, jacobian);

@@ -18,7 +18,7 @@ struct merit_edge_rays {
 };
 
 /* The plane of a field. */
-static void direction_of(const struct field_point *field, double towards[2])
+static void merit_reach_direction_of(const struct field_point *field, double towards[2])
 {
     const bool is_angle = field->kind == FIELD_ANGLE;
     const double x = is_angle ? tan(field->value[0]) : field->value[0];
@@ -28,12 +28,13 @@ static void direction_of(const struct field_point *field, double towards[2])
     towards[1] = size > 0 ? y / size : 1;
 }
 
-static struct merit_edge_rays *choose(const struct merit_place *place, struct arena *arena)
+static struct merit_edge_rays *merit_reach_choose(const struct merit_place *place,
+                                                  struct arena *arena)
 {
     struct merit_edge_rays *edges = ARENA_NEW(arena, struct merit_edge_rays);
     const struct field_point axis = {.kind = FIELD_NONE}, *edge = &place->setup.edge;
     double towards[2];
-    direction_of(edge, towards);
+    merit_reach_direction_of(edge, towards);
     edges->count = edge->kind == FIELD_NONE ? 1 : EDGE_RAYS;
     for (size_t i = 0; i < edges->count; i++) {
         const double side = i == LOWER ? -1 : 1;
@@ -58,13 +59,13 @@ bool merit_reach_open(struct merit *merit, const struct merit_slot *slot, struct
     }
     place->reach = ARENA_ARRAY(arena, columns * place->lens->surface_count, struct dual);
     if (place->lens->stop != LENS_NONE && merit_ray_check(place, &place->setup.edge, &ignored)) {
-        place->edges = choose(place, arena);
+        place->edges = merit_reach_choose(place, arena);
     }
     return true;
 }
 
-static struct merit_ray_question question_of(struct merit *merit, const struct merit_slot *slot,
-                                             size_t i)
+static struct merit_ray_question merit_reach_question_of(struct merit *merit,
+                                                         const struct merit_slot *slot, size_t i)
 {
     struct merit_edge_rays *edges = merit->places[slot->place].edges;
     return (struct merit_ray_question){.slot = slot,
@@ -75,7 +76,7 @@ static struct merit_ray_question question_of(struct merit *merit, const struct m
 }
 
 /* The ray that is farthest out. */
-static size_t farthest(const struct merit_front *front, double *height)
+static size_t merit_reach_farthest(const struct merit_front *front, double *height)
 {
     size_t which = 0;
     *height = -1;
@@ -89,8 +90,8 @@ static size_t farthest(const struct merit_front *front, double *height)
 }
 
 /* Its height and the derivatives of that. */
-static bool derive(struct merit *merit, const struct merit_ray_question *question, size_t surface,
-                   const struct merit_ray *start, struct dual *reach)
+static bool merit_reach_derive(struct merit *merit, const struct merit_ray_question *question,
+                               size_t surface, const struct merit_ray *start, struct dual *reach)
 {
     const size_t columns = merit_columns(merit);
     const size_t surfaces = merit->places[question->slot->place].lens->surface_count;
@@ -109,8 +110,8 @@ static bool derive(struct merit *merit, const struct merit_ray_question *questio
     return true;
 }
 
-static bool measure(struct merit *merit, const struct merit_slot *slot,
-                    struct merit_ray *const *starts, struct merit_front *front)
+static bool merit_reach_measure(struct merit *merit, const struct merit_slot *slot,
+                                struct merit_ray *const *starts, struct merit_front *front)
 {
     const struct merit_place *place = &merit->places[slot->place];
     for (size_t i = 0; i < place->lens->surface_count; i++) {
@@ -125,10 +126,11 @@ static bool measure(struct merit *merit, const struct merit_slot *slot,
         if (place->lens->surfaces[i].has_diameter) {
             continue;
         }
-        const size_t which = farthest(front, &height);
-        const struct merit_ray_question question = question_of(merit, slot, which);
+        const size_t which = merit_reach_farthest(front, &height);
+        const struct merit_ray_question question = merit_reach_question_of(merit, slot, which);
         place->reach[i] = dual_of(height);
-        if (merit->derives && !derive(merit, &question, i, starts[which], place->reach)) {
+        if (merit->derives &&
+            !merit_reach_derive(merit, &question, i, starts[which], place->reach)) {
             return false;
         }
     }
@@ -138,18 +140,18 @@ static bool measure(struct merit *merit, const struct merit_slot *slot,
 static bool find_edges(struct merit *merit, const struct merit_slot *slot)
 {
     const size_t count = merit->places[slot->place].edges->count;
-    const struct merit_ray_question first = question_of(merit, slot, 0);
+    const struct merit_ray_question first = merit_reach_question_of(merit, slot, 0);
     struct merit_ray *starts[EDGE_RAYS];
     struct merit_front front;
     for (size_t i = 0; i < count; i++) {
-        const struct merit_ray_question question = question_of(merit, slot, i);
+        const struct merit_ray_question question = merit_reach_question_of(merit, slot, i);
         starts[i] = ARENA_ARRAY(merit->arena, merit_columns(merit), struct merit_ray);
         if (!merit_ray_start(merit, &question, merit->arena, starts[i])) {
             return false;
         }
     }
     return merit_front_open(merit, &first, starts, count, &front) &&
-           measure(merit, slot, starts, &front);
+           merit_reach_measure(merit, slot, starts, &front);
 }
 
 bool merit_reach(struct merit *merit, const struct merit_slot *slot)

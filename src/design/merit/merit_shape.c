@@ -38,7 +38,8 @@ static bool space_behind(const struct lens *lens, size_t surface, struct space *
 }
 
 /* Does the operand look at this place of the space? */
-static bool is_wanted(enum operand_kind kind, const struct space *space, enum space_place place)
+static bool merit_shape_is_wanted(enum operand_kind kind, const struct space *space,
+                                  enum space_place place)
 {
     return kind == OPERAND_AIR ? space->is_air
                                : !space->is_air && (kind == OPERAND_EDGE) == (place == SPACE_EDGE);
@@ -103,8 +104,8 @@ static struct dual reach_of(const struct merit_place *place, size_t surface, siz
 }
 
 /* How far out the edge is. */
-static struct dual edge_of(const struct merit_place *place, const struct space *space,
-                           size_t column)
+static struct dual merit_shape_edge_of(const struct merit_place *place, const struct space *space,
+                                       size_t column)
 {
     const struct dual left = reach_of(place, space->left, column);
     const struct dual right = reach_of(place, space->right, column);
@@ -114,13 +115,13 @@ static struct dual edge_of(const struct merit_place *place, const struct space *
 /* -------- figures -------- */
 
 /* The thickness in one place, by all columns, into merit->change. */
-static void measure(struct merit *merit, const struct merit_place *place, const struct space *space,
-                    enum space_place where)
+static void merit_shape_measure(struct merit *merit, const struct merit_place *place,
+                                const struct space *space, enum space_place where)
 {
     const struct lens *lens = place->lens;
     const struct merit_light *light = &place->lights[0];
     const bool at_edge = where == SPACE_EDGE;
-    const double r = at_edge ? edge_of(place, space, 0).value : 0;
+    const double r = at_edge ? merit_shape_edge_of(place, space, 0).value : 0;
     const struct sag left = sag_at(&lens->surfaces[space->left], r);
     const struct sag right = sag_at(&lens->surfaces[space->right], r);
     double value = right.value - left.value;
@@ -128,7 +129,7 @@ static void measure(struct merit *merit, const struct merit_place *place, const 
         value += lens->surfaces[i].thickness.value.hi;
     }
     for (size_t j = 0; j < merit_columns(merit); j++) {
-        const double along = at_edge ? edge_of(place, space, j).slope : 0;
+        const double along = at_edge ? merit_shape_edge_of(place, space, j).slope : 0;
         merit->change[j].value = space->direction * value;
         merit->change[j].slope = space->direction * along * (right.by_radius - left.by_radius);
     }
@@ -150,7 +151,7 @@ static void measure(struct merit *merit, const struct merit_place *place, const 
 /* Is the light wanted for the edge of a space? */
 static bool wants_reach(const struct lens *lens, enum operand_kind kind, const struct space *space)
 {
-    return is_wanted(kind, space, SPACE_EDGE) &&
+    return merit_shape_is_wanted(kind, space, SPACE_EDGE) &&
            !(lens->surfaces[space->left].has_diameter && lens->surfaces[space->right].has_diameter);
 }
 
@@ -166,7 +167,8 @@ size_t merit_prepare_shape(struct merit *merit, struct merit_slot *slot, struct 
     surfaces_of(slot->operand, lens, &first, &end);
     for (size_t i = first; i < end && i < lens->surface_count; i++) {
         if (space_behind(lens, i, &space)) {
-            count += is_wanted(kind, &space, SPACE_AXIS) + is_wanted(kind, &space, SPACE_EDGE);
+            count += merit_shape_is_wanted(kind, &space, SPACE_AXIS) +
+                     merit_shape_is_wanted(kind, &space, SPACE_EDGE);
             reaches = reaches || wants_reach(lens, kind, &space);
         }
     }
@@ -191,10 +193,10 @@ bool merit_fill_shape(struct merit *merit, const struct merit_slot *slot, double
     for (size_t i = first; i < end && i < place->lens->surface_count; i++) {
         const bool is_there = space_behind(place->lens, i, &space);
         for (int where = 0; is_there && where < SPACE_PLACES; where++) {
-            if (!is_wanted(slot->operand->kind, &space, (enum space_place)where)) {
+            if (!merit_shape_is_wanted(slot->operand->kind, &space, (enum space_place)where)) {
                 continue;
             }
-            measure(merit, place, &space, (enum space_place)where);
+            merit_shape_measure(merit, place, &space, (enum space_place)where);
             if (!merit_put(merit, slot, at++, residuals, jacobian)) {
                 return fail(&merit->why, ERROR_DOMAIN,
                             "surface %zu or %zu does not reach as far out as its edge",

@@ -45,8 +45,9 @@ static bool set_sphere(const struct merit_spheres *spheres, double n, const stru
 }
 
 /* dR from that of e_z, which is r/n, and of the planes; the columns hold one part of all rays. */
-static void put_part(struct merit_spheres *spheres, const struct bundle_block *block,
-                     const struct bundle_links *links, int part, const struct ray_block *end)
+static void merit_sphere_put_part(struct merit_spheres *spheres, const struct bundle_block *block,
+                                  const struct bundle_links *links, int part,
+                                  const struct ray_block *end)
 {
     const struct merit_bundle *chief = &spheres->chief;
     const double n = chief->lights[0].system.index_last;
@@ -72,8 +73,8 @@ static void put_part(struct merit_spheres *spheres, const struct bundle_block *b
     }
 }
 
-static void derive(struct merit_spheres *spheres, size_t which, const struct bundle_links *links,
-                   const struct ray_block *end)
+static void merit_sphere_derive(struct merit_spheres *spheres, size_t which,
+                                const struct bundle_links *links, const struct ray_block *end)
 {
     const struct bundle_block *block = &spheres->chief.blocks[which];
     for (int part = 0; part < PARTS; part++) {
@@ -85,7 +86,7 @@ static void derive(struct merit_spheres *spheres, size_t which, const struct bun
         }
         merit_bundle_sweep(&spheres->chief, which, links, spheres->variable_count, &adjoint,
                            spheres->columns);
-        put_part(spheres, block, links, part, end);
+        merit_sphere_put_part(spheres, block, links, part, end);
     }
 }
 
@@ -108,7 +109,7 @@ bool merit_spheres_find(struct merit_spheres *spheres, const struct bundle_links
             }
         }
         if (derives) {
-            derive(spheres, k, links, &end);
+            merit_sphere_derive(spheres, k, links, &end);
         }
     }
     return true;
@@ -198,16 +199,18 @@ void merit_spheres_move(const struct merit_spheres *spheres, const struct merit_
 }
 
 /* A ray beside its sphere, as its direction to the centre is made of it. */
-struct meeting {
+struct sphere_crossing {
     double D[2], e[2], m[2];
     double along, over, root, q; /* over: s/R */
 };
 
-static struct meeting meet(const struct opd_reference *sphere, const struct ray_block *end, int i)
+static struct sphere_crossing merit_sphere_meet(const struct opd_reference *sphere,
+                                                const struct ray_block *end, int i)
 {
-    struct meeting at = {.D = {end->x[i] - sphere->centre[0], end->y[i] - sphere->centre[1]},
-                         .e = {end->p[i] / sphere->n, end->q[i] / sphere->n},
-                         .over = sphere->side / sphere->radius};
+    struct sphere_crossing at = {
+        .D = {end->x[i] - sphere->centre[0], end->y[i] - sphere->centre[1]},
+        .e = {end->p[i] / sphere->n, end->q[i] / sphere->n},
+        .over = sphere->side / sphere->radius};
     at.q = beside_of(sphere, end, i).q;
     at.along = at.D[0] * at.e[0] + at.D[1] * at.e[1];
     at.root = sqrt(1 - at.q * at.over * at.over);
@@ -227,7 +230,7 @@ void merit_spheres_meet(const struct merit_spheres *spheres, const struct merit_
         struct opd_reference sphere = spheres->list[field].sphere;
         sphere.n = bundle->lights[block->light].system.index_last;
         for (int i = beam->first; i < beam->first + beam->count; i++) {
-            const struct meeting at = meet(&sphere, end, i);
+            const struct sphere_crossing at = merit_sphere_meet(&sphere, end, i);
             for (int k = 0; k < 2; k++) {
                 to[k][i] = at.root * at.e[k] - at.over * at.m[k];
             }
@@ -236,7 +239,7 @@ void merit_spheres_meet(const struct merit_spheres *spheres, const struct merit_
 }
 
 /* By D and e, of one ray, through its direction to the centre. */
-static void meet_back(const struct opd_reference *sphere, const struct meeting *at,
+static void meet_back(const struct opd_reference *sphere, const struct sphere_crossing *at,
                       struct merit_spheres_by *by, int i, double by_e[2])
 {
     const double G[2] = {by->to[0][i], by->to[1][i]};
@@ -264,7 +267,7 @@ void merit_spheres_back(const struct merit_spheres *spheres, const struct merit_
         sphere.n = bundle->lights[block->light].system.index_last;
         for (int i = beam->first; i < beam->first + beam->count; i++) {
             const struct path_slopes path = path_slopes_of(&sphere, end, i);
-            const struct meeting at = meet(&sphere, end, i);
+            const struct sphere_crossing at = merit_sphere_meet(&sphere, end, i);
             double by_e[2] = {sphere.n * by->path[i] * path.p, sphere.n * by->path[i] * path.q};
             by->centre[0][i] = -by->path[i] * path.x;
             by->centre[1][i] = -by->path[i] * path.y;

@@ -32,8 +32,8 @@ static double *share_groups(const struct merit_bundle *bundle, struct arena *are
 }
 
 /* What the rays of a block count within the spot of their field. */
-static void weigh(const struct merit_bundle *bundle, const struct bundle_block *block,
-                  const double *shares, double *weights)
+static void merit_spots_weigh(const struct merit_bundle *bundle, const struct bundle_block *block,
+                              const double *shares, double *weights)
 {
     for (size_t g = 0; g < block->aimed.beam_count; g++) {
         const struct bundle_share *share = &block->shares[g];
@@ -56,12 +56,12 @@ struct merit_lines *merit_lines_open(const struct merit_slot *slot, struct arena
     lines->means = arena_array(arena, bundle->wish.field_count, sizeof *lines->means);
     lines->weights = ARENA_ARRAY(arena, bundle->block_count * RAYS_BLOCK, double);
     for (size_t k = 0; k < bundle->block_count; k++) {
-        weigh(bundle, &bundle->blocks[k], shares, lines->weights + k * RAYS_BLOCK);
+        merit_spots_weigh(bundle, &bundle->blocks[k], shares, lines->weights + k * RAYS_BLOCK);
     }
     return lines;
 }
 
-static bool trace(struct merit_lines *lines, size_t which, struct error *error)
+static bool merit_spots_trace(struct merit_lines *lines, size_t which, struct error *error)
 {
     struct merit_bundle *bundle = lines->bundle;
     const int lanes = bundle->blocks[which].aimed.lanes;
@@ -81,7 +81,7 @@ static bool trace(struct merit_lines *lines, size_t which, struct error *error)
 }
 
 /* x or y that is 0 in the mean of all that a folded group stands for. */
-static bool is_centred(const struct bundle_group *group, int part)
+static bool merit_spots_is_centred(const struct bundle_group *group, int part)
 {
     const enum merit_symmetry symmetry = group->points.symmetry;
     return symmetry == SYMMETRY_ROUND ||
@@ -97,7 +97,8 @@ struct lane_range {
     const struct bundle_group *group;
 };
 
-static struct lane_range range_of(const struct merit_lines *lines, size_t which, size_t share)
+static struct lane_range merit_spots_range_of(const struct merit_lines *lines, size_t which,
+                                              size_t share)
 {
     const struct bundle_block *block = &lines->bundle->blocks[which];
     const struct aimed_beam *beam = &block->aimed.beams[share];
@@ -110,11 +111,11 @@ static struct lane_range range_of(const struct merit_lines *lines, size_t which,
                                .group = group};
 }
 
-static void add_means(const struct lane_range *range, double *means)
+static void merit_spots_add_means(const struct lane_range *range, double *means)
 {
     for (int part = 0; part < LINE_PARTS; part++) {
         double sum = 0;
-        if (is_centred(range->group, part)) {
+        if (merit_spots_is_centred(range->group, part)) {
             continue;
         }
         for (int i = 0; i < range->count; i++) {
@@ -154,17 +155,17 @@ bool merit_spots_find(struct merit *merit, const struct merit_slot *slot, struct
     memset(lines->means, 0, bundle->wish.field_count * sizeof *lines->means);
     memset(spots, 0, bundle->wish.field_count * sizeof *spots);
     for (size_t k = 0; k < bundle->block_count; k++) {
-        if (!trace(lines, k, &merit->why)) {
+        if (!merit_spots_trace(lines, k, &merit->why)) {
             return false;
         }
         for (size_t g = 0; g < bundle->blocks[k].aimed.beam_count; g++) {
-            const struct lane_range range = range_of(lines, k, g);
-            add_means(&range, lines->means[range.field]);
+            const struct lane_range range = merit_spots_range_of(lines, k, g);
+            merit_spots_add_means(&range, lines->means[range.field]);
         }
     }
     for (size_t k = 0; k < bundle->block_count; k++) {
         for (size_t g = 0; g < bundle->blocks[k].aimed.beam_count; g++) {
-            const struct lane_range range = range_of(lines, k, g);
+            const struct lane_range range = merit_spots_range_of(lines, k, g);
             add_squares(&range, lines->means[range.field], &spots[range.field]);
         }
     }

@@ -10,7 +10,7 @@ size_t merit_columns(const struct merit *merit)
     return merit->derives ? merit->variable_count : 1;
 }
 
-static struct merit_light *find_light(struct merit_place *place, double wavelength)
+static struct merit_light *merit_state_find_light(struct merit_place *place, double wavelength)
 {
     struct merit_light *light = place->lights;
     while (!isnan(wavelength) && light->wavelength != wavelength) {
@@ -24,7 +24,7 @@ struct merit_light *merit_light(struct merit *merit, const struct merit_slot *sl
                                 double wavelength)
 {
     struct merit_place *place = &merit->places[slot->place];
-    struct merit_light *light = find_light(place, wavelength);
+    struct merit_light *light = merit_state_find_light(place, wavelength);
     if (merit->derives && light->linked != merit->evaluation) {
         const struct merit_by *by = merit->question.by;
         light->link_count =

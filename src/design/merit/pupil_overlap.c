@@ -57,12 +57,12 @@ void pupil_overlap_open(struct pupil_wave *wave, size_t lines, struct pupil_mirr
 
 /* -------- the edge -------- */
 
-static double cross(const double a[2], const double b[2])
+static double pupil_overlap_cross(const double a[2], const double b[2])
 {
     return a[0] * b[1] - a[1] * b[0];
 }
 
-static double dot(const double a[2], const double b[2])
+static double pupil_overlap_dot(const double a[2], const double b[2])
 {
     return a[0] * b[0] + a[1] * b[1];
 }
@@ -92,7 +92,7 @@ static void edge_find(const struct pupil_wave *wave, double turn, struct pupil_e
 }
 
 /* The turn of a direction, by arithmetic that is the same everywhere. */
-static double turn_of(double x, double y)
+static double pupil_overlap_turn_of(double x, double y)
 {
     const double size = sqrt(x * x + y * y);
     double turn = 0.125 * (fabs(y) - fabs(x)) / size + 0.125;
@@ -113,12 +113,12 @@ static const double enough = 1e-13;
 static bool find_left(const struct pupil_overlap *overlap, const struct pupil_edge *right,
                       double turn, struct pupil_edge *left)
 {
-    const double *shift = overlap->moved, size = sqrt(dot(shift, shift));
+    const double *shift = overlap->moved, size = sqrt(pupil_overlap_dot(shift, shift));
     for (int i = 0; i < STEPS; i++) {
         edge_find(overlap->wave, turn, left);
         const double way[2] = {left->at[0] - right->at[0], left->at[1] - right->at[1]};
-        const double miss = cross(shift, way) / size;
-        const double step = miss / (cross(shift, left->slope) / size);
+        const double miss = pupil_overlap_cross(shift, way) / size;
+        const double step = miss / (pupil_overlap_cross(shift, left->slope) / size);
         if (!(fabs(step) < 1)) {
             return false;
         }
@@ -140,12 +140,12 @@ static bool find_corner(const struct pupil_overlap *overlap, double right, doubl
         edge_find(overlap->wave, left, &corner[LEFT]);
         const double miss[2] = {shift[0] - corner[RIGHT].at[0] + corner[LEFT].at[0],
                                 shift[1] - corner[RIGHT].at[1] + corner[LEFT].at[1]};
-        const double area = cross(corner[RIGHT].slope, corner[LEFT].slope);
+        const double area = pupil_overlap_cross(corner[RIGHT].slope, corner[LEFT].slope);
         if (fabs(miss[0]) + fabs(miss[1]) <= enough) {
             return true;
         }
-        const double step[2] = {cross(miss, corner[LEFT].slope) / area,
-                                cross(miss, corner[RIGHT].slope) / area};
+        const double step[2] = {pupil_overlap_cross(miss, corner[LEFT].slope) / area,
+                                pupil_overlap_cross(miss, corner[RIGHT].slope) / area};
         const double most = fmax(fabs(step[0]), fabs(step[1]));
         if (!(most < 100)) {
             return false;
@@ -161,22 +161,22 @@ static bool find_corner(const struct pupil_overlap *overlap, double right, doubl
 /* Both corners, and whether there are any. */
 static bool find_corners(struct pupil_overlap *overlap, struct error *error)
 {
-    const double *shift = overlap->moved, size = sqrt(dot(shift, shift));
-    const double middle = turn_of(shift[0], shift[1]);
+    const double *shift = overlap->moved, size = sqrt(pupil_overlap_dot(shift, shift));
+    const double middle = pupil_overlap_turn_of(shift[0], shift[1]);
     struct pupil_edge right, left;
     edge_find(overlap->wave, middle, &right);
     if (!find_left(overlap, &right, middle + 0.5, &left)) {
         return fail(error, ERROR_DOMAIN, "the pupil is too distorted for contrast by waves");
     }
     const double way[2] = {right.at[0] - left.at[0], right.at[1] - left.at[1]};
-    const double chord = dot(way, shift) / size;
-    overlap->cutoff = chord / size * sqrt(dot(overlap->shift, overlap->shift));
+    const double chord = pupil_overlap_dot(way, shift) / size;
+    overlap->cutoff = chord / size * sqrt(pupil_overlap_dot(overlap->shift, overlap->shift));
     overlap->is_empty = !(size < chord);
     if (overlap->is_empty) {
         return true;
     }
     const double half = fmin(size / chord, 1);
-    const double angle = turn_of(half, sqrt((1 - half) * (1 + half)));
+    const double angle = pupil_overlap_turn_of(half, sqrt((1 - half) * (1 + half)));
     for (int side = 0; side < 2; side++) {
         const double beta = side == 0 ? -angle : angle;
         if (!find_corner(overlap, middle + beta, middle + 0.5 - beta, overlap->corners[side])) {
@@ -189,7 +189,7 @@ static bool find_corners(struct pupil_overlap *overlap, struct error *error)
 /* -------- the sum -------- */
 
 /* From the left edge to where the right one is, less the shift. */
-static void line_of(const struct pupil_overlap *overlap, size_t i, double along[2])
+static void pupil_overlap_line_of(const struct pupil_overlap *overlap, size_t i, double along[2])
 {
     for (int k = 0; k < 2; k++) {
         along[k] =
@@ -197,7 +197,7 @@ static void line_of(const struct pupil_overlap *overlap, size_t i, double along[
     }
 }
 
-static bool put_line(struct pupil_overlap *overlap, size_t i, struct error *error)
+static bool pupil_overlap_put_line(struct pupil_overlap *overlap, size_t i, struct error *error)
 {
     const struct pupil_edge(*corners)[2] = (const struct pupil_edge(*)[2])overlap->corners;
     const double from = corners[0][RIGHT].turn, range = corners[1][RIGHT].turn - from;
@@ -208,8 +208,9 @@ static bool put_line(struct pupil_overlap *overlap, size_t i, struct error *erro
     if (!find_left(overlap, right, other + back * overlap->angles[i], left)) {
         return fail(error, ERROR_DOMAIN, "the pupil is too distorted for contrast by waves");
     }
-    line_of(overlap, i, along);
-    const double area = cross(along, right->slope) * 2 * PI * range * overlap->angle_weights[i];
+    pupil_overlap_line_of(overlap, i, along);
+    const double area =
+        pupil_overlap_cross(along, right->slope) * 2 * PI * range * overlap->angle_weights[i];
     for (size_t k = 0; k < overlap->each; k++) {
         const size_t at = i * overlap->each + k, shifted = overlap->room + at;
         overlap->x[at] = left->at[0] + overlap->nodes[k] * along[0];
@@ -221,7 +222,7 @@ static bool put_line(struct pupil_overlap *overlap, size_t i, struct error *erro
     return true;
 }
 
-static void sum_up(struct pupil_overlap *overlap, bool derives)
+static void pupil_overlap_sum_up(struct pupil_overlap *overlap, bool derives)
 {
     const struct pupil_wave *wave = overlap->wave;
     const size_t room = overlap->room;
@@ -257,12 +258,12 @@ bool pupil_overlap_find(struct pupil_overlap *overlap, bool derives, struct erro
         return false;
     }
     for (size_t i = 0; i < overlap->lines && !overlap->is_empty; i++) {
-        if (!put_line(overlap, i, error)) {
+        if (!pupil_overlap_put_line(overlap, i, error)) {
             return false;
         }
     }
     if (!overlap->is_empty) {
-        sum_up(overlap, derives);
+        pupil_overlap_sum_up(overlap, derives);
     }
     return true;
 }
@@ -319,8 +320,8 @@ static void line_back(struct pupil_overlap *overlap, size_t i, double by_area,
         2 * PI * (overlap->corners[1][RIGHT].turn - overlap->corners[0][RIGHT].turn);
     double along[2], by_left[2] = {0}, by_along[2] = {0}, by_right[2];
     gather_points(overlap, i, all, by_left, by_along);
-    line_of(overlap, i, along);
-    const double share = by_area / cross(along, right->slope);
+    pupil_overlap_line_of(overlap, i, along);
+    const double share = by_area / pupil_overlap_cross(along, right->slope);
     const double by_slope[2] = {-share * along[1], share * along[0]};
     by_along[0] += share * right->slope[1];
     by_along[1] -= share * right->slope[0];
@@ -329,7 +330,8 @@ static void line_back(struct pupil_overlap *overlap, size_t i, double by_area,
         by_left[k] -= by_along[k];
         all->by_moved[k] -= by_along[k];
     }
-    const double slips = -dot(by_left, left->slope) / cross(shift, left->slope);
+    const double slips =
+        -pupil_overlap_dot(by_left, left->slope) / pupil_overlap_cross(shift, left->slope);
     const double way[2] = {left->at[0] - right->at[0], left->at[1] - right->at[1]};
     all->by_moved[0] += slips * way[1];
     all->by_moved[1] -= slips * way[0];
@@ -339,7 +341,8 @@ static void line_back(struct pupil_overlap *overlap, size_t i, double by_area,
     by_right[1] -= slips * shift[0];
     edge_back(overlap->wave, left, by_left, none);
     edge_back(overlap->wave, right, by_right, by_slope);
-    const double by_angle = dot(by_right, right->slope) + dot(by_slope, right->bend);
+    const double by_angle =
+        pupil_overlap_dot(by_right, right->slope) + pupil_overlap_dot(by_slope, right->bend);
     all->by_from += by_angle;
     all->by_range += overlap->angles[i] * by_angle + by_area / range;
 }
@@ -351,7 +354,7 @@ static void corner_back(struct pupil_overlap *overlap, size_t side, double by_an
     static const double none[2] = {0, 0};
     const struct pupil_edge *right = &overlap->corners[side][RIGHT];
     const struct pupil_edge *left = &overlap->corners[side][LEFT];
-    const double share = by_angle / cross(right->slope, left->slope);
+    const double share = by_angle / pupil_overlap_cross(right->slope, left->slope);
     const double by[2] = {share * left->slope[1], -share * left->slope[0]};
     const double less[2] = {-by[0], -by[1]};
     all->by_moved[0] += by[0];

@@ -117,19 +117,20 @@ static void fit_two(struct pupil_wave *wave, const struct pupil_fit *fit,
 }
 
 /* Points of the pupil: those of the rays, or the fine ones. */
-struct points {
+struct pupil_wave_points {
     size_t count;
     const double *x, *y;
 };
 
-static struct points points_of(const struct pupil_rule *rule)
+static struct pupil_wave_points pupil_wave_points_of(const struct pupil_rule *rule)
 {
-    return (struct points){rule->room, rule->x, rule->y};
+    return (struct pupil_wave_points){rule->room, rule->x, rule->y};
 }
 
 /* Two functions of the rays at points, and their slopes. */
-static void find_at(struct pupil_wave *wave, struct points at, const double *const values[2],
-                    double *const value[2], double *slope[2][2])
+static void pupil_wave_find_at(struct pupil_wave *wave, struct pupil_wave_points at,
+                               const double *const values[2], double *const value[2],
+                               double *slope[2][2])
 {
     const struct pupil_fit fit = fit_of_points(wave->rule, NULL);
     const struct pupil_look look = {
@@ -143,7 +144,7 @@ static void find_at(struct pupil_wave *wave, struct points at, const double *con
 }
 
 /* From coefficients in `sums` to what each ray is by: added to `back`. */
-static void rays_back(struct pupil_wave *wave, double *const back[2])
+static void pupil_wave_rays_back(struct pupil_wave *wave, double *const back[2])
 {
     const struct pupil_rule *rule = wave->rule;
     const struct pupil_fit fit = fit_of_points(rule, NULL);
@@ -160,8 +161,8 @@ static void rays_back(struct pupil_wave *wave, double *const back[2])
 }
 
 /* Backwards through find_at. */
-static void gather_at(struct pupil_wave *wave, struct points at, double *const by_value[2],
-                      double *by_slope[2][2])
+static void gather_at(struct pupil_wave *wave, struct pupil_wave_points at,
+                      double *const by_value[2], double *by_slope[2][2])
 {
     const struct pupil_look look = {
         .count = at.count,
@@ -179,7 +180,7 @@ static void slopes_back(struct pupil_wave *wave, double *by_slope[2][2],
     const struct pupil_form *form = &wave->rule->form;
     memset(wave->work[0], 0, wave->rule->room * sizeof(double));
     memset(wave->work[1], 0, wave->rule->room * sizeof(double));
-    gather_at(wave, points_of(wave->rule), wave->work, by_slope);
+    gather_at(wave, pupil_wave_points_of(wave->rule), wave->work, by_slope);
     for (int k = 0; k < 2 && by_rim != NULL; k++) {
         size_t term = 0;
         for (size_t i = 0; i < 2 * form->orders; i++) {
@@ -188,11 +189,11 @@ static void slopes_back(struct pupil_wave *wave, double *by_slope[2][2],
             }
         }
     }
-    rays_back(wave, back);
+    pupil_wave_rays_back(wave, back);
 }
 
 /* The edge of the places, from the coefficients in `sums`. */
-static void find_rim(struct pupil_wave *wave)
+static void pupil_wave_find_rim(struct pupil_wave *wave)
 {
     const struct pupil_form *form = &wave->rule->form;
     for (int k = 0; k < 2; k++) {
@@ -216,7 +217,7 @@ static void linear_shares(const struct pupil_rule *rule, size_t i, double shares
     shares[2] = 4 * rule->weights[i] * rule->y[i];
 }
 
-static bool find_places(struct pupil_wave *wave)
+static bool pupil_wave_find_places(struct pupil_wave *wave)
 {
     const struct pupil_rule *rule = wave->rule;
     double linear[2][3] = {{0}}, shares[3];
@@ -252,7 +253,7 @@ static bool find_energy(struct pupil_wave *wave, struct error *error)
     const double *const from[2] = {wave->parts[PUPIL_FROM_X], wave->parts[PUPIL_FROM_Y]};
     double sum = 0;
     bool is_one = true;
-    find_at(wave, points_of(rule), from, wave->work, wave->slope + 2);
+    pupil_wave_find_at(wave, pupil_wave_points_of(rule), from, wave->work, wave->slope + 2);
     wave->sign = area_at(wave->slope + 2, 0) < 0 ? -1 : 1;
     for (size_t i = 0; i < rule->count; i++) {
         const double area = wave->sign * area_at(wave->slope + 2, i);
@@ -288,12 +289,12 @@ bool pupil_wave_find(struct pupil_wave *wave, struct error *error)
         .y = wave->place[1],
         .value = {wave->rest[0], wave->rest[1]},
         .slope = {{wave->front[0][0], wave->front[0][1]}, {wave->front[1][0], wave->front[1][1]}}};
-    if (!find_places(wave) || !find_energy(wave, error)) {
+    if (!pupil_wave_find_places(wave) || !find_energy(wave, error)) {
         return error->code != ERROR_NONE ||
                fail(error, ERROR_DOMAIN, "all light comes from one direction");
     }
-    find_at(wave, points_of(rule), places, wave->work, wave->slope);
-    find_rim(wave);
+    pupil_wave_find_at(wave, pupil_wave_points_of(rule), places, wave->work, wave->slope);
+    pupil_wave_find_rim(wave);
     if (!find_amplitudes(wave, error)) {
         return false;
     }
@@ -436,9 +437,9 @@ void pupil_spot_open(const struct pupil_rule *rule, struct arena *arena, struct 
     }
 }
 
-static struct points fine_points_of(const struct pupil_rule *rule)
+static struct pupil_wave_points fine_points_of(const struct pupil_rule *rule)
 {
-    return (struct points){rule->fine_room, rule->fine_x, rule->fine_y};
+    return (struct pupil_wave_points){rule->fine_room, rule->fine_x, rule->fine_y};
 }
 
 bool pupil_spot_find(struct pupil_spot *spot, struct error *error)
@@ -449,8 +450,8 @@ bool pupil_spot_find(struct pupil_spot *spot, struct error *error)
     const double *const from[2] = {wave->parts[PUPIL_FROM_X], wave->parts[PUPIL_FROM_Y]};
     const double *const to[2] = {wave->parts[PUPIL_TO_X], wave->parts[PUPIL_TO_Y]};
     bool is_one = true;
-    find_at(wave, fine_points_of(rule), to, spot->place, none);
-    find_at(wave, fine_points_of(rule), from, spot->spare, spot->slope);
+    pupil_wave_find_at(wave, fine_points_of(rule), to, spot->place, none);
+    pupil_wave_find_at(wave, fine_points_of(rule), from, spot->spare, spot->slope);
     spot->sign = area_at(spot->slope, 0) < 0 ? -1 : 1;
     for (size_t i = 0; i < rule->fine_count; i++) {
         const double area = spot->sign * area_at(spot->slope, i);
@@ -478,7 +479,7 @@ void pupil_spot_back(struct pupil_spot *spot)
         memset(wave->back[part], 0, rule->room * sizeof(double));
     }
     gather_at(wave, fine_points_of(rule), spot->by_place, none);
-    rays_back(wave, wave->back + PUPIL_TO_X);
+    pupil_wave_rays_back(wave, wave->back + PUPIL_TO_X);
     gather_at(wave, fine_points_of(rule), spot->spare, spot->copy);
-    rays_back(wave, wave->back + PUPIL_FROM_X);
+    pupil_wave_rays_back(wave, wave->back + PUPIL_FROM_X);
 }

@@ -33,7 +33,8 @@ static void put_hill(const struct solver_problem *problem, const struct escape_h
 }
 
 /* The residuals of the problem, hills between them and the exact ones. */
-static bool evaluate(void *context, const double *parameters, double *residuals, double *jacobian)
+static bool escape_evaluate(void *context, const double *parameters, double *residuals,
+                            double *jacobian)
 {
     const struct escape *escape = context;
     const struct solver_problem *problem = escape->problem;
@@ -59,7 +60,7 @@ struct solver_problem escape_problem(struct escape *escape)
     struct solver_problem problem = *escape->problem;
     assert(problem.blocks == NULL && problem.scale != NULL);
     problem.residual_count += escape->count;
-    problem.evaluate = evaluate;
+    problem.evaluate = escape_evaluate;
     problem.context = escape;
     return problem;
 }

@@ -52,7 +52,7 @@ bool global_is_better(const struct global_minimum *one, const struct global_mini
 }
 
 /* A chain as it grows. */
-struct chaining {
+struct chain_state {
     const struct global_search *search;
     struct global_chain *chain;
     struct arena *arena;
@@ -61,9 +61,9 @@ struct chaining {
     struct escape_hill *hills;
 };
 
-static bool goes_on(void *context, const struct solver_progress *progress)
+static bool global_goes_on(void *context, const struct solver_progress *progress)
 {
-    struct chaining *chaining = context;
+    struct chain_state *chaining = context;
     const struct global_search *search = chaining->search;
     (void)progress;
     if (search->goes_on != NULL && !search->goes_on(search->context)) {
@@ -73,13 +73,13 @@ static bool goes_on(void *context, const struct solver_progress *progress)
 }
 
 /* Down from where it is. Result: false: there is no value, or it is to stop */
-static bool descend(struct chaining *chaining, const struct solver_problem *problem, int iterations,
-                    double gain, struct global_minimum *minimum)
+static bool global_chain_descend(struct chain_state *chaining, const struct solver_problem *problem,
+                                 int iterations, double gain, struct global_minimum *minimum)
 {
     const struct solver_options options = {.iterations = iterations,
                                            .function = gain,
                                            .lean = true,
-                                           .progress = goes_on,
+                                           .progress = global_goes_on,
                                            .progress_context = chaining};
     const struct arena_mark mark = arena_mark(chaining->arena);
     struct solver_summary summary;
@@ -95,13 +95,13 @@ static bool descend(struct chaining *chaining, const struct solver_problem *prob
 }
 
 /* Down to a minimum, which is kept if it is a new one. */
-static void find_minimum(struct chaining *chaining)
+static void find_minimum(struct chain_state *chaining)
 {
     const struct global_search *search = chaining->search;
     const size_t n = search->problem->parameter_count;
     struct global_chain *chain = chaining->chain;
     struct global_minimum found;
-    if (!descend(chaining, search->problem, search->iterations, least_gain, &found)) {
+    if (!global_chain_descend(chaining, search->problem, search->iterations, least_gain, &found)) {
         return;
     }
     for (size_t i = 0; i < chain->count; i++) {
@@ -116,7 +116,7 @@ static void find_minimum(struct chaining *chaining)
 }
 
 /* So far aside, in a direction by chance: on top of a hill nothing pulls. */
-static void step_aside(struct chaining *chaining, const double *from, uint32_t attempt,
+static void step_aside(struct chain_state *chaining, const double *from, uint32_t attempt,
                        double length)
 {
     const struct solver_problem *problem = chaining->search->problem;
@@ -145,7 +145,7 @@ static const struct global_minimum *best_of(const struct global_chain *chain)
 }
 
 /* One way out, from as far aside as there is a value. */
-static void find_way(struct chaining *chaining, uint32_t attempt)
+static void find_way(struct chain_state *chaining, uint32_t attempt)
 {
     const struct global_search *search = chaining->search;
     struct global_chain *chain = chaining->chain;
@@ -160,7 +160,7 @@ static void find_way(struct chaining *chaining, uint32_t attempt)
     const struct solver_problem problem = escape_problem(&escape);
     for (int i = 0; i < NEARER && !chain->is_stopped; i++, length /= 2) {
         step_aside(chaining, from->parameters, attempt, length);
-        if (descend(chaining, &problem, WAY_ITERATIONS, way_gain, &ignored)) {
+        if (global_chain_descend(chaining, &problem, WAY_ITERATIONS, way_gain, &ignored)) {
             find_minimum(chaining);
             return;
         }
@@ -171,12 +171,12 @@ void global_descend(const struct global_search *search, uint32_t number, const d
                     struct arena *arena, struct global_chain *chain)
 {
     const size_t n = search->problem->parameter_count, most = (size_t)search->escapes + 1;
-    struct chaining chaining = {.search = search,
-                                .chain = chain,
-                                .arena = arena,
-                                .number = number,
-                                .numbers = ARENA_ARRAY(arena, n, double),
-                                .hills = ARENA_ARRAY(arena, most, struct escape_hill)};
+    struct chain_state chaining = {.search = search,
+                                   .chain = chain,
+                                   .arena = arena,
+                                   .number = number,
+                                   .numbers = ARENA_ARRAY(arena, n, double),
+                                   .hills = ARENA_ARRAY(arena, most, struct escape_hill)};
     *chain = (struct global_chain){.minima = ARENA_ARRAY(arena, most, struct global_minimum)};
     memcpy(chaining.numbers, parameters, n * sizeof(double));
     find_minimum(&chaining);

@@ -28,7 +28,7 @@ static void take_column(const struct solver_rows *rows, size_t first, size_t col
 }
 
 /* The sum of products lane by lane, then of the lanes: one order for every instruction set. */
-static double dot(const double *restrict a, const double *restrict b)
+static double kernel_normal_dot(const double *restrict a, const double *restrict b)
 {
     double sums[LANES];
     for (size_t l = 0; l < LANES; l++) {
@@ -59,9 +59,9 @@ void NAMED(kernel_normal, KERNEL)(const struct solver_rows *rows, double *normal
         }
         for (size_t i = 0; i < n; i++) {
             const double *column = rows->room + i * SOLVER_ROWS;
-            gradient[i] += dot(column, residuals);
+            gradient[i] += kernel_normal_dot(column, residuals);
             for (size_t j = 0; j <= i && normal != NULL; j++) {
-                normal[i * n + j] += dot(column, rows->room + j * SOLVER_ROWS);
+                normal[i * n + j] += kernel_normal_dot(column, rows->room + j * SOLVER_ROWS);
             }
         }
     }

@@ -23,7 +23,7 @@ static bool is_on_bound(const struct solver_problem *problem, const double *para
 }
 
 /* Would the cost fall beyond the bound? */
-static bool falls_outwards(const struct solving *solving, const double *parameters, size_t i)
+static bool falls_outwards(const struct solver_state *solving, const double *parameters, size_t i)
 {
     const struct solver_problem *problem = solving->problem;
     return (parameters[i] <= solving_low(problem, i) && solving->gradient[i] > 0) ||
@@ -33,7 +33,7 @@ static bool falls_outwards(const struct solving *solving, const double *paramete
 /* Ends a round when the caller wants it, or when a parameter arrives at a bound. */
 static bool watch(void *context, int iteration, double cost, const double *parameters)
 {
-    struct solving *solving = context;
+    struct solver_state *solving = context;
     const struct solver_problem *problem = solving->problem;
     const struct solver_progress progress = {solving->done + iteration, cost, parameters};
     if (solving->options.progress != NULL &&
@@ -50,7 +50,7 @@ static bool watch(void *context, int iteration, double cost, const double *param
 }
 
 /* Hold what lies on a bound and is pushed against it. Result: how many are held newly. */
-static size_t hold(struct solving *solving, const double *parameters)
+static size_t hold(struct solver_state *solving, const double *parameters)
 {
     size_t count = 0;
     for (size_t i = 0; i < solving->problem->parameter_count; i++) {
@@ -64,7 +64,7 @@ static size_t hold(struct solving *solving, const double *parameters)
 }
 
 /* Let go what is held although the cost falls inwards. Result: how many. */
-static size_t release(struct solving *solving, const double *parameters)
+static size_t release(struct solver_state *solving, const double *parameters)
 {
     size_t count = 0;
     for (size_t i = 0; i < solving->problem->parameter_count; i++) {
@@ -77,7 +77,7 @@ static size_t release(struct solving *solving, const double *parameters)
     return count;
 }
 
-static size_t count_free(const struct solving *solving)
+static size_t count_free(const struct solver_state *solving)
 {
     size_t count = 0;
     for (size_t i = 0; i < solving->problem->parameter_count; i++) {
@@ -87,8 +87,8 @@ static size_t count_free(const struct solving *solving)
 }
 
 /* One round over the parameters that are not held. */
-static void run_round(struct solving *solving, double *parameters, struct solver_summary *summary,
-                      struct engine_run *run)
+static void run_round(struct solver_state *solving, double *parameters,
+                      struct solver_summary *summary, struct engine_run *run)
 {
     size_t n = solving->problem->parameter_count;
     bool *is_free = ARENA_ARRAY(solving->arena, n, bool);
@@ -115,7 +115,8 @@ static void run_round(struct solving *solving, double *parameters, struct solver
     solving->done = (int)summary->iterations;
 }
 
-static enum solver_status status_of(const struct solving *solving, const struct engine_run *run)
+static enum solver_status solver_status_of(const struct solver_state *solving,
+                                           const struct engine_run *run)
 {
     return solving->stopped            ? SOLVER_STOPPED
            : run->end == ENGINE_FAILED ? SOLVER_STUCK
@@ -123,15 +124,16 @@ static enum solver_status status_of(const struct solving *solving, const struct 
                                        : SOLVER_CONVERGED;
 }
 
-static void tell_end(const struct solving *solving, const struct engine_run *run,
+static void tell_end(const struct solver_state *solving, const struct engine_run *run,
                      struct solver_summary *summary)
 {
-    summary->status = status_of(solving, run);
+    summary->status = solver_status_of(solving, run);
     summary->message = arena_printf(solving->arena, "%s", run->message);
 }
 
 /* One round of an engine that keeps bounds by itself. */
-static void run_once(struct solving *solving, double *parameters, struct solver_summary *summary)
+static void solver_run_once(struct solver_state *solving, double *parameters,
+                            struct solver_summary *summary)
 {
     struct engine_run run;
     run_round(solving, parameters, summary, &run);
@@ -140,7 +142,8 @@ static void run_once(struct solving *solving, double *parameters, struct solver_
 }
 
 /* Rounds until no parameter is newly held and none wants to be let go. */
-static void run_rounds(struct solving *solving, double *parameters, struct solver_summary *summary)
+static void run_rounds(struct solver_state *solving, double *parameters,
+                       struct solver_summary *summary)
 {
     struct engine_run run = {.end = ENGINE_CONVERGED};
     double best = summary->initial_cost, cost = best;
@@ -191,7 +194,7 @@ static double or_usual(double value, double otherwise)
     return value > 0 ? value : otherwise;
 }
 
-static struct solver_options complete(const struct solver_options *options)
+static struct solver_options solver_complete(const struct solver_options *options)
 {
     struct solver_options all = options != NULL ? *options : usual;
     all.iterations = all.iterations > 0 ? all.iterations : usual.iterations;
@@ -208,7 +211,7 @@ bool solver_run(const struct solver_problem *problem, const struct solver_option
                 struct error *error)
 {
     size_t n = problem->parameter_count, m = problem->residual_count;
-    const struct solver_options all = complete(options);
+    const struct solver_options all = solver_complete(options);
     if (!solver_check(problem, &all, parameters, error)) {
         return false;
     }
@@ -216,26 +219,27 @@ bool solver_run(const struct solver_problem *problem, const struct solver_option
     if (problem->sides != NULL && !solver_engines[all.engine].keeps_bounds) {
         problem = &plain;
     }
-    struct solving solving = {.problem = problem,
-                              .engine = &solver_engines[all.engine],
-                              .options = all,
-                              .arena = arena,
-                              .residuals = ARENA_ARRAY(arena, m, double),
-                              .jacobian = ARENA_ARRAY(arena, m * n, double),
-                              .seen = ARENA_ARRAY(arena, n, double),
-                              .seen_cost = NAN,
-                              .gradient = ARENA_ARRAY(arena, n, double),
-                              .weights = ARENA_ARRAY(arena, m, double),
-                              .at_bound = ARENA_ARRAY(arena, n, bool),
-                              .multipliers = ARENA_ARRAY(arena, problem->exact_count + 1, double),
-                              .held = ARENA_ARRAY(arena, n, bool),
-                              .on = ARENA_ARRAY(arena, n, bool)};
+    struct solver_state solving = {.problem = problem,
+                                   .engine = &solver_engines[all.engine],
+                                   .options = all,
+                                   .arena = arena,
+                                   .residuals = ARENA_ARRAY(arena, m, double),
+                                   .jacobian = ARENA_ARRAY(arena, m * n, double),
+                                   .seen = ARENA_ARRAY(arena, n, double),
+                                   .seen_cost = NAN,
+                                   .gradient = ARENA_ARRAY(arena, n, double),
+                                   .weights = ARENA_ARRAY(arena, m, double),
+                                   .at_bound = ARENA_ARRAY(arena, n, bool),
+                                   .multipliers =
+                                       ARENA_ARRAY(arena, problem->exact_count + 1, double),
+                                   .held = ARENA_ARRAY(arena, n, bool),
+                                   .on = ARENA_ARRAY(arena, n, bool)};
     open_summary(summary, n, arena);
     if (!solving_look(&solving, parameters, &summary->initial_cost)) {
         return fail(error, ERROR_DOMAIN,
                     "the fit cannot begin: not all residuals and derivatives are numbers there");
     }
-    (solving.engine->keeps_bounds ? run_once : run_rounds)(&solving, parameters, summary);
+    (solving.engine->keeps_bounds ? solver_run_once : run_rounds)(&solving, parameters, summary);
     if (!all.lean && summary->status == SOLVER_CONVERGED &&
         solving_look(&solving, parameters, &summary->final_cost)) {
         solving_polish(&solving, parameters, summary->final_cost);

@@ -33,8 +33,8 @@ static bool check_blocks(const struct solver_problem *problem, struct error *err
                 solver_squares(problem));
 }
 
-static bool check_bounds(const struct solver_problem *problem, const double *parameters,
-                         struct error *error)
+static bool solver_check_bounds(const struct solver_problem *problem, const double *parameters,
+                                struct error *error)
 {
     for (size_t i = 0; i < problem->parameter_count; i++) {
         double low = solving_low(problem, i), high = solving_high(problem, i);
@@ -84,7 +84,7 @@ bool solver_check(const struct solver_problem *problem, const struct solver_opti
     if (n > SOLVER_COLUMNS || m > 100000000 / n) {
         return fail(error, ERROR_DOMAIN, "%zu residuals of %zu parameters are too many", m, n);
     }
-    return check_bounds(problem, parameters, error) && check_blocks(problem, error);
+    return solver_check_bounds(problem, parameters, error) && check_blocks(problem, error);
 }
 
 /* Residuals that count on one side only, for an engine that knows nothing of sides. */

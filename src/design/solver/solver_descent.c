@@ -47,7 +47,8 @@ double descent_height(const struct descent *descent, const struct place *place)
 }
 
 /* Derivatives here times residuals there. */
-static struct solver_rows rows_of(const struct descent *descent, const double *residuals)
+static struct solver_rows solver_descent_rows_of(const struct descent *descent,
+                                                 const double *residuals)
 {
     return (struct solver_rows){
         .rows = descent->squares,
@@ -74,7 +75,7 @@ static void set_scales(struct descent *descent)
 void descent_set_equations(struct descent *descent)
 {
     const size_t n = descent->n;
-    const struct solver_rows rows = rows_of(descent, descent->here.residuals);
+    const struct solver_rows rows = solver_descent_rows_of(descent, descent->here.residuals);
     solver_normal(&rows, descent->normal, descent->rest);
     set_scales(descent);
     solver_sided_set(&descent->sided, descent->jacobian);
@@ -109,7 +110,7 @@ static void add_pull(const struct descent *descent, double *gradient)
 
 void descent_carry(const struct descent *descent, const double *residuals, double *into)
 {
-    const struct solver_rows rows = rows_of(descent, residuals);
+    const struct solver_rows rows = solver_descent_rows_of(descent, residuals);
     solver_normal(&rows, NULL, into);
     for (size_t i = 0; i < descent->n; i++) {
         into[i] *= descent_scale(descent, i);

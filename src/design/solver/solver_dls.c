@@ -7,7 +7,7 @@
 #include <string.h>
 
 /* Go there. Result: false: there are no derivatives there */
-static bool accept(struct descent *descent, double gained)
+static bool solver_dls_accept(struct descent *descent, double gained)
 {
     const bool learns = descent->problem->scale != NULL;
     double *explained = descent->before;
@@ -43,14 +43,14 @@ static double longest(const struct descent *descent)
     return most;
 }
 
-static void end(struct engine_run *run, enum engine_end how, const char *why)
+static void solver_dls_end(struct engine_run *run, enum engine_end how, const char *why)
 {
     run->end = how;
     snprintf(run->message, sizeof run->message, "%s", why);
 }
 
 /* Does nothing pull at a parameter that is free? */
-static bool is_flat(const struct descent *descent)
+static bool solver_dls_is_flat(const struct descent *descent)
 {
     double most = 0;
     for (size_t i = 0; i < descent->n; i++) {
@@ -66,22 +66,23 @@ static bool has_arrived(struct descent *descent, double gain, double moved)
     const bool is_met = descent->exact == 0 || descent->here.excess <= DESCENT_MET;
     const bool small = gain <= options->function * (descent_height(descent, &descent->here) + gain);
     descent->steady = is_met && small ? descent->steady + 1 : 0;
-    return descent->steady >= 3 || (is_met && moved <= options->parameter) || is_flat(descent);
+    return descent->steady >= 3 || (is_met && moved <= options->parameter) ||
+           solver_dls_is_flat(descent);
 }
 
 /* A step that brings nothing. Result: shall a shorter one be tried? */
-static bool shorten(struct descent *descent, bool has_value, double promised)
+static bool solver_dls_shorten(struct descent *descent, bool has_value, double promised)
 {
     const double cost = descent_height(descent, &descent->here);
     /* rounding moves the cost by as much, or it is nothing against what it was */
     const bool blurred = promised <= 1e-8 * cost || cost <= 1e-20 * descent->first_cost;
     if (!isnan(promised) && !(promised > 1e-16 * cost)) {
-        end(descent->run, ENGINE_CONVERGED, "nothing more is gained");
+        solver_dls_end(descent->run, ENGINE_CONVERGED, "nothing more is gained");
         return false;
     }
     if (has_value && longest(descent) <= 1e-15) {
-        end(descent->run, blurred ? ENGINE_CONVERGED : ENGINE_FAILED,
-            blurred ? "nothing more is gained" : "no step lowers the cost");
+        solver_dls_end(descent->run, blurred ? ENGINE_CONVERGED : ENGINE_FAILED,
+                       blurred ? "nothing more is gained" : "no step lowers the cost");
         return false;
     }
     descent->damping *= has_value ? descent->growth : fmax(descent->growth, 8);
@@ -90,14 +91,14 @@ static bool shorten(struct descent *descent, bool has_value, double promised)
         descent->share /= 2; /* it went far for the exact residuals' sake */
     }
     if (!(descent->damping < 1e200)) {
-        end(descent->run, ENGINE_FAILED, "no step has a value");
+        solver_dls_end(descent->run, ENGINE_FAILED, "no step has a value");
         return false;
     }
     return true;
 }
 
 /* One step. Result: shall it go on? */
-static bool advance(struct descent *descent)
+static bool solver_dls_advance(struct descent *descent)
 {
     double promised;
     const bool has_value = descent_step(descent, &promised);
@@ -106,20 +107,20 @@ static bool advance(struct descent *descent)
     const double moved = longest(descent);
     descent->run->iterations++;
     if (!has_value || !(gain > 0)) {
-        return shorten(descent, has_value, promised);
+        return solver_dls_shorten(descent, has_value, promised);
     }
-    if (!accept(descent, gain / promised)) {
-        end(descent->run, ENGINE_FAILED, "there are no derivatives where the step led");
+    if (!solver_dls_accept(descent, gain / promised)) {
+        solver_dls_end(descent->run, ENGINE_FAILED, "there are no derivatives where the step led");
         return false;
     }
     if (has_arrived(descent, gain, moved)) {
-        end(descent->run, ENGINE_CONVERGED, "the cost does not change");
+        solver_dls_end(descent->run, ENGINE_CONVERGED, "the cost does not change");
         return false;
     }
     return true;
 }
 
-static void set_sides(const struct descent *descent)
+static void solver_dls_set_sides(const struct descent *descent)
 {
     const struct solver_problem *problem = descent->problem;
     for (size_t i = 0; i < descent->n; i++) {
@@ -145,21 +146,21 @@ void dls_minimize(struct engine_run *run)
         descent.here.parameters[i] = run->parameters[i];
     }
     if (!descent_measure(&descent, &descent.here, descent.jacobian)) {
-        end(run, ENGINE_FAILED, "there is no value at the start");
+        solver_dls_end(run, ENGINE_FAILED, "there is no value at the start");
         return;
     }
     descent.first_cost = descent.here.cost;
     descent_set_equations(&descent);
     descent_begin(&descent);
-    end(run, ENGINE_LIMIT, "as many iterations as allowed");
-    while (run->iterations < run->options.iterations && advance(&descent)) {
+    solver_dls_end(run, ENGINE_LIMIT, "as many iterations as allowed");
+    while (run->iterations < run->options.iterations && solver_dls_advance(&descent)) {
         if (!run->watch(run->watch_context, run->iterations, descent.here.cost,
                         descent.here.parameters)) {
-            end(run, ENGINE_WATCHED, "stopped");
+            solver_dls_end(run, ENGINE_WATCHED, "stopped");
             break;
         }
     }
     descent_finish(&descent);
     memcpy(run->parameters, descent.here.parameters, descent.n * sizeof(double));
-    set_sides(&descent);
+    solver_dls_set_sides(&descent);
 }

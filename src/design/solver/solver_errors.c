@@ -7,8 +7,8 @@
 #include <string.h>
 
 /* Derivatives by the parameters that are free, weighted: what the errors follow from. */
-static struct linear_factors factor_free(struct solving *solving, const size_t *free_of,
-                                         size_t count)
+static struct linear_factors solver_errors_factor_free(struct solver_state *solving,
+                                                       const size_t *free_of, size_t count)
 {
     size_t n = solving->problem->parameter_count, m = solving->problem->residual_count;
     double *a = ARENA_ARRAY(solving->arena, m * count + 1, double);
@@ -21,7 +21,7 @@ static struct linear_factors factor_free(struct solving *solving, const size_t *
     return linear_factor(a, m, count, solving->options.dependent, solving->arena);
 }
 
-static size_t list_free(const struct solving *solving, size_t *free_of)
+static size_t solver_errors_list_free(const struct solver_state *solving, size_t *free_of)
 {
     size_t count = 0;
     for (size_t i = 0; i < solving->problem->parameter_count; i++) {
@@ -37,15 +37,15 @@ static size_t list_free(const struct solving *solving, size_t *free_of)
  *
  * Result    what it promises to take off the sum of squares; NaN where there is no such step
  */
-static double newton_step(struct solving *solving, double *parameters)
+static double solver_errors_newton_step(struct solver_state *solving, double *parameters)
 {
     const struct solver_problem *problem = solving->problem;
     size_t n = problem->parameter_count, m = problem->residual_count;
     size_t *free_of = ARENA_ARRAY(solving->arena, n, size_t);
-    size_t count = list_free(solving, free_of);
+    size_t count = solver_errors_list_free(solving, free_of);
     double *b = ARENA_ARRAY(solving->arena, m, double);
     double *step = ARENA_ARRAY(solving->arena, count + 1, double), promise = 0;
-    const struct linear_factors factors = factor_free(solving, free_of, count);
+    const struct linear_factors factors = solver_errors_factor_free(solving, free_of, count);
     for (size_t i = 0; i < m; i++) {
         b[i] = -sqrt(solving->weights[i]) * solving->residuals[i];
     }
@@ -65,13 +65,13 @@ static double newton_step(struct solving *solving, double *parameters)
 /* By how much rounding moves a cost whose residuals are small differences, as of image points. */
 static const double blurred = 1e-8;
 
-void solving_polish(struct solving *solving, double *parameters, double cost)
+void solving_polish(struct solver_state *solving, double *parameters, double cost)
 {
     size_t n = solving->problem->parameter_count;
     double *next = ARENA_ARRAY(solving->arena, n, double), promised = INFINITY, there = cost;
     for (int i = 0; i < 20; i++) {
         memcpy(next, parameters, n * sizeof(double));
-        double promise = newton_step(solving, next);
+        double promise = solver_errors_newton_step(solving, next);
         if (!(promise < 0.5 * promised) || !solving_look(solving, next, &there) ||
             !(there <= cost * (1 + blurred))) {
             break;
@@ -84,7 +84,7 @@ void solving_polish(struct solving *solving, double *parameters, double cost)
     }
 }
 
-void solving_tell(const struct solving *solving, struct solver_summary *summary)
+void solving_tell(const struct solver_state *solving, struct solver_summary *summary)
 {
     const size_t squares = solver_squares(solving->problem);
     double sum = 0;
@@ -99,12 +99,13 @@ void solving_tell(const struct solving *solving, struct solver_summary *summary)
     }
 }
 
-void solving_errors(struct solving *solving, struct solver_summary *summary)
+void solving_errors(struct solver_state *solving, struct solver_summary *summary)
 {
     size_t n = solving->problem->parameter_count, m = solving->problem->residual_count;
     struct arena *arena = solving->arena;
-    size_t *free_of = ARENA_ARRAY(arena, n, size_t), count = list_free(solving, free_of);
-    const struct linear_factors factors = factor_free(solving, free_of, count);
+    size_t *free_of = ARENA_ARRAY(arena, n, size_t),
+           count = solver_errors_list_free(solving, free_of);
+    const struct linear_factors factors = solver_errors_factor_free(solving, free_of, count);
     double *inverse = ARENA_ARRAY(arena, count * count + 1, double);
     linear_normal_inverse(&factors, inverse, arena);
     summary->rank = factors.rank;

@@ -5,7 +5,7 @@
 
 #include <string.h>
 
-static bool all_finite(const double *values, size_t count)
+static bool solver_look_all_finite(const double *values, size_t count)
 {
     for (size_t i = 0; i < count; i++) {
         if (!isfinite(values[i])) {
@@ -15,7 +15,7 @@ static bool all_finite(const double *values, size_t count)
     return true;
 }
 
-bool solving_look(struct solving *solving, const double *parameters, double *cost)
+bool solving_look(struct solver_state *solving, const double *parameters, double *cost)
 {
     const struct solver_problem *problem = solving->problem;
     size_t n = problem->parameter_count, m = problem->residual_count;
@@ -27,7 +27,8 @@ bool solving_look(struct solving *solving, const double *parameters, double *cos
     memcpy(solving->seen, parameters, n * sizeof(double));
     solving->seen_cost = NAN;
     if (!problem->evaluate(problem->context, parameters, solving->residuals, solving->jacobian) ||
-        !all_finite(solving->residuals, m) || !all_finite(solving->jacobian, m * n)) {
+        !solver_look_all_finite(solving->residuals, m) ||
+        !solver_look_all_finite(solving->jacobian, m * n)) {
         return false;
     }
     *cost = solver_cost(problem, solving->residuals, solving->weights);
@@ -40,7 +41,7 @@ bool solving_look(struct solving *solving, const double *parameters, double *cos
             gradient[j] += r * row[j];
         }
     }
-    if (!isfinite(*cost) || !all_finite(solving->gradient, n)) {
+    if (!isfinite(*cost) || !solver_look_all_finite(solving->gradient, n)) {
         return false;
     }
     solving->seen_cost = *cost;

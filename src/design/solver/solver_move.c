@@ -29,7 +29,7 @@ static void damp(struct descent *descent)
 }
 
 /* Set parameters that much further, and not beyond bounds by rounding. */
-static void move(const struct descent *descent, const double *from, double *to)
+static void solver_move_move(const struct descent *descent, const double *from, double *to)
 {
     const struct solver_problem *problem = descent->problem;
     for (size_t i = 0; i < descent->n; i++) {
@@ -95,7 +95,7 @@ static bool return_to_exact(struct descent *descent)
             break;
         }
         memcpy(other, descent->there.parameters, descent->n * sizeof *d);
-        move(descent, other, descent->there.parameters);
+        solver_move_move(descent, other, descent->there.parameters);
         if (!descent_measure(descent, &descent->there, NULL)) {
             return false;
         }
@@ -147,7 +147,7 @@ bool descent_step(struct descent *descent, double *promised)
     if (creeps(descent, *promised)) {
         descent_bend(descent);
     }
-    move(descent, descent->here.parameters, descent->there.parameters);
+    solver_move_move(descent, descent->here.parameters, descent->there.parameters);
     if (!descent_measure(descent, &descent->there, NULL)) {
         return false;
     }

@@ -78,8 +78,8 @@ double solver_sided_gain(const struct solver_sided *sided, const double *residua
 }
 
 /* One step, with those that count. */
-static bool find(struct solver_sided *sided, const double *residuals, const double *h,
-                 const double *g, struct solver_step *step)
+static bool sided_bound_find(struct solver_sided *sided, const double *residuals, const double *h,
+                             const double *g, struct solver_step *step)
 {
     const size_t n = sided->columns;
     memcpy(sided->h, h, n * n * sizeof *h);
@@ -99,7 +99,8 @@ static bool find(struct solver_sided *sided, const double *residuals, const doub
 }
 
 /* Who counts where d leads. Result: are they others than before? */
-static bool choose(struct solver_sided *sided, const double *residuals, const double *d)
+static bool solver_sided_choose(struct solver_sided *sided, const double *residuals,
+                                const double *d)
 {
     bool changed = false;
     for (size_t k = 0; k < sided->count; k++) {
@@ -111,11 +112,12 @@ static bool choose(struct solver_sided *sided, const double *residuals, const do
 }
 
 /* Slope of the whole along the way from one step to another, a share of it on. */
-struct way {
+struct solver_sided_way {
     double slope, bend; /* of the quadratic form */
 };
 
-static double slope_at(const struct solver_sided *sided, const struct way *way, double share)
+static double solver_sided_slope_at(const struct solver_sided *sided,
+                                    const struct solver_sided_way *way, double share)
 {
     double sum = way->slope + share * way->bend;
     for (size_t k = 0; k < sided->count; k++) {
@@ -130,7 +132,7 @@ static double find_share(struct solver_sided *sided, const double *residuals, co
 {
     const size_t n = sided->columns;
     const double *from = sided->from;
-    struct way way = {0, 0};
+    struct solver_sided_way way = {0, 0};
     for (size_t i = 0; i < n; i++) {
         double at = g[i], on = 0;
         for (size_t j = 0; j < n; j++) {
@@ -145,9 +147,9 @@ static double find_share(struct solver_sided *sided, const double *residuals, co
         sided->along[k] = carried(sided, k, residuals, to) - sided->carried[k];
     }
     double low = 0, high = 1;
-    for (int i = 0; i < 50 && slope_at(sided, &way, 1) > 0; i++) {
+    for (int i = 0; i < 50 && solver_sided_slope_at(sided, &way, 1) > 0; i++) {
         const double middle = (low + high) / 2;
-        if (slope_at(sided, &way, middle) > 0) {
+        if (solver_sided_slope_at(sided, &way, middle) > 0) {
             high = middle;
         } else {
             low = middle;
@@ -157,7 +159,8 @@ static double find_share(struct solver_sided *sided, const double *residuals, co
 }
 
 /* Not so far; who is on its bound follows. */
-static void cut(const struct solver_sided *sided, double share, struct solver_step *step)
+static void solver_sided_cut(const struct solver_sided *sided, double share,
+                             struct solver_step *step)
 {
     for (size_t i = 0; i < sided->columns; i++) {
         const double d = sided->from[i] + share * (step->d[i] - sided->from[i]);
@@ -178,17 +181,17 @@ bool solver_sided_find(struct solver_sided *sided, const double *residuals, cons
         return solver_step_find(step);
     }
     memset(sided->from, 0, sided->columns * sizeof(double));
-    choose(sided, residuals, sided->from);
+    solver_sided_choose(sided, residuals, sided->from);
     for (int round = 0; round < ROUNDS; round++) {
-        if (!find(sided, residuals, h, g, step)) {
+        if (!sided_bound_find(sided, residuals, h, g, step)) {
             return false;
         }
         /* the first step meets conditions, which no step need do that lies before it */
         const double share = round > 0 ? find_share(sided, residuals, h, g, step->d) : 1;
         if (share < 1) {
-            cut(sided, share, step);
+            solver_sided_cut(sided, share, step);
         }
-        if (!choose(sided, residuals, step->d) && !(share < 1)) {
+        if (!solver_sided_choose(sided, residuals, step->d) && !(share < 1)) {
             break;
         }
         memcpy(sided->from, step->d, sided->columns * sizeof(double));

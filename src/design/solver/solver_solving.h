@@ -8,7 +8,7 @@
 #include <math.h>
 
 /* A problem being solved. */
-struct solving {
+struct solver_state {
     const struct solver_problem *problem;
     const struct engine *engine;
     struct solver_options options;
@@ -41,18 +41,18 @@ bool solver_check(const struct solver_problem *problem, const struct solver_opti
 struct solver_problem solver_without_sides(struct solver_problem *problem);
 
 /* Residuals, derivatives, weights and the gradient at these parameters; false: not all finite. */
-bool solving_look(struct solving *solving, const double *parameters, double *cost);
+bool solving_look(struct solver_state *solving, const double *parameters, double *cost);
 
 /*
  * Near the end the cost no longer tells better from worse, but the gradient does: a few undamped
  * steps, for as long as what the next one promises gets smaller.
  */
-void solving_polish(struct solving *solving, double *parameters, double cost);
+void solving_polish(struct solver_state *solving, double *parameters, double cost);
 
 /* What a summary says of the residuals where the solver looked last. */
-void solving_tell(const struct solving *solving, struct solver_summary *summary);
+void solving_tell(const struct solver_state *solving, struct solver_summary *summary);
 
 /* And of the errors of the parameters. */
-void solving_errors(struct solving *solving, struct solver_summary *summary);
+void solving_errors(struct solver_state *solving, struct solver_summary *summary);
 
 #endif

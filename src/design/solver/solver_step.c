@@ -37,7 +37,7 @@ void solver_step_open(struct solver_step *step, size_t count, size_t exact, stru
 }
 
 /* Who is free; the others lie at their bounds. */
-static void list_free(const struct solver_step *step)
+static void solver_step_list_free(const struct solver_step *step)
 {
     struct step_system *system = step->system;
     system->count = 0;
@@ -77,7 +77,7 @@ static bool factor_conditions(const struct solver_step *step)
     return cholesky_factor(system->inner, e);
 }
 
-static bool factor_free(const struct solver_step *step)
+static bool solver_step_factor_free(const struct solver_step *step)
 {
     const struct step_system *system = step->system;
     const size_t k = system->count;
@@ -91,7 +91,7 @@ static bool factor_free(const struct solver_step *step)
 }
 
 /* Slope of the quadratic form where d is. */
-static double slope_at(const struct solver_step *step, size_t i)
+static double solver_step_slope_at(const struct solver_step *step, size_t i)
 {
     double sum = step->g[i];
     for (size_t j = 0; j < step->count; j++) {
@@ -139,14 +139,14 @@ static bool solve_free(struct solver_step *step)
 {
     const struct step_system *system = step->system;
     const size_t k = system->count;
-    if (!factor_free(step)) {
+    if (!solver_step_factor_free(step)) {
         return false;
     }
     for (size_t i = 0; i < k; i++) {
         step->d[system->places[i]] = 0;
     }
     for (size_t i = 0; i < k; i++) {
-        system->right[i] = -slope_at(step, system->places[i]);
+        system->right[i] = -solver_step_slope_at(step, system->places[i]);
     }
     cholesky_forward(system->l, k, system->right);
     cholesky_backward(system->l, k, system->right);
@@ -163,7 +163,7 @@ static bool solve_free(struct solver_step *step)
 }
 
 /* Where this parameter belongs after what was found. */
-static enum step_side side_of(const struct solver_step *step, size_t i)
+static enum step_side solver_step_side_of(const struct solver_step *step, size_t i)
 {
     if (step->side[i] == STEP_FREE) {
         return step->d[i] < step->low[i]    ? STEP_AT_LOW
@@ -173,7 +173,7 @@ static enum step_side side_of(const struct solver_step *step, size_t i)
     if (!(step->low[i] < step->high[i])) {
         return step->side[i];
     }
-    double slope = slope_at(step, i);
+    double slope = solver_step_slope_at(step, i);
     for (size_t r = 0; r < step->exact; r++) {
         slope += step->multipliers[r] * step->slopes[r * step->count + i];
     }
@@ -187,7 +187,7 @@ static bool change_sides(struct solver_step *step, bool all)
     enum step_side *wanted = step->system->wanted;
     bool changed = false;
     for (size_t i = 0; i < step->count; i++) {
-        wanted[i] = side_of(step, i);
+        wanted[i] = solver_step_side_of(step, i);
     }
     for (size_t i = step->count; i-- > 0 && (all || !changed);) {
         changed = changed || wanted[i] != step->side[i];
@@ -200,7 +200,7 @@ bool solver_step_find(struct solver_step *step)
 {
     const int limit = 10 * (int)step->count + 20;
     for (int round = 0; round < limit; round++) {
-        list_free(step);
+        solver_step_list_free(step);
         if (!solve_free(step)) {
             return false;
         }

@@ -9,7 +9,7 @@
 #include <stddef.h>
 
 /* What moves: x, y, p, q and the path. */
-enum { BENT_PARTS = 5 };
+enum { LINEAR_RAYS_PARTS = 5 };
 
 /*
  * Move rays.

@@ -13,8 +13,8 @@
 static const double step = 0.5;
 
 /* What is known on the way. */
-struct developing {
-    const struct differential_problem *problem;
+struct expansion {
+    const struct second_order_problem *problem;
     double *errors;        /* of the lens looked at last */
     double *middle;        /* figures, as squares where they are roots, of the nominal lens, */
     double *above, *below; /* one step along each error: a row each, */
@@ -23,10 +23,10 @@ struct developing {
 };
 
 /* Two errors of this size; i may be j. */
-static bool look(const struct developing *developing, size_t i, size_t j, double size,
-                 double *figures)
+static bool differential_look(const struct expansion *developing, size_t i, size_t j, double size,
+                              double *figures)
 {
-    const struct differential_problem *problem = developing->problem;
+    const struct second_order_problem *problem = developing->problem;
     if (!watch_add(problem->watch, 1)) {
         return fail(developing->error, ERROR_DOMAIN,
                     "interrupted before all pairs of errors were looked at: no figures");
@@ -48,14 +48,15 @@ static bool look(const struct developing *developing, size_t i, size_t j, double
     return true;
 }
 
-static bool look_along(const struct developing *developing, size_t i,
-                       struct differential_form *forms)
+static bool differential_look_along(const struct expansion *developing, size_t i,
+                                    struct second_order_form *forms)
 {
     const size_t figures = developing->problem->figure_count, n = developing->problem->error_count;
     double *above = developing->above + i * figures, *below = developing->below + i * figures;
-    if (!look(developing, i, i, step, above) || !look(developing, i, i, -step, below) ||
-        !look(developing, i, i, 2 * step, developing->up) ||
-        !look(developing, i, i, -2 * step, developing->down)) {
+    if (!differential_look(developing, i, i, step, above) ||
+        !differential_look(developing, i, i, -step, below) ||
+        !differential_look(developing, i, i, 2 * step, developing->up) ||
+        !differential_look(developing, i, i, -2 * step, developing->down)) {
         return false;
     }
     for (size_t f = 0; f < figures; f++) {
@@ -67,12 +68,12 @@ static bool look_along(const struct developing *developing, size_t i,
     return true;
 }
 
-static bool look_across(const struct developing *developing, size_t i, size_t j,
-                        struct differential_form *forms)
+static bool differential_look_across(const struct expansion *developing, size_t i, size_t j,
+                                     struct second_order_form *forms)
 {
     const size_t figures = developing->problem->figure_count, n = developing->problem->error_count;
-    if (!look(developing, i, j, step, developing->up) ||
-        !look(developing, i, j, -step, developing->down)) {
+    if (!differential_look(developing, i, j, step, developing->up) ||
+        !differential_look(developing, i, j, -step, developing->down)) {
         return false;
     }
     for (size_t f = 0; f < figures; f++) {
@@ -86,20 +87,20 @@ static bool look_across(const struct developing *developing, size_t i, size_t j,
     return true;
 }
 
-static bool develop(const struct developing *developing, struct differential_form *forms)
+static bool develop(const struct expansion *developing, struct second_order_form *forms)
 {
-    if (!look(developing, 0, 0, 0, developing->middle)) {
+    if (!differential_look(developing, 0, 0, 0, developing->middle)) {
         return false;
     }
     for (size_t f = 0; f < developing->problem->figure_count; f++) {
         forms[f].value = developing->middle[f];
     }
     for (size_t i = 0; i < developing->problem->error_count; i++) {
-        if (!look_along(developing, i, forms)) {
+        if (!differential_look_along(developing, i, forms)) {
             return false;
         }
         for (size_t j = 0; j < i; j++) {
-            if (!look_across(developing, i, j, forms)) {
+            if (!differential_look_across(developing, i, j, forms)) {
                 return false;
             }
         }
@@ -115,11 +116,11 @@ static size_t rows_size(size_t n)
     return n + n * (n + 1) / 2;
 }
 
-static void lay_rows(const struct differential *differential)
+static void lay_rows(const struct second_order *differential)
 {
     const size_t n = differential->error_count;
     for (size_t f = 0; f < differential->figure_count; f++) {
-        const struct differential_form *form = &differential->forms[f];
+        const struct second_order_form *form = &differential->forms[f];
         double *row = differential->rows + f * rows_size(n);
         for (size_t i = 0; i < n; i++) {
             *row++ = form->slope[i];
@@ -130,24 +131,24 @@ static void lay_rows(const struct differential *differential)
     }
 }
 
-bool differential_open(const struct differential_problem *problem, struct arena *arena,
-                       struct differential *differential, struct error *error)
+bool second_order_open(const struct second_order_problem *problem, struct arena *arena,
+                       struct second_order *differential, struct error *error)
 {
     const size_t n = problem->error_count, figures = problem->figure_count;
-    const struct developing developing = {.problem = problem,
-                                          .errors = ARENA_ARRAY(arena, n + 1, double),
-                                          .middle = ARENA_ARRAY(arena, figures, double),
-                                          .above = ARENA_ARRAY(arena, n * figures, double),
-                                          .below = ARENA_ARRAY(arena, n * figures, double),
-                                          .up = ARENA_ARRAY(arena, figures, double),
-                                          .down = ARENA_ARRAY(arena, figures, double),
-                                          .error = error};
+    const struct expansion developing = {.problem = problem,
+                                         .errors = ARENA_ARRAY(arena, n + 1, double),
+                                         .middle = ARENA_ARRAY(arena, figures, double),
+                                         .above = ARENA_ARRAY(arena, n * figures, double),
+                                         .below = ARENA_ARRAY(arena, n * figures, double),
+                                         .up = ARENA_ARRAY(arena, figures, double),
+                                         .down = ARENA_ARRAY(arena, figures, double),
+                                         .error = error};
     *differential =
-        (struct differential){.error_count = n,
+        (struct second_order){.error_count = n,
                               .figure_count = figures,
                               .judged_count = problem->judged_count,
                               .is_root = problem->is_root,
-                              .forms = ARENA_ARRAY(arena, figures, struct differential_form),
+                              .forms = ARENA_ARRAY(arena, figures, struct second_order_form),
                               .rows = ARENA_ARRAY(arena, figures * rows_size(n), double)};
     for (size_t f = 0; f < figures; f++) {
         differential->forms[f].slope = ARENA_ARRAY(arena, n, double);
@@ -160,18 +161,18 @@ bool differential_open(const struct differential_problem *problem, struct arena 
     return true;
 }
 
-void differential_trials(const struct differential *differential, const double *errors,
+void second_order_trials(const struct second_order *differential, const double *errors,
                          double *figures)
 {
     kernel_differential *kernel = KERNEL_FOR(SET_BEST, kernel_differential);
     const size_t n = differential->error_count;
     for (size_t f = 0; f < differential->figure_count; f++) {
-        double *to = figures + f * DIFFERENTIAL_LANES;
-        for (size_t l = 0; l < DIFFERENTIAL_LANES; l++) {
+        double *to = figures + f * SECOND_ORDER_LANES;
+        for (size_t l = 0; l < SECOND_ORDER_LANES; l++) {
             to[l] = differential->forms[f].value;
         }
         kernel(differential->rows + f * rows_size(n), n, errors, to);
-        for (size_t l = 0; l < DIFFERENTIAL_LANES && differential->is_root[f]; l++) {
+        for (size_t l = 0; l < SECOND_ORDER_LANES && differential->is_root[f]; l++) {
             to[l] = sqrt(to[l] > 0 ? to[l] : 0);
         }
     }
@@ -180,35 +181,36 @@ void differential_trials(const struct differential *differential, const double *
 /* -------- who makes it spread -------- */
 
 /* The coefficient of a form, or its mean over all. */
-static double mean_of(const struct differential *differential, size_t figure, size_t i, size_t j)
+static double differential_mean_of(const struct second_order *differential, size_t figure, size_t i,
+                                   size_t j)
 {
     const size_t n = differential->error_count, all = differential->judged_count;
     const size_t first = figure == LENS_NONE ? 0 : figure;
     const size_t end = figure == LENS_NONE ? all : figure + 1;
     double sum = 0;
     for (size_t f = first; f < end; f++) {
-        const struct differential_form *form = &differential->forms[f];
+        const struct second_order_form *form = &differential->forms[f];
         sum += j == LENS_NONE ? form->slope[i] : form->curve[i * n + j];
     }
     return sum / (double)(end - first);
 }
 
-double differential_shares(const struct differential *differential,
+double second_order_shares(const struct second_order *differential,
                            const struct perturbation_moments *moments, size_t figure,
-                           struct differential_share *shares)
+                           struct second_order_share *shares)
 {
     const size_t n = differential->error_count;
     double variance = 0;
     memset(shares, 0, n * sizeof *shares);
     for (size_t i = 0; i < n; i++) {
         const double v = moments[i].second, w = moments[i].fourth;
-        const double slope = mean_of(differential, figure, i, LENS_NONE);
-        const double curve = mean_of(differential, figure, i, i);
+        const double slope = differential_mean_of(differential, figure, i, LENS_NONE);
+        const double curve = differential_mean_of(differential, figure, i, i);
         shares[i].first = slope * slope * v + curve * curve * (w - v * v) / 4;
         shares[i].total += shares[i].first;
         variance += shares[i].first;
         for (size_t j = 0; j < i; j++) {
-            const double cross = mean_of(differential, figure, i, j);
+            const double cross = differential_mean_of(differential, figure, i, j);
             const double both = cross * cross * v * moments[j].second;
             shares[i].total += both;
             shares[j].total += both;

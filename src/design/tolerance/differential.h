@@ -12,7 +12,7 @@
 #include <stddef.h>
 
 /* What a lens does that is made with errors. */
-struct differential_problem {
+struct second_order_problem {
     /* errors in units of their half ranges; the same figures whatever was asked before */
     bool (*trial)(void *context, const double *errors, double *figures, struct error *why);
     void *context;
@@ -24,18 +24,18 @@ struct differential_problem {
 };
 
 /* A function of errors p to second order: value + slope.p + p.curve p/2. */
-struct differential_form {
+struct second_order_form {
     double value;
     double *slope; /* one an error */
     double *curve; /* row by row, symmetric */
 };
 
 /* The lens as quadratic forms; of figures that are roots those of their squares. */
-struct differential {
+struct second_order {
     size_t error_count, figure_count, judged_count;
     const bool *is_root;
-    struct differential_form *forms; /* one a figure */
-    double *rows;                    /* internal: of the forms, for differential_trials */
+    struct second_order_form *forms; /* one a figure */
+    double *rows;                    /* internal: of the forms, for second_order_trials */
 };
 
 /*
@@ -53,24 +53,24 @@ struct differential {
  * Errors    ERROR_DOMAIN: a lens with one or two errors of half their range has no figures; or the
  *           watch stops it
  */
-bool differential_open(const struct differential_problem *problem, struct arena *arena,
-                       struct differential *differential, struct error *error);
+bool second_order_open(const struct second_order_problem *problem, struct arena *arena,
+                       struct second_order *differential, struct error *error);
 
 /* Trials are made so many at once. */
-enum { DIFFERENTIAL_LANES = 32 };
+enum { SECOND_ORDER_LANES = 32 };
 
 /*
- * Figures of DIFFERENTIAL_LANES trials.
+ * Figures of SECOND_ORDER_LANES trials.
  *
  * Given     errors   error_count rows of lanes
  *           figures  receives figure_count rows of lanes; a square that is below 0 to second order
  *                    counts as 0
  */
-void differential_trials(const struct differential *differential, const double *errors,
+void second_order_trials(const struct second_order *differential, const double *errors,
                          double *figures);
 
 /* What of the spread of a figure one error makes: shares of its variance. */
-struct differential_share {
+struct second_order_share {
     double first; /* by itself */
     double total; /* with what it does together with others: those count for both */
 };
@@ -86,9 +86,9 @@ struct differential_share {
  *           in the total also h_ij^2 v_i v_j of every j
  * Source    Sobol's indices of a quadratic form; derived here
  */
-double differential_shares(const struct differential *differential,
+double second_order_shares(const struct second_order *differential,
                            const struct perturbation_moments *moments, size_t figure,
-                           struct differential_share *shares);
+                           struct second_order_share *shares);
 
 /* Internal: one variant an instruction set; a row of coefficients after the other. */
 typedef void kernel_differential(const double *rows, size_t count, const double *errors,

@@ -25,7 +25,7 @@ struct irregularity_height irregularity_height(const struct irregularity *irregu
 }
 
 /* A surface that is moved: where it has its vertex, and its axes. */
-struct place {
+struct irregularity_place {
     struct surface_frame frame; /* own = turn (X - shift) */
     double inverse[9]; /* of the axes that its tilts are about: turns from those by tilts */
 };
@@ -47,10 +47,11 @@ static void invert(const double m[9], double inverse[9])
     }
 }
 
-static struct place place_of(const struct surface *surface)
+static struct irregularity_place irregularity_place_of(const struct surface *surface)
 {
     const struct displacement *decentre = surface->decentre;
-    struct place place = {.frame = frame_of(decentre != NULL ? decentre : &displacement_none, 0)};
+    struct irregularity_place place = {
+        .frame = frame_of(decentre != NULL ? decentre : &displacement_none, 0)};
     double axes[9];
     displacement_axes(decentre, axes);
     invert(axes, place.inverse);
@@ -58,7 +59,7 @@ static struct place place_of(const struct surface *surface)
 }
 
 /* The turn about a point that gives the surface there these slopes more, in its own frame. */
-static void turn_of(const double normal[3], const double slope[2], double turn[3])
+static void irregularity_turn_of(const double normal[3], const double slope[2], double turn[3])
 {
     const double sx = -normal[0] / normal[2], sy = -normal[1] / normal[2];
     const double over = 1 / (1 + sx * sx + sy * sy);
@@ -67,7 +68,7 @@ static void turn_of(const double normal[3], const double slope[2], double turn[3
     turn[2] = 0;
 }
 
-static void apply(const double m[9], const double v[3], double result[3])
+static void irregularity_apply(const double m[9], const double v[3], double result[3])
 {
     for (int i = 0; i < 3; i++) {
         result[i] = m[3 * i] * v[0] + m[3 * i + 1] * v[1] + m[3 * i + 2] * v[2];
@@ -82,17 +83,19 @@ static void apply_back(const double m[9], const double v[3], double result[3])
 }
 
 /* What a ray gains by each row that meets the surface at X, in the frame of the axis. */
-static void weigh(const struct irregularity *irregularity, const struct system *system,
-                  const struct place *place, const double X[3], double weights[IRREGULARITY_ROWS])
+static void irregularity_weights(const struct irregularity *irregularity,
+                                 const struct system *system,
+                                 const struct irregularity_place *place, const double X[3],
+                                 double weights[IRREGULARITY_ROWS])
 {
     const double *shift = place->frame.shift, *turn = place->frame.turn;
     const double from[3] = {X[0] - shift[0], X[1] - shift[1], X[2] - shift[2]};
     double at[3], seen[3], normal[3], own[3], w[3], along[3];
-    apply(turn, from, at);
+    irregularity_apply(turn, from, at);
     system_normal(system, irregularity->surface, X, seen);
-    apply(turn, seen, normal);
+    irregularity_apply(turn, seen, normal);
     const struct irregularity_height height = irregularity_height(irregularity, at[0], at[1]);
-    turn_of(normal, height.slope, own);
+    irregularity_turn_of(normal, height.slope, own);
     apply_back(turn, own, w);
     apply_back(turn, (double[3]){0, 0, height.z}, along);
     weights[0] = along[0] - (w[1] * from[2] - w[2] * from[1]);
@@ -107,11 +110,12 @@ void irregularity_weigh(const struct irregularity *irregularity,
     const struct system *system = sweep->system;
     const size_t step = system->begin[system_place(system, irregularity->surface) + 1];
     const struct ray_block *behind = &sweep->tape->blocks[step];
-    const struct place place = place_of(&system->lens->surfaces[irregularity->surface]);
+    const struct irregularity_place place =
+        irregularity_place_of(&system->lens->surfaces[irregularity->surface]);
     for (int i = 0; i < sweep->tape->lanes; i++) {
         const double X[3] = {behind->x[i], behind->y[i], behind->z[i]};
         double weights[IRREGULARITY_ROWS];
-        weigh(irregularity, system, &place, X, weights);
+        irregularity_weights(irregularity, system, &place, X, weights);
         for (size_t k = 0; k < IRREGULARITY_ROWS; k++) {
             all->rows[k][i] = weights[k];
         }

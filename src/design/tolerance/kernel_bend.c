@@ -29,8 +29,8 @@ void NAMED(kernel_bend, KERNEL)(const double *rows, const double *amounts, size_
 {
     const size_t stride = (size_t)lanes;
     for (int from = 0; from < lanes; from += RAYS_FEW) {
-        double change[BENT_PARTS][RAYS_FEW] = {{0}};
-        for (size_t k = 0; k < (path ? BENT_PARTS : BENT_PARTS - 1); k++) {
+        double change[LINEAR_RAYS_PARTS][RAYS_FEW] = {{0}};
+        for (size_t k = 0; k < (path ? LINEAR_RAYS_PARTS : LINEAR_RAYS_PARTS - 1); k++) {
             change_of(rows + k * count * stride + from, stride, amounts, count, change[k]);
         }
         for (int l = 0; l < RAYS_FEW; l++) {

@@ -5,7 +5,7 @@
 #define JOINED(a, b) a##_##b
 #define NAMED(a, b)  JOINED(a, b)
 
-enum { LANES = DIFFERENTIAL_LANES };
+enum { LANES = SECOND_ORDER_LANES };
 
 /* Row i: slope i, then what p0 .. pi are multiplied with. */
 void NAMED(kernel_differential, KERNEL)(const double *rows, size_t count, const double *errors,

@@ -9,12 +9,12 @@
 #include <stdlib.h>
 
 /* Which tolerance of one thing counts: the highest. */
-enum rank { RANK_GRADE, RANK_GRADE_AIR, RANK_RANGE, RANK_AIR, RANK_SINGLE };
+enum perturbation_rank { RANK_GRADE, RANK_GRADE_AIR, RANK_RANGE, RANK_AIR, RANK_SINGLE };
 
 /* A thing of the lens, with a tolerance of it. */
-struct entry {
+struct perturbation_entry {
     struct tolerance_place place;
-    enum rank rank;
+    enum perturbation_rank rank;
     size_t number; /* in the order of the lines */
     bool won;      /* over the grade's */
 };
@@ -25,14 +25,14 @@ enum { MOST_ENTRIES = 1000000 };
 struct work {
     struct tolerance_site site;
     const char *grade;
-    struct entry *entries;
+    struct perturbation_entry *entries;
     size_t count, room;
-    struct growing left_out;
+    struct text_buffer left_out;
 };
 
 /* A mark names its line, a grade itself. Returns false. */
-static bool refuse(const struct work *work, const struct entry *entry, const char *why,
-                   struct error *error)
+static bool perturbation_refuse(const struct work *work, const struct perturbation_entry *entry,
+                                const char *why, struct error *error)
 {
     const char *name = tolerance_place_name(&work->site, &entry->place);
     const struct lens_tolerance *from = entry->place.from;
@@ -52,10 +52,10 @@ static bool refuse(const struct work *work, const struct entry *entry, const cha
     return from->source != NULL && error_locate(error, from->source, from->line, from->column);
 }
 
-static bool put_entry(struct work *work, struct entry entry, struct error *error)
+static bool put_entry(struct work *work, struct perturbation_entry entry, struct error *error)
 {
     if (work->count == MOST_ENTRIES) {
-        return refuse(work, &entry, "there are more than a million", error);
+        return perturbation_refuse(work, &entry, "there are more than a million", error);
     }
     work->entries = arena_grow(work->site.arena, work->entries, work->count, &work->room,
                                sizeof work->entries[0]);
@@ -65,7 +65,7 @@ static bool put_entry(struct work *work, struct entry entry, struct error *error
 }
 
 /* A glass of which only the Abbe number is not known. */
-static void leave_out(struct work *work, const struct entry *entry)
+static void perturbation_leave_out(struct work *work, const struct perturbation_entry *entry)
 {
     struct tolerance_place glass = entry->place;
     glass.kind = TOLERANCE_INDEX;
@@ -76,7 +76,8 @@ static void leave_out(struct work *work, const struct entry *entry)
 }
 
 /* One thing of a tolerance. */
-static bool add(struct work *work, struct entry entry, struct error *error)
+static bool perturbation_add(struct work *work, struct perturbation_entry entry,
+                             struct error *error)
 {
     const struct lens_tolerance *from = entry.place.from;
     if (from->kind == TOLERANCE_THICKNESS) {
@@ -84,19 +85,20 @@ static bool add(struct work *work, struct entry entry, struct error *error)
     }
     const char *wrong = tolerance_place_wrong(&work->site, &entry.place);
     if (wrong != NULL && from->is_range) {
-        leave_out(work, &entry);
+        perturbation_leave_out(work, &entry);
         return true;
     }
-    return wrong != NULL ? refuse(work, &entry, wrong, error) : put_entry(work, entry, error);
+    return wrong != NULL ? perturbation_refuse(work, &entry, wrong, error)
+                         : put_entry(work, entry, error);
 }
 
 /* The elements from `first` to `last`: all of each. */
-static bool add_elements(struct work *work, struct entry entry, struct error *error)
+static bool add_elements(struct work *work, struct perturbation_entry entry, struct error *error)
 {
     const struct lens_tolerance *from = entry.place.from;
     const char *wrong = tolerance_place_wrong(&work->site, &entry.place);
     if (wrong != NULL) {
-        return refuse(work, &entry, wrong, error);
+        return perturbation_refuse(work, &entry, wrong, error);
     }
     for (size_t i = 0; i < work->site.element_count; i++) {
         const struct element *one = &work->site.elements[i];
@@ -111,24 +113,25 @@ static bool add_elements(struct work *work, struct entry entry, struct error *er
     return true;
 }
 
-static bool add_tolerance(struct work *work, const struct lens_tolerance *from, bool is_grade,
-                          struct error *error)
+static bool perturbation_add_tolerance(struct work *work, const struct lens_tolerance *from,
+                                       bool is_grade, struct error *error)
 {
     const bool is_air = from->kind == TOLERANCE_AIR;
-    const enum rank ranks[] = {is_air ? RANK_AIR : RANK_RANGE,
-                               is_air ? RANK_GRADE_AIR : RANK_GRADE};
-    struct entry entry = {.place = {from, from->kind, from->first, from->last},
-                          .rank = is_grade || from->is_range ? ranks[is_grade] : RANK_SINGLE};
+    const enum perturbation_rank ranks[] = {is_air ? RANK_AIR : RANK_RANGE,
+                                            is_air ? RANK_GRADE_AIR : RANK_GRADE};
+    struct perturbation_entry entry = {.place = {from, from->kind, from->first, from->last},
+                                       .rank = is_grade || from->is_range ? ranks[is_grade]
+                                                                          : RANK_SINGLE};
     const enum tolerance_owner owner = tolerance_type(from->kind)->owner;
     if (owner == TOLERANCE_OF_ELEMENT && from->is_range) {
         return add_elements(work, entry, error);
     }
     if (owner != TOLERANCE_OF_SURFACE) {
-        return add(work, entry, error);
+        return perturbation_add(work, entry, error);
     }
     for (size_t i = from->first; i <= from->last; i++) {
         entry.place.first = entry.place.last = i;
-        if (!add(work, entry, error)) {
+        if (!perturbation_add(work, entry, error)) {
             return false;
         }
     }
@@ -137,7 +140,7 @@ static bool add_tolerance(struct work *work, const struct lens_tolerance *from, 
 
 /* -------- as numbers -------- */
 
-static int by_thing(const struct entry *a, const struct entry *b)
+static int by_thing(const struct perturbation_entry *a, const struct perturbation_entry *b)
 {
     const struct tolerance_place *left = &a->place, *right = &b->place;
     const size_t keys[][2] = {{left->kind, right->kind},
@@ -155,7 +158,7 @@ static int by_thing(const struct entry *a, const struct entry *b)
 /* Of one thing that first which counts: of a grade fringes are for what nothing else is of. */
 static int by_rank(const void *left, const void *right)
 {
-    const struct entry *a = left, *b = right;
+    const struct perturbation_entry *a = left, *b = right;
     const int thing = by_thing(a, b);
     const bool a_last = a->rank <= RANK_GRADE_AIR && a->place.from->unit == TOLERANCE_FRINGES;
     const bool b_last = b->rank <= RANK_GRADE_AIR && b->place.from->unit == TOLERANCE_FRINGES;
@@ -166,24 +169,25 @@ static int by_rank(const void *left, const void *right)
 }
 
 /* Keep of each thing the one that counts. */
-static bool keep_first(struct work *work, struct error *error)
+static bool perturbation_keep_first(struct work *work, struct error *error)
 {
     size_t kept = 0;
     qsort(work->entries, work->count, sizeof work->entries[0], by_rank);
     for (size_t i = 0; i < work->count; i++) {
-        const struct entry *one = &work->entries[i];
-        struct entry *counts = kept > 0 ? &work->entries[kept - 1] : NULL;
+        const struct perturbation_entry *one = &work->entries[i];
+        struct perturbation_entry *counts = kept > 0 ? &work->entries[kept - 1] : NULL;
         if (counts == NULL || by_thing(counts, one) != 0) {
             work->entries[kept++] = *one;
             continue;
         }
         if (counts->rank == one->rank && one->rank > RANK_GRADE_AIR) {
             const struct lens_tolerance *first = counts->place.from;
-            return refuse(work, one,
-                          arena_printf(work->site.arena, "it has one already, in line %ld%s%s",
-                                       first->line, first->source != NULL ? " of " : "",
-                                       first->source != NULL ? first->source : ""),
-                          error);
+            return perturbation_refuse(
+                work, one,
+                arena_printf(work->site.arena, "it has one already, in line %ld%s%s", first->line,
+                             first->source != NULL ? " of " : "",
+                             first->source != NULL ? first->source : ""),
+                error);
         }
         counts->won = counts->won || (counts->rank > RANK_GRADE_AIR && one->rank <= RANK_GRADE_AIR);
     }
@@ -224,8 +228,8 @@ static struct components components_of(enum tolerance_kind kind)
     }
 }
 
-static bool emit(const struct work *work, const struct entry *entry,
-                 struct perturbations *perturbations, struct error *error)
+static bool perturbation_emit(const struct work *work, const struct perturbation_entry *entry,
+                              struct perturbations *perturbations, struct error *error)
 {
     const struct lens_tolerance *from = entry->place.from;
     struct lens_tolerance *line = ARENA_NEW(work->site.arena, struct lens_tolerance);
@@ -239,7 +243,7 @@ static bool emit(const struct work *work, const struct entry *entry,
                                .line = line};
     const char *wrong = tolerance_place_amount(&work->site, &entry->place, &one);
     if (wrong != NULL) {
-        return refuse(work, entry, wrong, error);
+        return perturbation_refuse(work, entry, wrong, error);
     }
     const struct components components = components_of(one.kind);
     for (size_t i = 0; i < components.count; i++) {
@@ -258,7 +262,7 @@ static bool emit(const struct work *work, const struct entry *entry,
 /* The names of those that won over the grade; null: none did. */
 static const char *won_over(const struct work *work)
 {
-    struct growing names = {.arena = work->site.arena};
+    struct text_buffer names = {.arena = work->site.arena};
     for (size_t i = 0; i < work->count; i++) {
         if (work->entries[i].won) {
             growing_format(&names, "%s%s", names.length > 0 ? ", " : "",
@@ -283,7 +287,7 @@ bool perturbations_of(const struct lens *lens, const struct perturbation_wish *w
         const bool is_grade = i < wish->of_grade.count;
         const struct lens_tolerance *from =
             is_grade ? &wish->of_grade.list[i] : &wish->marks.list[i - wish->of_grade.count];
-        if (!add_tolerance(&work, from, is_grade, error)) {
+        if (!perturbation_add_tolerance(&work, from, is_grade, error)) {
             return false;
         }
     }
@@ -293,13 +297,13 @@ bool perturbations_of(const struct lens *lens, const struct perturbation_wish *w
                           "give a grade, or lines 'tolerance R1 0.1%% uniform' in the lens or "
                           "in a file of their own");
     }
-    if (!keep_first(&work, error)) {
+    if (!perturbation_keep_first(&work, error)) {
         return false;
     }
     *perturbations = (struct perturbations){
         .list = ARENA_ARRAY(arena, 3 * work.count, struct perturbation), .won = won_over(&work)};
     for (size_t i = 0; i < work.count; i++) {
-        if (!emit(&work, &work.entries[i], perturbations, error)) {
+        if (!perturbation_emit(&work, &work.entries[i], perturbations, error)) {
             return false;
         }
     }

@@ -10,7 +10,7 @@ static bool is_motion(const struct perturbation *one)
     return one->kind == TOLERANCE_ELEMENT_TILT || one->kind == TOLERANCE_ELEMENT_DECENTER;
 }
 
-static bool is_of_medium(const struct perturbation *one)
+static bool perturbed_is_of_medium(const struct perturbation *one)
 {
     return one->kind == TOLERANCE_INDEX || one->kind == TOLERANCE_ABBE;
 }
@@ -25,13 +25,13 @@ static bool is_pose(enum parameter_kind kind)
     return kind >= PARAMETER_DECENTER_X && kind <= PARAMETER_TILT_Z;
 }
 
-static struct parameter thickness_of(size_t surface)
+static struct parameter perturbed_thickness_of(size_t surface)
 {
     return (struct parameter){surface, PARAMETER_THICKNESS, 0};
 }
 
 /* Which half of a decentre or a tilt. */
-static size_t part_of(const struct perturbation *one)
+static size_t perturbed_part_of(const struct perturbation *one)
 {
     return one->axis == PERTURBATION_Y ? 1 : 0;
 }
@@ -42,7 +42,7 @@ static size_t part_of(const struct perturbation *one)
 enum { KINDS_KEPT = 6 };
 
 /* The number, made where it is not there yet. */
-static size_t number_of(struct perturbed *perturbed, struct parameter what)
+static size_t perturbed_number_of(struct perturbed *perturbed, struct parameter what)
 {
     size_t i = 0;
     while (i < perturbed->number_count && (perturbed->numbers[i].what.surface != what.surface ||
@@ -65,7 +65,7 @@ static size_t motion_of(struct perturbed *perturbed, size_t at)
     for (size_t i = 0; i < at; i++) {
         const struct perturbation *other = &perturbed->list[i];
         if (other->kind == one->kind && other->thing == one->thing && other->first == one->first &&
-            other->last == one->last && part_of(other) != part_of(one)) {
+            other->last == one->last && perturbed_part_of(other) != perturbed_part_of(one)) {
             return perturbed->target[i];
         }
     }
@@ -87,10 +87,10 @@ static bool add_motion(struct perturbed *perturbed, size_t at, struct error *err
     perturbed->target[at] = motion_of(perturbed, at);
     for (size_t i = one->first; i <= one->last; i++) {
         perturbed->is_posed[i] = true;
-        number_of(perturbed, thickness_of(i));
+        perturbed_number_of(perturbed, perturbed_thickness_of(i));
     }
     if (one->first > 0) {
-        number_of(perturbed, thickness_of(one->first - 1));
+        perturbed_number_of(perturbed, perturbed_thickness_of(one->first - 1));
     }
     return true;
 }
@@ -116,21 +116,21 @@ static bool add_medium(struct perturbed *perturbed, size_t at, struct error *err
                 one->name, space);
 }
 
-static bool add(struct perturbed *perturbed, size_t at, struct error *error)
+static bool perturbed_add(struct perturbed *perturbed, size_t at, struct error *error)
 {
     const struct perturbation *one = &perturbed->list[at];
     perturbed->target[at] = LENS_NONE;
     if (is_motion(one)) {
         return add_motion(perturbed, at, error);
     }
-    if (is_of_medium(one)) {
+    if (perturbed_is_of_medium(one)) {
         return add_medium(perturbed, at, error);
     }
     if (one->kind == TOLERANCE_FOCUS) {
-        const struct parameter last = thickness_of(perturbed->lens->surface_count - 1);
-        perturbed->target[at] = number_of(perturbed, last);
+        const struct parameter last = perturbed_thickness_of(perturbed->lens->surface_count - 1);
+        perturbed->target[at] = perturbed_number_of(perturbed, last);
     } else if (one->kind != TOLERANCE_IRREGULARITY) {
-        perturbed->target[at] = number_of(perturbed, one->what);
+        perturbed->target[at] = perturbed_number_of(perturbed, one->what);
         perturbed_keep(perturbed, one->what);
     }
     return true;
@@ -142,7 +142,7 @@ static bool add_all(struct perturbed *perturbed, struct error *error)
     for (int bends = 1; bends >= 0; bends--) {
         for (size_t i = 0; i < perturbed->count; i++) {
             const bool is_radius = perturbed->list[i].what.kind == PARAMETER_RADIUS;
-            if (is_radius == (bends == 1) && !add(perturbed, i, error)) {
+            if (is_radius == (bends == 1) && !perturbed_add(perturbed, i, error)) {
                 return false;
             }
         }
@@ -176,7 +176,7 @@ bool perturbed_open(const struct perturbed_question *question, struct arena *are
 
 void perturbed_keep(struct perturbed *perturbed, struct parameter what)
 {
-    number_of(perturbed, what);
+    perturbed_number_of(perturbed, what);
     if (is_pose(what.kind)) {
         perturbed->is_posed[what.surface] = true;
     }
@@ -184,7 +184,7 @@ void perturbed_keep(struct perturbed *perturbed, struct parameter what)
 
 /* -------- adding up -------- */
 
-static void add_up(struct perturbed *perturbed, const double *errors)
+static void perturbed_add_up(struct perturbed *perturbed, const double *errors)
 {
     for (size_t i = 0; i < perturbed->number_count; i++) {
         perturbed->numbers[i].sum = 0;
@@ -199,10 +199,10 @@ static void add_up(struct perturbed *perturbed, const double *errors)
         const size_t target = perturbed->target[i];
         const double error = one->amount * errors[i];
         if (one->kind == TOLERANCE_ELEMENT_TILT) {
-            perturbed->motions[target].tilt[part_of(one)] += error;
+            perturbed->motions[target].tilt[perturbed_part_of(one)] += error;
         } else if (one->kind == TOLERANCE_ELEMENT_DECENTER) {
-            perturbed->motions[target].shift[part_of(one)] += error;
-        } else if (is_of_medium(one)) {
+            perturbed->motions[target].shift[perturbed_part_of(one)] += error;
+        } else if (perturbed_is_of_medium(one)) {
             perturbed->off[target][one->kind == TOLERANCE_ABBE ? 1 : 0] += error;
         } else if (target != LENS_NONE) {
             perturbed->numbers[target].sum += error;
@@ -213,7 +213,7 @@ static void add_up(struct perturbed *perturbed, const double *errors)
 /* -------- poses -------- */
 
 /* Rx(a) Ry(b) Rz(c), row by row, as trace/frames.h has it. */
-static void turn_of(const double tilt[3], double turn[9])
+static void perturbed_turn_of(const double tilt[3], double turn[9])
 {
     const double sa = sin(tilt[0]), ca = cos(tilt[0]), sb = sin(tilt[1]), cb = cos(tilt[1]);
     const double sc = tilt[2] != 0 ? sin(tilt[2]) : 0, cc = tilt[2] != 0 ? cos(tilt[2]) : 1;
@@ -230,8 +230,8 @@ static void turn_of(const double tilt[3], double turn[9])
 }
 
 /* Less the axial place that it would have unturned: 1 - cos without loss of digits. */
-static void move(const struct perturbed_motion *motion, double from_pivot, bool is_round,
-                 struct perturbed_pose *pose)
+static void perturbed_move(const struct perturbed_motion *motion, double from_pivot, bool is_round,
+                           struct perturbed_pose *pose)
 {
     const double tilt[3] = {motion->tilt[0], motion->tilt[1], 0};
     if (tilt[0] == 0 && tilt[1] == 0) {
@@ -240,8 +240,8 @@ static void move(const struct perturbed_motion *motion, double from_pivot, bool 
         return;
     }
     double R[9], M[9], T[9];
-    turn_of(tilt, R);
-    turn_of(pose->tilt, M);
+    perturbed_turn_of(tilt, R);
+    perturbed_turn_of(pose->tilt, M);
     for (int i = 0; i < 3; i++) {
         for (int j = 0; j < 3; j++) {
             T[3 * i + j] = R[3 * i] * M[j] + R[3 * i + 1] * M[3 + j] + R[3 * i + 2] * M[6 + j];
@@ -302,7 +302,7 @@ static void move_all(struct perturbed *perturbed, const struct lens *lens)
         const struct perturbed_motion *motion = &perturbed->motions[m];
         for (size_t i = motion->first; i <= motion->last; i++) {
             const double z = place_within(lens, motion->first, i) - motion->pivot;
-            move(motion, z, surface_is_round(&lens->surfaces[i]), &perturbed->poses[i]);
+            perturbed_move(motion, z, surface_is_round(&lens->surfaces[i]), &perturbed->poses[i]);
         }
     }
 }
@@ -354,7 +354,7 @@ static void restore(const struct surface *from, struct parameter what, struct su
     }
 }
 
-static void put_numbers(struct perturbed *perturbed, size_t position)
+static void perturbed_put_numbers(struct perturbed *perturbed, size_t position)
 {
     struct lens_numbers *lens = &perturbed->lenses[position];
     const struct lens *base = perturbed->at[position];
@@ -394,8 +394,8 @@ static void put_places(struct perturbed *perturbed, struct lens_numbers *lens)
         const double behind = i + 1 < count ? perturbed->poses[i + 1].z : 0;
         const double more = behind - perturbed->poses[i].z;
         if (more != 0) {
-            const double now = parameter_get(&lens->lens, thickness_of(i));
-            lens_numbers_set(lens, thickness_of(i), now + more);
+            const double now = parameter_get(&lens->lens, perturbed_thickness_of(i));
+            lens_numbers_set(lens, perturbed_thickness_of(i), now + more);
         }
     }
 }
@@ -403,10 +403,10 @@ static void put_places(struct perturbed *perturbed, struct lens_numbers *lens)
 void perturbed_put(struct perturbed *perturbed, const double *errors)
 {
     const size_t count = perturbed->lens->surface_count;
-    add_up(perturbed, errors);
+    perturbed_add_up(perturbed, errors);
     for (size_t p = 0; p < perturbed->position_count; p++) {
         struct lens_numbers *lens = &perturbed->lenses[p];
-        put_numbers(perturbed, p);
+        perturbed_put_numbers(perturbed, p);
         put_media(perturbed, p);
         begin_poses(perturbed, perturbed->at[p]);
         move_all(perturbed, &lens->lens);
@@ -425,7 +425,7 @@ static size_t motion_links(const struct perturbed *perturbed, const struct pertu
                            struct perturbed_link *links)
 {
     const struct lens *lens = &perturbed->lenses[0].lens;
-    const bool is_tilt = one->kind == TOLERANCE_ELEMENT_TILT, is_y = part_of(one) == 1;
+    const bool is_tilt = one->kind == TOLERANCE_ELEMENT_TILT, is_y = perturbed_part_of(one) == 1;
     size_t count = 0;
     for (size_t i = one->first; i <= one->last; i++) {
         const double z = place_within(lens, one->first, i) - one->pivot;
@@ -452,7 +452,8 @@ size_t perturbed_links(const struct perturbed *perturbed, size_t perturbation,
         return 0;
     }
     const size_t target = perturbed->target[perturbation];
-    const struct parameter what = is_of_medium(one) ? one->what : perturbed->numbers[target].what;
+    const struct parameter what =
+        perturbed_is_of_medium(one) ? one->what : perturbed->numbers[target].what;
     links[0] = (struct perturbed_link){what, one->amount};
     return 1;
 }

@@ -8,7 +8,7 @@
 /* -------- what each costs -------- */
 
 /* Figures of a lens with one error. */
-static bool try_one(const struct differential_problem *problem, size_t i, double size,
+static bool try_one(const struct second_order_problem *problem, size_t i, double size,
                     double *errors, double *figures, struct error *why)
 {
     memset(errors, 0, problem->error_count * sizeof(double));
@@ -41,7 +41,7 @@ static struct sensitivity of_figure(const double values[SIDES], double nominal, 
     return all;
 }
 
-size_t sensitivity_find(const struct differential_problem *problem, const double *nominal,
+size_t sensitivity_find(const struct second_order_problem *problem, const double *nominal,
                         struct arena *arena, struct sensitivity *table, const char **failure)
 {
     const size_t figures = problem->figure_count;
@@ -73,13 +73,13 @@ size_t sensitivity_find(const struct differential_problem *problem, const double
 
 /* -------- what they may cost -------- */
 
-struct searching {
+struct inverse_search {
     const struct inverse_question *question;
     double *errors, *figures;
 };
 
 /* The worse of both ends of one error; infinite: there is no lens. 0 at least. */
-static double cost_of_one(const struct searching *searching, size_t i, double factor)
+static double cost_of_one(const struct inverse_search *searching, size_t i, double factor)
 {
     const struct inverse_question *question = searching->question;
     double worst = 0;
@@ -98,7 +98,8 @@ static double cost_of_one(const struct searching *searching, size_t i, double fa
 }
 
 /* Of all errors of a tolerance. */
-static double cost_of(const struct searching *searching, size_t thing, double factor)
+static double sensitivity_cost_of(const struct inverse_search *searching, size_t thing,
+                                  double factor)
 {
     double sum = 0;
     for (size_t i = 0; i < searching->question->problem->error_count; i++) {
@@ -111,13 +112,13 @@ static double cost_of(const struct searching *searching, size_t thing, double fa
 }
 
 /* The factor between two whose cost is nearest below the share. */
-static double factor_of(const struct searching *searching, size_t i, double share)
+static double sensitivity_factor_of(const struct inverse_search *searching, size_t i, double share)
 {
     enum { HALVES = 40 };
     double low = searching->question->low[i], high = searching->question->high[i];
     for (int k = 0; k < HALVES && high > low * (1 + 1e-9); k++) {
         const double middle = sqrt(low * high);
-        *(cost_of(searching, i, middle) > share ? &high : &low) = middle;
+        *(sensitivity_cost_of(searching, i, middle) > share ? &high : &low) = middle;
     }
     return low;
 }
@@ -134,7 +135,7 @@ static double limited(const struct bounds *bounds, double share)
 }
 
 /* The share with which they cost the drop together: their sum of squares grows with it. */
-static double share_of(const struct bounds *bounds, size_t count, double drop)
+static double sensitivity_share_of(const struct bounds *bounds, size_t count, double drop)
 {
     enum { HALVES = 60 };
     const double least = 1e-3; /* of the drop: nothing is made better for less */
@@ -154,27 +155,28 @@ double inverse_find(const struct inverse_question *question, struct arena *arena
                     struct inverse *answers)
 {
     const size_t n = question->thing_count;
-    const struct searching searching = {
+    const struct inverse_search searching = {
         question, ARENA_ARRAY(arena, question->problem->error_count, double),
         ARENA_ARRAY(arena, question->problem->figure_count, double)};
     struct bounds *bounds = ARENA_ARRAY(arena, n, struct bounds);
     double sum = 0;
     for (size_t i = 0; i < n; i++) {
-        bounds[i].tightest = cost_of(&searching, i, question->low[i]);
-        bounds[i].loosest = cost_of(&searching, i, question->high[i]);
+        bounds[i].tightest = sensitivity_cost_of(&searching, i, question->low[i]);
+        bounds[i].loosest = sensitivity_cost_of(&searching, i, question->high[i]);
         if (isinf(bounds[i].tightest)) {
             return NAN;
         }
     }
-    const double share = share_of(bounds, n, question->drop);
+    const double share = sensitivity_share_of(bounds, n, question->drop);
     for (size_t i = 0; i < n; i++) {
         answers[i].limit = bounds[i].tightest >= share  ? INVERSE_TIGHTEST
                            : bounds[i].loosest <= share ? INVERSE_LOOSEST
                                                         : INVERSE_FREE;
-        answers[i].factor = answers[i].limit == INVERSE_TIGHTEST  ? question->low[i]
-                            : answers[i].limit == INVERSE_LOOSEST ? question->high[i]
-                                                                  : factor_of(&searching, i, share);
-        answers[i].cost = cost_of(&searching, i, answers[i].factor);
+        answers[i].factor = answers[i].limit == INVERSE_TIGHTEST ? question->low[i]
+                            : answers[i].limit == INVERSE_LOOSEST
+                                ? question->high[i]
+                                : sensitivity_factor_of(&searching, i, share);
+        answers[i].cost = sensitivity_cost_of(&searching, i, answers[i].factor);
         sum += answers[i].cost * answers[i].cost;
     }
     return watch_is_ended(question->problem->watch) ? (double)NAN : sqrt(sum);

@@ -24,12 +24,12 @@ struct sensitivity {
  *           leaves out h^2/120 of the fifth derivative; of a root that of its square over twice
  *           the root
  */
-size_t sensitivity_find(const struct differential_problem *problem, const double *nominal,
+size_t sensitivity_find(const struct second_order_problem *problem, const double *nominal,
                         struct arena *arena, struct sensitivity *table, const char **failure);
 
 /* What is wanted of tolerances. */
 struct inverse_question {
-    const struct differential_problem *problem;
+    const struct second_order_problem *problem;
     /* how much worse the lens is with these figures than without errors, in the unit of `drop` */
     double (*cost)(void *context, const double *figures);
     void *context;       /* of cost */

@@ -13,13 +13,14 @@
 /* A bin is the leading bits of a double: sign and exponent name the page, these its place there. */
 enum { PAGE_BITS = 12, PAGE_BINS = 1 << PAGE_BITS, PAGES = 1 << PAGE_BITS, BIN_SHIFT = 40 };
 
-void tally_open(double nominal, uint64_t total, struct arena *arena, struct tally *tally)
+void trial_statistics_open(double nominal, uint64_t total, struct arena *arena,
+                           struct trial_statistics *tally)
 {
-    *tally = (struct tally){.nominal = nominal,
-                            .keeps = total <= TALLY_KEPT,
-                            .lowest = INFINITY,
-                            .highest = -INFINITY,
-                            .arena = arena};
+    *tally = (struct trial_statistics){.nominal = nominal,
+                                       .keeps = total <= TRIAL_STATISTICS_KEPT,
+                                       .lowest = INFINITY,
+                                       .highest = -INFINITY,
+                                       .arena = arena};
     if (tally->keeps) {
         tally->kept = ARENA_ARRAY(arena, total + 1, double);
     } else {
@@ -27,7 +28,7 @@ void tally_open(double nominal, uint64_t total, struct arena *arena, struct tall
     }
 }
 
-static uint64_t *page_at(struct tally *tally, size_t page)
+static uint64_t *tally_page_at(struct trial_statistics *tally, size_t page)
 {
     if (tally->pages[page] == NULL) {
         tally->pages[page] = ARENA_ARRAY(tally->arena, PAGE_BINS, uint64_t);
@@ -35,20 +36,20 @@ static uint64_t *page_at(struct tally *tally, size_t page)
     return tally->pages[page];
 }
 
-static void count_one(struct tally *tally, double departure)
+static void count_one(struct trial_statistics *tally, double departure)
 {
     uint64_t bits;
     memcpy(&bits, &departure, sizeof bits);
-    page_at(tally, bits >> (BIN_SHIFT + PAGE_BITS))[bits >> BIN_SHIFT & (PAGE_BINS - 1)]++;
+    tally_page_at(tally, bits >> (BIN_SHIFT + PAGE_BITS))[bits >> BIN_SHIFT & (PAGE_BINS - 1)]++;
 }
 
-void tally_add(struct tally *tally, double figure)
+void trial_statistics_add(struct trial_statistics *tally, double figure)
 {
     const double departure = figure - tally->nominal + 0.0; /* no -0 */
     double power = 1;
-    for (int k = 0; k < TALLY_POWERS; k++) {
+    for (int k = 0; k < TRIAL_STATISTICS_POWERS; k++) {
         power *= departure;
-        exact_sum_add(&tally->powers[k], power);
+        exact_accumulator_add(&tally->powers[k], power);
     }
     if (tally->keeps) {
         tally->kept[tally->count] = departure;
@@ -61,10 +62,10 @@ void tally_add(struct tally *tally, double figure)
     tally->count++;
 }
 
-void tally_join(struct tally *tally, const struct tally *more)
+void trial_statistics_join(struct trial_statistics *tally, const struct trial_statistics *more)
 {
-    for (int k = 0; k < TALLY_POWERS; k++) {
-        exact_sum_join(&tally->powers[k], &more->powers[k]);
+    for (int k = 0; k < TRIAL_STATISTICS_POWERS; k++) {
+        exact_accumulator_join(&tally->powers[k], &more->powers[k]);
     }
     if (tally->keeps) {
         memcpy(tally->kept + tally->count, more->kept, more->count * sizeof(double));
@@ -73,7 +74,7 @@ void tally_join(struct tally *tally, const struct tally *more)
         if (more->pages[page] == NULL) {
             continue;
         }
-        uint64_t *bins = page_at(tally, page);
+        uint64_t *bins = tally_page_at(tally, page);
         for (size_t i = 0; i < PAGE_BINS; i++) {
             bins[i] += more->pages[page][i];
         }
@@ -84,13 +85,13 @@ void tally_join(struct tally *tally, const struct tally *more)
     tally->highest = fmax(tally->highest, more->highest);
 }
 
-struct tally_moments tally_moments(const struct tally *tally)
+struct trial_statistics_moments trial_statistics_moments(const struct trial_statistics *tally)
 {
     const double n = (double)tally->count;
-    double m[TALLY_POWERS];
-    struct tally_moments moments = {NAN, NAN, NAN, NAN};
-    for (int k = 0; k < TALLY_POWERS; k++) {
-        m[k] = exact_sum_value(&tally->powers[k]) / n;
+    double m[TRIAL_STATISTICS_POWERS];
+    struct trial_statistics_moments moments = {NAN, NAN, NAN, NAN};
+    for (int k = 0; k < TRIAL_STATISTICS_POWERS; k++) {
+        m[k] = exact_accumulator_value(&tally->powers[k]) / n;
     }
     if (tally->count >= 1) {
         moments.mean = tally->nominal + m[0];
@@ -109,14 +110,14 @@ struct tally_moments tally_moments(const struct tally *tally)
 
 /* -------- percentiles -------- */
 
-static int by_size(const void *a, const void *b)
+static int tally_by_size(const void *a, const void *b)
 {
     const double x = *(const double *)a, y = *(const double *)b;
     return x < y ? -1 : x > y;
 }
 
 /* The number that a bin begins with, nearer to 0; of the page of all that is negative too. */
-static double edge_of(size_t page, size_t bin)
+static double tally_edge_of(size_t page, size_t bin)
 {
     const uint64_t bits = (uint64_t)page << (BIN_SHIFT + PAGE_BITS) | (uint64_t)bin << BIN_SHIFT;
     double edge;
@@ -126,7 +127,7 @@ static double edge_of(size_t page, size_t bin)
 
 /* Bins in the order of their numbers: of negative ones backwards. */
 struct bin_walk {
-    const struct tally *tally;
+    const struct trial_statistics *tally;
     size_t at; /* 0 .. 2 PAGES PAGE_BINS */
 };
 
@@ -148,8 +149,9 @@ static bool next_bin(struct bin_walk *walk, double *low, double *high, uint64_t 
         if (bins[bin] == 0) {
             continue;
         }
-        const double near = edge_of(page, bin);
-        const double far = bin + 1 < PAGE_BINS ? edge_of(page, bin + 1) : 2 * edge_of(page, 0);
+        const double near = tally_edge_of(page, bin);
+        const double far =
+            bin + 1 < PAGE_BINS ? tally_edge_of(page, bin + 1) : 2 * tally_edge_of(page, 0);
         *low = is_negative ? far : near;
         *high = is_negative ? near : far;
         *count = bins[bin];
@@ -159,7 +161,7 @@ static bool next_bin(struct bin_walk *walk, double *low, double *high, uint64_t 
 }
 
 /* The departure of a rank, 0 .. count - 1, which need not be whole. */
-static double departure_at(struct tally *tally, double rank)
+static double departure_at(struct trial_statistics *tally, double rank)
 {
     const double most = (double)tally->count - 1;
     rank = fmin(fmax(rank, 0), most);
@@ -180,7 +182,7 @@ static double departure_at(struct tally *tally, double rank)
     return high;
 }
 
-double tally_quantile(struct tally *tally, double share, double *error)
+double trial_statistics_quantile(struct trial_statistics *tally, double share, double *error)
 {
     const double n = (double)tally->count, spread = sqrt(n * share * (1 - share));
     if (tally->count == 0) {
@@ -190,7 +192,7 @@ double tally_quantile(struct tally *tally, double share, double *error)
         return NAN;
     }
     if (tally->keeps && !tally->is_sorted) {
-        qsort(tally->kept, tally->count, sizeof(double), by_size);
+        qsort(tally->kept, tally->count, sizeof(double), tally_by_size);
         tally->is_sorted = true;
     }
     const double rank = share * (n - 1);
@@ -202,8 +204,8 @@ double tally_quantile(struct tally *tally, double share, double *error)
 
 /* -------- drawing -------- */
 
-static void put_part(double departure, double count, const double range[2], size_t bins,
-                     double *counts)
+static void tally_put_part(double departure, double count, const double range[2], size_t bins,
+                           double *counts)
 {
     const double at = (departure - range[0]) / (range[1] - range[0]) * (double)bins;
     if (at >= 0 && at <= (double)bins) {
@@ -211,31 +213,32 @@ static void put_part(double departure, double count, const double range[2], size
     }
 }
 
-void tally_histogram(struct tally *tally, double low, double high, size_t bins, double *counts)
+void trial_statistics_histogram(struct trial_statistics *tally, double low, double high,
+                                size_t bins, double *counts)
 {
     const double range[2] = {low - tally->nominal, high - tally->nominal};
     memset(counts, 0, bins * sizeof *counts);
     for (size_t i = 0; tally->keeps && i < tally->count; i++) {
-        put_part(tally->kept[i], 1, range, bins, counts);
+        tally_put_part(tally->kept[i], 1, range, bins, counts);
     }
     struct bin_walk walk = {tally, 0};
     double from, to;
     uint64_t count;
     while (!tally->keeps && next_bin(&walk, &from, &to, &count)) {
-        put_part((from + to) / 2, (double)count, range, bins, counts);
+        tally_put_part((from + to) / 2, (double)count, range, bins, counts);
     }
 }
 
 /* -------- lines -------- */
 
 /* A growing text. */
-struct writing {
+struct tally_text {
     struct arena *arena;
     char *text;
     size_t length, room;
 };
 
-static void put_word(struct writing *writing, const char *word)
+static void tally_put_word(struct tally_text *writing, const char *word)
 {
     const size_t length = strlen(word);
     while (writing->length + length + 1 > writing->room) {
@@ -246,33 +249,33 @@ static void put_word(struct writing *writing, const char *word)
     writing->text[writing->length] = '\0';
 }
 
-static void put_integer(struct writing *writing, const char *before, int64_t number)
+static void put_integer(struct tally_text *writing, const char *before, int64_t number)
 {
     char text[32];
     snprintf(text, sizeof text, "%s%lld", before, (long long)number);
-    put_word(writing, text);
+    tally_put_word(writing, text);
 }
 
 /* Doubles by their bits. */
-static void put_double(struct writing *writing, double value)
+static void put_double(struct tally_text *writing, double value)
 {
     int64_t bits;
     memcpy(&bits, &value, sizeof bits);
     put_integer(writing, " ", bits);
 }
 
-struct text tally_write(const struct tally *tally, struct arena *arena)
+struct text trial_statistics_write(const struct trial_statistics *tally, struct arena *arena)
 {
-    struct writing writing = {.arena = arena};
+    struct tally_text writing = {.arena = arena};
     put_integer(&writing, "tally ", (int64_t)tally->count);
     put_double(&writing, tally->lowest);
     put_double(&writing, tally->highest);
-    for (int k = 0; k < TALLY_POWERS; k++) {
-        for (int i = 0; i < EXACT_SUM_DIGITS; i++) {
+    for (int k = 0; k < TRIAL_STATISTICS_POWERS; k++) {
+        for (int i = 0; i < EXACT_ACCUMULATOR_DIGITS; i++) {
             put_integer(&writing, i == 0 ? "\n" : " ", tally->powers[k].digits[i]);
         }
     }
-    put_word(&writing, "\n");
+    tally_put_word(&writing, "\n");
     for (size_t i = 0; tally->keeps && i < tally->count; i++) {
         put_double(&writing, tally->kept[i]);
     }
@@ -284,11 +287,11 @@ struct text tally_write(const struct tally *tally, struct arena *arena)
             }
         }
     }
-    put_word(&writing, "\n");
+    tally_put_word(&writing, "\n");
     return (struct text){writing.text, writing.length};
 }
 
-bool tally_take(struct text *line, int64_t *number)
+bool trial_statistics_take(struct text *line, int64_t *number)
 {
     const struct text word = text_cut(line, ' ');
     char *end, copy[32];
@@ -304,19 +307,19 @@ bool tally_take(struct text *line, int64_t *number)
 static bool take_double(struct text *line, double *value)
 {
     int64_t bits;
-    if (!tally_take(line, &bits)) {
+    if (!trial_statistics_take(line, &bits)) {
         return false;
     }
     memcpy(value, &bits, sizeof bits);
     return true;
 }
 
-static bool read_powers(struct text *rest, struct tally *more)
+static bool read_powers(struct text *rest, struct trial_statistics *more)
 {
-    for (int k = 0; k < TALLY_POWERS; k++) {
+    for (int k = 0; k < TRIAL_STATISTICS_POWERS; k++) {
         struct text line = text_cut(rest, '\n');
-        for (int i = 0; i < EXACT_SUM_DIGITS; i++) {
-            if (!tally_take(&line, &more->powers[k].digits[i])) {
+        for (int i = 0; i < EXACT_ACCUMULATOR_DIGITS; i++) {
+            if (!trial_statistics_take(&line, &more->powers[k].digits[i])) {
                 return false;
             }
         }
@@ -325,7 +328,7 @@ static bool read_powers(struct text *rest, struct tally *more)
 }
 
 /* What is kept, or bins and their counts. */
-static bool read_figures(struct text line, struct tally *more)
+static bool tally_read_figures(struct text line, struct trial_statistics *more)
 {
     if (more->keeps) {
         for (size_t i = 0; i < more->count; i++) {
@@ -338,30 +341,31 @@ static bool read_figures(struct text line, struct tally *more)
     uint64_t counted = 0;
     while (counted < more->count) {
         int64_t at, count;
-        if (!tally_take(&line, &at) || !tally_take(&line, &count) || at < 0 ||
+        if (!trial_statistics_take(&line, &at) || !trial_statistics_take(&line, &count) || at < 0 ||
             at >= (int64_t)PAGES * PAGE_BINS || count < 1) {
             return false;
         }
-        page_at(more, (size_t)at / PAGE_BINS)[(size_t)at % PAGE_BINS] = (uint64_t)count;
+        tally_page_at(more, (size_t)at / PAGE_BINS)[(size_t)at % PAGE_BINS] = (uint64_t)count;
         counted += (uint64_t)count;
     }
     return counted == more->count;
 }
 
-bool tally_read(struct text *rest, struct tally *tally)
+bool trial_statistics_read(struct text *rest, struct trial_statistics *tally)
 {
-    struct tally more;
+    struct trial_statistics more;
     struct text line = text_cut(rest, '\n');
     const struct text word = text_cut(&line, ' ');
     int64_t count;
-    if (!text_equal(word, "tally") || !tally_take(&line, &count) || count < 0) {
+    if (!text_equal(word, "tally") || !trial_statistics_take(&line, &count) || count < 0) {
         return false;
     }
-    const uint64_t room = (uint64_t)TALLY_KEPT;
+    const uint64_t room = (uint64_t)TRIAL_STATISTICS_KEPT;
     if (tally->keeps && (uint64_t)count + tally->count > room) {
         return false;
     }
-    tally_open(tally->nominal, tally->keeps ? (uint64_t)count : room + 1, tally->arena, &more);
+    trial_statistics_open(tally->nominal, tally->keeps ? (uint64_t)count : room + 1, tally->arena,
+                          &more);
     more.count = (uint64_t)count;
     if (!take_double(&line, &more.lowest) || !take_double(&line, &more.highest) ||
         !read_powers(rest, &more)) {
@@ -371,9 +375,9 @@ bool tally_read(struct text *rest, struct tally *tally)
     if (figures.length > 0) {
         text_cut(&figures, ' '); /* they begin with one */
     }
-    if (!read_figures(figures, &more)) {
+    if (!tally_read_figures(figures, &more)) {
         return false;
     }
-    tally_join(tally, &more);
+    trial_statistics_join(tally, &more);
     return true;
 }

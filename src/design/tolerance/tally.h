@@ -12,10 +12,10 @@
 #include <stdint.h>
 
 /* Up to so many figures are kept as they are; of more it is counted how many lie in each bin. */
-enum { TALLY_KEPT = 1 << 16 };
+enum { TRIAL_STATISTICS_KEPT = 1 << 16 };
 
 /* Powers of the departure from the nominal figure that are summed. */
-enum { TALLY_POWERS = 4 };
+enum { TRIAL_STATISTICS_POWERS = 4 };
 
 /*
  * Figures, by what they depart from a nominal one. What it says does not depend on the order they
@@ -26,11 +26,11 @@ enum { TALLY_POWERS = 4 };
  * so that a percentile is found to 1/8192 of the departure, less than its standard error even of
  * 1e7 trials. Pages of a power of 2 are made when the first figure falls there.
  */
-struct tally {
+struct trial_statistics {
     double nominal;
     uint64_t count;
-    bool keeps; /* there will be TALLY_KEPT of them at most, of all that are joined */
-    struct exact_sum powers[TALLY_POWERS];
+    bool keeps; /* there will be TRIAL_STATISTICS_KEPT of them at most, of all that are joined */
+    struct exact_accumulator powers[TRIAL_STATISTICS_POWERS];
     double *kept;     /* departures, */
     bool is_sorted;   /* in the order of their size */
     uint64_t **pages; /* TALLY_PAGES of them; null: nothing there */
@@ -39,16 +39,17 @@ struct tally {
 };
 
 /* Given     total  of the whole run, which tells what is kept */
-void tally_open(double nominal, uint64_t total, struct arena *arena, struct tally *tally);
+void trial_statistics_open(double nominal, uint64_t total, struct arena *arena,
+                           struct trial_statistics *tally);
 
 /* Given     figure  finite */
-void tally_add(struct tally *tally, double figure);
+void trial_statistics_add(struct trial_statistics *tally, double figure);
 
 /* Given     more  of the same nominal figure and total */
-void tally_join(struct tally *tally, const struct tally *more);
+void trial_statistics_join(struct trial_statistics *tally, const struct trial_statistics *more);
 
 /* Mean and standard deviation, and their standard errors; NaN of fewer than one or two. */
-struct tally_moments {
+struct trial_statistics_moments {
     double mean, sd, mean_error, sd_error;
 };
 
@@ -57,7 +58,7 @@ struct tally_moments {
  *           sd sqrt((k - 1)/n)/2 with the fourth moment over the squared variance k
  * Source    [Kendall77] 10.5, 10.9
  */
-struct tally_moments tally_moments(const struct tally *tally);
+struct trial_statistics_moments trial_statistics_moments(const struct trial_statistics *tally);
 
 /*
  * Percentiles.
@@ -68,20 +69,21 @@ struct tally_moments tally_moments(const struct tally *tally);
  * Result    the figure of rank share (n - 1), between two of them in proportion; NaN of none
  * Source    [Hyndman96] definition 7; of a bin evenly spread within
  */
-double tally_quantile(struct tally *tally, double share, double *error);
+double trial_statistics_quantile(struct trial_statistics *tally, double share, double *error);
 
 /* Counts of `bins` equal parts of low .. high: for drawings. */
-void tally_histogram(struct tally *tally, double low, double high, size_t bins, double *counts);
+void trial_statistics_histogram(struct trial_statistics *tally, double low, double high,
+                                size_t bins, double *counts);
 
 /*
  * As lines of text, and back, joined to what is there.
  *
- * Result    of the second: false: it is not what tally_write writes
+ * Result    of the second: false: it is not what trial_statistics_write writes
  */
-struct text tally_write(const struct tally *tally, struct arena *arena);
-bool tally_read(struct text *rest, struct tally *tally);
+struct text trial_statistics_write(const struct trial_statistics *tally, struct arena *arena);
+bool trial_statistics_read(struct text *rest, struct trial_statistics *tally);
 
 /* The next word of a line, as a whole number. */
-bool tally_take(struct text *line, int64_t *number);
+bool trial_statistics_take(struct text *line, int64_t *number);
 
 #endif

@@ -4,7 +4,8 @@
 
 #include <string.h>
 
-static bool try(void *context, const double *errors, double *figures, struct error *why)
+static bool tolerance_model_try(void *context, const double *errors, double *figures,
+                                struct error *why)
 {
     struct tolerance_model *model = context;
     const size_t count = model->tolerance->figure_count;
@@ -35,7 +36,7 @@ void tolerance_model_open(struct tolerance *tolerance, struct watch *watch, stru
         names[i] = question->perturbations[i].name;
     }
     *model = (struct tolerance_model){.tolerance = tolerance,
-                                      .problem = {.trial = try,
+                                      .problem = {.trial = tolerance_model_try,
                                                   .context = model,
                                                   .error_count = question->perturbation_count,
                                                   .figure_count = figures + moves,

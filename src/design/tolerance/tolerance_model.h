@@ -9,7 +9,7 @@
 /* Figures, and behind them what was adjusted: as many as tolerance_moves says. */
 struct tolerance_model {
     struct tolerance *tolerance;
-    struct differential_problem problem;
+    struct second_order_problem problem;
     double *nominal; /* without errors */
 };
 

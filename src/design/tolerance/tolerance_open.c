@@ -10,8 +10,8 @@
 /* -------- the image plane as a distance -------- */
 
 /* Where the file has it, in one position. */
-static bool find_image(const struct merit_question *view, size_t position, struct arena *arena,
-                       double *image, struct error *error)
+static bool tolerance_open_find_image(const struct merit_question *view, size_t position,
+                                      struct arena *arena, double *image, struct error *error)
 {
     const struct setup_question asked = {.lens = view->lens,
                                          .position = position,
@@ -41,8 +41,8 @@ static struct figure plain(double value)
 }
 
 /* The last thickness of a lens with `focus paraxial` or `best`: a word where positions differ. */
-static bool put_image(const struct merit_question *view, struct lens *lens, struct arena *arena,
-                      struct error *error)
+static bool tolerance_open_put_image(const struct merit_question *view, struct lens *lens,
+                                     struct arena *arena, struct error *error)
 {
     static const char word[] = "image_distance";
     const size_t count = lens->position_count > 0 ? lens->position_count : 1;
@@ -50,7 +50,7 @@ static bool put_image(const struct merit_question *view, struct lens *lens, stru
     struct surface *last = &lens->surfaces[lens->surface_count - 1];
     for (size_t p = 0; p < count; p++) {
         double image;
-        if (!find_image(view, p, arena, &image, error)) {
+        if (!tolerance_open_find_image(view, p, arena, &image, error)) {
             return false;
         }
         values[p] = plain(image);
@@ -82,7 +82,7 @@ static bool fix_image(struct tolerance *tolerance, struct arena *arena, struct e
     }
     struct lens *lens = parameter_apply(view->lens, NULL, NULL, 0, arena);
     tolerance->lens = lens;
-    return put_image(view, lens, arena, error);
+    return tolerance_open_put_image(view, lens, arena, error);
 }
 
 /* -------- what is adjusted -------- */
@@ -262,7 +262,7 @@ static bool open_quality(struct tolerance *tolerance, struct arena *arena, struc
 }
 
 /* Those of a place, from its setup. */
-static bool counts(enum criterion_kind kind, const struct setup_field *field)
+static bool tolerance_open_counts(enum criterion_kind kind, const struct setup_field *field)
 {
     const bool is_axis = field->point.kind == FIELD_NONE ||
                          (field->point.value[0] == 0 && field->point.value[1] == 0);
@@ -270,7 +270,7 @@ static bool counts(enum criterion_kind kind, const struct setup_field *field)
            !(is_axis && criterion_type(kind)->operand != OPERAND_KINDS && kind != CRITERION_MTF);
 }
 
-static double distance_of(const struct setup_field *field)
+static double tolerance_open_distance_of(const struct setup_field *field)
 {
     return field->point.kind == FIELD_NONE ? 0
                                            : hypot(field->point.value[0], field->point.value[1]);
@@ -287,7 +287,7 @@ static bool add_figures(struct tolerance *tolerance, const struct setup *setup, 
     struct tolerance_figure *figures = tolerance->figures;
     if (criterion_type(kind)->of_fields) {
         for (size_t f = 0; f < count; f++) {
-            if (counts(kind, &fields[f])) {
+            if (tolerance_open_counts(kind, &fields[f])) {
                 struct tolerance_figure figure = {place, &fields[f], spot + f, ORIENTATION_BOTH};
                 if (kind == CRITERION_MTF) {
                     figure.orientation = ORIENTATION_TANGENTIAL;
@@ -301,7 +301,10 @@ static bool add_figures(struct tolerance *tolerance, const struct setup *setup, 
     }
     size_t nearest = 0;
     for (size_t f = 1; f < count; f++) {
-        nearest = distance_of(&fields[f]) < distance_of(&fields[nearest]) ? f : nearest;
+        nearest =
+            tolerance_open_distance_of(&fields[f]) < tolerance_open_distance_of(&fields[nearest])
+                ? f
+                : nearest;
     }
     figures[tolerance->figure_count++] =
         (struct tolerance_figure){place, NULL, spot + nearest, ORIENTATION_BOTH};

@@ -32,24 +32,24 @@ static double badness(const struct tolerance *tolerance, size_t figure, double v
     return criterion_badness(tolerance->question.criterion.kind, value, tolerance->nominal[figure]);
 }
 
-static double weight_of(const struct tolerance_figure *figure)
+static double tolerance_run_weight_of(const struct tolerance_figure *figure)
 {
     return figure->field != NULL ? figure->field->weight : 1;
 }
 
 /* The mean by the weights of the fields. */
-static double mean_of(const struct tolerance *tolerance, const double *figures)
+static double tolerance_run_mean_of(const struct tolerance *tolerance, const double *figures)
 {
     double sum = 0, weights = 0;
     for (size_t i = 0; i < tolerance->figure_count; i++) {
-        const double weight = weight_of(&tolerance->figures[i]);
+        const double weight = tolerance_run_weight_of(&tolerance->figures[i]);
         sum += weight * figures[i];
         weights += weight;
     }
     return sum / weights;
 }
 
-static size_t worst_of(const struct tolerance *tolerance, const double *figures)
+static size_t tolerance_run_worst_of(const struct tolerance *tolerance, const double *figures)
 {
     size_t worst = 0;
     for (size_t i = 1; i < tolerance->figure_count; i++) {
@@ -63,8 +63,8 @@ static size_t worst_of(const struct tolerance *tolerance, const double *figures)
 double tolerance_judged(const struct tolerance *tolerance, enum tolerance_of of,
                         const double *figures)
 {
-    return of == TOLERANCE_OF_MEAN ? mean_of(tolerance, figures)
-                                   : figures[worst_of(tolerance, figures)];
+    return of == TOLERANCE_OF_MEAN ? tolerance_run_mean_of(tolerance, figures)
+                                   : figures[tolerance_run_worst_of(tolerance, figures)];
 }
 
 /* How bad a lens is as a whole. */
@@ -72,10 +72,11 @@ static double badness_of(const struct tolerance *tolerance, enum tolerance_of of
                          const double *figures)
 {
     if (of == TOLERANCE_OF_MEAN) {
-        return criterion_badness(tolerance->question.criterion.kind, mean_of(tolerance, figures),
-                                 mean_of(tolerance, tolerance->nominal));
+        return criterion_badness(tolerance->question.criterion.kind,
+                                 tolerance_run_mean_of(tolerance, figures),
+                                 tolerance_run_mean_of(tolerance, tolerance->nominal));
     }
-    const size_t worst = worst_of(tolerance, figures);
+    const size_t worst = tolerance_run_worst_of(tolerance, figures);
     return badness(tolerance, worst, figures[worst]);
 }
 
@@ -105,20 +106,20 @@ void tolerance_result_open(const struct tolerance_run *run, const struct toleran
                                         .worst_most = worst,
                                         .arena = arena};
     result->columns = ARENA_ARRAY(arena, result->column_count, struct tolerance_column);
-    result->moves = ARENA_ARRAY(arena, tolerance_moves(tolerance), struct tally);
+    result->moves = ARENA_ARRAY(arena, tolerance_moves(tolerance), struct trial_statistics);
     result->worst = ARENA_ARRAY(arena, worst + 1, struct tolerance_worst);
     result->reasons = ARENA_ARRAY(arena, TOLERANCE_REASONS + 1, struct tolerance_reason);
     for (size_t i = 0; i < result->column_count; i++) {
         struct tolerance_column *column = &result->columns[i];
         column->of = each ? &tolerance->figures[i] : NULL;
-        tally_open(each ? tolerance->nominal[i]
-                        : tolerance_judged(tolerance, run->of, tolerance->nominal),
-                   run->total, arena, &column->tally);
-        tally_open(column_badness(tolerance, run->of, i, tolerance->nominal), run->total, arena,
-                   &column->badness);
+        trial_statistics_open(each ? tolerance->nominal[i]
+                                   : tolerance_judged(tolerance, run->of, tolerance->nominal),
+                              run->total, arena, &column->tally);
+        trial_statistics_open(column_badness(tolerance, run->of, i, tolerance->nominal), run->total,
+                              arena, &column->badness);
     }
     for (size_t i = 0; i < tolerance_moves(tolerance); i++) {
-        tally_open(tolerance->nominal_moves[i], run->total, arena, &result->moves[i]);
+        trial_statistics_open(tolerance->nominal_moves[i], run->total, arena, &result->moves[i]);
     }
 }
 
@@ -182,10 +183,11 @@ static void count_figures(const struct tolerance_run *run, const double *figures
     for (size_t i = 0; i < result->column_count; i++) {
         struct tolerance_column *column = &result->columns[i];
         const double bad = column_badness(result->tolerance, run->of, i, figures);
-        tally_add(&column->tally, column->of != NULL
-                                      ? figures[i]
-                                      : tolerance_judged(result->tolerance, run->of, figures));
-        tally_add(&column->badness, bad);
+        trial_statistics_add(&column->tally,
+                             column->of != NULL
+                                 ? figures[i]
+                                 : tolerance_judged(result->tolerance, run->of, figures));
+        trial_statistics_add(&column->badness, bad);
         column->passed += criterion_passes(kind, bad, run->limit) ? 1 : 0;
     }
 }
@@ -201,23 +203,23 @@ static void count_trial(const struct tolerance_run *run, uint64_t number, bool f
     }
     count_figures(run, trial->figures, result);
     for (size_t i = 0; i < tolerance_moves(result->tolerance); i++) {
-        tally_add(&result->moves[i], trial->moves[i]);
+        trial_statistics_add(&result->moves[i], trial->moves[i]);
     }
     keep_worst(result, (struct tolerance_worst){
                            number, badness_of(result->tolerance, run->of, trial->figures)});
 }
 
-static void join(struct tolerance_result *result, const struct tolerance_result *more)
+static void tolerance_run_join(struct tolerance_result *result, const struct tolerance_result *more)
 {
     result->done += more->done;
     result->failed += more->failed;
     for (size_t i = 0; i < result->column_count; i++) {
-        tally_join(&result->columns[i].tally, &more->columns[i].tally);
-        tally_join(&result->columns[i].badness, &more->columns[i].badness);
+        trial_statistics_join(&result->columns[i].tally, &more->columns[i].tally);
+        trial_statistics_join(&result->columns[i].badness, &more->columns[i].badness);
         result->columns[i].passed += more->columns[i].passed;
     }
     for (size_t i = 0; i < tolerance_moves(result->tolerance); i++) {
-        tally_join(&result->moves[i], &more->moves[i]);
+        trial_statistics_join(&result->moves[i], &more->moves[i]);
     }
     for (size_t i = 0; i < more->worst_count; i++) {
         keep_worst(result, more->worst[i]);
@@ -233,7 +235,7 @@ static void join(struct tolerance_result *result, const struct tolerance_result 
 /* -------- threads -------- */
 
 /* What a thread has: opened when it takes its first piece. */
-struct worker {
+struct tolerance_run_worker {
     bool is_open;
     struct tolerance *tolerance; /* null: to second order, in */
     double *lanes;               /* errors, figures and movements */
@@ -246,14 +248,14 @@ struct worker {
 struct tolerance_team {
     const struct tolerance_run *run;
     struct tolerance_result *result;
-    struct worker workers[PARALLEL_MOST];
+    struct tolerance_run_worker workers[PARALLEL_MOST];
     struct parallel threads;
     const struct tolerance_round *round;
 };
 
 /* A lens of its own; to second order none is needed. */
 static bool open_worker(const struct tolerance_team *team, size_t thread, struct arena *arena,
-                        struct worker *worker)
+                        struct tolerance_run_worker *worker)
 {
     const struct tolerance *nominal = team->result->tolerance;
     const size_t figures = nominal->figure_count, moves = tolerance_moves(nominal);
@@ -269,7 +271,7 @@ static bool open_worker(const struct tolerance_team *team, size_t thread, struct
         }
     } else {
         worker->lanes = ARENA_ARRAY(
-            arena, DIFFERENTIAL_LANES * (team->run->question->perturbation_count + figures + moves),
+            arena, SECOND_ORDER_LANES * (team->run->question->perturbation_count + figures + moves),
             double);
     }
     tolerance_result_open(team->run, nominal, team->result->worst_most, arena, &worker->result);
@@ -281,7 +283,8 @@ static bool open_worker(const struct tolerance_team *team, size_t thread, struct
 }
 
 /* A trial that was made. */
-static void count(const struct tolerance_team *team, struct worker *worker, size_t at, bool found)
+static void tolerance_run_count(const struct tolerance_team *team,
+                                struct tolerance_run_worker *worker, size_t at, bool found)
 {
     const struct tolerance_round *round = team->round;
     count_trial(team->run, round->begin + at, found, &worker->trial, &worker->result);
@@ -290,18 +293,20 @@ static void count(const struct tolerance_team *team, struct worker *worker, size
     }
 }
 
-static void try_exactly(const struct tolerance_team *team, struct worker *worker, size_t at)
+static void try_exactly(const struct tolerance_team *team, struct tolerance_run_worker *worker,
+                        size_t at)
 {
     const struct tolerance_run *run = team->run;
     tolerance_errors(run->question, run->seed, team->round->begin + at, worker->errors);
-    count(team, worker, at, tolerance_trial(worker->tolerance, worker->errors, &worker->trial));
+    tolerance_run_count(team, worker, at,
+                        tolerance_trial(worker->tolerance, worker->errors, &worker->trial));
 }
 
-/* DIFFERENTIAL_LANES of them at most; a lane that nobody asked for has no errors. */
-static void try_about(const struct tolerance_team *team, struct worker *worker, size_t begin,
-                      size_t end)
+/* SECOND_ORDER_LANES of them at most; a lane that nobody asked for has no errors. */
+static void tolerance_run_try_about(const struct tolerance_team *team,
+                                    struct tolerance_run_worker *worker, size_t begin, size_t end)
 {
-    enum { LANES = DIFFERENTIAL_LANES };
+    enum { LANES = SECOND_ORDER_LANES };
     const struct tolerance_run *run = team->run;
     const size_t n = run->question->perturbation_count;
     const size_t figures = team->result->tolerance->figure_count;
@@ -314,7 +319,7 @@ static void try_about(const struct tolerance_team *team, struct worker *worker, 
             errors[i * LANES + at - begin] = worker->errors[i];
         }
     }
-    differential_trials(run->differential, errors, results);
+    second_order_trials(run->differential, errors, results);
     for (size_t at = begin; at < end; at++) {
         for (size_t f = 0; f < figures; f++) {
             worker->trial.figures[f] = results[f * LANES + at - begin];
@@ -322,15 +327,15 @@ static void try_about(const struct tolerance_team *team, struct worker *worker, 
         for (size_t m = 0; m < moves; m++) {
             worker->trial.moves[m] = results[(figures + m) * LANES + at - begin];
         }
-        count(team, worker, at, true);
+        tolerance_run_count(team, worker, at, true);
     }
 }
 
 /* parallel_work: some trials, until the watch stops them. */
-static void work(void *context, const struct parallel_piece *piece)
+static void tolerance_run_work(void *context, const struct parallel_piece *piece)
 {
     struct tolerance_team *team = context;
-    struct worker *worker = &team->workers[piece->thread];
+    struct tolerance_run_worker *worker = &team->workers[piece->thread];
     if (worker->error.code != ERROR_NONE ||
         !watch_add(team->run->watch, piece->end - piece->begin) ||
         (!worker->is_open && !open_worker(team, piece->thread, piece->arena, worker))) {
@@ -342,9 +347,9 @@ static void work(void *context, const struct parallel_piece *piece)
         }
         return;
     }
-    for (size_t at = piece->begin; at < piece->end; at += DIFFERENTIAL_LANES) {
-        const size_t next = at + DIFFERENTIAL_LANES;
-        try_about(team, worker, at, next < piece->end ? next : piece->end);
+    for (size_t at = piece->begin; at < piece->end; at += SECOND_ORDER_LANES) {
+        const size_t next = at + SECOND_ORDER_LANES;
+        tolerance_run_try_about(team, worker, at, next < piece->end ? next : piece->end);
     }
 }
 
@@ -363,9 +368,9 @@ bool tolerance_team_round(struct tolerance_team *team, const struct tolerance_ro
 {
     enum { PIECE = 8, MANY = 500 }; /* rays of large pieces take long, and are to stop soon */
     const size_t exact = team->run->question->view.rays < MANY ? PIECE : 1;
-    const size_t piece = team->run->differential != NULL ? DIFFERENTIAL_LANES : exact;
+    const size_t piece = team->run->differential != NULL ? SECOND_ORDER_LANES : exact;
     team->round = round;
-    parallel_pieces(&team->threads, round->count, piece, work, team);
+    parallel_pieces(&team->threads, round->count, piece, tolerance_run_work, team);
     for (size_t i = 0; i < PARALLEL_MOST; i++) {
         if (team->workers[i].error.code != ERROR_NONE) {
             *error = team->workers[i].error;
@@ -379,7 +384,7 @@ void tolerance_team_close(struct tolerance_team *team)
 {
     for (size_t i = 0; i < PARALLEL_MOST; i++) {
         if (team->workers[i].is_open && team->workers[i].error.code == ERROR_NONE) {
-            join(team->result, &team->workers[i].result);
+            tolerance_run_join(team->result, &team->workers[i].result);
         }
     }
     parallel_free(&team->threads);
@@ -398,8 +403,8 @@ bool tolerance_run(const struct tolerance_run *run, struct tolerance_result *res
 
 /* -------- lines -------- */
 
-static const char *put_numbers(const char *text, const uint64_t *numbers, size_t count,
-                               struct arena *arena)
+static const char *tolerance_run_put_numbers(const char *text, const uint64_t *numbers,
+                                             size_t count, struct arena *arena)
 {
     for (size_t i = 0; i < count; i++) {
         text = arena_printf(arena, "%s%lld%c", text, (long long)numbers[i],
@@ -415,11 +420,11 @@ static const char *write_lists(const struct tolerance_result *result, struct are
 {
     const uint64_t head[] = {result->done,         result->failed,       result->worst_count,
                              result->reason_count, result->others.count, result->others.first};
-    const char *text = put_numbers("", head, HEAD_NUMBERS, arena);
+    const char *text = tolerance_run_put_numbers("", head, HEAD_NUMBERS, arena);
     for (size_t i = 0; i < result->worst_count; i++) {
         uint64_t one[2] = {result->worst[i].trial, 0};
         memcpy(&one[1], &result->worst[i].badness, sizeof one[1]);
-        text = put_numbers(text, one, 2, arena);
+        text = tolerance_run_put_numbers(text, one, 2, arena);
     }
     for (size_t i = 0; i < result->reason_count; i++) {
         const struct tolerance_reason *reason = &result->reasons[i];
@@ -433,12 +438,14 @@ struct text tolerance_result_write(const struct tolerance_result *result, struct
 {
     const char *text = write_lists(result, arena);
     for (size_t i = 0; i < result->column_count; i++) {
-        text = put_numbers(text, &result->columns[i].passed, 1, arena);
-        text = ARENA_JOIN(arena, text, tally_write(&result->columns[i].tally, arena).start);
-        text = ARENA_JOIN(arena, text, tally_write(&result->columns[i].badness, arena).start);
+        text = tolerance_run_put_numbers(text, &result->columns[i].passed, 1, arena);
+        text =
+            ARENA_JOIN(arena, text, trial_statistics_write(&result->columns[i].tally, arena).start);
+        text = ARENA_JOIN(arena, text,
+                          trial_statistics_write(&result->columns[i].badness, arena).start);
     }
     for (size_t i = 0; i < tolerance_moves(result->tolerance); i++) {
-        text = ARENA_JOIN(arena, text, tally_write(&result->moves[i], arena).start);
+        text = ARENA_JOIN(arena, text, trial_statistics_write(&result->moves[i], arena).start);
     }
     return text_of(text);
 }
@@ -449,7 +456,7 @@ static bool take_numbers(struct text *rest, uint64_t *numbers, size_t count)
     bool took = true;
     for (size_t i = 0; i < count && took; i++) {
         int64_t number;
-        took = tally_take(&line, &number);
+        took = trial_statistics_take(&line, &number);
         numbers[i] = (uint64_t)number;
     }
     return took;
@@ -459,7 +466,8 @@ static bool read_reason(struct text *rest, struct tolerance_result *result)
 {
     struct text line = text_cut(rest, '\n');
     int64_t count, first;
-    if (!tally_take(&line, &count) || !tally_take(&line, &first) || line.start == NULL) {
+    if (!trial_statistics_take(&line, &count) || !trial_statistics_take(&line, &first) ||
+        line.start == NULL) {
         return false;
     }
     keep_reason(result,
@@ -501,12 +509,13 @@ bool tolerance_result_read(struct text body, struct tolerance_result *result)
     bool read = read_lists(&rest, result);
     for (size_t i = 0; i < result->column_count && read; i++) {
         uint64_t passed = 0;
-        read = take_numbers(&rest, &passed, 1) && tally_read(&rest, &result->columns[i].tally) &&
-               tally_read(&rest, &result->columns[i].badness);
+        read = take_numbers(&rest, &passed, 1) &&
+               trial_statistics_read(&rest, &result->columns[i].tally) &&
+               trial_statistics_read(&rest, &result->columns[i].badness);
         result->columns[i].passed += passed;
     }
     for (size_t i = 0; i < tolerance_moves(result->tolerance) && read; i++) {
-        read = tally_read(&rest, &result->moves[i]);
+        read = trial_statistics_read(&rest, &result->moves[i]);
     }
     return read;
 }

@@ -29,7 +29,7 @@ struct tolerance_run {
     int threads;
     struct tolerance
         *ready; /* opened with the question, for the first thread; null: it opens one */
-    const struct differential *differential; /* figures and movements to second order, of the
+    const struct second_order *differential; /* figures and movements to second order, of the
                                                 trials' own problem; null: by rays */
     struct watch *watch;                     /* counts trials, may stop them; or null */
 };
@@ -51,8 +51,8 @@ struct tolerance_reason {
 /* One figure that is judged. */
 struct tolerance_column {
     const struct tolerance_figure *of; /* null: the worst, or the mean */
-    struct tally tally;                /* of the figure */
-    struct tally badness;              /* criterion_badness of it: what a limit is held against */
+    struct trial_statistics tally;     /* of the figure */
+    struct trial_statistics badness;   /* criterion_badness of it: what a limit is held against */
     uint64_t passed;
 };
 
@@ -61,7 +61,7 @@ struct tolerance_result {
     const struct tolerance *tolerance; /* the nominal lens and its figures */
     struct tolerance_column *columns;
     size_t column_count;
-    struct tally *moves; /* of what is adjusted: tolerance_moves of them */
+    struct trial_statistics *moves; /* of what is adjusted: tolerance_moves of them */
     uint64_t done, failed;
     struct tolerance_worst *worst; /* from the worst on */
     size_t worst_count, worst_most;

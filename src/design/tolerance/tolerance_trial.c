@@ -79,7 +79,7 @@ static bool adjusted(void *context, const double *moves, double *residuals, doub
 }
 
 /* Changes that are alike: 1 mm, and half a degree. */
-static double scale_of(const struct compensator *mover)
+static double tolerance_trial_scale_of(const struct compensator *mover)
 {
     const bool is_angle = (parameter_type(mover->parts[0].what.kind)->is & PARAMETER_IS_ANGLE) != 0;
     return is_angle ? 0.01 : 1;
@@ -104,7 +104,7 @@ bool tolerance_check_movers(struct tolerance *tolerance, struct arena *arena, st
         for (size_t r = 0; r < rows; r++) {
             sum += jacobian[r * count + i] * jacobian[r * count + i];
         }
-        if (!(sqrt(sum) * scale_of(&tolerance->movers[i]) > least)) {
+        if (!(sqrt(sum) * tolerance_trial_scale_of(&tolerance->movers[i]) > least)) {
             return fail(error, ERROR_DOMAIN, "%s cannot adjust anything: rays do not depend on it",
                         tolerance->movers[i].name);
         }
@@ -124,7 +124,7 @@ static bool adjust(struct tolerance *tolerance, double *moves, struct error *err
     for (size_t i = 0; i < count; i++) {
         low[i] = tolerance->movers[i].low;
         high[i] = tolerance->movers[i].high;
-        scale[i] = scale_of(&tolerance->movers[i]);
+        scale[i] = tolerance_trial_scale_of(&tolerance->movers[i]);
     }
     const struct solver_problem problem = {.parameter_count = count,
                                            .residual_count = tolerance->quality.residual_count,

@@ -151,7 +151,7 @@ bool codev_write(struct foreign_job *job, const struct lens *lens, struct text *
                  struct error *error);
 
 /* What passes or blocks light beside the diameter; the shapes that are not written are losses. */
-bool codev_put_apertures(struct writing *writing, struct foreign_job *job,
+bool codev_put_apertures(struct lens_writer *writing, struct foreign_job *job,
                          const struct surface *surface, struct error *error);
 
 #endif

@@ -39,7 +39,8 @@ static enum aperture_word aperture_word(struct text word)
 }
 
 /* CLR, EDG, OBS, HOL and a label, from word `first` on. */
-static struct aperture_words read_words(const struct commands *commands, size_t first)
+static struct aperture_words codev_aperture_read_words(const struct commands *commands,
+                                                       size_t first)
 {
     struct aperture_words words = {.label = {NULL, 0}, .next = first};
     for (; words.next < commands->count; words.next++) {
@@ -108,7 +109,7 @@ bool codev_aperture(struct codev *codev, int what, struct error *error)
     if (!codev_qualifiers(codev, 1, &qualifiers, error)) {
         return false;
     }
-    const struct aperture_words words = read_words(commands, qualifiers.next);
+    const struct aperture_words words = codev_aperture_read_words(commands, qualifiers.next);
     const bool is_clear_circle = what == 'C' && !words.blocks;
     if (!commands_figure(commands, words.next, commands->scale, "radius of the aperture", &half,
                          error) ||
@@ -139,7 +140,7 @@ bool codev_aperture_shift(struct codev *codev, int what, struct error *error)
     if (!codev_qualifiers(codev, 1, &qualifiers, error)) {
         return false;
     }
-    const struct aperture_words words = read_words(commands, qualifiers.next);
+    const struct aperture_words words = codev_aperture_read_words(commands, qualifiers.next);
     if (!commands_figure(commands, words.next, commands->scale, "decentre of the aperture", &shift,
                          error) ||
         !commands_end(commands, words.next + 1, error)) {

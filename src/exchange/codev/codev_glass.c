@@ -29,14 +29,14 @@ bool codev_catalog(struct codev *codev, int what, struct error *error)
 }
 
 /* Text that a table of indices is put together in. */
-static void append(char **at, const char *start, size_t length)
+static void codev_glass_append(char **at, const char *start, size_t length)
 {
     memcpy(*at, start, length);
     *at += length;
 }
 
 /* {486.1nm 1.5224, 587.6nm 1.5168}, or one number where all are the same. */
-static const char *table_of(struct codev *codev, size_t count)
+static const char *codev_glass_table_of(struct codev *codev, size_t count)
 {
     struct commands *commands = &codev->commands;
     size_t room = 8;
@@ -52,15 +52,16 @@ static const char *table_of(struct codev *codev, size_t count)
         return arena_string(commands->job->arena, first.start, first.length);
     }
     char *table = arena_array(commands->job->arena, room, 1), *at = table;
-    append(&at, "{", 1);
+    codev_glass_append(&at, "{", 1);
     for (size_t i = 0; i < count; i++) {
         const struct text wave = codev->catalog_waves[i].text;
-        append(&at, ", ", i > 0 ? 2 : 0);
-        append(&at, wave.start, wave.length);
-        append(&at, "nm ", 3);
-        append(&at, commands->words[i + 1].text.start, commands->words[i + 1].text.length);
+        codev_glass_append(&at, ", ", i > 0 ? 2 : 0);
+        codev_glass_append(&at, wave.start, wave.length);
+        codev_glass_append(&at, "nm ", 3);
+        codev_glass_append(&at, commands->words[i + 1].text.start,
+                           commands->words[i + 1].text.length);
     }
-    append(&at, "}", 1);
+    codev_glass_append(&at, "}", 1);
     return table;
 }
 
@@ -96,7 +97,7 @@ bool codev_private_glass(struct codev *codev, struct error *error)
     }
     one->wavelengths = wavelengths;
     one->count = count;
-    one->medium = table_of(codev, count);
+    one->medium = codev_glass_table_of(codev, count);
     return true;
 }
 
@@ -158,8 +159,8 @@ static const char *medium_of_numbers(struct text text, struct arena *arena)
 }
 
 /* NAME_CATALOG, or a name that one catalogue has; false with ERROR_NONE where there is none. */
-static bool catalog_glass(struct codev *codev, const struct file_words *place, struct text text,
-                          struct medium *medium, struct error *error)
+static bool codev_glass_catalog_glass(struct codev *codev, const struct file_words *place,
+                                      struct text text, struct medium *medium, struct error *error)
 {
     size_t cut = text.length;
     while (cut > 0 && text.start[cut - 1] != '_') {
@@ -187,7 +188,7 @@ static bool compare_private(struct codev *codev, const struct codev_private *own
     if (codev->job->glasses == NULL) {
         return true;
     }
-    if (catalog_glass(codev, &place, surface->glass.text, &found, error)) {
+    if (codev_glass_catalog_glass(codev, &place, surface->glass.text, &found, error)) {
         own_glass_compare(&glass, &found, &surface->medium);
         return true;
     }
@@ -216,7 +217,7 @@ bool codev_find_glass(struct codev *codev, struct sequence_surface *surface, str
         return sequence_medium(&codev->commands, &surface->glass, made, &surface->medium, error) &&
                (own == NULL || compare_private(codev, own, surface, error));
     }
-    if (catalog_glass(codev, &place, text, &surface->medium, error)) {
+    if (codev_glass_catalog_glass(codev, &place, text, &surface->medium, error)) {
         return true;
     }
     return error->code == ERROR_NONE &&

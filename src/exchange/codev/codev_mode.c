@@ -7,7 +7,7 @@
 #include <math.h>
 
 /* What speaks against one reading of the numbers; above a weight of 1 there is no such lens. */
-struct doubt {
+struct codev_mode_doubt {
     double most;      /* of all weights */
     double weight;    /* of the first above 1, else of the most */
     const char *what; /* of that one: the words for `length` */
@@ -29,7 +29,7 @@ static const double *heights_of(const struct lens *lens, enum solve_ray ray, str
 }
 
 /* Heights at a surface. */
-struct beams {
+struct codev_mode_beams {
     double marginal, chief;
 };
 
@@ -38,8 +38,8 @@ struct beams {
  * the beams shrink with the focal length, and only the distances stay: they are at most 10 radii in
  * glass, 100 behind a mirror, 1000 in air.
  */
-static void doubt_surface(const struct lens *lens, size_t at, size_t number, struct beams beams,
-                          struct doubt *worst)
+static void doubt_surface(const struct lens *lens, size_t at, size_t number,
+                          struct codev_mode_beams beams, struct codev_mode_doubt *worst)
 {
     const struct surface *surface = &lens->surfaces[at];
     double c = fabs(surface_curvature(surface, SECTION_Y).hi);
@@ -61,27 +61,29 @@ static void doubt_surface(const struct lens *lens, size_t at, size_t number, str
         double weight = all[i].length * c / all[i].radii;
         worst->most = fmax(worst->most, weight);
         if (weight > worst->weight && !(worst->weight > 1)) {
-            *worst = (struct doubt){worst->most, weight, all[i].what, all[i].length, number};
+            *worst =
+                (struct codev_mode_doubt){worst->most, weight, all[i].what, all[i].length, number};
         }
     }
 }
 
 /* Is the number of a surface one that RDM would decide about? */
-static bool is_open(const struct sequence_surface *surface)
+static bool codev_mode_is_open(const struct sequence_surface *surface)
 {
     return !surface->is_radius && surface->curve.value.hi != 0 && !surface->curvature_solve.is_set;
 }
 
-static struct doubt doubt_of(const struct sequence *sequence, const struct lens *lens)
+static struct codev_mode_doubt codev_mode_doubt_of(const struct sequence *sequence,
+                                                   const struct lens *lens)
 {
     struct arena *arena = sequence->job->arena;
     const double *marginal = heights_of(lens, SOLVE_MARGINAL, arena);
     const double *chief = heights_of(lens, SOLVE_CHIEF, arena);
-    struct doubt worst = {0};
+    struct codev_mode_doubt worst = {0};
     for (size_t i = 1; i + 1 < sequence->count; i++) {
         const size_t at = sequence->surfaces[i].place;
-        if (is_open(&sequence->surfaces[i])) {
-            doubt_surface(lens, at, i, (struct beams){marginal[at], chief[at]}, &worst);
+        if (codev_mode_is_open(&sequence->surfaces[i])) {
+            doubt_surface(lens, at, i, (struct codev_mode_beams){marginal[at], chief[at]}, &worst);
         }
     }
     return worst;
@@ -98,7 +100,7 @@ static struct lens as_radii(const struct sequence *sequence, const struct lens *
     }
     for (size_t i = 1; i + 1 < sequence->count; i++) {
         struct surface *surface = &other.surfaces[sequence->surfaces[i].place];
-        if (is_open(&sequence->surfaces[i])) {
+        if (codev_mode_is_open(&sequence->surfaces[i])) {
             surface->is_plane = surface->has_curvature = false;
             surface->radius = sequence->surfaces[i].curve;
             surface->radius.value = pair_divide(surface->radius.value, units);
@@ -115,7 +117,8 @@ bool codev_check_mode(struct codev *codev, struct error *error)
     }
     const struct lens *lens = lens_at_position(codev->build.lens, 0, codev->job->arena);
     const struct lens other = as_radii(sequence, lens);
-    const struct doubt as_read = doubt_of(sequence, lens), as_radius = doubt_of(sequence, &other);
+    const struct codev_mode_doubt as_read = codev_mode_doubt_of(sequence, lens),
+                                  as_radius = codev_mode_doubt_of(sequence, &other);
     if (!(as_read.most > as_radius.most)) {
         return true;
     }

@@ -31,7 +31,7 @@ static bool read_space(struct codev *codev, int what, struct error *error)
     return commands_end(&codev->commands, 2, error);
 }
 
-static bool read_nothing(struct codev *codev, int what, struct error *error)
+static bool codev_read_nothing(struct codev *codev, int what, struct error *error)
 {
     (void)codev, (void)what, (void)error;
     return true;
@@ -52,7 +52,8 @@ static bool refuse_macro(struct codev *codev, struct error *error)
 }
 
 /* A command that is lost by its group, but where its numbers are 0. */
-static bool lose(struct codev *codev, const struct word_group *group, struct error *error)
+static bool codev_read_lose(struct codev *codev, const struct word_group *group,
+                            struct error *error)
 {
     struct codev_qualifiers qualifiers;
     if (!codev_qualifiers(codev, 1, &qualifiers, error)) {
@@ -65,7 +66,7 @@ static bool lose(struct codev *codev, const struct word_group *group, struct err
 }
 
 /* VUX, VLX, VUY, VLY: the first that is not 0 is kept until the diameters are known. */
-static bool read_vignetting(struct codev *codev, int what, struct error *error)
+static bool codev_read_vignetting(struct codev *codev, int what, struct error *error)
 {
     struct codev_qualifiers qualifiers;
     (void)what;
@@ -79,7 +80,7 @@ static bool read_vignetting(struct codev *codev, int what, struct error *error)
 }
 
 /* The factors narrow the beams as rims do; where all surfaces have diameters these do it here. */
-static bool check_vignetting(struct codev *codev, struct error *error)
+static bool codev_read_check_vignetting(struct codev *codev, struct error *error)
 {
     const struct lens *lens = codev->build.lens;
     bool all = true;
@@ -105,7 +106,7 @@ static bool check_vignetting(struct codev *codev, struct error *error)
 }
 
 /* TEM in C, PRE in mm of mercury. */
-static bool read_environment(struct codev *codev, int what, struct error *error)
+static bool codev_read_environment(struct codev *codev, int what, struct error *error)
 {
     return sequence_environment(&codev->sequence, what == 'T', 760, error);
 }
@@ -118,9 +119,9 @@ static const struct {
     bool of_surface;
 } keywords[] = {
     {"RDM", codev_radius_mode, 0, false},
-    {"LEN", read_nothing, 0, false},
+    {"LEN", codev_read_nothing, 0, false},
     {"TIT", codev_title, 0, false},
-    {"DIM", read_nothing, 0, false}, /* read before all others */
+    {"DIM", codev_read_nothing, 0, false}, /* read before all others */
     {"WL", codev_waves, 'L', false},
     {"WTW", codev_waves, 'W', false},
     {"REF", codev_reference, 0, false},
@@ -145,9 +146,9 @@ static const struct {
     {"GLA", codev_glass, 0, true},
     {"RMD", codev_glass, 0, true},
     {"CYL", codev_shape, 0, true},
-    {"SPH", read_nothing, 0, false},
-    {"CON", read_nothing, 0, false},
-    {"ASP", read_nothing, 0, false},
+    {"SPH", codev_read_nothing, 0, false},
+    {"CON", codev_read_nothing, 0, false},
+    {"ASP", codev_read_nothing, 0, false},
     {"K", codev_constant, 0, true},
     {"A", codev_constant, 4, true},
     {"B", codev_constant, 6, true},
@@ -182,17 +183,17 @@ static const struct {
     {"TEL", read_space, 'T', false},
     {"AFC", read_space, 'A', false},
     {"PIK", codev_pickup, 0, true},
-    {"ZOO", read_nothing, 0, false}, /* what it has not become */
+    {"ZOO", codev_read_nothing, 0, false}, /* what it has not become */
     {"PRV", codev_catalog, 'P', false},
     {"PWL", codev_catalog, 'W', false},
     {"END", codev_catalog, 'P', false},
-    {"TEM", read_environment, 'T', false},
-    {"PRE", read_environment, 'P', false},
+    {"TEM", codev_read_environment, 'T', false},
+    {"PRE", codev_read_environment, 'P', false},
     {"GO", read_go, 0, false},
-    {"VUX", read_vignetting, 0, false},
-    {"VLX", read_vignetting, 0, false},
-    {"VUY", read_vignetting, 0, false},
-    {"VLY", read_vignetting, 0, false},
+    {"VUX", codev_read_vignetting, 0, false},
+    {"VLX", codev_read_vignetting, 0, false},
+    {"VUY", codev_read_vignetting, 0, false},
+    {"VLY", codev_read_vignetting, 0, false},
 };
 
 /* Of a range of surfaces, S3..5, each gets what the command says; a stop or pick-up has one. */
@@ -239,10 +240,10 @@ static bool run_group(struct codev *codev, struct text word, struct error *error
         return refuse_macro(codev, error);
     }
     return group == NULL ? commands_lose(&codev->commands, error, "an unknown command")
-                         : group->fate == WORD_HARMLESS || lose(codev, group, error);
+                         : group->fate == WORD_HARMLESS || codev_read_lose(codev, group, error);
 }
 
-static bool run_command(struct codev *codev, struct error *error)
+static bool codev_read_run_command(struct codev *codev, struct error *error)
 {
     const struct command_word *word = &codev->commands.words[0];
     bool is_here = true;
@@ -279,7 +280,7 @@ static bool run_command(struct codev *codev, struct error *error)
 }
 
 /* The unit may stand behind the lengths that it is of, ZOO behind everything. */
-static bool read_ahead(struct codev *codev, struct text content, struct error *error)
+static bool codev_read_ahead(struct codev *codev, struct text content, struct error *error)
 {
     commands_open(&codev->commands, codev->job, content, &grammar);
     while (commands_next(&codev->commands, error)) {
@@ -315,7 +316,7 @@ static bool finish_lens(struct codev *codev, struct error *error)
                          "the lens gets no aperture"));
 }
 
-static bool finish(struct codev *codev, struct error *error)
+static bool codev_read_finish(struct codev *codev, struct error *error)
 {
     struct sequence *sequence = &codev->sequence;
     if (!codev->has_image) {
@@ -335,7 +336,7 @@ static bool finish(struct codev *codev, struct error *error)
         *solve = (struct sequence_solve){.is_set = true, .at = codev->image_solve};
     }
     return codev_finish_system(codev, error) && finish_lens(codev, error) &&
-           check_vignetting(codev, error) && codev_check_mode(codev, error);
+           codev_read_check_vignetting(codev, error) && codev_check_mode(codev, error);
 }
 
 /* What lenscalc itself has written as comments. */
@@ -367,8 +368,8 @@ static void read_keep_notes(struct codev *codev, struct text content)
 }
 
 /* The lens of the present position. */
-static bool read_position(void *state, size_t position, struct text content, struct lens *lens,
-                          struct error *error)
+static bool codev_read_position(void *state, size_t position, struct text content,
+                                struct lens *lens, struct error *error)
 {
     struct codev *codev = state;
     const struct number_scale scale = codev->commands.scale;
@@ -385,7 +386,7 @@ static bool read_position(void *state, size_t position, struct text content, str
                                         .has_positions = codev->positions > 0,
                                         .environment = {.temperature = 20, .pressure = 1}};
     while (commands_next(&codev->commands, error)) {
-        if (!run_command(codev, error)) {
+        if (!codev_read_run_command(codev, error)) {
             return false;
         }
     }
@@ -393,7 +394,7 @@ static bool read_position(void *state, size_t position, struct text content, str
         return false;
     }
     read_keep_notes(codev, content);
-    return finish(codev, error);
+    return codev_read_finish(codev, error);
 }
 
 /* A file with positions is read once for each of them. */
@@ -403,12 +404,12 @@ static bool codev_read(struct foreign_job *job, struct text content, struct lens
     struct codev *first = ARENA_NEW(job->arena, struct codev);
     first->job = job;
     lens_build_begin(&first->build, lens, job->arena);
-    if (!read_ahead(first, content, error)) {
+    if (!codev_read_ahead(first, content, error)) {
         return false;
     }
     struct lens_build build = first->build;
     const struct merge_file file = {content, first->names,  first->positions,
-                                    first,   sizeof *first, read_position};
+                                    first,   sizeof *first, codev_read_position};
     if (!merge_read(&build, job, &file, error)) {
         return false;
     }

@@ -9,16 +9,16 @@
 static const struct number_scale plain = {1, 0};
 
 /* The surface a command is about. */
-static struct sequence_surface *surface_of(struct codev *codev,
-                                           const struct codev_qualifiers *qualifiers)
+static struct sequence_surface *codev_surface_of(struct codev *codev,
+                                                 const struct codev_qualifiers *qualifiers)
 {
     return &codev->sequence.surfaces[qualifiers->surface];
 }
 
 /* One value behind the qualifiers, and nothing more. */
-static bool read_value(struct codev *codev, struct number_scale scale, const char *what,
-                       struct codev_qualifiers *qualifiers, struct figure *figure,
-                       struct error *error)
+static bool codev_surface_read_value(struct codev *codev, struct number_scale scale,
+                                     const char *what, struct codev_qualifiers *qualifiers,
+                                     struct figure *figure, struct error *error)
 {
     return codev_qualifiers(codev, 1, qualifiers, error) &&
            commands_figure(&codev->commands, qualifiers->next, scale, what, figure, error) &&
@@ -36,7 +36,8 @@ static void set_curve(struct codev *codev, struct sequence_surface *surface, str
 }
 
 /* REFL and REFR are no glasses; the rest is looked up in the end. */
-static void set_glass(struct codev *codev, struct sequence_surface *surface, size_t word)
+static void codev_surface_set_glass(struct codev *codev, struct sequence_surface *surface,
+                                    size_t word)
 {
     struct commands *commands = &codev->commands;
     const struct text text = commands->words[word].text;
@@ -48,7 +49,7 @@ static void set_glass(struct codev *codev, struct sequence_surface *surface, siz
 }
 
 /* SO must be the first and SI the last; a number after S must be that of the surface. */
-static bool check_place(struct codev *codev, struct error *error)
+static bool codev_surface_check_place(struct codev *codev, struct error *error)
 {
     struct commands *commands = &codev->commands;
     const struct command_word *word = &commands->words[0];
@@ -84,7 +85,7 @@ bool codev_surface(struct codev *codev, int what, struct error *error)
     (void)what;
     struct commands *commands = &codev->commands;
     struct figure curve, thickness;
-    if (!check_place(codev, error) ||
+    if (!codev_surface_check_place(codev, error) ||
         !commands_figure(commands, 1, codev->radius_mode ? commands->scale : plain,
                          codev->radius_mode ? "radius" : "curvature", &curve, error) ||
         !(codev->sequence.count == 0
@@ -97,14 +98,14 @@ bool codev_surface(struct codev *codev, int what, struct error *error)
     set_curve(codev, surface, curve, codev->radius_mode);
     surface->thickness = thickness;
     for (size_t i = 3; i < commands->count && i < 5; i++) {
-        set_glass(codev, surface, i);
+        codev_surface_set_glass(codev, surface, i);
     }
     return commands_end(commands, 5, error);
 }
 
 /* A solve behind the qualifiers: CUY UMY u, THI HMY h. */
-static bool read_solve(struct codev *codev, const struct codev_qualifiers *qualifiers,
-                       bool is_thickness, bool *is_solve, struct error *error)
+static bool codev_surface_read_solve(struct codev *codev, const struct codev_qualifiers *qualifiers,
+                                     bool is_thickness, bool *is_solve, struct error *error)
 {
     static const struct {
         const char *name;
@@ -116,7 +117,7 @@ static bool read_solve(struct codev *codev, const struct codev_qualifiers *quali
                   {"UCY", true, SOLVE_CHIEF}};
     struct commands *commands = &codev->commands;
     const struct command_word word = commands_word(commands, qualifiers->next);
-    struct sequence_surface *surface = surface_of(codev, qualifiers);
+    struct sequence_surface *surface = codev_surface_of(codev, qualifiers);
     char c = word.text.length > 0 ? word.text.start[0] : '0';
     *is_solve = (c >= 'A' && c <= 'Z') || (c >= 'a' && c <= 'z');
     if (!*is_solve) {
@@ -166,7 +167,7 @@ bool codev_curve(struct codev *codev, int what, struct error *error)
     struct codev_qualifiers qualifiers;
     struct figure figure;
     if (!codev_qualifiers(codev, 1, &qualifiers, error) ||
-        (!is_x && !read_solve(codev, &qualifiers, false, &is_solve, error))) {
+        (!is_x && !codev_surface_read_solve(codev, &qualifiers, false, &is_solve, error))) {
         return false;
     }
     if (is_solve) {
@@ -177,7 +178,7 @@ bool codev_curve(struct codev *codev, int what, struct error *error)
         !commands_end(commands, qualifiers.next + 1, error)) {
         return false;
     }
-    struct sequence_surface *surface = surface_of(codev, &qualifiers);
+    struct sequence_surface *surface = codev_surface_of(codev, &qualifiers);
     if (is_x) {
         return set_curve_x(codev, surface, figure, is_radius, error);
     }
@@ -193,9 +194,9 @@ bool codev_thickness(struct codev *codev, int what, struct error *error)
     if (!codev_qualifiers(codev, 1, &qualifiers, error)) {
         return false;
     }
-    struct sequence_surface *surface = surface_of(codev, &qualifiers);
+    struct sequence_surface *surface = codev_surface_of(codev, &qualifiers);
     bool of_object = surface == &codev->sequence.surfaces[0];
-    if (!of_object && !read_solve(codev, &qualifiers, true, &is_solve, error)) {
+    if (!of_object && !codev_surface_read_solve(codev, &qualifiers, true, &is_solve, error)) {
         return false;
     }
     if (!of_object && is_solve) {
@@ -205,8 +206,8 @@ bool codev_thickness(struct codev *codev, int what, struct error *error)
         return commands_object(&codev->commands, qualifiers.next, &surface->thickness, error) &&
                commands_end(&codev->commands, qualifiers.next + 1, error);
     }
-    return read_value(codev, codev->commands.scale, "thickness", &qualifiers, &surface->thickness,
-                      error);
+    return codev_surface_read_value(codev, codev->commands.scale, "thickness", &qualifiers,
+                                    &surface->thickness, error);
 }
 
 bool codev_glass(struct codev *codev, int what, struct error *error)
@@ -220,7 +221,7 @@ bool codev_glass(struct codev *codev, int what, struct error *error)
         const struct command_word word = commands_word(&codev->commands, qualifiers.next);
         return commands_fail(&codev->commands, &word, error, "the glass is missing");
     }
-    set_glass(codev, surface_of(codev, &qualifiers), qualifiers.next);
+    codev_surface_set_glass(codev, codev_surface_of(codev, &qualifiers), qualifiers.next);
     return commands_end(&codev->commands, qualifiers.next + 1, error);
 }
 
@@ -231,7 +232,7 @@ bool codev_shape(struct codev *codev, int what, struct error *error)
     if (!codev_qualifiers(codev, 1, &qualifiers, error)) {
         return false;
     }
-    surface_of(codev, &qualifiers)->curved = CURVED_Y;
+    codev_surface_of(codev, &qualifiers)->curved = CURVED_Y;
     return commands_end(&codev->commands, qualifiers.next, error);
 }
 
@@ -254,11 +255,11 @@ bool codev_constant(struct codev *codev, int what, struct error *error)
 {
     struct codev_qualifiers qualifiers;
     struct figure figure;
-    if (!read_value(codev, plain, what == 0 ? "conic" : "coefficient", &qualifiers, &figure,
-                    error)) {
+    if (!codev_surface_read_value(codev, plain, what == 0 ? "conic" : "coefficient", &qualifiers,
+                                  &figure, error)) {
         return false;
     }
-    struct sequence_surface *surface = surface_of(codev, &qualifiers);
+    struct sequence_surface *surface = codev_surface_of(codev, &qualifiers);
     set_constant(codev, surface, what, figure);
     return true;
 }
@@ -273,7 +274,7 @@ bool codev_special(struct codev *codev, int what, struct error *error)
     }
     const struct command_word kind = commands_word(&codev->commands, qualifiers.next);
     struct figure radius = sequence_nothing;
-    struct sequence_surface *surface = surface_of(codev, &qualifiers);
+    struct sequence_surface *surface = codev_surface_of(codev, &qualifiers);
     surface->is_special = text_same(kind.text, "ODD");
     if (!surface->is_special) {
         return commands_lose(&codev->commands, error,
@@ -315,7 +316,7 @@ bool codev_special_constant(struct codev *codev, int what, struct error *error)
         return false;
     }
     struct commands *commands = &codev->commands;
-    struct sequence_surface *surface = surface_of(codev, &qualifiers);
+    struct sequence_surface *surface = codev_surface_of(codev, &qualifiers);
     const struct command_word name = commands_word(commands, qualifiers.next);
     int order = name.text.length > 0 ? special_order(name.text) : -1;
     if (!commands_figure(commands, qualifiers.next + 1, plain, "coefficient", &figure, error) ||
@@ -361,7 +362,7 @@ bool codev_label(struct codev *codev, int what, struct error *error)
     }
     const struct text label = commands_word(&codev->commands, qualifiers.next).text;
     if (label.length > 0 && memchr(label.start, '"', label.length) == NULL) {
-        surface_of(codev, &qualifiers)->name = lens_build_string(&codev->build, label);
+        codev_surface_of(codev, &qualifiers)->name = lens_build_string(&codev->build, label);
     }
     return commands_end(&codev->commands, qualifiers.next + 1, error);
 }
@@ -372,11 +373,11 @@ bool codev_shift(struct codev *codev, int what, struct error *error)
     bool is_turn = what >= 'A' && what <= 'C';
     struct codev_qualifiers qualifiers;
     struct figure figure;
-    if (!read_value(codev, is_turn ? plain : codev->commands.scale, is_turn ? "tilt" : "decentre",
-                    &qualifiers, &figure, error)) {
+    if (!codev_surface_read_value(codev, is_turn ? plain : codev->commands.scale,
+                                  is_turn ? "tilt" : "decentre", &qualifiers, &figure, error)) {
         return false;
     }
-    struct sequence_surface *surface = surface_of(codev, &qualifiers);
+    struct sequence_surface *surface = codev_surface_of(codev, &qualifiers);
     surface->decentred_at = codev->commands.words[0];
     if (!is_turn) {
         surface->shift[what - 'X'] = figure;
@@ -393,7 +394,7 @@ bool codev_move(struct codev *codev, int what, struct error *error)
     if (!codev_qualifiers(codev, 1, &qualifiers, error)) {
         return false;
     }
-    struct sequence_surface *surface = surface_of(codev, &qualifiers);
+    struct sequence_surface *surface = codev_surface_of(codev, &qualifiers);
     surface->move = (enum sequence_move)what;
     surface->decentred_at = codev->commands.words[0];
     return commands_end(&codev->commands, qualifiers.next, error);

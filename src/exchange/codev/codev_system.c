@@ -145,7 +145,7 @@ bool codev_reference(struct codev *codev, int what, struct error *error)
            commands_end(&codev->commands, 2, error);
 }
 
-static void put_wavelength(struct codev *codev, size_t index)
+static void codev_system_put_wavelength(struct codev *codev, size_t index)
 {
     const struct text nm = codev->wavelengths[index].text;
     struct arena *arena = codev->job->arena;
@@ -161,7 +161,7 @@ static void put_wavelength(struct codev *codev, size_t index)
     }
 }
 
-static bool finish_waves(struct codev *codev, struct error *error)
+static bool codev_system_finish_waves(struct codev *codev, struct error *error)
 {
     size_t primary = codev->primary > 0 ? codev->primary - 1 : (codev->wavelength_count - 1) / 2;
     if (codev->wavelength_count == 0) {
@@ -172,10 +172,10 @@ static bool finish_waves(struct codev *codev, struct error *error)
              codev->wavelength_count);
         return error_locate(error, codev->job->source, codev->wavelengths[0].number, 0);
     }
-    put_wavelength(codev, primary);
+    codev_system_put_wavelength(codev, primary);
     for (size_t i = 0; i < codev->wavelength_count; i++) {
         if (i != primary) {
-            put_wavelength(codev, i);
+            codev_system_put_wavelength(codev, i);
         }
     }
     return true;
@@ -187,8 +187,8 @@ static const struct {
 } apertures[] = {{'E', APERTURE_EPD}, {'F', APERTURE_FNUMBER}, {'O', APERTURE_NA}};
 
 /* EPD, FNO, NAO; NA in the image is the f-number 1/(2 NA). */
-static bool read_aperture(struct codev *codev, int what, size_t word, struct figure *figure,
-                          struct error *error)
+static bool codev_system_read_aperture(struct codev *codev, int what, size_t word,
+                                       struct figure *figure, struct error *error)
 {
     struct commands *commands = &codev->commands;
     if (!commands_figure(commands, word, what == 'E' ? commands->scale : plain, "aperture", figure,
@@ -212,7 +212,7 @@ bool codev_aperture_of_lens(struct codev *codev, int what, struct error *error)
     struct codev_qualifiers qualifiers;
     struct figure figure;
     if (!codev_qualifiers(codev, 1, &qualifiers, error) ||
-        !read_aperture(codev, what, qualifiers.next, &figure, error) ||
+        !codev_system_read_aperture(codev, what, qualifiers.next, &figure, error) ||
         !commands_end(&codev->commands, qualifiers.next + 1, error)) {
         return false;
     }
@@ -225,8 +225,8 @@ bool codev_aperture_of_lens(struct codev *codev, int what, struct error *error)
 }
 
 /* YAN F2 8: one of a list, or one more. */
-static bool put_field(struct codev *codev, int row, size_t number, const struct figure *field,
-                      struct error *error)
+static bool codev_system_put_field(struct codev *codev, int row, size_t number,
+                                   const struct figure *field, struct error *error)
 {
     const struct command_word *word = &codev->commands.words[0];
     const size_t count = codev->field_count[row], next = count + 1;
@@ -266,7 +266,7 @@ bool codev_fields(struct codev *codev, int what, struct error *error)
         }
     }
     if (qualifiers.field > 0) {
-        return put_field(codev, row, qualifiers.field, &fields[0], error) &&
+        return codev_system_put_field(codev, row, qualifiers.field, &fields[0], error) &&
                commands_end(commands, qualifiers.next + 1, error);
     }
     if (kind != 'w') {
@@ -282,7 +282,7 @@ bool codev_fields(struct codev *codev, int what, struct error *error)
 }
 
 /* One point of the field from its place in each of the lists. */
-static bool finish_field(struct codev *codev, size_t at, struct error *error)
+static bool codev_system_finish_field(struct codev *codev, size_t at, struct error *error)
 {
     struct lens_field *field = lens_build_field(&codev->build);
     for (int row = 0; row < CODEV_FIELD_WEIGHTS; row++) {
@@ -309,7 +309,7 @@ static bool finish_fields(struct codev *codev, struct error *error)
 {
     const size_t x = codev->field_count[0], y = codev->field_count[1];
     for (size_t i = 0; i < x || i < y; i++) {
-        if (!finish_field(codev, i, error)) {
+        if (!codev_system_finish_field(codev, i, error)) {
             return false;
         }
     }
@@ -391,5 +391,5 @@ bool codev_pickup(struct codev *codev, int what, struct error *error)
 
 bool codev_finish_system(struct codev *codev, struct error *error)
 {
-    return finish_waves(codev, error) && finish_fields(codev, error);
+    return codev_system_finish_waves(codev, error) && finish_fields(codev, error);
 }

@@ -77,13 +77,13 @@ bool codev_is_zero(const struct codev *codev, size_t first)
     return true;
 }
 
-static bool is_quote(char c)
+static bool codev_words_is_quote(char c)
 {
     return c == '\'' || c == '"';
 }
 
 /* A number of a surface, in digits alone. */
-static bool read_number(struct text text, size_t *number)
+static bool codev_words_read_number(struct text text, size_t *number)
 {
     size_t value = 0;
     for (size_t i = 0; i < text.length; i++) {
@@ -115,21 +115,21 @@ static bool surface_named(const struct codev *codev, struct text name, size_t *s
     for (size_t i = 0; i < sequence->count; i++) {
         const struct sequence_surface *one = &sequence->surfaces[i];
         bool is_stop = is_place(name) && one->is_stop;
-        bool is_label = name.length > 2 && is_quote(first) && one->name != NULL &&
+        bool is_label = name.length > 2 && codev_words_is_quote(first) && one->name != NULL &&
                         text_same((struct text){name.start + 1, name.length - 2}, one->name);
         if (is_stop || is_label) {
             *surface = i;
             return true;
         }
     }
-    return read_number(name, surface) && *surface < sequence->count;
+    return codev_words_read_number(name, surface) && *surface < sequence->count;
 }
 
 /* "3..5" of S3..5 is "3", and "5" behind it; "3" is both. */
-static struct text cut_range(struct text name, struct text *last)
+static struct text codev_words_cut_range(struct text name, struct text *last)
 {
     *last = name;
-    for (size_t i = 0; i + 1 < name.length && !is_quote(name.start[0]); i++) {
+    for (size_t i = 0; i + 1 < name.length && !codev_words_is_quote(name.start[0]); i++) {
         if (name.start[i] == '.' && name.start[i + 1] == '.') {
             const size_t behind = i + 2 < name.length && (name.start[i + 2] | 32) == 's' &&
                                   i + 3 < name.length; /* S3..S5 */
@@ -140,11 +140,11 @@ static struct text cut_range(struct text name, struct text *last)
     return name;
 }
 
-static bool read_surfaces(struct codev *codev, const struct command_word *word,
-                          struct codev_qualifiers *qualifiers, struct error *error)
+static bool codev_words_read_surfaces(struct codev *codev, const struct command_word *word,
+                                      struct codev_qualifiers *qualifiers, struct error *error)
 {
     const struct text name = {word->text.start + 1, word->text.length - 1};
-    struct text last, first = cut_range(name, &last);
+    struct text last, first = codev_words_cut_range(name, &last);
     qualifiers->has_surface = true;
     return (surface_named(codev, first, &qualifiers->surface) &&
             surface_named(codev, last, &qualifiers->end) &&
@@ -165,9 +165,10 @@ static bool is_digits(struct text text)
 /* Has what stands behind the S the form of a surface, whether there is such a one or not? */
 static bool is_surface_form(struct text name)
 {
-    struct text last, first = cut_range(name, &last);
-    return name.length > 0 && (is_quote(name.start[0]) || ((is_digits(first) || is_place(first)) &&
-                                                           (is_digits(last) || is_place(last))));
+    struct text last, first = codev_words_cut_range(name, &last);
+    return name.length > 0 &&
+           (codev_words_is_quote(name.start[0]) ||
+            ((is_digits(first) || is_place(first)) && (is_digits(last) || is_place(last))));
 }
 
 /* Is the value of a command a name, that may look like a qualifier: the glass F2? */
@@ -221,7 +222,7 @@ bool codev_qualifiers(struct codev *codev, size_t first, struct codev_qualifiers
         const char kind = codev_qualifier_kind(command, &word);
         size_t value = 0;
         if (kind == 's') {
-            if (!read_surfaces(codev, &word, qualifiers, error)) {
+            if (!codev_words_read_surfaces(codev, &word, qualifiers, error)) {
                 return false;
             }
             continue;

@@ -4,26 +4,28 @@
 #include "file/decimal.h"
 
 /* One command of an aperture: `half` of a size, or a decentre as it is. */
-static void put(struct writing *writing, const char *name, const char *label,
-                const struct figure *figure, bool half)
+static void codev_write_aperture_put(struct lens_writer *writing, const char *name,
+                                     const char *label, const struct figure *figure, bool half)
 {
     const struct text digits = writing_length(writing, figure, 1);
     const struct text value = half ? decimal_half(digits, writing->arena) : digits;
     growing_format(&writing->text, "  %s%s %.*s\n", name, label, (int)value.length, value.start);
 }
 
-static void put_shift(struct writing *writing, const char *label, const struct aperture *aperture)
+static void put_shift(struct lens_writer *writing, const char *label,
+                      const struct aperture *aperture)
 {
     static const char *const names[] = {"ADX", "ADY"};
     for (int k = 0; k < 2; k++) {
         if (aperture->decenter[k].value.hi != 0) {
-            put(writing, names[k], label, &aperture->decenter[k], false);
+            codev_write_aperture_put(writing, names[k], label, &aperture->decenter[k], false);
         }
     }
 }
 
 /* Why there are no words for it; null: there are. */
-static const char *refusal_of(const struct surface *surface, const struct aperture *aperture)
+static const char *codev_write_aperture_refusal_of(const struct surface *surface,
+                                                   const struct aperture *aperture)
 {
     const struct aperture_traits *traits = &aperture_shapes[aperture->shape];
     bool circle = aperture->shape == SHAPE_CIRCLE;
@@ -43,7 +45,7 @@ static const char *refusal_of(const struct surface *surface, const struct apertu
                : NULL;
 }
 
-bool codev_put_apertures(struct writing *writing, struct foreign_job *job,
+bool codev_put_apertures(struct lens_writer *writing, struct foreign_job *job,
                          const struct surface *surface, struct error *error)
 {
     static const char *const names[][2] = {[SHAPE_CIRCLE] = {"CIR", NULL},
@@ -51,7 +53,7 @@ bool codev_put_apertures(struct writing *writing, struct foreign_job *job,
                                            [SHAPE_ELLIPSE] = {"ELX", "ELY"}};
     for (size_t i = 0; i < surface->aperture_count; i++) {
         const struct aperture *one = &surface->apertures[i];
-        const char *refusal = refusal_of(surface, one);
+        const char *refusal = codev_write_aperture_refusal_of(surface, one);
         bool is_plain = one->shape == SHAPE_CIRCLE && !one->blocks;
         const char *label =
             is_plain ? ""
@@ -67,7 +69,7 @@ bool codev_put_apertures(struct writing *writing, struct foreign_job *job,
             continue;
         }
         for (int k = 0; k < 2 && names[one->shape][k] != NULL; k++) {
-            put(writing, names[one->shape][k], label, &one->size[k], true);
+            codev_write_aperture_put(writing, names[one->shape][k], label, &one->size[k], true);
         }
         put_shift(writing, label, one);
     }

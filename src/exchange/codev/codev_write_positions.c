@@ -7,16 +7,16 @@
 #include <math.h>
 #include <string.h>
 
-static void put_string(struct codev_output *output, const char *string)
+static void codev_write_positions_put_string(struct codev_output *output, const char *string)
 {
     growing_string(&output->writing.text, string);
 }
 
-static void put_values(struct codev_output *output, const char *name, const struct figure *values,
-                       int power, bool halve)
+static void codev_write_positions_put_values(struct codev_output *output, const char *name,
+                                             const struct figure *values, int power, bool halve)
 {
     size_t column = strlen(name);
-    put_string(output, name);
+    codev_write_positions_put_string(output, name);
     for (size_t i = 0; i < output->lens->position_count; i++) {
         struct text number = isinf(values[i].value.hi)
                                  ? text_of("0.1e14")
@@ -24,7 +24,7 @@ static void put_values(struct codev_output *output, const char *name, const stru
         codev_put_number(output, &column,
                          halve ? decimal_half(number, output->job->arena) : number);
     }
-    put_string(output, "\n");
+    codev_write_positions_put_string(output, "\n");
 }
 
 /* The same in every position. */
@@ -38,11 +38,11 @@ static void put_pupils(struct codev_output *output)
             return;
         }
     }
-    put_values(output, "ZOO EPD", pupils, 1, false);
+    codev_write_positions_put_values(output, "ZOO EPD", pupils, 1, false);
 }
 
 /* CODE V counts the planes that were put in for coordinate breaks. */
-static size_t number_of(const struct lens *lens, size_t index)
+static size_t codev_write_positions_number_of(const struct lens *lens, size_t index)
 {
     size_t number = 1;
     for (size_t i = 0; i <= index; i++) {
@@ -53,8 +53,9 @@ static size_t number_of(const struct lens *lens, size_t index)
 }
 
 /* What a parameter is called, and what stands behind the surface's number; null: by no word. */
-static const char *word_of(const struct surface *surface, struct parameter parameter,
-                           struct arena *arena, const char **rest)
+static const char *codev_write_positions_word_of(const struct surface *surface,
+                                                 struct parameter parameter, struct arena *arena,
+                                                 const char **rest)
 {
     static const char *const moves[] = {
         [PARAMETER_DECENTER_X] = "XDE", [PARAMETER_BREAK_DECENTER_X] = "XDE",
@@ -84,8 +85,9 @@ static const char *word_of(const struct surface *surface, struct parameter param
 }
 
 /* ADE and BDE turn left-handed; a plane has the radius 0. */
-static struct text value_of(struct codev_output *output, struct parameter parameter,
-                            const struct figure *figure)
+static struct text codev_write_positions_value_of(struct codev_output *output,
+                                                  struct parameter parameter,
+                                                  const struct figure *figure)
 {
     const struct parameter_type *type = parameter_type(parameter.kind);
     const bool is_left = parameter.kind == PARAMETER_TILT_X || parameter.kind == PARAMETER_TILT_Y ||
@@ -102,17 +104,20 @@ static struct text value_of(struct codev_output *output, struct parameter parame
     return is_left ? decimal_negate(degrees, output->job->arena) : degrees;
 }
 
-static bool put_setting(struct codev_output *output, const struct lens_setting *one,
-                        struct error *error)
+static bool codev_write_positions_put_setting(struct codev_output *output,
+                                              const struct lens_setting *one, struct error *error)
 {
     struct arena *arena = output->job->arena;
     const struct parameter parameter = one->parameter;
     const struct surface *surface = &output->lens->surfaces[parameter.surface];
     const bool on_plane = parameter.kind >= PARAMETER_BREAK_DECENTER_X &&
                           surface->decentre != NULL && surface->coordinate_break != NULL;
-    const size_t number = number_of(output->lens, parameter.surface) - on_plane;
+    const size_t number =
+        codev_write_positions_number_of(output->lens, parameter.surface) - on_plane;
     const char *rest = "",
-               *word = one->media != NULL ? "GLA" : word_of(surface, parameter, arena, &rest);
+               *word = one->media != NULL
+                           ? "GLA"
+                           : codev_write_positions_word_of(surface, parameter, arena, &rest);
     if (word == NULL) {
         return foreign_lose(output->job, error,
                             "what the positions set %s to" LOSS_INSTEAD
@@ -121,24 +126,25 @@ static bool put_setting(struct codev_output *output, const struct lens_setting *
     }
     const char *command = arena_printf(arena, "ZOO %s S%zu%s", word, number, rest);
     size_t column = strlen(command);
-    put_string(output, command);
+    codev_write_positions_put_string(output, command);
     for (size_t p = 0; p < output->lens->position_count; p++) {
         if (one->media == NULL) {
-            codev_put_number(output, &column, value_of(output, parameter, &one->figures[p]));
+            codev_put_number(output, &column,
+                             codev_write_positions_value_of(output, parameter, &one->figures[p]));
         } else if (medium_is_air(&one->media[p])) {
-            put_string(output, " AIR");
+            codev_write_positions_put_string(output, " AIR");
         } else if (!codev_put_medium(output, &one->media[p], error)) {
             return false;
         }
     }
-    put_string(output, "\n");
+    codev_write_positions_put_string(output, "\n");
     return true;
 }
 
-static bool put_settings(struct codev_output *output, struct error *error)
+static bool codev_write_positions_put_settings(struct codev_output *output, struct error *error)
 {
     for (size_t i = 0; i < output->lens->setting_count; i++) {
-        if (!put_setting(output, &output->lens->settings[i], error)) {
+        if (!codev_write_positions_put_setting(output, &output->lens->settings[i], error)) {
             return false;
         }
     }
@@ -146,14 +152,14 @@ static bool put_settings(struct codev_output *output, struct error *error)
 }
 
 /* XAN Z2 .., YAN Z2 .., WTF Z2 .. */
-static void put_points(struct codev_output *output, const struct lens_points *points,
-                       size_t position)
+static void codev_write_positions_put_points(struct codev_output *output,
+                                             const struct lens_points *points, size_t position)
 {
     for (int what = 0; what < 3; what++) {
         const char *word = what < 2 ? codev_field_words[output->lens->field_kind][what] : "WTF";
         const char *command = arena_printf(output->job->arena, "%s Z%zu", word, position + 1);
         size_t column = strlen(command);
-        put_string(output, command);
+        codev_write_positions_put_string(output, command);
         for (size_t i = 0; i < points->count; i++) {
             const struct lens_field *field = &points->fields[i];
             const struct text weight =
@@ -161,7 +167,7 @@ static void put_points(struct codev_output *output, const struct lens_points *po
             codev_put_number(output, &column,
                              what < 2 ? codev_coordinate(output, &field->at[what]) : weight);
         }
-        put_string(output, "\n");
+        codev_write_positions_put_string(output, "\n");
     }
 }
 
@@ -172,7 +178,7 @@ static void put_light(struct codev_output *output, const struct lens_light *ligh
         const char *command =
             arena_printf(output->job->arena, "%s Z%zu", weights ? "WTW" : "WL", position + 1);
         size_t column = strlen(command);
-        put_string(output, command);
+        codev_write_positions_put_string(output, command);
         for (size_t i = 0; i < light->count; i++) {
             const struct lens_wavelength *one = &light->wavelengths[i];
             const struct text weight =
@@ -181,23 +187,23 @@ static void put_light(struct codev_output *output, const struct lens_light *ligh
                 output, &column,
                 weights ? weight : writing_wave(&output->writing, one->wavelength, one->typed, 3));
         }
-        put_string(output, "\n");
+        codev_write_positions_put_string(output, "\n");
     }
 }
 
-static void put_stops_and_waves(struct codev_output *output)
+static void codev_write_positions_put_stops_and_waves(struct codev_output *output)
 {
     const struct lens *lens = output->lens;
     for (size_t p = 0; p < lens->position_count; p++) {
         if (lens->stops != NULL) {
             growing_format(&output->writing.text, "STO S%zu Z%zu\n",
-                           number_of(lens, lens->stops[p]), p + 1);
+                           codev_write_positions_number_of(lens, lens->stops[p]), p + 1);
         }
         if (lens->lights != NULL) {
             put_light(output, &lens->lights[p], p);
         }
         if (lens->points != NULL) {
-            put_points(output, &lens->points[p], p);
+            codev_write_positions_put_points(output, &lens->points[p], p);
         }
     }
 }
@@ -217,27 +223,30 @@ bool codev_put_positions(struct codev_output *output, struct error *error)
         }
     }
     if (lens->apertures != NULL && lens->aperture_kind > APERTURE_STOP) {
-        put_values(output, arena_printf(arena, "ZOO %s", codev_aperture_words[lens->aperture_kind]),
-                   lens->apertures, lens->aperture_kind == APERTURE_EPD, false);
+        codev_write_positions_put_values(
+            output, arena_printf(arena, "ZOO %s", codev_aperture_words[lens->aperture_kind]),
+            lens->apertures, lens->aperture_kind == APERTURE_EPD, false);
     }
     if (lens->aperture_kind == APERTURE_STOP) {
         put_pupils(output);
     }
     if (lens->objects != NULL) {
-        put_values(output, "ZOO THI SO", lens->objects, 1, false);
+        codev_write_positions_put_values(output, "ZOO THI SO", lens->objects, 1, false);
     }
     for (size_t i = 0; i < lens->surface_count; i++) {
         const struct surface *surface = &lens->surfaces[i];
-        size_t number = number_of(lens, i);
+        size_t number = codev_write_positions_number_of(lens, i);
         if (surface->has_thickness && surface->thickness.variable != LENS_NONE) {
-            put_values(output, arena_printf(arena, "ZOO THI S%zu", number),
-                       lens->variables[surface->thickness.variable].values, 1, false);
+            codev_write_positions_put_values(output, arena_printf(arena, "ZOO THI S%zu", number),
+                                             lens->variables[surface->thickness.variable].values, 1,
+                                             false);
         }
         if (surface->has_diameter && surface->diameter.variable != LENS_NONE) {
-            put_values(output, arena_printf(arena, "ZOO CIR S%zu", number),
-                       lens->variables[surface->diameter.variable].values, 1, true);
+            codev_write_positions_put_values(output, arena_printf(arena, "ZOO CIR S%zu", number),
+                                             lens->variables[surface->diameter.variable].values, 1,
+                                             true);
         }
     }
-    put_stops_and_waves(output);
-    return put_settings(output, error);
+    codev_write_positions_put_stops_and_waves(output);
+    return codev_write_positions_put_settings(output, error);
 }

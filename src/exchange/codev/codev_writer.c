@@ -16,24 +16,24 @@ const char *const codev_field_words[][2] = {[FIELD_ANGLE] = {"XAN", "YAN"},
                                             [FIELD_IMAGE] = {"XIM", "YIM"},
                                             [FIELD_REAL] = {"XRI", "YRI"}};
 
-static void put(struct codev_output *output, struct text text)
+static void codev_writer_put(struct codev_output *output, struct text text)
 {
     growing_text(&output->writing.text, text);
 }
 
-static void put_string(struct codev_output *output, const char *string)
+static void codev_writer_put_string(struct codev_output *output, const char *string)
 {
-    put(output, text_of(string));
+    codev_writer_put(output, text_of(string));
 }
 
 void codev_put_number(struct codev_output *output, size_t *column, struct text number)
 {
     if (*column + number.length + 2 > LINE) {
-        put_string(output, "&\n  ");
+        codev_writer_put_string(output, "&\n  ");
         *column = 2;
     }
-    put_string(output, " ");
-    put(output, number);
+    codev_writer_put_string(output, " ");
+    codev_writer_put(output, number);
     *column += number.length + 1;
 }
 
@@ -51,17 +51,18 @@ bool codev_put_text(struct codev_output *output, const char *name, const char *s
     bool has_lost = false;
     const char *quote = strchr(string, '\'') == NULL ? "'" : "\"";
     const struct text text = writing_quotable(&output->writing, string, quote, &has_lost);
-    put_string(output, arena_printf(output->job->arena, "%s %s", name, quote));
-    put(output, text);
-    put_string(output, quote);
-    put_string(output, "\n");
+    codev_writer_put_string(output, arena_printf(output->job->arena, "%s %s", name, quote));
+    codev_writer_put(output, text);
+    codev_writer_put_string(output, quote);
+    codev_writer_put_string(output, "\n");
     return !has_lost || foreign_lose(output->job, error,
                                      "a text with both kinds of quotes" LOSS_INSTEAD
                                      "the double ones are left out");
 }
 
 /* nd = 1.ddd and Vd = vv.v as ddd.vvv; empty where nd or Vd do not fit. */
-static struct text code_of(const struct codev_output *output, const struct medium *medium)
+static struct text codev_writer_code_of(const struct codev_output *output,
+                                        const struct medium *medium)
 {
     struct text abbe = medium->written, index = text_cut(&abbe, '/');
     const char *digits = "0123456789";
@@ -91,15 +92,15 @@ bool codev_put_medium(struct codev_output *output, const struct medium *medium, 
     if (medium_is_air(medium)) {
         return true;
     }
-    put_string(output, " ");
+    codev_writer_put_string(output, " ");
     if (medium->kind == MEDIUM_GLASS) {
         writing_glass(&output->writing, output->job, medium, &name, &catalog);
         bool quoted = memchr(name.start, ' ', name.length) != NULL;
-        put_string(output, quoted ? "'" : "");
-        put(output, name);
-        put_string(output, catalog.length > 0 ? "_" : "");
-        put(output, catalog);
-        put_string(output, quoted ? "'" : "");
+        codev_writer_put_string(output, quoted ? "'" : "");
+        codev_writer_put(output, name);
+        codev_writer_put_string(output, catalog.length > 0 ? "_" : "");
+        codev_writer_put(output, catalog);
+        codev_writer_put_string(output, quoted ? "'" : "");
         return true;
     }
     for (size_t i = 0; i < output->own_count; i++) {
@@ -108,15 +109,15 @@ bool codev_put_medium(struct codev_output *output, const struct medium *medium, 
             return true;
         }
     }
-    code = code_of(output, medium);
+    code = codev_writer_code_of(output, medium);
     if (code.length > 0) {
-        put(output, code);
+        codev_writer_put(output, code);
         return true;
     }
     struct text abbe = medium->written, index = text_cut(&abbe, '/');
-    put(output, index);
-    put_string(output, ":");
-    put(output, abbe);
+    codev_writer_put(output, index);
+    codev_writer_put_string(output, ":");
+    codev_writer_put(output, abbe);
     return foreign_lose(output->job, error,
                         "a glass whose nd is not from 1 to 2 or whose Vd is not from 0 to "
                         "100 has no code" LOSS_INSTEAD "it is written nd:Vd");

@@ -8,7 +8,7 @@
 
 /* A lens being written; what is no glass of CODE V goes into a catalogue of the file. */
 struct codev_output {
-    struct writing writing;
+    struct lens_writer writing;
     struct foreign_job *job;
     const struct lens *lens;
     const struct medium **own; /* media of the file's catalogue */

@@ -31,7 +31,7 @@ bool oslo_write(struct foreign_job *job, const struct lens *lens, struct text *t
                 struct error *error);
 
 /* Ellipses, rectangles, triangles and quadrangles that are not turned; the others are losses. */
-bool oslo_write_apertures(struct writing *writing, struct foreign_job *job,
+bool oslo_write_apertures(struct lens_writer *writing, struct foreign_job *job,
                           const struct surface *surface, struct error *error);
 
 #endif

@@ -20,7 +20,8 @@ static bool is_same_letter(struct text a, struct text b)
 }
 
 /* The special aperture of a letter, made if there is none. */
-static struct oslo_special *find(struct oslo *oslo, size_t surface, struct text letter)
+static struct oslo_special *oslo_aperture_find(struct oslo *oslo, size_t surface,
+                                               struct text letter)
 {
     for (size_t i = 0; i < oslo->special_count; i++) {
         struct oslo_special *one = &oslo->specials[i];
@@ -47,11 +48,11 @@ static bool read_special(struct oslo *oslo, struct number_scale scale, const cha
         !commands_end(&oslo->commands, 3, error)) {
         return false;
     }
-    *one = find(oslo, oslo->surface, commands_word(&oslo->commands, 1).text);
+    *one = oslo_aperture_find(oslo, oslo->surface, commands_word(&oslo->commands, 1).text);
     return true;
 }
 
-static bool read_number(struct oslo *oslo, int what, struct error *error)
+static bool oslo_aperture_read_number(struct oslo *oslo, int what, struct error *error)
 {
     struct oslo_special *one;
     struct figure figure;
@@ -81,8 +82,8 @@ static bool read_pickup(struct oslo *oslo, int what, struct error *error)
     if (!oslo_reference(oslo, 2, &surface, error) || !commands_end(&oslo->commands, 4, error)) {
         return false;
     }
-    const struct oslo_special source = *find(oslo, surface, other);
-    struct oslo_special *one = find(oslo, oslo->surface, letter);
+    const struct oslo_special source = *oslo_aperture_find(oslo, surface, other);
+    struct oslo_special *one = oslo_aperture_find(oslo, oslo->surface, letter);
     *one = source;
     one->surface = oslo->surface;
     one->letter = letter;
@@ -90,7 +91,7 @@ static bool read_pickup(struct oslo *oslo, int what, struct error *error)
     return true;
 }
 
-static bool read_count(struct oslo *oslo, int what, struct error *error)
+static bool oslo_aperture_read_count(struct oslo *oslo, int what, struct error *error)
 {
     (void)oslo, (void)what, (void)error;
     return true;
@@ -100,11 +101,11 @@ static const struct {
     const char *name;
     bool (*run)(struct oslo *oslo, int what, struct error *error);
     int what;
-} keywords[] = {{"APN", read_count, 0},
-                {"ATP", read_number, TYPE},
-                {"AAC", read_number, ACTION},
-                {"AGN", read_number, GROUP},
-                {"AAN", read_number, TURN},
+} keywords[] = {{"APN", oslo_aperture_read_count, 0},
+                {"ATP", oslo_aperture_read_number, TYPE},
+                {"AAC", oslo_aperture_read_number, ACTION},
+                {"AGN", oslo_aperture_read_number, GROUP},
+                {"AAN", oslo_aperture_read_number, TURN},
                 {"AX1", read_edge, 0},
                 {"AX2", read_edge, 1},
                 {"AY1", read_edge, 2},
@@ -154,8 +155,8 @@ static bool is_turned_soundly(const struct oslo_special *one, const struct apert
 }
 
 /* The aperture; why a lens cannot hold it, or null. */
-static const char *shape_of(struct oslo *oslo, const struct oslo_special *one,
-                            struct aperture *aperture)
+static const char *oslo_aperture_shape_of(struct oslo *oslo, const struct oslo_special *one,
+                                          struct aperture *aperture)
 {
     const double type = one->number[TYPE], action = one->number[ACTION];
     const bool blocks = action == ACTION_OBSTRUCT;
@@ -205,8 +206,9 @@ bool oslo_put_apertures(struct oslo *oslo, struct error *error)
         const struct oslo_special *one = &oslo->specials[i];
         struct sequence_surface *surface = &oslo->sequence.surfaces[one->surface];
         struct sequence_aperture to = {.at = one->at, .label = one->letter};
-        const char *wrong = is_of_several(oslo, one) ? "one of several groups of special apertures"
-                                                     : shape_of(oslo, one, &to.aperture);
+        const char *wrong = is_of_several(oslo, one)
+                                ? "one of several groups of special apertures"
+                                : oslo_aperture_shape_of(oslo, one, &to.aperture);
         const struct file_words place = commands_place(&oslo->commands, &one->at);
         if (wrong != NULL) {
             if (!foreign_loss(oslo->job, &place, one->at.text, error,

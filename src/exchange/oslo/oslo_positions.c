@@ -57,8 +57,8 @@ static size_t setting_of(const struct commands *commands)
     return all;
 }
 
-static bool read_number(const struct oslo *oslo, size_t word, const char *what, size_t least,
-                        size_t *number, struct error *error)
+static bool oslo_positions_read_number(const struct oslo *oslo, size_t word, const char *what,
+                                       size_t least, size_t *number, struct error *error)
 {
     const struct command_word found = commands_word(&oslo->commands, word);
     return commands_count(&oslo->commands, &found, &(struct command_count){found.text, what, least},
@@ -83,7 +83,8 @@ bool oslo_count_positions(struct oslo *oslo, struct error *error)
         return true; /* it is lost, or harmless */
     }
     const size_t place = settings[at].of_surface ? 2 : 1;
-    if (!read_number(oslo, place, "number of the configuration", 1, &number, error)) {
+    if (!oslo_positions_read_number(oslo, place, "number of the configuration", 1, &number,
+                                    error)) {
         return false;
     }
     if (number > MOST_POSITIONS) {
@@ -95,7 +96,7 @@ bool oslo_count_positions(struct oslo *oslo, struct error *error)
 }
 
 /* A distance that follows another surface's and is set anew: which of the two rules? */
-static bool is_followed(const struct oslo *oslo, size_t surface)
+static bool oslo_positions_is_followed(const struct oslo *oslo, size_t surface)
 {
     bool is = false;
     for (size_t i = 0; i < oslo->sequence.pickup_count; i++) {
@@ -115,15 +116,17 @@ bool oslo_place(struct oslo *oslo, bool *is_here, struct error *error)
         return commands_lose(commands, error, "a setting of a configuration that is not known");
     }
     const size_t gone = settings[at].of_surface ? 2 : 1;
-    if (!read_number(oslo, gone, "number of the configuration", 1, &position, error) ||
-        (gone == 2 && !read_number(oslo, 1, "number of the surface", 0, &surface, error))) {
+    if (!oslo_positions_read_number(oslo, gone, "number of the configuration", 1, &position,
+                                    error) ||
+        (gone == 2 &&
+         !oslo_positions_read_number(oslo, 1, "number of the surface", 0, &surface, error))) {
         return false;
     }
     if (surface >= oslo->sequence.count) {
         return commands_fail(commands, &commands->words[1], error, "surface %zu of %zu", surface,
                              oslo->sequence.count - 1);
     }
-    if (gone == 2 && is_followed(oslo, surface)) {
+    if (gone == 2 && oslo_positions_is_followed(oslo, surface)) {
         return commands_lose(commands, error,
                              "a setting of a configuration, of a surface that follows another");
     }

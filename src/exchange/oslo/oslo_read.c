@@ -20,8 +20,8 @@ static struct sequence_surface *present(struct oslo *oslo)
     return &oslo->sequence.surfaces[oslo->surface];
 }
 
-static bool read_one(struct oslo *oslo, struct number_scale scale, const char *what,
-                     struct figure *figure, struct error *error)
+static bool oslo_read_one(struct oslo *oslo, struct number_scale scale, const char *what,
+                          struct figure *figure, struct error *error)
 {
     return commands_figure(&oslo->commands, 1, scale, what, figure, error) &&
            commands_end(&oslo->commands, 2, error);
@@ -47,12 +47,13 @@ static bool read_len(struct oslo *oslo, int what, struct error *error)
 }
 
 /* EBR (radius of the beam), NAO, FNO */
-static bool read_aperture(struct oslo *oslo, int what, struct error *error)
+static bool oslo_read_aperture(struct oslo *oslo, int what, struct error *error)
 {
     static const enum aperture_kind kinds[] = {APERTURE_EPD, APERTURE_NA, APERTURE_FNUMBER};
     struct lens *lens = oslo->build.lens;
     struct figure figure;
-    if (!read_one(oslo, what == 0 ? oslo->commands.scale : plain, "aperture", &figure, error)) {
+    if (!oslo_read_one(oslo, what == 0 ? oslo->commands.scale : plain, "aperture", &figure,
+                       error)) {
         return false;
     }
     if (!(figure.value.hi > 0)) {
@@ -66,18 +67,18 @@ static bool read_aperture(struct oslo *oslo, int what, struct error *error)
 }
 
 /* ANG, OBH, GIH: the field's edge; what it means depends on the object, so it is kept. */
-static bool read_field(struct oslo *oslo, int what, struct error *error)
+static bool oslo_read_field(struct oslo *oslo, int what, struct error *error)
 {
     oslo->field_is = (enum oslo_field)what;
     oslo->field_at = oslo->commands.words[0];
-    return read_one(oslo, what == OSLO_ANGLE ? plain : oslo->commands.scale, "field", &oslo->field,
-                    error) &&
+    return oslo_read_one(oslo, what == OSLO_ANGLE ? plain : oslo->commands.scale, "field",
+                         &oslo->field, error) &&
            (what != OSLO_ANGLE || fabs(oslo->field.value.hi) <= 180 ||
             commands_fail(&oslo->commands, &oslo->commands.words[1], error,
                           "a field angle is not beyond 180 degrees"));
 }
 
-static bool read_note(struct oslo *oslo, int what, struct error *error)
+static bool oslo_read_note(struct oslo *oslo, int what, struct error *error)
 {
     (void)what, (void)error;
     const struct text note = commands_word(&oslo->commands, 1).text;
@@ -101,7 +102,7 @@ static bool next_surface(struct oslo *oslo, int what, struct error *error)
 }
 
 /* AIR, RFL, RFH and the glass are the last that was said. */
-static bool read_medium(struct oslo *oslo, int what, struct error *error)
+static bool oslo_read_medium(struct oslo *oslo, int what, struct error *error)
 {
     struct sequence_surface *surface = present(oslo);
     surface->reflects = what != 0;
@@ -110,12 +111,12 @@ static bool read_medium(struct oslo *oslo, int what, struct error *error)
     return commands_end(&oslo->commands, 1, error);
 }
 
-static bool read_curve(struct oslo *oslo, int what, struct error *error)
+static bool oslo_read_curve(struct oslo *oslo, int what, struct error *error)
 {
     struct sequence_surface *surface = present(oslo);
     surface->is_radius = what == 0;
-    if (!read_one(oslo, what == 0 ? oslo->commands.scale : plain,
-                  what == 0 ? "radius" : "curvature", &surface->curve, error)) {
+    if (!oslo_read_one(oslo, what == 0 ? oslo->commands.scale : plain,
+                       what == 0 ? "radius" : "curvature", &surface->curve, error)) {
         return false;
     }
     if (what != 0) {
@@ -124,18 +125,18 @@ static bool read_curve(struct oslo *oslo, int what, struct error *error)
     return true;
 }
 
-static bool read_thickness(struct oslo *oslo, int what, struct error *error)
+static bool oslo_read_thickness(struct oslo *oslo, int what, struct error *error)
 {
     (void)what;
     if (oslo->surface == 0) {
         return commands_object(&oslo->commands, 1, &present(oslo)->thickness, error) &&
                commands_end(&oslo->commands, 2, error);
     }
-    return read_one(oslo, oslo->commands.scale, "thickness", &present(oslo)->thickness, error);
+    return oslo_read_one(oslo, oslo->commands.scale, "thickness", &present(oslo)->thickness, error);
 }
 
 /* AP 5, AP CHK 5; an aperture of the size of the sky is none. */
-static bool read_diameter(struct oslo *oslo, int what, struct error *error)
+static bool oslo_read_diameter(struct oslo *oslo, int what, struct error *error)
 {
     (void)what;
     const struct command_word word = commands_word(&oslo->commands, 1);
@@ -159,7 +160,7 @@ static bool read_diameter(struct oslo *oslo, int what, struct error *error)
     return true;
 }
 
-static bool read_stop(struct oslo *oslo, int what, struct error *error)
+static bool oslo_read_stop(struct oslo *oslo, int what, struct error *error)
 {
     (void)what;
     for (size_t i = 0; i < oslo->sequence.count; i++) {
@@ -169,17 +170,17 @@ static bool read_stop(struct oslo *oslo, int what, struct error *error)
     return commands_end(&oslo->commands, 1, error);
 }
 
-static bool read_conic(struct oslo *oslo, int what, struct error *error)
+static bool oslo_read_conic(struct oslo *oslo, int what, struct error *error)
 {
     (void)what;
-    return read_one(oslo, plain, "conic", &present(oslo)->conic, error);
+    return oslo_read_one(oslo, plain, "conic", &present(oslo)->conic, error);
 }
 
-static bool put_coefficient(struct oslo *oslo, int order, struct error *error)
+static bool oslo_read_put_coefficient(struct oslo *oslo, int order, struct error *error)
 {
     struct sequence_surface *surface = present(oslo);
     int at = surface_term(order);
-    if (!read_one(oslo, plain, "coefficient", &surface->coefficient[at], error)) {
+    if (!oslo_read_one(oslo, plain, "coefficient", &surface->coefficient[at], error)) {
         return false;
     }
     bool is_some = surface->coefficient[at].value.hi != 0;
@@ -207,7 +208,7 @@ static bool read_general_coefficient(struct oslo *oslo, struct error *error)
     if (!commands_count(&oslo->commands, word,
                         &(struct command_count){digits, "number of the coefficient", 0}, &index,
                         error) ||
-        !read_one(oslo, plain, "coefficient", &figure, error)) {
+        !oslo_read_one(oslo, plain, "coefficient", &figure, error)) {
         return false;
     }
     if (figure.value.hi == 0) {
@@ -219,17 +220,17 @@ static bool read_general_coefficient(struct oslo *oslo, struct error *error)
                              "a coefficient of another asphere than ASP ASR and ASP ARA, of order "
                              "1 to 20");
     }
-    return put_coefficient(oslo, order, error);
+    return oslo_read_put_coefficient(oslo, order, error);
 }
 
 /* X Y Z: decentres; A B C: tilts, of which those about x and y are left-handed in OSLO. */
-static bool read_shift(struct oslo *oslo, int what, struct error *error)
+static bool oslo_read_shift(struct oslo *oslo, int what, struct error *error)
 {
     bool is_turn = what >= 'A' && what <= 'C';
     struct sequence_surface *surface = present(oslo);
     struct figure figure;
-    if (!read_one(oslo, is_turn ? plain : oslo->commands.scale, is_turn ? "tilt" : "decentre",
-                  &figure, error)) {
+    if (!oslo_read_one(oslo, is_turn ? plain : oslo->commands.scale, is_turn ? "tilt" : "decentre",
+                       &figure, error)) {
         return false;
     }
     surface->decentred_at = oslo->commands.words[0];
@@ -247,7 +248,7 @@ static bool read_order(struct oslo *oslo, int what, struct error *error)
 {
     (void)what;
     struct figure figure;
-    if (!read_one(oslo, plain, "order of shift and turn", &figure, error)) {
+    if (!oslo_read_one(oslo, plain, "order of shift and turn", &figure, error)) {
         return false;
     }
     present(oslo)->turns_first = figure.value.hi < 0;
@@ -281,7 +282,7 @@ static const struct {
               {"PU", false, true, SOLVE_MARGINAL},
               {"PUC", false, true, SOLVE_CHIEF}};
 
-static bool read_solve(struct oslo *oslo, int what, struct error *error)
+static bool oslo_read_solve(struct oslo *oslo, int what, struct error *error)
 {
     struct sequence_surface *surface = present(oslo);
     struct sequence_solve *solve =
@@ -290,8 +291,8 @@ static bool read_solve(struct oslo *oslo, int what, struct error *error)
                                      .of_angle = solves[what].of_angle,
                                      .ray = solves[what].ray,
                                      .at = oslo->commands.words[0]};
-    return read_one(oslo, solves[what].is_thickness ? oslo->commands.scale : plain,
-                    "target of the solve", &solve->target, error);
+    return oslo_read_one(oslo, solves[what].is_thickness ? oslo->commands.scale : plain,
+                         "target of the solve", &solve->target, error);
 }
 
 /* Angles of incidence and aplanatic: curvatures; contact at the edge: a thickness. */
@@ -304,25 +305,25 @@ static bool read_other_solve(struct oslo *oslo, int is_thickness, struct error *
     return true;
 }
 
-static bool read_end(struct oslo *oslo, int what, struct error *error)
+static bool oslo_read_end(struct oslo *oslo, int what, struct error *error)
 {
     (void)what, (void)error;
     oslo->has_ended = true;
     return true;
 }
 
-static bool read_nothing(struct oslo *oslo, int what, struct error *error)
+static bool oslo_read_nothing(struct oslo *oslo, int what, struct error *error)
 {
     (void)oslo, (void)what, (void)error;
     return true;
 }
 
 /* A command that is lost by its group, but where its only number is 0. */
-static bool lose(struct oslo *oslo, const struct word_group *group, struct error *error)
+static bool oslo_read_lose(struct oslo *oslo, const struct word_group *group, struct error *error)
 {
     struct figure figure;
     bool checked = (group->flags & WORD_COUNTS_AT_0) == 0;
-    if (checked && !read_one(oslo, plain, "value", &figure, error)) {
+    if (checked && !oslo_read_one(oslo, plain, "value", &figure, error)) {
         return false;
     }
     return (checked && figure.value.hi == 0) ||
@@ -330,7 +331,7 @@ static bool lose(struct oslo *oslo, const struct word_group *group, struct error
 }
 
 /* TEM in C, PRE in atmospheres. */
-static bool read_environment(struct oslo *oslo, int what, struct error *error)
+static bool oslo_read_environment(struct oslo *oslo, int what, struct error *error)
 {
     return sequence_environment(&oslo->sequence, what == 'T', 1, error);
 }
@@ -341,50 +342,50 @@ static const struct {
     int what;
 } keywords[] = {
     {"LEN", read_len, 0},
-    {"EBR", read_aperture, 0},
-    {"NAO", read_aperture, 1},
-    {"FNO", read_aperture, 2},
-    {"FNB", read_aperture, 2},
-    {"ANG", read_field, OSLO_ANGLE},
-    {"OBH", read_field, OSLO_OBJECT},
-    {"GIH", read_field, OSLO_IMAGE},
-    {"UNI", read_nothing, 0}, /* read before all others */
+    {"EBR", oslo_read_aperture, 0},
+    {"NAO", oslo_read_aperture, 1},
+    {"FNO", oslo_read_aperture, 2},
+    {"FNB", oslo_read_aperture, 2},
+    {"ANG", oslo_read_field, OSLO_ANGLE},
+    {"OBH", oslo_read_field, OSLO_OBJECT},
+    {"GIH", oslo_read_field, OSLO_IMAGE},
+    {"UNI", oslo_read_nothing, 0}, /* read before all others */
     {"NXT", next_surface, 0},
     {"SEF", next_surface, 0}, /* of old files */
-    {"AIR", read_medium, 0},
-    {"AIF", read_medium, 0},
-    {"RFL", read_medium, 1},
-    {"RFH", read_medium, 1},
+    {"AIR", oslo_read_medium, 0},
+    {"AIF", oslo_read_medium, 0},
+    {"RFL", oslo_read_medium, 1},
+    {"RFH", oslo_read_medium, 1},
     {"GLA", oslo_glass, 0},
     {"GLF", oslo_glass, 0},
-    {"RD", read_curve, 0},
-    {"RDF", read_curve, 0},
-    {"CV", read_curve, 1},
-    {"CVF", read_curve, 1},
-    {"TH", read_thickness, 0},
-    {"THF", read_thickness, 0},
-    {"AP", read_diameter, 0},
-    {"APF", read_diameter, 0},
-    {"AST", read_stop, 0},
-    {"CC", read_conic, 0},
-    {"AD", put_coefficient, 4},
-    {"AE", put_coefficient, 6},
-    {"AF", put_coefficient, 8},
-    {"AG", put_coefficient, 10},
+    {"RD", oslo_read_curve, 0},
+    {"RDF", oslo_read_curve, 0},
+    {"CV", oslo_read_curve, 1},
+    {"CVF", oslo_read_curve, 1},
+    {"TH", oslo_read_thickness, 0},
+    {"THF", oslo_read_thickness, 0},
+    {"AP", oslo_read_diameter, 0},
+    {"APF", oslo_read_diameter, 0},
+    {"AST", oslo_read_stop, 0},
+    {"CC", oslo_read_conic, 0},
+    {"AD", oslo_read_put_coefficient, 4},
+    {"AE", oslo_read_put_coefficient, 6},
+    {"AF", oslo_read_put_coefficient, 8},
+    {"AG", oslo_read_put_coefficient, 10},
     {"ASP", read_general, 0},
-    {"DCX", read_shift, 'X'},
-    {"DCY", read_shift, 'Y'},
-    {"DCZ", read_shift, 'Z'},
-    {"TLA", read_shift, 'A'},
-    {"TLB", read_shift, 'B'},
-    {"TLC", read_shift, 'C'},
+    {"DCX", oslo_read_shift, 'X'},
+    {"DCY", oslo_read_shift, 'Y'},
+    {"DCZ", oslo_read_shift, 'Z'},
+    {"TLA", oslo_read_shift, 'A'},
+    {"TLB", oslo_read_shift, 'B'},
+    {"TLC", oslo_read_shift, 'C'},
     {"DT", read_order, 0},
     {"BEN", read_move, SEQUENCE_BEND},
     {"RCO", read_move, SEQUENCE_BACK},
-    {"PY", read_solve, 0},
-    {"PYC", read_solve, 1},
-    {"PU", read_solve, 2},
-    {"PUC", read_solve, 3},
+    {"PY", oslo_read_solve, 0},
+    {"PYC", oslo_read_solve, 1},
+    {"PU", oslo_read_solve, 2},
+    {"PUC", oslo_read_solve, 3},
     {"PI", read_other_solve, 0},
     {"PIC", read_other_solve, 0},
     {"APA", read_other_solve, 0},
@@ -392,10 +393,10 @@ static const struct {
     {"PK", oslo_pickup, 0},
     {"WV", oslo_waves, 0},
     {"WW", oslo_weights, 0},
-    {"END", read_end, 0},
+    {"END", oslo_read_end, 0},
     {"F", oslo_point, 0},
-    {"TEM", read_environment, 'T'},
-    {"PRE", read_environment, 'P'},
+    {"TEM", oslo_read_environment, 'T'},
+    {"PRE", oslo_read_environment, 'P'},
     {"TELE", oslo_telecentric, 0},
     {"AMO", oslo_mode, 0},
 };
@@ -417,7 +418,7 @@ static bool run_numbered(struct oslo *oslo, struct text name, bool *known, struc
     }
     first.length = 3;
     if (digit && name.length > 3 && text_same(first, "SNO")) {
-        return read_note(oslo, 0, error);
+        return oslo_read_note(oslo, 0, error);
     }
     *known = false;
     return true;
@@ -441,7 +442,7 @@ static bool run_keyword(struct oslo *oslo, struct error *error)
     }
     const struct word_group *group = word_group_of(oslo_words, NULL, word->text);
     return group == NULL ? commands_lose(&oslo->commands, error, "an unknown command")
-                         : group->fate == WORD_HARMLESS || lose(oslo, group, error);
+                         : group->fate == WORD_HARMLESS || oslo_read_lose(oslo, group, error);
 }
 
 /* Behind END stand blocks and single commands. */
@@ -467,7 +468,7 @@ static bool run_behind(struct oslo *oslo, struct error *error)
 }
 
 /* END, or that of a block, is the last command; before it the image has no glass. */
-static bool check_end(struct oslo *oslo, struct error *error)
+static bool oslo_read_check_end(struct oslo *oslo, struct error *error)
 {
     const size_t image = oslo->sequence.count - 1;
     const struct sequence_surface *last = &oslo->sequence.surfaces[image];
@@ -483,7 +484,7 @@ static bool check_end(struct oslo *oslo, struct error *error)
                          "the file ends inside surface %zu: it was cut short", image);
 }
 
-static bool run_command(struct oslo *oslo, struct error *error)
+static bool oslo_read_run_command(struct oslo *oslo, struct error *error)
 {
     const struct command_word *word = &oslo->commands.words[0];
     if (!oslo->has_begun && !text_same(word->text, "LEN")) {
@@ -493,7 +494,7 @@ static bool run_command(struct oslo *oslo, struct error *error)
 }
 
 /* The unit may stand behind lengths, the configurations stand behind END. */
-static bool read_ahead(struct oslo *oslo, struct text content, struct error *error)
+static bool oslo_read_ahead(struct oslo *oslo, struct text content, struct error *error)
 {
     commands_open(&oslo->commands, oslo->job, content, &grammar);
     while (commands_next(&oslo->commands, error)) {
@@ -508,8 +509,8 @@ static bool read_ahead(struct oslo *oslo, struct text content, struct error *err
 }
 
 /* The lens of the present configuration. */
-static bool read_position(void *state, size_t position, struct text content, struct lens *lens,
-                          struct error *error)
+static bool oslo_read_position(void *state, size_t position, struct text content, struct lens *lens,
+                               struct error *error)
 {
     struct oslo *oslo = state;
     struct foreign_job *job = oslo->job;
@@ -534,14 +535,14 @@ static bool read_position(void *state, size_t position, struct text content, str
     struct sequence_surface *object = sequence_add(&oslo->sequence, start);
     object->thickness = figure_computed(pair_of(1e20), scale, job->arena); /* if none is given */
     while (commands_next(&oslo->commands, error)) {
-        if (!run_command(oslo, error)) {
+        if (!oslo_read_run_command(oslo, error)) {
             return false;
         }
     }
     if (error->code != ERROR_NONE) {
         return false;
     }
-    if (!check_end(oslo, error)) {
+    if (!oslo_read_check_end(oslo, error)) {
         return false;
     }
     if (!oslo->has_stop && oslo->sequence.count > 2) { /* OSLO's stop, where none is named */
@@ -559,11 +560,11 @@ static bool oslo_read(struct foreign_job *job, struct text content, struct lens 
     struct oslo *first = ARENA_NEW(job->arena, struct oslo);
     first->job = job;
     lens_build_begin(&first->build, lens, job->arena);
-    if (!read_ahead(first, content, error)) {
+    if (!oslo_read_ahead(first, content, error)) {
         return false;
     }
     const struct merge_file file = {content, NULL,          first->positions,
-                                    first,   sizeof *first, read_position};
+                                    first,   sizeof *first, oslo_read_position};
     return merge_read(&first->build, job, &file, error);
 }
 

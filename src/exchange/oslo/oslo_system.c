@@ -53,7 +53,7 @@ static bool check_wave(struct oslo *oslo, size_t word, bool is_weight, struct er
                                    : "the wavelength is not within 1 nm to 100 mm");
 }
 
-static bool read_list(struct oslo *oslo, bool is_weight, struct error *error)
+static bool oslo_system_read_list(struct oslo *oslo, bool is_weight, struct error *error)
 {
     struct commands *commands = &oslo->commands;
     size_t count = commands->count - 1;
@@ -74,17 +74,17 @@ static bool read_list(struct oslo *oslo, bool is_weight, struct error *error)
 bool oslo_waves(struct oslo *oslo, int what, struct error *error)
 {
     (void)what;
-    return read_list(oslo, false, error);
+    return oslo_system_read_list(oslo, false, error);
 }
 
 bool oslo_weights(struct oslo *oslo, int what, struct error *error)
 {
     (void)what;
-    return read_list(oslo, true, error);
+    return oslo_system_read_list(oslo, true, error);
 }
 
 /* WV2 and WW2: one more, or another one in place of what there is. */
-static bool read_entry(struct oslo *oslo, bool is_weight, struct error *error)
+static bool oslo_system_read_entry(struct oslo *oslo, bool is_weight, struct error *error)
 {
     const struct command_word *word = &oslo->commands.words[0];
     const struct text digits = {word->text.start + 2, word->text.length - 2};
@@ -106,15 +106,15 @@ static bool read_entry(struct oslo *oslo, bool is_weight, struct error *error)
 
 bool oslo_wave(struct oslo *oslo, struct error *error)
 {
-    return read_entry(oslo, false, error);
+    return oslo_system_read_entry(oslo, false, error);
 }
 
 bool oslo_weight(struct oslo *oslo, struct error *error)
 {
-    return read_entry(oslo, true, error);
+    return oslo_system_read_entry(oslo, true, error);
 }
 
-static bool is_number(struct text text)
+static bool oslo_system_is_number(struct text text)
 {
     double value;
     return text.length > 0 && number_read(text.start, text.start + text.length, plain, &value) ==
@@ -122,7 +122,7 @@ static bool is_number(struct text text)
 }
 
 /* May it be the name of a glass before its indices, rather than a number gone wrong? */
-static bool is_name(const struct command_word *word)
+static bool oslo_system_is_name(const struct command_word *word)
 {
     const struct text text = word->text;
     return word->is_quoted ||
@@ -131,7 +131,7 @@ static bool is_name(const struct command_word *word)
 }
 
 /* {0.58756um 1.6201, 0.48613um 1.6272}, or one number where all are the same. */
-static const char *table_of(const struct oslo *oslo, size_t first, size_t count)
+static const char *oslo_system_table_of(const struct oslo *oslo, size_t first, size_t count)
 {
     static const char *const usual[] = {"0.58756", "0.48613", "0.65627"};
     const struct command_word *words = &oslo->commands.words[first];
@@ -157,7 +157,8 @@ static bool is_abbe(struct text text)
 }
 
 /* The indices at the wavelengths in force; a number before them is the glass's name. */
-static bool read_indices(struct oslo *oslo, size_t first, bool is_model, struct error *error)
+static bool oslo_system_read_indices(struct oslo *oslo, size_t first, bool is_model,
+                                     struct error *error)
 {
     struct commands *commands = &oslo->commands;
     size_t waves = oslo->wave_count > 0 ? oslo->wave_count : 3;
@@ -183,7 +184,7 @@ static bool read_indices(struct oslo *oslo, size_t first, bool is_model, struct 
         return commands_fail(commands, word, error, "%zu indices for %zu wavelengths", count,
                              waves);
     } else {
-        written = table_of(oslo, first, count);
+        written = oslo_system_table_of(oslo, first, count);
     }
     return sequence_medium(commands, word, written, &oslo->sequence.surfaces[oslo->surface].medium,
                            error);
@@ -209,8 +210,8 @@ static bool is_kept(const struct oslo *oslo, struct text word, struct foreign_na
  * A glass by name; those of Ohara and Hoya have a letter in front, those of Schott have none. False
  * with ERROR_NONE where there is none.
  */
-static bool catalog_glass(struct oslo *oslo, const struct command_word *word, struct medium *medium,
-                          struct error *error)
+static bool oslo_system_catalog_glass(struct oslo *oslo, const struct command_word *word,
+                                      struct medium *medium, struct error *error)
 {
     static const struct {
         const char *prefix, *catalog;
@@ -243,12 +244,13 @@ static bool catalog_glass(struct oslo *oslo, const struct command_word *word, st
     return false;
 }
 
-static bool find_glass(struct oslo *oslo, const struct command_word *word, struct error *error)
+static bool oslo_system_find_glass(struct oslo *oslo, const struct command_word *word,
+                                   struct error *error)
 {
     const struct file_words place = commands_place(&oslo->commands, word);
     struct medium *medium = &oslo->sequence.surfaces[oslo->surface].medium;
     error->code = ERROR_NONE;
-    if (catalog_glass(oslo, word, medium, error)) {
+    if (oslo_system_catalog_glass(oslo, word, medium, error)) {
         return true;
     }
     return error->code == ERROR_NONE &&
@@ -290,7 +292,7 @@ static bool compare_named(struct oslo *oslo, const struct command_word *word, st
         own.rounding = fmax(own.rounding, own_glass_rounding(&index));
     }
     error->code = ERROR_NONE;
-    if (catalog_glass(oslo, word, &found, error)) {
+    if (oslo_system_catalog_glass(oslo, word, &found, error)) {
         own_glass_compare(&own, &found, &oslo->sequence.surfaces[oslo->surface].medium);
         return true;
     }
@@ -311,17 +313,17 @@ bool oslo_glass(struct oslo *oslo, int what, struct error *error)
         return commands_fail(&oslo->commands, &word, error, "the glass is missing");
     }
     const bool has_indices = first + 1 < oslo->commands.count;
-    if (is_number(word.text) || (has_indices && !is_name(&word))) {
-        return read_indices(oslo, first, is_model, error);
+    if (oslo_system_is_number(word.text) || (has_indices && !oslo_system_is_name(&word))) {
+        return oslo_system_read_indices(oslo, first, is_model, error);
     }
     if (has_indices) {
-        return read_indices(oslo, first + 1, is_model, error) &&
+        return oslo_system_read_indices(oslo, first + 1, is_model, error) &&
                compare_named(oslo, &oslo->commands.words[first], error);
     }
-    return find_glass(oslo, &oslo->commands.words[first], error);
+    return oslo_system_find_glass(oslo, &oslo->commands.words[first], error);
 }
 
-static void finish_waves(struct oslo *oslo)
+static void oslo_system_finish_waves(struct oslo *oslo)
 {
     for (size_t i = 0; i < oslo->wave_count; i++) {
         const struct text um = oslo->waves[i];
@@ -401,8 +403,8 @@ bool oslo_fields(struct oslo *oslo, struct text line, struct error *error)
 }
 
 /* A fraction of the largest field; of an angle that of its tangent. */
-static struct figure part_of(const struct oslo *oslo, enum field_kind kind,
-                             const struct figure *edge, double fraction)
+static struct figure oslo_system_part_of(const struct oslo *oslo, enum field_kind kind,
+                                         const struct figure *edge, double fraction)
 {
     struct arena *arena = oslo->job->arena;
     if (fraction == 0) {
@@ -422,14 +424,14 @@ static struct figure part_of(const struct oslo *oslo, enum field_kind kind,
 }
 
 /* The points of the field; without any its axis and its edge. */
-static void put_fields(struct oslo *oslo, enum field_kind kind, struct figure edge)
+static void oslo_system_put_fields(struct oslo *oslo, enum field_kind kind, struct figure edge)
 {
     oslo->build.lens->field_kind = kind;
     for (size_t i = 0; i < oslo->point_count; i++) {
         const struct oslo_point *point = &oslo->points[i];
         struct lens_field *field = lens_build_field(&oslo->build);
         for (int axis = 0; axis < 2; axis++) {
-            field->at[axis] = part_of(oslo, kind, &edge, point->at[axis].value.hi);
+            field->at[axis] = oslo_system_part_of(oslo, kind, &edge, point->at[axis].value.hi);
         }
         if (point->weight.value.hi != 1) {
             field->weight = point->weight.value.hi;
@@ -446,13 +448,13 @@ static void put_fields(struct oslo *oslo, enum field_kind kind, struct figure ed
 }
 
 /* An object's height at infinity is an angle: tan w = -height/distance. */
-static void finish_field(struct oslo *oslo, bool is_infinite)
+static void oslo_system_finish_field(struct oslo *oslo, bool is_infinite)
 {
     struct figure edge = oslo->field;
     if (oslo->field_is == OSLO_IMAGE) {
-        put_fields(oslo, FIELD_IMAGE, edge);
+        oslo_system_put_fields(oslo, FIELD_IMAGE, edge);
     } else if (oslo->field_is == OSLO_OBJECT && !is_infinite) {
-        put_fields(oslo, FIELD_HEIGHT, edge);
+        oslo_system_put_fields(oslo, FIELD_HEIGHT, edge);
     } else if (oslo->field_is != OSLO_NO_FIELD) {
         if (oslo->field_is == OSLO_OBJECT) {
             double distance = oslo->sequence.surfaces[0].thickness.value.hi;
@@ -460,7 +462,7 @@ static void finish_field(struct oslo *oslo, bool is_infinite)
                 figure_of(atan(-edge.value.hi / distance) / RADIANS_PER_DEGREE, oslo->job->arena);
         }
         edge.value = pair_multiply(edge.value, pair_of(RADIANS_PER_DEGREE));
-        put_fields(oslo, FIELD_ANGLE, edge);
+        oslo_system_put_fields(oslo, FIELD_ANGLE, edge);
     }
 }
 
@@ -473,8 +475,8 @@ bool oslo_finish_system(struct oslo *oslo, struct error *error)
     bool is_infinite = fabs(units.hi) >= oslo->commands.grammar->infinity;
     const struct file_words place = commands_place(&oslo->commands, &oslo->aperture);
     const bool is_beam = lens->aperture_kind == APERTURE_EPD;
-    finish_waves(oslo);
-    finish_field(oslo, is_infinite);
+    oslo_system_finish_waves(oslo);
+    oslo_system_finish_field(oslo, is_infinite);
     if (!is_infinite && (is_beam || lens->aperture_kind == APERTURE_FNUMBER)) {
         oslo->near_aperture = is_beam ? PUPIL_BEAM_RADIUS : PUPIL_WORKING_FNUMBER;
         oslo->near_value = is_beam ? lens->aperture.value.hi / 2 : lens->aperture.value.hi;

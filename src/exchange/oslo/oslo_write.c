@@ -10,46 +10,48 @@
 #include <string.h>
 
 /* A lens being written. */
-struct output {
-    struct writing writing;
+struct oslo_write_output {
+    struct lens_writer writing;
     struct foreign_job *job;
     const struct lens *lens;
     size_t models; /* glasses that were named so far */
     size_t number; /* of the present surface; the object is 0 */
 };
 
-static void put_string(struct output *output, const char *string)
+static void oslo_write_put_string(struct oslo_write_output *output, const char *string)
 {
     growing_text(&output->writing.text, text_of(string));
 }
 
-static void put_command(struct output *output, const char *name, struct text value)
+static void oslo_write_put_command(struct oslo_write_output *output, const char *name,
+                                   struct text value)
 {
-    put_string(output, name);
-    put_string(output, " ");
+    oslo_write_put_string(output, name);
+    oslo_write_put_string(output, " ");
     growing_text(&output->writing.text, value);
-    put_string(output, "\n");
+    oslo_write_put_string(output, "\n");
 }
 
-static struct text length_of(struct output *output, const struct figure *figure)
+static struct text oslo_write_length_of(struct oslo_write_output *output,
+                                        const struct figure *figure)
 {
     return writing_length(&output->writing, figure, 1);
 }
 
-static bool put_text(struct output *output, const char *name, const char *string,
+static bool put_text(struct oslo_write_output *output, const char *name, const char *string,
                      struct error *error)
 {
     bool has_lost = false;
     const struct text text = writing_quotable(&output->writing, string, "\"", &has_lost);
-    put_string(output, name);
-    put_string(output, " \"");
+    oslo_write_put_string(output, name);
+    oslo_write_put_string(output, " \"");
     growing_text(&output->writing.text, text);
-    put_string(output, "\"");
+    oslo_write_put_string(output, "\"");
     return !has_lost || foreign_lose(output->job, error,
                                      "double quotes inside of a text" LOSS_INSTEAD "left out");
 }
 
-static bool put_aperture(struct output *output, struct error *error)
+static bool oslo_write_put_aperture(struct oslo_write_output *output, struct error *error)
 {
     const struct lens *lens = output->lens;
     struct arena *arena = output->job->arena;
@@ -58,11 +60,11 @@ static bool put_aperture(struct output *output, struct error *error)
         return true;
     }
     if (lens->aperture_kind == APERTURE_NA && !lens->object_is_infinite) {
-        put_command(output, "NAO", writing_length(&output->writing, &figure, 0));
+        oslo_write_put_command(output, "NAO", writing_length(&output->writing, &figure, 0));
         return true;
     }
     if (lens->aperture_kind == APERTURE_FNUMBER) {
-        put_command(output, "FNO", writing_length(&output->writing, &figure, 0));
+        oslo_write_put_command(output, "FNO", writing_length(&output->writing, &figure, 0));
         return lens->object_is_infinite ||
                foreign_lose(output->job, error,
                             "the f-number of a lens with a near object" LOSS_INSTEAD
@@ -75,14 +77,15 @@ static bool put_aperture(struct output *output, struct error *error)
                             "NA, write 'aperture na'");
     }
     if (lens->aperture_kind == APERTURE_STOP) {
-        put_string(output, OSLO_KEEP_NOTE OSLO_STOP_RULES "\n");
+        oslo_write_put_string(output, OSLO_KEEP_NOTE OSLO_STOP_RULES "\n");
         figure = (struct figure){.variable = LENS_NONE};
         if (!writing_pupil(&output->writing, 0, &figure)) {
             return foreign_lose(output->job, error,
                                 "an aperture that is ruled by a stop without a pupil");
         }
     }
-    put_command(output, "EBR", decimal_half(length_of(output, &figure), arena));
+    oslo_write_put_command(output, "EBR",
+                           decimal_half(oslo_write_length_of(output, &figure), arena));
     return true;
 }
 
@@ -97,7 +100,7 @@ static double extent_of(const struct lens *lens, const struct lens_field *field,
 }
 
 /* The field that is farthest out, and how far; false without fields. */
-static bool find_edge(const struct lens *lens, struct figure *edge, double *extent)
+static bool oslo_write_find_edge(const struct lens *lens, struct figure *edge, double *extent)
 {
     double out[2], largest = -1;
     for (size_t i = 0; i < lens->field_count; i++) {
@@ -118,35 +121,35 @@ static bool find_edge(const struct lens *lens, struct figure *edge, double *exte
     return lens->field_count > 0;
 }
 
-static struct text field_text(struct output *output, const struct figure *field)
+static struct text field_text(struct oslo_write_output *output, const struct figure *field)
 {
     return output->lens->field_kind == FIELD_ANGLE ? writing_degrees(&output->writing, field)
-                                                   : length_of(output, field);
+                                                   : oslo_write_length_of(output, field);
 }
 
 /* As a .lens file has it: x,y:weight */
-static void put_point(struct output *output, const struct lens_field *field)
+static void oslo_write_put_point(struct oslo_write_output *output, const struct lens_field *field)
 {
-    struct growing *text = &output->writing.text;
+    struct text_buffer *text = &output->writing.text;
     if (field->at[0].value.hi != 0) {
         growing_text(text, field_text(output, &field->at[0]));
-        put_string(output, ",");
+        oslo_write_put_string(output, ",");
     }
     growing_text(text, field_text(output, &field->at[1]));
     if (field->weight_typed.start != NULL) {
-        put_string(output, ":");
+        oslo_write_put_string(output, ":");
         growing_text(text, field->weight_typed);
     }
 }
 
-static bool put_field(struct output *output, struct error *error)
+static bool oslo_write_put_field(struct oslo_write_output *output, struct error *error)
 {
     static const char *const words[] = {
         [FIELD_ANGLE] = "ANG", [FIELD_HEIGHT] = "OBH", [FIELD_IMAGE] = "GIH", [FIELD_REAL] = "GIH"};
     const struct lens *lens = output->lens;
     struct figure edge;
     double extent;
-    if (!find_edge(lens, &edge, &extent)) {
+    if (!oslo_write_find_edge(lens, &edge, &extent)) {
         return true;
     }
     if (lens->field_kind == FIELD_REAL &&
@@ -155,94 +158,94 @@ static bool put_field(struct output *output, struct error *error)
                       "taken for those of the paraxial one")) {
         return false;
     }
-    put_command(output, words[lens->field_kind], field_text(output, &edge));
-    put_string(output, OSLO_KEEP_NOTE OSLO_FIELDS);
+    oslo_write_put_command(output, words[lens->field_kind], field_text(output, &edge));
+    oslo_write_put_string(output, OSLO_KEEP_NOTE OSLO_FIELDS);
     for (size_t i = 0; i < lens->field_count; i++) {
-        put_string(output, i > 0 ? " " : "");
-        put_point(output, &lens->fields[i]);
+        oslo_write_put_string(output, i > 0 ? " " : "");
+        oslo_write_put_point(output, &lens->fields[i]);
     }
-    put_string(output, "\n");
+    oslo_write_put_string(output, "\n");
     return true;
 }
 
 /* OSLO's field points: fractions of the edge, of angles those of their tangents. */
-static void put_points(struct output *output)
+static void oslo_write_put_points(struct oslo_write_output *output)
 {
     const struct lens *lens = output->lens;
     struct figure edge;
     double whole, out[2];
-    if (!find_edge(lens, &edge, &whole) || whole == 0) {
+    if (!oslo_write_find_edge(lens, &edge, &whole) || whole == 0) {
         return;
     }
-    put_string(output, "RST NEW\n");
+    oslo_write_put_string(output, "RST NEW\n");
     for (size_t i = 0; i < lens->field_count; i++) {
         extent_of(lens, &lens->fields[i], out);
         growing_format(&output->writing.text, "F %zu %.12g ", i + 1, out[1] / whole);
         if (out[0] != 0) {
             growing_format(&output->writing.text, "%.12g", out[0] / whole);
         } else {
-            put_string(output, "0.0");
+            oslo_write_put_string(output, "0.0");
         }
-        put_string(output, " 0.0 0.0 0.0 -1.0 1.0 -1.0 1.0 ");
+        oslo_write_put_string(output, " 0.0 0.0 0.0 -1.0 1.0 -1.0 1.0 ");
         const struct text weight = lens->fields[i].weight_typed;
         growing_text(&output->writing.text, weight.start != NULL ? weight : text_of("1.0"));
-        put_string(output, "\n");
+        oslo_write_put_string(output, "\n");
     }
     growing_format(&output->writing.text, "END %zu\n", lens->field_count);
 }
 
-static bool put_header(struct output *output, struct error *error)
+static bool oslo_write_put_header(struct oslo_write_output *output, struct error *error)
 {
     const struct lens *lens = output->lens;
-    put_string(output, "// OSLO 6.6 0 0 0\n");
+    oslo_write_put_string(output, "// OSLO 6.6 0 0 0\n");
     keep_notes_write(&output->writing.text, lens, output->writing.scale, OSLO_KEEP_NOTE, "\n");
     if (!put_text(output, "LEN NEW", lens->title != NULL ? lens->title : "", error)) {
         return false;
     }
     growing_format(&output->writing.text, " 100 %zu\n", lens->surface_count + 1);
-    if (!put_aperture(output, error)) {
+    if (!oslo_write_put_aperture(output, error)) {
         return false;
     }
-    if (!put_field(output, error)) {
+    if (!oslo_write_put_field(output, error)) {
         return false;
     }
-    put_string(output, lens->is_telecentric ? "TELE ON\n" : "");
-    put_string(output, lens->focus == FOCUS_AFOCAL ? "AMO AFO\n" : "");
-    put_string(output, "DES \"\"\n");
+    oslo_write_put_string(output, lens->is_telecentric ? "TELE ON\n" : "");
+    oslo_write_put_string(output, lens->focus == FOCUS_AFOCAL ? "AMO AFO\n" : "");
+    oslo_write_put_string(output, "DES \"\"\n");
     growing_format(&output->writing.text, "UNI %.1f\n", lens_unit_mm(output->writing.unit));
     for (size_t i = 0; i < lens->note_count && i < 10; i++) {
         const char *name = arena_printf(output->job->arena, "SNO%zu", i + 1);
         if (!put_text(output, name, lens->notes[i], error)) {
             return false;
         }
-        put_string(output, "\n");
+        oslo_write_put_string(output, "\n");
     }
     return lens->note_count <= 10 || foreign_lose(output->job, error, "more than ten notes");
 }
 
 /* Indices at the wavelengths of a table, or of the lens. */
-static void put_indices(struct output *output, const struct medium *medium)
+static void put_indices(struct oslo_write_output *output, const struct medium *medium)
 {
-    struct writing *writing = &output->writing;
-    put_string(output, "WV");
+    struct lens_writer *writing = &output->writing;
+    oslo_write_put_string(output, "WV");
     for (size_t i = 0; i < medium->point_count; i++) {
-        put_string(output, " ");
+        oslo_write_put_string(output, " ");
         growing_text(&writing->text,
                      writing_wave(writing, medium->points[i].wavelength, (struct text){"", 0}, 0));
     }
     growing_format(&writing->text, "\nGLA MOD MODEL%zu", ++output->models);
     for (size_t i = 0; i < medium->point_count; i++) {
         const struct figure figure = {.value = medium->points[i].index, .variable = LENS_NONE};
-        put_string(output, " ");
+        oslo_write_put_string(output, " ");
         growing_text(&writing->text, writing_length(writing, &figure, 0));
     }
-    put_string(output, "\n");
+    oslo_write_put_string(output, "\n");
 }
 
 /* The letter of its maker before a name; of a maker that has none the catalogue is kept. */
-static void put_glass(struct output *output, const struct medium *medium)
+static void oslo_write_put_glass(struct oslo_write_output *output, const struct medium *medium)
 {
-    struct writing *writing = &output->writing;
+    struct lens_writer *writing = &output->writing;
     struct text name, catalog;
     double number;
     writing_glass(writing, output->job, medium, &name, &catalog);
@@ -254,36 +257,37 @@ static void put_glass(struct output *output, const struct medium *medium)
         growing_format(&writing->text, OSLO_KEEP_NOTE OSLO_GLASS "%zu %.*s:%.*s\n", output->number,
                        (int)catalog.length, catalog.start, (int)name.length, name.start);
     }
-    put_string(output, is_quoted ? "GLA \"" : "GLA ");
-    put_string(output, is_ohara ? "O_" : is_hoya ? "H_" : "");
+    oslo_write_put_string(output, is_quoted ? "GLA \"" : "GLA ");
+    oslo_write_put_string(output, is_ohara ? "O_" : is_hoya ? "H_" : "");
     growing_text(&writing->text, is_number ? catalog : (struct text){"", 0});
-    put_string(output, is_number ? "_" : "");
+    oslo_write_put_string(output, is_number ? "_" : "");
     growing_text(&writing->text, name);
-    put_string(output, is_quoted ? "\"\n" : "\n");
+    oslo_write_put_string(output, is_quoted ? "\"\n" : "\n");
 }
 
-static void put_medium(struct output *output, const struct medium *medium)
+static void oslo_write_put_medium(struct oslo_write_output *output, const struct medium *medium)
 {
-    struct writing *writing = &output->writing;
+    struct lens_writer *writing = &output->writing;
     if (medium_is_air(medium)) {
-        put_string(output, "AIR\n");
+        oslo_write_put_string(output, "AIR\n");
     } else if (medium->kind == MEDIUM_TABLE && medium->point_count > 2) {
         put_indices(output, medium);
     } else if (medium->kind == MEDIUM_TABLE) {
         put_indices(output, medium);
     } else if (medium->kind == MEDIUM_MODEL) {
         struct text abbe = medium->written, index = text_cut(&abbe, '/');
-        put_string(output, "WV 0.58756 0.48613 0.65627\nGLA MOD ");
+        oslo_write_put_string(output, "WV 0.58756 0.48613 0.65627\nGLA MOD ");
         growing_text(&writing->text, index);
-        put_command(output, "", abbe);
+        oslo_write_put_command(output, "", abbe);
     } else if (medium->kind == MEDIUM_CONSTANT) {
-        put_command(output, "GLA", medium->written);
+        oslo_write_put_command(output, "GLA", medium->written);
     } else {
-        put_glass(output, medium);
+        oslo_write_put_glass(output, medium);
     }
 }
 
-static void put_coefficients(struct output *output, const struct surface *surface)
+static void oslo_write_put_coefficients(struct oslo_write_output *output,
+                                        const struct surface *surface)
 {
     static const char *const words[] = {NULL, "AD", "AE", "AF", "AG"};
     bool odd = surface_odd(surface) != 0, general = (surface->coefficients & ~0x1eu) != 0;
@@ -295,46 +299,50 @@ static void put_coefficients(struct output *output, const struct surface *surfac
     for (int order = 1; order <= LENS_COEFFICIENTS; order++) {
         int i = surface_term(order);
         if ((surface->coefficients >> i & 1) != 0) {
-            put_command(output,
-                        general ? arena_printf(output->job->arena, "AS%d", order / step) : words[i],
-                        writing_length(&output->writing, &surface->coefficient[i], 1 - order));
+            oslo_write_put_command(
+                output, general ? arena_printf(output->job->arena, "AS%d", order / step) : words[i],
+                writing_length(&output->writing, &surface->coefficient[i], 1 - order));
         }
     }
 }
 
-static void put_displacement(struct output *output, const struct displacement *all, bool back)
+static void oslo_write_put_displacement(struct oslo_write_output *output,
+                                        const struct displacement *all, bool back)
 {
-    struct writing *writing = &output->writing;
+    struct lens_writer *writing = &output->writing;
     struct arena *arena = output->job->arena;
-    put_string(output, "DT 1\n");
-    put_command(output, "DCX", writing_length(writing, &all->decenter[0], 1));
-    put_command(output, "DCY", writing_length(writing, &all->decenter[1], 1));
-    put_command(output, "TLA", decimal_negate(writing_degrees(writing, &all->tilt[0]), arena));
-    put_command(output, "TLB", decimal_negate(writing_degrees(writing, &all->tilt[1]), arena));
-    put_command(output, "TLC", writing_degrees(writing, &all->tilt[2]));
-    put_string(output, back ? "RCO\n" : "");
+    oslo_write_put_string(output, "DT 1\n");
+    oslo_write_put_command(output, "DCX", writing_length(writing, &all->decenter[0], 1));
+    oslo_write_put_command(output, "DCY", writing_length(writing, &all->decenter[1], 1));
+    oslo_write_put_command(output, "TLA",
+                           decimal_negate(writing_degrees(writing, &all->tilt[0]), arena));
+    oslo_write_put_command(output, "TLB",
+                           decimal_negate(writing_degrees(writing, &all->tilt[1]), arena));
+    oslo_write_put_command(output, "TLC", writing_degrees(writing, &all->tilt[2]));
+    oslo_write_put_string(output, back ? "RCO\n" : "");
 }
 
-static bool put_shape(struct output *output, const struct surface *surface, struct error *error)
+static bool oslo_write_put_shape(struct oslo_write_output *output, const struct surface *surface,
+                                 struct error *error)
 {
-    struct writing *writing = &output->writing;
+    struct lens_writer *writing = &output->writing;
     if (surface->has_curvature) {
-        put_command(output, "CV", writing_length(writing, &surface->curvature, -1));
+        oslo_write_put_command(output, "CV", writing_length(writing, &surface->curvature, -1));
     } else if (!surface->is_plane) {
-        put_command(output, "RD", length_of(output, &surface->radius));
+        oslo_write_put_command(output, "RD", oslo_write_length_of(output, &surface->radius));
     }
     if (surface->conic.typed.start != NULL || surface->conic.value.hi != 0) {
-        put_command(output, "CC", writing_length(writing, &surface->conic, 0));
+        oslo_write_put_command(output, "CC", writing_length(writing, &surface->conic, 0));
     }
-    put_coefficients(output, surface);
+    oslo_write_put_coefficients(output, surface);
     return surface_is_round(surface) ||
            foreign_lose(output->job, error,
                         "a cylinder" LOSS_INSTEAD "written as curved in both sections");
 }
 
-static void put_next(struct output *output)
+static void put_next(struct oslo_write_output *output)
 {
-    put_string(output, "NXT\n");
+    oslo_write_put_string(output, "NXT\n");
     output->number++;
 }
 
@@ -344,21 +352,22 @@ static bool is_displaced_twice(const struct surface *surface)
 }
 
 /* What goes before the surface: its name, and a coordinate break that needs a plane of its own. */
-static void put_before(struct output *output, const struct surface *surface,
-                       const struct medium *before)
+static void oslo_write_put_before(struct oslo_write_output *output, const struct surface *surface,
+                                  const struct medium *before)
 {
     if (surface->name != NULL) {
         growing_format(&output->writing.text, OSLO_KEEP_NOTE OSLO_NAME "%zu %s\n",
                        output->number + is_displaced_twice(surface), surface->name);
     }
     if (is_displaced_twice(surface)) {
-        put_medium(output, before);
-        put_displacement(output, surface->coordinate_break, false);
+        oslo_write_put_medium(output, before);
+        oslo_write_put_displacement(output, surface->coordinate_break, false);
         put_next(output);
     }
 }
 
-static bool put_surface(struct output *output, size_t index, struct error *error)
+static bool oslo_write_put_surface(struct oslo_write_output *output, size_t index,
+                                   struct error *error)
 {
     const struct lens *lens = output->lens;
     const struct surface *surface = &lens->surfaces[index];
@@ -366,59 +375,60 @@ static bool put_surface(struct output *output, size_t index, struct error *error
     bool is_last = index + 1 == lens->surface_count;
     bool solved = is_last && lens->focus == FOCUS_PARAXIAL;
     put_next(output);
-    put_before(output, surface, before);
+    oslo_write_put_before(output, surface, before);
     if (surface_reflects(surface)) {
-        put_string(output, "RFL\n");
+        oslo_write_put_string(output, "RFL\n");
     } else {
-        put_medium(output, &surface->medium);
+        oslo_write_put_medium(output, &surface->medium);
     }
-    if (!put_shape(output, surface, error)) {
+    if (!oslo_write_put_shape(output, surface, error)) {
         return false;
     }
     if (surface->has_thickness) {
-        put_command(output, "TH", length_of(output, &surface->thickness));
+        oslo_write_put_command(output, "TH", oslo_write_length_of(output, &surface->thickness));
     }
-    put_string(output, solved ? "PY 0.0\n" : "");
+    oslo_write_put_string(output, solved ? "PY 0.0\n" : "");
     if (surface->has_diameter) {
-        put_command(output, "AP CHK",
-                    decimal_half(length_of(output, &surface->diameter), output->job->arena));
+        oslo_write_put_command(
+            output, "AP CHK",
+            decimal_half(oslo_write_length_of(output, &surface->diameter), output->job->arena));
     }
-    put_string(output, surface->is_stop ? "AST\n" : "");
+    oslo_write_put_string(output, surface->is_stop ? "AST\n" : "");
     if (!oslo_write_apertures(&output->writing, output->job, surface, error)) {
         return false;
     }
     if (surface->decentre != NULL || surface->coordinate_break != NULL) {
-        put_displacement(output,
-                         surface->decentre != NULL ? surface->decentre : surface->coordinate_break,
-                         surface->decentre != NULL);
+        oslo_write_put_displacement(
+            output, surface->decentre != NULL ? surface->decentre : surface->coordinate_break,
+            surface->decentre != NULL);
     }
     return surface->vary_count == 0 ||
            foreign_lose(output->job, error,
                         "marks for the designer (R~, t~)" LOSS_IS_MUTE LOSS_INSTEAD "left out");
 }
 
-static void put_waves(struct output *output)
+static void oslo_write_put_waves(struct oslo_write_output *output)
 {
     const struct lens *lens = output->lens;
-    struct writing *writing = &output->writing;
-    put_string(output, "WV");
+    struct lens_writer *writing = &output->writing;
+    oslo_write_put_string(output, "WV");
     for (size_t i = 0; i < lens->wavelength_count; i++) {
-        put_string(output, " ");
+        oslo_write_put_string(output, " ");
         growing_text(&writing->text, writing_wave(writing, lens->wavelengths[i].wavelength,
                                                   lens->wavelengths[i].typed, 0));
     }
-    put_string(output, lens->wavelength_count == 0 ? " 0.5875618\nWW" : "\nWW");
+    oslo_write_put_string(output, lens->wavelength_count == 0 ? " 0.5875618\nWW" : "\nWW");
     for (size_t i = 0; i < lens->wavelength_count || i == 0; i++) {
         const struct text weight =
             i < lens->wavelength_count ? lens->wavelengths[i].weight_typed : (struct text){NULL, 0};
-        put_string(output, " ");
+        oslo_write_put_string(output, " ");
         growing_text(&writing->text, weight.start != NULL ? weight : text_of("1.0"));
     }
-    put_string(output, "\n");
+    oslo_write_put_string(output, "\n");
 }
 
 /* OSLO takes surface 1 where no stop is named. */
-static bool check_losses(struct output *output, struct error *error)
+static bool check_losses(struct oslo_write_output *output, struct error *error)
 {
     const struct lens *lens = output->lens;
     return (lens->stop != LENS_NONE ||
@@ -435,23 +445,24 @@ static bool check_losses(struct output *output, struct error *error)
 bool oslo_write(struct foreign_job *job, const struct lens *lens, struct text *text,
                 struct error *error)
 {
-    struct output output = {.job = job, .lens = lens};
+    struct oslo_write_output output = {.job = job, .lens = lens};
     writing_begin(&output.writing, lens, true, job->arena);
-    if (!check_losses(&output, error) || !put_header(&output, error)) {
+    if (!check_losses(&output, error) || !oslo_write_put_header(&output, error)) {
         return false;
     }
-    put_medium(&output, &lens->object_medium);
-    put_command(&output, "TH",
-                lens->object_is_infinite ? text_of("1.0e+20") : length_of(&output, &lens->object));
+    oslo_write_put_medium(&output, &lens->object_medium);
+    oslo_write_put_command(&output, "TH",
+                           lens->object_is_infinite ? text_of("1.0e+20")
+                                                    : oslo_write_length_of(&output, &lens->object));
     for (size_t i = 0; i < lens->surface_count; i++) {
-        if (!put_surface(&output, i, error)) {
+        if (!oslo_write_put_surface(&output, i, error)) {
             return false;
         }
     }
-    put_string(&output, "NXT\nAIR\n");
-    put_waves(&output);
+    oslo_write_put_string(&output, "NXT\nAIR\n");
+    oslo_write_put_waves(&output);
     growing_format(&output.writing.text, "END %zu\n", lens->surface_count + 1);
-    put_points(&output);
+    oslo_write_put_points(&output);
     *text = growing_done(&output.writing.text);
     return true;
 }

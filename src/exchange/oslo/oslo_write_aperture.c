@@ -6,7 +6,7 @@
 #include "optics/aperture.h"
 
 /* ATP; 0: there is no such type. */
-static int type_of(const struct aperture *aperture)
+static int oslo_write_aperture_type_of(const struct aperture *aperture)
 {
     static const int types[APERTURE_SHAPES] = {
         [SHAPE_CIRCLE] = 1, [SHAPE_ELLIPSE] = 1, [SHAPE_RECTANGLE] = 2};
@@ -16,7 +16,8 @@ static int type_of(const struct aperture *aperture)
     return turned ? 0 : corners ? (int)aperture->point_count : types[aperture->shape];
 }
 
-static void put(struct writing *writing, const char *name, char letter, struct pair value)
+static void oslo_write_aperture_put(struct lens_writer *writing, const char *name, char letter,
+                                    struct pair value)
 {
     const struct figure figure =
         figure_computed(value, lens_unit_scale(writing->lens->unit), writing->arena);
@@ -25,34 +26,36 @@ static void put(struct writing *writing, const char *name, char letter, struct p
     growing_string(&writing->text, "\n");
 }
 
-static void put_one(struct writing *writing, const struct aperture *aperture, char letter)
+static void oslo_write_aperture_put_one(struct lens_writer *writing,
+                                        const struct aperture *aperture, char letter)
 {
     static const char *const edges[2][2] = {{"AX1", "AX2"}, {"AY1", "AY2"}};
     const struct pair *centres[] = {&aperture->decenter[0].value, &aperture->decenter[1].value};
-    growing_format(&writing->text, "ATP %c %d\nAAC %c %d\n", letter, type_of(aperture), letter,
-                   aperture->blocks ? 2 : 4);
+    growing_format(&writing->text, "ATP %c %d\nAAC %c %d\n", letter,
+                   oslo_write_aperture_type_of(aperture), letter, aperture->blocks ? 2 : 4);
     for (size_t i = 0; i < aperture->point_count; i++) {
         for (int k = 0; k < 2; k++) {
-            put(writing, arena_printf(writing->arena, "AV%c%zu", k == 0 ? 'X' : 'Y', i + 1), letter,
+            oslo_write_aperture_put(
+                writing, arena_printf(writing->arena, "AV%c%zu", k == 0 ? 'X' : 'Y', i + 1), letter,
                 pair_add(*centres[k], aperture->points[i][k].value));
         }
     }
     for (int k = 0; k < 2 && aperture->point_count == 0; k++) {
         const int of = aperture->shape == SHAPE_CIRCLE ? 0 : k;
         const struct pair half = {aperture->size[of].value.hi / 2, aperture->size[of].value.lo / 2};
-        put(writing, edges[k][0], letter, pair_subtract(*centres[k], half));
-        put(writing, edges[k][1], letter, pair_add(*centres[k], half));
+        oslo_write_aperture_put(writing, edges[k][0], letter, pair_subtract(*centres[k], half));
+        oslo_write_aperture_put(writing, edges[k][1], letter, pair_add(*centres[k], half));
     }
 }
 
-bool oslo_write_apertures(struct writing *writing, struct foreign_job *job,
+bool oslo_write_apertures(struct lens_writer *writing, struct foreign_job *job,
                           const struct surface *surface, struct error *error)
 {
     enum { MOST = 26 }; /* letters */
     size_t count = 0;
     for (size_t i = 0; i < surface->aperture_count; i++) {
         const struct aperture *one = &surface->apertures[i];
-        count += type_of(one) != 0;
+        count += oslo_write_aperture_type_of(one) != 0;
     }
     if (count > 0) {
         growing_format(&writing->text, "APN %zu\n", count < MOST ? count : MOST);
@@ -60,8 +63,8 @@ bool oslo_write_apertures(struct writing *writing, struct foreign_job *job,
     count = 0;
     for (size_t i = 0; i < surface->aperture_count; i++) {
         const struct aperture *one = &surface->apertures[i];
-        if (type_of(one) != 0 && count < MOST) {
-            put_one(writing, one, (char)('A' + count++));
+        if (oslo_write_aperture_type_of(one) != 0 && count < MOST) {
+            oslo_write_aperture_put_one(writing, one, (char)('A' + count++));
         } else if (!foreign_lose(job, error,
                                  "surface %zu: a %s that %s: no such aperture is "
                                  "written" LOSS_VIGNETTES LOSS_INSTEAD "left out",

@@ -51,7 +51,7 @@ static bool set_sizes(struct zemax_file *file, const struct zemax_line *line,
     return true;
 }
 
-static size_t word_of(struct text keyword)
+static size_t zemax_aperture_word_of(struct text keyword)
 {
     size_t i = 0;
     while (i < WORDS && !text_same(keyword, words[i].word)) {
@@ -61,7 +61,8 @@ static size_t word_of(struct text keyword)
 }
 
 /* Where a diameter stands beside apertures that pass, it is one about all of them. */
-static void put_apertures(struct surface *to, const struct aperture *apertures, size_t count)
+static void zemax_aperture_put_apertures(struct surface *to, const struct aperture *apertures,
+                                         size_t count)
 {
     const struct surface alone = {.apertures = apertures, .aperture_count = count};
     to->apertures = apertures;
@@ -98,7 +99,7 @@ static bool set_user_apertures(struct zemax_file *file, const struct zemax_surfa
     for (size_t i = 0; i < count; i++) {
         shift_aperture(file, from->aperture_shift, &apertures[i]);
     }
-    put_apertures(to, apertures, count);
+    zemax_aperture_put_apertures(to, apertures, count);
     return true;
 }
 
@@ -106,7 +107,7 @@ bool zemax_set_aperture(struct zemax_file *file, const struct zemax_surface *fro
                         struct surface *to, struct error *error)
 {
     const struct zemax_line *line = from->aperture, *shift = from->aperture_shift;
-    size_t word = line != NULL ? word_of(line->keyword) : WORDS;
+    size_t word = line != NULL ? zemax_aperture_word_of(line->keyword) : WORDS;
     struct error wrong;
     if (from->user_aperture != NULL) {
         return set_user_apertures(file, from, to, error);
@@ -134,14 +135,14 @@ bool zemax_set_aperture(struct zemax_file *file, const struct zemax_surface *fro
     if (!aperture->blocks && aperture->shape == SHAPE_CIRCLE && aperture_is_round(aperture)) {
         return true;
     }
-    put_apertures(to, aperture, 1);
+    zemax_aperture_put_apertures(to, aperture, 1);
     return true;
 }
 
 /* -------- writing -------- */
 
 /* Why the format cannot have it; null: it can. */
-static const char *refusal_of(const struct aperture *aperture)
+static const char *zemax_aperture_refusal_of(const struct aperture *aperture)
 {
     bool quarter = aperture->shape == SHAPE_CIRCLE || aperture->shape == SHAPE_RING;
     return aperture->shape == SHAPE_POLYGON           ? "a polygon stands in another file"
@@ -157,7 +158,7 @@ void zemax_put_half(struct zemax_writer *writer, const struct figure *figure)
     growing_put(&writer->out, text, (size_t)(end - text));
 }
 
-static void put_one(struct zemax_writer *writer, const struct aperture *aperture)
+static void zemax_aperture_put_one(struct zemax_writer *writer, const struct aperture *aperture)
 {
     bool circle = aperture->shape == SHAPE_CIRCLE;
     size_t i = 0;
@@ -195,9 +196,9 @@ bool zemax_put_aperture(struct zemax_writer *writer, const struct surface *surfa
     for (size_t i = 0; i < surface->aperture_count; i++) {
         const struct aperture *aperture = &surface->apertures[i];
         const char *refusal =
-            kept != NULL ? "a surface has one aperture there" : refusal_of(aperture);
+            kept != NULL ? "a surface has one aperture there" : zemax_aperture_refusal_of(aperture);
         if (refusal == NULL) {
-            put_one(writer, aperture);
+            zemax_aperture_put_one(writer, aperture);
             kept = aperture;
         } else if (!foreign_lose(writer->job, error,
                                  "surface %zu: a %s that %s: %s" LOSS_VIGNETTES LOSS_INSTEAD

@@ -5,7 +5,7 @@
 #include "base/constants.h"
 
 /* Shifts along x, y and turns about x, y, z: 1 to 5, as the parameters of COORDBRK. */
-struct turning {
+struct break_motion {
     struct figure part[6];
     bool reversed; /* turned about z, y, x, then shifted */
 };
@@ -44,7 +44,7 @@ bool zemax_is_bare(const struct zemax_file *file, size_t at)
            surface->comment.length == 0;
 }
 
-static bool is_null(const struct turning *turning)
+static bool is_null(const struct break_motion *turning)
 {
     bool null = true;
     for (size_t i = 1; i <= 5; i++) {
@@ -53,7 +53,7 @@ static bool is_null(const struct turning *turning)
     return null;
 }
 
-static void add_turning(struct zemax_file *file, const struct turning *turning)
+static void add_turning(struct zemax_file *file, const struct break_motion *turning)
 {
     static const int parts[2][4] = {{1, 3, 4, 5}, {5, 4, 3, 1}};
     struct arena *arena = file->job->arena;
@@ -90,7 +90,7 @@ static void add_turning(struct zemax_file *file, const struct turning *turning)
 
 void zemax_add_break(struct zemax_file *file, size_t at)
 {
-    struct turning turning = {.reversed = zemax_parameter(file, at, 6).value.hi != 0};
+    struct break_motion turning = {.reversed = zemax_parameter(file, at, 6).value.hi != 0};
     for (size_t i = 1; i <= 5; i++) {
         turning.part[i] = zemax_parameter(file, at, i);
     }
@@ -98,9 +98,9 @@ void zemax_add_break(struct zemax_file *file, size_t at)
 }
 
 /* SCBD 1 order status dx dy tx ty tz; none is none. */
-static struct turning turning_of(const struct zemax_line *line)
+static struct break_motion turning_of(const struct zemax_line *line)
 {
-    struct turning turning = {.reversed = zemax_number(line, 1) != 0};
+    struct break_motion turning = {.reversed = zemax_number(line, 1) != 0};
     for (size_t i = 1; i <= 5; i++) {
         bool has = line != NULL && i + 2 < line->count;
         turning.part[i] = has ? line->numbers[i + 2] : figure_zero();
@@ -109,7 +109,7 @@ static struct turning turning_of(const struct zemax_line *line)
 }
 
 /* What leads back to where the axis was. */
-static struct turning undone(struct turning turning, struct arena *arena)
+static struct break_motion zemax_break_undone(struct break_motion turning, struct arena *arena)
 {
     turning.reversed = !turning.reversed;
     for (size_t i = 1; i <= 5; i++) {
@@ -124,16 +124,16 @@ bool zemax_add_shift(struct zemax_file *file, size_t at, bool behind, struct err
     struct zemax_surface *surface = &file->surfaces[at];
     const struct zemax_line *before = surface->shift_before, *line = surface->shift_behind;
     if (!behind) {
-        struct turning turning = turning_of(before);
+        struct break_motion turning = turning_of(before);
         add_turning(file, &turning);
         return true;
     }
     const double status = zemax_number(line, 2);
-    struct turning turning = status == OWN         ? turning_of(line)
-                             : status == AS_BEFORE ? turning_of(before)
-                             : status == AS_BEFORE_UNDONE
-                                 ? undone(turning_of(before), file->job->arena)
-                                 : turning_of(NULL);
+    struct break_motion turning = status == OWN         ? turning_of(line)
+                                  : status == AS_BEFORE ? turning_of(before)
+                                  : status == AS_BEFORE_UNDONE
+                                      ? zemax_break_undone(turning_of(before), file->job->arena)
+                                      : turning_of(NULL);
     if (!(status == OWN || status == AS_BEFORE || status == AS_BEFORE_UNDONE) &&
         !zemax_loss(file, line, error,
                     "SCBD: a shift or turn behind a surface that follows another surface")) {

@@ -7,14 +7,15 @@
 
 /* The number of a surface that a solve gives, and the one that the file has. */
 struct solved_number {
-    struct solving *solving;
+    struct solver_state *solving;
     size_t at;
     bool is_curvature;
     bool is_focus; /* the last distance, where the solve only says where the image is */
     struct figure is, was;
 };
 
-static bool answer(const void *context, const struct lens *lens, struct arena *arena, double *value)
+static bool zemax_check_solves_answer(const void *context, const struct lens *lens,
+                                      struct arena *arena, double *value)
 {
     const struct solved_number *number = context;
     struct pair found;
@@ -26,10 +27,10 @@ static bool answer(const void *context, const struct lens *lens, struct arena *a
 }
 
 /* How far the two may be apart: of a pick-up or a sum by the digits of what it follows. */
-static double doubt_of(const struct solved_number *number)
+static double zemax_check_solves_doubt_of(const struct solved_number *number)
 {
     const double digits = 10, coarsest = 5e-4; /* of less than three digits none is rounded */
-    struct solving *solving = number->solving;
+    struct solver_state *solving = number->solving;
     struct arena *arena = solving->file->job->arena;
     const size_t place = number->is_curvature
                              ? solving->places[number->at]
@@ -37,15 +38,16 @@ static double doubt_of(const struct solved_number *number)
     const double size = fabs(number->was.value.hi);
     const double rounding = fmin(figure_rounding(&number->was), coarsest * size);
     double value;
-    return answer(number, &solving->lens, arena, &value)
-               ? solve_doubt(&solving->lens, place, rounding / size, answer, number, arena)
+    return zemax_check_solves_answer(number, &solving->lens, arena, &value)
+               ? solve_doubt(&solving->lens, place, rounding / size, zemax_check_solves_answer,
+                             number, arena)
                : digits * rounding;
 }
 
 /* The file's number stays that of the lens. */
 static bool keep_number(const struct solved_number *number, struct error *error)
 {
-    struct solving *solving = number->solving;
+    struct solver_state *solving = number->solving;
     struct zemax_file *file = solving->file;
     struct zemax_surface *from = &file->surfaces[number->at];
     const struct zemax_line *line = number->is_curvature ? from->curvature : from->solve;
@@ -65,7 +67,7 @@ static bool keep_number(const struct solved_number *number, struct error *error)
         number->is.typed.start, text_shown(number->was.typed), number->was.typed.start);
 }
 
-static bool check_number(const struct solved_number *number, struct error *error)
+static bool zemax_check_solves_check_number(const struct solved_number *number, struct error *error)
 {
     /* doubles lose digits on the way to a solve */
     const double relative = 1e-9, least = number->is_curvature ? 1e-15 : 1e-12;
@@ -78,7 +80,7 @@ static bool check_number(const struct solved_number *number, struct error *error
     if (apart <= alike || (number->is_focus && file->has_other_distance)) {
         return true;
     }
-    if (is_stored && !(apart <= alike + doubt_of(number))) {
+    if (is_stored && !(apart <= alike + zemax_check_solves_doubt_of(number))) {
         return keep_number(number, error);
     }
     if (!number->is_focus) {
@@ -91,7 +93,8 @@ static bool check_number(const struct solved_number *number, struct error *error
 }
 
 /* What the solve of a surface's curvature or thickness has to say, if it has one. */
-static bool check_solve(struct solving *solving, size_t at, bool is_curvature, struct error *error)
+static bool check_solve(struct solver_state *solving, size_t at, bool is_curvature,
+                        struct error *error)
 {
     struct zemax_file *file = solving->file;
     struct arena *arena = file->job->arena;
@@ -103,7 +106,7 @@ static bool check_solve(struct solving *solving, size_t at, bool is_curvature, s
             return true;
         }
         number.was = figure_per_length(from->curvature->numbers[0], file->build.lens->unit, -1);
-        return check_number(&number, error);
+        return zemax_check_solves_check_number(&number, error);
     }
     if (from->solve == NULL || from->thickness == NULL || from->thickness->count == 0) {
         return true;
@@ -119,10 +122,10 @@ static bool check_solve(struct solving *solving, size_t at, bool is_curvature, s
         }
         number.is = figure_rounded(value, solving->unit, arena);
     }
-    return check_number(&number, error);
+    return zemax_check_solves_check_number(&number, error);
 }
 
-bool zemax_check_solves(struct solving *solving, struct error *error)
+bool zemax_check_solves(struct solver_state *solving, struct error *error)
 {
     for (size_t i = 1; i + 1 < solving->file->surface_count; i++) {
         if (!check_solve(solving, i, true, error) || !check_solve(solving, i, false, error)) {

@@ -23,13 +23,13 @@ static bool read_thicknesses(struct zemax_file *file, struct figure *thickness, 
     return true;
 }
 
-static bool is_same(const struct figure *a, const struct figure *b)
+static bool zemax_gaps_is_same(const struct figure *a, const struct figure *b)
 {
     return fabs(pair_subtract(a->value, b->value).hi) <= 4e-16 * (fabs(a->value.hi) + 1e-9);
 }
 
 /* With an f-number or a chief ray what is solved first depends on what is solved last: again. */
-static bool solve_all(struct solving *solving, struct error *error)
+static bool solve_all(struct solver_state *solving, struct error *error)
 {
     size_t count = solving->file->surface_count;
     struct figure *before = ARENA_ARRAY(solving->file->job->arena, 2 * count, struct figure);
@@ -44,8 +44,8 @@ static bool solve_all(struct solving *solving, struct error *error)
         }
         settled = true;
         for (size_t i = 0; i < count; i++) {
-            settled = settled && is_same(&before[i], &solving->thickness[i]) &&
-                      is_same(&before[count + i], &solving->curvature[i]);
+            settled = settled && zemax_gaps_is_same(&before[i], &solving->thickness[i]) &&
+                      zemax_gaps_is_same(&before[count + i], &solving->curvature[i]);
         }
     }
     if (!settled) {
@@ -73,7 +73,7 @@ static bool check_work(struct zemax_file *file, struct error *error)
 }
 
 /* Gaps and curvatures, solved, go to the surfaces of the lens. */
-static void put_numbers(struct solving *solving)
+static void zemax_gaps_put_numbers(struct solver_state *solving)
 {
     struct zemax_file *file = solving->file;
     struct lens *lens = file->build.lens;
@@ -94,7 +94,7 @@ static void put_numbers(struct solving *solving)
 bool zemax_thicknesses(struct zemax_file *file, const size_t *places, struct error *error)
 {
     struct arena *arena = file->job->arena;
-    struct solving solving = {.file = file, .places = places};
+    struct solver_state solving = {.file = file, .places = places};
     if (!check_work(file, error)) {
         return false;
     }
@@ -120,7 +120,7 @@ bool zemax_thicknesses(struct zemax_file *file, const size_t *places, struct err
     if (!zemax_check_solves(&solving, error)) {
         return false;
     }
-    put_numbers(&solving);
+    zemax_gaps_put_numbers(&solving);
     zemax_keep_pickups(&solving);
     return true;
 }

@@ -155,7 +155,8 @@ static const char *converter_of(const struct zemax_file *file)
 }
 
 /* What counts where the name of a glass and the numbers beside it differ. */
-static enum glass_numbers numbers_of(const struct zemax_file *file, const struct zemax_line *line)
+static enum glass_numbers zemax_glass_numbers_of(const struct zemax_file *file,
+                                                 const struct zemax_line *line)
 {
     if (file->job->glass_numbers != GLASS_NUMBERS_OF_FILE) {
         return file->job->glass_numbers;
@@ -171,7 +172,7 @@ static bool settle_glass(struct zemax_file *file, const struct zemax_line *line,
                          struct error *error)
 {
     const bool model = zemax_number(line, 0) == GLASS_MODEL;
-    const bool of_line = numbers_of(file, line) == GLASS_NUMBERS_LINE;
+    const bool of_line = zemax_glass_numbers_of(file, line) == GLASS_NUMBERS_LINE;
     char *what = foreign_difference(file->job, named, medium);
     file->doubts->disputed += !model && zemax_number(line, 0) != GLASS_OFFSET;
     if (file->takes_numbers) {
@@ -192,7 +193,8 @@ static bool settle_glass(struct zemax_file *file, const struct zemax_line *line,
 }
 
 /* The name of a line, and what it says of the glass. */
-static struct foreign_name name_of(const struct zemax_file *file, const struct zemax_line *line)
+static struct foreign_name zemax_glass_name_of(const struct zemax_file *file,
+                                               const struct zemax_line *line)
 {
     /* as patents print them at the least; fewer digits are numbers whose last ones are 0 */
     const double coarsest_nd = 5e-5, coarsest_Vd = 0.05;
@@ -215,7 +217,7 @@ static struct foreign_name name_of(const struct zemax_file *file, const struct z
 static bool named_glass(struct zemax_file *file, const struct zemax_line *line,
                         struct medium *medium, struct error *error)
 {
-    const struct foreign_name named = name_of(file, line);
+    const struct foreign_name named = zemax_glass_name_of(file, line);
     if (!foreign_glass(file->job, &line->words, &named, medium, error)) {
         return error->code == ERROR_NONE && unknown_glass(file, line, medium, error);
     }
@@ -226,7 +228,7 @@ static bool named_glass(struct zemax_file *file, const struct zemax_line *line,
 static bool named_model(struct zemax_file *file, const struct zemax_line *line,
                         struct medium *medium, struct error *error)
 {
-    const struct foreign_name named = name_of(file, line);
+    const struct foreign_name named = zemax_glass_name_of(file, line);
     struct medium found;
     struct error ignored;
     if (!model_medium(file, line, medium, error)) {
@@ -236,7 +238,7 @@ static bool named_model(struct zemax_file *file, const struct zemax_line *line,
         !foreign_glass(file->job, &line->words, &named, &found, &ignored)) {
         return true;
     }
-    if (numbers_of(file, line) == GLASS_NUMBERS_CATALOG) {
+    if (zemax_glass_numbers_of(file, line) == GLASS_NUMBERS_CATALOG) {
         *medium = found;
         return foreign_is_rounded(medium, &named) ||
                settle_glass(file, line, &named, medium, error);

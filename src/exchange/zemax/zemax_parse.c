@@ -5,7 +5,7 @@
 #include <math.h>
 #include <string.h>
 
-static struct zemax_surface *surface_of(struct zemax_file *file)
+static struct zemax_surface *parse_surface_of(struct zemax_file *file)
 {
     return &file->surfaces[file->surface_count - 1];
 }
@@ -13,7 +13,7 @@ static struct zemax_surface *surface_of(struct zemax_file *file)
 static bool read_surf(struct zemax_file *file, struct text keyword, struct error *error)
 {
     const struct zemax_line *line = zemax_line_of(file, keyword, NUMBER_UNSCALED);
-    size_t expected = file->surface_count > 0 ? surface_of(file)->number + 1 : 0;
+    size_t expected = file->surface_count > 0 ? parse_surface_of(file)->number + 1 : 0;
     double number = zemax_number(line, 0);
     bool is_next = number == (double)expected;
     bool is_later =
@@ -37,7 +37,7 @@ static bool read_surf(struct zemax_file *file, struct text keyword, struct error
 static bool read_type(struct zemax_file *file, struct text keyword, struct error *error)
 {
     const struct zemax_line *line = zemax_line_of(file, keyword, NUMBER_UNSCALED);
-    surface_of(file)->type = line;
+    parse_surface_of(file)->type = line;
     if (text_same(line->first, "NONSEQCO")) {
         return file_words_fail(&line->words, line->first, error,
                                "a non-sequential group: lenscalc has lenses whose surfaces follow "
@@ -49,33 +49,33 @@ static bool read_type(struct zemax_file *file, struct text keyword, struct error
                            "does not hold");
 }
 
-static bool read_curvature(struct zemax_file *file, struct text keyword, struct error *error)
+static bool parse_read_curvature(struct zemax_file *file, struct text keyword, struct error *error)
 {
-    surface_of(file)->curvature = zemax_line_of(file, keyword, NUMBER_UNSCALED);
-    return zemax_has_number(surface_of(file)->curvature, error);
+    parse_surface_of(file)->curvature = zemax_line_of(file, keyword, NUMBER_UNSCALED);
+    return zemax_has_number(parse_surface_of(file)->curvature, error);
 }
 
-static bool read_thickness(struct zemax_file *file, struct text keyword, struct error *error)
+static bool parse_read_thickness(struct zemax_file *file, struct text keyword, struct error *error)
 {
     const struct zemax_line *line = zemax_line_of(file, keyword, file->words.scale);
-    surface_of(file)->thickness = line;
+    parse_surface_of(file)->thickness = line;
     return line->infinite || zemax_has_number(line, error);
 }
 
-static bool read_conic(struct zemax_file *file, struct text keyword, struct error *error)
+static bool parse_read_conic(struct zemax_file *file, struct text keyword, struct error *error)
 {
-    surface_of(file)->conic = zemax_line_of(file, keyword, NUMBER_UNSCALED);
-    return zemax_has_number(surface_of(file)->conic, error);
+    parse_surface_of(file)->conic = zemax_line_of(file, keyword, NUMBER_UNSCALED);
+    return zemax_has_number(parse_surface_of(file)->conic, error);
 }
 
-static bool read_diameter(struct zemax_file *file, struct text keyword, struct error *error)
+static bool parse_read_diameter(struct zemax_file *file, struct text keyword, struct error *error)
 {
-    surface_of(file)->diameter = zemax_line_of(file, keyword, file->words.scale);
-    return zemax_has_number(surface_of(file)->diameter, error);
+    parse_surface_of(file)->diameter = zemax_line_of(file, keyword, file->words.scale);
+    return zemax_has_number(parse_surface_of(file)->diameter, error);
 }
 
 /* CLAP, SQAP ..: two numbers, of which zemax_aperture.c knows the meaning. */
-static bool read_aperture(struct zemax_file *file, struct text keyword, struct error *error)
+static bool parse_read_aperture(struct zemax_file *file, struct text keyword, struct error *error)
 {
     const struct zemax_line *line = zemax_line_of(file, keyword, file->words.scale);
     if (!zemax_has_number(line, error)) {
@@ -87,9 +87,9 @@ static bool read_aperture(struct zemax_file *file, struct text keyword, struct e
                           keyword.start);
     }
     if (text_same(keyword, "CLAP")) {
-        surface_of(file)->clear = line;
+        parse_surface_of(file)->clear = line;
     }
-    surface_of(file)->aperture = line;
+    parse_surface_of(file)->aperture = line;
     return true;
 }
 
@@ -108,7 +108,7 @@ static bool read_aperture_shift(struct zemax_file *file, struct text keyword, st
 {
     const struct zemax_line *line = zemax_line_of(file, keyword, file->words.scale);
     if (zemax_number(line, 0) != 0 || zemax_number(line, 1) != 0) {
-        surface_of(file)->aperture_shift = line;
+        parse_surface_of(file)->aperture_shift = line;
     }
     return zemax_all_numbers(line, error);
 }
@@ -116,7 +116,7 @@ static bool read_aperture_shift(struct zemax_file *file, struct text keyword, st
 /* UDAD 1 x y 0: the file that UDAD 0 names, row by row, as it was when the lens was saved. */
 static void add_user_row(struct zemax_file *file, const struct zemax_line *line)
 {
-    struct zemax_surface *surface = surface_of(file);
+    struct zemax_surface *surface = parse_surface_of(file);
     if (surface->has_lost_aperture) {
         return; /* its numbers would be scaled */
     }
@@ -134,7 +134,7 @@ static void add_user_row(struct zemax_file *file, const struct zemax_line *line)
  */
 static bool read_user_aperture(struct zemax_file *file, struct text keyword, struct error *error)
 {
-    struct zemax_surface *surface = surface_of(file);
+    struct zemax_surface *surface = parse_surface_of(file);
     const struct zemax_line *line = zemax_line_of(file, keyword, file->words.scale);
     if (text_same(keyword, "UDAD") && zemax_number(line, 0) != 0) {
         add_user_row(file, line);
@@ -165,7 +165,7 @@ static bool read_user_aperture(struct zemax_file *file, struct text keyword, str
         keyword.start);
 }
 
-static bool read_glass(struct zemax_file *file, struct text keyword, struct error *error)
+static bool parse_read_glass(struct zemax_file *file, struct text keyword, struct error *error)
 {
     struct file_words words = file->words;
     struct text name = file_words_next(&file->words);
@@ -175,15 +175,15 @@ static bool read_glass(struct zemax_file *file, struct text keyword, struct erro
     struct zemax_line *line = zemax_line_of(file, name, NUMBER_UNSCALED);
     line->words = words;
     line->begin = keyword;
-    surface_of(file)->glass = line;
+    parse_surface_of(file)->glass = line;
     return zemax_all_numbers(line, error);
 }
 
-static bool read_stop(struct zemax_file *file, struct text keyword, struct error *error)
+static bool parse_read_stop(struct zemax_file *file, struct text keyword, struct error *error)
 {
     (void)keyword;
     (void)error;
-    surface_of(file)->is_stop = true;
+    parse_surface_of(file)->is_stop = true;
     return true;
 }
 
@@ -191,7 +191,7 @@ static bool read_comment(struct zemax_file *file, struct text keyword, struct er
 {
     (void)keyword;
     (void)error;
-    surface_of(file)->comment = file_words_rest(&file->words);
+    parse_surface_of(file)->comment = file_words_rest(&file->words);
     return true;
 }
 
@@ -209,9 +209,10 @@ static bool read_coating(struct zemax_file *file, struct text keyword, struct er
 }
 
 /* The place of a numbered line: 1 .. most - 1. */
-static const struct zemax_line **place_of(struct zemax_file *file, const struct zemax_line *line,
-                                          const struct zemax_line **places, size_t most,
-                                          struct error *error)
+static const struct zemax_line **parse_place_of(struct zemax_file *file,
+                                                const struct zemax_line *line,
+                                                const struct zemax_line **places, size_t most,
+                                                struct error *error)
 {
     double number = zemax_number(line, 0);
     if (!zemax_all_numbers(line, error)) {
@@ -227,14 +228,15 @@ static const struct zemax_line **place_of(struct zemax_file *file, const struct 
 
 static bool read_numbered(struct zemax_file *file, struct text keyword, struct error *error)
 {
-    struct zemax_surface *surface = surface_of(file);
+    struct zemax_surface *surface = parse_surface_of(file);
     bool extra = text_same(keyword, "XDAT"), pickup = text_same(keyword, "PPAR");
     const struct zemax_line *line = zemax_line_of(file, keyword, NUMBER_UNSCALED);
-    const struct zemax_line **place = place_of(file, line,
-                                               extra    ? surface->extras
-                                               : pickup ? surface->pickups
-                                                        : surface->parameters,
-                                               extra ? ZEMAX_EXTRAS : ZEMAX_PARAMETERS, error);
+    const struct zemax_line **place =
+        parse_place_of(file, line,
+                       extra    ? surface->extras
+                       : pickup ? surface->pickups
+                                : surface->parameters,
+                       extra ? ZEMAX_EXTRAS : ZEMAX_PARAMETERS, error);
     if (place == NULL) {
         return false;
     }
@@ -246,14 +248,14 @@ static bool read_numbered(struct zemax_file *file, struct text keyword, struct e
     return true;
 }
 
-static bool read_solve(struct zemax_file *file, struct text keyword, struct error *error)
+static bool parse_read_solve(struct zemax_file *file, struct text keyword, struct error *error)
 {
-    surface_of(file)->solve = zemax_line_of(file, keyword, NUMBER_UNSCALED);
-    return zemax_all_numbers(surface_of(file)->solve, error);
+    parse_surface_of(file)->solve = zemax_line_of(file, keyword, NUMBER_UNSCALED);
+    return zemax_all_numbers(parse_surface_of(file)->solve, error);
 }
 
 /* SCBD which .. : what is shifted and turned before the surface (1) or behind it (2). */
-static bool read_shift(struct zemax_file *file, struct text keyword, struct error *error)
+static bool parse_read_shift(struct zemax_file *file, struct text keyword, struct error *error)
 {
     const struct zemax_line *line = zemax_line_of(file, keyword, NUMBER_UNSCALED);
     const double which = zemax_number(line, 0);
@@ -261,32 +263,49 @@ static bool read_shift(struct zemax_file *file, struct text keyword, struct erro
         return false;
     }
     if (which == 1 || which == 2) {
-        *(which == 1 ? &surface_of(file)->shift_before : &surface_of(file)->shift_behind) = line;
+        *(which == 1 ? &parse_surface_of(file)->shift_before
+                     : &parse_surface_of(file)->shift_behind) = line;
         return true;
     }
     return zemax_loss(file, line, error, "SCBD is of 1, before the surface, or of 2, behind it");
 }
 
 static const struct zemax_keyword surface_keywords[] = {
-    {"TYPE", read_type},          {"CURV", read_curvature},
-    {"DISZ", read_thickness},     {"CONI", read_conic},
-    {"DIAM", read_diameter},      {"GLAS", read_glass},
-    {"STOP", read_stop},          {"COMM", read_comment},
-    {"COAT", read_coating},       {"PARM", read_numbered},
-    {"XDAT", read_numbered},      {"PPAR", read_numbered},
-    {"MAZH", read_solve},         {"CHZH", read_solve},
-    {"PZUP", read_solve},         {"TCOM", read_solve},
-    {"TOLE", read_solve},         {"EDGE", read_solve},
-    {"CLAP", read_aperture},      {"FLAP", read_floating},
-    {"SQAP", read_aperture},      {"ELAP", read_aperture},
-    {"OBSC", read_aperture},      {"SQOB", read_aperture},
-    {"ELOB", read_aperture},      {"SPID", read_aperture},
-    {"USAP", read_user_aperture}, {"USOB", read_user_aperture},
-    {"UDAD", read_user_aperture}, {"OBDC", read_aperture_shift},
-    {"SCBD", read_shift},         {NULL, NULL},
+    {"TYPE", read_type},
+    {"CURV", parse_read_curvature},
+    {"DISZ", parse_read_thickness},
+    {"CONI", parse_read_conic},
+    {"DIAM", parse_read_diameter},
+    {"GLAS", parse_read_glass},
+    {"STOP", parse_read_stop},
+    {"COMM", read_comment},
+    {"COAT", read_coating},
+    {"PARM", read_numbered},
+    {"XDAT", read_numbered},
+    {"PPAR", read_numbered},
+    {"MAZH", parse_read_solve},
+    {"CHZH", parse_read_solve},
+    {"PZUP", parse_read_solve},
+    {"TCOM", parse_read_solve},
+    {"TOLE", parse_read_solve},
+    {"EDGE", parse_read_solve},
+    {"CLAP", parse_read_aperture},
+    {"FLAP", read_floating},
+    {"SQAP", parse_read_aperture},
+    {"ELAP", parse_read_aperture},
+    {"OBSC", parse_read_aperture},
+    {"SQOB", parse_read_aperture},
+    {"ELOB", parse_read_aperture},
+    {"SPID", parse_read_aperture},
+    {"USAP", read_user_aperture},
+    {"USOB", read_user_aperture},
+    {"UDAD", read_user_aperture},
+    {"OBDC", read_aperture_shift},
+    {"SCBD", parse_read_shift},
+    {NULL, NULL},
 };
 
-static const struct zemax_keyword *find(const struct zemax_keyword *table, struct text word)
+static const struct zemax_keyword *parse_find(const struct zemax_keyword *table, struct text word)
 {
     for (; table->word != NULL; table++) {
         if (text_same(word, table->word)) {
@@ -300,18 +319,18 @@ static const struct zemax_keyword *find(const struct zemax_keyword *table, struc
 static const struct zemax_keyword *find_keyword(const struct zemax_file *file, struct text word,
                                                 bool indented)
 {
-    const struct zemax_keyword *keyword = find(zemax_system_keywords, word);
+    const struct zemax_keyword *keyword = parse_find(zemax_system_keywords, word);
     if (keyword == NULL && file->surface_count > 0 && !indented) {
-        keyword = find(zemax_tail_keywords, word);
+        keyword = parse_find(zemax_tail_keywords, word);
     }
     if (keyword == NULL && (!file->in_tail || indented)) {
-        keyword = find(surface_keywords, word);
+        keyword = parse_find(surface_keywords, word);
     }
     return keyword;
 }
 
 /* Are there numbers on the line, and all of them 0? `first` receives the first that is not. */
-static bool is_zero(const struct zemax_line *line, struct text *first)
+static bool parse_is_zero(const struct zemax_line *line, struct text *first)
 {
     *first = line->stray.start != NULL ? line->stray : line->keyword;
     for (size_t i = 0; i < line->count; i++) {
@@ -324,13 +343,13 @@ static bool is_zero(const struct zemax_line *line, struct text *first)
 }
 
 /* A word of the table that has no reader. */
-static bool pass_over(struct zemax_file *file, const struct word_group *group, struct text word,
-                      struct error *error)
+static bool parse_pass_over(struct zemax_file *file, const struct word_group *group,
+                            struct text word, struct error *error)
 {
     const struct zemax_line *line = zemax_line_of(file, word, NUMBER_UNSCALED);
     struct text at;
     return group->fate == WORD_HARMLESS ||
-           (is_zero(line, &at) && (group->flags & WORD_COUNTS_AT_0) == 0) ||
+           (parse_is_zero(line, &at) && (group->flags & WORD_COUNTS_AT_0) == 0) ||
            foreign_loss(file->job, &line->words, at, error, "%.4s: %s%s", word.start, group->what,
                         (group->flags & WORD_VIGNETTES) != 0 ? LOSS_VIGNETTES : "");
 }
@@ -363,7 +382,7 @@ static bool read_unknown(struct zemax_file *file, struct text word, bool behind,
         file->in_tail = true;
         return true;
     }
-    if (!behind && is_zero(line, &at)) {
+    if (!behind && parse_is_zero(line, &at)) {
         file->zeros = arena_grow(file->job->arena, file->zeros, file->zero_count, &file->zero_room,
                                  sizeof file->zeros[0]);
         file->zeros[file->zero_count++] = line;
@@ -400,7 +419,7 @@ static const struct word_group *group_behind(struct text word)
     return group != NULL ? group : word_group_of(zemax_words, ZEMAX_IN_TAIL, word);
 }
 
-static bool read_line(struct zemax_file *file, struct error *error)
+static bool parse_read_line(struct zemax_file *file, struct error *error)
 {
     struct text word = file_words_next(&file->words);
     bool indented = word.start > file->words.line.start, in_surface = file->surface_count > 0;
@@ -411,7 +430,7 @@ static bool read_line(struct zemax_file *file, struct error *error)
     if (text_same(word, "SURF")) {
         return read_surf(file, word, error);
     }
-    if (keyword != NULL && !in_surface && find(surface_keywords, word) != NULL) {
+    if (keyword != NULL && !in_surface && parse_find(surface_keywords, word) != NULL) {
         return file_words_fail(&file->words, word, error, "'%s' stands before any surface",
                                keyword->word);
     }
@@ -425,7 +444,7 @@ static bool read_line(struct zemax_file *file, struct error *error)
         return group->fate == WORD_HARMLESS || zemax_read_setting(file, word, error);
     }
     group = word_group_of(zemax_words, NULL, word);
-    return group != NULL ? pass_over(file, group, word, error)
+    return group != NULL ? parse_pass_over(file, group, word, error)
                          : read_unknown(file, word, behind, error);
 }
 
@@ -459,7 +478,7 @@ static bool lose_references(struct zemax_file *file, struct zemax_surface *surfa
 }
 
 /* Numbers of surfaces where some are left out: the places of the surfaces, or a loss. */
-static bool close_gaps(struct zemax_file *file, struct error *error)
+static bool parse_close_gaps(struct zemax_file *file, struct error *error)
 {
     for (size_t i = 0; i < file->surface_count; i++) {
         if (!lose_references(file, &file->surfaces[i], error)) {
@@ -509,9 +528,9 @@ static bool pick_up_glasses(struct zemax_file *file, struct error *error)
  * A file of the program goes on behind its surfaces, and behind several configurations too. One
  * that does not may be whole: then its last surface, the image, has no glass.
  */
-static bool check_end(struct zemax_file *file, struct error *error)
+static bool parse_check_end(struct zemax_file *file, struct error *error)
 {
-    const struct zemax_surface *image = surface_of(file);
+    const struct zemax_surface *image = parse_surface_of(file);
     const bool has_last = text_same(file->last_word, "CSUM") || text_same(file->last_word, "MOFF");
     if (!file->has_tail && image->glass != NULL) {
         return file_words_fail(&image->surf->words, image->surf->keyword, error,
@@ -536,7 +555,7 @@ bool zemax_parse(struct zemax_file *file, struct text content, struct error *err
     file->configurations = 1;
     while (file_words_line(&file->words)) {
         struct file_words start = file->words;
-        if (file_words_next(&start).length > 0 && !read_line(file, error)) {
+        if (file_words_next(&start).length > 0 && !parse_read_line(file, error)) {
             return false;
         }
     }
@@ -544,8 +563,8 @@ bool zemax_parse(struct zemax_file *file, struct text content, struct error *err
         fail(error, ERROR_DATA, "the file has no surface between object and image");
         return error_locate(error, file->job->source, 0, 0);
     }
-    return check_end(file, error) && pass_zeros(file, error) &&
-           (!file->has_gaps || close_gaps(file, error)) && pick_up_glasses(file, error);
+    return parse_check_end(file, error) && pass_zeros(file, error) &&
+           (!file->has_gaps || parse_close_gaps(file, error)) && pick_up_glasses(file, error);
 }
 
 bool zemax_is_tilted(const struct zemax_file *file, size_t at)

@@ -9,15 +9,15 @@
 #include <string.h>
 
 /* What a configuration puts in the place of the lines that the file has. */
-struct placing {
+struct setting_target {
     struct zemax_file *file; /* of this configuration alone */
     const struct zemax_setting *setting;
     struct error *error;
 };
 
 /* The value of an operand as the first number of a line, with what another line has behind it. */
-static struct zemax_line *line_with(const struct placing *placing, const struct zemax_line *old,
-                                    size_t before)
+static struct zemax_line *line_with(const struct setting_target *placing,
+                                    const struct zemax_line *old, size_t before)
 {
     struct arena *arena = placing->file->job->arena;
     const struct zemax_line *own = placing->setting->line;
@@ -34,7 +34,7 @@ static struct zemax_line *line_with(const struct placing *placing, const struct 
     return line;
 }
 
-static bool place_thickness(const struct placing *placing, struct zemax_surface *surface)
+static bool place_thickness(const struct setting_target *placing, struct zemax_surface *surface)
 {
     const double far = 1e10; /* what the program writes for infinity where it wants a number */
     struct zemax_line *line = line_with(placing, NULL, 0);
@@ -43,19 +43,19 @@ static bool place_thickness(const struct placing *placing, struct zemax_surface 
     return true;
 }
 
-static bool place_curvature(const struct placing *placing, struct zemax_surface *surface)
+static bool place_curvature(const struct setting_target *placing, struct zemax_surface *surface)
 {
     surface->curvature = line_with(placing, surface->curvature, 0);
     return true;
 }
 
-static bool place_conic(const struct placing *placing, struct zemax_surface *surface)
+static bool place_conic(const struct setting_target *placing, struct zemax_surface *surface)
 {
     surface->conic = line_with(placing, surface->conic, 0);
     return true;
 }
 
-static bool place_diameter(const struct placing *placing, struct zemax_surface *surface)
+static bool place_diameter(const struct setting_target *placing, struct zemax_surface *surface)
 {
     surface->diameter = line_with(placing, surface->diameter, 0);
     return placing->setting->line->numbers[2].value.hi >= 0 || /* 0 is none */
@@ -64,7 +64,7 @@ static bool place_diameter(const struct placing *placing, struct zemax_surface *
 }
 
 /* CBDX .. before the surface, CADX .. behind it: a number of SCBD. */
-static bool place_shift(const struct placing *placing, struct zemax_surface *surface)
+static bool place_shift(const struct setting_target *placing, struct zemax_surface *surface)
 {
     static const char *const numbers[] = {"OR", "", "DX", "DY", "TX", "TY", "TZ"};
     const struct text word = placing->setting->line->keyword, last = {word.start + 2, 2};
@@ -79,7 +79,7 @@ static bool place_shift(const struct placing *placing, struct zemax_surface *sur
 }
 
 /* GLSS surface configuration NAME */
-static bool place_glass(const struct placing *placing, struct zemax_surface *surface)
+static bool place_glass(const struct setting_target *placing, struct zemax_surface *surface)
 {
     const struct zemax_line *own = placing->setting->line;
     struct file_words words = own->words;
@@ -97,7 +97,7 @@ static bool place_glass(const struct placing *placing, struct zemax_surface *sur
 }
 
 /* PAR1 .. PAR8 */
-static bool place_parameter(const struct placing *placing, struct zemax_surface *surface)
+static bool place_parameter(const struct setting_target *placing, struct zemax_surface *surface)
 {
     size_t number = (size_t)(placing->setting->line->keyword.start[3] - '0');
     surface->parameters[number] = line_with(placing, surface->parameters[number], 1);
@@ -108,7 +108,7 @@ static bool place_parameter(const struct placing *placing, struct zemax_surface 
  * PRAM surface configuration value status NUMBER .., EDVA the same for extra data: behind the value
  * and its status the number of the parameter.
  */
-static bool place_numbered(const struct placing *placing, struct zemax_surface *surface)
+static bool place_numbered(const struct setting_target *placing, struct zemax_surface *surface)
 {
     const struct zemax_line *own = placing->setting->line;
     const bool extra = text_same(own->keyword, "EDVA");
@@ -132,7 +132,7 @@ static bool place_numbered(const struct placing *placing, struct zemax_surface *
 }
 
 /* APMN, APMX: the two sizes of an aperture, APDX, APDY: its decentre; of none they say nothing. */
-static bool place_size(const struct placing *placing, struct zemax_surface *surface)
+static bool place_size(const struct setting_target *placing, struct zemax_surface *surface)
 {
     const struct zemax_line *own = placing->setting->line;
     const bool shifts = text_same(own->keyword, "APDX") || text_same(own->keyword, "APDY");
@@ -160,7 +160,7 @@ static bool place_size(const struct placing *placing, struct zemax_surface *surf
 /* Operands that belong to a surface; the others are of the system. */
 static const struct {
     const char *word;
-    bool (*place)(const struct placing *placing, struct zemax_surface *surface);
+    bool (*place)(const struct setting_target *placing, struct zemax_surface *surface);
 } places_of[] = {{"THIC", place_thickness}, {"CRVT", place_curvature}, {"CONN", place_conic},
                  {"SDIA", place_diameter},  {"APMN", place_size},      {"APMX", place_size},
                  {"APDX", place_size},      {"APDY", place_size},      {"GLSS", place_glass},
@@ -174,7 +174,7 @@ static const struct {
                  {"CATZ", place_shift}};
 
 /* STPS: the number of the surface that is the stop is the value. */
-static bool place_stop(const struct placing *placing)
+static bool place_stop(const struct setting_target *placing)
 {
     struct zemax_file *file = placing->file;
     const struct zemax_line *line = placing->setting->line;
@@ -190,7 +190,7 @@ static bool place_stop(const struct placing *placing)
 }
 
 /* WAVE and WLWT: `surface` is the number of the wavelength. */
-static bool place_wave(const struct placing *placing)
+static bool place_wave(const struct setting_target *placing)
 {
     struct zemax_file *file = placing->file;
     const struct zemax_line *line = placing->setting->line;
@@ -204,7 +204,7 @@ static bool place_wave(const struct placing *placing)
 }
 
 /* PRWV: the number of the primary wavelength is the value. */
-static bool place_primary(const struct placing *placing)
+static bool place_primary(const struct setting_target *placing)
 {
     const struct zemax_line *line = placing->setting->line;
     double number = zemax_number(line, 2);
@@ -217,7 +217,7 @@ static bool place_primary(const struct placing *placing)
 }
 
 /* The aperture, in the unit that its kind has. */
-static bool place_aperture(const struct placing *placing)
+static bool place_aperture(const struct setting_target *placing)
 {
     struct zemax_file *file = placing->file;
     if (file->aperture == NULL || text_same(file->aperture->keyword, "FLOA")) {
@@ -235,7 +235,7 @@ static bool place_aperture(const struct placing *placing)
 }
 
 /* XFIE, YFIE, FLWT: `surface` is the number of the field. */
-static bool place_field(const struct placing *placing)
+static bool place_field(const struct setting_target *placing)
 {
     struct zemax_file *file = placing->file;
     const struct zemax_line *own = placing->setting->line;
@@ -257,7 +257,7 @@ static bool place_field(const struct placing *placing)
 }
 
 /* FLTP, TELE, AFOC: the kind of the fields and what FTYP says beside it. */
-static bool place_field_kind(const struct placing *placing)
+static bool place_field_kind(const struct setting_target *placing)
 {
     struct zemax_file *file = placing->file;
     const struct text word = placing->setting->line->keyword;
@@ -267,7 +267,7 @@ static bool place_field_kind(const struct placing *placing)
 }
 
 /* TEMP, PRES: they act where ENVD says that indices follow them. */
-static bool place_environment(const struct placing *placing)
+static bool place_environment(const struct setting_target *placing)
 {
     struct zemax_file *file = placing->file;
     const bool second = text_same(placing->setting->line->keyword, "PRES");
@@ -281,7 +281,7 @@ static bool place_environment(const struct placing *placing)
 
 static const struct {
     const char *word;
-    bool (*place)(const struct placing *placing);
+    bool (*place)(const struct setting_target *placing);
 } places_in_system[] = {
     {"STPS", place_stop},       {"WAVE", place_wave},       {"WLWT", place_wave},
     {"PRWV", place_primary},    {"APER", place_aperture},   {"XFIE", place_field},
@@ -303,7 +303,7 @@ static bool is_placed(struct text keyword)
 }
 
 /* One operand of this configuration; false without an error: it has no value. */
-static bool place_setting(const struct placing *placing)
+static bool place_setting(const struct setting_target *placing)
 {
     struct zemax_file *file = placing->file;
     const struct zemax_line *line = placing->setting->line;
@@ -352,7 +352,7 @@ static bool place_settings(struct zemax_file *file, size_t configuration, struct
 {
     const struct zemax_setting *before = NULL;
     for (const struct zemax_setting *one = file->settings; one != NULL; one = one->next) {
-        const struct placing placing = {file, one, error};
+        const struct setting_target placing = {file, one, error};
         if (one->configuration == (long)configuration + 1 && !place_setting(&placing)) {
             return error->code == ERROR_NONE &&
                    file_words_fail(&one->line->words, one->line->keyword, error,

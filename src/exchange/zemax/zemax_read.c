@@ -16,14 +16,15 @@
 #include <string.h>
 
 /* A figure of a line again, in another unit. */
-static struct figure in_unit(struct figure figure, struct number_scale scale)
+static struct figure zemax_read_in_unit(struct figure figure, struct number_scale scale)
 {
     pair_read(figure.typed.start, figure.typed.start + figure.typed.length, scale, &figure.value);
     return figure;
 }
 
 /* OBNA degrees 1: the marginal ray's angle at the object, n sin u. */
-static bool set_cone(struct zemax_file *file, const struct zemax_line *line, struct error *error)
+static bool zemax_read_set_cone(struct zemax_file *file, const struct zemax_line *line,
+                                struct error *error)
 {
     struct lens *lens = file->build.lens;
     struct pair index = {1, 0};
@@ -44,7 +45,7 @@ static bool set_cone(struct zemax_file *file, const struct zemax_line *line, str
     return true;
 }
 
-static bool set_aperture(struct zemax_file *file, struct error *error)
+static bool zemax_read_set_aperture(struct zemax_file *file, struct error *error)
 {
     const struct zemax_line *line = file->aperture;
     struct lens *lens = file->build.lens;
@@ -66,7 +67,7 @@ static bool set_aperture(struct zemax_file *file, struct error *error)
                                                              : APERTURE_NA;
     bool special = zemax_number(line, 1) != 0;
     if (lens->aperture_kind == APERTURE_NA && special) {
-        return set_cone(file, line, error);
+        return zemax_read_set_cone(file, line, error);
     }
     if (lens->aperture_kind == APERTURE_FNUMBER && special && !lens->object_is_infinite) {
         lens->aperture_kind = APERTURE_NONE; /* until its surfaces are known */
@@ -75,14 +76,15 @@ static bool set_aperture(struct zemax_file *file, struct error *error)
 }
 
 /* Field number `at`, from 0: its place in XFLN and YFLN, its weight in FWGN. */
-static bool add_field(struct zemax_file *file, size_t at, bool angle, struct error *error)
+static bool zemax_read_add_field(struct zemax_file *file, size_t at, bool angle,
+                                 struct error *error)
 {
     struct number_scale scale = angle ? NUMBER_UNSCALED : lens_unit_scale(file->build.lens->unit);
     const struct zemax_line *lines[2] = {file->x, file->y}, *weights = file->field_weights;
     struct lens_field *field = lens_build_field(&file->build);
     for (int i = 0; i < 2; i++) {
         bool has = lines[i] != NULL && at < lines[i]->count;
-        field->at[i] = has ? in_unit(lines[i]->numbers[at], scale) : field->at[i];
+        field->at[i] = has ? zemax_read_in_unit(lines[i]->numbers[at], scale) : field->at[i];
         field->at[i].typed = has ? field->at[i].typed : text_of("0");
     }
     if (angle) {
@@ -116,7 +118,7 @@ static bool set_fields(struct zemax_file *file, struct error *error)
     }
     file->build.lens->field_kind = kinds[(int)type];
     for (size_t i = 0; i < count; i++) {
-        if (!add_field(file, i, type == 0, error)) {
+        if (!zemax_read_add_field(file, i, type == 0, error)) {
             return false;
         }
     }
@@ -213,8 +215,8 @@ static bool is_shaped(const struct zemax_surface *surface)
 }
 
 /* Object and image are planes across the axis; what the file says of them beyond that is lost. */
-static bool check_flat(struct zemax_file *file, const struct zemax_surface *surface,
-                       const char *curved, const char *tilted, struct error *error)
+static bool zemax_read_check_flat(struct zemax_file *file, const struct zemax_surface *surface,
+                                  const char *curved, const char *tilted, struct error *error)
 {
     if (zemax_number(surface->curvature, 0) != 0 &&
         !zemax_loss(file, surface->curvature, error, "%s" LOSS_INSTEAD "taken for a plane",
@@ -265,7 +267,7 @@ static bool set_object(struct zemax_file *file, struct error *error)
     struct zemax_surface *object = &file->surfaces[0];
     const struct zemax_line *line = object->thickness;
     bool finite = line != NULL && !line->infinite && fabs(line->numbers[0].value.hi) < far;
-    if (!check_flat(file, object, "a curved object", "a tilted object", error)) {
+    if (!zemax_read_check_flat(file, object, "a curved object", "a tilted object", error)) {
         return false;
     }
     bool shifts = zemax_is_tilted(file, 0) || zemax_number(object->shift_behind, 2) != 0;
@@ -294,7 +296,7 @@ static bool set_object(struct zemax_file *file, struct error *error)
 }
 
 /* A word of a .lens file that is no word of another meaning. */
-static bool is_position_name(struct text name)
+static bool zemax_read_is_position_name(struct text name)
 {
     for (size_t i = 0; i < name.length; i++) {
         char c = name.start[i], lower = (char)(c | 32);
@@ -320,7 +322,7 @@ static void name_positions(struct zemax_file *file)
     }
     for (size_t i = 0; i < count; i++) {
         struct text name = text_cut(&rest, ' ');
-        if (!is_position_name(name) || lens_position_find(lens, name) != LENS_NONE) {
+        if (!zemax_read_is_position_name(name) || lens_position_find(lens, name) != LENS_NONE) {
             return;
         }
         lens->positions[i] = arena_string(file->job->arena, name.start, name.length);
@@ -350,7 +352,7 @@ static bool check_image(struct zemax_file *file, struct error *error)
     const struct zemax_surface *image = &file->surfaces[file->surface_count - 1];
     bool turns = image->type != NULL && text_same(image->type->first, "TILTSURF") &&
                  zemax_is_tilted(file, file->surface_count - 1);
-    if (!turns && !check_flat(file, image, "a curved image", "", error)) {
+    if (!turns && !zemax_read_check_flat(file, image, "a curved image", "", error)) {
         return false;
     }
     if (image->is_stop) {
@@ -412,7 +414,7 @@ static bool set_working_aperture(struct zemax_file *file, struct error *error)
  * Vignetting factors narrow the beams of the fields as the rims of the surfaces do. Here the clear
  * diameters do it, if all surfaces that bend light have one; else the factors are lost.
  */
-static bool check_vignetting(struct zemax_file *file, struct error *error)
+static bool zemax_read_check_vignetting(struct zemax_file *file, struct error *error)
 {
     bool all = true;
     if (file->vignetting == NULL) {
@@ -441,9 +443,9 @@ static bool check_vignetting(struct zemax_file *file, struct error *error)
 static bool build_lens(struct zemax_file *file, struct error *error)
 {
     if (!set_object(file, error) || !set_telecentric(file, error) || !check_image(file, error) ||
-        !set_aperture(file, error) || !set_fields(file, error) || !set_waves(file, error) ||
-        !zemax_surfaces(file, error) || !set_working_aperture(file, error) ||
-        !check_floating(file, error)) {
+        !zemax_read_set_aperture(file, error) || !set_fields(file, error) ||
+        !set_waves(file, error) || !zemax_surfaces(file, error) ||
+        !set_working_aperture(file, error) || !check_floating(file, error)) {
         return false;
     }
     set_focus(file);
@@ -457,7 +459,7 @@ static bool read_as(struct foreign_job *job, struct text content, bool takes_num
     struct zemax_file file = {.job = job, .takes_numbers = takes_numbers, .doubts = doubts};
     *doubts = (struct zemax_doubts){0, 0};
     lens_build_begin(&file.build, lens, job->arena);
-    if (!zemax_parse(&file, content, error) || !check_vignetting(&file, error) ||
+    if (!zemax_parse(&file, content, error) || !zemax_read_check_vignetting(&file, error) ||
         (!file.has_gaps && !zemax_check_circles(&file, error))) {
         return false;
     }
@@ -474,8 +476,8 @@ static bool read_as(struct foreign_job *job, struct text content, bool takes_num
  * Where the solves contradict the lens with the catalogue's glasses, and confirm the one with the
  * numbers beside their names, the program that has written the file means these.
  */
-static bool read(struct foreign_job *job, struct text content, struct lens *lens,
-                 struct error *error)
+static bool zemax_read_read(struct foreign_job *job, struct text content, struct lens *lens,
+                            struct error *error)
 {
     const struct foreign_job unread = *job;
     struct zemax_doubts doubts, others;
@@ -495,7 +497,7 @@ static bool read(struct foreign_job *job, struct text content, struct lens *lens
 }
 
 /* "MODE", "VERS" or "UNIT" begins a line, and "SURF 0" another. */
-static bool is_like(struct text content)
+static bool zemax_read_is_like(struct text content)
 {
     static const char *const words[] = {"VERS", "MODE", "NAME", "UNIT", "NOTE", "ENPD", "FNUM"};
     struct text rest = content, line = text_trim(text_cut(&rest, '\n'));
@@ -519,8 +521,8 @@ static bool is_like(struct text content)
 
 const struct foreign_format zemax_format = {
     .type = {{"zmx", "Zemax OpticStudio"}, ".zmx"},
-    .is_like = is_like,
-    .read = read,
+    .is_like = zemax_read_is_like,
+    .read = zemax_read_read,
     .write = zemax_write,
     .has_settings = true,
     .words = zemax_words,

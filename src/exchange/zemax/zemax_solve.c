@@ -37,8 +37,8 @@ enum {
 };
 
 /* A number that was read without a unit, as a length. */
-static struct pair length_of(const struct solving *solving, const struct zemax_line *line,
-                             size_t at)
+static struct pair zemax_solve_length_of(const struct solver_state *solving,
+                                         const struct zemax_line *line, size_t at)
 {
     struct pair value = {0, 0};
     if (at < line->count) {
@@ -48,7 +48,7 @@ static struct pair length_of(const struct solving *solving, const struct zemax_l
     return value;
 }
 
-static struct figure rounded(const struct solving *solving, struct pair value)
+static struct figure zemax_solve_rounded(const struct solver_state *solving, struct pair value)
 {
     return figure_rounded(value, solving->unit, solving->file->job->arena);
 }
@@ -56,8 +56,8 @@ static struct figure rounded(const struct solving *solving, struct pair value)
 static const char through_loss[] = "follows rays through what is lost";
 
 /* The number that stands in the file is kept, which is said once. */
-static bool keep(struct solving *solving, size_t at, const struct zemax_line *line, const char *why,
-                 struct error *error)
+static bool zemax_solve_keep(struct solver_state *solving, size_t at, const struct zemax_line *line,
+                             const char *why, struct error *error)
 {
     struct zemax_surface *surface = &solving->file->surfaces[at];
     const struct zemax_line *number = line;
@@ -75,17 +75,18 @@ static bool keep(struct solving *solving, size_t at, const struct zemax_line *li
 }
 
 /* The ray at a surface; false where the solve is kept, with an error if that is refused. */
-static bool follow(struct solving *solving, size_t at, const struct zemax_line *line,
-                   enum solve_ray ray, struct solve_state *state, bool *done, struct error *error)
+static bool zemax_solve_follow(struct solver_state *solving, size_t at,
+                               const struct zemax_line *line, enum solve_ray ray,
+                               struct solve_state *state, bool *done, struct error *error)
 {
     if (solve_follow(&solving->lens, solving->places[at], ray, solving->file->job->arena, state,
                      error)) {
         return true;
     }
     const struct error found = *error;
-    *done =
-        keep(solving, at, line,
-             arena_printf(solving->file->job->arena, "has no answer (%s)", found.message), error);
+    *done = zemax_solve_keep(
+        solving, at, line,
+        arena_printf(solving->file->job->arena, "has no answer (%s)", found.message), error);
     if (*done) {
         error->code = ERROR_NONE;
     }
@@ -95,7 +96,7 @@ static bool follow(struct solving *solving, size_t at, const struct zemax_line *
 static const char open_aperture[] = "follows a ray whose height follows from the lens";
 
 /* Is the size of the marginal ray one that only the whole lens gives? */
-static bool is_open(const struct solving *solving)
+static bool zemax_solve_is_open(const struct solver_state *solving)
 {
     const struct zemax_line *line = solving->file->aperture;
     return line != NULL && text_same(line->keyword, "FNUM") && zemax_number(line, 1) != 0 &&
@@ -103,60 +104,61 @@ static bool is_open(const struct solving *solving)
 }
 
 /* MAZH height zone, CHZH height: the paraxial ray has the height at the next surface. */
-static bool ray_height(struct solving *solving, size_t at, const struct zemax_line *line,
+static bool ray_height(struct solver_state *solving, size_t at, const struct zemax_line *line,
                        struct figure *figure, struct error *error)
 {
     struct solve_state state;
     bool chief = text_same(line->keyword, "CHZH");
     if (!chief && zemax_number(line, 1) != 0) {
-        return keep(solving, at, line, "follows a real ray", error);
+        return zemax_solve_keep(solving, at, line, "follows a real ray", error);
     }
     if (solving->file->job->lost_power != NULL) {
-        return keep(solving, at, line, through_loss, error);
+        return zemax_solve_keep(solving, at, line, through_loss, error);
     }
-    if (!chief && zemax_number(line, 0) != 0 && is_open(solving)) {
-        return keep(solving, at, line, open_aperture, error);
+    if (!chief && zemax_number(line, 0) != 0 && zemax_solve_is_open(solving)) {
+        return zemax_solve_keep(solving, at, line, open_aperture, error);
     }
     bool done = false;
-    if (!follow(solving, at, line, chief ? SOLVE_CHIEF : SOLVE_MARGINAL, &state, &done, error)) {
+    if (!zemax_solve_follow(solving, at, line, chief ? SOLVE_CHIEF : SOLVE_MARGINAL, &state, &done,
+                            error)) {
         return done;
     }
-    struct pair value = solve_thickness(&state, length_of(solving, line, 0));
+    struct pair value = solve_thickness(&state, zemax_solve_length_of(solving, line, 0));
     if (!(fabs(value.hi) < 1e12)) {
-        return keep(solving, at, line, "has its answer at infinity", error);
+        return zemax_solve_keep(solving, at, line, "has its answer at infinity", error);
     }
-    *figure = rounded(solving, value);
+    *figure = zemax_solve_rounded(solving, value);
     return true;
 }
 
 /* PZUP surface scale offset */
-static bool pick_up(struct solving *solving, size_t at, const struct zemax_line *line,
+static bool pick_up(struct solver_state *solving, size_t at, const struct zemax_line *line,
                     struct figure *figure, struct error *error)
 {
     double from = zemax_number(line, 0);
     if (line->count < 2 || !(from >= 0 && from < (double)at)) {
-        return keep(solving, at, line, "follows no earlier surface", error);
+        return zemax_solve_keep(solving, at, line, "follows no earlier surface", error);
     }
     if (zemax_number(line, 3) != 0) {
-        return keep(solving, at, line, "follows another column", error);
+        return zemax_solve_keep(solving, at, line, "follows another column", error);
     }
     struct pair value =
         pair_multiply(solving->thickness[(size_t)from].value, line->numbers[1].value);
-    *figure = figure_computed(pair_add(value, length_of(solving, line, 2)), solving->unit,
-                              solving->file->job->arena);
+    *figure = figure_computed(pair_add(value, zemax_solve_length_of(solving, line, 2)),
+                              solving->unit, solving->file->job->arena);
     return true;
 }
 
 /* TCOM i sum: t_i and this one; TOLE i sum: all from t_i to this one. */
-static bool compensate(struct solving *solving, size_t at, const struct zemax_line *line,
+static bool compensate(struct solver_state *solving, size_t at, const struct zemax_line *line,
                        struct figure *figure, struct error *error)
 {
     double from = zemax_number(line, 0);
     bool all = text_same(line->keyword, "TOLE");
     if (line->count < 2 || !(from >= 1 && from < (double)at)) {
-        return keep(solving, at, line, "follows no earlier surface", error);
+        return zemax_solve_keep(solving, at, line, "follows no earlier surface", error);
     }
-    struct pair value = length_of(solving, line, 1);
+    struct pair value = zemax_solve_length_of(solving, line, 1);
     for (size_t i = (size_t)from; i < (all ? at : (size_t)from + 1); i++) {
         value = pair_subtract(value, solving->thickness[i].value);
     }
@@ -165,12 +167,12 @@ static bool compensate(struct solving *solving, size_t at, const struct zemax_li
 }
 
 /* EDGE thickness height: 0 is the height of the surface's own clear aperture */
-static bool edge(struct solving *solving, size_t at, const struct zemax_line *line,
-                 struct figure *figure, struct error *error)
+static bool zemax_solve_edge(struct solver_state *solving, size_t at, const struct zemax_line *line,
+                             struct figure *figure, struct error *error)
 {
     size_t place = solving->places[at];
     const struct surface *surface = &solving->lens.surfaces[place];
-    double height = length_of(solving, line, 1).hi;
+    double height = zemax_solve_length_of(solving, line, 1).hi;
     if (height == 0 && surface->has_diameter) {
         height = surface->diameter.value.hi / 2;
     }
@@ -179,18 +181,19 @@ static bool edge(struct solving *solving, size_t at, const struct zemax_line *li
     double sags = surface_sag(surface, height) -
                   (last ? 0 : surface_sag(&solving->lens.surfaces[next], height));
     if (!(height > 0) || !isfinite(sags)) {
-        return keep(solving, at, line, "has no clear aperture", error);
+        return zemax_solve_keep(solving, at, line, "has no clear aperture", error);
     }
-    *figure = rounded(solving, pair_add(length_of(solving, line, 0), pair_of(sags)));
+    *figure = zemax_solve_rounded(solving,
+                                  pair_add(zemax_solve_length_of(solving, line, 0), pair_of(sags)));
     return true;
 }
 
 static const struct {
     const char *word;
-    bool (*solve)(struct solving *solving, size_t at, const struct zemax_line *line,
+    bool (*solve)(struct solver_state *solving, size_t at, const struct zemax_line *line,
                   struct figure *figure, struct error *error);
 } solves[] = {{"MAZH", ray_height}, {"CHZH", ray_height}, {"PZUP", pick_up},
-              {"TCOM", compensate}, {"TOLE", compensate}, {"EDGE", edge}};
+              {"TCOM", compensate}, {"TOLE", compensate}, {"EDGE", zemax_solve_edge}};
 
 bool zemax_focuses(const struct zemax_file *file)
 {
@@ -204,7 +207,7 @@ bool zemax_focuses(const struct zemax_file *file)
 }
 
 /* The last solve only says where the image is: the file's number stays beside it. */
-static bool solve_thickness_of(struct solving *solving, size_t at, struct error *error)
+static bool solve_thickness_of(struct solver_state *solving, size_t at, struct error *error)
 {
     const struct zemax_file *file = solving->file;
     bool focus = at + 2 == file->surface_count && zemax_focuses(file);
@@ -224,7 +227,7 @@ static bool solve_thickness_of(struct solving *solving, size_t at, struct error 
 }
 
 /* The distance from an earlier surface's vertex to that of this one. */
-static struct pair distance_from(const struct solving *solving, size_t from, size_t at)
+static struct pair distance_from(const struct solver_state *solving, size_t from, size_t at)
 {
     struct pair sum = {0, 0};
     for (size_t i = from; i < at; i++) {
@@ -234,7 +237,7 @@ static struct pair distance_from(const struct solving *solving, size_t from, siz
 }
 
 /* A curvature that follows from an earlier surface; false: there is none such. */
-static bool curvature_of_surface(const struct solving *solving, size_t at, int code,
+static bool curvature_of_surface(const struct solver_state *solving, size_t at, int code,
                                  struct pair *value)
 {
     const struct zemax_line *line = solving->file->surfaces[at].curvature;
@@ -268,7 +271,7 @@ static bool curvature_of_surface(const struct solving *solving, size_t at, int c
  *           c = -(n + n') u/(n y)
  * Source    [OpticStudio25], curvature solves; the aplanatic points of a sphere
  */
-static struct pair curvature_of_ray(const struct solving *solving, size_t at, int code,
+static struct pair curvature_of_ray(const struct solver_state *solving, size_t at, int code,
                                     const struct solve_state *state)
 {
     const struct zemax_line *line = solving->file->surfaces[at].curvature;
@@ -291,7 +294,8 @@ static struct pair curvature_of_ray(const struct solving *solving, size_t at, in
 }
 
 /* Digits of 1/mm in the file's unit: of what a ray decides those of a double. */
-static struct figure curvature_figure(const struct solving *solving, struct pair value, bool of_ray)
+static struct figure curvature_figure(const struct solver_state *solving, struct pair value,
+                                      bool of_ray)
 {
     const char *unit = solving->file->build.lens->unit;
     const struct figure one = {.typed = text_of("1"), .variable = LENS_NONE};
@@ -302,7 +306,7 @@ static struct figure curvature_figure(const struct solving *solving, struct pair
     return figure_per_length(figure, unit, -1);
 }
 
-static bool is_near(struct pair value, struct pair other, double relative, double more)
+static bool zemax_solve_is_near(struct pair value, struct pair other, double relative, double more)
 {
     return fabs(pair_subtract(value, other).hi) <= relative * fabs(value.hi) + more;
 }
@@ -314,52 +318,53 @@ static bool is_of_ray(int code)
 }
 
 /* What the solve gives; false where the file's number is kept, with `kept` as the answer. */
-static bool solved_curvature(struct solving *solving, size_t at, int code, struct pair *value,
+static bool solved_curvature(struct solver_state *solving, size_t at, int code, struct pair *value,
                              bool *kept, struct error *error)
 {
     const struct zemax_line *line = solving->file->surfaces[at].curvature;
     *kept = false;
     if (is_of_ray(code) && solving->file->job->lost_power != NULL) {
-        *kept = keep(solving, at, line, through_loss, error);
+        *kept = zemax_solve_keep(solving, at, line, through_loss, error);
         return false;
     }
     if (is_of_ray(code)) {
         struct solve_state state;
         bool chief = code == CHIEF_ANGLE || code == CHIEF_NORMAL;
-        if ((code == MARGINAL_ANGLE || code == F_NUMBER) && is_open(solving)) {
-            *kept = keep(solving, at, line, open_aperture, error);
+        if ((code == MARGINAL_ANGLE || code == F_NUMBER) && zemax_solve_is_open(solving)) {
+            *kept = zemax_solve_keep(solving, at, line, open_aperture, error);
             return false;
         }
-        if (!follow(solving, at, line, chief ? SOLVE_CHIEF : SOLVE_MARGINAL, &state, kept, error)) {
+        if (!zemax_solve_follow(solving, at, line, chief ? SOLVE_CHIEF : SOLVE_MARGINAL, &state,
+                                kept, error)) {
             return false;
         }
         *value = curvature_of_ray(solving, at, code, &state);
     } else if (code > F_NUMBER || code == ELEMENT_POWER) {
-        *kept = keep(solving, at, line, "lenscalc does not know", error);
+        *kept = zemax_solve_keep(solving, at, line, "lenscalc does not know", error);
         return false;
     } else if (!curvature_of_surface(solving, at, code, value)) {
-        *kept = keep(solving, at, line, "follows no earlier surface", error);
+        *kept = zemax_solve_keep(solving, at, line, "follows no earlier surface", error);
         return false;
     }
     if (!(fabs(value->hi) < 1e12)) {
-        *kept = keep(solving, at, line, "has no answer", error);
+        *kept = zemax_solve_keep(solving, at, line, "has no answer", error);
         return false;
     }
     return true;
 }
 
 /* Which solve a curvature has; those beyond the last are all unknown. */
-static int code_of(const struct zemax_line *line)
+static int zemax_solve_code_of(const struct zemax_line *line)
 {
     return (int)fmax(0, fmin(zemax_number(line, 1), F_NUMBER + 1));
 }
 
 /* The curvature of a surface by its solve; the file's digits where they are the same number. */
-static bool solve_curve(struct solving *solving, size_t at, struct error *error)
+static bool solve_curve(struct solver_state *solving, size_t at, struct error *error)
 {
     struct zemax_surface *from = &solving->file->surfaces[at];
     const struct zemax_line *line = from->curvature;
-    int code = line != NULL && !from->has_free_curvature ? code_of(line) : 0;
+    int code = line != NULL && !from->has_free_curvature ? zemax_solve_code_of(line) : 0;
     struct pair value = {0, 0};
     bool kept;
     if (code < MARGINAL_ANGLE || solving->places[at] == LENS_NONE ||
@@ -370,7 +375,7 @@ static bool solve_curve(struct solving *solving, size_t at, struct error *error)
         return kept;
     }
     struct figure figure = figure_per_length(line->numbers[0], solving->file->build.lens->unit, -1);
-    if (!is_near(value, figure.value, 4e-15, 0)) {
+    if (!zemax_solve_is_near(value, figure.value, 4e-15, 0)) {
         figure = curvature_figure(solving, value, is_of_ray(code));
     }
     solving->curvature[at] = figure;
@@ -378,16 +383,16 @@ static bool solve_curve(struct solving *solving, size_t at, struct error *error)
     return true;
 }
 
-bool zemax_solve_surface(struct solving *solving, size_t at, struct error *error)
+bool zemax_solve_surface(struct solver_state *solving, size_t at, struct error *error)
 {
     return solve_curve(solving, at, error) && solve_thickness_of(solving, at, error);
 }
 
-bool zemax_solve_in(const struct solving *solving, size_t at, bool is_curvature,
+bool zemax_solve_in(const struct solver_state *solving, size_t at, bool is_curvature,
                     const struct lens *lens, struct arena *arena, struct pair *value)
 {
     const struct zemax_surface *from = &solving->file->surfaces[at];
-    const int code = is_curvature ? code_of(from->curvature) : 0;
+    const int code = is_curvature ? zemax_solve_code_of(from->curvature) : 0;
     bool chief = is_curvature ? code == CHIEF_ANGLE || code == CHIEF_NORMAL
                               : text_same(from->solve->keyword, "CHZH");
     bool of_ray = is_curvature ? is_of_ray(code) : chief || text_same(from->solve->keyword, "MAZH");
@@ -400,12 +405,12 @@ bool zemax_solve_in(const struct solving *solving, size_t at, bool is_curvature,
         return false;
     }
     *value = is_curvature ? curvature_of_ray(solving, at, code, &state)
-                          : solve_thickness(&state, length_of(solving, from->solve, 0));
+                          : solve_thickness(&state, zemax_solve_length_of(solving, from->solve, 0));
     return isfinite(value->hi);
 }
 
 /* CURV c 4 surface scale */
-static void keep_curve(const struct solving *solving, size_t at)
+static void keep_curve(const struct solver_state *solving, size_t at)
 {
     const struct zemax_line *line = solving->file->surfaces[at].curvature;
     double from = zemax_number(line, 2);
@@ -419,7 +424,7 @@ static void keep_curve(const struct solving *solving, size_t at)
 }
 
 /* PZUP surface scale offset */
-static void keep_gap(const struct solving *solving, size_t at)
+static void keep_gap(const struct solver_state *solving, size_t at)
 {
     const struct zemax_file *file = solving->file;
     const struct zemax_line *line = file->surfaces[at].solve;
@@ -432,11 +437,11 @@ static void keep_gap(const struct solving *solving, size_t at)
         size_t source = zemax_gap_place(file, places, (size_t)from);
         keep_pickup(file->build.lens, (struct parameter){what, PARAMETER_THICKNESS, 0},
                     (struct parameter){source, PARAMETER_THICKNESS, 0}, line->numbers[1].value,
-                    length_of(solving, line, 2), file->job->arena);
+                    zemax_solve_length_of(solving, line, 2), file->job->arena);
     }
 }
 
-void zemax_keep_pickups(const struct solving *solving)
+void zemax_keep_pickups(const struct solver_state *solving)
 {
     const struct zemax_file *file = solving->file;
     for (size_t i = 1; i + 1 < file->surface_count && file->configurations < 2; i++) {

@@ -6,7 +6,7 @@
 #include "exchange/zemax/zemax_surface.h"
 
 /* The thicknesses, by the file's surface numbers. */
-struct solving {
+struct solver_state {
     struct zemax_file *file;
     const size_t *places;
     struct lens lens;
@@ -21,7 +21,7 @@ struct solving {
  * Result    in solving->thickness, curvature and lens. Of a solve that lenscalc does not know, or
  *           that has no answer, the file's number stands: zemax_stands
  */
-bool zemax_solve_surface(struct solving *solving, size_t at, struct error *error);
+bool zemax_solve_surface(struct solver_state *solving, size_t at, struct error *error);
 
 /*
  * What a solve that follows a ray gives in some lens.
@@ -29,7 +29,7 @@ bool zemax_solve_surface(struct solving *solving, size_t at, struct error *error
  * Given     is_curvature  the curvature's, else that of the thickness
  * Result    false: it follows none, or has no answer
  */
-bool zemax_solve_in(const struct solving *solving, size_t at, bool is_curvature,
+bool zemax_solve_in(const struct solver_state *solving, size_t at, bool is_curvature,
                     const struct lens *lens, struct arena *arena, struct pair *value);
 
 /*
@@ -37,10 +37,10 @@ bool zemax_solve_in(const struct solving *solving, size_t at, bool is_curvature,
  * rounding and editions of catalogues may do (exchange/solve_doubt.h) a note says both. Beyond that
  * the lens is not the one that the program had: a loss, and the file's number is kept.
  */
-bool zemax_check_solves(struct solving *solving, struct error *error);
+bool zemax_check_solves(struct solver_state *solving, struct error *error);
 
 /* Pick-ups of curvatures and thicknesses become those of the lens, whose numbers are all set. */
-void zemax_keep_pickups(const struct solving *solving);
+void zemax_keep_pickups(const struct solver_state *solving);
 
 /* A curvature of a surface, 1/mm: as a radius where a short one has it as its reciprocal. */
 void zemax_set_curvature(struct zemax_file *file, struct figure curvature, struct surface *to);

@@ -37,7 +37,7 @@ bool zemax_medium(struct zemax_file *file, const struct zemax_surface *surface,
 }
 
 /* A figure in the file's unit to a power, from one that was read without a unit. */
-static struct figure in_unit(struct zemax_file *file, struct figure figure, int power)
+static struct figure zemax_surface_in_unit(struct zemax_file *file, struct figure figure, int power)
 {
     return figure_per_length(figure, file->build.lens->unit, power);
 }
@@ -47,7 +47,7 @@ static void set_coefficient(struct zemax_file *file, struct surface *to, int ord
 {
     if (figure.value.hi != 0) {
         int i = surface_term(order);
-        to->coefficient[i] = in_unit(file, figure, 1 - order);
+        to->coefficient[i] = zemax_surface_in_unit(file, figure, 1 - order);
         to->coefficients |= 1u << i;
     }
 }
@@ -116,7 +116,7 @@ static bool set_extended_odd(struct zemax_file *file, size_t at, struct surface 
 }
 
 /* The tangents of a plane z = x tan a + y tan b as turns about its vertex. */
-static const struct displacement *tilt_of(struct zemax_file *file, size_t at)
+static const struct displacement *zemax_surface_tilt_of(struct zemax_file *file, size_t at)
 {
     struct displacement *decentre = ARENA_NEW(file->job->arena, struct displacement);
     double a = zemax_parameter(file, at, 1).value.hi, b = zemax_parameter(file, at, 2).value.hi;
@@ -133,7 +133,7 @@ static const struct displacement *tilt_of(struct zemax_file *file, size_t at)
 static bool set_tilted(struct zemax_file *file, size_t at, struct surface *to, struct error *error)
 {
     (void)error;
-    to->decentre = tilt_of(file, at);
+    to->decentre = zemax_surface_tilt_of(file, at);
     return true;
 }
 
@@ -156,15 +156,15 @@ static bool set_toroidal(struct zemax_file *file, size_t at, struct surface *to,
     if (radius.value.hi != 0 && !both) {
         to->curved = CURVED_X;
         to->is_plane = false;
-        to->radius = in_unit(file, radius, 1);
+        to->radius = zemax_surface_in_unit(file, radius, 1);
     }
     return true;
 }
 
-static bool set_paraxial(struct zemax_file *file, size_t at, struct surface *to,
-                         struct error *error)
+static bool zemax_surface_set_paraxial(struct zemax_file *file, size_t at, struct surface *to,
+                                       struct error *error)
 {
-    struct figure focal = in_unit(file, zemax_parameter(file, at, 1), 1);
+    struct figure focal = zemax_surface_in_unit(file, zemax_parameter(file, at, 1), 1);
     return zemax_set_paraxial(file, &file->surfaces[at], focal, to, error);
 }
 
@@ -177,9 +177,11 @@ static bool set_nothing(struct zemax_file *file, size_t at, struct surface *to, 
 static const struct {
     const char *type;
     bool (*set)(struct zemax_file *file, size_t at, struct surface *to, struct error *error);
-} types[] = {{"STANDARD", set_nothing},  {"EVENASPH", set_even},         {"XASPHERE", set_extended},
-             {"ODDASPHE", set_odd},      {"XOSPHERE", set_extended_odd}, {"TILTSURF", set_tilted},
-             {"TOROIDAL", set_toroidal}, {"PARAXIAL", set_paraxial},     {"COORDBRK", set_nothing}};
+} types[] = {{"STANDARD", set_nothing},      {"EVENASPH", set_even},
+             {"XASPHERE", set_extended},     {"ODDASPHE", set_odd},
+             {"XOSPHERE", set_extended_odd}, {"TILTSURF", set_tilted},
+             {"TOROIDAL", set_toroidal},     {"PARAXIAL", zemax_surface_set_paraxial},
+             {"COORDBRK", set_nothing}};
 
 /* Are all numbers of the type 0, that stand behind the first two of XDAT: a count and a length? */
 static bool is_of_zeros(struct zemax_file *file, size_t at)
@@ -266,7 +268,7 @@ static bool is_parameter_astray(const struct zemax_line *line, size_t at)
  * The numbers of other pick-ups stand as the program stored them; where that is not what the
  * pick-up gives, it is said. CONI has no place for a scale.
  */
-static bool check_pickups(struct zemax_file *file, size_t at, struct error *error)
+static bool zemax_surface_check_pickups(struct zemax_file *file, size_t at, struct error *error)
 {
     const struct zemax_surface *from = &file->surfaces[at];
     if (is_diameter_astray(file, at) &&
@@ -292,7 +294,7 @@ static bool check_pickups(struct zemax_file *file, size_t at, struct error *erro
  * none. Of an aperture that is lost only an automatic semi-diameter stands: it surrounds the beam,
  * and clips nothing that the aperture lets through.
  */
-static const struct figure *radius_of(const struct zemax_surface *from)
+static const struct figure *zemax_surface_radius_of(const struct zemax_surface *from)
 {
     const struct figure *half = from->diameter != NULL ? &from->diameter->numbers[0] : NULL;
     if (from->has_lost_aperture) {
@@ -306,7 +308,7 @@ static const struct figure *radius_of(const struct zemax_surface *from)
 static void set_diameter(struct zemax_file *file, const struct zemax_surface *from,
                          struct surface *to)
 {
-    const struct figure *radius = radius_of(from);
+    const struct figure *radius = zemax_surface_radius_of(from);
     if (radius != NULL && radius->value.hi > 0) {
         struct pair twice = {2 * radius->value.hi, 2 * radius->value.lo};
         to->diameter =
@@ -328,7 +330,7 @@ static void set_comment(struct zemax_file *file, const struct zemax_surface *fro
     }
 }
 
-static bool add_surface(struct zemax_file *file, size_t at, struct error *error)
+static bool zemax_surface_add_surface(struct zemax_file *file, size_t at, struct error *error)
 {
     const struct zemax_surface *from = &file->surfaces[at];
     const struct medium before = zemax_medium_before(file->build.lens);
@@ -339,7 +341,7 @@ static bool add_surface(struct zemax_file *file, size_t at, struct error *error)
         return false;
     }
     if (zemax_number(from->curvature, 0) != 0) {
-        zemax_set_curvature(file, in_unit(file, from->curvature->numbers[0], -1), to);
+        zemax_set_curvature(file, zemax_surface_in_unit(file, from->curvature->numbers[0], -1), to);
     }
     if (is_mirror(from)) {
         to->kind = SURFACE_REFLECT;
@@ -372,7 +374,7 @@ static bool add_next(struct zemax_file *file, size_t at, size_t *place, struct e
         }
         zemax_add_plane(file);
         set_comment(file, surface, &lens->surfaces[lens->surface_count - 1]);
-    } else if (!add_surface(file, at, error)) {
+    } else if (!zemax_surface_add_surface(file, at, error)) {
         return false;
     }
     *place = lens->surface_count - 1;
@@ -387,7 +389,7 @@ static bool add_next(struct zemax_file *file, size_t at, size_t *place, struct e
 }
 
 /* A plane that turns the axis at the image. */
-static bool add_image(struct zemax_file *file, struct error *error)
+static bool zemax_surface_add_image(struct zemax_file *file, struct error *error)
 {
     const size_t at = file->surface_count - 1;
     if (!zemax_is_tilted(file, at)) {
@@ -397,7 +399,7 @@ static bool add_image(struct zemax_file *file, struct error *error)
         return false;
     }
     if (is_type(&file->surfaces[at], "TILTSURF")) {
-        zemax_hold_break(file, tilt_of(file, at));
+        zemax_hold_break(file, zemax_surface_tilt_of(file, at));
     }
     zemax_add_plane(file);
     return true;
@@ -409,10 +411,10 @@ bool zemax_surfaces(struct zemax_file *file, struct error *error)
     places[0] = places[file->surface_count - 1] = LENS_NONE;
     for (size_t i = 1; i + 1 < file->surface_count; i++) {
         places[i] = LENS_NONE;
-        if (!check_pickups(file, i, error) ||
+        if (!zemax_surface_check_pickups(file, i, error) ||
             (i > file->passed && !add_next(file, i, &places[i], error))) {
             return false;
         }
     }
-    return zemax_thicknesses(file, places, error) && add_image(file, error);
+    return zemax_thicknesses(file, places, error) && zemax_surface_add_image(file, error);
 }

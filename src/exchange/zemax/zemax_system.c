@@ -11,7 +11,8 @@ const struct foreign_unit zemax_units[] = {
     {"MM", "mm"}, {"CM", "cm"}, {"IN", "in"}, {"METER", "m"}, {"M", "m"}, {NULL, NULL},
 };
 
-static bool read_unit(struct zemax_file *file, struct text keyword, struct error *error)
+static bool zemax_system_read_unit(struct zemax_file *file, struct text keyword,
+                                   struct error *error)
 {
     struct text word = file_words_next(&file->words);
     const char *unit = foreign_unit_named(zemax_units, word);
@@ -34,7 +35,8 @@ static bool read_mode(struct zemax_file *file, struct text keyword, struct error
                            "each other");
 }
 
-static bool read_name(struct zemax_file *file, struct text keyword, struct error *error)
+static bool zemax_system_read_name(struct zemax_file *file, struct text keyword,
+                                   struct error *error)
 {
     struct text rest = file_words_rest(&file->words);
     (void)keyword;
@@ -46,7 +48,8 @@ static bool read_name(struct zemax_file *file, struct text keyword, struct error
 }
 
 /* NOTE 0 has the text; other numbers are breaks of its lines. */
-static bool read_note(struct zemax_file *file, struct text keyword, struct error *error)
+static bool zemax_system_read_note(struct zemax_file *file, struct text keyword,
+                                   struct error *error)
 {
     struct text number = file_words_next(&file->words), rest = file_words_rest(&file->words);
     (void)keyword;
@@ -79,7 +82,8 @@ static bool read_version(struct zemax_file *file, struct text keyword, struct er
     return true;
 }
 
-static bool read_catalogs(struct zemax_file *file, struct text keyword, struct error *error)
+static bool zemax_system_read_catalogs(struct zemax_file *file, struct text keyword,
+                                       struct error *error)
 {
     (void)keyword;
     (void)error;
@@ -91,7 +95,8 @@ static bool read_catalogs(struct zemax_file *file, struct text keyword, struct e
     return true;
 }
 
-static bool read_aperture(struct zemax_file *file, struct text keyword, struct error *error)
+static bool zemax_system_read_aperture(struct zemax_file *file, struct text keyword,
+                                       struct error *error)
 {
     bool length = text_same(keyword, "ENPD"), none = text_same(keyword, "FLOA");
     file->aperture = zemax_line_of(file, keyword, length ? file->words.scale : NUMBER_UNSCALED);
@@ -99,7 +104,8 @@ static bool read_aperture(struct zemax_file *file, struct text keyword, struct e
                 : zemax_has_number(file->aperture, error);
 }
 
-static bool read_fields(struct zemax_file *file, struct text keyword, struct error *error)
+static bool zemax_system_read_fields(struct zemax_file *file, struct text keyword,
+                                     struct error *error)
 {
     file->fields = zemax_line_of(file, keyword, NUMBER_UNSCALED);
     return zemax_has_number(file->fields, error);
@@ -124,7 +130,8 @@ static bool read_field_weights(struct zemax_file *file, struct text keyword, str
 }
 
 /* WAVM number wavelength weight */
-static bool read_wave(struct zemax_file *file, struct text keyword, struct error *error)
+static bool zemax_system_read_wave(struct zemax_file *file, struct text keyword,
+                                   struct error *error)
 {
     const struct zemax_line *line = zemax_line_of(file, keyword, NUMBER_UNSCALED);
     double number = zemax_number(line, 0), wavelength = zemax_number(line, 1);
@@ -148,7 +155,8 @@ static bool read_wave(struct zemax_file *file, struct text keyword, struct error
 }
 
 /* WAVL and WAVN have all wavelengths in a row, WWGT and WWGN their weights. */
-static bool read_waves(struct zemax_file *file, struct text keyword, struct error *error)
+static bool zemax_system_read_waves(struct zemax_file *file, struct text keyword,
+                                    struct error *error)
 {
     const struct zemax_line *line = zemax_line_of(file, keyword, NUMBER_UNSCALED);
     bool weights = text_same(keyword, "WWGT") || text_same(keyword, "WWGN");
@@ -186,7 +194,8 @@ static bool read_primary(struct zemax_file *file, struct text keyword, struct er
 }
 
 /* VDYN 0 0.1 0.2: how the pupil of each field is shifted, scaled and turned. */
-static bool read_vignetting(struct zemax_file *file, struct text keyword, struct error *error)
+static bool zemax_system_read_vignetting(struct zemax_file *file, struct text keyword,
+                                         struct error *error)
 {
     const struct zemax_line *line = zemax_line_of(file, keyword, NUMBER_UNSCALED);
     for (size_t i = 0; i < line->count && file->vignetting == NULL; i++) {
@@ -214,7 +223,8 @@ static bool read_apodisation(struct zemax_file *file, struct text keyword, struc
 }
 
 /* ENVD temperature pressure adjust */
-static bool read_environment(struct zemax_file *file, struct text keyword, struct error *error)
+static bool zemax_system_read_environment(struct zemax_file *file, struct text keyword,
+                                          struct error *error)
 {
     const struct zemax_line *line = zemax_line_of(file, keyword, NUMBER_UNSCALED);
     file->environment = line;
@@ -229,22 +239,58 @@ static bool read_environment(struct zemax_file *file, struct text keyword, struc
 }
 
 const struct zemax_keyword zemax_system_keywords[] = {
-    {"MODE", read_mode},        {"UNIT", read_unit},        {"NAME", read_name},
-    {"NOTE", read_note},        {"GCAT", read_catalogs},    {"ENPD", read_aperture},
-    {"FNUM", read_aperture},    {"OBNA", read_aperture},    {"FLOA", read_aperture},
-    {"FTYP", read_fields},      {"XFLN", read_x},           {"XFLD", read_x},
-    {"YFLN", read_y},           {"YFLD", read_y},           {"WAVM", read_wave},
-    {"WAVL", read_waves},       {"WAVN", read_waves},       {"WWGT", read_waves},
-    {"WWGN", read_waves},       {"PWAV", read_primary},     {"FWGN", read_field_weights},
-    {"GFAC", read_apodisation}, {"ENVD", read_environment}, {"VDXN", read_vignetting},
-    {"VDYN", read_vignetting},  {"VCXN", read_vignetting},  {"VCYN", read_vignetting},
-    {"VANN", read_vignetting},  {"VDSX", read_vignetting},  {"VDSY", read_vignetting},
-    {"VCSX", read_vignetting},  {"VCSY", read_vignetting},  {"VANS", read_vignetting},
-    {"ZVDX", read_vignetting},  {"ZVDY", read_vignetting},  {"ZVCX", read_vignetting},
-    {"ZVCY", read_vignetting},  {"ZVAN", read_vignetting},  {"VERS", read_version},
-    {"VDYN", read_vignetting},  {"VCXN", read_vignetting},  {"VCYN", read_vignetting},
-    {"VANN", read_vignetting},  {"VDSX", read_vignetting},  {"VDSY", read_vignetting},
-    {"VCSX", read_vignetting},  {"VCSY", read_vignetting},  {"VANS", read_vignetting},
-    {"ZVDX", read_vignetting},  {"ZVDY", read_vignetting},  {"ZVCX", read_vignetting},
-    {"ZVCY", read_vignetting},  {"ZVAN", read_vignetting},  {NULL, NULL},
+    {"MODE", read_mode},
+    {"UNIT", zemax_system_read_unit},
+    {"NAME", zemax_system_read_name},
+    {"NOTE", zemax_system_read_note},
+    {"GCAT", zemax_system_read_catalogs},
+    {"ENPD", zemax_system_read_aperture},
+    {"FNUM", zemax_system_read_aperture},
+    {"OBNA", zemax_system_read_aperture},
+    {"FLOA", zemax_system_read_aperture},
+    {"FTYP", zemax_system_read_fields},
+    {"XFLN", read_x},
+    {"XFLD", read_x},
+    {"YFLN", read_y},
+    {"YFLD", read_y},
+    {"WAVM", zemax_system_read_wave},
+    {"WAVL", zemax_system_read_waves},
+    {"WAVN", zemax_system_read_waves},
+    {"WWGT", zemax_system_read_waves},
+    {"WWGN", zemax_system_read_waves},
+    {"PWAV", read_primary},
+    {"FWGN", read_field_weights},
+    {"GFAC", read_apodisation},
+    {"ENVD", zemax_system_read_environment},
+    {"VDXN", zemax_system_read_vignetting},
+    {"VDYN", zemax_system_read_vignetting},
+    {"VCXN", zemax_system_read_vignetting},
+    {"VCYN", zemax_system_read_vignetting},
+    {"VANN", zemax_system_read_vignetting},
+    {"VDSX", zemax_system_read_vignetting},
+    {"VDSY", zemax_system_read_vignetting},
+    {"VCSX", zemax_system_read_vignetting},
+    {"VCSY", zemax_system_read_vignetting},
+    {"VANS", zemax_system_read_vignetting},
+    {"ZVDX", zemax_system_read_vignetting},
+    {"ZVDY", zemax_system_read_vignetting},
+    {"ZVCX", zemax_system_read_vignetting},
+    {"ZVCY", zemax_system_read_vignetting},
+    {"ZVAN", zemax_system_read_vignetting},
+    {"VERS", read_version},
+    {"VDYN", zemax_system_read_vignetting},
+    {"VCXN", zemax_system_read_vignetting},
+    {"VCYN", zemax_system_read_vignetting},
+    {"VANN", zemax_system_read_vignetting},
+    {"VDSX", zemax_system_read_vignetting},
+    {"VDSY", zemax_system_read_vignetting},
+    {"VCSX", zemax_system_read_vignetting},
+    {"VCSY", zemax_system_read_vignetting},
+    {"VANS", zemax_system_read_vignetting},
+    {"ZVDX", zemax_system_read_vignetting},
+    {"ZVDY", zemax_system_read_vignetting},
+    {"ZVCX", zemax_system_read_vignetting},
+    {"ZVCY", zemax_system_read_vignetting},
+    {"ZVAN", zemax_system_read_vignetting},
+    {NULL, NULL},
 };

@@ -29,7 +29,8 @@ static bool is_same_point(const struct figure *a, const struct figure *b)
     return a[0].value.hi == b[0].value.hi && a[1].value.hi == b[1].value.hi;
 }
 
-static struct aperture *add_shape(struct shapes *shapes, enum aperture_shape shape)
+static struct aperture *zemax_user_aperture_add_shape(struct shapes *shapes,
+                                                      enum aperture_shape shape)
 {
     shapes->all =
         arena_grow(shapes->arena, shapes->all, shapes->count, &shapes->room, sizeof shapes->all[0]);
@@ -45,7 +46,7 @@ static void end_polygon(struct shapes *shapes)
         count--;
     }
     if (count > 0) {
-        struct aperture *polygon = add_shape(shapes, SHAPE_POLYGON);
+        struct aperture *polygon = zemax_user_aperture_add_shape(shapes, SHAPE_POLYGON);
         polygon->points = (const struct figure(*)[2])shapes->corners;
         polygon->point_count = count;
     }
@@ -65,14 +66,15 @@ static void add_corner(struct shapes *shapes, const struct figure *numbers, size
     shapes->corners[shapes->corner_count++][1] = numbers[1];
 }
 
-static void add_circle(struct shapes *shapes, const struct figure *numbers, size_t count)
+static void zemax_user_aperture_add_circle(struct shapes *shapes, const struct figure *numbers,
+                                           size_t count)
 {
     if (count < 3) {
         shapes->wrong = "a circle needs x, y and a radius";
         return;
     }
     end_polygon(shapes);
-    struct aperture *circle = add_shape(shapes, SHAPE_CIRCLE);
+    struct aperture *circle = zemax_user_aperture_add_shape(shapes, SHAPE_CIRCLE);
     const struct pair twice = {2 * numbers[2].value.hi, 2 * numbers[2].value.lo};
     circle->size[0] = figure_computed(twice, shapes->unit, shapes->arena);
     for (int i = 0; i < 2; i++) {
@@ -81,7 +83,7 @@ static void add_circle(struct shapes *shapes, const struct figure *numbers, size
 }
 
 /* The next word up to a blank or a comma. */
-static struct text next_word(struct text *rest)
+static struct text zemax_user_aperture_next_word(struct text *rest)
 {
     size_t from = 0;
     while (from < rest->length && strchr(" \t,\r", rest->start[from]) != NULL) {
@@ -97,11 +99,12 @@ static struct text next_word(struct text *rest)
 }
 
 /* The numbers of a line, up to what is none. */
-static size_t read_numbers(struct shapes *shapes, struct text rest, struct figure numbers[4])
+static size_t zemax_user_aperture_read_numbers(struct shapes *shapes, struct text rest,
+                                               struct figure numbers[4])
 {
     size_t count = 0;
-    for (struct text word = next_word(&rest); word.length > 0 && count < 4;
-         word = next_word(&rest)) {
+    for (struct text word = zemax_user_aperture_next_word(&rest); word.length > 0 && count < 4;
+         word = zemax_user_aperture_next_word(&rest)) {
         struct figure figure = {.typed = word, .variable = LENS_NONE};
         const char *end = word.start + word.length;
         if (pair_read(word.start, end, shapes->unit, &figure.value) != end ||
@@ -123,22 +126,23 @@ static void add_plain_corner(struct shapes *shapes, const struct figure *numbers
     }
 }
 
-static void read_line(struct shapes *shapes, struct text line)
+static void zemax_user_aperture_read_line(struct shapes *shapes, struct text line)
 {
     struct text rest = line;
-    const struct text word = next_word(&rest);
+    const struct text word = zemax_user_aperture_next_word(&rest);
     struct figure numbers[4];
     if (word.length == 0 || word.start[0] == '!') {
         return;
     }
     if (text_same(word, "LIN")) {
-        add_corner(shapes, numbers, read_numbers(shapes, rest, numbers));
+        add_corner(shapes, numbers, zemax_user_aperture_read_numbers(shapes, rest, numbers));
     } else if (text_same(word, "CIR")) {
-        add_circle(shapes, numbers, read_numbers(shapes, rest, numbers));
+        zemax_user_aperture_add_circle(shapes, numbers,
+                                       zemax_user_aperture_read_numbers(shapes, rest, numbers));
     } else if (text_same(word, "BRK")) {
         end_polygon(shapes);
     } else {
-        size_t count = read_numbers(shapes, line, numbers);
+        size_t count = zemax_user_aperture_read_numbers(shapes, line, numbers);
         if (count > 0) {
             add_plain_corner(shapes, numbers, count); /* of old files */
         } else {
@@ -149,7 +153,7 @@ static void read_line(struct shapes *shapes, struct text line)
 }
 
 /* The last part of a path of any system, without quotes. */
-static struct text name_of(struct text path)
+static struct text zemax_user_aperture_name_of(struct text path)
 {
     while (path.length > 0 && path.start[0] == '"') {
         path = (struct text){path.start + 1, path.length - 1};
@@ -166,8 +170,8 @@ static struct text name_of(struct text path)
 }
 
 /* Names of files differ in no letter's case where the program runs: as written, small, large. */
-static bool read_beside(const struct foreign_job *job, struct text name, struct text *content,
-                        struct error *error)
+static bool zemax_user_aperture_read_beside(const struct foreign_job *job, struct text name,
+                                            struct text *content, struct error *error)
 {
     const char *slash = strrchr(job->source, '/');
     int folder = slash != NULL ? (int)(slash + 1 - job->source) : 0;
@@ -199,7 +203,7 @@ static void check_room(struct shapes *shapes)
 static void read_content(struct shapes *shapes, struct text content)
 {
     for (struct text rest = content; rest.start != NULL && shapes->wrong == NULL;) {
-        read_line(shapes, text_cut(&rest, '\n'));
+        zemax_user_aperture_read_line(shapes, text_cut(&rest, '\n'));
         check_room(shapes);
     }
 }
@@ -224,7 +228,7 @@ static void read_rows(struct shapes *shapes, const struct zemax_surface *from)
 }
 
 /* From where to where a polygon reaches along an axis. */
-static void range_of(const struct aperture *polygon, int axis, double range[2])
+static void zemax_user_aperture_range_of(const struct aperture *polygon, int axis, double range[2])
 {
     range[0] = INFINITY;
     range[1] = -INFINITY;
@@ -235,13 +239,13 @@ static void range_of(const struct aperture *polygon, int axis, double range[2])
 }
 
 /* Does a line along x or y lie between them? */
-static bool are_apart(const struct aperture *a, const struct aperture *b)
+static bool zemax_user_aperture_are_apart(const struct aperture *a, const struct aperture *b)
 {
     bool apart = false;
     for (int axis = 0; axis < 2; axis++) {
         double one[2], other[2];
-        range_of(a, axis, one);
-        range_of(b, axis, other);
+        zemax_user_aperture_range_of(a, axis, one);
+        zemax_user_aperture_range_of(b, axis, other);
         apart = apart || one[1] <= other[0] || other[1] <= one[0];
     }
     return apart;
@@ -254,7 +258,7 @@ static bool are_polygons_apart(const struct shapes *shapes)
             return false;
         }
         for (size_t k = 0; k < i; k++) {
-            if (!are_apart(&shapes->all[i], &shapes->all[k])) {
+            if (!zemax_user_aperture_are_apart(&shapes->all[i], &shapes->all[k])) {
                 return false;
             }
         }
@@ -335,7 +339,7 @@ bool zemax_user_apertures(struct zemax_file *file, const struct zemax_surface *f
 {
     const struct zemax_line *line = from->user_aperture;
     const bool is_inline = from->user_row_count > 0;
-    const struct text name = is_inline ? text_of("") : name_of(from->user_file);
+    const struct text name = is_inline ? text_of("") : zemax_user_aperture_name_of(from->user_file);
     struct shapes shapes = {.arena = file->job->arena,
                             .unit = lens_unit_scale(file->build.lens->unit),
                             .blocks = from->user_blocks};
@@ -348,7 +352,7 @@ bool zemax_user_apertures(struct zemax_file *file, const struct zemax_surface *f
             file, line, error,
             "%.4s: an aperture of a file that is not named" LOSS_VIGNETTES LOSS_INSTEAD "left out",
             line->keyword.start);
-    } else if (!read_beside(file->job, name, &content, &why)) {
+    } else if (!zemax_user_aperture_read_beside(file->job, name, &content, &why)) {
         shapes.wrong = why.code != ERROR_NONE    ? why.message
                        : file->job->reads_beside ? "there is no such file beside the lens file"
                                                  : "files beside it are not read";

@@ -59,7 +59,7 @@ static void put_notes(struct zemax_writer *writer)
     }
 }
 
-static void put_aperture(struct zemax_writer *writer)
+static void zemax_write_put_aperture(struct zemax_writer *writer)
 {
     static const char *const words[] = {"", "FLOA", "FNUM ", "ENPD ", "OBNA "};
     const struct lens *lens = writer->lens;
@@ -91,7 +91,7 @@ static void put_field_weights(struct zemax_writer *writer, size_t count)
     growing_string(&writer->out, any ? "\r\n" : "");
 }
 
-static bool put_fields(struct zemax_writer *writer, struct error *error)
+static bool zemax_write_put_fields(struct zemax_writer *writer, struct error *error)
 {
     static const int types[] = {0, 0, 1, 2, 3};
     const struct lens *lens = writer->lens;
@@ -120,7 +120,7 @@ static bool put_fields(struct zemax_writer *writer, struct error *error)
     return true;
 }
 
-static bool put_waves(struct zemax_writer *writer, struct error *error)
+static bool zemax_write_put_waves(struct zemax_writer *writer, struct error *error)
 {
     const struct lens *lens = writer->lens;
     if (lens->wavelength_count == 0) {
@@ -142,7 +142,7 @@ static bool put_waves(struct zemax_writer *writer, struct error *error)
                         MOST_WAVES);
 }
 
-static bool put_header(struct zemax_writer *writer, struct error *error)
+static bool zemax_write_put_header(struct zemax_writer *writer, struct error *error)
 {
     const struct lens *lens = writer->lens;
     growing_string(&writer->out, "MODE SEQ\r\n");
@@ -154,7 +154,7 @@ static bool put_header(struct zemax_writer *writer, struct error *error)
     put_notes(writer);
     growing_format(&writer->out, "UNIT %s X W X CM MR CPMM\r\n",
                    foreign_unit_word(zemax_units, lens->unit));
-    put_aperture(writer);
+    zemax_write_put_aperture(writer);
     if (writer->catalog_count > 0) {
         growing_string(&writer->out, "GCAT");
         for (size_t i = 0; i < writer->catalog_count; i++) {
@@ -163,10 +163,10 @@ static bool put_header(struct zemax_writer *writer, struct error *error)
         }
         growing_string(&writer->out, "\r\n");
     }
-    return put_fields(writer, error) && put_waves(writer, error);
+    return zemax_write_put_fields(writer, error) && zemax_write_put_waves(writer, error);
 }
 
-static bool put_object(struct zemax_writer *writer, struct error *error)
+static bool zemax_write_put_object(struct zemax_writer *writer, struct error *error)
 {
     const struct lens *lens = writer->lens;
     const struct figure *object = lens->objects != NULL ? &lens->objects[0] : &lens->object;
@@ -200,7 +200,7 @@ bool zemax_write(struct foreign_job *job, const struct lens *lens, struct text *
             zemax_note_catalog(&writer, &lens->settings[i].media[p]);
         }
     }
-    if (!put_header(&writer, error) || !put_object(&writer, error)) {
+    if (!zemax_write_put_header(&writer, error) || !zemax_write_put_object(&writer, error)) {
         return false;
     }
     for (size_t i = 0; i < lens->surface_count; i++) {

@@ -71,8 +71,8 @@ static bool put_glasses(struct zemax_writer *writer, const struct lens_setting *
 }
 
 /* CRVT, CONN, PAR1 .. PAR8 */
-static bool put_numbers(struct zemax_writer *writer, const struct lens_setting *one,
-                        struct error *error)
+static bool zemax_write_positions_put_numbers(struct zemax_writer *writer,
+                                              const struct lens_setting *one, struct error *error)
 {
     const struct parameter parameter = one->parameter;
     const char *word =
@@ -89,13 +89,13 @@ static bool put_numbers(struct zemax_writer *writer, const struct lens_setting *
     return true;
 }
 
-static bool put_settings(struct zemax_writer *writer, struct error *error)
+static bool zemax_write_positions_put_settings(struct zemax_writer *writer, struct error *error)
 {
     const struct lens *lens = writer->lens;
     for (size_t i = 0; i < lens->setting_count; i++) {
         const struct lens_setting *one = &lens->settings[i];
         if (!(one->media != NULL ? put_glasses(writer, one, error)
-                                 : put_numbers(writer, one, error))) {
+                                 : zemax_write_positions_put_numbers(writer, one, error))) {
             return false;
         }
     }
@@ -168,7 +168,8 @@ static bool put_fields_of_positions(struct zemax_writer *writer, struct error *e
     return true;
 }
 
-static bool put_stops_and_waves(struct zemax_writer *writer, struct error *error)
+static bool zemax_write_positions_put_stops_and_waves(struct zemax_writer *writer,
+                                                      struct error *error)
 {
     const struct lens *lens = writer->lens;
     for (size_t p = 0; p < lens->position_count && lens->stops != NULL; p++) {
@@ -201,7 +202,8 @@ bool zemax_put_positions(struct zemax_writer *writer, struct error *error)
                        lens->aperture_kind == APERTURE_EPD ? writer->unit : NUMBER_UNSCALED);
         end_operand(writer);
     }
-    const bool done = put_settings(writer, error) && put_stops_and_waves(writer, error);
+    const bool done = zemax_write_positions_put_settings(writer, error) &&
+                      zemax_write_positions_put_stops_and_waves(writer, error);
     if (count > 1) { /* a free line, behind which nothing is missing */
         growing_string(&writer->out, "MOFF 0 1 \"\" 0 0 0 1 1 0 0.0 \"\"\r\n");
     }

@@ -14,15 +14,16 @@
 #include <string.h>
 
 /* The value in the first position. */
-static const struct figure *first_of(const struct zemax_writer *writer, const struct figure *figure)
+static const struct figure *zemax_write_surface_first_of(const struct zemax_writer *writer,
+                                                         const struct figure *figure)
 {
     return figure->variable == LENS_NONE ? figure
                                          : &writer->lens->variables[figure->variable].values[0];
 }
 
-static void put_length(struct zemax_writer *writer, const struct figure *figure)
+static void zemax_write_surface_put_length(struct zemax_writer *writer, const struct figure *figure)
 {
-    growing_figure(&writer->out, first_of(writer, figure), writer->unit);
+    growing_figure(&writer->out, zemax_write_surface_first_of(writer, figure), writer->unit);
 }
 
 /* "  CURV 1/R": so many digits that the reader finds the same radius again. */
@@ -51,7 +52,8 @@ static void put_reciprocal(struct zemax_writer *writer, const struct figure *rad
 }
 
 /* A curvature as typed; longer where the reader would take it for 1/R of a short radius. */
-static void put_curvature(struct zemax_writer *writer, const struct figure *curvature)
+static void zemax_write_surface_put_curvature(struct zemax_writer *writer,
+                                              const struct figure *curvature)
 {
     struct figure radius, figure = *curvature;
     char text[PAIR_LENGTH];
@@ -244,8 +246,8 @@ static void put_parameter(struct zemax_writer *writer, int number, const struct 
 }
 
 /* A break of the axis, or its undoing. */
-static void put_break(struct zemax_writer *writer, const struct displacement *displacement,
-                      bool undo)
+static void zemax_write_surface_put_break(struct zemax_writer *writer,
+                                          const struct displacement *displacement, bool undo)
 {
     zemax_put_surf(writer, "COORDBRK");
     put_parameter(writer, 1, &displacement->decenter[0], false, undo);
@@ -285,7 +287,7 @@ static const struct asphere_type *asphere_type_of(const struct surface *surface)
     return NULL;
 }
 
-static const char *type_of(const struct surface *surface)
+static const char *zemax_write_surface_type_of(const struct surface *surface)
 {
     const struct asphere_type *type = asphere_type_of(surface);
     if (surface_has(surface, SURFACE_HAS_FOCAL)) {
@@ -295,7 +297,8 @@ static const char *type_of(const struct surface *surface)
 }
 
 /* From mm to the lens's unit. */
-static void put_coefficient(struct zemax_writer *writer, int order, struct figure figure)
+static void zemax_write_surface_put_coefficient(struct zemax_writer *writer, int order,
+                                                struct figure figure)
 {
     if (figure.typed.start == NULL && order > 1) {
         struct figure one = {.typed = text_of("1"), .variable = LENS_NONE};
@@ -334,15 +337,16 @@ void zemax_put_number(struct zemax_writer *writer, struct parameter parameter,
     } else if (parameter.kind == PARAMETER_RADIUS) {
         put_reciprocal(writer, figure);
     } else if (parameter.kind == PARAMETER_CURVATURE) {
-        put_curvature(writer, figure);
+        zemax_write_surface_put_curvature(writer, figure);
     } else if (parameter.kind == PARAMETER_FOCAL) {
         growing_figure(&writer->out, figure, writer->unit);
     } else {
-        put_coefficient(writer, parameter.order, *figure);
+        zemax_write_surface_put_coefficient(writer, parameter.order, *figure);
     }
 }
 
-static void put_coefficients(struct zemax_writer *writer, const struct surface *surface)
+static void zemax_write_surface_put_coefficients(struct zemax_writer *writer,
+                                                 const struct surface *surface)
 {
     const struct asphere_type *type = asphere_type_of(surface);
     if (type != NULL && type->extra) {
@@ -356,13 +360,14 @@ static void put_coefficients(struct zemax_writer *writer, const struct surface *
         }
         growing_format(&writer->out, type->extra ? "  XDAT %d " : "  PARM %d ",
                        type->extra ? term + 2 : term);
-        put_coefficient(writer, order, surface->coefficient[i]);
+        zemax_write_surface_put_coefficient(writer, order, surface->coefficient[i]);
         growing_string(&writer->out, type->extra ? " 0 0 1 0 0 \"\"\r\n" : "\r\n");
     }
 }
 
 /* CURV, of the section in y; a cylinder's other way stands in the first parameter, as a radius. */
-static void put_curve(struct zemax_writer *writer, const struct surface *surface)
+static void zemax_write_surface_put_curve(struct zemax_writer *writer,
+                                          const struct surface *surface)
 {
     bool plane = surface->is_plane && !surface->has_curvature;
     bool cross = surface->curved == CURVED_X;
@@ -370,7 +375,7 @@ static void put_curve(struct zemax_writer *writer, const struct surface *surface
     if (plane || cross) {
         growing_string(&writer->out, "0");
     } else if (surface->has_curvature) {
-        put_curvature(writer, &surface->curvature);
+        zemax_write_surface_put_curvature(writer, &surface->curvature);
     } else {
         put_reciprocal(writer, &surface->radius);
     }
@@ -385,17 +390,18 @@ static void put_curve(struct zemax_writer *writer, const struct surface *surface
 }
 
 /* A thick lens is PARAXIAL: one plane, which maps rays as the principal planes do. */
-static bool put_thick(struct zemax_writer *writer, const struct surface *surface, size_t number,
-                      struct error *error)
+static bool zemax_write_surface_put_thick(struct zemax_writer *writer,
+                                          const struct surface *surface, size_t number,
+                                          struct error *error)
 {
     bool is_distorting = false;
     growing_string(&writer->out, "  CURV 0 0 0 0 0 \"\"\r\n");
-    put_parameter(writer, 1, first_of(writer, &surface->focal), false, false);
+    put_parameter(writer, 1, zemax_write_surface_first_of(writer, &surface->focal), false, false);
     growing_string(&writer->out, "  PARM 2 1\r\n");
     for (int i = 0; i < 3; i++) {
         is_distorting = is_distorting || surface->distortion[i].value.hi != 0;
     }
-    if (first_of(writer, &surface->hiatus)->value.hi != 0 &&
+    if (zemax_write_surface_first_of(writer, &surface->hiatus)->value.hi != 0 &&
         !foreign_lose(writer->job, error,
                       "surface %zu: a thick lens whose principal planes lie apart" LOSS_INSTEAD
                       "they fall together, and what lies behind moves",
@@ -408,22 +414,23 @@ static bool put_thick(struct zemax_writer *writer, const struct surface *surface
                         number);
 }
 
-static bool put_shape(struct zemax_writer *writer, const struct surface *surface, size_t number,
-                      struct error *error)
+static bool zemax_write_surface_put_shape(struct zemax_writer *writer,
+                                          const struct surface *surface, size_t number,
+                                          struct error *error)
 {
     if (surface_has(surface, SURFACE_HAS_FOCAL)) {
-        return put_thick(writer, surface, number, error);
+        return zemax_write_surface_put_thick(writer, surface, number, error);
     }
     bool cylinder = !surface_is_round(surface), cross = surface->curved == CURVED_X;
     bool has_conic = surface->conic.value.hi != 0;
-    put_curve(writer, surface);
+    zemax_write_surface_put_curve(writer, surface);
     if (has_conic && !cross) {
         growing_string(&writer->out, "  CONI ");
         growing_figure(&writer->out, &surface->conic, NUMBER_UNSCALED);
         growing_string(&writer->out, "\r\n");
     }
     if (!cylinder) {
-        put_coefficients(writer, surface);
+        zemax_write_surface_put_coefficients(writer, surface);
     }
     return !cylinder || (surface->coefficients == 0 && !(cross && has_conic)) ||
            foreign_lose(writer->job, error,
@@ -432,11 +439,12 @@ static bool put_shape(struct zemax_writer *writer, const struct surface *surface
                         number);
 }
 
-static void put_thickness(struct zemax_writer *writer, const struct surface *surface, bool last)
+static void zemax_write_surface_put_thickness(struct zemax_writer *writer,
+                                              const struct surface *surface, bool last)
 {
     growing_string(&writer->out, "  DISZ ");
     if (surface->has_thickness) {
-        put_length(writer, &surface->thickness);
+        zemax_write_surface_put_length(writer, &surface->thickness);
     } else {
         growing_string(&writer->out, "0");
     }
@@ -447,12 +455,13 @@ static void put_thickness(struct zemax_writer *writer, const struct surface *sur
 static void put_diameter(struct zemax_writer *writer, const struct surface *surface)
 {
     growing_string(&writer->out, "  DIAM ");
-    zemax_put_half(writer, first_of(writer, &surface->diameter));
+    zemax_put_half(writer, zemax_write_surface_first_of(writer, &surface->diameter));
     growing_string(&writer->out, " 1 0 0 1 \"\"\r\n");
 }
 
-static bool check_surface(struct zemax_writer *writer, const struct surface *surface, size_t number,
-                          struct error *error)
+static bool zemax_write_surface_check_surface(struct zemax_writer *writer,
+                                              const struct surface *surface, size_t number,
+                                              struct error *error)
 {
     return surface->vary_count == 0 ||
            foreign_lose(writer->job, error,
@@ -465,25 +474,25 @@ bool zemax_put_surface(struct zemax_writer *writer, size_t index, struct error *
 {
     const struct surface *surface = &writer->lens->surfaces[index];
     bool last = index + 1 == writer->lens->surface_count, is_decentred = surface->decentre != NULL;
-    if (!check_surface(writer, surface, index + 1, error)) {
+    if (!zemax_write_surface_check_surface(writer, surface, index + 1, error)) {
         return false;
     }
     if (surface->coordinate_break != NULL) {
-        put_break(writer, surface->coordinate_break, false);
+        zemax_write_surface_put_break(writer, surface->coordinate_break, false);
         growing_string(&writer->out, "  DISZ 0\r\n");
     }
     if (is_decentred) {
-        put_break(writer, surface->decentre, false);
+        zemax_write_surface_put_break(writer, surface->decentre, false);
         growing_string(&writer->out, "  DISZ 0\r\n");
     }
-    zemax_put_surf(writer, type_of(surface));
+    zemax_put_surf(writer, zemax_write_surface_type_of(surface));
     growing_string(&writer->out, surface->is_stop ? "  STOP\r\n" : "");
     if (surface->name != NULL) {
         growing_string(&writer->out, "  COMM ");
         growing_string(&writer->out, surface->name);
         growing_string(&writer->out, "\r\n");
     }
-    if (!put_shape(writer, surface, index + 1, error)) {
+    if (!zemax_write_surface_put_shape(writer, surface, index + 1, error)) {
         return false;
     }
     if (surface->has_diameter) {
@@ -499,10 +508,10 @@ bool zemax_put_surface(struct zemax_writer *writer, size_t index, struct error *
     }
     if (is_decentred) {
         growing_string(&writer->out, "  DISZ 0\r\n");
-        put_break(writer, surface->decentre, true);
+        zemax_write_surface_put_break(writer, surface->decentre, true);
     }
     writer->places[index] = writer->number - 1;
     writer->own_places[index] = writer->number - (is_decentred ? 2 : 1);
-    put_thickness(writer, surface, last);
+    zemax_write_surface_put_thickness(writer, surface, last);
     return true;
 }

@@ -11,7 +11,7 @@ enum { ZEMAX_MOST_CATALOGS = 32 };
 
 /* A file being written. */
 struct zemax_writer {
-    struct growing out;
+    struct text_buffer out;
     struct foreign_job *job;
     const struct lens *lens;
     struct number_scale unit;
