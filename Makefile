@@ -46,18 +46,20 @@ LINK_0   =
 LDFLAGS  =
 
 # compiled once for each instruction set; the program chooses when it runs
-kernels := $(wildcard src/trace/kernel*.c src/camera/kernel*.c src/base/kernel*.c src/analysis/kernel*.c \
-                      src/design/*/kernel*.c)
+kernels := $(wildcard src/*/kernel*.c src/*/*/kernel*.c)
 # in the order of linking: what every answer needs lies together, on as few pages as can be
-folders := base light scene report photo cli commands commands/photo commands/tool optics analysis trace data \
-           file exchange exchange/zemax exchange/codev exchange/oslo commands/lens \
+folders := base light scene report photo cli cli/options cli/question cli/batch cli/answer commands \
+           commands/photo commands/tool optics analysis/setup analysis/pupil analysis/rays \
+           analysis/waves analysis/image analysis/real analysis/layout trace/kernel trace trace/aim \
+           trace/pupil data file exchange exchange/zemax exchange/codev exchange/oslo commands/lens \
            commands/analysis commands/data design design/merit design/solver design/fit \
-           design/tolerance commands/design draw base/image camera tone commands/camera
+           design/tolerance commands/design draw base/image camera/sensor camera/film \
+           camera/subject camera/photograph tone commands/camera
 apart   := src/main.c src/data/embed.c src/design/solver/solver_engines.c $(kernels)
 sources := $(filter-out $(apart),$(foreach folder,$(folders),$(wildcard src/$(folder)/*.c)))
 objects := $(sources:src/%.c=$(BUILD)/%.o) $(BUILD)/lensdb.o \
            $(foreach set,sse2 avx2 avx512,$(kernels:src/%.c=$(BUILD)/%_$(set).o)) \
-           $(BUILD)/trace/kernel_few.o $(BUILD)/trace/kernel_conic_few.o
+           $(BUILD)/trace/kernel/kernel_few.o $(BUILD)/trace/kernel/kernel_conic_few.o
 alone   := $(BUILD)/design/solver/solver_engines.o
 ceres   := $(BUILD)/design/solver/solver_engines_ceres.o $(BUILD)/design/solver/solver_ceres.o
 units_0 := $(patsubst tests/%.c,$(BUILD)/%,$(wildcard tests/unit/test_*.c))
@@ -101,7 +103,7 @@ $(BUILD)/lenscalc: $(BUILD)/main.o $(objects) $(alone) $(BUILD)/objects $(BUILD)
 $(BUILD)/optics/paraxial.o: FLOATING += -ftree-slp-vectorize -Wno-psabi
 
 # what it reads of tables stands side by side
-$(foreach set,sse2 avx2 avx512,$(BUILD)/camera/kernel_film_$(set).o): FLOATING += -ftree-slp-vectorize
+$(foreach set,sse2 avx2 avx512,$(BUILD)/camera/film/kernel_film_$(set).o): FLOATING += -ftree-slp-vectorize
 
 # of stb's headers not all is used; its sums run over where a JPEG is damaged
 $(BUILD)/base/image/stb.o: FLOATING += -Wno-unused-function -fwrapv

@@ -1,9 +1,9 @@
 /* main.c - argv to command to exit status. */
 /* SPDX-License-Identifier: MIT */
-#include "cli/command.h"
-#include "cli/complain.h"
-#include "cli/driver.h"
-#include "cli/help.h"
+#include "cli/answer/complain.h"
+#include "cli/answer/driver.h"
+#include "cli/answer/help.h"
+#include "cli/question/command.h"
 #include "report/version.h"
 
 #include <errno.h>

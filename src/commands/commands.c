@@ -1,6 +1,6 @@
 /* commands/commands.c - the table of commands: one line each. */
 /* SPDX-License-Identifier: MIT */
-#include "cli/command.h"
+#include "cli/question/command.h"
 
 extern const struct command command_dof, command_hyperfocal, command_fov;
 extern const struct command command_exposure, command_flash, command_bracket, command_motion,

@@ -3,7 +3,7 @@
 #ifndef LENSCALC_DRAW_SECTION_H
 #define LENSCALC_DRAW_SECTION_H
 
-#include "analysis/layout.h"
+#include "analysis/layout/layout.h"
 
 #include <stdbool.h>
 

@@ -40,7 +40,7 @@ bool lens_let_read(struct file_words *words, size_t positions, struct lens_varia
 bool lens_let_check(const struct file_words *words, const struct lens *lens, size_t word,
                     struct error *error);
 
-/* A line with `goal`, kept as it is: cli/goals.h reads it. */
+/* A line with `goal`, kept as it is: cli/options/goals.h reads it. */
 bool lens_goal_read(struct file_words *words, struct lens *lens, struct error *error);
 
 #endif

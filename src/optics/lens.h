@@ -81,7 +81,7 @@ struct lens_pickup {
 
 struct lens_tolerance;
 
-/* What the designer wants, as it was typed: cli/goals reads it. */
+/* What the designer wants, as it was typed: cli/options/goals reads it. */
 struct lens_goal {
     struct text text;
     const char *source; /* the file, for messages; null = none */

@@ -4,7 +4,7 @@
 #define LENSCALC_TRACE_ADJOINT_H
 
 #include "trace/dispatch.h"
-#include "trace/step.h"
+#include "trace/kernel/step.h"
 
 /* Rows of RAYS_BLOCK numbers that a step fills. Indices are added to, the others written. */
 struct adjoint_rows {

@@ -4,8 +4,8 @@
 #define LENSCALC_TRACE_DISPATCH_H
 
 #include "base/instruction_set.h"
-#include "trace/rays.h"
-#include "trace/step.h"
+#include "trace/kernel/rays.h"
+#include "trace/kernel/step.h"
 #include "trace/system.h"
 
 #include <stdbool.h>
@@ -21,7 +21,8 @@ struct trace_way {
  * Given     rays  in the frame and medium before the first surface; receives where they end
  *           way   null: best instructions, one thread; for RAYS_FEW and less, those of the first
                  block's lanes only
- * Result    in place; see trace/rays.h for what lost rays hold. No number depends on the threads,
+ * Result    in place; see trace/kernel/rays.h for what lost rays hold. No number depends on the
+ * threads,
  *           on the instructions or on the other rays
  */
 void rays_trace(const struct system *system, const struct rays *rays, const struct trace_way *way);

@@ -4,7 +4,7 @@
 
 #include <math.h>
 
-/* See trace/lanes.h for the rules of these loops. */
+/* See trace/kernel/lanes.h for the rules of these loops. */
 #define LANES_OF(lanes)  ((lanes) / RAYS_FEW * RAYS_FEW)
 #define NAME_(name, set) name##_##set
 #define NAME(name, set)  NAME_(name, set)

@@ -1,6 +1,6 @@
 /* trace/kernel_tangent.c - derivatives of rays, forwards: lane loops for each instruction set. */
 /* SPDX-License-Identifier: MIT */
-#include "trace/lanes.h"
+#include "trace/kernel/lanes.h"
 #include "trace/tangent.h"
 
 /* What all tangents of a step share, a row each; letters as in trace/derivative.h. */

@@ -3,7 +3,7 @@
 #ifndef LENSCALC_TRACE_PRECISE_H
 #define LENSCALC_TRACE_PRECISE_H
 
-#include "trace/search.h"
+#include "trace/kernel/search.h"
 #include "trace/system.h"
 
 #include <math.h>
@@ -13,7 +13,8 @@
 #endif
 
 /*
- * The algorithm of trace/kernel.c, one ray at a time, with all digits of the decimals that the lens
+ * The algorithm of trace/kernel/kernel.c, one ray at a time, with all digits of the decimals that
+ * the lens
  * was given in. trace/verify.c has it in 80 bits; tests take 113.
  */
 struct precise_ray {

@@ -3,7 +3,7 @@
 #include "trace/rigid.h"
 
 #include "trace/frames.h"
-#include "trace/step.h"
+#include "trace/kernel/step.h"
 
 #include <math.h>
 

@@ -4,9 +4,9 @@
 
 #include "optics/first_order.h"
 #include "optics/lens_indices.h"
-#include "trace/clip.h"
 #include "trace/frames.h"
-#include "trace/step.h"
+#include "trace/kernel/clip.h"
+#include "trace/kernel/step.h"
 
 #include <assert.h>
 #include <math.h>

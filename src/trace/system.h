@@ -7,14 +7,16 @@
 #include "base/error.h"
 #include "base/pair.h"
 #include "optics/lens.h"
-#include "trace/rays.h"
+#include "trace/kernel/rays.h"
 
 #include <stdbool.h>
 #include <stddef.h>
 
 /*
- * Who does what: system_compile turns a lens into steps (trace/step.h), one or a few a surface;
- * trace/dispatch.h chooses the kernels for the processor and cuts the rays (trace/rays.h) among
+ * Who does what: system_compile turns a lens into steps (trace/kernel/step.h), one or a few a
+ * surface;
+ * trace/dispatch.h chooses the kernels for the processor and cuts the rays (trace/kernel/rays.h)
+ * among
  * threads; the kernels (kernel.c: planes and spheres; kernel_conic.c: conics and aspheres) take
  * 128 rays through one step after the other. derivative.h sweeps back for derivatives by
  * everything, tangent.h goes forwards for those by a few things, verify.h traces again with more
@@ -49,7 +51,8 @@
  *           E^2 = D^2 + n'^2 - n^2, g = s (E - D), p += g (-c X, -c Y, 1 - c Z);
  *           a mirror has g = -2 s D. Conic: with K = 1 + k for Z^2 and the normal N not of unit
  *           length, E^2 = D^2 + (n'^2 - n^2) N^2, g = s (E - D)/N^2. Asphere: Newton on
- *           F = c (r^2 + K w^2)/2 - w, w = Z - S(r^2), from the conic on; trace/search.h for those
+ *           F = c (r^2 + K w^2)/2 - w, w = Z - S(r^2), from the conic on; trace/kernel/search.h
+ *           for those
  *           that it loses
  *           a thick lens: see optics/thick_lens; the ray goes on in the plane of H', which lies at
  *           z = hiatus in the frame of that surface; the path from H to H' is not counted

@@ -4,7 +4,7 @@
 #define LENSCALC_TRACE_TANGENT_H
 
 #include "trace/derivative.h"
-#include "trace/step.h"
+#include "trace/kernel/step.h"
 
 /* The derivatives move with the rays: cheaper than sweeps back for up to about eight parameters. */
 enum { TANGENTS_MOST = 8 };

@@ -1,12 +1,12 @@
 /* tests/bench/aimed.c - rays aimed anew as a lens changes, and their derivatives. */
 /* SPDX-License-Identifier: MIT */
-#include "trace/aimed.h"
-#include "analysis/setup.h"
+#include "trace/aim/aimed.h"
+#include "analysis/setup/setup.h"
 #include "base/constants.h"
 #include "clock.h"
 #include "exchange/lens_open.h"
+#include "trace/aim/sample.h"
 #include "trace/dispatch.h"
-#include "trace/sample.h"
 
 #include <math.h>
 #include <stdio.h>

@@ -1,9 +1,9 @@
 /* tests/bench/camera.c - rays from the film through a lens, against the bare trace of them. */
 /* SPDX-License-Identifier: MIT */
-#include "analysis/setup.h"
+#include "analysis/setup/setup.h"
 #include "base/parallel.h"
 #include "base/sobol.h"
-#include "camera/film_rays.h"
+#include "camera/film/film_rays.h"
 #include "clock.h"
 #include "exchange/lens_open.h"
 #include "trace/dispatch.h"

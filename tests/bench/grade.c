@@ -1,7 +1,7 @@
 /* tests/bench/grade.c - what each error of a grade does alone, against making a lens ready. */
 /* SPDX-License-Identifier: MIT */
 #include "base/constants.h"
-#include "cli/tolerances.h"
+#include "cli/options/tolerances.h"
 #include "clock.h"
 #include "design/tolerance/sensitivity.h"
 #include "design/tolerance/tolerance_model.h"

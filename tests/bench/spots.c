@@ -1,7 +1,7 @@
 /* tests/bench/spots.c - rays of converged spots, and aimed rays, against the bare trace of them. */
 /* SPDX-License-Identifier: MIT */
-#include "analysis/quadrature.h"
-#include "analysis/setup.h"
+#include "analysis/pupil/quadrature.h"
+#include "analysis/setup/setup.h"
 #include "base/constants.h"
 #include "clock.h"
 #include "exchange/lens_open.h"

@@ -1,8 +1,8 @@
 /* tests/bench/waves.c - wave fronts, contrast, images of points, and Fourier transforms. */
 /* SPDX-License-Identifier: MIT */
-#include "analysis/mtf.h"
-#include "analysis/psf.h"
-#include "analysis/wavefront.h"
+#include "analysis/image/mtf.h"
+#include "analysis/image/psf.h"
+#include "analysis/waves/wavefront.h"
 #include "base/constants.h"
 #include "base/fft.h"
 #include "clock.h"

@@ -3,7 +3,7 @@
 #ifndef LENSCALC_TESTS_CERES_SUBJECT_H
 #define LENSCALC_TESTS_CERES_SUBJECT_H
 
-#include "analysis/setup.h"
+#include "analysis/setup/setup.h"
 #include "design/fit/ray_data.h"
 #include "design/fit/thick.h"
 #include "exchange/lens_open.h"

@@ -1,8 +1,8 @@
 /* tests/fuzz/fuzz_batch.c - rows of a batch: first byte command and format, then the file. */
 /* SPDX-License-Identifier: MIT */
 #define _GNU_SOURCE /* memfd_create */
-#include "cli/batch.h"
-#include "cli/sweep.h"
+#include "cli/batch/batch.h"
+#include "cli/question/sweep.h"
 #include "fuzz.h"
 
 #include <math.h>

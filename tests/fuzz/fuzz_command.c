@@ -2,8 +2,8 @@
 /* SPDX-License-Identifier: MIT */
 #define _GNU_SOURCE /* memfd_create */
 #include "base/json_read.h"
-#include "cli/command.h"
-#include "cli/driver.h"
+#include "cli/answer/driver.h"
+#include "cli/question/command.h"
 #include "fuzz.h"
 
 #include <ctype.h>

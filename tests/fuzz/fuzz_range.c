@@ -1,7 +1,7 @@
 /* tests/fuzz/fuzz_range.c - lists and ranges: first byte the option of dof, then its text. */
 /* SPDX-License-Identifier: MIT */
-#include "cli/command.h"
-#include "cli/sweep.h"
+#include "cli/question/command.h"
+#include "cli/question/sweep.h"
 #include "fuzz.h"
 
 #include <math.h>

@@ -5,7 +5,7 @@
 
 #include "quad.h"
 
-#include "trace/beam.h"
+#include "trace/aim/beam.h"
 
 /* The ray with coordinates in a beam, at its start. */
 static struct precise_ray truth_start(const struct beam *beam, const real at[2])

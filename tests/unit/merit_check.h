@@ -4,7 +4,7 @@
 #define LENSCALC_TESTS_UNIT_MERIT_CHECK_H
 
 #include "check.h"
-#include "cli/goals.h"
+#include "cli/options/goals.h"
 #include "design/merit/merit.h"
 #include "file/lens_file.h"
 

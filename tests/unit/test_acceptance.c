@@ -1,8 +1,8 @@
 /* tests/unit/test_acceptance.c - what pixels take of slanting light and of colours, by hand. */
 /* SPDX-License-Identifier: MIT */
 #include "base/constants.h"
-#include "camera/acceptance.h"
-#include "camera/response.h"
+#include "camera/film/acceptance.h"
+#include "camera/sensor/response.h"
 #include "check.h"
 
 static struct arena arena;

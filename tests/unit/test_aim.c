@@ -3,10 +3,10 @@
 #include "base/constants.h"
 #include "check.h"
 #include "exchange/lens_open.h"
-#include "trace/aim.h"
-#include "trace/aim_block.h"
-#include "trace/aim_map.h"
-#include "trace/beam_block.h"
+#include "trace/aim/aim.h"
+#include "trace/aim/aim_block.h"
+#include "trace/aim/aim_map.h"
+#include "trace/aim/beam_block.h"
 #include "trace/dispatch.h"
 
 #include <stdlib.h>

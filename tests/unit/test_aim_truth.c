@@ -3,8 +3,8 @@
 #include "base/constants.h"
 #include "check.h"
 #include "file/lens_file.h"
-#include "trace/aim.h"
-#include "trace/clear.h"
+#include "trace/aim/aim.h"
+#include "trace/pupil/clear.h"
 
 #include <stdlib.h>
 

@@ -4,7 +4,7 @@
 #include "check.h"
 #include "file/lens_file.h"
 #include "optics/lens_numbers.h"
-#include "trace/aimed.h"
+#include "trace/aim/aimed.h"
 
 enum { PER_BEAM = 9, BEAMS = 3 };
 

@@ -1,6 +1,6 @@
 /* tests/unit/test_angle_of_view.c - what a sensor sees, against chief rays of other programs. */
 /* SPDX-License-Identifier: MIT */
-#include "analysis/angle_of_view.h"
+#include "analysis/rays/angle_of_view.h"
 #include "base/constants.h"
 #include "check.h"
 #include "exchange/lens_open.h"

@@ -1,6 +1,6 @@
 /* tests/unit/test_aperture.c - listed apertures: the same bits everywhere, and quadrature. */
 /* SPDX-License-Identifier: MIT */
-#include "analysis/quadrature.h"
+#include "analysis/pupil/quadrature.h"
 #include "base/constants.h"
 #include "check.h"
 #include "file/lens_file.h"

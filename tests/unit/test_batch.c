@@ -1,7 +1,7 @@
 /* tests/unit/test_batch.c - the option that a column of a batch stands for, by all its names. */
 /* SPDX-License-Identifier: MIT */
 #include "check.h"
-#include "cli/batch.h"
+#include "cli/batch/batch.h"
 
 #include <stdio.h>
 #include <stdlib.h>

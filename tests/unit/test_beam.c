@@ -1,7 +1,7 @@
 /* tests/unit/test_beam.c - how rays of a beam change with their coordinates, in closed form. */
 /* SPDX-License-Identifier: MIT */
 #include "check.h"
-#include "trace/beam.h"
+#include "trace/aim/beam.h"
 
 /* Away from a point at -d along the axis, or towards one at +d: u = +-(X - P)/L changes by
    +-(e - u (u e))/L as X moves along e. */

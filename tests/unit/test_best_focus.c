@@ -1,7 +1,7 @@
 /* tests/unit/test_best_focus.c - the plane where rays spread least, from lines given as numbers. */
 /* SPDX-License-Identifier: MIT */
 #include "check.h"
-#include "trace/focus.h"
+#include "trace/pupil/focus.h"
 
 #include <stdlib.h>
 

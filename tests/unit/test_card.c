@@ -1,6 +1,6 @@
 /* tests/unit/test_card.c - parts of cards that are said to be even, point by point. */
 /* SPDX-License-Identifier: MIT */
-#include "camera/card.h"
+#include "camera/subject/card.h"
 
 #include "check.h"
 #include "stream.h"

@@ -3,8 +3,8 @@
 #include "base/constants.h"
 #include "check.h"
 #include "file/lens_file.h"
-#include "trace/chief.h"
-#include "trace/clear.h"
+#include "trace/aim/chief.h"
+#include "trace/pupil/clear.h"
 
 static const double degree = RADIANS_PER_DEGREE;
 

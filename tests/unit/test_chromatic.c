@@ -1,6 +1,6 @@
 /* tests/unit/test_chromatic.c - foci and chief rays by wavelength. */
 /* SPDX-License-Identifier: MIT */
-#include "analysis/chromatic.h"
+#include "analysis/rays/chromatic.h"
 #include "check.h"
 #include "file/lens_file.h"
 #include "optics/wavelength.h"

@@ -4,9 +4,9 @@
 #include "check.h"
 #include "exchange/lens_open.h"
 #include "file/lens_file.h"
-#include "trace/clear_cross.h"
+#include "trace/aim/spread.h"
 #include "trace/dispatch.h"
-#include "trace/spread.h"
+#include "trace/pupil/clear_cross.h"
 
 static const double degree = RADIANS_PER_DEGREE;
 

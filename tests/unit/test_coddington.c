@@ -1,11 +1,11 @@
 /* tests/unit/test_coddington.c - foci of narrow beams against 50 digits and closed forms. */
 /* SPDX-License-Identifier: MIT */
-#include "analysis/coddington.h"
+#include "analysis/rays/coddington.h"
 
 #include "base/constants.h"
 #include "check.h"
 #include "file/lens_file.h"
-#include "trace/aim.h"
+#include "trace/aim/aim.h"
 
 static const double degree = RADIANS_PER_DEGREE;
 

@@ -1,6 +1,6 @@
 /* tests/unit/test_convergence.c - errors from halves, and sums of them. */
 /* SPDX-License-Identifier: MIT */
-#include "camera/convergence.h"
+#include "camera/photograph/convergence.h"
 #include "check.h"
 
 /* Of light without a white of its own: a share of each number, or a grey level of 8 bits. */

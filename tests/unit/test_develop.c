@@ -1,6 +1,6 @@
 /* tests/unit/test_develop.c - whites, their adaptation, and raw data developed. */
 /* SPDX-License-Identifier: MIT */
-#include "camera/develop.h"
+#include "camera/sensor/develop.h"
 #include "check.h"
 
 static struct arena memory;

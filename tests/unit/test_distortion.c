@@ -1,6 +1,6 @@
 /* tests/unit/test_distortion.c - chief rays against projections: other programs, closed forms. */
 /* SPDX-License-Identifier: MIT */
-#include "analysis/distortion.h"
+#include "analysis/rays/distortion.h"
 #include "base/constants.h"
 #include "check.h"
 #include "exchange/lens_open.h"

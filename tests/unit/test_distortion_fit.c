@@ -1,6 +1,6 @@
 /* tests/unit/test_distortion_fit.c - models of distortion, by their published formulas. */
 /* SPDX-License-Identifier: MIT */
-#include "analysis/distortion_fit.h"
+#include "analysis/rays/distortion_fit.h"
 #include "base/constants.h"
 #include "check.h"
 #include "exchange/lens_open.h"

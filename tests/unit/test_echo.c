@@ -1,7 +1,7 @@
 /* tests/unit/test_echo.c - whatever option varies, a column says which value a row has. */
 /* SPDX-License-Identifier: MIT */
 #include "check.h"
-#include "cli/echo.h"
+#include "cli/question/echo.h"
 
 #include <string.h>
 

@@ -1,7 +1,7 @@
 /* tests/unit/test_emulsion.c - characteristic curve, print and grain of a film. */
 /* SPDX-License-Identifier: MIT */
 #include "base/constants.h"
-#include "camera/emulsion.h"
+#include "camera/sensor/emulsion.h"
 #include "check.h"
 
 static struct arena arena;

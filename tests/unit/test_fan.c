@@ -1,7 +1,7 @@
 /* tests/unit/test_fan.c - ray fans by symmetries and closed forms; numbers: truth/check_fan.py. */
 /* SPDX-License-Identifier: MIT */
-#include "analysis/fan.h"
-#include "analysis/spot.h"
+#include "analysis/rays/spot.h"
+#include "analysis/waves/fan.h"
 #include "base/constants.h"
 #include "check.h"
 #include "file/lens_file.h"

@@ -1,8 +1,8 @@
 /* tests/unit/test_film_rays.c - rays from the film: closed forms, nothing lost, the same bits. */
 /* SPDX-License-Identifier: MIT */
-#include "camera/film_rays.h"
+#include "camera/film/film_rays.h"
 
-#include "analysis/setup.h"
+#include "analysis/setup/setup.h"
 #include "base/constants.h"
 #include "base/sobol.h"
 #include "check.h"

@@ -3,7 +3,7 @@
 #include "base/constants.h"
 #include "check.h"
 #include "file/lens_file.h"
-#include "trace/step.h"
+#include "trace/kernel/step.h"
 #include "trace/system.h"
 
 #include <stdlib.h>

@@ -1,6 +1,6 @@
 /* tests/unit/test_fringes.c - colours of a thin lens, in closed form. */
 /* SPDX-License-Identifier: MIT */
-#include "camera/fringes.h"
+#include "camera/photograph/fringes.h"
 
 #include "check.h"
 #include "file/lens_file.h"

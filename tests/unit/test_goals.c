@@ -1,7 +1,7 @@
 /* tests/unit/test_goals.c - goals as they are written. */
 /* SPDX-License-Identifier: MIT */
 #include "check.h"
-#include "cli/goals.h"
+#include "cli/options/goals.h"
 #include "file/lens_file.h"
 
 static const char zoom[] = "position wide tele d\n"

@@ -1,14 +1,14 @@
 /* tests/unit/test_hopkins.c - contrast by overlap: round pupils, Zernike's terms, grids. */
 /* SPDX-License-Identifier: MIT */
-#include "analysis/hopkins.h"
+#include "analysis/waves/hopkins.h"
 
-#include "analysis/zernike.h"
+#include "analysis/waves/zernike.h"
 #include "base/constants.h"
 #include "base/fft.h"
 #include "base/turns.h"
 #include "check.h"
 #include "file/lens_file.h"
-#include "trace/sample.h"
+#include "trace/aim/sample.h"
 
 #include <math.h>
 #include <stdlib.h>

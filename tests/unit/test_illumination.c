@@ -1,12 +1,12 @@
 /* tests/unit/test_illumination.c - light in the image: closed forms, and values of 50 digits. */
 /* SPDX-License-Identifier: MIT */
-#include "analysis/illumination.h"
+#include "analysis/rays/illumination.h"
 
 #include "base/constants.h"
 #include "check.h"
 #include "file/lens_file.h"
 #include "optics/aperture.h"
-#include "trace/aim.h"
+#include "trace/aim/aim.h"
 
 /* A lens both ways. */
 struct opened {

@@ -1,7 +1,7 @@
 /* tests/unit/test_islands.c - light beyond gaps, against a grid fine enough to trust. */
 /* SPDX-License-Identifier: MIT */
-#include "analysis/quadrature.h"
-#include "analysis/setup.h"
+#include "analysis/pupil/quadrature.h"
+#include "analysis/setup/setup.h"
 #include "base/constants.h"
 #include "check.h"
 #include "exchange/lens_open.h"

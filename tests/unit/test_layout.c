@@ -1,6 +1,6 @@
 /* tests/unit/test_layout.c - lenses in section, each coordinate worked out by hand. */
 /* SPDX-License-Identifier: MIT */
-#include "analysis/layout.h"
+#include "analysis/layout/layout.h"
 #include "base/constants.h"
 #include "check.h"
 #include "file/lens_file.h"

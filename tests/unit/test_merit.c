@@ -1,10 +1,10 @@
 /* tests/unit/test_merit.c - operands of paraxial rays and of shapes, by everything. */
 /* SPDX-License-Identifier: MIT */
-#include "analysis/chromatic.h"
+#include "analysis/rays/chromatic.h"
 #include "double_gauss.h"
 #include "merit_check.h"
 #include "optics/seidel.h"
-#include "trace/aim.h"
+#include "trace/aim/aim.h"
 #include "trace/dispatch.h"
 
 static const char double_gauss[] = "wavelength d F C\n"

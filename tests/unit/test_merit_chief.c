@@ -1,7 +1,7 @@
 /* tests/unit/test_merit_chief.c - operands of real chief and edge rays, by everything. */
 /* SPDX-License-Identifier: MIT */
-#include "analysis/chromatic.h"
-#include "analysis/distortion.h"
+#include "analysis/rays/chromatic.h"
+#include "analysis/rays/distortion.h"
 #include "double_gauss.h"
 #include "merit_check.h"
 #include "trace/dispatch.h"

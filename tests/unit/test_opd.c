@@ -1,11 +1,11 @@
 /* tests/unit/test_opd.c - optical path differences against a program of 50 digits. */
 /* SPDX-License-Identifier: MIT */
-#include "analysis/opd.h"
-#include "analysis/setup.h"
+#include "analysis/setup/setup.h"
+#include "analysis/waves/opd.h"
 #include "base/constants.h"
 #include "check.h"
 #include "file/lens_file.h"
-#include "trace/aim.h"
+#include "trace/aim/aim.h"
 #include "trace/dispatch.h"
 
 #include <stdlib.h>

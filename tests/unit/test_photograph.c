@@ -1,6 +1,6 @@
 /* tests/unit/test_photograph.c - pictures that end in a tile; white where the middle is dark. */
 /* SPDX-License-Identifier: MIT */
-#include "camera/photograph.h"
+#include "camera/photograph/photograph.h"
 
 #include "base/constants.h"
 #include "check.h"

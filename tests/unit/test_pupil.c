@@ -1,13 +1,13 @@
 /* tests/unit/test_pupil.c - beams, chief rays and clear pupils against closed forms. */
 /* SPDX-License-Identifier: MIT */
-#include "analysis/pupil_shape.h"
+#include "analysis/pupil/pupil_shape.h"
 #include "base/constants.h"
 #include "check.h"
 #include "exchange/lens_open.h"
 #include "file/lens_file.h"
-#include "trace/aim.h"
-#include "trace/clear.h"
+#include "trace/aim/aim.h"
 #include "trace/dispatch.h"
+#include "trace/pupil/clear.h"
 
 #include <string.h>
 

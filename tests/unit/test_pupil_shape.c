@@ -1,6 +1,6 @@
 /* tests/unit/test_pupil_shape.c - areas and solid angles of pupils against closed forms. */
 /* SPDX-License-Identifier: MIT */
-#include "analysis/pupil_shape.h"
+#include "analysis/pupil/pupil_shape.h"
 #include "base/constants.h"
 #include "check.h"
 #include "file/lens_file.h"

@@ -1,12 +1,12 @@
 /* tests/unit/test_quadrature.c - integrals over what is clear of a stop, in closed form. */
 /* SPDX-License-Identifier: MIT */
-#include "analysis/quadrature.h"
-#include "analysis/setup.h"
+#include "analysis/pupil/quadrature.h"
+#include "analysis/setup/setup.h"
 #include "base/constants.h"
 #include "check.h"
 #include "exchange/lens_open.h"
 #include "file/lens_file.h"
-#include "trace/aim.h"
+#include "trace/aim/aim.h"
 #include "trace/dispatch.h"
 #include "two_discs.h"
 

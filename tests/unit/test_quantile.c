@@ -1,9 +1,9 @@
 /* tests/unit/test_quantile.c - the distance within which a share of the light lies. */
 /* SPDX-License-Identifier: MIT */
-#include "analysis/quantile.h"
+#include "analysis/pupil/quantile.h"
 #include "base/constants.h"
 #include "check.h"
-#include "trace/sample.h"
+#include "trace/aim/sample.h"
 
 #include <math.h>
 

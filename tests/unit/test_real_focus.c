@@ -1,8 +1,8 @@
 /* tests/unit/test_real_focus.c - sharpness by rays: of ideal lenses against similar triangles. */
 /* SPDX-License-Identifier: MIT */
-#include "analysis/real_focus.h"
+#include "analysis/real/real_focus.h"
 
-#include "analysis/real_range.h"
+#include "analysis/real/real_range.h"
 #include "check.h"
 #include "file/lens_file.h"
 

@@ -1,6 +1,6 @@
 /* tests/unit/test_relief.c - rays over depth maps: by hand, and against a march in small steps. */
 /* SPDX-License-Identifier: MIT */
-#include "camera/relief.h"
+#include "camera/subject/relief.h"
 
 #include "check.h"
 

@@ -2,7 +2,7 @@
 /* SPDX-License-Identifier: MIT */
 #include "base/constants.h"
 #include "check.h"
-#include "trace/sample.h"
+#include "trace/aim/sample.h"
 
 #include <stdlib.h>
 

@@ -1,7 +1,7 @@
 /* tests/unit/test_sensor.c - electrons, noise, digital numbers and mosaics by closed forms. */
 /* SPDX-License-Identifier: MIT */
-#include "camera/demosaic.h"
-#include "camera/sensor.h"
+#include "camera/sensor/demosaic.h"
+#include "camera/sensor/sensor.h"
 #include "check.h"
 
 enum { SIDE = 200 };

@@ -1,6 +1,6 @@
 /* tests/unit/test_setup.c - the rules by which a lens is made ready, each in closed form. */
 /* SPDX-License-Identifier: MIT */
-#include "analysis/setup.h"
+#include "analysis/setup/setup.h"
 #include "base/constants.h"
 #include "check.h"
 #include "file/lens_file.h"

@@ -1,9 +1,9 @@
 /* tests/unit/test_shutter.c - exposures by hand: growing holes, slits, and lines that are read. */
 /* SPDX-License-Identifier: MIT */
-#include "analysis/setup.h"
+#include "analysis/setup/setup.h"
 #include "base/constants.h"
-#include "camera/lens_film.h"
-#include "camera/shutter.h"
+#include "camera/film/lens_film.h"
+#include "camera/sensor/shutter.h"
 #include "check.h"
 #include "file/lens_file.h"
 

@@ -1,6 +1,6 @@
 /* tests/unit/test_spot.c - the two directions that spots of angles lie along. */
 /* SPDX-License-Identifier: MIT */
-#include "analysis/spot.h"
+#include "analysis/rays/spot.h"
 #include "check.h"
 
 static double product(const double a[3], const double b[3])

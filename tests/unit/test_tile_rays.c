@@ -1,6 +1,6 @@
 /* tests/unit/test_tile_rays.c - points of a tile's pixels, and of their rays' paths. */
 /* SPDX-License-Identifier: MIT */
-#include "camera/tile_rays.h"
+#include "camera/photograph/tile_rays.h"
 #include "check.h"
 
 #include <string.h>

@@ -1,6 +1,6 @@
 /* tests/unit/test_tolerances.c - tolerances by grade, from a file, and of the lens itself. */
 /* SPDX-License-Identifier: MIT */
-#include "cli/tolerances.h"
+#include "cli/options/tolerances.h"
 
 #include "base/constants.h"
 

@@ -3,7 +3,7 @@
 #include "base/constants.h"
 #include "check.h"
 #include "exchange/lens_open.h"
-#include "trace/beam.h"
+#include "trace/aim/beam.h"
 #include "trace/dispatch.h"
 #include "trace/verify.h"
 #include "trace_one.h"

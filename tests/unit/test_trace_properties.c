@@ -2,7 +2,7 @@
 /* SPDX-License-Identifier: MIT */
 #include "check.h"
 #include "exchange/lens_open.h"
-#include "trace/beam.h"
+#include "trace/aim/beam.h"
 #include "trace/dispatch.h"
 #include "trace_one.h"
 

@@ -2,7 +2,7 @@
 /* SPDX-License-Identifier: MIT */
 #include "base/constants.h"
 #include "check.h"
-#include "cli/vary.h"
+#include "cli/options/vary.h"
 #include "lens_of.h"
 
 static struct arena arena;

@@ -1,7 +1,7 @@
 /* tests/unit/test_view.c - a camera in a scene: where its rays start, and where they go. */
 /* SPDX-License-Identifier: MIT */
 #include "base/constants.h"
-#include "camera/view.h"
+#include "camera/subject/view.h"
 #include "check.h"
 
 static void check_vector(struct vector found, struct vector wanted, const char *what)

@@ -1,11 +1,11 @@
 /* tests/unit/test_zernike.c - Zernike's polynomials: tables, closed forms, orthogonality. */
 /* SPDX-License-Identifier: MIT */
-#include "analysis/zernike.h"
+#include "analysis/waves/zernike.h"
 
 #include "base/arena.h"
 #include "base/constants.h"
 #include "check.h"
-#include "trace/sample.h"
+#include "trace/aim/sample.h"
 
 #include <math.h>
 

@@ -3,7 +3,7 @@
 #include "commands/analysis/analysis_options.h"
 
 #include "commands/analysis/analysis_words.h"
-#include "trace/sample.h"
+#include "trace/aim/sample.h"
 
 #include <string.h>
 

@@ -3,7 +3,7 @@
 #ifndef LENSCALC_COMMANDS_ANALYSIS_ANALYSIS_OPTIONS_H
 #define LENSCALC_COMMANDS_ANALYSIS_ANALYSIS_OPTIONS_H
 
-#include "analysis/bundle.h"
+#include "analysis/pupil/bundle.h"
 #include "base/parallel.h"
 #include "commands/lens/lens_options.h"
 

@@ -1,6 +1,6 @@
 /* commands/analysis/cmd_field.c - lenscalc field: field curvature and astigmatism. */
 /* SPDX-License-Identifier: MIT */
-#include "analysis/field_curvature.h"
+#include "analysis/rays/field_curvature.h"
 #include "commands/analysis/analysis_fields.h"
 #include "commands/analysis/analysis_words.h"
 #include "draw/panels.h"

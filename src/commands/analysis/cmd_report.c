@@ -2,7 +2,7 @@
 /* SPDX-License-Identifier: MIT */
 #include "base/number.h"
 #include "base/parallel.h"
-#include "cli/driver.h"
+#include "cli/answer/driver.h"
 #include "commands/analysis/report_page.h"
 #include "commands/lens/lens_options.h"
 #include "file/lens_file.h"

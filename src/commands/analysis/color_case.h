@@ -3,7 +3,7 @@
 #ifndef LENSCALC_COMMANDS_ANALYSIS_COLOR_CASE_H
 #define LENSCALC_COMMANDS_ANALYSIS_COLOR_CASE_H
 
-#include "analysis/chromatic.h"
+#include "analysis/rays/chromatic.h"
 #include "commands/analysis/analysis_options.h"
 
 /* --show */

@@ -3,7 +3,7 @@
 #ifndef LENSCALC_COMMANDS_ANALYSIS_COLOR_VIEW_H
 #define LENSCALC_COMMANDS_ANALYSIS_COLOR_VIEW_H
 
-#include "cli/artifact.h"
+#include "cli/question/artifact.h"
 
 /* As struct artifact: inputs struct color_input that differ in their wavelengths only. */
 bool color_view_check(const struct artifact_job *job, struct error *error);

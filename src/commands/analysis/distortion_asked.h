@@ -3,8 +3,8 @@
 #ifndef LENSCALC_COMMANDS_ANALYSIS_DISTORTION_ASKED_H
 #define LENSCALC_COMMANDS_ANALYSIS_DISTORTION_ASKED_H
 
-#include "analysis/distortion.h"
-#include "analysis/distortion_fit.h"
+#include "analysis/rays/distortion.h"
+#include "analysis/rays/distortion_fit.h"
 #include "commands/analysis/analysis_options.h"
 
 struct distortion_input {

@@ -3,7 +3,7 @@
 #ifndef LENSCALC_COMMANDS_ANALYSIS_FAN_INPUT_H
 #define LENSCALC_COMMANDS_ANALYSIS_FAN_INPUT_H
 
-#include "analysis/fan.h"
+#include "analysis/waves/fan.h"
 #include "commands/analysis/analysis_options.h"
 
 enum fan_show { FAN_TRANSVERSE, FAN_OPD };

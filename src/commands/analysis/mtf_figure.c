@@ -1,6 +1,6 @@
 /* commands/analysis/mtf_figure.c - contrast drawn against frequency, focus or field. */
 /* SPDX-License-Identifier: MIT */
-#include "analysis/mtf_curve.h"
+#include "analysis/image/mtf_curve.h"
 #include "commands/analysis/analysis_fields.h"
 #include "commands/analysis/analysis_map.h"
 #include "commands/analysis/analysis_words.h"

@@ -3,7 +3,7 @@
 #ifndef LENSCALC_COMMANDS_ANALYSIS_MTF_INPUT_H
 #define LENSCALC_COMMANDS_ANALYSIS_MTF_INPUT_H
 
-#include "analysis/mtf.h"
+#include "analysis/image/mtf.h"
 #include "commands/analysis/analysis_options.h"
 
 enum { MTF_BY_WAVES, MTF_BY_RAYS };

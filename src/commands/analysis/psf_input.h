@@ -3,7 +3,7 @@
 #ifndef LENSCALC_COMMANDS_ANALYSIS_PSF_INPUT_H
 #define LENSCALC_COMMANDS_ANALYSIS_PSF_INPUT_H
 
-#include "analysis/psf.h"
+#include "analysis/image/psf.h"
 #include "commands/analysis/analysis_options.h"
 
 struct psf_input {

@@ -3,7 +3,7 @@
 #ifndef LENSCALC_COMMANDS_ANALYSIS_SEIDEL_VIEW_H
 #define LENSCALC_COMMANDS_ANALYSIS_SEIDEL_VIEW_H
 
-#include "cli/artifact.h"
+#include "cli/question/artifact.h"
 
 /* As struct artifact: one position at a time; input struct seidel_input. */
 bool seidel_view_check(const struct artifact_job *job, struct error *error);

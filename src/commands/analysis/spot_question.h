@@ -3,7 +3,7 @@
 #ifndef LENSCALC_COMMANDS_ANALYSIS_SPOT_QUESTION_H
 #define LENSCALC_COMMANDS_ANALYSIS_SPOT_QUESTION_H
 
-#include "analysis/spot.h"
+#include "analysis/rays/spot.h"
 #include "commands/analysis/analysis_options.h"
 
 enum { SPOT_ABOUT_CENTROID, SPOT_ABOUT_CHIEF };

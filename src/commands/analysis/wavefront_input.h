@@ -3,7 +3,7 @@
 #ifndef LENSCALC_COMMANDS_ANALYSIS_WAVEFRONT_INPUT_H
 #define LENSCALC_COMMANDS_ANALYSIS_WAVEFRONT_INPUT_H
 
-#include "analysis/wavefront.h"
+#include "analysis/waves/wavefront.h"
 #include "commands/analysis/analysis_options.h"
 
 struct wavefront_input {

@@ -4,8 +4,8 @@
 #define LENSCALC_COMMANDS_CAMERA_RENDER_H
 
 #include "base/image/image.h"
-#include "camera/photograph.h"
-#include "cli/option_light.h"
+#include "camera/photograph/photograph.h"
+#include "cli/options/option_light.h"
 #include "commands/analysis/analysis_options.h"
 #include "commands/photo/photo_options.h"
 #include "optics/growing.h"

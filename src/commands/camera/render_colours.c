@@ -1,6 +1,6 @@
 /* commands/camera/render_colours.c - the wavelengths of a picture's colours. */
 /* SPDX-License-Identifier: MIT */
-#include "camera/response.h"
+#include "camera/sensor/response.h"
 #include "commands/camera/render.h"
 
 enum { BAND_WAVES = 8 };

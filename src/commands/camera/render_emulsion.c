@@ -1,6 +1,6 @@
 /* commands/camera/render_emulsion.c - a picture on film, printed. */
 /* SPDX-License-Identifier: MIT */
-#include "camera/emulsion.h"
+#include "camera/sensor/emulsion.h"
 #include "commands/camera/render.h"
 #include "photo/reciprocity.h"
 #include "photo/sensitometry.h"

@@ -1,6 +1,6 @@
 /* commands/camera/render_expose.c - a photograph exposed, and written as files hold it. */
 /* SPDX-License-Identifier: MIT */
-#include "camera/develop.h"
+#include "camera/sensor/develop.h"
 #include "commands/camera/render.h"
 #include "file/image_file.h"
 #include "light/colour.h"

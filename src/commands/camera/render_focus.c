@@ -5,7 +5,7 @@
 #include "commands/photo/photo_lens.h"
 #include "optics/conjugates.h"
 #include "optics/focusing.h"
-#include "trace/focus.h"
+#include "trace/pupil/focus.h"
 
 const struct word render_focus_ats[] = {
     [FOCUS_AT_THICK] = {"thick", "the image of the thick lens, by rays near the axis"},

@@ -3,7 +3,7 @@
 #ifndef LENSCALC_COMMANDS_CAMERA_RENDER_PART_H
 #define LENSCALC_COMMANDS_CAMERA_RENDER_PART_H
 
-#include "cli/division.h"
+#include "cli/question/division.h"
 #include "commands/camera/render.h"
 
 #include <time.h>

@@ -1,7 +1,7 @@
 /* commands/camera/render_rays.c - the rays that leave a lens, as rows or doubles. */
 /* SPDX-License-Identifier: MIT */
 #include "base/number.h"
-#include "camera/lens_rays.h"
+#include "camera/film/lens_rays.h"
 #include "commands/camera/render.h"
 
 #include <inttypes.h>

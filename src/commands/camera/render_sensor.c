@@ -2,9 +2,9 @@
 /* SPDX-License-Identifier: MIT */
 #include "base/constants.h"
 #include "base/number.h"
-#include "camera/demosaic.h"
-#include "camera/develop.h"
-#include "camera/response.h"
+#include "camera/sensor/demosaic.h"
+#include "camera/sensor/develop.h"
+#include "camera/sensor/response.h"
 #include "commands/camera/render.h"
 #include "data/number_table.h"
 #include "photo/sensitometry.h"

@@ -3,9 +3,9 @@
 #include "commands/camera/render_world.h"
 
 #include "base/name_index.h"
-#include "camera/develop.h"
-#include "camera/lens_room.h"
-#include "camera/tile_rays.h"
+#include "camera/photograph/tile_rays.h"
+#include "camera/sensor/develop.h"
+#include "camera/subject/lens_room.h"
 #include "commands/camera/render_part.h"
 #include "file/scene_file.h"
 #include "photo/distance_from.h"

@@ -73,7 +73,8 @@ void render_say_world(const struct render_world *world, struct text_buffer *rema
  * Whether the light on the film is known, and that of a picture's pixels is as much.
  *
  * Given     photograph  behind its filter
- * Formula   camera/metering.h looks straight at what shines: pixels whose mean is less by more than
+ * Formula   camera/photograph/metering.h looks straight at what shines: pixels whose mean is less
+ * by more than
  *           four of their standard errors, and more than that leaves out, have missed some of it
  */
 void render_say_mean(const struct photograph_question *question,

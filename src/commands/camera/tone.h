@@ -3,7 +3,7 @@
 #ifndef LENSCALC_COMMANDS_CAMERA_TONE_H
 #define LENSCALC_COMMANDS_CAMERA_TONE_H
 
-#include "cli/command.h"
+#include "cli/question/command.h"
 #include "optics/growing.h"
 #include "tone/debevec.h"
 #include "tone/merge.h"

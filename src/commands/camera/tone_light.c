@@ -1,6 +1,6 @@
 /* commands/camera/tone_light.c - the light of a scene from its frames, and what is said of them. */
 /* SPDX-License-Identifier: MIT */
-#include "camera/develop.h"
+#include "camera/sensor/develop.h"
 #include "commands/camera/tone.h"
 #include "photo/sensitometry.h"
 #include "report/spoken.h"

@@ -3,7 +3,7 @@
 #include "commands/data/check_files.h"
 
 #include "base/parallel.h"
-#include "cli/command.h"
+#include "cli/question/command.h"
 #include "data/whole_file.h"
 #include "exchange/lens_formats.h"
 #include "file/lens_glass.h"

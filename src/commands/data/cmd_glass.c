@@ -1,6 +1,6 @@
 /* commands/data/cmd_glass.c - lenscalc glass: indices of glasses, and glasses by their indices. */
 /* SPDX-License-Identifier: MIT */
-#include "cli/command.h"
+#include "cli/question/command.h"
 #include "commands/data/glass_search.h"
 #include "commands/photo/photo_options.h"
 #include "data/lines.h"

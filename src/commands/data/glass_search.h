@@ -4,7 +4,7 @@
 #define LENSCALC_COMMANDS_DATA_GLASS_SEARCH_H
 
 #include "base/arena.h"
-#include "cli/option_glass.h"
+#include "cli/options/option_glass.h"
 #include "data/glass_catalog.h"
 #include "draw/svg.h"
 

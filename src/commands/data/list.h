@@ -3,7 +3,7 @@
 #ifndef LENSCALC_COMMANDS_DATA_LIST_H
 #define LENSCALC_COMMANDS_DATA_LIST_H
 
-#include "cli/command.h"
+#include "cli/question/command.h"
 
 struct list_input {
     int topic;

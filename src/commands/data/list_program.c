@@ -2,7 +2,7 @@
 /* SPDX-License-Identifier: MIT */
 #include "commands/data/list.h"
 
-#include "cli/columns.h"
+#include "cli/answer/columns.h"
 
 #include <math.h>
 

@@ -2,7 +2,7 @@
 /* SPDX-License-Identifier: MIT */
 #include "commands/design/fit.h"
 #include "file/lens_file.h"
-#include "trace/sample.h"
+#include "trace/aim/sample.h"
 
 #include <string.h>
 

@@ -1,7 +1,7 @@
 /* commands/design/cmd_merge.c - lenscalc merge: the parts of a divided run. */
 /* SPDX-License-Identifier: MIT */
-#include "cli/arguments.h"
-#include "cli/division.h"
+#include "cli/question/arguments.h"
+#include "cli/question/division.h"
 #include "report/version.h"
 
 struct merge_input {

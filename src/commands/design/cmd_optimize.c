@@ -1,11 +1,11 @@
 /* commands/design/cmd_optimize.c - lenscalc optimize: a lens made better. */
 /* SPDX-License-Identifier: MIT */
 #include "base/parallel.h"
-#include "cli/division.h"
+#include "cli/question/division.h"
 #include "commands/analysis/analysis_options.h"
 #include "commands/design/optimize_search.h"
 #include "file/lens_file.h"
-#include "trace/sample.h"
+#include "trace/aim/sample.h"
 
 static const struct word shows[] = {
     [OPTIMIZE_ANSWER] = {"answer", "the merit before and after, one row"},

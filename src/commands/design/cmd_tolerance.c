@@ -4,7 +4,7 @@
 #include "commands/analysis/analysis_options.h"
 #include "commands/design/tolerance_job.h"
 #include "commands/design/tolerance_view.h"
-#include "trace/sample.h"
+#include "trace/aim/sample.h"
 
 static const struct word shows[] = {
     [TOLERANCE_SUMMARY] = {"summary", "yield, mean, deviation and percentiles"},

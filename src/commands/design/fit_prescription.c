@@ -1,8 +1,8 @@
 /* commands/design/fit_prescription.c - what of a lens must change to give what was measured. */
 /* SPDX-License-Identifier: MIT */
 #include "base/watch.h"
-#include "cli/goals.h"
-#include "cli/vary.h"
+#include "cli/options/goals.h"
+#include "cli/options/vary.h"
 #include "commands/design/fit.h"
 #include "design/fit/prescription.h"
 #include "file/lens_file.h"

@@ -2,7 +2,7 @@
 /* SPDX-License-Identifier: MIT */
 #include "commands/design/optimize_contrast.h"
 
-#include "analysis/mtf.h"
+#include "analysis/image/mtf.h"
 
 #include <math.h>
 

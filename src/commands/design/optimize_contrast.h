@@ -6,7 +6,8 @@
 #include "commands/design/optimize_job.h"
 
 /*
- * Contrasts of the lens that was found, by analysis/mtf.h, which takes as many rays as it needs.
+ * Contrasts of the lens that was found, by analysis/image/mtf.h, which takes as many rays as it
+ * needs.
  *
  * Result    what differs by more than 0.01, in words; null: nothing does
  */

@@ -5,7 +5,7 @@
 #include "commands/design/optimize_search.h"
 #include "draw/plot.h"
 #include "file/lens_file.h"
-#include "trace/sample.h"
+#include "trace/aim/sample.h"
 
 #include <math.h>
 

@@ -3,7 +3,7 @@
 #include "commands/design/optimize_goals.h"
 
 #include "base/constants.h"
-#include "cli/tolerances.h"
+#include "cli/options/tolerances.h"
 #include "optics/first_order.h"
 
 #include <math.h>

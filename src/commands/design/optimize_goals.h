@@ -3,7 +3,7 @@
 #ifndef LENSCALC_COMMANDS_DESIGN_OPTIMIZE_GOALS_H
 #define LENSCALC_COMMANDS_DESIGN_OPTIMIZE_GOALS_H
 
-#include "cli/goals.h"
+#include "cli/options/goals.h"
 #include "commands/design/optimize_job.h"
 
 /*

@@ -3,9 +3,9 @@
 #include "commands/design/optimize_job.h"
 
 #include "base/constants.h"
-#include "cli/goals.h"
+#include "cli/options/goals.h"
+#include "cli/options/vary.h"
 #include "cli/progress.h"
-#include "cli/vary.h"
 #include "commands/analysis/analysis_options.h"
 #include "commands/design/optimize_contrast.h"
 #include "commands/design/optimize_glasses.h"

@@ -3,7 +3,7 @@
 #include "commands/design/optimize_part.h"
 
 #include "base/image/bytes.h"
-#include "cli/arguments.h"
+#include "cli/question/arguments.h"
 #include "optics/growing.h"
 
 #include <inttypes.h>

@@ -3,7 +3,7 @@
 #ifndef LENSCALC_COMMANDS_DESIGN_OPTIMIZE_PART_H
 #define LENSCALC_COMMANDS_DESIGN_OPTIMIZE_PART_H
 
-#include "cli/division.h"
+#include "cli/question/division.h"
 #include "commands/design/optimize_job.h"
 #include "design/optimize_global.h"
 

@@ -1,6 +1,6 @@
 /* commands/design/optimize_rows.c - what was found, as rows of --show. */
 /* SPDX-License-Identifier: MIT */
-#include "analysis/spot.h"
+#include "analysis/rays/spot.h"
 #include "commands/analysis/analysis_options.h"
 #include "commands/design/optimize_glasses.h"
 #include "file/lens_glass.h"

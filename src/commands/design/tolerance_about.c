@@ -3,7 +3,7 @@
 #include "commands/design/tolerance_about.h"
 
 #include "commands/design/tolerance_method.h"
-#include "trace/sample.h"
+#include "trace/aim/sample.h"
 
 #include <math.h>
 #include <string.h>

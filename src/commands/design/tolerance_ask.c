@@ -2,8 +2,8 @@
 /* SPDX-License-Identifier: MIT */
 #include "base/parallel.h"
 #include "base/quantity.h"
-#include "cli/tolerances.h"
-#include "cli/vary.h"
+#include "cli/options/tolerances.h"
+#include "cli/options/vary.h"
 #include "commands/design/tolerance_job.h"
 #include "commands/lens/focus_gaps.h"
 

@@ -3,7 +3,7 @@
 #include "commands/design/tolerance_costs.h"
 
 #include "base/constants.h"
-#include "cli/tolerances.h"
+#include "cli/options/tolerances.h"
 #include "commands/design/tolerance_about.h"
 #include "design/tolerance/sensitivity.h"
 #include "design/tolerance/tolerance_model.h"

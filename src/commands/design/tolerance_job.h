@@ -3,7 +3,7 @@
 #ifndef LENSCALC_COMMANDS_DESIGN_TOLERANCE_JOB_H
 #define LENSCALC_COMMANDS_DESIGN_TOLERANCE_JOB_H
 
-#include "cli/division.h"
+#include "cli/question/division.h"
 #include "commands/lens/lens_options.h"
 #include "design/tolerance/tolerance_model.h"
 #include "design/tolerance/tolerance_run.h"

@@ -3,7 +3,7 @@
 #ifndef LENSCALC_COMMANDS_DESIGN_TOLERANCE_VIEW_H
 #define LENSCALC_COMMANDS_DESIGN_TOLERANCE_VIEW_H
 
-#include "cli/artifact.h"
+#include "cli/question/artifact.h"
 
 /*
  * --plot: of a summary or trials a histogram with the nominal figure marked, of yields the yield

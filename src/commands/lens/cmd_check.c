@@ -1,6 +1,6 @@
 /* commands/lens/cmd_check.c - lenscalc check: paraxial results against exact rays. */
 /* SPDX-License-Identifier: MIT */
-#include "analysis/paraxial_check.h"
+#include "analysis/rays/paraxial_check.h"
 #include "commands/lens/lens_options.h"
 #include "draw/plot.h"
 

@@ -1,7 +1,7 @@
 /* commands/lens/cmd_lensmaker.c - lenscalc lensmaker: one lens, thin or thick. */
 /* SPDX-License-Identifier: MIT */
 #include "base/arena.h"
-#include "cli/command.h"
+#include "cli/question/command.h"
 #include "commands/photo/photo_options.h"
 #include "draw/svg.h"
 #include "file/lens_file.h"

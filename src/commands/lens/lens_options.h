@@ -3,12 +3,12 @@
 #ifndef LENSCALC_COMMANDS_LENS_LENS_OPTIONS_H
 #define LENSCALC_COMMANDS_LENS_LENS_OPTIONS_H
 
-#include "analysis/setup.h"
+#include "analysis/setup/setup.h"
 #include "base/constants.h"
-#include "cli/command.h"
+#include "cli/question/command.h"
 #include "commands/photo/photo_options.h"
 #include "exchange/lens_formats.h"
-#include "trace/islands.h"
+#include "trace/pupil/islands.h"
 
 #include <math.h>
 

@@ -3,7 +3,7 @@
 #include "commands/lens/pupil_cases.h"
 
 #include "base/constants.h"
-#include "trace/aim.h"
+#include "trace/aim/aim.h"
 
 #include <string.h>
 

@@ -3,7 +3,7 @@
 #ifndef LENSCALC_COMMANDS_LENS_PUPIL_CASES_H
 #define LENSCALC_COMMANDS_LENS_PUPIL_CASES_H
 
-#include "analysis/pupil_shape.h"
+#include "analysis/pupil/pupil_shape.h"
 #include "commands/lens/lens_options.h"
 
 struct pupil_input {

@@ -2,10 +2,10 @@
 /* SPDX-License-Identifier: MIT */
 #include "commands/lens/trace_answer.h"
 
-#include "trace/aim.h"
-#include "trace/clear_cross.h"
+#include "trace/aim/aim.h"
 #include "trace/dispatch.h"
 #include "trace/follow.h"
+#include "trace/pupil/clear_cross.h"
 #include "trace/verify.h"
 
 #include <string.h>

@@ -4,7 +4,7 @@
 #define LENSCALC_COMMANDS_LENS_TRACE_ANSWER_H
 
 #include "commands/lens/ray_case.h"
-#include "trace/rays.h"
+#include "trace/kernel/rays.h"
 
 #include <math.h>
 

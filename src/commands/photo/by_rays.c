@@ -2,7 +2,7 @@
 /* SPDX-License-Identifier: MIT */
 #include "commands/photo/by_rays.h"
 
-#include "analysis/setup.h"
+#include "analysis/setup/setup.h"
 #include "base/number.h"
 #include "commands/analysis/analysis_words.h"
 

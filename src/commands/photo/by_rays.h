@@ -3,7 +3,7 @@
 #ifndef LENSCALC_COMMANDS_PHOTO_BY_RAYS_H
 #define LENSCALC_COMMANDS_PHOTO_BY_RAYS_H
 
-#include "analysis/real_range.h"
+#include "analysis/real/real_range.h"
 #include "commands/photo/photo_lens.h"
 
 /* Whether they are wanted, and what counts as sharp. The options of a command fill it. */

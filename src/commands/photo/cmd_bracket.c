@@ -1,6 +1,6 @@
 /* commands/photo/cmd_bracket.c - lenscalc bracket: a series of exposure times. */
 /* SPDX-License-Identifier: MIT */
-#include "cli/command.h"
+#include "cli/question/command.h"
 #include "commands/photo/light_options.h"
 #include "photo/bracket.h"
 #include "photo/given.h"

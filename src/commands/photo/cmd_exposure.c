@@ -1,6 +1,6 @@
 /* commands/photo/cmd_exposure.c - lenscalc exposure: aperture, time, speed and light. */
 /* SPDX-License-Identifier: MIT */
-#include "analysis/real_light.h"
+#include "analysis/real/real_light.h"
 #include "commands/photo/by_rays.h"
 #include "commands/photo/exposure_answer.h"
 #include "commands/photo/light_options.h"

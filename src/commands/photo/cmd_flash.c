@@ -1,6 +1,6 @@
 /* commands/photo/cmd_flash.c - lenscalc flash: guide numbers, and flash beside other light. */
 /* SPDX-License-Identifier: MIT */
-#include "cli/command.h"
+#include "cli/question/command.h"
 #include "commands/photo/light_options.h"
 #include "photo/flash.h"
 #include "photo/given.h"

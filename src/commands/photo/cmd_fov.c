@@ -1,6 +1,6 @@
 /* commands/photo/cmd_fov.c - lenscalc fov: field of view. */
 /* SPDX-License-Identifier: MIT */
-#include "analysis/angle_of_view.h"
+#include "analysis/rays/angle_of_view.h"
 #include "commands/photo/by_rays.h"
 #include "commands/photo/focused_lens.h"
 #include "commands/photo/photo_lens.h"

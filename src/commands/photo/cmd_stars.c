@@ -1,7 +1,7 @@
 /* commands/photo/cmd_stars.c - lenscalc stars: how long before stars become trails. */
 /* SPDX-License-Identifier: MIT */
 #include "base/arena.h"
-#include "cli/command.h"
+#include "cli/question/command.h"
 #include "commands/photo/light_options.h"
 #include "commands/photo/sharpness.h"
 #include "photo/given.h"

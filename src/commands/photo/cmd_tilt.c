@@ -1,7 +1,7 @@
 /* commands/photo/cmd_tilt.c - lenscalc tilt: tilted lenses and the wedge of sharpness. */
 /* SPDX-License-Identifier: MIT */
 #include "base/arena.h"
-#include "cli/command.h"
+#include "cli/question/command.h"
 #include "commands/photo/sharpness.h"
 #include "draw/wedge.h"
 #include "photo/tilt.h"

@@ -1,6 +1,6 @@
 /* commands/photo/cmd_timelapse.c - lenscalc timelapse: shots, interval, clip, storage, trails. */
 /* SPDX-License-Identifier: MIT */
-#include "cli/command.h"
+#include "cli/question/command.h"
 #include "commands/photo/light_options.h"
 #include "photo/stars.h"
 #include "photo/timelapse.h"

@@ -4,7 +4,7 @@
 #define LENSCALC_COMMANDS_PHOTO_EXPOSURE_ANSWER_H
 
 #include "base/error.h"
-#include "cli/option_light.h"
+#include "cli/options/option_light.h"
 #include "commands/photo/by_rays.h"
 #include "commands/photo/lamps.h"
 #include "commands/photo/photo_lens.h"

@@ -3,7 +3,7 @@
 #ifndef LENSCALC_COMMANDS_PHOTO_LAMPS_H
 #define LENSCALC_COMMANDS_PHOTO_LAMPS_H
 
-#include "cli/command.h"
+#include "cli/question/command.h"
 #include "photo/flicker.h"
 
 #include <math.h>

@@ -3,7 +3,7 @@
 #ifndef LENSCALC_COMMANDS_PHOTO_PHOTO_LENS_H
 #define LENSCALC_COMMANDS_PHOTO_PHOTO_LENS_H
 
-#include "cli/command.h"
+#include "cli/question/command.h"
 #include "commands/lens/lens_options.h"
 #include "commands/photo/photo_columns.h"
 #include "commands/photo/photo_options.h"

@@ -4,7 +4,7 @@
 #define LENSCALC_COMMANDS_PHOTO_PHOTO_OPTIONS_H
 
 #include "base/constants.h"
-#include "cli/option.h"
+#include "cli/options/option.h"
 
 #include <math.h>
 

@@ -2,8 +2,8 @@
 /* SPDX-License-Identifier: MIT */
 #include "commands/tool/candidates.h"
 
-#include "cli/columns.h"
-#include "cli/help.h"
+#include "cli/answer/columns.h"
+#include "cli/answer/help.h"
 #include "exchange/lens_open.h"
 #include "report/row.h"
 

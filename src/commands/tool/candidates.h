@@ -3,7 +3,7 @@
 #ifndef LENSCALC_COMMANDS_TOOL_CANDIDATES_H
 #define LENSCALC_COMMANDS_TOOL_CANDIDATES_H
 
-#include "cli/command.h"
+#include "cli/question/command.h"
 
 /* What stands for the names of files, which the shell knows better. */
 #define CANDIDATES_FILES ":files"

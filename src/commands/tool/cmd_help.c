@@ -1,6 +1,6 @@
 /* commands/tool/cmd_help.c - lenscalc help: commands and topics. */
 /* SPDX-License-Identifier: MIT */
-#include "cli/help.h"
+#include "cli/answer/help.h"
 #include "report/terminal.h"
 
 #include <string.h>

@@ -1,6 +1,6 @@
 /* commands/tool/help_topics.c - short texts on what all commands have in common. */
 /* SPDX-License-Identifier: MIT */
-#include "cli/help.h"
+#include "cli/answer/help.h"
 #include "report/report.h"
 #include "report/version.h"
 

@@ -2,9 +2,9 @@
 /* SPDX-License-Identifier: MIT */
 #include "design/fit/ray_data.h"
 
-#include "analysis/quadrature.h"
+#include "analysis/pupil/quadrature.h"
 #include "base/constants.h"
-#include "trace/aim.h"
+#include "trace/aim/aim.h"
 #include "trace/dispatch.h"
 #include "trace/system.h"
 

@@ -3,12 +3,12 @@
 #ifndef LENSCALC_DESIGN_FIT_RAY_DATA_H
 #define LENSCALC_DESIGN_FIT_RAY_DATA_H
 
-#include "analysis/setup.h"
+#include "analysis/setup/setup.h"
 #include "base/arena.h"
 #include "base/error.h"
 #include "design/fit/thick_sums.h"
-#include "trace/rays.h"
-#include "trace/sample.h"
+#include "trace/aim/sample.h"
+#include "trace/kernel/rays.h"
 
 #include <stdbool.h>
 #include <stddef.h>
@@ -59,9 +59,10 @@ struct ray_data {
  * Result    rays with place and slopes at the first and the last vertex; each weighted by its part
  *           of the pupil, by its field and its wavelength
  * Formula   the pattern's points are those of the stop, to which each ray is aimed at its own
- *           wavelength (trace/aim); a lens without a stop: of its beam at the first vertex.
+ *           wavelength (trace/aim/aim); a lens without a stop: of its beam at the first vertex.
  *           PATTERN_GAUSS: of what is clear of it, for this field and wavelength, so that
- *           vignetted bundles are integrated too (analysis/quadrature); of other patterns the rays
+ *           vignetted bundles are integrated too (analysis/pupil/quadrature); of other patterns
+ *           the rays
  *           that are lost are left out
  * Errors    ERROR_DOMAIN: no beam (neither stop nor aperture), a field at 90 degrees or beyond; as
  *           system_compile

@@ -2,7 +2,7 @@
 /* SPDX-License-Identifier: MIT */
 #include "design/merit/merit_bundle.h"
 
-#include "analysis/bundle.h"
+#include "analysis/pupil/bundle.h"
 #include "base/watch.h"
 #include "design/tolerance/bent.h"
 #include "optics/lens_indices.h"
@@ -36,7 +36,7 @@ static bool merit_bundle_check(const struct bundle_wish *wish, struct error *err
     return true;
 }
 
-/* What a field lets through, from wavelength to wavelength as analysis/spot.c has it. */
+/* What a field lets through, from wavelength to wavelength as analysis/rays/spot.c has it. */
 struct bundle_guess {
     struct bundle_source *before; /* null: this is the first */
     struct aim_near near;

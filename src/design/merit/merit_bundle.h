@@ -3,13 +3,13 @@
 #ifndef LENSCALC_DESIGN_MERIT_MERIT_BUNDLE_H
 #define LENSCALC_DESIGN_MERIT_MERIT_BUNDLE_H
 
-#include "analysis/setup.h"
+#include "analysis/setup/setup.h"
 #include "design/merit/merit_points.h"
 #include "design/tolerance/irregularity.h"
 #include "design/variable.h"
 #include "optics/paraxial_dual.h"
-#include "trace/aimed.h"
-#include "trace/graze.h"
+#include "trace/aim/aimed.h"
+#include "trace/aim/graze.h"
 
 #include <stdbool.h>
 #include <stddef.h>

@@ -17,7 +17,7 @@
  *           lateral     height at the wavelength of the operand less that at the primary one; or
  *                       at the shortest less that at the longest
  *           telecentric atan of its slope behind the lens in that direction, rad
- * Source    analysis/distortion.h, analysis/chromatic.h
+ * Source    analysis/rays/distortion.h, analysis/rays/chromatic.h
  * Errors    as merit_ray_check and merit_image_check; distortion on the axis; lateral colour of one
  *           wavelength
  */

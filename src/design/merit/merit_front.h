@@ -4,7 +4,7 @@
 #define LENSCALC_DESIGN_MERIT_MERIT_FRONT_H
 
 #include "design/merit/merit_ray.h"
-#include "trace/rays.h"
+#include "trace/kernel/rays.h"
 #include "trace/system.h"
 
 /* Where they are now, without derivatives. */

@@ -2,7 +2,7 @@
 /* SPDX-License-Identifier: MIT */
 #include "design/merit/merit_mtf.h"
 
-#include "analysis/wave_reference.h"
+#include "analysis/waves/wave_reference.h"
 #include "base/constants.h"
 #include "base/turns.h"
 #include "design/merit/merit_beams.h"

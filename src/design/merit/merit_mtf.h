@@ -9,7 +9,7 @@
 
 /*
  * mtf, gmtf: of the field of the operand or of each one, tangential, sagittal or both: what
- * analysis/mtf.h says of the whole pupil, all wavelengths by their weights, or of that of the
+ * analysis/image/mtf.h says of the whole pupil, all wavelengths by their weights, or of that of the
  * operand.
  *
  * Formula   |sum w S|/sum w E, by wavelengths: of mtf S by pupil_overlap_find and E the area of

@@ -4,7 +4,7 @@
 #define LENSCALC_DESIGN_MERIT_MERIT_POINTS_H
 
 #include "base/arena.h"
-#include "trace/sample.h"
+#include "trace/aim/sample.h"
 
 #include <stdbool.h>
 #include <stddef.h>

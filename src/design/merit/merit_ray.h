@@ -4,7 +4,7 @@
 #define LENSCALC_DESIGN_MERIT_MERIT_RAY_H
 
 #include "design/merit/merit_state.h"
-#include "trace/aim.h"
+#include "trace/aim/aim.h"
 
 /* A ray somewhere, by one column: in the frame of the surface met last. */
 struct merit_ray {

@@ -12,10 +12,11 @@
  *
  * Formula   sqrt(W w) (x - mean x)/deviation: w of the rays of a field at a wavelength, adding up
  *           to 1, W that of the field times that of the wavelength. So the squares add up to the
- *           sum of W RMS^2 of the spots (analysis/spot.h), in mm^2. The mean is that of the
+ *           sum of W RMS^2 of the spots (analysis/rays/spot.h), in mm^2. The mean is that of the
  *           rays of a field at one wavelength; of `poly` that of all wavelengths, by their weights
  * opd: one residual a ray, sqrt(W w) (L - mean L)/wavelength/deviation, L the optical path to the
- * reference sphere (analysis/opd.h) about the point where the chief ray of the first wavelength
+ * reference sphere (analysis/waves/opd.h) about the point where the chief ray of the first
+ * wavelength
  * meets the image plane, through that ray's crossing of its paraxial exit pupil; the mean is that
  * of each wavelength. The squares add up to the sum of W RMS^2 in wavelengths. Of the index of the
  * image space itself only what it does to rays is derived

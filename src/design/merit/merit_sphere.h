@@ -3,7 +3,7 @@
 #ifndef LENSCALC_DESIGN_MERIT_MERIT_SPHERE_H
 #define LENSCALC_DESIGN_MERIT_MERIT_SPHERE_H
 
-#include "analysis/opd.h"
+#include "analysis/waves/opd.h"
 #include "design/merit/merit_bundle.h"
 
 #include <stdbool.h>
@@ -55,7 +55,7 @@ bool merit_spheres_find(struct merit_spheres *spheres, const struct bundle_links
  *           adjoint     zeroed; receives its derivatives by the final rays, the sphere at rest
  * Formula   L = P - n (D.e - s B), B = R - sqrt(R^2 - q), q = D^2 - (D.e)^2: dB/dq = 1/(2 sqrt(R^2
  *           - q))
- * Source    analysis/opd.h, derived here
+ * Source    analysis/waves/opd.h, derived here
  */
 void merit_spheres_path(const struct merit_spheres *spheres, const struct merit_bundle *bundle,
                         const struct bundle_block *block, const struct ray_block *end, double *path,

@@ -24,7 +24,8 @@ struct merit_lines *merit_lines_open(const struct merit_slot *slot, struct arena
  *
  * Given     spots  receives one a field of the slot, whatever its weight
  * Formula   a wavelength counts by its weight and by how much of the pupil is clear at it, as in
- *           analysis/spot.h. Behind the lens rays are straight: x = x0 + s p/r. So moments about
+ *           analysis/rays/spot.h. Behind the lens rays are straight: x = x0 + s p/r. So moments
+ *           about
  *           the moving centroid are a parabola in s, exactly
  * Result    false: merit->why, as merit_fill_rays
  */

@@ -3,7 +3,7 @@
 #ifndef LENSCALC_DESIGN_MERIT_MERIT_STATE_H
 #define LENSCALC_DESIGN_MERIT_MERIT_STATE_H
 
-#include "analysis/setup.h"
+#include "analysis/setup/setup.h"
 #include "base/arena.h"
 #include "base/dual.h"
 #include "base/error.h"
@@ -14,7 +14,7 @@
 #include "design/tolerance/perturbation.h"
 #include "design/variable.h"
 #include "optics/paraxial_dual.h"
-#include "trace/sample.h"
+#include "trace/aim/sample.h"
 
 #include <stdbool.h>
 #include <stddef.h>

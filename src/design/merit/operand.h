@@ -3,7 +3,7 @@
 #ifndef LENSCALC_DESIGN_MERIT_OPERAND_H
 #define LENSCALC_DESIGN_MERIT_OPERAND_H
 
-#include "analysis/setup_question.h"
+#include "analysis/setup/setup_question.h"
 #include "base/text.h"
 #include "base/units.h"
 #include "optics/surface.h"

@@ -6,7 +6,7 @@
 #include "base/arena.h"
 #include "base/error.h"
 #include "design/merit/pupil_series.h"
-#include "trace/sample.h"
+#include "trace/aim/sample.h"
 
 #include <stdbool.h>
 #include <stddef.h>

@@ -3,7 +3,7 @@
 #ifndef LENSCALC_DESIGN_TOLERANCE_BENT_H
 #define LENSCALC_DESIGN_TOLERANCE_BENT_H
 
-#include "trace/rays.h"
+#include "trace/kernel/rays.h"
 
 #include <stdbool.h>
 #include <stddef.h>

@@ -1,0 +1,333 @@
+/* analysis/image/psf.c - images of points by waves. */
+/* SPDX-License-Identifier: MIT */
+#include "analysis/image/psf.h"
+
+#include "analysis/image/psf_light.h"
+#include "analysis/image/psf_points.h"
+#include "analysis/image/psf_radius.h"
+#include "analysis/image/psf_rays.h"
+
+#include <math.h>
+
+enum { SLOPES = 33 };
+
+/* Of what the waves resolve, a pixel's side; of the spread of rays, half the image. */
+static const double fine = 0.25, roomy = 1.1;
+
+/* What rounding leaves of a symmetry, pixels. */
+static const double noise = 1e-8;
+
+/* How far rays go from the reference at most: the slope of W over a grid within the pupil, mm. */
+static double find_spread(const struct exit_pupil *pupil, struct arena *arena)
+{
+    const struct arena_mark mark = arena_mark(arena);
+    enum { COUNT = SLOPES * SLOPES };
+    double(*at)[2] = arena_array(arena, COUNT, sizeof *at);
+    double *waves = ARENA_ARRAY(arena, COUNT, double), *other = ARENA_ARRAY(arena, COUNT, double);
+    size_t *limits = ARENA_ARRAY(arena, COUNT, size_t);
+    double worst = 0;
+    for (size_t i = 0; i < COUNT; i++) {
+        for (int k = 0; k < 2; k++) {
+            const double place = (double)(k == 0 ? i % SLOPES : i / SLOPES);
+            at[i][k] = pupil->middle[k] + pupil->half[k] * (2 * place / (SLOPES - 1) - 1);
+        }
+    }
+    exit_pupil_look(pupil, (const double(*)[2])at, COUNT, limits);
+    exit_pupil_values(pupil, (const double(*)[2])at, COUNT, waves, other);
+    for (size_t i = 0; i < COUNT; i++) {
+        for (int k = 0; k < 2; k++) {
+            const size_t next = i + (k == 0 ? 1 : SLOPES);
+            const bool last = k == 0 ? i % SLOPES == SLOPES - 1 : i / SLOPES == SLOPES - 1;
+            if (last || limits[i] != EXIT_PUPIL_CLEAR || limits[next] != EXIT_PUPIL_CLEAR) {
+                continue;
+            }
+            const double step = 2 * pupil->half[k] / (SLOPES - 1);
+            const double slope = fabs(waves[next] - waves[i]) / (step * pupil->n * pupil->waves);
+            worst = fmax(worst, slope);
+        }
+    }
+    arena_reset(arena, mark);
+    return 1.15 * worst; /* steeper at the edge itself */
+}
+
+/* A pixel below which the waves of all wavelengths are told apart, mm. */
+static double find_finest(const struct exit_pupils *pupils)
+{
+    double finest = INFINITY;
+    for (size_t g = 0; g < pupils->lights.count; g++) {
+        const struct exit_pupil *pupil = &pupils->list[g];
+        const double wide = 2 * fmax(pupil->half[0], pupil->half[1]);
+        finest = fmin(finest, 1 / (pupil->n * pupil->waves * wide));
+    }
+    return finest;
+}
+
+/* One that does, in an image that has room for the rays. */
+static double choose_pitch(double finest, const double *spreads, size_t count, size_t size)
+{
+    double spread = 0;
+    for (size_t g = 0; g < count; g++) {
+        spread = fmax(spread, spreads[g]);
+    }
+    const double room = 2 * roomy * spread / (double)size;
+    return fmin(fmax(fine * finest, room), 0.9 * finest);
+}
+
+/* -------- what the pixels say -------- */
+
+/* The top of a parabola through three values, from -1/2 to 1/2, and how high it is. */
+static double top_of(const double y[3], double *at)
+{
+    const double bend = y[0] - 2 * y[1] + y[2], slope = (y[2] - y[0]) / 2;
+    *at = bend < 0 ? fmax(-0.5, fmin(0.5, -slope / bend)) : 0;
+    return y[1] + *at * slope + *at * *at * bend / 2;
+}
+
+/* Pixels from the top to half its height, at most so many steps away; NaN: not within them. */
+static double half_way(const struct psf *psf, size_t top, size_t steps, size_t step)
+{
+    for (size_t i = 0; i < steps; i++) {
+        const double here = psf->values[top + i * step];
+        const double next = psf->values[top + (i + 1) * step];
+        if (next < psf->peak / 2) {
+            return (double)i + (here - psf->peak / 2) / (here - next);
+        }
+    }
+    return NAN;
+}
+
+static void find_peak(struct psf *psf)
+{
+    const size_t size = psf->size;
+    size_t top = 0;
+    for (size_t i = 0; i < size * size; i++) {
+        top = psf->values[i] > psf->values[top] ? i : top;
+    }
+    psf->peak = psf->values[top];
+    for (int k = 0; k < 2; k++) {
+        const size_t place = k == 0 ? top % size : top / size, step = k == 0 ? 1 : size;
+        double off = 0;
+        if (place > 0 && place + 1 < size) {
+            const double y[3] = {psf->values[top - step], psf->values[top],
+                                 psf->values[top + step]};
+            psf->peak += top_of(y, &off) - y[1];
+            off = fabs(off) > noise ? off : 0;
+        }
+        psf->peak_at[k] = ((double)place + off - (double)(size / 2)) * psf->pitch;
+        psf->width[k] =
+            (half_way(psf, top, place, 0 - step) + half_way(psf, top, size - 1 - place, step)) *
+            psf->pitch;
+    }
+}
+
+/* Where the centroid of the pixels is that lie at most so far from the middle, pixels. Of an even
+   number the first have no counterpart on the other side: they move no centroid. */
+static void psf_find_centroid(const struct psf *psf, size_t reach, double at[2])
+{
+    const size_t size = psf->size, half = size / 2, first = half - reach;
+    const size_t end = half + reach + 1;
+    double sum = 0;
+    at[0] = at[1] = 0;
+    for (size_t y = first; y < end; y++) {
+        for (size_t x = first; x < end; x++) {
+            const double light = psf->values[y * size + x];
+            sum += light;
+            at[0] += light * ((double)x - (double)half);
+            at[1] += light * ((double)y - (double)half);
+        }
+    }
+    at[0] /= sum;
+    at[1] /= sum;
+}
+
+/* total: of all light, in values of pixels. */
+static void psf_measure(struct psf *psf, double total, struct arena *arena)
+{
+    const size_t size = psf->size, reach = (size - 1) / 2;
+    double sum = 0, all[2], inner[2];
+    for (size_t i = 0; i < size * size; i++) {
+        sum += psf->values[i];
+    }
+    psf_find_centroid(psf, reach, all);
+    psf_find_centroid(psf, reach / 2, inner);
+    for (int k = 0; k < 2; k++) {
+        psf->centroid[k] = fabs(all[k]) > noise ? all[k] * psf->pitch : 0;
+    }
+    psf->inside = psf->pitch < psf->finest ? sum / total : (double)NAN;
+    /* tails fall as the cube: beyond the sides lies as much again, and no more than is there */
+    const double moved = hypot(all[0] - inner[0], all[1] - inner[1]);
+    const double beyond = 0.5 * fmax(1 - psf->inside, 0) * (double)reach;
+    for (int k = 0; k < 2; k++) {
+        const double share = moved > beyond ? beyond / moved : 1;
+        psf->centroid_error[k] = share * (all[k] - inner[k]) * psf->pitch;
+    }
+    psf->radius80 = psf->radius80_error = NAN;
+    if (psf->inside > 0.8) {
+        const struct psf_radius found = psf_radius_find(psf, 0.8 * total, arena);
+        psf->radius80 = found.value;
+        psf->radius80_error = found.error;
+    }
+    find_peak(psf);
+}
+
+/* -------- the whole -------- */
+
+/* Sums over wavelengths. */
+struct psf_sums {
+    double *values, perfect, total;
+};
+
+static bool psf_add_wavelength(enum psf_method method, struct psf_plane *plane,
+                               struct psf_sums *sums, struct error *error)
+{
+    static psf_way *const ways[] = {
+        [PSF_PLANE] = psf_by_plane, [PSF_FFT] = psf_by_fft, [PSF_HUYGENS] = psf_by_huygens};
+    const struct exit_pupil *pupil = plane->pupil;
+    const struct arena_mark mark = arena_mark(plane->arena);
+    const size_t count = plane->size * plane->size;
+    plane->re = ARENA_ARRAY(plane->arena, count, double);
+    plane->im = ARENA_ARRAY(plane->arena, count, double);
+    plane->perfect = 0;
+    for (size_t i = 0; i < count; i++) {
+        plane->re[i] = plane->im[i] = 0;
+    }
+    const bool done = ways[method](plane, error);
+    const double waves = pupil->n * pupil->waves;
+    const double weight = exit_pupil_weight(pupil) * waves * waves;
+    for (size_t i = 0; i < count && done; i++) {
+        sums->values[i] += weight * (plane->re[i] * plane->re[i] + plane->im[i] * plane->im[i]);
+    }
+    sums->perfect += weight * plane->perfect * plane->perfect;
+    sums->total += exit_pupil_weight(pupil) * pupil->energy;
+    arena_reset(plane->arena, mark);
+    return done;
+}
+
+/* The pixels of one wavelength. */
+static struct psf_plane psf_plane_of(const struct psf_question *question, const struct psf *psf,
+                                     const struct exit_pupil *pupil, double spread,
+                                     struct arena *arena)
+{
+    return (struct psf_plane){.pupil = pupil,
+                              .size = psf->size,
+                              .pitch = psf->pitch,
+                              .spread = spread,
+                              .unit = psf->is_angular ? "mrad" : "um",
+                              .threads = question->threads,
+                              .arena = arena};
+}
+
+static bool psf_is_dark(const struct exit_pupils *pupils, size_t g)
+{
+    return !(pupils->lights.list[g].weight > 0);
+}
+
+static bool psf_add_waves(const struct psf_question *question, const struct exit_pupils *pupils,
+                          const double *spreads, const struct psf *psf, struct psf_sums *sums,
+                          struct arena *arena, struct error *error)
+{
+    for (size_t g = 0; g < pupils->lights.count; g++) {
+        struct psf_plane plane = psf_plane_of(question, psf, &pupils->list[g], spreads[g], arena);
+        if (!psf_is_dark(pupils, g) && !psf_add_wavelength(psf->method, &plane, sums, error)) {
+            return false;
+        }
+    }
+    return true;
+}
+
+/* Without a pitch: the image has room for all rays. No light lies between pixels. */
+static bool psf_add_rays(const struct psf_question *question, const struct exit_pupils *pupils,
+                         struct psf *psf, struct psf_sums *sums, struct arena *arena,
+                         struct error *error)
+{
+    struct psf_rays *rays = ARENA_ARRAY(arena, pupils->lights.count, struct psf_rays);
+    double farthest = 0;
+    if (psf->is_angular) {
+        return fail(error, ERROR_DOMAIN,
+                    "rays: the image lies infinitely far away, where there are waves only");
+    }
+    for (size_t g = 0; g < pupils->lights.count; g++) {
+        if (psf_is_dark(pupils, g)) {
+            continue;
+        }
+        if (!psf_rays_trace(&pupils->list[g], arena, &rays[g], error)) {
+            return false;
+        }
+        farthest = fmax(farthest, rays[g].farthest);
+    }
+    psf->pitch = isnan(question->pitch) ? 2 * roomy * farthest / (double)psf->size : psf->pitch;
+    psf->finest = INFINITY;
+    for (size_t g = 0; g < pupils->lights.count; g++) {
+        const struct exit_pupil *pupil = &pupils->list[g];
+        const struct psf_plane plane = psf_plane_of(question, psf, pupil, 0, arena);
+        const double weight = exit_pupil_weight(pupil), waves = pupil->n * pupil->waves;
+        double perfect;
+        if (psf_is_dark(pupils, g)) {
+            continue;
+        }
+        if (!psf_rays_perfect(&plane, &perfect, error)) {
+            return false;
+        }
+        psf_rays_add(&rays[g], &plane, weight * pupil->energy, sums->values);
+        sums->perfect += weight * waves * waves * perfect * perfect;
+        sums->total += weight * pupil->energy;
+    }
+    return true;
+}
+
+/* How it is found; psf->turns says why not by waves. */
+static void choose_method(const struct psf_question *question, const struct exit_pupils *pupils,
+                          const double *spreads, struct psf *psf)
+{
+    double turns = 0;
+    psf->method = question->method;
+    for (size_t g = 0; g < pupils->lights.count; g++) {
+        const struct psf_plane plane =
+            psf_plane_of(question, psf, &pupils->list[g], spreads[g], NULL);
+        turns = psf_is_dark(pupils, g) ? turns : fmax(turns, psf_points_turns(&plane));
+    }
+    if (psf->method == PSF_AUTO) {
+        const bool by_rays =
+            !(turns < PSF_TURNS_MOST) && isnan(question->pitch) && !psf->is_angular;
+        psf->method = by_rays ? PSF_RAYS : PSF_PLANE;
+        psf->turns = by_rays ? turns : 0;
+    }
+}
+
+bool psf_find(const struct psf_question *question, struct arena *arena, struct psf *psf,
+              struct error *error)
+{
+    struct exit_pupils *pupils = ARENA_NEW(arena, struct exit_pupils);
+    if (!exit_pupils_open(&question->bundle, arena, pupils, error)) {
+        return false;
+    }
+    const size_t count = question->size * question->size;
+    double *spreads = ARENA_ARRAY(arena, pupils->lights.count, double);
+    for (size_t g = 0; g < pupils->lights.count; g++) {
+        spreads[g] = find_spread(&pupils->list[g], arena);
+    }
+    struct psf_sums sums = {.values = ARENA_ARRAY(arena, count, double)};
+    *psf = (struct psf){.size = question->size,
+                        .pitch = question->pitch,
+                        .finest = find_finest(pupils),
+                        .is_angular = pupils->reference.is_angular,
+                        .values = sums.values,
+                        .islands = pupils->islands};
+    if (isnan(psf->pitch)) {
+        psf->pitch = choose_pitch(psf->finest, spreads, pupils->lights.count, psf->size);
+    }
+    for (size_t i = 0; i < count; i++) {
+        sums.values[i] = 0;
+    }
+    choose_method(question, pupils, spreads, psf);
+    if (!(psf->method == PSF_RAYS
+              ? psf_add_rays(question, pupils, psf, &sums, arena, error)
+              : psf_add_waves(question, pupils, spreads, psf, &sums, arena, error))) {
+        return false;
+    }
+    for (size_t i = 0; i < count; i++) {
+        sums.values[i] /= sums.perfect;
+    }
+    psf_measure(psf, sums.total / (sums.perfect * psf->pitch * psf->pitch), arena);
+    return true;
+}

@@ -1,0 +1,205 @@
+/* analysis/image/psf_radius.c - the radius that holds a share of the light of a point's image. */
+/* SPDX-License-Identifier: MIT */
+#include "analysis/image/psf_radius.h"
+
+#include "base/constants.h"
+
+#include <math.h>
+
+enum {
+    STEPS = 64,     /* a radius at least, where pixels are fine */
+    MOST_FINE = 32, /* steps a pixel at most */
+    TAPS = 8,
+    FEW_TAPS = 4,
+    HALVINGS = 30
+};
+
+/* What steps and the sums of the waves leave, of the radius. */
+static const double least = 1e-4;
+
+/* Values about the centroid; a step may be a pixel. */
+struct field {
+    const double *values; /* side * side */
+    size_t side;
+    double middle[2]; /* of the circle, steps from the first value */
+    double light;     /* that is sought, in these values */
+};
+
+static double field_square(const struct field *field, size_t column, size_t row)
+{
+    const double x = (double)column - field->middle[0], y = (double)row - field->middle[1];
+    return x * x + y * y;
+}
+
+/* The values that the rim may cut. */
+struct psf_radius_rim {
+    double *distances, *values, inner; /* steps; inner: sum of the values within */
+    size_t count;
+};
+
+static double rim_light(const struct psf_radius_rim *rim, double radius)
+{
+    double sum = rim->inner;
+    for (size_t i = 0; i < rim->count; i++) {
+        sum += rim->values[i] * fmax(fmin(radius - rim->distances[i] + 0.5, 1), 0);
+    }
+    return sum;
+}
+
+/* The ring, a step wide, that the light sought ends in. */
+static size_t field_ring(const struct field *field, struct arena *arena)
+{
+    const size_t side = field->side, rings = 2 * side + 4;
+    double *sums = ARENA_ARRAY(arena, rings, double), sum = 0;
+    size_t ring = 0;
+    for (size_t y = 0; y < side; y++) {
+        for (size_t x = 0; x < side; x++) {
+            sums[(size_t)sqrt(field_square(field, x, y))] += field->values[y * side + x];
+        }
+    }
+    while (ring < rings && sum + sums[ring] < field->light) {
+        sum += sums[ring++];
+    }
+    return ring;
+}
+
+/* The radius, steps, among all values that the rim may cut about that ring. */
+static double field_radius(const struct field *field, struct arena *arena)
+{
+    const struct arena_mark mark = arena_mark(arena);
+    const size_t side = field->side, ring = field_ring(field, arena);
+    double low = fmax((double)ring - 1, 0.5), high = (double)ring + 2;
+    const double within = pow(low - 0.5, 2), beyond = pow(high + 0.5, 2);
+    /* no more lie in a ring of 4 steps' width than its area and its edges have room for */
+    const size_t room = (size_t)fmin((double)(side * side), 32 * PI * (high + 2));
+    struct psf_radius_rim rim = {ARENA_ARRAY(arena, room, double), ARENA_ARRAY(arena, room, double),
+                                 0, 0};
+    for (size_t y = 0; y < side; y++) {
+        for (size_t x = 0; x < side; x++) {
+            const double square = field_square(field, x, y), value = field->values[y * side + x];
+            if (square <= within) {
+                rim.inner += value;
+            } else if (square < beyond && rim.count < room) {
+                rim.distances[rim.count] = sqrt(square);
+                rim.values[rim.count++] = value;
+            }
+        }
+    }
+    for (int i = 0; i < HALVINGS; i++) {
+        const double middle = (low + high) / 2;
+        const bool is_less = rim_light(&rim, middle) < field->light;
+        low = is_less ? middle : low;
+        high = is_less ? high : middle;
+    }
+    arena_reset(arena, mark);
+    return (low + high) / 2;
+}
+
+/* Lagrange's factors of equal steps at a place among `count` of them; the first that counts. */
+static size_t psf_radius_stencil_at(double at, size_t count, size_t taps, double factors[TAPS])
+{
+    const double from = floor(at) - (double)(taps / 2 - 1);
+    const size_t first = (size_t)fmax(fmin(from, (double)(count - taps)), 0);
+    for (size_t j = 0; j < taps; j++) {
+        factors[j] = 1;
+        for (size_t k = 0; k < taps; k++) {
+            const double step = (double)j - (double)k;
+            factors[j] *= k == j ? 1 : (at - (double)(first + k)) / step;
+        }
+    }
+    return first;
+}
+
+/* `steps` a pixel within `half` pixels of the middle, by polynomials through `taps` pixels. */
+static struct field field_between(const struct field *pixels, size_t steps, double half,
+                                  size_t taps, struct arena *arena)
+{
+    const size_t reach = (size_t)ceil(half * (double)steps), side = 2 * reach + 1;
+    const double step = 1 / (double)steps;
+    double *rows = ARENA_ARRAY(arena, pixels->side * side, double), factors[TAPS];
+    double *values = ARENA_ARRAY(arena, side * side, double);
+    const double room = half + TAPS;
+    const size_t lowest = (size_t)fmax(pixels->middle[1] - room, 0);
+    const size_t end = (size_t)fmin(pixels->middle[1] + room, (double)pixels->side);
+    for (size_t x = 0; x < side; x++) {
+        const double at = pixels->middle[0] + ((double)x - (double)reach) * step;
+        const size_t first = psf_radius_stencil_at(at, pixels->side, taps, factors);
+        for (size_t y = lowest; y < end; y++) {
+            double sum = 0;
+            for (size_t j = 0; j < taps; j++) {
+                sum += factors[j] * pixels->values[y * pixels->side + first + j];
+            }
+            rows[y * side + x] = sum;
+        }
+    }
+    for (size_t y = 0; y < side; y++) {
+        const double at = pixels->middle[1] + ((double)y - (double)reach) * step;
+        const size_t first = psf_radius_stencil_at(at, pixels->side, taps, factors);
+        for (size_t x = 0; x < side; x++) {
+            double sum = 0;
+            for (size_t j = 0; j < taps; j++) {
+                sum += factors[j] * rows[(first + j) * side + x];
+            }
+            values[y * side + x] = sum;
+        }
+    }
+    return (struct field){
+        values, side, {(double)reach, (double)reach}, pixels->light * (double)(steps * steps)};
+}
+
+/* From the middle to the nearest side of the image, pixels. */
+static double psf_radius_room_of(const struct field *pixels)
+{
+    double room = INFINITY;
+    for (int k = 0; k < 2; k++) {
+        const double before = pixels->middle[k] + 0.5;
+        room = fmin(room, fmin(before, (double)pixels->side - before));
+    }
+    return room;
+}
+
+/* How the radius changes where the circle is about another point, which may be the centroid of all
+   light: steps; 0: the point lies as good as there. */
+static double change_about(const struct psf *psf, const struct field *pixels, double radius,
+                           struct arena *arena)
+{
+    double most = 0;
+    if (!(hypot(psf->centroid_error[0], psf->centroid_error[1]) > least * radius * psf->pitch)) {
+        return 0;
+    }
+    for (int side = -1; side <= 1; side += 2) {
+        struct field moved = *pixels;
+        for (int k = 0; k < 2; k++) {
+            moved.middle[k] += side * psf->centroid_error[k] / psf->pitch;
+        }
+        most = fmax(most, fabs(field_radius(&moved, arena) - radius));
+    }
+    return most;
+}
+
+struct psf_radius psf_radius_find(const struct psf *psf, double light, struct arena *arena)
+{
+    const struct arena_mark mark = arena_mark(arena);
+    const double half = (double)(psf->size / 2);
+    const struct field pixels = {
+        psf->values,
+        psf->size,
+        {half + psf->centroid[0] / psf->pitch, half + psf->centroid[1] / psf->pitch},
+        light};
+    const double room = psf_radius_room_of(&pixels), by_pixels = field_radius(&pixels, arena);
+    double radius = by_pixels, error = 1 / sqrt(2 * PI * radius);
+    if (!(radius <= room)) {
+        return (struct psf_radius){NAN, NAN};
+    }
+    if (psf->pitch <= psf->finest / 2 && psf->size >= TAPS) {
+        const double steps = fmin(ceil(STEPS / radius), MOST_FINE);
+        const double reach = fmin(radius + 2, room - 0.5);
+        const struct field fine = field_between(&pixels, (size_t)steps, reach, TAPS, arena);
+        const struct field rough = field_between(&pixels, (size_t)steps, reach, FEW_TAPS, arena);
+        radius = field_radius(&fine, arena) / steps;
+        error = fabs(field_radius(&rough, arena) / steps - radius);
+    }
+    error += least * radius + change_about(psf, &pixels, by_pixels, arena);
+    arena_reset(arena, mark);
+    return (struct psf_radius){radius * psf->pitch, error * psf->pitch};
+}

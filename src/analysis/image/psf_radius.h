@@ -1,0 +1,27 @@
+/* analysis/image/psf_radius.h - the radius that holds a share of the light of a point's image. */
+/* SPDX-License-Identifier: MIT */
+#ifndef LENSCALC_ANALYSIS_IMAGE_PSF_RADIUS_H
+#define LENSCALC_ANALYSIS_IMAGE_PSF_RADIUS_H
+
+#include "analysis/image/psf.h"
+
+struct psf_radius {
+    double value, error; /* mm, or of angles; NaN: the circle is not within the pixels */
+};
+
+/*
+ * The circle about the centroid that has so much light.
+ *
+ * Given     psf    with its values and its centroid
+ *           light  in values of pixels, above 0
+ * Formula   sum of values, those on the rim by their share within it. The light has no waves
+ *           shorter than psf->finest: pixels of half of that and less hold it between them too, and
+ *           small circles are filled with at least 64 steps a radius by polynomials through eight
+ *           pixels each way. The error is what polynomials through four change; of coarser pixels
+ *           one over the root of how many the rim cuts; and what the place of the centroid changes,
+ *           which light beyond the pixels may move
+ * Source    derived here; a test has Airy's disc, whose light within x is 1 - J0^2 - J1^2
+ */
+struct psf_radius psf_radius_find(const struct psf *psf, double light, struct arena *arena);
+
+#endif

@@ -1,0 +1,330 @@
+/* analysis/layout/layout_rays.c - exact rays through the drawn lens, clipped. */
+/* SPDX-License-Identifier: MIT */
+#include "analysis/layout/layout.h"
+#include "optics/aperture.h"
+#include "trace/aim/aim.h"
+#include "trace/follow.h"
+#include "trace/pupil/clear_cross.h"
+
+#include "base/constants.h"
+
+#include <string.h>
+
+enum { LEAST_FIELDS = 60 };
+
+/* What the rays need: the lens with a clear aperture at every surface that is drawn. */
+struct layout_rays_beams {
+    struct layout *layout;
+    const struct system *open; /* without clear apertures */
+    struct system clipped;     /* and with those of the drawing */
+    bool has_stop;             /* of a size */
+    struct field_point edge;   /* of the field, in the section */
+};
+
+/* Surfaces without a diameter have that of the drawing, and a little more: nobody stated it. */
+static const struct lens *with_clear_apertures(const struct layout *layout)
+{
+    const struct lens *lens = layout->setup->lens;
+    struct lens *copy = ARENA_NEW(layout->arena, struct lens);
+    struct surface *surfaces = ARENA_ARRAY(layout->arena, lens->surface_count, struct surface);
+    *copy = *lens;
+    memcpy(surfaces, lens->surfaces, lens->surface_count * sizeof *surfaces);
+    for (size_t i = 0; i < lens->surface_count; i++) {
+        if (layout->is_drawn[i] && !surfaces[i].has_diameter) {
+            surfaces[i].has_diameter = true;
+            surfaces[i].diameter.value = pair_of(2.04 * layout->semi[i]);
+        }
+    }
+    copy->surfaces = surfaces;
+    return copy;
+}
+
+static bool layout_rays_open_beams(struct layout *layout, struct layout_rays_beams *beams,
+                                   struct error *error)
+{
+    const struct setup *setup = layout->setup;
+    bool has_stop = setup->lens->stop != LENS_NONE && isfinite(setup->first.stop_radius);
+    *beams = (struct layout_rays_beams){
+        .layout = layout,
+        .open = setup_system(setup, layout->wavelength, SETUP_OPEN, error),
+        .has_stop = has_stop};
+    return beams->open != NULL &&
+           setup_compile(setup, with_clear_apertures(layout), layout->wavelength, SETUP_CLIPPED,
+                         &beams->clipped, error);
+}
+
+/* From the frame of a surface's axis to the drawing. */
+static void layout_rays_place(const struct layout *layout, size_t surface, double along,
+                              double across, double *z, double *y)
+{
+    const struct layout_frame *axis = &layout->axis[surface];
+    *z = axis->z + along * cos(axis->angle) - across * sin(axis->angle);
+    *y = axis->y + along * sin(axis->angle) + across * cos(axis->angle);
+}
+
+/* How far a ray is drawn before the first and behind the last surface, mm along the ray. */
+static double lead(const struct layout *layout)
+{
+    return 0.3 * (layout->right - layout->left) + 0.5 * layout->size;
+}
+
+/* Back from the first surface to the left of everything, or to the object. */
+static void begin_ray(const struct layout *layout, const double cosine[3], int section, double *z,
+                      double *y)
+{
+    const struct lens *lens = layout->setup->lens;
+    double back = lead(layout);
+    if (cosine[2] > 0.2) {
+        back += fmax(z[1] - layout->left, 0) / cosine[2];
+    }
+    if (!lens->object_is_infinite && cosine[2] > 0) {
+        back = fmin(back, fmax(z[1] + lens->object.value.hi, 0) / cosine[2]);
+    }
+    z[0] = z[1] - back * cosine[2];
+    y[0] = y[1] - back * cosine[section];
+}
+
+/* On to the image plane, or a little way. */
+static void end_ray(const struct layout *layout, const struct ray *last, size_t surface,
+                    int section, double *z, double *y)
+{
+    double way = lead(layout);
+    if (isfinite(layout->image)) {
+        size_t count = layout->setup->lens->surface_count;
+        double plane = layout->image - layout->vertex[count - 1];
+        /* the frame is that of the last surface that is drawn */
+        double gap = layout->vertex[count - 1] - layout->vertex[surface];
+        way = (plane + gap - last->point[2]) / last->cosine[2];
+    }
+    layout_rays_place(layout, surface, last->point[2] + way * last->cosine[2],
+                      last->point[section] + way * last->cosine[section], z, y);
+}
+
+static void layout_rays_add_ray(const struct layout_rays_beams *beams, enum layout_kind kind,
+                                const struct ray *start)
+{
+    struct layout *layout = beams->layout;
+    const size_t count = layout->setup->lens->surface_count;
+    const int section = layout->setup->section == SECTION_Y ? 1 : 0;
+    struct ray_intersection *meetings = ARENA_ARRAY(layout->arena, count, struct ray_intersection);
+    size_t used = 1, last = LENS_NONE;
+    double *z, *y;
+    ray_follow(beams->open, start, layout->arena, meetings);
+    if (meetings[count - 1].ray.status != RAY_OK) {
+        return;
+    }
+    struct layout_part *part = layout_add(layout, kind, 2 * count + 2, &z, &y);
+    for (size_t i = 0; i < count; i++) {
+        if (layout->is_drawn[i]) {
+            const double *point = meetings[i].ray.point;
+            double hiatus = layout_hiatus(layout, i);
+            if (hiatus != 0) {
+                /* it leaves H' as high as it came to H */
+                layout_rays_place(layout, i, point[2] - hiatus, point[section], &z[used], &y[used]);
+                used++;
+            }
+            layout_rays_place(layout, i, point[2], point[section], &z[used], &y[used]);
+            used++;
+            last = i;
+        }
+    }
+    begin_ray(layout, start->cosine, section, z, y);
+    if (last != LENS_NONE) {
+        end_ray(layout, &meetings[last].ray, last, section, &z[used], &y[used]);
+        used++;
+    }
+    part->count = used;
+}
+
+/* One bundle: the edges that the clear apertures leave of it in the plane of the drawing. */
+struct layout_rays_bundle {
+    struct beam beam;
+    struct clear_cross clear;
+};
+
+static bool find_bundle(struct layout_rays_beams *beams, const struct field_point *field,
+                        struct layout_rays_bundle *bundle)
+{
+    struct layout *layout = beams->layout;
+    const struct setup *setup = layout->setup;
+    const struct first_order *first = &layout->light->first;
+    struct error ignored;
+    if (!beam_of_field(field, &setup->object, &setup->first, &bundle->beam, &ignored)) {
+        return false;
+    }
+    struct arena_mark mark = arena_mark(layout->arena);
+    struct clear_guess guess = clear_guess_of(&beams->clipped, &bundle->beam, first);
+    clear_across(&beams->clipped, &bundle->beam, &guess, lens_is_round(layout->setup->lens),
+                 layout->arena, &bundle->clear);
+    arena_reset(layout->arena, mark);
+    return !bundle->clear.is_empty;
+}
+
+static const struct clear_edge *layout_rays_edge_of(const struct layout_rays_beams *beams,
+                                                    const struct layout_rays_bundle *bundle,
+                                                    int side)
+{
+    size_t axis = beams->layout->setup->section == SECTION_Y ? 1 : 0;
+    return &bundle->clear.ends[side > 0 ? axis : axis + 2];
+}
+
+static void add_edges(const struct layout_rays_beams *beams, enum layout_kind kind,
+                      const struct layout_rays_bundle *bundle)
+{
+    for (int side = -1; side <= 1; side += 2) {
+        const double *at = layout_rays_edge_of(beams, bundle, side)->at;
+        struct ray ray = beam_ray(&bundle->beam, at[0], at[1]);
+        layout_rays_add_ray(beams, kind, &ray);
+    }
+}
+
+/* The surface whose clear aperture cuts the bundle before the stop does; LENS_NONE: none. */
+static size_t cutting(const struct layout_rays_beams *beams,
+                      const struct layout_rays_bundle *bundle)
+{
+    const struct lens *lens = beams->layout->setup->lens;
+    for (int side = -1; side <= 1; side += 2) {
+        const struct clear_edge *edge = layout_rays_edge_of(beams, bundle, side);
+        size_t i = edge->surface - 1;
+        if (edge->status == RAY_CLIPPED && i < lens->surface_count && i != lens->stop &&
+            isfinite(aperture_reach(&lens->surfaces[i]))) {
+            return i;
+        }
+    }
+    return LENS_NONE;
+}
+
+static void add_axial(struct layout_rays_beams *beams)
+{
+    struct layout *layout = beams->layout;
+    const struct field_point axis = {.kind = FIELD_NONE};
+    struct layout_rays_bundle bundle;
+    if (!find_bundle(beams, &axis, &bundle)) {
+        layout_note(layout, "no ray of the point on the axis passes the clear apertures");
+        return;
+    }
+    size_t cut = cutting(beams, &bundle);
+    if (cut != LENS_NONE && beams->has_stop) {
+        layout_note(
+            layout,
+            arena_printf(
+                layout->arena,
+                "the axial beam is cut by the clear aperture of surface %zu, not by the stop",
+                cut + 1));
+    }
+    add_edges(beams, LAYOUT_AXIAL, &bundle);
+}
+
+static bool layout_rays_find_at(struct layout_rays_beams *beams, double share,
+                                struct layout_rays_bundle *bundle)
+{
+    const struct field_point *edge = &beams->edge;
+    const struct field_point field = {edge->kind, {share * edge->value[0], share * edge->value[1]}};
+    return find_bundle(beams, &field, bundle);
+}
+
+/*
+ * The bundle at the edge of the field, or as near to it as rays pass, in steps of 3 %: halved
+ * between the edge and where the last of these steps leads to. If none pass there, none are drawn:
+ * to find that nothing passes takes far longer than to find what does.
+ */
+static double layout_rays_find_edge(struct layout_rays_beams *beams,
+                                    struct layout_rays_bundle *bundle)
+{
+    struct layout_rays_bundle nearer;
+    int dark = 0, lit = LEAST_FIELDS; /* steps from the edge */
+    if (layout_rays_find_at(beams, 1, bundle)) {
+        return 1;
+    }
+    if (!layout_rays_find_at(beams, pow(0.97, lit), bundle)) {
+        return 0;
+    }
+    while (lit - dark > 1) {
+        int middle = (lit + dark) / 2;
+        if (layout_rays_find_at(beams, pow(0.97, middle), &nearer)) {
+            lit = middle;
+            *bundle = nearer;
+        } else {
+            dark = middle;
+        }
+    }
+    return pow(0.97, lit);
+}
+
+static void note_share(const struct layout_rays_beams *beams, double share)
+{
+    struct layout *layout = beams->layout;
+    bool angle = beams->edge.kind == FIELD_ANGLE;
+    double field = beams->edge.value[setup_axis(layout->setup)];
+    layout_note(layout,
+                arena_printf(layout->arena,
+                             "the oblique bundle is drawn at %.3g%s, not %.3g%s: no ray from "
+                             "there passes the clear apertures",
+                             share * field * (angle ? DEGREES_PER_RADIAN : 1), angle ? "°" : " mm",
+                             field * (angle ? DEGREES_PER_RADIAN : 1), angle ? "°" : " mm"));
+}
+
+static bool has_mirror(const struct lens *lens)
+{
+    for (size_t i = 0; i < lens->surface_count; i++) {
+        if (surface_reflects(&lens->surfaces[i])) {
+            return true;
+        }
+    }
+    return false;
+}
+
+static void add_oblique(struct layout_rays_beams *beams)
+{
+    struct layout *layout = beams->layout;
+    struct layout_rays_bundle bundle;
+    double share = layout_rays_find_edge(beams, &bundle);
+    if (!(share > 0)) {
+        layout_note(layout, "no ray from the edge of the field passes the clear apertures");
+        return;
+    }
+    if (share < 1) {
+        note_share(beams, share);
+    } else if (cutting(beams, &bundle) != LENS_NONE) {
+        layout_note(layout, "the oblique bundle is cut by the clear apertures of the elements");
+    }
+    add_edges(beams, LAYOUT_OBLIQUE, &bundle);
+    /* of mirrors about the axis a secondary one would be in its way */
+    struct aim aim;
+    struct error ignored;
+    if (beams->has_stop && !(layout->is_centred && has_mirror(layout->setup->lens)) &&
+        aim_open(beams->open, &bundle.beam, layout->arena, &aim, &ignored)) {
+        struct ray chief = aim_chief(&aim);
+        layout_rays_add_ray(beams, LAYOUT_CHIEF, &chief);
+    }
+}
+
+bool layout_rays(struct layout *layout, struct error *error)
+{
+    const struct setup *setup = layout->setup;
+    const struct first_order *first = &setup->first;
+    struct layout_rays_beams beams;
+    bool has_clear_aperture = isfinite(first->stop_radius) || isfinite(first->entrance_diameter);
+    for (size_t i = 0; i < setup->lens->surface_count; i++) {
+        has_clear_aperture =
+            has_clear_aperture || isfinite(aperture_reach(&setup->lens->surfaces[i]));
+    }
+    if (!has_clear_aperture) {
+        layout_note(layout, "no rays: the lens states no aperture (give -N)");
+        return true;
+    }
+    if (!layout_rays_open_beams(layout, &beams, error)) {
+        return false;
+    }
+    add_axial(&beams);
+    struct error lost;
+    beams.edge = setup->edge;
+    if (!setup_real_in_object(setup, &beams.edge, &lost)) {
+        layout_note(layout, arena_printf(layout->arena, "no oblique bundle: %s", lost.message));
+    }
+    double field = beams.edge.value[setup_axis(setup)];
+    if (setup->edge.kind != FIELD_NONE && isfinite(field) && field != 0) {
+        add_oblique(&beams);
+    }
+    return true;
+}

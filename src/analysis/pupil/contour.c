@@ -1,0 +1,143 @@
+/* analysis/pupil/contour.c - Green's theorem on edges in smooth pieces. */
+/* SPDX-License-Identifier: MIT */
+#include "analysis/pupil/contour.h"
+
+#include "base/constants.h"
+#include "trace/aim/sample.h"
+
+#include <math.h>
+
+/* d/dt on a circle: central differences of eighth order. */
+static void slope_on_circle(const double (*points)[2], size_t count, size_t i, double slope[2])
+{
+    static const double weights[] = {4.0 / 5, -1.0 / 5, 4.0 / 105, -1.0 / 280};
+    const double step = 2 * PI / (double)count;
+    slope[0] = slope[1] = 0;
+    for (size_t k = 1; k <= 4; k++) {
+        const double *after = points[(i + k) % count], *before = points[(i + count - k) % count];
+        for (int axis = 0; axis < 2; axis++) {
+            slope[axis] += weights[k - 1] * (after[axis] - before[axis]) / step;
+        }
+    }
+}
+
+/*
+ * Gauss's points on 0..1 with their barycentric weights, and what values there count in slopes:
+ * slope[i][k] at the i-th of them.
+ */
+struct nodes {
+    const double *x, *gauss;
+    double weight[CLEAR_ARC], slope[CLEAR_ARC][CLEAR_ARC];
+};
+
+static void set_nodes(const struct clear_pupil *clear, struct nodes *nodes)
+{
+    nodes->x = clear->nodes;
+    nodes->gauss = clear->gauss;
+    for (size_t i = 0; i < CLEAR_ARC; i++) {
+        double x = nodes->x[i];
+        nodes->weight[i] = (i % 2 == 0 ? 1 : -1) * sqrt(x * (1 - x) * nodes->gauss[i]);
+    }
+    for (size_t i = 0; i < CLEAR_ARC; i++) {
+        nodes->slope[i][i] = 0;
+        for (size_t k = 0; k < i; k++) {
+            const double a = nodes->weight[i], b = nodes->weight[k];
+            const double over = 1 / (a * b * (nodes->x[i] - nodes->x[k]));
+            nodes->slope[i][k] = b * b * over;
+            nodes->slope[k][i] = -a * a * over;
+        }
+    }
+}
+
+/* d/dt of the polynomial through one piece at its i-th point. */
+static void slope_on_arc(const struct nodes *nodes, const double (*points)[2], size_t i,
+                         double width, double slope[2])
+{
+    const double *counts = nodes->slope[i], x = points[i][0], y = points[i][1];
+    double along[2] = {0, 0};
+    for (size_t k = 0; k < CLEAR_ARC; k++) {
+        along[0] += counts[k] * (points[k][0] - x);
+        along[1] += counts[k] * (points[k][1] - y);
+    }
+    slope[0] = along[0] / width;
+    slope[1] = along[1] / width;
+}
+
+/* The polynomial through one piece at its beginning (0) or its end (1). */
+static void end_of_arc(const struct nodes *nodes, const double (*points)[2], double end,
+                       double at[2])
+{
+    double denominator = 0, numerator[2] = {0, 0};
+    for (size_t k = 0; k < CLEAR_ARC; k++) {
+        double share = nodes->weight[k] / (end - nodes->x[k]);
+        denominator += share;
+        for (int axis = 0; axis < 2; axis++) {
+            numerator[axis] += share * points[k][axis];
+        }
+    }
+    at[0] = numerator[0] / denominator;
+    at[1] = numerator[1] / denominator;
+}
+
+/* Twice the area, and three halves of its first moments, about one point of the curve. */
+struct contour_sums {
+    const double *about;
+    double twice, moment[2];
+};
+
+/* A bit of the curve at a point, in a direction. */
+static void contour_add(struct contour_sums *sums, const double at[2], const double along[2])
+{
+    double x = at[0] - sums->about[0], y = at[1] - sums->about[1];
+    double cross = x * along[1] - y * along[0];
+    sums->twice += cross;
+    sums->moment[0] += x * cross;
+    sums->moment[1] += y * cross;
+}
+
+static void contour_add_circle(const double (*points)[2], size_t count, struct contour_sums *sums)
+{
+    const double dt = 2 * PI / (double)count;
+    for (size_t i = 0; i < count; i++) {
+        double slope[2];
+        slope_on_circle(points, count, i, slope);
+        contour_add(sums, points[i], (double[2]){slope[0] * dt, slope[1] * dt});
+    }
+}
+
+/* Corners are known to some 1e-8: straight to the next piece, so that the curve is closed. */
+static void add_arcs(const struct clear_pupil *clear, const double (*points)[2],
+                     struct contour_sums *sums)
+{
+    struct nodes nodes;
+    set_nodes(clear, &nodes);
+    for (size_t arc = 0; arc < clear->arcs; arc++) {
+        const double(*here)[2] = points + arc * CLEAR_ARC;
+        const double(*next)[2] = points + (arc + 1) % clear->arcs * CLEAR_ARC;
+        double slope[2], from[2], to[2], width = clear->arc_angles[arc];
+        for (size_t k = 0; k < CLEAR_ARC; k++) {
+            double dt = nodes.gauss[k] * width;
+            slope_on_arc(&nodes, here, k, width, slope);
+            contour_add(sums, here[k], (double[2]){slope[0] * dt, slope[1] * dt});
+        }
+        end_of_arc(&nodes, here, 1, from);
+        end_of_arc(&nodes, next, 0, to);
+        contour_add(sums, (double[2]){(from[0] + to[0]) / 2, (from[1] + to[1]) / 2},
+                    (double[2]){to[0] - from[0], to[1] - from[1]});
+    }
+}
+
+double contour_area(const struct clear_pupil *clear, const double (*points)[2], double centre[2])
+{
+    struct contour_sums sums = {.about = points[0]};
+    if (clear->arcs == 0) {
+        contour_add_circle(points, clear->arm_count, &sums);
+    } else {
+        add_arcs(clear, points, &sums);
+    }
+    for (int k = 0; k < 2; k++) {
+        /* the centroid of a triangle lies two thirds of the way from its tip */
+        centre[k] = sums.about[k] + 2 * sums.moment[k] / (3 * sums.twice);
+    }
+    return fabs(sums.twice) / 2;
+}

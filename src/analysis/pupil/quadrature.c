@@ -1,0 +1,500 @@
+/* analysis/pupil/quadrature.c - rays that integrate over what is clear of a stop. */
+/* SPDX-License-Identifier: MIT */
+#include "analysis/pupil/quadrature.h"
+
+#include "analysis/pupil/quadrature_whole.h"
+#include "base/constants.h"
+#include "trace/pupil/star.h"
+#include "trace/tangent.h"
+
+#include <math.h>
+
+/* An excess that counts as none at the ends of arms; a step of differences, in u and v. */
+static const double finely = 1e-13, step = 1e-5;
+
+/* The sine of an angle at which an arm is its own mirror image, but for rounding. */
+static const double on_axis = 1e-12;
+
+/* c of the arcs, rad. */
+static const double rounder = 8;
+
+/* Lines from the centre to the edge that points are put on. */
+struct arms {
+    double *angles, *shares; /* rad; of the circle */
+    double (*ways)[2];       /* sine and cosine of the angles */
+    struct edge *edges;
+    struct clear_intervals *spans;
+    size_t count;
+    size_t *arcs; /* how many are in each arc from corner to corner */
+    size_t arc_count;
+};
+
+/* -------- arms -------- */
+
+static double arc_length(const struct pupil_boundary *star, size_t i)
+{
+    double next = i + 1 < star->corner_count ? star->corners[i + 1] : star->corners[0] + 2 * PI;
+    return next - star->corners[i];
+}
+
+/*
+ * Directions, and their shares of the circle. What n points of Gauss leave of an arc of the length
+ * L falls about as (L/c)^2n: alike in all arcs where n is in proportion to 1/log(c/L).
+ */
+static void quadrature_spread(const struct pupil_boundary *star, size_t wanted, struct arena *arena,
+                              struct arms *arms)
+{
+    size_t arcs = star->corner_count, most = wanted + 2 * arcs;
+    arms->angles = ARENA_ARRAY(arena, most, double);
+    arms->shares = ARENA_ARRAY(arena, most, double);
+    arms->arcs = ARENA_ARRAY(arena, arcs, size_t);
+    arms->arc_count = arcs;
+    arms->count = 0;
+    for (size_t k = 0; k < wanted && arcs == 0; k++) {
+        arms->angles[k] = 2 * PI * (double)k / (double)wanted;
+        arms->shares[k] = 1 / (double)wanted;
+        arms->count++;
+    }
+    double sum = 0;
+    for (size_t i = 0; i < arcs; i++) {
+        sum += 1 / log(rounder / arc_length(star, i));
+    }
+    for (size_t i = 0; i < arcs; i++) {
+        double length = arc_length(star, i), share = length / (2 * PI);
+        double part = 1 / (log(rounder / length) * sum);
+        size_t points = (size_t)ceil((double)wanted * part) + 1;
+        arms->arcs[i] = points;
+        gauss_rule(points, arms->angles + arms->count, arms->shares + arms->count);
+        for (size_t end = arms->count + points; arms->count < end; arms->count++) {
+            double *angle = &arms->angles[arms->count];
+            *angle = star->corners[i] + length * *angle;
+            arms->shares[arms->count] *= share;
+        }
+    }
+}
+
+/* Of arms that mirror each other about u = 0 one counts twice. */
+static void keep_half(struct arms *arms)
+{
+    size_t kept = 0;
+    for (size_t i = 0; i < arms->count; i++) {
+        const double side = sin(arms->angles[i]);
+        if (side > -on_axis) {
+            arms->angles[kept] = arms->angles[i];
+            arms->shares[kept++] = arms->shares[i] * (side > on_axis ? 2 : 1);
+        }
+    }
+    arms->count = kept;
+}
+
+/* Their edges, in the star's frame. */
+static void quadrature_find_ends(const struct quadrature_region *region, struct arena *arena,
+                                 struct arms *arms)
+{
+    const struct pupil_boundary *star = region->star;
+    double *near = ARENA_ARRAY(arena, arms->count, double);
+    for (size_t i = 0; i < arms->count; i++) {
+        near[i] = pupil_boundary_near(star, arms->angles[i]);
+    }
+    arms->edges = ARENA_ARRAY(arena, arms->count, struct edge);
+    const struct edge_directions directions = {star->frame, arms->angles, near, arms->count, 0};
+    edges_find(&region->margins, &directions, finely, arms->edges);
+}
+
+/* Arms that show corners which the star has missed are made anew. */
+static void make_arms(const struct quadrature_region *region, size_t wanted, struct arena *arena,
+                      struct arms *arms)
+{
+    enum { LESSONS = 3 };
+    const struct clearances *margins = &region->margins;
+    struct pupil_boundary *star = region->star;
+    bool learns = true;
+    for (int lesson = 0; lesson <= LESSONS && learns; lesson++) {
+        quadrature_spread(star, wanted, arena, arms);
+        if (region->in_half && margins->is_mirrored && star->frame.centre[0] == 0) {
+            keep_half(arms);
+        }
+        quadrature_find_ends(region, arena, arms);
+        const struct edge_directions ends = {star->frame, arms->angles, NULL, arms->count, 0};
+        learns = lesson < LESSONS &&
+                 pupil_boundary_learn(margins, &region->probe, &ends, arms->edges, star);
+    }
+    arms->ways = arena_array(arena, arms->count, sizeof *arms->ways);
+    for (size_t i = 0; i < arms->count; i++) {
+        arms->ways[i][0] = sin(arms->angles[i]);
+        arms->ways[i][1] = cos(arms->angles[i]);
+    }
+    arms->spans = ARENA_ARRAY(arena, arms->count, struct clear_intervals);
+    const struct edge_directions directions = {star->frame, arms->angles, NULL, arms->count, 0};
+    pupil_boundary_spans(margins, &region->probe, &directions, arms->edges, arms->spans);
+}
+
+/* -------- points -------- */
+
+/* Gauss's points on all clear parts of the arms, one ring of the arms after the other. */
+static void quadrature_put_points(const struct quadrature_region *region, const struct arms *arms,
+                                  size_t rings, struct arena *arena, struct quadrature *all)
+{
+    const struct pupil_boundary *star = region->star;
+    const bool in_r = region->in_r;
+    const double area = star->frame.stretch[0] * star->frame.stretch[1];
+    double *x = ARENA_ARRAY(arena, rings, double), *w = ARENA_ARRAY(arena, rings, double);
+    size_t count = 0;
+    size_t most = 0; /* spans of an arm */
+    for (size_t k = 0; k < arms->count; k++) {
+        count += rings * arms->spans[k].count;
+        most = arms->spans[k].count > most ? arms->spans[k].count : most;
+    }
+    all->sample.points = ARENA_ARRAY(arena, count, struct pupil_point);
+    gauss_rule(rings, x, w);
+    for (size_t i = 0; i < rings * most * arms->count; i++) {
+        size_t k = i % arms->count, ring = i / arms->count % rings;
+        size_t span = i / arms->count / rings;
+        const struct clear_intervals *spans = &arms->spans[k];
+        if (span >= spans->count) {
+            continue;
+        }
+        const double radius = arms->edges[k].radius;
+        double low = spans->low[span], high = spans->high[span];
+        double width2 = (high - low) * (high + low), t = sqrt(low * low + width2 * x[ring]);
+        if (in_r) {
+            t = low + (high - low) * x[ring];
+            width2 = 2 * t * (high - low);
+        }
+        const double u = star->frame.stretch[0] * (radius * t) * arms->ways[k][0];
+        const double v = star->frame.stretch[1] * (radius * t) * arms->ways[k][1];
+        all->sample.points[all->sample.count++] =
+            (struct pupil_point){star->frame.centre[0] + u, star->frame.centre[1] + v,
+                                 w[ring] * arms->shares[k] * radius * radius * area * width2};
+    }
+    bool orderly = count == rings * most * arms->count;
+    all->arms = orderly ? arms->count : 0;
+    all->rings = orderly ? rings : 0;
+    all->arcs = (struct quadrature_arcs){arms->arcs, arms->arc_count};
+}
+
+/* The rays of points named by u and v. */
+static void quadrature_put_rays(const struct quadrature_region *region, struct arena *arena,
+                                struct quadrature *all)
+{
+    all->rays = rays_room(arena, all->sample.count);
+    double(*at)[2] = arena_array(arena, all->sample.count, sizeof *at);
+    for (size_t i = 0; i < all->sample.count; i++) {
+        at[i][0] = all->sample.points[i].x;
+        at[i][1] = all->sample.points[i].y;
+    }
+    clearances_start(&region->margins, (const double(*)[2])at, &all->rays);
+}
+
+/* -------- weights -------- */
+
+/* What takes u, v to the stop, and areas with them. */
+struct stop_map {
+    const struct clearances *margins;
+    struct system before;       /* to the stop */
+    struct ray_block *rays;     /* two */
+    struct ray_block *tangents; /* two */
+};
+
+static struct stop_map mapping_open(const struct clearances *margins, bool weighs,
+                                    struct arena *arena)
+{
+    struct stop_map mapping = {.margins = margins, .before = *margins->system};
+    mapping.before.places = system_place(margins->system, margins->system->stop) + 1;
+    if (weighs) {
+        mapping.rays = rays_room(arena, (size_t)2 * RAYS_BLOCK).blocks;
+        mapping.tangents = rays_room(arena, (size_t)2 * RAYS_BLOCK).blocks;
+    }
+    return mapping;
+}
+
+/* |d(x, y in the stop)/d(u, v)| of up to 128 points; where they cross it stands in the block. */
+static void find_areas(const struct stop_map *mapping, const double (*points)[2], size_t count,
+                       double *areas)
+{
+    const struct clearances *margins = mapping->margins;
+    const struct system *system = margins->system;
+    struct ray_block *block = margins->work.blocks;
+    const double unit = margins->beam->radius;
+    const int lanes = kernel_lanes(count);
+    clearances_go(margins, points, count, 0);
+    for (int k = 0; k < 2; k++) {
+        const double *axes = margins->beam->axes + k;
+        beam_tangents(margins->beam->beam, (double[2]){axes[0], axes[2]}, block, (size_t)lanes,
+                      &mapping->tangents[k]);
+    }
+    ray_block_copy(&mapping->rays[0], block, (size_t)lanes);
+    tangent_follow(&mapping->before, lanes, 2, mapping->rays, mapping->tangents);
+    ray_block_copy(block, &mapping->rays[0], (size_t)lanes);
+    for (size_t i = 0; i < count; i++) {
+        double from[3], along[2][3];
+        clearances_cross(margins, system->stop, i, from);
+        for (int k = 0; k < 2; k++) {
+            const struct ray_block *tangent = &mapping->tangents[k];
+            double *to = along[k];
+            to[0] = block->x[i] + tangent->x[i];
+            to[1] = block->y[i] + tangent->y[i];
+            to[2] = block->z[i] + tangent->z[i];
+            if (system->lens->surfaces[system->stop].decentre != NULL) {
+                system_to_own(system, system->stop, to);
+            }
+        }
+        areas[i] = fabs((along[0][0] - from[0]) * (along[1][1] - from[1]) -
+                        (along[0][1] - from[1]) * (along[1][0] - from[0])) /
+                   (unit * unit);
+    }
+}
+
+/* The same by the four rays about each point: an ideal thick lens has no tangents. */
+static void find_areas_beside(const struct stop_map *mapping, const double (*points)[2],
+                              size_t count, double *areas)
+{
+    enum { EACH = 4, AT_ONCE = RAYS_BLOCK / EACH };
+    static const double steps[EACH][2] = {{1, 0}, {-1, 0}, {0, 1}, {0, -1}};
+    const struct clearances *margins = mapping->margins;
+    const double unit = margins->beam->radius;
+    for (size_t done = 0; done < count; done += AT_ONCE) {
+        double beside[RAYS_BLOCK][2];
+        size_t here = count - done < AT_ONCE ? count - done : AT_ONCE;
+        for (size_t i = 0; i < here * EACH; i++) {
+            for (int k = 0; k < 2; k++) {
+                beside[i][k] = points[done + i / EACH][k] + step * steps[i % EACH][k];
+            }
+        }
+        clearances_go(margins, (const double(*)[2])beside, here * EACH, mapping->before.places);
+        for (size_t i = 0; i < here; i++) {
+            double at[EACH][3];
+            for (size_t k = 0; k < EACH; k++) {
+                clearances_cross(margins, margins->system->stop, i * EACH + k, at[k]);
+            }
+            double xu = at[0][0] - at[1][0], yu = at[0][1] - at[1][1];
+            double xv = at[2][0] - at[3][0], yv = at[2][1] - at[3][1];
+            areas[done + i] = fabs(xu * yv - xv * yu) / (4 * step * step * unit * unit);
+        }
+    }
+}
+
+/* One way or the other; false: the rays do not stand where they cross the stop. */
+static bool find_any_areas(const struct stop_map *mapping, const double (*from)[2], size_t count,
+                           double *areas)
+{
+    bool known = true;
+    find_areas(mapping, from, count, areas);
+    for (size_t i = 0; i < count; i++) {
+        known = known && isfinite(areas[i]);
+    }
+    if (!known) {
+        find_areas_beside(mapping, from, count, areas);
+    }
+    return known;
+}
+
+/* Up to 128 points by their areas; false: as find_any_areas. */
+static bool quadrature_weigh(const struct stop_map *mapping, const double (*from)[2], size_t count,
+                             struct pupil_point *points)
+{
+    double areas[RAYS_BLOCK];
+    const bool known = find_any_areas(mapping, from, count, areas);
+    for (size_t i = 0; i < count; i++) {
+        points[i].weight *= areas[i];
+    }
+    return known;
+}
+
+/* From u, v to the stop's own coordinates, and to its areas where those are weighed. */
+static void map_to_stop(const struct stop_map *mapping, struct sample *sample)
+{
+    const struct clearances *margins = mapping->margins;
+    const double over = 1 / margins->beam->radius;
+    for (size_t done = 0; done < sample->count; done += RAYS_BLOCK) {
+        size_t here = sample->count - done < RAYS_BLOCK ? sample->count - done : RAYS_BLOCK;
+        struct pupil_point *points = sample->points + done;
+        double from[RAYS_BLOCK][2];
+        for (size_t i = 0; i < here; i++) {
+            from[i][0] = points[i].x;
+            from[i][1] = points[i].y;
+        }
+        bool there = margins->beam->weight == WEIGHT_PUPIL &&
+                     quadrature_weigh(mapping, (const double(*)[2])from, here, points);
+        if (!there) {
+            clearances_go(margins, (const double(*)[2])from, here, mapping->before.places);
+        }
+        for (size_t i = 0; i < here; i++) {
+            double at[3];
+            clearances_cross(margins, margins->system->stop, i, at);
+            points[i].x = at[0] * over;
+            points[i].y = at[1] * over;
+        }
+    }
+}
+
+/* Of a whole disc k rings with 2 k + 1 arms are exact up to the degree 2 k; others want more. */
+static size_t arms_for(const struct pupil_boundary *star, size_t rings)
+{
+    return star->is_whole ? 2 * rings + 1 : 3 * rings + 2;
+}
+
+static size_t rings_for(const struct pupil_boundary *star, size_t rays)
+{
+    size_t rings = 1;
+    while (rings * (arms_for(star, rings) + star->corner_count) < rays) {
+        rings++;
+    }
+    return rings;
+}
+
+struct quadrature_region quadrature_open(const struct stop_beam *beam, struct arena *arena)
+{
+    struct pupil_boundary *star = arena_buffer(arena, sizeof *star);
+    const struct clearances margins = clearances_open(beam, arena);
+    star->count = 0;
+    return (struct quadrature_region){.beam = beam,
+                                      .margins = margins,
+                                      .probe = probe_share(beam->system, beam->beam, margins.work),
+                                      .star = star};
+}
+
+static void quadrature_look(struct quadrature_region *region, struct arena *arena)
+{
+    if (!region->is_known) {
+        region->is_known = true;
+        if (region->near == NULL ||
+            !pupil_boundary_follow(&region->margins, &region->probe, region->near, region->star)) {
+            region->is_empty =
+                !pupil_boundary_find(&region->margins, &region->probe, arena, region->star);
+        }
+    }
+}
+
+struct pupil_islands quadrature_islands(struct quadrature_region *region, struct arena *arena)
+{
+    quadrature_look(region, arena);
+    return region->is_empty ? (struct pupil_islands){0}
+                            : pupil_islands_find(&region->margins, region->star, arena);
+}
+
+const struct pupil_boundary *quadrature_star(struct quadrature_region *region, struct arena *arena)
+{
+    quadrature_look(region, arena);
+    return region->is_empty ? NULL : region->star;
+}
+
+struct quadrature_rim quadrature_edge(const struct quadrature_region *region,
+                                      const struct edge_directions *directions, struct arena *arena)
+{
+    const struct pupil_boundary *star = region->star;
+    const size_t count = directions->count;
+    struct edge_directions about = *directions;
+    double *radii = ARENA_ARRAY(arena, count, double);
+    struct edge *edges = ARENA_ARRAY(arena, count, struct edge);
+    double(*points)[2] = arena_array(arena, count, sizeof *points);
+    about.frame = star->frame;
+    for (size_t i = 0; i < count; i++) {
+        radii[i] = about.near != NULL ? about.near[i] : pupil_boundary_near(star, about.angles[i]);
+    }
+    about.near = radii;
+    edges_find(&region->margins, &about, finely, edges);
+    for (size_t i = 0; i < count; i++) {
+        radii[i] = edges[i].radius;
+        edge_point(&star->frame, about.angles[i], radii[i], points[i]);
+    }
+    return (struct quadrature_rim){(const double(*)[2])points, radii, count};
+}
+
+void quadrature_rays_within(const struct quadrature_region *region,
+                            const struct quadrature_rim *rim, const double *shares, size_t rings,
+                            const struct rays *rays)
+{
+    const double *centre = region->star->frame.centre;
+    double at[RAYS_BLOCK][2];
+    for (size_t i = 0; i < rings * rim->count; i++) {
+        const double *point = rim->points[i % rim->count], share = shares[i / rim->count];
+        const size_t lane = i % RAYS_BLOCK;
+        for (int k = 0; k < 2; k++) {
+            at[lane][k] = centre[k] + share * (point[k] - centre[k]);
+        }
+        if (lane + 1 == RAYS_BLOCK || i + 1 == rings * rim->count) {
+            const struct rays block = {rays->blocks + i / RAYS_BLOCK, lane + 1};
+            clearances_start(&region->margins, (const double(*)[2])at, &block);
+        }
+    }
+}
+
+struct quadrature quadrature_fill(struct quadrature_region *region, size_t rays,
+                                  struct arena *arena)
+{
+    const struct clearances *margins = &region->margins;
+    const struct stop_beam *beam = region->beam;
+    struct quadrature all;
+    struct arms arms;
+    if (!region->in_beam && quadrature_whole(margins, rays, arena, &all)) {
+        return all;
+    }
+    quadrature_look(region, arena);
+    all = (struct quadrature){.is_empty = region->is_empty};
+    if (all.is_empty) {
+        return all;
+    }
+    const struct pupil_boundary *star = region->star;
+    const size_t rings = rings_for(star, rays), wanted = arms_for(star, rings);
+    make_arms(region, wanted, arena, &arms);
+    quadrature_put_points(region, &arms, rings, arena, &all);
+    all.is_empty = all.sample.count == 0;
+    if (region->in_beam) {
+        return all;
+    }
+    quadrature_put_rays(region, arena, &all);
+    for (size_t i = 0; i < all.sample.count && beam->weight == WEIGHT_BEAM; i++) {
+        struct pupil_point *point = &all.sample.points[i];
+        point->weight *= stop_beam_density(beam, point->x, point->y);
+    }
+    if (!isnan(beam->radius)) {
+        const struct stop_map mapping = mapping_open(margins, beam->weight == WEIGHT_PUPIL, arena);
+        map_to_stop(&mapping, &all.sample);
+    }
+    return all;
+}
+
+/* u and v of the rays of a block, where they start. */
+static void name_rays(const struct stop_beam *all, const struct rays *rays, size_t first,
+                      size_t count, double (*from)[2])
+{
+    const double *m = all->axes, det = m[0] * m[3] - m[1] * m[2];
+    for (size_t i = 0; i < count; i++) {
+        const struct ray ray = rays_get(rays, first + i, all->system->index_first);
+        double at[2];
+        beam_place(all->beam, ray.point, at);
+        const double a = at[0] - all->origin[0], b = at[1] - all->origin[1];
+        from[i][0] = (m[3] * a - m[1] * b) / det;
+        from[i][1] = (m[0] * b - m[2] * a) / det;
+    }
+}
+
+void quadrature_weigh_beam(const struct stop_beam *beam, const struct rays *rays,
+                           struct pupil_point *points, struct arena *arena)
+{
+    for (size_t i = 0; i < rays->count && isnan(beam->radius); i++) {
+        points[i].weight *= stop_beam_density(beam, points[i].x, points[i].y);
+    }
+    if (isnan(beam->radius)) {
+        return;
+    }
+    const struct clearances margins = clearances_open(beam, arena);
+    const struct stop_map mapping = mapping_open(&margins, true, arena);
+    for (size_t done = 0; done < rays->count; done += RAYS_BLOCK) {
+        const size_t here = rays->count - done < RAYS_BLOCK ? rays->count - done : RAYS_BLOCK;
+        double from[RAYS_BLOCK][2], areas[RAYS_BLOCK];
+        name_rays(beam, rays, done, here, from);
+        find_any_areas(&mapping, (const double(*)[2])from, here, areas);
+        for (size_t i = 0; i < here; i++) {
+            /* one that has none is lost on its way to the stop */
+            points[done + i].weight /= areas[i] > 0 ? areas[i] : 1;
+        }
+    }
+}
+
+struct quadrature quadrature_make(const struct stop_beam *beam, size_t rays, struct arena *arena)
+{
+    struct quadrature_region region = quadrature_open(beam, arena);
+    return quadrature_fill(&region, rays, arena);
+}

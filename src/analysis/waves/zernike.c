@@ -1,0 +1,91 @@
+/* analysis/waves/zernike.c - Zernike's circle polynomials in the orders that are in use. */
+/* SPDX-License-Identifier: MIT */
+#include "analysis/waves/zernike.h"
+
+#include <math.h>
+#include <stdlib.h>
+
+static struct zernike_term noll_term(int j)
+{
+    int n = 0;
+    while ((n + 1) * (n + 2) / 2 < j) {
+        n++;
+    }
+    const int place = j - n * (n + 1) / 2;
+    const int m = n % 2 == 0 ? place / 2 * 2 : (place - 1) / 2 * 2 + 1;
+    return (struct zernike_term){j, n, j % 2 == 0 ? m : -m};
+}
+
+/* The set ends at 37 with the spherical of order 12, in whose place (6, 6) comes at 49. */
+static struct zernike_term fringe_term(int j)
+{
+    enum { LAST = 37, SPHERICAL_12 = 49 };
+    int counted = j;
+    if (j == LAST || j == SPHERICAL_12) {
+        counted = LAST + SPHERICAL_12 - j;
+    }
+    int d = 1;
+    while (d * d < counted) {
+        d++;
+    }
+    const int place = d * d - counted, m = (place + 1) / 2;
+    return (struct zernike_term){j, 2 * (d - 1) - m, place % 2 == 0 ? m : -m};
+}
+
+static struct zernike_term ansi_term(int j)
+{
+    int n = 0;
+    while (n * (n + 3) / 2 < j) {
+        n++;
+    }
+    return (struct zernike_term){j, n, 2 * j - n * (n + 2)};
+}
+
+struct zernike_term zernike_term(enum zernike_kind kind, size_t i)
+{
+    const int place = (int)i;
+    return kind == ZERNIKE_NOLL     ? noll_term(place + 1)
+           : kind == ZERNIKE_FRINGE ? fringe_term(place + 1)
+                                    : ansi_term(place);
+}
+
+/* R_n^m(r) of one m, for n = m, m + 2 .. most. */
+static void fill_radial(int m, int most, double r, double *values)
+{
+    const double r2 = r * r, mm = m;
+    values[m] = pow(r, mm);
+    if (m + 2 <= most) {
+        values[m + 2] = values[m] * ((mm + 2) * r2 - (mm + 1));
+    }
+    for (int i = m + 4; i <= most; i += 2) {
+        const double n = i;
+        const double k1 = (n + mm) * (n - mm) * (n - 2) / 2;
+        const double k2 = 2 * n * (n - 1) * (n - 2);
+        const double k3 = -mm * mm * (n - 1) - n * (n - 1) * (n - 2);
+        const double k4 = -n * (n + mm - 2) * (n - mm - 2) / 2;
+        values[i] = ((k2 * r2 + k3) * values[i - 2] + k4 * values[i - 4]) / k1;
+    }
+}
+
+void zernike_fill(enum zernike_kind kind, size_t count, double x, double y, double *values)
+{
+    double radial[ZERNIKE_ORDER + 1][ZERNIKE_ORDER + 1]; /* by m, then n */
+    const double r = hypot(x, y), angle = atan2(y, x);
+    int order = 0, most = 0;
+    for (size_t i = 0; i < count; i++) {
+        const struct zernike_term term = zernike_term(kind, i);
+        order = term.n > order ? term.n : order;
+        most = abs(term.m) > most ? abs(term.m) : most;
+    }
+    for (int m = 0; m <= most; m++) {
+        fill_radial(m, order, r, radial[m]);
+    }
+    for (size_t i = 0; i < count; i++) {
+        const struct zernike_term term = zernike_term(kind, i);
+        const int m = abs(term.m);
+        const double length =
+            kind == ZERNIKE_FRINGE ? 1 : sqrt((m == 0 ? 1.0 : 2.0) * (term.n + 1));
+        const double turn = term.m < 0 ? sin(m * angle) : cos(m * angle);
+        values[i] = length * radial[m][term.n] * turn;
+    }
+}

@@ -1,0 +1,69 @@
+/* camera/film/lens_model.c - thick and thin lenses with the first-order data of a real one. */
+/* SPDX-License-Identifier: MIT */
+#include "camera/film/lens_model.h"
+
+#include "optics/thick_element.h"
+
+#include <math.h>
+
+const struct word lens_models[] = {
+    [MODEL_EXACT] = {"exact", "all surfaces as they are"},
+    [MODEL_PARAXIAL] = {"paraxial", "all surfaces as they are near the axis"},
+    [MODEL_FITTED] = {"fitted", "the thick lens that equals the exact rays best"},
+    [MODEL_THICK] = {"thick", "focal length, principal planes and pupils"},
+    [MODEL_THIN] = {"thin", "focal length, the stop in the lens"},
+    [MODEL_PINHOLE] = {"pinhole", "a hole that lets as much light through"},
+    [LENS_MODELS] = {NULL, NULL},
+};
+
+static bool is_about_axis(const struct lens *lens)
+{
+    bool is = true;
+    for (size_t i = 0; i < lens->surface_count; i++) {
+        const struct surface *surface = &lens->surfaces[i];
+        is = is && surface_is_round(surface) && surface->decentre == NULL &&
+             surface->coordinate_break == NULL;
+    }
+    return is;
+}
+
+bool lens_model_check(const struct lens *lens, const struct first_order *first, struct error *error)
+{
+    static const char others[] = "no thick or thin lens stands for this one";
+    const char *why = NULL;
+    if (!is_about_axis(lens)) {
+        why = "it is not the same all around one axis";
+    } else if (first->is_afocal) {
+        why = "it is afocal and has no principal planes";
+    } else if (first->index_image * first->index_object < 0) {
+        why = "its light comes back to the side it came from";
+    } else if (lens->stop == LENS_NONE) {
+        why = "it has no stop";
+    } else if (!isfinite(first->entrance_pupil)) {
+        why = "its entrance pupil lies at infinity";
+    } else if (!(fabs(first->entrance_diameter) > 0)) {
+        why = "how wide its entrance pupil is is not known";
+    }
+    return why == NULL || fail(error, ERROR_DOMAIN, "%s: %s", others, why);
+}
+
+struct lens lens_model_lens(enum lens_model model, const struct lens *lens,
+                            const struct first_order *first, struct arena *arena)
+{
+    const double front = first->front_principal, rear = first->rear_principal;
+    const bool is_thick = model == MODEL_THICK;
+    const struct thick_stand_in all = {
+        .thick = {.focal = first->efl,
+                  .front = front,
+                  .rear = rear,
+                  .index_object = first->index_object,
+                  .index_image = first->index_image,
+                  .object = INFINITY},
+        .length = is_thick ? first->length : front - rear, /* H' in H */
+        .pupil = is_thick ? first->entrance_pupil : front,
+        .pupil_diameter = fabs(first->entrance_diameter),
+        .image = first->image,
+        .title = arena_printf(arena, "%s, as a %s%s", lens->title != NULL ? lens->title : "a lens",
+                              lens_models[model].word, model == MODEL_PINHOLE ? "" : " lens")};
+    return thick_element_lens(lens, &all, arena);
+}

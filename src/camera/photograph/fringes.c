@@ -1,0 +1,178 @@
+/* camera/photograph/fringes.c - colours' rays as those of one colour from other points of the film. */
+/* SPDX-License-Identifier: MIT */
+#include "camera/photograph/fringes.h"
+
+#include "trace/dispatch.h"
+
+#include <math.h>
+
+enum { X, Y, AXES = LATERAL_COLOUR_AXES };
+enum { CORNERS = LATERAL_COLOUR_CORNERS, OF_PUPIL = RAYS_BLOCK / CORNERS };
+
+/* Rays that have left the lens, in the plane of its first vertex. */
+struct exits {
+    double x[AXES][RAYS_BLOCK]; /* mm */
+    double p[AXES][RAYS_BLOCK]; /* optical direction cosines */
+};
+
+struct lateral_colour_room {
+    struct lateral_colour fringes;
+    struct film_samples samples;
+    struct rays rays;
+    struct ray_block started;
+    bool passed[RAYS_BLOCK];
+    struct exits middle, turned[AXES]; /* turned: by a little in p or q, less the middle's */
+};
+
+struct lateral_colour_room *lateral_colour_room_new(size_t wavelengths, struct arena *arena)
+{
+    struct lateral_colour_room *room = ARENA_NEW(arena, struct lateral_colour_room);
+    room->rays = rays_new(arena, RAYS_BLOCK);
+    room->fringes.moved = arena_array(arena, wavelengths, sizeof *room->fringes.moved);
+    return room;
+}
+
+/* From the corners of the tile, all over the pupil. */
+static void fringes_start(const struct lens_film *film, const struct film_plan *plan,
+                          struct lateral_colour_room *room)
+{
+    static const double v[] = {0.98, 0.7, 0.4, 0.1};
+    struct film_samples *samples = &room->samples;
+    for (size_t i = 0; i < RAYS_BLOCK; i++) {
+        const size_t corner = i / OF_PUPIL;
+        samples->x[i] = plan->left + (corner % 2 == 0 ? 0 : plan->width);
+        samples->y[i] = plan->bottom + (corner < 2 ? 0 : plan->height);
+        samples->u[i] = ((double)(i % OF_PUPIL) + 0.5) / OF_PUPIL;
+        samples->v[i] = v[i % 4];
+    }
+    film->aim(film, samples, room->rays.blocks);
+    room->started = *room->rays.blocks;
+}
+
+static void fringes_trace(const struct lens_film *film, size_t wavelength,
+                          struct lateral_colour_room *room, struct exits *exits)
+{
+    const struct ray_block *block = room->rays.blocks;
+    rays_trace(film->systems[wavelength], &room->rays, NULL); /* whatever the shutter does */
+    for (size_t i = 0; i < RAYS_BLOCK; i++) {
+        const double way = -block->z[i] / block->r[i];
+        exits->x[X][i] = block->x[i] + way * block->p[i];
+        exits->x[Y][i] = block->y[i] + way * block->q[i];
+        exits->p[X][i] = block->p[i];
+        exits->p[Y][i] = block->q[i];
+    }
+}
+
+/* Less those of the middle. */
+static void subtract(const struct lateral_colour_room *room, struct exits *exits)
+{
+    for (int k = X; k < AXES; k++) {
+        for (size_t i = 0; i < RAYS_BLOCK; i++) {
+            exits->x[k][i] -= room->middle.x[k][i];
+            exits->p[k][i] -= room->middle.p[k][i];
+        }
+    }
+}
+
+/* Of p or q, as direction cosines: far above rounding, far below the width of a pupil. */
+static const double a_little = 1e-4;
+
+/* The same rays a little turned, of the middle's colour: how they leave. */
+static void trace_turned(const struct lens_film *film, size_t wavelength, int axis,
+                         struct lateral_colour_room *room)
+{
+    struct ray_block *block = room->rays.blocks;
+    *block = room->started;
+    double *along = axis == X ? block->p : block->q;
+    for (size_t i = 0; i < RAYS_BLOCK; i++) {
+        const double before = along[i], after = before + a_little;
+        along[i] = after;
+        block->r[i] = copysign(sqrt(block->r[i] * block->r[i] + before * before - after * after),
+                               block->r[i]);
+    }
+    fringes_trace(film, wavelength, room, &room->turned[axis]);
+    subtract(room, &room->turned[axis]);
+}
+
+/* How far on the film, along an axis, ray i is from the middle's that leaves as it does, mm. */
+static double fringes_moved(const struct lateral_colour_room *room, const struct exits *off,
+                            int axis, size_t i)
+{
+    const struct exits *turned = &room->turned[axis];
+    double sum = 0;
+    for (int k = X; k < AXES; k++) {
+        sum += turned->p[k][i] * off->x[k][i] - turned->x[k][i] * off->p[k][i];
+    }
+    return sum / a_little;
+}
+
+/* Is what is moved along an axis little enough at all corners? Its means. */
+static bool is_little(struct lateral_colour_room *room, const struct exits *off, int axis,
+                      double pixel, double (*means)[AXES])
+{
+    struct lateral_colour *fringes = &room->fringes;
+    bool little = true;
+    for (size_t corner = 0; corner < CORNERS; corner++) {
+        double low = INFINITY, high = -INFINITY, sum = 0, count = 0;
+        for (size_t i = corner * OF_PUPIL; i < (corner + 1) * OF_PUPIL; i++) {
+            if (room->passed[i]) {
+                const double by = fringes_moved(room, off, axis, i);
+                low = fmin(low, by);
+                high = fmax(high, by);
+                sum += by; /* a NaN stays in it, and is not little */
+                count++;
+            }
+        }
+        means[corner][axis] = sum / count;
+        little = little && fabs(sum / count) <= FRINGES_MOST * pixel &&
+                 high - low <= FRINGES_MOST * pixel;
+        fringes->low[axis] = fmin(fringes->low[axis], sum / count);
+        fringes->high[axis] = fmax(fringes->high[axis], sum / count);
+    }
+    return little;
+}
+
+/* Do enough rays of every corner pass to tell? */
+static bool find_passed(struct lateral_colour_room *room)
+{
+    size_t passed[CORNERS] = {0};
+    bool all = true;
+    for (size_t i = 0; i < RAYS_BLOCK; i++) {
+        room->passed[i] = room->rays.blocks->lost[i] == 0 && room->samples.weight[i] > 0;
+        passed[i / OF_PUPIL] += room->passed[i];
+    }
+    for (size_t corner = 0; corner < CORNERS; corner++) {
+        all = all && passed[corner] >= OF_PUPIL / 2;
+    }
+    return all;
+}
+
+const struct lateral_colour *lateral_colour_find(const struct lateral_colour_question *question,
+                                                 const struct film_plan *plan,
+                                                 struct lateral_colour_room *room)
+{
+    const struct lens_film *film = question->film;
+    struct lateral_colour *fringes = &room->fringes;
+    fringes_start(film, plan, room);
+    fringes_trace(film, question->middle, room, &room->middle);
+    if (!find_passed(room)) {
+        return NULL;
+    }
+    for (int axis = X; axis < AXES; axis++) {
+        trace_turned(film, question->middle, axis, room);
+        fringes->low[axis] = fringes->high[axis] = 0;
+    }
+    bool little = true;
+    /* the ends of the spectrum first, which are the farthest away most of the time */
+    for (size_t i = 0; i < question->wavelengths && little; i++) {
+        const size_t wavelength = i % 2 == 0 ? i / 2 : question->wavelengths - 1 - i / 2;
+        struct exits off;
+        *room->rays.blocks = room->started;
+        fringes_trace(film, wavelength, room, &off);
+        subtract(room, &off);
+        for (int axis = X; axis < AXES && little; axis++) {
+            little = is_little(room, &off, axis, question->pixel[axis], fringes->moved[wavelength]);
+        }
+    }
+    return little ? fringes : NULL;
+}

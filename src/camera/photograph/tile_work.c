@@ -1,0 +1,239 @@
+/* camera/photograph/tile_work.c - rays of a tile until they are enough, or the time is over. */
+/* SPDX-License-Identifier: MIT */
+#include "camera/photograph/tile_work.h"
+
+#include "camera/photograph/tile_colours.h"
+
+#include <math.h>
+#include <string.h>
+
+/* Blocks of rays until somebody may end them: 0.2 to 20 ms. */
+enum { ENDED_EVERY = 8 };
+
+/* What one thread works in. */
+struct room {
+    struct tile_room *tile;
+    double half[TILE_PIXELS][TILE_CHANNELS];
+    struct ray_reuse_room *spare;
+};
+
+static struct room *tile_work_room_of(size_t passes, struct arena *arena)
+{
+    struct room *room = ARENA_NEW(arena, struct room);
+    room->tile = tile_room_new(passes, arena);
+    room->spare = ray_reuse_room_new(passes, arena);
+    return room;
+}
+
+/* -------- rays of a tile -------- */
+
+/* The film is upside down: the upper left of the picture lies at +x, -y. */
+static struct film_plan plan_of(const struct tile_work *work, size_t column, size_t row)
+{
+    const struct photograph_question *question = work->question;
+    const double across = question->film.width / (double)question->columns;
+    const double down = question->film.height / (double)question->rows;
+    return (struct film_plan){.left = question->film.width / 2 -
+                                      (double)(column + TILE_ACROSS) * across,
+                              .bottom = (double)row * down - question->film.height / 2,
+                              .width = TILE_ACROSS * across,
+                              .height = TILE_DOWN * down};
+}
+
+/* Does light reach any of it? */
+static bool tile_work_is_lit(const struct film_plan *plan, double largest)
+{
+    const double x = fmax(0, fmax(plan->left, -plan->left - plan->width));
+    const double y = fmax(0, fmax(plan->bottom, -plan->bottom - plan->height));
+    return x * x + y * y <= largest * largest;
+}
+
+/* Is the picture to end here? */
+static bool tile_work_is_over(const struct tile_work *work)
+{
+    const struct photograph_question *question = work->question;
+    return !watch_ask(question->watch) || (work->is_timed && question->is_over(question->clock));
+}
+
+/* As tile_rays_sum; false: it is over, and the sums are of some of them. */
+static bool sum(const struct tile_work *work, const struct film_plan *plan, size_t begin,
+                size_t end, struct room *room)
+{
+    for (size_t i = begin; i < end; i += ENDED_EVERY) {
+        if (i > begin && tile_work_is_over(work)) {
+            return false;
+        }
+        const size_t last = i + ENDED_EVERY < end ? i + ENDED_EVERY : end;
+        tile_rays_sum(&work->rays, plan, i, last, room->tile);
+    }
+    return true;
+}
+
+/* How far the halves of a tile are from each other, as a multiple of the error asked for. */
+static double tile_work_error_of(const struct tile_work *work, const struct room *room,
+                                 double samples)
+{
+    const double *first = (const double *)room->half, *both = (const double *)room->tile->sums;
+    const size_t count = TILE_PIXELS * TILE_CHANNELS;
+    return work->question->view != NULL
+               ? convergence_relative(&work->goal, first, both, count, samples)
+               : work->unit * convergence_halves(first, both, count, samples);
+}
+
+/* Twice as many samples again and again, until the error is reached; returns how many, 0: it is
+   over before. */
+static size_t sum_until(const struct tile_work *work, const struct film_plan *plan,
+                        struct room *room)
+{
+    const double least = small_emitters_samples(&work->small, &work->rays, plan, room->tile);
+    size_t samples = CONVERGENCE_LEAST / 2;
+    double error = INFINITY;
+    bool is_whole = sum(work, plan, 0, samples, room);
+    for (; is_whole && (!(error <= 1) || (double)samples < least) &&
+           samples < work->question->samples;
+         samples *= 2) {
+        memcpy(room->half, room->tile->sums, sizeof room->half);
+        is_whole = sum(work, plan, samples, 2 * samples, room);
+        error = tile_work_error_of(work, room, (double)samples);
+    }
+    convergence_add(room->tile->counts + PHOTOGRAPH_CONVERGENCE, error, samples);
+    return is_whole ? samples : 0;
+}
+
+/* One stage more, from what there is; returns how many samples there are then, 0: it is over
+   before. */
+static size_t sum_stage(const struct tile_work *work, const struct film_plan *plan,
+                        struct tile_stage *stage, struct room *room)
+{
+    const size_t before = stage->samples, samples = before > 0 ? 2 * before : CONVERGENCE_LEAST;
+    memcpy(room->tile->sums, stage->sums, sizeof stage->sums);
+    memcpy(room->half, stage->sums, sizeof stage->sums);
+    if (!sum(work, plan, before, samples, room)) {
+        return 0;
+    }
+    memcpy(stage->sums, room->tile->sums, sizeof stage->sums);
+    stage->samples = samples;
+    stage->error = before > 0 && work->question->error > 0
+                       ? tile_work_error_of(work, room, (double)before)
+                       : INFINITY;
+    return samples;
+}
+
+/* Has it come as far as it may? */
+static bool is_last_stage(const struct tile_work *work, const struct tile_stage *stage)
+{
+    return stage->samples >= work->question->samples || stage->error <= 1;
+}
+
+/* What a tile comes to; it is taken already if that needs none of its rays. */
+static enum ray_reuse_way tile_work_way_of(const struct tile_work *work,
+                                           const struct film_plan *plan, struct room *room)
+{
+    struct tile_room *tile = room->tile;
+    const size_t samples = work->question->samples;
+    const struct ray_reuse_tile spared = {plan, samples};
+    enum ray_reuse_way way = RAY_REUSE_TRACED;
+    if (work->spare != NULL) {
+        way = ray_reuse_take(work->spare, &spared, room->spare, tile->counts, tile->sums);
+    }
+    return way == RAY_REUSE_TRACED && samples >= TILE_FEW_SAMPLES &&
+                   tile_colours_share(&work->rays, plan, tile)
+               ? RAY_REUSE_SHARED
+               : way;
+}
+
+/* All samples of a tile, by its place in the frame; returns how many, 0: it is over before. */
+static size_t sum_tile(const struct tile_work *work, struct film_plan *plan, size_t tile,
+                       struct tile_stage *stage, struct room *room)
+{
+    const struct photograph_question *question = work->question;
+    tile_rays_begin(&work->rays, tile, plan, room->tile);
+    const enum ray_reuse_way way = tile_work_way_of(work, plan, room);
+    if (way == RAY_REUSE_ENDED) {
+        return 0;
+    }
+    room->tile->counts[PHOTOGRAPH_WAYS + way] += stage == NULL || stage->samples == 0;
+    if (stage != NULL) {
+        return sum_stage(work, plan, stage, room);
+    }
+    if (way == RAY_REUSE_SHARP || way == RAY_REUSE_EVEN) {
+        return question->samples;
+    }
+    if (question->error > 0) {
+        return sum_until(work, plan, room);
+    }
+    return sum(work, plan, 0, question->samples, room) ? question->samples : 0;
+}
+
+/* -------- tiles -------- */
+
+/* Tile `tile` of the crop; its points are those of its place in the frame. False: it is over
+   before. */
+static bool take_tile(const struct tile_work *work, size_t tile, struct room *room)
+{
+    const struct tile_grid *tiling = &work->tiling;
+    float pixels[TILE_PIXELS][TILE_CHANNELS];
+    size_t column, row;
+    tiling_begin(tiling, tile, &column, &row);
+    struct film_plan plan = plan_of(work, column, row);
+    if (!tile_work_is_lit(&plan, work->rays.film->region.largest)) {
+        return true;
+    }
+    struct tile_stage *stage = work->stages != NULL ? &work->stages[tile] : NULL;
+    const size_t samples =
+        sum_tile(work, &plan, row / TILE_DOWN * tiling->frame + column / TILE_ACROSS, stage, room);
+    if (samples == 0) {
+        return false;
+    }
+    for (size_t k = 0; k < TILE_PIXELS; k++) {
+        for (size_t channel = 0; channel < TILE_CHANNELS; channel++) {
+            pixels[k][channel] =
+                (float)(work->scale * room->tile->sums[k][channel] / (double)samples);
+        }
+    }
+    tiling_copy(tiling, work->image, tile, TILE_TO_PICTURE, pixels);
+    return true;
+}
+
+/* The same, of which nothing stays, nor is counted, if it is over before. */
+static bool try_tile(const struct tile_work *work, size_t tile, struct room *room)
+{
+    uint64_t counts[PHOTOGRAPH_COUNTS];
+    memcpy(counts, room->tile->counts, sizeof counts);
+    const bool is_whole = take_tile(work, tile, room);
+    if (!is_whole) {
+        memcpy(room->tile->counts, counts, sizeof counts);
+    }
+    return is_whole;
+}
+
+/* Is there time for another stage of a tile that has had one? */
+static bool tile_work_goes_on(const struct tile_work *work, size_t tile)
+{
+    const struct photograph_question *question = work->question;
+    return work->stages != NULL && work->stages[tile].samples > 0 &&
+           !is_last_stage(work, &work->stages[tile]) && !question->is_over(question->clock);
+}
+
+void tile_work_take(void *context, const struct parallel_piece *piece)
+{
+    const struct tile_work *work = context;
+    struct watch *watch = work->question->watch;
+    const struct arena_mark mark = arena_mark(piece->arena);
+    struct room *room = tile_work_room_of(work->rays.passes, piece->arena);
+    for (size_t i = piece->begin; i < piece->end && !watch_is_ended(watch); i++) {
+        const size_t tile = work->first + i;
+        if (work->done[tile] == 0) {
+            if (try_tile(work, tile, room)) {
+                work->done[tile] = 1;
+                watch_add(watch, TILE_PIXELS);
+            }
+        } else if (tile_work_goes_on(work, tile)) {
+            try_tile(work, tile, room);
+        }
+    }
+    for (int i = 0; i < PHOTOGRAPH_COUNTS; i++) {
+        atomic_fetch_add(&work->counts[i], room->tile->counts[i]);
+    }
+    arena_reset(piece->arena, mark);
+}

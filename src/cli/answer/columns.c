@@ -1,0 +1,264 @@
+/* cli/answer/columns.c - the columns a command prints, for whoever looks for one. */
+/* SPDX-License-Identifier: MIT */
+#include "cli/answer/columns.h"
+
+#include "cli/answer/complain.h"
+#include "cli/question/echo.h"
+#include "report/report.h"
+
+#include <string.h>
+
+#define OF_COLUMN(member) COLUMN(struct column_row, member)
+
+const struct column columns_of_columns[COLUMNS_OF_COLUMNS] = {
+    {OF_COLUMN(command), .name = "command", .label = "command", .help = "whose rows have it"},
+    {OF_COLUMN(column), .flags = COLUMN_BRIEF, .name = "column", .label = "column",
+     .help = "its name in machine formats; without the unit it will do for --columns"},
+    {OF_COLUMN(letter), .flags = COLUMN_BRIEF, .name = "letter", .label = "letter",
+     .help = "of the option it repeats: a name for --columns and --table too"},
+    {OF_COLUMN(unit), .flags = COLUMN_BRIEF, .name = "unit", .label = "unit",
+     .help = "unit in machine formats"},
+    {OF_COLUMN(label), .flags = COLUMN_BRIEF, .name = "label", .label = "label",
+     .help = "as people read it: a name for --columns too"},
+    {OF_COLUMN(help), .flags = COLUMN_BRIEF, .name = "meaning", .label = "meaning",
+     .help = "in one sentence"},
+    {OF_COLUMN(shown), .flags = COLUMN_BRIEF, .name = "shown", .label = "shown",
+     .help = "where it is printed without --columns"},
+};
+
+static const struct sheet described = SHEET(columns_of_columns, struct column_row);
+
+static const char *letter_of(const struct command *command, const char *column, struct arena *arena)
+{
+    const struct option *option;
+    for (size_t i = 0; (option = command_option(command, i)) != NULL; i++) {
+        if (option->letter != '\0' && option->column != NULL &&
+            strcmp(option->column, column) == 0) {
+            return arena_string(arena, &option->letter, 1);
+        }
+    }
+    return NULL;
+}
+
+/* "with --film", or the kinds of answers that have it anyway. */
+static const char *shown_where(const struct column *column, struct arena *arena)
+{
+    if ((column->flags & COLUMN_EXTRA) != 0 && (column->flags & COLUMN_ASSUMED) == 0) {
+        struct text rest = text_of(column->with != NULL ? column->with : "");
+        const char *words = rest.length > 0 ? "with" : "on request";
+        for (const char *between = " "; rest.length > 0; between = ", ") {
+            struct text option = text_cut(&rest, ' ');
+            words =
+                arena_printf(arena, "%s%s--%.*s", words, between, (int)option.length, option.start);
+        }
+        return words;
+    }
+    return (column->flags & COLUMN_ASSUMED) != 0  ? "as an assumption"
+           : (column->flags & COLUMN_NOTE) != 0   ? "as a warning"
+           : (column->flags & COLUMN_HIDDEN) != 0 ? "in machine formats"
+           : (column->flags & COLUMN_BRIEF) != 0  ? "always"
+                                                  : "not in tables for people";
+}
+
+static bool has_column(const struct sheet *sheet, const char *name, size_t length)
+{
+    for (size_t i = 0; name != NULL && i < sheet->column_count; i++) {
+        if (strlen(sheet->columns[i].name) == length &&
+            memcmp(sheet->columns[i].name, name, length) == 0) {
+            return true;
+        }
+    }
+    return false;
+}
+
+static bool stands_in_any(const struct sheet *const *sheets, const char *name)
+{
+    bool found = false;
+    for (size_t i = 0; sheets[i] != NULL && !found; i++) {
+        found = has_column(sheets[i], name, strlen(name));
+    }
+    return found;
+}
+
+static bool columns_stands_before(const struct sheet *const *sheets, size_t kind, size_t at)
+{
+    const char *name = sheets[kind]->columns[at].name;
+    const struct sheet here = {.columns = sheets[kind]->columns, .column_count = at};
+    bool found = has_column(&here, name, strlen(name));
+    for (size_t i = 0; i < kind && !found; i++) {
+        found = has_column(sheets[i], name, strlen(name));
+    }
+    return found;
+}
+
+static bool never(const void *asked, const char *option)
+{
+    (void)asked;
+    (void)option;
+    return false;
+}
+
+static struct column_row describe(const struct command *command, const struct column *column,
+                                  struct arena *arena)
+{
+    const char *unit = column->unit;
+    return (struct column_row){
+        .command = command->name,
+        .column = unit != NULL ? ARENA_JOIN(arena, column->name, "_", unit) : column->name,
+        .letter = letter_of(command, column->name, arena),
+        .unit = unit != NULL ? unit_find(column->dimension, text_of(unit))->label : NULL,
+        .label = column->label,
+        .help = column->help,
+        .shown = shown_where(column, arena),
+    };
+}
+
+/* Of options with lists that some kind of row has no column for: each comes where one varies. */
+static void describe_echoes(const struct command *command, const struct sheet *const *sheets,
+                            bool (*take)(void *, const struct column_row *), void *context,
+                            struct arena *arena)
+{
+    size_t count = 0;
+    const char **names = ARENA_ARRAY(arena, command->option_count + 1, const char *);
+    bool going = true;
+    for (size_t i = 0; sheets[i] != NULL; i++) {
+        const struct echo_question question = {
+            .command = command, .sheet = sheets[i], .all = true, .given = never, .varied = never};
+        struct echo echo;
+        echo_open(&echo, &question, arena);
+        for (size_t k = 0; k < echo.count && going; k++) {
+            const struct column *column = &echo.sheet.columns[k];
+            const struct option *option = echo.items[k].option;
+            bool known = !option->kind->is_list || (option->flags & OPTION_ASIDE) != 0 ||
+                         stands_in_any(sheets, column->name);
+            for (size_t n = 0; n < count && !known; n++) {
+                known = strcmp(names[n], column->name) == 0;
+            }
+            if (!known) {
+                struct column_row row = describe(command, column, arena);
+                row.shown = arena_printf(arena, "where --%s varies", column->with);
+                names[count++] = column->name;
+                going = take(context, &row);
+            }
+        }
+    }
+}
+
+void columns_describe(const struct command *command,
+                      bool (*take)(void *, const struct column_row *), void *context,
+                      struct arena *arena)
+{
+    const struct sheet *const single[] = {&command->sheet, NULL};
+    const struct sheet *const *sheets = command->sheets != NULL ? command->sheets : single;
+    bool going = true;
+    for (size_t i = 0; sheets[i] != NULL && going; i++) {
+        for (size_t k = 0; k < sheets[i]->column_count && going; k++) {
+            const struct column *column = &sheets[i]->columns[k];
+            if (columns_stands_before(sheets, i, k)) {
+                continue;
+            }
+            const struct column_row row = describe(command, column, arena);
+            going = take(context, &row);
+        }
+    }
+    if (going && command->run != NULL) {
+        describe_echoes(command, sheets, take, context, arena);
+    }
+}
+
+bool columns_are_asked(const struct common *common)
+{
+    return common->columns != NULL && strcmp(common->columns, "?") == 0;
+}
+
+static bool print_row(void *context, const struct column_row *row)
+{
+    struct report *report = context;
+    report->format->row(report, row, NULL, NULL);
+    report->rows++;
+    return report->output->failure == 0;
+}
+
+int columns_print(const struct command *command, const struct common *common, struct arena *arena)
+{
+    const struct format *format;
+    struct output output;
+    struct error error;
+    enum color_when color = (enum color_when)common->color;
+    if (!common_format(common, common->format != 0, &format, &error)) {
+        error_print(&error, command->name, color);
+        return (int)error.code;
+    }
+    struct report report = {.format = format,
+                            .output = &output,
+                            .arena = arena,
+                            .command = command->name,
+                            .sheet = &described,
+                            .remedy = "--csv shows all",
+                            .many = true};
+    const struct selection selection = {.many = true,
+                                        .layout = format->is_for_people ? SELECT_TABLE : SELECT_ALL,
+                                        .given = never,
+                                        .varied = never};
+    if (!report_select(&report, &selection, &error) ||
+        !output_open(&output, common->output, arena, &error)) {
+        error_print(&error, command->name, color);
+        return (int)error.code;
+    }
+    if (format == &format_text) {
+        terminal_prepare(&output, color);
+    }
+    format->begin(&report);
+    columns_describe(command, print_row, &report, arena);
+    format->end(&report);
+    if (!output_close(&output, true, &error)) {
+        error_print(&error, command->name, color);
+        return (int)error.code;
+    }
+    return 0;
+}
+
+/* The column that repeats the option of this letter or name; null where there is none. */
+static const char *repeating(const struct command *command, struct text name)
+{
+    const struct option *option;
+    for (size_t i = 0; (option = command_option(command, i)) != NULL; i++) {
+        bool letter = name.length == 1 && name.start[0] == option->letter;
+        if (option->column != NULL && (letter || text_same_name(name, text_of(option->name)))) {
+            return option->column;
+        }
+    }
+    return NULL;
+}
+
+/* Does a column that was added stand for a name that one of the command's own answers to? */
+static bool is_disputed(const struct sheet *sheet, struct text name, const char *column,
+                        struct arena *arena)
+{
+    const struct sheet own = report_own_columns(sheet);
+    struct shown shown;
+    struct error ignored;
+    return !has_column(&own, column, strlen(column)) &&
+           report_find_column(&own, name, arena, &shown, &ignored);
+}
+
+const char *columns_from_options(const struct command *command, const struct sheet *sheet,
+                                 const char *names, const char *separators, struct arena *arena)
+{
+    const char *all = names != NULL ? "" : NULL;
+    while (names != NULL && *names != '\0') {
+        size_t length = strcspn(names, separators);
+        struct text name = text_trim((struct text){names, length});
+        bool known = name.length == 0 || has_column(sheet, name.start, name.length);
+        const char *column = known ? NULL : repeating(command, name);
+        bool taken = column != NULL && has_column(sheet, column, strlen(column)) &&
+                     !is_disputed(sheet, name, column, arena);
+        all = taken ? arena_printf(arena, "%s%s", all, column)
+                    : arena_printf(arena, "%s%.*s", all, (int)length, names);
+        names += length;
+        if (*names != '\0') {
+            all = arena_printf(arena, "%s%c", all, *names++);
+        }
+    }
+    return all;
+}

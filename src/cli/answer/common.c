@@ -1,0 +1,327 @@
+/* cli/answer/common.c - the options of every command. */
+/* SPDX-License-Identifier: MIT */
+#include "cli/batch/batch.h"
+#include "cli/question/command.h"
+#include "report/report.h"
+#include "report/terminal.h"
+
+#include <string.h>
+
+static const struct word unit_words[] = {
+    {"metric", "millimetres, metres"},
+    {"imperial", "feet and inches for distances"},
+    {NULL, NULL},
+};
+
+static const struct word *batch_format_word(size_t i)
+{
+    static const struct word automatic = {"auto", "as the first line looks"};
+    static const struct word *const words[] = {[BATCH_AUTO] = &automatic,
+                                               [BATCH_CSV] = &format_csv.word,
+                                               [BATCH_TSV] = &format_tsv.word,
+                                               [BATCH_JSONL] = &format_jsonl.word};
+    return i < sizeof words / sizeof words[0] ? words[i] : NULL;
+}
+
+#define COMMON(member_name) OPTION(struct common, member_name)
+
+/* By enum glass_numbers. */
+static const struct word glass_numbers_words[] = {
+    {"file", "what the program that wrote the file means"},
+    {"line", "the indices"},
+    {"catalog", "the glass of the catalogue"},
+    {NULL, NULL},
+};
+
+const struct option common_options[] = {
+    {COMMON(format), .name = "format", .value = "FORMAT", .word_at = format_word,
+     .fallback = "text", .help = "how to print"},
+    {COMMON(csv), .name = "csv", .help = "short for --format csv"},
+    {COMMON(tsv), .name = "tsv", .help = "short for --format tsv"},
+    {COMMON(json), .name = "json", .help = "short for --format json"},
+    {COMMON(jsonl), .name = "jsonl", .help = "short for --format jsonl"},
+    {COMMON(columns), .name = "columns", .value = "NAMES",
+     .help = "print these columns ('?' lists them); a unit behind the name converts: near_ft"},
+    {COMMON(digits), .name = "digits", .value = "N", .lowest = 1, .highest = 17,
+     .help = "significant digits (text: 4; machine formats: as many as read back the same)"},
+    {COMMON(units), .name = "units", .value = "SYSTEM", .words = unit_words, .fallback = "metric",
+     .help = "metric or imperial distances in text, markdown and html"},
+    {COMMON(table), .name = "table", .value = "ROW,COL[:VALUE]",
+     .help = "cross-table of two swept options; VALUE is a column, or two as near_m+far_m"},
+    {COMMON(plot), .name = "plot", .value = "FILE", .flags = OPTION_FILE, .types = drawing_types,
+     .help = "draw the results against the swept option"},
+    {COMMON(explain), .name = "explain", .flags = OPTION_ASIDE,
+     .help = "print formulas, numbers put in, and sources"},
+    {COMMON(nominal), .name = "nominal",
+     .help = "f-numbers, times and ISO are labels of stop series: use their exact values"},
+    {COMMON(batch), .name = "batch", .value = "FILE", .flags = OPTION_FILE,
+     .help = "read inputs as rows from FILE, or from standard input with -; an option is what "
+             "empty cells of its column take"},
+    {COMMON(batch_format), .name = "batch-format", .value = "FORMAT", .word_at = batch_format_word,
+     .fallback = "auto", .help = "what the rows of --batch are"},
+    {COMMON(fail_fast), .name = "fail-fast", .help = "stop at the first row that fails"},
+    {COMMON(force), .name = "force", .flags = OPTION_ASIDE,
+     .help = "allow sweeps of very many rows; overwrite inputs, and results of fits and searches"},
+    {COMMON(output), .name = "output", .letter = 'o', .value = "FILE",
+     .flags = OPTION_FILE | OPTION_ASIDE,
+     .help = "write to FILE, which appears only when it is complete"},
+    {COMMON(lensdb), .name = "lensdb", .value = "DIR", .flags = OPTION_FILE,
+     .help = "folder with your own data, searched first (also the variable LENSCALC_DB)"},
+    {COMMON(agf), .name = "agf", .value = "FILES", .flags = OPTION_FILE | OPTION_SEVERAL,
+     .help = "glass catalogues of your own in the AGF format, searched first; may be "
+             "repeated"},
+    {COMMON(lossy), .name = "lossy",
+     .help =
+         "drop what cannot be carried over between file formats, and list it on standard error"},
+    {COMMON(glass_numbers), .name = "glass-numbers", .value = "WHICH", .words = glass_numbers_words,
+     .fallback = "file",
+     .help = "of a lens file with indices beside the name of a glass, where the two differ: line "
+             "takes the indices, catalog the glass, file what the file means"},
+    {COMMON(color), .name = "color", .value = "WHEN", .flags = OPTION_ASIDE, .words = color_words,
+     .fallback = "auto", .help = "colour the heads of tables, warnings and errors"},
+    {COMMON(help), .name = "help", .letter = 'h', .flags = OPTION_ASIDE,
+     .help = "show examples and options"},
+};
+
+const size_t common_option_count = sizeof common_options / sizeof common_options[0];
+
+const struct option *command_option(const struct command *command, size_t i)
+{
+    if (i < command->option_count) {
+        return &command->options[i];
+    }
+    i -= command->option_count;
+    if (i < command->artifact_count) {
+        return &command->artifacts[i].option;
+    }
+    i -= command->artifact_count;
+    return command->other != NULL && i < command->other->option_count ? &command->other->options[i]
+                                                                      : NULL;
+}
+
+const struct command *command_asked(const struct command *command, int count, char *const *words)
+{
+    const struct command *other = command->other;
+    for (int i = 0; other != NULL && i < count && strcmp(words[i], "--") != 0; i++) {
+        if (strncmp(words[i], "--", 2) == 0 && strcmp(words[i] + 2, other->options[0].name) == 0) {
+            return other;
+        }
+    }
+    return command;
+}
+
+bool command_always_many(const void *input)
+{
+    (void)input;
+    return true;
+}
+
+/* -------- which common options a command has a use for -------- */
+
+static bool common_has_rows(const struct command *command)
+{
+    return command->run != NULL;
+}
+
+/* How many options may have several values that the same columns answer? */
+static size_t count_varying(const struct command *command, bool numbers)
+{
+    size_t count = 0;
+    for (size_t i = 0; i < command->option_count; i++) {
+        const struct option *option = &command->options[i];
+        bool other = option->kind->is_list && option->kind != &kind_choice;
+        count += option->kind->number_of != NULL ||
+                 (!numbers && (other || (option->flags & OPTION_MANY) != 0));
+    }
+    return count;
+}
+
+static bool takes_many(const struct command *command)
+{
+    return common_has_rows(command) && count_varying(command, false) > 0;
+}
+
+static bool takes_two(const struct command *command)
+{
+    return common_has_rows(command) && count_varying(command, false) > 1 &&
+           command->makes_many != command_always_many;
+}
+
+static bool has_curves(const struct command *command)
+{
+    return common_has_rows(command) && count_varying(command, true) > 0 &&
+           command->makes_many != command_always_many;
+}
+
+static bool is_in_metres(const struct dimension *dimension, const char *unit)
+{
+    return dimension == &dimension_length && unit != NULL && strcmp(unit, "m") == 0;
+}
+
+/* Where there are several sheets one of them repeats what is asked for. */
+static bool has_distances(const struct command *command)
+{
+    bool found = false;
+    for (size_t i = 0; i < command->sheet.column_count && !found; i++) {
+        const struct column *column = &command->sheet.columns[i];
+        found = is_in_metres(column->dimension, column->unit);
+    }
+    for (size_t i = 0; i < command->option_count && !found; i++) {
+        const struct option *option = &command->options[i];
+        found = command->choose_sheet != NULL && is_in_metres(option->dimension, option->unit);
+    }
+    return found;
+}
+
+static bool has_formulas(const struct command *command)
+{
+    return command->explanations != NULL || command->explains;
+}
+
+static bool has_series(const struct command *command)
+{
+    bool found = false;
+    for (size_t i = 0; i < command->option_count && !found; i++) {
+        found = option_has_series(&command->options[i]);
+    }
+    return found;
+}
+
+/* Does an answer depend on such data? */
+static bool common_reads(const struct command *command, unsigned data)
+{
+    unsigned found = command->reads;
+    for (size_t i = 0; i < command->option_count; i++) {
+        const struct option *option = &command->options[i];
+        bool named = option->dimension == &dimension_wavelength;
+        found |= option->kind->reads | (named ? READS_LENSDB : 0);
+    }
+    return (found & data) != 0 || (data == READS_LENSDB && has_series(command));
+}
+
+static bool reads_lensdb(const struct command *command)
+{
+    return common_reads(command, READS_LENSDB);
+}
+
+static bool reads_glasses(const struct command *command)
+{
+    return common_reads(command, READS_GLASSES);
+}
+
+/* More rows than usual, or a file that is also read. */
+static bool is_forced(const struct command *command)
+{
+    bool found = takes_many(command) || command->again != NULL || reads_glasses(command);
+    for (size_t i = 0; i < command->option_count && !found; i++) {
+        found = (command->options[i].flags & OPTION_FILE) != 0;
+    }
+    return found;
+}
+
+static bool reads_lenses(const struct command *command)
+{
+    return common_reads(command, READS_LENSES);
+}
+
+/* What a command must have for an option to do anything, and what is said where it has not. */
+static const struct {
+    const char *option;
+    bool (*is_used)(const struct command *command);
+    const char *why_not;
+} uses[] = {
+    {"format", common_has_rows, "prints no rows"},
+    {"csv", common_has_rows, "prints no rows"},
+    {"tsv", common_has_rows, "prints no rows"},
+    {"json", common_has_rows, "prints no rows"},
+    {"jsonl", common_has_rows, "prints no rows"},
+    {"columns", common_has_rows, "prints no rows"},
+    {"digits", common_has_rows, "prints no rows"},
+    {"units", has_distances, "prints no distances in metres"},
+    {"table", takes_two, "has no value for each pair of two swept options"},
+    {"plot", has_curves, "has no value for each value of a swept option"},
+    {"explain", has_formulas, "has no formulas to show"},
+    {"nominal", has_series, "takes no f-number, time or ISO"},
+    {"batch", takes_many, "reads no rows"},
+    {"batch-format", takes_many, "reads no rows"},
+    {"fail-fast", takes_many, "answers one question"},
+    {"force", is_forced, "has nothing to force"},
+    {"lensdb", reads_lensdb, "uses no data of lensdb"},
+    {"agf", reads_glasses, "uses no glasses"},
+    {"lossy", reads_lenses, "reads no lenses"},
+    {"glass-numbers", reads_lenses, "reads no lenses"},
+};
+
+/* Most names differ in their first letter: every start compares some hundreds of them. */
+static bool common_is_same(const char *name, const char *other)
+{
+    return name[0] == other[0] && strcmp(name, other) == 0;
+}
+
+static bool overrides(const struct command *command, const struct option *common)
+{
+    const struct option *own;
+    for (size_t i = 0; (own = command_option(command, i)) != NULL; i++) {
+        if (common_is_same(own->name, common->name)) {
+            return true;
+        }
+    }
+    return false;
+}
+
+const char *command_has_no_use(const struct command *command, const struct option *common)
+{
+    const char *why = NULL;
+    for (size_t i = 0; i < sizeof uses / sizeof uses[0] && why == NULL; i++) {
+        if (common_is_same(uses[i].option, common->name) && !uses[i].is_used(command)) {
+            why = uses[i].why_not;
+        }
+    }
+    return why;
+}
+
+const struct option *command_next_common(const struct command *command, const struct option *before)
+{
+    const struct option *end = common_options + common_option_count;
+    const struct option *option = before == NULL ? common_options : before + 1;
+    while (option < end &&
+           (overrides(command, option) || command_has_no_use(command, option) != NULL)) {
+        option++;
+    }
+    return option < end ? option : NULL;
+}
+
+const struct command *command_find(struct text name)
+{
+    for (size_t i = 0; commands[i] != NULL; i++) {
+        if (text_equal(name, commands[i]->name)) {
+            return commands[i];
+        }
+    }
+    return NULL;
+}
+
+/* Formats have options of their names: --csv is short for --format csv. */
+static bool is_short_for(const struct common *common, const struct format *format)
+{
+    size_t i = 0;
+    while (i < common_option_count && strcmp(common_options[i].name, format->word.word) != 0) {
+        i++;
+    }
+    return i < common_option_count &&
+           *(const bool *)((const char *)common + common_options[i].offset);
+}
+
+bool common_format(const struct common *common, bool has_format, const struct format **format,
+                   struct error *error)
+{
+    int given = has_format;
+    *format = formats[common->format];
+    for (size_t i = 0; formats[i] != NULL; i++) {
+        if (is_short_for(common, formats[i])) {
+            *format = formats[i];
+            given++;
+        }
+    }
+    return given <= 1 || fail(error, ERROR_USAGE, "more than one output format is given");
+}

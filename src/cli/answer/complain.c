@@ -1,0 +1,233 @@
+/* cli/answer/complain.c - errors on standard error. */
+/* SPDX-License-Identifier: MIT */
+#include "cli/answer/complain.h"
+
+#include <stdio.h>
+#include <string.h>
+#include <unistd.h>
+
+/* Standard error: what was said is written in one piece, and a failure to do so is nobody's. */
+struct voice {
+    struct output output;
+    char buffer[OUTPUT_RESERVE];
+};
+
+static struct output *complain_begin(struct voice *voice, enum color_when color)
+{
+    voice->output = (struct output){
+        .descriptor = STDERR_FILENO, .buffer = voice->buffer, .size = sizeof voice->buffer};
+    voice->output.has_color = terminal_has_color(STDERR_FILENO, color);
+    return &voice->output;
+}
+
+/* Lines from outside; what must not reach a terminal, or is no UTF-8, is '?'. */
+static void complain_write_lines(struct output *output, const char *start, size_t length)
+{
+    for (size_t i = 0; i < length;) {
+        const size_t whole = text_utf8_length(start + i, length - i);
+        const size_t bad = start[i] == '\n' ? 0 : text_unprintable(start + i, length - i);
+        if (bad > 0 || whole == 0) {
+            output_character(output, '?');
+        } else {
+            output_text(output, start + i, whole);
+        }
+        i += whole > 0 ? whole : 1;
+    }
+}
+
+static void complain_write_string(struct output *output, const char *string)
+{
+    complain_write_lines(output, string, strlen(string));
+}
+
+/* "tessar.lens:7:12: " */
+static void write_place(struct output *output, const struct error *error)
+{
+    if (error->source[0] == '\0') {
+        return;
+    }
+    complain_write_string(output, error->source);
+    if (error->line > 0) {
+        output_printf(output, ":%ld", error->line);
+    }
+    if (error->column > 0) {
+        output_printf(output, ":%d", error->column);
+    }
+    output_string(output, ": ");
+}
+
+/* The text, and a caret under its wrong character. */
+static void write_caret(struct output *output, const struct error *error)
+{
+    const size_t length = strlen(error->text), behind = (size_t)error->caret - 1;
+    const struct text before = {error->text, behind < length ? behind : length};
+    output_string(output, "    ");
+    complain_write_string(output, error->text);
+    output_string(output, "\n    ");
+    output_spaces(output, text_cells(before));
+    output_styled(output, STYLE_ERROR, "^");
+    output_character(output, '\n');
+}
+
+void error_print(const struct error *error, const char *command, enum color_when color)
+{
+    if (error->code == ERROR_PIPE) {
+        return; /* as programs do that the signal ends: `| head` is no failure */
+    }
+    struct voice voice;
+    struct output *output = complain_begin(&voice, color);
+    bool named = command != NULL && command[0] != '\0';
+    output_style(output, STYLE_ERROR);
+    output_printf(output, "lenscalc:%s%s%s", named ? " " : "", named ? command : "",
+                  named ? ":" : "");
+    output_style(output, STYLE_PLAIN);
+    output_character(output, ' ');
+    write_place(output, error);
+    complain_write_string(output, error->message);
+    output_character(output, '\n');
+    if (error->caret > 0) {
+        write_caret(output, error);
+    }
+    if (error->more != NULL) {
+        complain_write_string(output, error->more);
+    }
+    if (error->hint[0] != '\0') {
+        output_string(output, "    ");
+        complain_write_string(output, error->hint);
+        output_character(output, '\n');
+    }
+    output_flush(output);
+}
+
+struct name_lookup {
+    const struct arguments *arguments;
+    const struct batch *batch;
+    const void *input;
+    struct called room;
+};
+
+/* The column that gave an option its value, or might have where no row is asked about. */
+static const char *giving_column(const struct name_lookup *naming, const struct option *option)
+{
+    const char *called = batch_called(naming->batch, option);
+    const bool gives = called != NULL && (naming->input == NULL ||
+                                          batch_is_filled(naming->batch, option, naming->input));
+    return gives ? called : NULL;
+}
+
+/*
+ * By what a quantity was given; where a message asks for one, by what it may be. A command's own
+ * messages name options, "{--coc}": where a column of the batch sets it that is meant.
+ */
+static const char *given_by(void *context, struct text quantity, bool asked)
+{
+    struct name_lookup *naming = context;
+    const struct option *possible = NULL;
+    bool is_option = quantity.length > 2 && quantity.start[0] == '-';
+    struct text name = {quantity.start + 2, quantity.length - 2};
+    if (is_option) {
+        const struct argument *argument = arguments_find(naming->arguments, name);
+        return argument != NULL ? giving_column(naming, argument->option) : NULL;
+    }
+    for (size_t i = 0; i < naming->arguments->count; i++) {
+        const struct argument *argument = &naming->arguments->all[i];
+        if (!option_is_quantity(argument->option, quantity)) {
+            continue;
+        }
+        const char *column = giving_column(naming, argument->option);
+        if (column != NULL) {
+            return column;
+        }
+        if (argument->is_given || (asked && possible == NULL)) {
+            possible = argument->option;
+        }
+    }
+    return possible != NULL ? option_called(possible, &naming->room) : NULL;
+}
+
+void complain_name(struct error *error, const struct arguments *arguments,
+                   const struct batch *batch, const void *input)
+{
+    error_name(error, given_by,
+               &(struct name_lookup){.arguments = arguments, .batch = batch, .input = input});
+}
+
+void complain(struct error *error, const struct arguments *arguments, const struct batch *batch)
+{
+    complain_name(error, arguments, batch, NULL);
+    error_print(error, arguments->command->name, arguments->color);
+}
+
+static void write_warning(struct output *output, const char *command, const char *text)
+{
+    output_printf(output, "lenscalc: %s: ", command);
+    output_styled(output, STYLE_WARNING, "warning:");
+    output_character(output, ' ');
+    complain_write_string(output, text);
+    output_character(output, '\n');
+}
+
+static void complain_write_doubts(struct output *output, const struct report *report)
+{
+    struct warnings *doubts = report->doubts;
+    for (size_t i = 0; i < doubts->count; i++) {
+        write_warning(output, report->command, doubts->texts[i]);
+    }
+    const char *more = warnings_left_out(doubts);
+    if (more != NULL) {
+        write_warning(output, report->command, more);
+    }
+}
+
+/* Columns that were asked for, and have no value in any row. */
+static void complain_write_absent(struct output *output, const struct report *report)
+{
+    for (size_t i = 0; i < report->shown_count; i++) {
+        if (!report->has_value[i]) {
+            output_printf(output, "lenscalc: %s: %s has no value here: %s\n", report->command,
+                          report->shown[i].name, report_absence(report, report->shown[i].column));
+        }
+    }
+}
+
+void print_beside(const struct report *report, bool is_apart, enum color_when color)
+{
+    /* without rows there is neither a format nor an explanation */
+    const struct format *format = report->format;
+    bool has_place = format == NULL || format == &format_json || format->is_for_people;
+    const char *explain = has_place ? NULL : report->explain;
+    size_t warnings = has_place && !is_apart ? 0 : report->doubts->count;
+    const bool is_shown = format != NULL && format->is_for_people && !is_apart;
+    const char *lead = is_shown ? NULL : report->title;
+    const bool are_looked_at = report->are_named && report->has_good_row && !is_apart;
+    if (explain == NULL && warnings == 0 && !are_looked_at && lead == NULL) {
+        return; /* as most: the terminal is not even asked */
+    }
+    struct voice voice;
+    struct output *output = complain_begin(&voice, color);
+    if (lead != NULL) {
+        output_printf(output, "lenscalc: %s: %s\n", report->command, lead);
+    }
+    if (explain != NULL) {
+        complain_write_string(output, explain);
+        output_character(output, '\n');
+    }
+    if (are_looked_at) {
+        complain_write_absent(output, report);
+    }
+    if (warnings > 0) {
+        complain_write_doubts(output, report);
+    }
+    output_flush(output);
+}
+
+void print_remark(const char *start, size_t length)
+{
+    struct voice voice;
+    if (length == 0) {
+        return;
+    }
+    struct output *output = complain_begin(&voice, COLOR_NEVER);
+    complain_write_lines(output, start, length);
+    output_flush(output);
+}

@@ -1,0 +1,202 @@
+/* cli/answer/help.c - help from the tables that parse. */
+/* SPDX-License-Identifier: MIT */
+#include "cli/answer/help.h"
+
+#include "cli/answer/complain.h"
+
+#include <stdio.h>
+#include <string.h>
+#include <unistd.h>
+
+enum { NAME_WIDTH = 30, WORD_WIDTH = 15, WIDTH = 80, NARROWEST = 40 };
+
+size_t help_width(const struct output *output)
+{
+    return output->width >= NARROWEST && output->width < WIDTH ? output->width : WIDTH;
+}
+
+/* "(mm; above 0 mm; default 50)": unit, range and default of an option; "" if it has none. */
+static const char *help_facts_of(const struct option *option, struct arena *arena)
+{
+    const struct unit *unit = option_unit(option);
+    const char *range = option_range(option, arena), *facts = "";
+    if (unit != NULL && unit->name[0] != '\0') {
+        facts = arena_printf(arena, " (%s", unit->label);
+    }
+    if (range[0] != '\0') {
+        facts = arena_printf(arena, "%s%s%s", facts, facts[0] != '\0' ? "; " : " (", range);
+    }
+    if (option->fallback != NULL) {
+        facts = arena_printf(arena, "%s%sdefault %s", facts, facts[0] != '\0' ? "; " : " (",
+                             option->fallback);
+    }
+    return facts[0] != '\0' ? arena_printf(arena, "%s)", facts) : "";
+}
+
+/* "-f, --focal-length LENGTH" padded, then what it is for, its unit, range and default. */
+static void write_option(const struct option *option, struct output *output, struct arena *arena)
+{
+    char letter[8] = "    ";
+    if (option->letter != '\0') {
+        snprintf(letter, sizeof letter, "-%c, ", option->letter);
+    }
+    const char *value = option->value != NULL ? option->value : "";
+    const char *name = arena_printf(arena, "  %s--%s%s%s", letter, option->name,
+                                    value[0] != '\0' ? " " : "", value);
+    output_printf(output, "%-*s", NAME_WIDTH, name);
+    if (strlen(name) >= NAME_WIDTH) {
+        output_printf(output, "\n%*s", NAME_WIDTH, "");
+    }
+    output_paragraph(output,
+                     arena_printf(arena, "%s%s", option->help, help_facts_of(option, arena)),
+                     NAME_WIDTH, NAME_WIDTH, help_width(output));
+    for (size_t i = 0; option_word(option, i) != NULL; i++) {
+        const struct word *word = option_word(option, i);
+        enum { WORD_AT = NAME_WIDTH + 2, HELP_AT = WORD_AT + WORD_WIDTH };
+        output_printf(output, "%*s%-*s ", WORD_AT, "", WORD_WIDTH - 1, word->word);
+        size_t length = strlen(word->word);
+        output_paragraph(output, word->help, length < WORD_WIDTH ? HELP_AT : WORD_AT + 1 + length,
+                         HELP_AT, help_width(output));
+    }
+}
+
+static void write_usage(const struct command *command, struct output *output, struct arena *arena)
+{
+    const char *usage = arena_printf(arena, "lenscalc %s", command->name);
+    for (size_t i = 0; i < command->option_count; i++) {
+        const struct option *option = &command->options[i];
+        if ((option->flags & OPTION_OPERAND) != 0) {
+            bool many = (option->flags & (OPTION_MANY | OPTION_TOGETHER)) != 0;
+            usage = arena_printf(arena, "%s [%s]%s", usage, option->value, many ? "..." : "");
+        }
+    }
+    output_paragraph(output, arena_printf(arena, "%s [options]: %s", usage, command->summary), 0, 2,
+                     help_width(output));
+}
+
+/* The last place of the first `most` characters before which a shell lets a line end. */
+static size_t help_line_end(const char *words, size_t most)
+{
+    size_t end = 0;
+    char quote = '\0';
+    for (size_t i = 0; words[i] != '\0' && i < most; i++) {
+        if (words[i] == quote) {
+            quote = '\0';
+        } else if (quote == '\0' && (words[i] == '"' || words[i] == '\'')) {
+            quote = words[i];
+        } else if (quote == '\0' && words[i] == ' ' && words[i + 1] == '-') {
+            end = i;
+        }
+    }
+    return end;
+}
+
+/* The words of an example, in lines that a shell reads as one. */
+static void write_example(const char *words, struct output *output)
+{
+    enum { BEGINS = sizeof "  lenscalc " - 1, INDENT = 6 };
+    size_t room = help_width(output) - BEGINS;
+    output_string(output, "  lenscalc ");
+    while (strlen(words) > room) {
+        size_t end = help_line_end(words, room - 2);
+        if (end == 0) {
+            break;
+        }
+        output_printf(output, "%.*s \\\n%*s", (int)end, words, INDENT, "");
+        words += end + 1;
+        room = help_width(output) - INDENT;
+    }
+    output_printf(output, "%s\n", words);
+}
+
+void help_write(const struct command *command, struct output *output, struct arena *arena)
+{
+    write_usage(command, output, arena);
+    output_string(output, "\nExamples:\n");
+    for (const struct example *example = command->examples; example->arguments != NULL; example++) {
+        write_example(example->arguments, output);
+        output_spaces(output, 6);
+        output_paragraph(output, example->help, 6, 6, help_width(output));
+    }
+    output_string(output, "\nOptions:\n");
+    for (size_t i = 0; command_option(command, i) != NULL; i++) {
+        write_option(command_option(command, i), output, arena);
+    }
+    output_string(output, "\nCommon options:\n");
+    const struct option *common = NULL;
+    while ((common = command_next_common(command, common)) != NULL) {
+        write_option(common, output, arena);
+    }
+    output_character(output, '\n');
+    output_wrapped(
+        output,
+        arena_printf(arena,
+                     "Units may always be written (50mm 10ft 5ft6in 1/125s); a list 1.4,2,2.8 or a "
+                     "range 1..10:0.5 sweeps an option. More in lenscalc-%s(1) and lenscalc(1).",
+                     command->name),
+        help_width(output));
+}
+
+int help_command(const struct command *command, struct arena *arena)
+{
+    struct output output;
+    struct error error;
+    if (!output_open(&output, NULL, arena, &error)) {
+        return (int)error.code;
+    }
+    output.width = terminal_width(STDOUT_FILENO);
+    help_write(command, &output, arena);
+    if (!output_close(&output, true, &error)) {
+        error_print(&error, command->name, COLOR_AUTO);
+        return (int)error.code;
+    }
+    return 0;
+}
+
+/* A line of the list of commands. */
+static void write_entry(const char *name, const char *summary, struct output *output)
+{
+    enum { SUMMARY_AT = 15 };
+    output_printf(output, "  %-12s ", name);
+    output_paragraph(output, summary, SUMMARY_AT, SUMMARY_AT, help_width(output));
+}
+
+void help_write_overview(struct output *output)
+{
+    const char *group = "";
+    output_string(output, "lenscalc: optics for photographers, lens people and programmers\n\n"
+                          "  lenscalc COMMAND [options]\n  lenscalc COMMAND --help\n");
+    for (size_t i = 0; commands[i] != NULL; i++) {
+        if (strcmp(group, commands[i]->group) != 0) {
+            group = commands[i]->group;
+            output_printf(output, "\n%s:\n", group);
+        }
+        write_entry(commands[i]->name, commands[i]->summary, output);
+    }
+    output_string(output, "\ntopics (lenscalc help TOPIC):\n");
+    for (const struct topic_text *topic = help_topics; topic->name != NULL; topic++) {
+        write_entry(topic->name, topic->summary, output);
+    }
+    output_string(output, "\nFor example:\n"
+                          "  lenscalc dof -f 50mm -N 2.8 -s 3m\n"
+                          "  lenscalc fov -f 24mm --sensor aps-c\n");
+}
+
+void help_short(void)
+{
+    struct arena arena = {0};
+    struct output output;
+    output_begin(&output, STDERR_FILENO, &arena);
+    output_wrapped(&output,
+                   "usage: lenscalc COMMAND [options], for example:\n"
+                   "  lenscalc dof -f 50mm -N 2.8 -s 3m",
+                   WIDTH);
+    const char *line = "commands:";
+    for (size_t i = 0; commands[i] != NULL; i++) {
+        line = arena_printf(&arena, "%s %s", line, commands[i]->name);
+    }
+    output_paragraph(&output, line, 0, 2, help_width(&output));
+    output_wrapped(&output, "more: lenscalc help, lenscalc COMMAND --help", help_width(&output));
+    output_flush(&output);
+    arena_free(&arena);
+}

@@ -1,0 +1,133 @@
+/* cli/answer/relay.c - hand a command over to lenscalc-ceres, the program with the solver. */
+/* SPDX-License-Identifier: MIT */
+#include "cli/answer/relay.h"
+
+#include "cli/question/arguments.h"
+#include "cli/question/command.h"
+#include "design/solver/solver.h"
+#include "report/version.h"
+
+#include <errno.h>
+#include <fcntl.h>
+#include <signal.h>
+#include <spawn.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+extern char **environ; /* POSIX leaves its declaration to the program */
+
+enum { LONGEST_PATH = 4096 };
+
+/*
+ * Set while handing over, to the version of who does: a lenscalc-ceres of another version says so,
+ * and one that is without Ceres, as it must not be, does not hand over to itself.
+ */
+static const char marker[] = "LENSCALC_RELAYED";
+
+/* The folder of the running program; null where the system does not tell (Linux does). */
+static char *own_folder(struct arena *arena)
+{
+    char *path = arena_array(arena, LONGEST_PATH, 1);
+    ssize_t length = readlink("/proc/self/exe", path, LONGEST_PATH - 1);
+    char *slash = length > 0 ? strrchr(path, '/') : NULL;
+    if (slash == NULL) {
+        return NULL;
+    }
+    *slash = '\0';
+    return path;
+}
+
+/*
+ * Does the program start? A loader that does not find a library, or no memory for one, ends it
+ * after execv, when nobody is left to give that a status; the loader says itself what it lacks.
+ */
+static bool can_start(const char *path, struct error *error)
+{
+    char *const words[] = {(char *)path, (char *)"--version", NULL};
+    posix_spawn_file_actions_t quietly;
+    pid_t child;
+    int status = 0, failure = posix_spawn_file_actions_init(&quietly);
+    /* who ignores its children, as what started this program may do, is not told how they end */
+    signal(SIGCHLD, SIG_DFL);
+    if (failure == 0) {
+        posix_spawn_file_actions_addopen(&quietly, STDIN_FILENO, "/dev/null", O_RDONLY, 0);
+        posix_spawn_file_actions_addopen(&quietly, STDOUT_FILENO, "/dev/null", O_WRONLY, 0);
+        failure = posix_spawn(&child, path, &quietly, NULL, words, environ);
+        posix_spawn_file_actions_destroy(&quietly);
+    }
+    if (failure != 0) {
+        return fail(error, ERROR_IO, "%s does not start: %s", path, strerror(failure));
+    }
+    while (waitpid(child, &status, 0) < 0 && errno == EINTR) {
+    }
+    const bool is_killed = WIFSIGNALED(status);
+    return status == 0 ||
+           fail(error, ERROR_IO,
+                "%s, the program with the solver Ceres, does not start: it ended with %s %d", path,
+                is_killed ? "signal" : "status",
+                is_killed ? WTERMSIG(status) : WEXITSTATUS(status));
+}
+
+bool relay_to_ceres(char **argv, struct arena *arena, struct error *error)
+{
+    static const char *const places[] = {"lenscalc-ceres", "../libexec/lenscalc/lenscalc-ceres"};
+    const char *const from = getenv(marker), *const folder = own_folder(arena);
+    if (solver_has(SOLVER_CERES)) {
+        return from == NULL || strcmp(from, LENSCALC_VERSION) == 0 ||
+               fail(error, ERROR_DOMAIN,
+                    "lenscalc-ceres in %s is version " LENSCALC_VERSION ", and lenscalc is %s: "
+                    "install both from one build",
+                    folder, from);
+    }
+    if (from != NULL) {
+        return fail(error, ERROR_DOMAIN,
+                    "lenscalc-ceres in %s is a lenscalc without the solver Ceres: install both "
+                    "programs from one build",
+                    folder);
+    }
+    for (size_t i = 0; i < 2 && folder != NULL; i++) {
+        char *path = arena_printf(arena, "%s/%s", folder, places[i]);
+        if (access(path, X_OK) != 0) {
+            continue;
+        }
+        /* the libraries under Ceres would start threads of their own */
+        setenv("OMP_NUM_THREADS", "1", 1);
+        setenv("OPENBLAS_NUM_THREADS", "1", 1);
+        setenv(marker, LENSCALC_VERSION, 1);
+        if (!can_start(path, error)) {
+            return false;
+        }
+        execv(path, argv);
+        return fail(error, ERROR_IO, "%s does not start: %s", path, strerror(errno));
+    }
+    return fail(error, ERROR_DOMAIN,
+                "this needs the solver Ceres, which this lenscalc is built without: install "
+                "libceres-dev and g++ (as 'make deps' does), then 'make' and 'make install' again");
+}
+
+/* Is the word one of the list's? */
+static bool relay_lists(struct text list, const char *word)
+{
+    const char *const end = list.start + list.length;
+    for (const char *at = list.start; at != NULL;) {
+        const char *comma = memchr(at, ',', (size_t)(end - at));
+        if (text_same(text_between(at, comma != NULL ? comma : end), word)) {
+            return true;
+        }
+        at = comma != NULL ? comma + 1 : NULL;
+    }
+    return false;
+}
+
+bool relay_is_wanted(const struct command *command, const struct arguments *arguments)
+{
+    const char *when = command->needs_ceres;
+    if (when == NULL || *when == '\0') {
+        return when != NULL;
+    }
+    const char *word = strchr(when, '=');
+    const struct argument *argument = arguments_find(arguments, text_between(when, word));
+    return argument->is_given && relay_lists(argument->text, word + 1);
+}

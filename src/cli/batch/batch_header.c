@@ -1,0 +1,374 @@
+/* cli/batch/batch_header.c - what the columns of a batch mean. */
+/* SPDX-License-Identifier: MIT */
+#include "cli/batch/batch.h"
+
+#include <math.h>
+#include <string.h>
+
+bool batch_has(const struct batch *batch, const char *option)
+{
+    for (size_t i = 0; i < batch->column_count; i++) {
+        const struct batch_column *column = &batch->columns[i];
+        if (column->option != NULL && strcmp(column->option->name, option) == 0) {
+            return true;
+        }
+    }
+    return false;
+}
+
+bool batch_is_filled(const struct batch *batch, const struct option *option, const void *input)
+{
+    return memcmp((const char *)input + option->offset,
+                  (const char *)batch->constants + option->offset, option->kind->size) != 0;
+}
+
+bool batch_knows_any(const struct batch *batch)
+{
+    bool found = false;
+    for (size_t i = 0; i < batch->column_count && !found; i++) {
+        found = batch->columns[i].option != NULL;
+    }
+    return found;
+}
+
+const char *batch_called(const struct batch *batch, const struct option *option)
+{
+    const struct batch_column *called = NULL;
+    for (size_t i = 0; i < batch->column_count; i++) {
+        const struct batch_column *column = &batch->columns[i];
+        /* a companion only says that the other column is infinite */
+        if (column->option == option && !column->is_ignored &&
+            (called == NULL || (called->is_infinite && !column->is_infinite))) {
+            called = column;
+        }
+    }
+    return called != NULL ? called->as_read.called : NULL;
+}
+
+enum { MOST_COLUMNS = 4096 };
+
+/* "far_is_infinite" beside "far_m" in the rows of another lenscalc. */
+static bool find_companion(const struct batch *batch, struct text name, struct batch_column *column)
+{
+    static const char suffix[] = "_is_infinite";
+    size_t length = sizeof suffix - 1;
+    if (name.length <= length || memcmp(name.start + name.length - length, suffix, length) != 0) {
+        return false;
+    }
+    column->option = batch_option_of(batch, (struct text){name.start, name.length - length});
+    column->is_infinite = column->option != NULL && column->option->kind == &kind_quantity;
+    return column->is_infinite;
+}
+
+/* Is this the name, with or without unit, of a column of the sheet that is always printed? */
+static bool is_column(const struct sheet *sheet, struct text name)
+{
+    for (size_t i = 0; i < sheet->column_count; i++) {
+        const struct column *column = &sheet->columns[i];
+        size_t length = strlen(column->name);
+        bool begins = name.length >= length && memcmp(name.start, column->name, length) == 0;
+        struct text rest = {name.start + length, begins ? name.length - length : 0};
+        if (begins && (column->flags & COLUMN_EXTRA) == 0 &&
+            (rest.length == 0 || text_equal(rest, "_is_infinite") ||
+             (column->unit != NULL && rest.start[0] == '_' &&
+              text_equal((struct text){rest.start + 1, rest.length - 1}, column->unit)))) {
+            return true;
+        }
+    }
+    return false;
+}
+
+/* Will the command print a column of this name itself? */
+static bool is_computed(const struct batch *batch, struct text name)
+{
+    return text_equal(name, "error") || is_column(batch->sheet, name);
+}
+
+/* Does any command print a column of this name? */
+static bool is_printed(struct text name)
+{
+    for (size_t i = 0; commands[i] != NULL; i++) {
+        if (is_column(&commands[i]->sheet, name)) {
+            return true;
+        }
+    }
+    return false;
+}
+
+static bool is_unit_of_any(struct text name)
+{
+    for (size_t i = 0; dimensions[i] != NULL; i++) {
+        if (unit_find(dimensions[i], name) != NULL) {
+            return true;
+        }
+    }
+    return false;
+}
+
+static bool batch_header_wrong_unit(const struct batch_column *column, struct error *error)
+{
+    struct text name = column->name, typed = column->typed_unit;
+    return fail(error, ERROR_DATA, "column '%.*s': '%.*s' is not a unit of --%s (a %s)",
+                text_shown(name), name.start, text_shown_up_to(typed, 20), typed.start,
+                column->doubtful->name, column->doubtful->dimension->name);
+}
+
+static void set_scale(struct batch_column *column, const struct reader *reader)
+{
+    const struct unit *unit = option_unit(&column->as_read);
+    column->scale = unit != NULL ? unit->scale : NUMBER_UNSCALED;
+    column->factor = unit != NULL ? unit->factor : 1;
+    bool limited = column->option->lowest != 0 || column->option->highest != 0;
+    column->lowest = limited ? column->option->lowest : -INFINITY;
+    column->highest = limited ? column->option->highest : INFINITY;
+    if (column->option->unusual != NULL) {
+        /* the short way leaves what is doubted to the long one */
+        column->lowest = fmax(column->lowest, column->option->usual[0]);
+        column->highest = fmin(column->highest, column->option->usual[1]);
+    }
+    column->offset = column->option->offset;
+    column->is_coc = column->option->kind == &kind_coc;
+    bool labels = reader->nominal && option_has_series(column->option);
+    column->is_focal = column->option->kind == &kind_focal;
+    column->is_plain = (column->option->kind == &kind_quantity && !labels) || column->is_coc ||
+                       (column->is_focal && !unit_is_equivalent(unit));
+}
+
+static bool batch_header_find_column(const struct batch *batch, struct text name,
+                                     struct batch_column *column, struct error *error)
+{
+    *column = (struct batch_column){.name = name};
+    const char *called = arena_printf(batch->arena, "column '%.*s'", text_shown(name), name.start);
+    if (find_companion(batch, name, column)) {
+        column->as_read = *column->option;
+        column->as_read.called = called;
+        return true;
+    }
+    const struct batch_meaning meaning = batch_meaning_of(batch, name);
+    column->option = meaning.option;
+    column->tag = meaning.tag;
+    column->is_copy = meaning.is_copy;
+    column->zero_is_unknown = meaning.zero_is_unknown;
+    /* s_id is a name of its own beside s_m, near_diopter comes from another run */
+    column->doubtful = is_printed(name) ? NULL : meaning.doubtful;
+    column->typed_unit = meaning.typed_unit;
+    if (column->doubtful != NULL && is_unit_of_any(column->typed_unit)) {
+        return batch_header_wrong_unit(column, error);
+    }
+    if (column->option != NULL) {
+        column->as_read = *column->option;
+        column->as_read.unit = meaning.unit != NULL ? meaning.unit : column->option->unit;
+        column->as_read.called = called;
+        column->has_decimals = batch->separator == ';' && batch_has_decimals(column->option);
+        set_scale(column, batch->reader);
+    }
+    return true;
+}
+
+/* Is it named as the option's column, and not only as the option? "rays_wanted" */
+static bool is_own_name(const struct batch_column *column)
+{
+    const char *own = column->option->column;
+    const size_t length = own != NULL ? strlen(own) : 0;
+    return own != NULL && column->name.length >= length &&
+           memcmp(column->name.start, own, length) == 0;
+}
+
+/* Beside the column of an option, a result that bears the option's name does not mean it. */
+static void prefer_own_name(const struct batch *batch, struct batch_column *one,
+                            struct batch_column *other)
+{
+    struct batch_column *const result = is_own_name(one) ? other : one;
+    if (one->option == other->option && is_own_name(one) != is_own_name(other) &&
+        is_computed(batch, result->name)) {
+        result->option = NULL;
+    }
+}
+
+/*
+ * Two columns of one option. Of a tag that stands in several groups the photograph's own counts, as
+ * exiftool has it without groups; of what else says the same, tags among it, the rows decide. False
+ * if nothing tells them apart.
+ */
+static bool share_option(struct batch_column *one, struct batch_column *other)
+{
+    const bool is_companion = one->is_infinite || other->is_infinite;
+    if (!is_companion && one->tag == NULL && other->tag == NULL) {
+        return false;
+    }
+    if (one->tag == other->tag && one->is_copy != other->is_copy) {
+        (one->is_copy ? one : other)->option = NULL;
+    } else {
+        one->is_shared = other->is_shared = true;
+        one->is_plain = other->is_plain = false;
+    }
+    return true;
+}
+
+static bool check_new(struct batch *batch, struct batch_column *column, struct error *error)
+{
+    for (size_t i = 0; i < batch->column_count; i++) {
+        struct batch_column *other = &batch->columns[i];
+        if (column->option != NULL && other->option != NULL) {
+            prefer_own_name(batch, column, other);
+        }
+        bool same_name = text_identical(other->name, column->name);
+        bool same_option = column->option != NULL && column->option == other->option;
+        if (same_name || (same_option && !share_option(column, other))) {
+            return fail(error, ERROR_DATA, "columns '%.*s' and '%.*s' mean the same",
+                        text_shown(other->name), other->name.start, text_shown(column->name),
+                        column->name.start);
+        }
+    }
+    return true;
+}
+
+static bool push_column(struct batch *batch, const struct batch_column *column, struct error *error)
+{
+    if (batch->column_count == MOST_COLUMNS) {
+        return fail(error, ERROR_DATA, "the file has more than %d columns", MOST_COLUMNS);
+    }
+    batch->columns = arena_grow(batch->arena, batch->columns, batch->column_count,
+                                &batch->column_room, sizeof *batch->columns);
+    batch->columns[batch->column_count++] = *column;
+    batch->is_photographs = batch->is_photographs || text_equal(column->name, "SourceFile");
+    return true;
+}
+
+bool batch_add_column(struct batch *batch, struct text name, size_t at, struct error *error)
+{
+    struct batch_column column;
+    if (!batch_header_find_column(batch, name, &column, error) ||
+        !check_new(batch, &column, error)) {
+        return error_locate(error, batch->source, batch->line, at);
+    }
+    column.place = at;
+    return push_column(batch, &column, error) ||
+           error_locate(error, batch->source, batch->line, at);
+}
+
+/* Is every option that a goal would solve for already there? */
+static bool has_all_settings(const struct batch *batch)
+{
+    const struct command *command = batch->arguments->command;
+    bool any = false;
+    for (size_t i = 0; i < command->option_count; i++) {
+        const struct option *option = &command->options[i];
+        if ((option->flags & OPTION_SETTING) == 0) {
+            continue;
+        }
+        any = true;
+        if (!batch_has(batch, option->name) && !arguments_given(batch->arguments, option->name)) {
+            return false;
+        }
+    }
+    return any;
+}
+
+static void pass_column(struct batch *batch, struct batch_column *column)
+{
+    size_t room = batch->passed_room;
+    batch->passed_names = arena_grow(batch->arena, batch->passed_names, batch->passed_count, &room,
+                                     sizeof *batch->passed_names);
+    batch->passed = arena_grow(batch->arena, batch->passed, batch->passed_count,
+                               &batch->passed_room, sizeof *batch->passed);
+    column->passed = batch->passed_count;
+    batch->passed[batch->passed_count].text = (struct text){"", 0};
+    batch->passed_names[batch->passed_count++] = column->name;
+}
+
+/* What becomes of a column. `settled`: the columns say all that goals would be solved for. */
+static bool settle_column(struct batch *batch, struct batch_column *column, bool settled,
+                          struct error *error)
+{
+    const struct option *meant = column->doubtful;
+    if (meant != NULL && !batch_has(batch, meant->name) &&
+        !arguments_given(batch->arguments, meant->name)) {
+        return batch_header_wrong_unit(column, error);
+    }
+    bool goal = column->option != NULL && (column->option->flags & OPTION_GOAL) != 0;
+    if (goal && settled && !arguments_given(batch->arguments, column->option->name)) {
+        column->is_ignored = true;
+        column->is_plain = false;
+    } else if (column->option == NULL && is_computed(batch, column->name)) {
+        column->is_ignored = true;
+    } else if (column->option == NULL && column->is_late && !batch->hands_late) {
+        column->is_ignored = true;
+        warnings_add(batch->reader->doubts,
+                     "the first row has no key '%.*s': only json and jsonl hand it through",
+                     text_shown(column->name), column->name.start);
+    } else if (column->option == NULL) {
+        pass_column(batch, column);
+    }
+    return true;
+}
+
+bool batch_settle_columns(struct batch *batch, struct error *error)
+{
+    bool settled = has_all_settings(batch);
+    for (size_t i = 0; i < batch->column_count; i++) {
+        struct batch_column *column = &batch->columns[i];
+        if (!settle_column(batch, column, settled, error)) {
+            return error_locate(error, batch->source, batch->line, column->place);
+        }
+    }
+    return true;
+}
+
+static void ignore_column(struct batch *batch, const char *name)
+{
+    for (size_t i = 0; i < batch->column_count; i++) {
+        struct batch_column *gone = &batch->columns[i];
+        if (gone->option != NULL || gone->is_ignored || !text_equal(gone->name, name)) {
+            continue;
+        }
+        gone->is_ignored = true;
+        batch->passed_count--;
+        for (size_t k = gone->passed; k < batch->passed_count; k++) {
+            batch->passed_names[k] = batch->passed_names[k + 1];
+        }
+        for (size_t k = 0; k < batch->column_count; k++) {
+            struct batch_column *other = &batch->columns[k];
+            other->passed -= other->passed > gone->passed ? 1 : 0;
+        }
+    }
+}
+
+void batch_ignore(struct batch *batch, const struct shown *shown, size_t count)
+{
+    for (size_t i = 0; i < count; i++) {
+        ignore_column(batch, shown[i].name);
+    }
+}
+
+/* Rows may have either of two keys for one option, or both with the same value. */
+static void share_late(struct batch *batch, struct batch_column *column)
+{
+    for (size_t i = 0; i < batch->column_count; i++) {
+        struct batch_column *other = &batch->columns[i];
+        if (column->option != NULL && column->option == other->option &&
+            !share_option(column, other)) {
+            column->is_shared = other->is_shared = true;
+        }
+    }
+}
+
+struct batch_column *batch_add_late(struct batch *batch, struct text name, struct error *error)
+{
+    struct batch_column column;
+    name.start = arena_string(batch->arena, name.start, name.length);
+    if (!batch_header_find_column(batch, name, &column, error)) {
+        return NULL;
+    }
+    column.is_late = true;
+    share_late(batch, &column);
+    if (!push_column(batch, &column, error)) {
+        return NULL;
+    }
+    struct batch_column *added = &batch->columns[batch->column_count - 1];
+    if (!settle_column(batch, added, has_all_settings(batch), error)) {
+        batch->column_count--;
+        return NULL;
+    }
+    return added;
+}

@@ -1,0 +1,200 @@
+/* cli/batch/batch_names.c - which option the name of a batch's column stands for. */
+/* SPDX-License-Identifier: MIT */
+#include "cli/batch/batch.h"
+
+#include "base/text.h"
+
+#include <string.h>
+
+/*
+ * Tags by which cameras and exiftool name what an option takes; null: the one of that name. Several
+ * may say the same thing, as they are written by programs for whoever reads them.
+ */
+static const struct photo_tag {
+    const char *tag, *option;
+    bool zero_is_unknown;
+} tags[] = {
+    {"FNumber", "aperture", false},
+    {"Aperture", NULL, false},
+    {"ExposureTime", "time", false},
+    {"ShutterSpeed", "time", false},
+    {"FocalLength", NULL, false},
+    {"ISO", NULL, false},
+    {"FocusDistance", "distance", false},
+    {"SubjectDistance", "distance", true}, /* Exif 2.3, table 7: a numerator of 0 is "unknown" */
+    {"Distance", NULL, false},
+    {"Model", "sensor", false},
+    {"Camera Model Name", "sensor", false},
+};
+
+enum { TAG_COUNT = sizeof tags / sizeof tags[0] };
+
+/* Groups of exiftool whose tags are the photograph's own, not its maker's or its thumbnail's. */
+static const char *const own_groups[] = {"EXIF", "IFD0", "ExifIFD", "Composite"};
+
+static bool is_own_group(struct text group)
+{
+    bool found = group.length == 0;
+    for (size_t i = 0; i < sizeof own_groups / sizeof own_groups[0] && !found; i++) {
+        found = text_same_name(group, text_of(own_groups[i]));
+    }
+    return found;
+}
+
+/* Cut the last group, "ExifIFD", off a name such as "EXIF:ExifIFD:FNumber" of exiftool -G0:1. */
+static struct text cut_group(struct text *name)
+{
+    struct text group = {name->start, 0}, rest = *name;
+    while (memchr(rest.start, ':', rest.length) != NULL) {
+        group = text_cut(&rest, ':');
+        *name = rest;
+    }
+    return group;
+}
+
+static const struct photo_tag *find_tag(struct text name)
+{
+    for (size_t i = 0; i < TAG_COUNT; i++) {
+        if (text_same_name(name, text_of(tags[i].tag))) {
+            return &tags[i];
+        }
+    }
+    return NULL;
+}
+
+static bool batch_names_is_letter(char c)
+{
+    return (c >= 'A' && c <= 'Z') || (c >= 'a' && c <= 'z');
+}
+
+/* Written as exiftool writes tags, most of which mean nothing here: "Lens", "DOF". */
+static bool is_tag_like(struct text name)
+{
+    bool is_word = name.length > 1 && name.start[0] >= 'A' && name.start[0] <= 'Z';
+    for (size_t i = 0; i < name.length && is_word; i++) {
+        is_word = batch_names_is_letter(name.start[i]) || char_is_digit(name.start[i]);
+    }
+    return is_word;
+}
+
+/* As people and other programs write names: case, blanks, '_' and '-' do not count. */
+static const struct option *option_like(const struct batch *batch, struct text name)
+{
+    const struct command *command = batch->arguments->command;
+    const struct photo_tag *tag = find_tag(name);
+    const char *const tagged = tag != NULL ? tag->option : NULL;
+    for (size_t i = 0; i < command->option_count; i++) {
+        const struct option *option = &command->options[i];
+        if (tagged != NULL && strcmp(option->name, tagged) == 0) {
+            return option;
+        }
+        if (tagged == NULL && name.length > 1 &&
+            (text_same_name(name, text_of(option->name)) ||
+             (option->column != NULL && text_same_name(name, text_of(option->column))))) {
+            return option;
+        }
+    }
+    return NULL;
+}
+
+const struct option *batch_option_of(const struct batch *batch, struct text name)
+{
+    const struct command *command = batch->arguments->command;
+    if (batch->is_photographs && is_tag_like(name) && find_tag(name) == NULL) {
+        return NULL;
+    }
+    for (size_t i = 0; i < command->option_count; i++) {
+        const struct option *option = &command->options[i];
+        if ((name.length == 1 && name.start[0] == option->letter) ||
+            (option->column != NULL && text_equal(name, option->column))) {
+            return option;
+        }
+    }
+    const struct argument *argument = arguments_find(batch->arguments, name);
+    return argument != NULL && argument->is_input ? argument->option : option_like(batch, name);
+}
+
+/* As it is typed, or as the heads of tables have it: "1/mm". */
+static const struct unit *unit_called(const struct dimension *dimension, struct text typed)
+{
+    const struct unit *unit = unit_find(dimension, typed);
+    for (size_t i = 0; i < dimension->unit_count && unit == NULL && typed.length > 0; i++) {
+        unit = text_equal(typed, dimension->units[i].label) ? &dimension->units[i] : NULL;
+    }
+    return unit;
+}
+
+/* A name and what may be the unit behind it; false: it is no such name with such a unit. */
+static bool match_unit(const struct batch *batch, struct text name, struct text typed,
+                       struct batch_meaning *meaning)
+{
+    const struct option *option = batch_option_of(batch, name);
+    if (option == NULL || option->dimension == NULL) {
+        return false;
+    }
+    const struct unit *unit = unit_called(option->dimension, typed);
+    meaning->typed_unit = typed;
+    if (unit != NULL) {
+        meaning->option = option;
+        meaning->unit = unit->name;
+    } else {
+        meaning->doubtful = option;
+    }
+    return unit != NULL;
+}
+
+/* "Focal Length (mm)", "Distance [ft]". */
+static bool match_brackets(const struct batch *batch, struct text name,
+                           struct batch_meaning *meaning)
+{
+    const char last = name.length > 0 ? name.start[name.length - 1] : '\0';
+    char opening = '\0';
+    if (last == ')') {
+        opening = '(';
+    } else if (last == ']') {
+        opening = '[';
+    }
+    size_t at = opening != '\0' ? name.length - 1 : 0;
+    while (at > 0 && name.start[at] != opening) {
+        at--;
+    }
+    if (at == 0) {
+        return false;
+    }
+    const struct text inside = {name.start + at + 1, name.length - at - 2};
+    return match_unit(batch, text_trim((struct text){name.start, at}), text_trim(inside), meaning);
+}
+
+/* Split "focal_length_mm" or "speed_m_s" into the option and its unit, at any '_'. */
+static bool match_with_unit(const struct batch *batch, struct text name,
+                            struct batch_meaning *meaning)
+{
+    for (size_t at = 1; at + 1 < name.length; at++) {
+        const struct text behind = {name.start + at + 1, name.length - at - 1};
+        if (name.start[at] == '_' &&
+            match_unit(batch, (struct text){name.start, at}, behind, meaning)) {
+            return true;
+        }
+    }
+    return match_brackets(batch, name, meaning);
+}
+
+struct batch_meaning batch_meaning_of(const struct batch *batch, struct text name)
+{
+    struct batch_meaning meaning = {0};
+    struct text bare = name;
+    const struct text group = cut_group(&bare);
+    const struct photo_tag *tag = find_tag(bare);
+    if (tag != NULL && (group.length > 0 || text_equal(bare, tag->tag))) {
+        meaning.option = batch_option_of(batch, bare);
+        meaning.tag = tag->tag;
+        meaning.is_copy = !is_own_group(group);
+        meaning.zero_is_unknown = tag->zero_is_unknown;
+        return meaning;
+    }
+    meaning.option = batch_option_of(batch, name);
+    if (meaning.option == NULL && match_with_unit(batch, name, &meaning)) {
+        meaning.doubtful = NULL;
+    }
+    return meaning;
+}

@@ -1,0 +1,260 @@
+/* cli/options/option.h - what a command accepts: options as const descriptions of a struct. */
+/* SPDX-License-Identifier: MIT */
+#ifndef LENSCALC_CLI_OPTIONS_OPTION_H
+#define LENSCALC_CLI_OPTIONS_OPTION_H
+
+#include "base/arena.h"
+#include "base/error.h"
+#include "base/file_type.h"
+#include "base/quantity.h"
+#include "cli/options/option_field.h"
+#include "cli/options/option_focal.h"
+#include "cli/options/option_glass.h"
+#include "cli/options/option_lens.h"
+#include "cli/options/option_light.h"
+#include "cli/options/option_ray.h"
+#include "cli/options/option_spectrum.h"
+#include "data/lensdb.h"
+#include "file/part.h"
+#include "photo/format.h"
+#include "report/doubts.h"
+
+#include <stdbool.h>
+#include <stddef.h>
+
+struct option;
+
+/* What reading a value may need. */
+struct reader {
+    struct lensdb *db;
+    struct arena *arena;       /* for what the value points to */
+    bool nominal;              /* labels of stop series stand for their exact values */
+    bool fallback;             /* the text is what the program assumes, not what the user typed */
+    struct lens_cache *lenses; /* null = every lens is read anew */
+    bool recalls; /* of a list of values that are large, names may do: see option_kind.recall */
+    struct warnings *doubts; /* of values that are legal but odd; null = nobody listens */
+};
+
+/* Data that an answer may depend on, which the user may add to. */
+enum reads {
+    READS_LENSDB = 1,  /* tables of --lensdb */
+    READS_GLASSES = 2, /* catalogues of --lensdb and --agf */
+    READS_LENSES = 4,  /* lenses of --lensdb, and files of other programs */
+};
+
+/* A kind of value. `read` fills a member of the input struct. */
+struct option_kind {
+    const char *name;
+    size_t size;
+    bool is_list; /* may be swept */
+    bool (*read)(const struct reader *reader, const struct option *option, struct text text,
+                 void *member, struct error *error);
+    /* Read again, for the present row, a value of which a list has the name only; null: lists have
+       values whole. */
+    bool (*recall)(const struct reader *reader, void *member, struct error *error);
+    /* The value's name, where it has one ("exact", "35mm (36 x 24 mm)"); null: it has none. */
+    const char *(*name_of)(const struct option *option, const void *member);
+    /* A value without a name in words that read back; null for one that is absent, and where names
+       or numbers say all. */
+    const char *(*words_of)(const struct option *option, const void *member, struct arena *arena);
+    /* Its number in its own unit, where ranges of them may be swept; null: it has none. */
+    double (*number_of)(const void *member);
+    /* Set it to such a number, typed in this unit; null: it is read from text. */
+    void (*set_number)(void *member, double number, const struct unit *unit);
+    unsigned reads; /* enum reads: where its values come from */
+    /* Make a member absent whose bytes are zero; null: zero is absent. */
+    void (*clear)(void *member);
+};
+
+extern const struct option_kind kind_quantity, kind_focal, kind_choice, kind_flag, kind_text,
+    kind_count, kind_sensor, kind_coc, kind_loss, kind_film, kind_scene, kind_series, kind_glass,
+    kind_interval, kind_lens, kind_lens_text, kind_wavelength, kind_vector, kind_pupil, kind_plane,
+    kind_target, kind_fields, kind_spectrum, kind_print, kind_part;
+
+/* A sensor as the user named it. */
+struct sensor_value {
+    struct sensor size;     /* mm */
+    const char *name;       /* as printed: "35mm (36 x 24 mm)" */
+    const char *pitch_note; /* what to know of the pixel pitch; null = nothing */
+    bool is_fallback;       /* nobody named it */
+    bool is_wide;           /* of a camera whose lens is fixed and wide: phone, drone, action */
+};
+
+/* A print as the user wrote it, mm; NaN = not given. */
+struct print_value {
+    double longer, shorter; /* sides of the paper; of a length alone the longer one */
+    double viewing;         /* distance it is looked at from */
+    double acuity;          /* of the eye, line pairs per mm at 25 cm */
+    const char *criterion;  /* "print A2@1m", as typed */
+};
+
+/*
+ * Read "36x24mm" or "36 x 24 in": two lengths with one unit, mm where none stands there.
+ *
+ * Given     sides  receives width and height, mm, not checked;  has_unit  is there a unit?
+ * Errors    ERROR_USAGE: a bad length; code ERROR_NONE: it is no size
+ */
+bool option_read_size(const struct option *option, struct text text, double sides[2],
+                      bool *has_unit, struct error *error);
+
+/* The criterion of a circle of confusion that is a length. */
+#define COC_GIVEN "given"
+
+/* A circle of confusion as the user wrote it. */
+struct coc_value {
+    struct coc coc;
+    const char *criterion; /* "d/1500"; "given" for a length */
+    bool is_fallback;      /* nobody asked for it: it may be solved for instead */
+};
+
+/* The kind of an option is that of its member, so that table and struct cannot disagree. */
+#define OPTION_KIND(S, member)                                                                     \
+    _Generic(((S *)0)->member,                                                                     \
+        double: &kind_quantity,                                                                    \
+        struct focal_value: &kind_focal,                                                           \
+        int: &kind_choice,                                                                         \
+        long: &kind_count,                                                                         \
+        bool: &kind_flag,                                                                          \
+        const char *: &kind_text,                                                                  \
+        struct sensor_value: &kind_sensor,                                                         \
+        struct coc_value: &kind_coc,                                                               \
+        struct loss_value: &kind_loss,                                                             \
+        struct film_value: &kind_film,                                                             \
+        struct scene_value: &kind_scene,                                                           \
+        struct series_value: &kind_series,                                                         \
+        struct glass_value: &kind_glass,                                                           \
+        struct interval_value: &kind_interval,  \
+        struct lens_value: &kind_lens, \
+        struct lens_text_value: &kind_lens_text, \
+        struct wavelength_value: &kind_wavelength, \
+        struct vector_value: &kind_vector, \
+        struct pupil_value: &kind_pupil, \
+        struct plane_value: &kind_plane, \
+        struct target_value: &kind_target, \
+        struct fields_value: &kind_fields, \
+        struct spectrum_value: &kind_spectrum, \
+        struct print_value: &kind_print, \
+        struct part: &kind_part)
+
+#define OPTION(S, member) .kind = OPTION_KIND(S, member), .offset = offsetof(S, member)
+
+enum option_flag {
+    OPTION_ABOVE_LOWEST = 1, /* the lowest value itself is not allowed */
+    OPTION_NO_INFINITY = 2,
+    OPTION_OPERAND = 4,  /* may stand without its name */
+    OPTION_REST = 8,     /* an operand that takes all words that are left, joined by blanks */
+    OPTION_COMMON = 16,  /* of every command */
+    OPTION_FILE = 32,    /* names a file */
+    OPTION_SETTING = 64, /* goals are solved for the settings that are not given */
+    OPTION_GOAL = 128,
+    OPTION_MANY = 256,    /* an operand that all words go to that are left: a list of values */
+    OPTION_CURRENT = 512, /* of several glasses of a name the current one */
+    OPTION_FIELD = 1024,  /* of a lens, answered one by one: no weights */
+    OPTION_BELOW_HIGHEST = 2048, /* the highest value itself is not allowed */
+    OPTION_T_STOP = 4096,        /* an f-number that is a T-stop: T2.2 says nothing odd */
+    OPTION_TOGETHER = 8192,      /* an operand that is all words that are left, as one value */
+    OPTION_NO_SERIES = 16384,    /* no setting of a camera: it has no labels of a stop series */
+    OPTION_SEVERAL = 65536,      /* may be given several times: its values are one list */
+    OPTION_EMPTY = 131072,       /* a text that may be empty */
+    OPTION_ASIDE = 32768 /* says how work is done, not what comes of it: threads, a part of it */
+};
+
+struct option {
+    const char *name; /* "focal-length" */
+    char letter;      /* 'f', or 0 */
+    const struct option_kind *kind;
+    size_t offset;
+    const char *quantity; /* what formulas call it; null = its name with blanks, "focal length" */
+    const char *called;   /* how it was given, where not by its name: "column 's_m'"; else null */
+    const char *column;   /* the output column that repeats it: "focal"; null = as its own name */
+    const struct dimension *dimension; /* of a quantity */
+    const char *unit;                  /* of a bare number; null = the dimension's own */
+    double lowest, highest;            /* in the program's own unit; both 0 = any value */
+    double usual[2];                   /* values outside are doubted; both 0 = none is */
+    const char *unusual;               /* in which words: "no lens in air is faster than f/0.5" */
+    const char *no_number;             /* said to who types a word for the number; null = nothing */
+    unsigned flags;
+    /* It says something only beside a value of a circle of confusion for which this holds. */
+    bool (*serves)(const struct coc_value *coc);
+    const char *served; /* such a value in words: "print" */
+    /* What this one says nothing without, one of several: "lens|coc=airy", "pattern!=few". */
+    const char *wants;
+    const char *excludes;     /* options beside which one of both says nothing: "coc trail" */
+    const char *fallback;     /* what it is if not given, as it would be typed; null = absent */
+    const struct word *words; /* of a choice: the place in the list is the value */
+    const struct word *(*word_at)(size_t i); /* the same from a list that is kept elsewhere */
+    file_types *types; /* how the name of a file may end; null = as it likes */
+    /* Is a text what it may be? Its message names no option. Null: any is. */
+    bool (*accepts)(const char *text, struct error *error);
+    const char *value; /* how help names the value: "LENGTH"; null = nothing to name */
+    const char *help;  /* one line */
+};
+
+/* Are its values the labels of a stop series? */
+static inline bool option_has_series(const struct option *option)
+{
+    return option->dimension != NULL && option->dimension->series != NULL &&
+           (option->flags & OPTION_NO_SERIES) == 0;
+}
+
+/* How it was given, in the words of a message: "--focal-length", "column 's_m'". */
+struct called {
+    char text[80];
+};
+
+const char *option_called(const struct option *option, struct called *room);
+
+#define CALLED(option) option_called((option), &(struct called){{0}})
+
+/* Is it what the formulas call by this name? */
+bool option_is_quantity(const struct option *option, struct text quantity);
+
+/* What stands between the values of an OPTION_MANY: no comma, since names of files may have one. */
+#define OPTION_MANY_SEPARATOR '\n'
+
+/* Word i that the option may have; null behind the last, and where it takes any value. */
+const struct word *option_word(const struct option *option, size_t i);
+
+/* The unit in which a bare number is read; null = none. */
+static inline const struct unit *option_unit(const struct option *option)
+{
+    if (option->dimension == NULL || option->unit == NULL) {
+        return option->dimension != NULL ? &option->dimension->units[0] : NULL;
+    }
+    return unit_find(option->dimension, text_of(option->unit));
+}
+
+/*
+ * Read one value of an option into its member.
+ *
+ * Given     text    as typed, without list or range
+ *           member  option->kind->size bytes
+ * Errors    as the kind's reader, the message naming the option and the legal range
+ */
+bool option_read(const struct reader *reader, const struct option *option, struct text text,
+                 void *member, struct error *error);
+
+/*
+ * Make a member whole of which only the name was kept, as its kind does; others are.
+ *
+ * Errors    as option_read
+ */
+bool option_recall(const struct reader *reader, const struct option *option, void *member,
+                   struct error *error);
+
+/* Say whose text was wrong, before what was wrong with it. Returns false. */
+bool option_blame(const struct option *option, struct text text, struct error *error);
+
+/* Refuse a number outside the option's range; `value` in the program's own unit. */
+bool option_check_range(const struct option *option, double value, struct error *error);
+
+/* Add to the reader's doubts what is unusual about a legal value, in the program's own unit. */
+void option_doubt(const struct reader *reader, const struct option *option, double value);
+
+/* The legal range in words: "above 0 mm", "0 to 90 deg", ".svg or .png"; "" if there is none. */
+const char *option_range(const struct option *option, struct arena *arena);
+
+/* Make a member absent: NaN, null, false, or the first choice. */
+void option_clear(const struct option *option, void *member);
+
+#endif

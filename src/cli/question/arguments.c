@@ -1,0 +1,446 @@
+/* cli/question/arguments.c - argv into the texts of options. */
+/* SPDX-License-Identifier: MIT */
+#include "cli/question/arguments.h"
+
+#include <string.h>
+
+static void arguments_list_options(struct arguments *arguments, struct arena *arena)
+{
+    const struct command *command = arguments->command;
+    size_t own = command->option_count + command->artifact_count;
+    arguments->all = ARENA_ARRAY(arena, own + common_option_count, struct argument);
+    for (size_t i = 0; i < own; i++) {
+        arguments->all[i].option = command_option(command, i);
+        arguments->all[i].is_input = i < command->option_count;
+    }
+    arguments->count = own;
+    const struct option *common = NULL;
+    while ((common = command_next_common(command, common)) != NULL) {
+        arguments->all[arguments->count].option = common;
+        arguments->all[arguments->count++].is_common = true;
+    }
+}
+
+/* As people write option names: '_' may stand for '-'. */
+static bool arguments_is_called(const struct option *option, struct text name)
+{
+    const char *known = option->name;
+    size_t at = 0;
+    while (at < name.length && known[at] != '\0' &&
+           (name.start[at] == known[at] || (name.start[at] == '_' && known[at] == '-'))) {
+        at++;
+    }
+    return at == name.length && known[at] == '\0';
+}
+
+struct argument *arguments_find(const struct arguments *arguments, struct text name)
+{
+    for (size_t i = 0; i < arguments->count; i++) {
+        if (arguments_is_called(arguments->all[i].option, name)) {
+            return &arguments->all[i];
+        }
+    }
+    return NULL;
+}
+
+bool arguments_given(const struct arguments *arguments, const char *name)
+{
+    const struct argument *argument = arguments_find(arguments, text_of(name));
+    return argument != NULL && argument->is_given;
+}
+
+static struct argument *arguments_find_letter(const struct arguments *arguments, char letter)
+{
+    for (size_t i = 0; i < arguments->count; i++) {
+        if (arguments->all[i].option->letter == letter && letter != '\0') {
+            return &arguments->all[i];
+        }
+    }
+    return NULL;
+}
+
+/* What other programs, and the trade, call what is an option here. */
+static const struct {
+    const char *names, *option;
+} trade_words[] = {
+    {"fstop fnumber fstops stop av", "aperture"},
+    {"shutter shutterspeed exposuretime speed tv", "time"},
+    {"asa sensitivity filmspeed", "iso"},
+    {"nd ndfilter density stops", "filter"},
+    {"focus subject subjectdistance focusdistance objectdistance", "distance"},
+    {"subjectspeed velocity", "speed"},
+    {"light lighting condition", "scene"},
+    {"camera body filmformat sensorsize", "sensor"},
+    {"focal", "focal-length"},
+    {"circleofconfusion", "coc"},
+    {"extension extensiontube bellows", "tube"},
+    {"teleconverter extender tc", "converter"},
+    {"diopter diopters dioptre dioptres closeuplens", "close-up"},
+    {"anamorphic desqueeze", "squeeze"},
+    {"gn", "guide-number"},
+    {"fps rate", "frame-rate"},
+    {"duration eventlength", "event"},
+    {"frames photos pictures exposures", "shots"},
+    {"wb whitebalance", "balance"},
+    {"cct colortemperature colourtemperature", "kelvin"},
+    {"hz mainsfrequency", "mains"},
+    {"paper printsize", "print"},
+    {"agl flightheight", "altitude"},
+    {"groundsampledistance groundsample", "gsd"},
+    {"memory storage cardsize", "card"},
+    {"filesize", "frame-size"},
+};
+
+/* The option of this command that such a word means, or whose column has this name; or null. */
+static const struct option *meant_by(const struct arguments *arguments, struct text name)
+{
+    const char *option = "";
+    for (size_t i = 0; i < sizeof trade_words / sizeof trade_words[0]; i++) {
+        struct text words = text_of(trade_words[i].names);
+        while (words.length > 0) {
+            if (text_same_name(name, text_cut(&words, ' '))) {
+                option = trade_words[i].option;
+            }
+        }
+    }
+    for (size_t i = 0; i < arguments->count; i++) {
+        const struct option *own = arguments->all[i].option;
+        bool repeats = own->column != NULL && text_same_name(name, text_of(own->column));
+        if (repeats || strcmp(own->name, option) == 0) {
+            return own;
+        }
+    }
+    return NULL;
+}
+
+static bool arguments_unknown(const struct arguments *arguments, struct text name,
+                              const char *dashes, struct error *error)
+{
+    struct nearest nearest = {.typed = name};
+    for (size_t i = 0; i < common_option_count; i++) {
+        const char *why = command_has_no_use(arguments->command, &common_options[i]);
+        if (why != NULL && arguments_is_called(&common_options[i], name)) {
+            return fail(error, ERROR_USAGE, "--%s does nothing here: %s %s", common_options[i].name,
+                        arguments->command->name, why);
+        }
+    }
+    const struct command *other = arguments->command->other;
+    for (size_t i = 1; other != NULL && i < other->option_count; i++) {
+        if (arguments_is_called(&other->options[i], name)) {
+            return fail(error, ERROR_USAGE, "--%s needs --%s", other->options[i].name,
+                        other->options[0].name);
+        }
+    }
+    for (size_t i = 0; i < arguments->count; i++) {
+        nearest_offer(&nearest, text_of(arguments->all[i].option->name));
+    }
+    fail(error, ERROR_USAGE, "unknown option '%s%.*s'", dashes, text_shown(name), name.start);
+    const struct option *meant = meant_by(arguments, name);
+    if (meant != NULL) {
+        return error_hint(error, "here it is '--%s': %s", meant->name, meant->help);
+    }
+    if (nearest.best.start != NULL) {
+        return error_hint(error, "did you mean '--%.*s'?", (int)nearest.best.length,
+                          nearest.best.start);
+    }
+    return error_hint(error, "see 'lenscalc %s --help'", arguments->command->name);
+}
+
+/* The words that are left, while they are read. */
+struct words {
+    int count, at;
+    char **all;
+    struct arena *arena;
+    struct argument *last; /* whose value was read last; null behind flags and operands */
+};
+
+static bool is_flag(const struct argument *argument)
+{
+    return argument->option->kind == &kind_flag;
+}
+
+/* One more word behind those that an argument has; they may be many. */
+static void arguments_append(struct argument *argument, char between, struct text word,
+                             struct arena *arena)
+{
+    const size_t length = argument->text.length + 1 + word.length;
+    char *joined = (char *)argument->text.start;
+    if (length > argument->room) {
+        argument->room = 2 * length;
+        joined = ARENA_ARRAY(arena, argument->room + 1, char);
+        memcpy(joined, argument->text.start, argument->text.length);
+    }
+    joined[argument->text.length] = between;
+    memcpy(joined + argument->text.length + 1, word.start, word.length);
+    argument->text = (struct text){joined, length};
+}
+
+/* Is the word an option, "--seconds=3"? A value that looks like one is written behind '='. */
+static bool names_option(const struct arguments *arguments, const char *word)
+{
+    struct text rest = text_behind(text_of(word), "--");
+    return rest.start != NULL && rest.length > 0 &&
+           arguments_find(arguments, text_cut(&rest, '=')) != NULL;
+}
+
+/* Store the text of an option; `text.start` is null where none was attached to its name. */
+static bool arguments_take(const struct arguments *arguments, struct argument *argument,
+                           struct text text, struct words *words, struct error *error)
+{
+    const char *name = argument->option->name;
+    const bool is_more = argument->is_given;
+    if (is_more && (argument->option->flags & OPTION_SEVERAL) == 0) {
+        return fail(error, ERROR_USAGE, "--%s is given twice", name);
+    }
+    if (is_flag(argument) && text.start != NULL) {
+        return fail(error, ERROR_USAGE, "--%s takes no value", name);
+    }
+    if (!is_flag(argument) && text.start == NULL) {
+        if (words->at == words->count || names_option(arguments, words->all[words->at])) {
+            return fail(error, ERROR_USAGE, "--%s needs a value: %s", name,
+                        argument->option->value != NULL ? argument->option->value : "VALUE");
+        }
+        text = text_of(words->all[words->at++]);
+    }
+    if (is_more) {
+        arguments_append(argument, ',', text, words->arena);
+    } else {
+        argument->text = text;
+    }
+    argument->is_given = true;
+    words->last = is_flag(argument) ? NULL : argument;
+    return true;
+}
+
+/* --name, --name=value, --name value */
+static bool parse_long(struct arguments *arguments, struct text word, struct words *words,
+                       struct error *error)
+{
+    struct text value = word;
+    struct text name = text_cut(&value, '=');
+    struct argument *argument = arguments_find(arguments, name);
+    if (argument == NULL) {
+        return arguments_unknown(arguments, name, "--", error);
+    }
+    return arguments_take(arguments, argument, value, words, error);
+}
+
+/* -f50mm, -f 50mm, -f=50mm; several flags may share one dash */
+static bool parse_short(struct arguments *arguments, struct text word, struct words *words,
+                        struct error *error)
+{
+    while (word.length > 0) {
+        struct argument *argument = arguments_find_letter(arguments, word.start[0]);
+        if (argument == NULL) {
+            return arguments_unknown(arguments, word, "-", error);
+        }
+        struct text rest = {word.start + 1, word.length - 1};
+        if (!is_flag(argument)) {
+            if (rest.length > 0 && rest.start[0] == '=') {
+                rest = (struct text){rest.start + 1, rest.length - 1};
+            }
+            return arguments_take(arguments, argument,
+                                  rest.length > 0 ? rest : (struct text){NULL, 0}, words, error);
+        }
+        if (!arguments_take(arguments, argument, (struct text){NULL, 0}, words, error)) {
+            return false;
+        }
+        word = rest;
+    }
+    return true;
+}
+
+/* What the last value of an option is measured in; null: it is no quantity. */
+static const struct dimension *measured_in(const struct option *option)
+{
+    if (option->kind == &kind_sensor) {
+        return &dimension_length;
+    }
+    return option->kind == &kind_loss ? &dimension_stops : option->dimension;
+}
+
+/* The last value of a list or range, or side of a size. */
+static struct text last_value(const struct option *option, struct text text)
+{
+    size_t at = text.length;
+    while (at > 0 && text.start[at - 1] != ',' &&
+           !(at > 1 && text.start[at - 1] == '.' && text.start[at - 2] == '.') &&
+           !(option->kind == &kind_sensor && (text.start[at - 1] | 0x20) == 'x')) {
+        at--;
+    }
+    return (struct text){text.start + at, text.length - at};
+}
+
+/*
+ * Does a word go on with the value before it? A unit behind a bare number does ("50" "mm"), the
+ * rest of a quantity ("5" "ft" "6" "in"), and what follows the comma of a list.
+ */
+static bool arguments_goes_on(const struct argument *argument, struct text word,
+                              struct arena *arena)
+{
+    const struct option *option = argument->option;
+    const struct dimension *dimension = measured_in(option);
+    struct text before = argument->text, last = last_value(option, before);
+    struct error ignored;
+    double value;
+    if (dimension == NULL || before.length == 0 || word.length == 0) {
+        return false;
+    }
+    if (before.start[before.length - 1] == ',') {
+        return option->kind->is_list;
+    }
+    bool is_unit = unit_find(dimension, word) != NULL;
+    if (last.length == 0 || !(is_unit || char_is_digit(word.start[0]))) {
+        return false;
+    }
+    const char *joined = arena_printf(arena, "%.*s %.*s", (int)last.length, last.start,
+                                      (int)word.length, word.start);
+    return quantity_read(text_of(joined), dimension, NULL, &value, NULL, &ignored);
+}
+
+/* Take a word to the value before it, if it goes on with that. */
+static bool take_on(struct words *words, struct text word, struct arena *arena)
+{
+    struct argument *last = words->last;
+    if (last == NULL || !arguments_goes_on(last, word, arena)) {
+        return false;
+    }
+    const char *between = last->text.start[last->text.length - 1] == ',' ? "" : " ";
+    last->text = text_of(arena_printf(arena, "%.*s%s%.*s", (int)last->text.length, last->text.start,
+                                      between, (int)word.length, word.start));
+    return true;
+}
+
+/* A word that belongs to nothing: say how it may have been meant. */
+static bool unexpected(const struct arguments *arguments, const struct words *words,
+                       struct text word, struct error *error)
+{
+    const struct example *example = arguments->command->examples;
+    const struct argument *last = words->last;
+    fail(error, ERROR_USAGE, "unexpected argument '%.*s'", text_shown(word), word.start);
+    if (last != NULL && last->option->kind->name_of != NULL) {
+        return error_hint(error, "put a value with blanks in quotes: --%s \"%.*s %.*s\"",
+                          last->option->name, text_shown(last->text), last->text.start,
+                          text_shown(word), word.start);
+    }
+    if (word.length > 0 && strchr("+.0123456789", word.start[0]) != NULL && example != NULL) {
+        return error_hint(error, "numbers follow their option, as in 'lenscalc %s'",
+                          example->arguments);
+    }
+    return error_hint(error, "see 'lenscalc %s --help'", arguments->command->name);
+}
+
+/* A word that is no option goes to the next operand that is still free. */
+static bool parse_operand(struct arguments *arguments, struct text word, struct words *words,
+                          struct arena *arena, struct error *error)
+{
+    if (take_on(words, word, arena)) {
+        return true;
+    }
+    for (size_t i = 0; i < arguments->count; i++) {
+        struct argument *argument = &arguments->all[i];
+        unsigned flags = argument->option->flags;
+        if ((flags & OPTION_OPERAND) == 0) {
+            continue;
+        }
+        if (!argument->is_given) {
+            argument->is_given = true;
+            argument->text = word;
+            words->last = NULL;
+            return true;
+        }
+        if ((flags & (OPTION_REST | OPTION_MANY | OPTION_TOGETHER)) != 0) {
+            char between = (flags & OPTION_REST) != 0 ? ' ' : OPTION_MANY_SEPARATOR;
+            arguments_append(argument, between, word, arena);
+            words->last = NULL;
+            return true;
+        }
+    }
+    return unexpected(arguments, words, word, error);
+}
+
+/* Standard input has one reader: the batch or a lens. */
+static bool check_standard_input(const struct arguments *arguments, struct error *error)
+{
+    const struct argument *batch = arguments_find(arguments, text_of("batch"));
+    bool taken = batch != NULL && batch->is_given && text_equal(batch->text, "-");
+    for (size_t i = 0; i < arguments->count && taken; i++) {
+        const struct argument *argument = &arguments->all[i];
+        if (argument->option->kind == &kind_lens && argument->is_given &&
+            text_equal(text_trim(argument->text), "-")) {
+            return fail(error, ERROR_USAGE, "--%s - and --batch - cannot both read standard input",
+                        argument->option->name);
+        }
+    }
+    return true;
+}
+
+/* What --color asks for: known before anything is complained about. */
+static enum color_when color_of(int count, char **all)
+{
+    enum color_when color = COLOR_AUTO;
+    for (int i = 0; i < count && strcmp(all[i], "--") != 0; i++) {
+        struct text asked = text_behind(text_of(all[i]), "--color=");
+        if (strcmp(all[i], "--color") == 0 && i + 1 < count) {
+            asked = text_of(all[i + 1]);
+        }
+        for (int k = 0; asked.start != NULL && color_words[k].word != NULL; k++) {
+            color = text_equal(asked, color_words[k].word) ? (enum color_when)k : color;
+        }
+    }
+    return color;
+}
+
+bool arguments_parse(struct arguments *arguments, const struct command *command, int count,
+                     char **all, struct arena *arena, struct error *error)
+{
+    struct words words = {.count = count, .all = all, .arena = arena};
+    bool options_end = false;
+    arguments->command = command;
+    arguments->color = color_of(count, all);
+    arguments_list_options(arguments, arena);
+    while (words.at < words.count) {
+        struct text word = text_of(words.all[words.at++]);
+        bool dashed = !options_end && word.length > 1 && word.start[0] == '-';
+        bool done;
+        if (dashed && word.start[1] == '-' && word.length == 2) {
+            options_end = true;
+            continue;
+        }
+        if (dashed && word.start[1] == '-') {
+            done = parse_long(arguments, (struct text){word.start + 2, word.length - 2}, &words,
+                              error);
+        } else if (dashed) {
+            done = parse_short(arguments, (struct text){word.start + 1, word.length - 1}, &words,
+                               error);
+        } else {
+            done = parse_operand(arguments, word, &words, arena, error);
+        }
+        if (!done) {
+            return false;
+        }
+    }
+    return check_standard_input(arguments, error);
+}
+
+bool arguments_common(const struct arguments *arguments, const struct reader *reader,
+                      struct common *common, struct error *error)
+{
+    for (size_t i = 0; i < arguments->count; i++) {
+        const struct argument *argument = &arguments->all[i];
+        const struct option *option = argument->option;
+        if (!argument->is_common) {
+            continue;
+        }
+        void *member = (char *)common + option->offset;
+        if (argument->is_given && option->kind == &kind_flag) {
+            *(bool *)member = true;
+        } else if (argument->is_given || option->fallback != NULL) {
+            struct text text = argument->is_given ? argument->text : text_of(option->fallback);
+            if (!option_read(reader, option, text, member, error)) {
+                return false;
+            }
+        }
+    }
+    return true;
+}

@@ -1,0 +1,386 @@
+/* cli/question/artifact.c - drawings, lens files, texts: what a command makes besides rows. */
+/* SPDX-License-Identifier: MIT */
+#include "cli/question/artifact.h"
+
+#include "base/name_index.h"
+#include "cli/question/arguments.h"
+#include "cli/question/inputs.h"
+#include "cli/question/sweep.h"
+#include "optics/growing.h"
+#include "report/place.h"
+#include "report/terminal.h"
+
+#include <string.h>
+#include <unistd.h>
+
+enum { MOST_INPUTS = 100 };
+
+static const struct file_type svg_type = {{"svg", "drawing"}, ".svg"};
+
+const struct file_type *drawing_types(size_t i)
+{
+    return i == 0 ? &svg_type : NULL;
+}
+
+bool drawing_write(const struct artifact_job *job, const struct svg *drawing, struct output *sink,
+                   struct error *error)
+{
+    (void)job; /* the one type there is */
+    (void)error;
+    output_text(sink, drawing->data, drawing->length);
+    return true;
+}
+
+/* Endings that tell everyone what is in a file: nothing else goes into it. */
+static const char *const known_endings[] = {".svg", ".png", ".pfm",  ".jpg",  ".jpeg", ".pdf",
+                                            ".hdr", ".exr", ".tif",  ".tiff", ".gif",  ".eps",
+                                            ".csv", ".tsv", ".json", ".html", ".part", ".lens",
+                                            ".zmx", ".seq", ".len",  ".agf",  NULL};
+
+static bool has_known_ending(struct text path)
+{
+    size_t i = 0;
+    while (known_endings[i] != NULL && !file_type_ends(path, known_endings[i])) {
+        i++;
+    }
+    return known_endings[i] != NULL;
+}
+
+/*
+ * What the file shall hold: what the input asks for, else what its name says. Where only one thing
+ * can be written any name will do that is not the name of something else.
+ */
+static bool artifact_choose_type(struct artifact_job *job, struct arena *arena, struct error *error)
+{
+    const struct artifact *artifact = job->artifact;
+    file_types *types = artifact->option.types;
+    job->type = artifact->choose != NULL ? artifact->choose(job->inputs[0]) : NULL;
+    if (types == NULL || job->type != NULL) {
+        return true;
+    }
+    bool nameless = place_is_standard(job->path, arena);
+    struct text path = text_of(nameless ? "" : job->path);
+    job->type = file_type_of(types, path);
+    bool only = types(1) == NULL && !has_known_ending(path);
+    if (job->type == NULL && (nameless || only)) {
+        job->type = types(0);
+    }
+    if (job->type != NULL) {
+        return true;
+    }
+    fail(error, ERROR_USAGE, "--%s '%s': the name must end in %s", artifact->option.name, job->path,
+         file_type_endings(types, arena));
+    return artifact->chooser != NULL &&
+           error_hint(error, "or choose the format with --%s", artifact->chooser);
+}
+
+static bool check_scope(const struct artifact_job *job, const struct artifact_setting *setting,
+                        struct error *error)
+{
+    const char *name = job->artifact->option.name;
+    size_t total = setting->sweep->total;
+    bool several = setting->is_batch || total > 1;
+    if (job->artifact->scope == ARTIFACT_OF_ROWS) {
+        return true;
+    }
+    if (job->artifact->scope == ARTIFACT_OF_EACH) {
+        if (total > MOST_INPUTS) {
+            return fail(error, ERROR_USAGE, "--%s would be %zu files: at most %d", name, total,
+                        MOST_INPUTS);
+        }
+        return true;
+    }
+    if (job->artifact->scope == ARTIFACT_OF_SWEEP) {
+        if (setting->is_batch) {
+            return fail(error, ERROR_USAGE, "--%s works with swept options, not with --batch",
+                        name);
+        }
+        return total <= MOST_INPUTS ||
+               fail(error, ERROR_USAGE, "--%s would draw %zu questions: at most %d", name, total,
+                    MOST_INPUTS);
+    }
+    if (several) {
+        return fail(error, ERROR_USAGE, "--%s draws a single answer: no lists, ranges or --batch",
+                    name);
+    }
+    return job->artifact->scope != ARTIFACT_OF_ROW || !setting->many ||
+           fail(error, ERROR_USAGE, "--%s draws a single row, but this answer has several", name);
+}
+
+/* Of several files the one by this number from 0: "night.png" becomes "night-01.png". */
+static const char *numbered(const struct artifact_job *job, size_t number, struct arena *arena)
+{
+    const char *path = job->path;
+    if (job->files == 1) {
+        return path;
+    }
+    const char *slash = strrchr(path, '/'), *dot = strrchr(path, '.');
+    const bool has_ending = dot != NULL && (slash == NULL || dot > slash);
+    const char *ending = has_ending ? dot : path + strlen(path);
+    const int digits = job->files > 99 ? 3 : job->files > 9 ? 2 : 1;
+    return arena_printf(arena, "%.*s-%0*zu%s", (int)(ending - path), path, digits, number + 1,
+                        ending);
+}
+
+/* An artifact that writes this file already; null: none does. */
+static const char *other_writer(const struct artifacts *artifacts,
+                                const struct artifact_setting *setting, const char *path)
+{
+    const char *rows = setting->common->output;
+    if (setting->command->run != NULL &&
+        place_is_same(rows != NULL ? rows : "-", path, setting->arena)) {
+        return "output";
+    }
+    for (size_t i = 0; i < artifacts->count; i++) {
+        const struct artifact_job *job = &artifacts->jobs[i];
+        for (size_t k = 0; k < job->files && job->path != NULL; k++) {
+            if (place_is_same(numbered(job, k, setting->arena), path, setting->arena)) {
+                return job->artifact->option.name;
+            }
+        }
+    }
+    return NULL;
+}
+
+/* A file that is there already, or is read, and two artifacts in one file. */
+static bool artifact_check_place(const struct artifacts *artifacts, const struct artifact_job *job,
+                                 const struct artifact_setting *setting, struct error *error)
+{
+    for (size_t i = 0; i < job->files && job->path != NULL; i++) {
+        const char *path = numbered(job, i, setting->arena);
+        if (job->artifact->is_kept && !setting->common->force &&
+            place_is_file(path, setting->arena)) {
+            return fail(error, ERROR_IO, "%s already exists: --force overwrites it", path);
+        }
+        if (!inputs_spare(setting->arguments, setting->run->db, setting->common->force, path,
+                          setting->arena, error)) {
+            return false;
+        }
+        const char *other = other_writer(artifacts, setting, path);
+        if (other != NULL) {
+            return fail(error, ERROR_USAGE, "--%s and --%s write the same file %s", other,
+                        job->artifact->option.name, path);
+        }
+    }
+    return true;
+}
+
+/* The inputs of a sweep, one after the other; the input itself where there is only one. */
+static const void *const *inputs_of(const struct artifact_setting *setting, size_t count,
+                                    struct error *error)
+{
+    size_t size = setting->command->input_size;
+    const void **inputs = ARENA_ARRAY(setting->arena, count, const void *);
+    for (size_t i = 0; i < count && count > 1; i++) {
+        void *copy = arena_array(setting->arena, 1, size);
+        if (!sweep_recall(setting->sweep, i, setting->input, error)) {
+            return NULL;
+        }
+        inputs[i] = memcpy(copy, setting->input, size);
+    }
+    inputs[0] = count > 1 ? inputs[0] : setting->input;
+    return inputs;
+}
+
+/* Bytes go to files and pipes. */
+static bool check_terminal(const struct artifact_job *job, struct arena *arena, struct error *error)
+{
+    if (!job->artifact->is_binary || !place_is_standard(job->path, arena) ||
+        !isatty(STDOUT_FILENO)) {
+        return true;
+    }
+    fail(error, ERROR_USAGE, "a terminal shows no such files");
+    return error_hint(error, "--%s FILE writes one", job->artifact->option.name);
+}
+
+/* Several files want names. */
+static bool check_names(const struct artifact_job *job, struct arena *arena, struct error *error)
+{
+    return job->files == 1 || !place_is_standard(job->path, arena) ||
+           fail(error, ERROR_USAGE, "%zu files do not go to standard output: --%s FILE", job->files,
+                job->artifact->option.name);
+}
+
+/* One more, if nothing speaks against it. */
+static bool artifact_order(struct artifacts *artifacts, const struct artifact_setting *setting,
+                           struct artifact_job job, struct error *error)
+{
+    const struct artifact *artifact = job.artifact;
+    if (!check_scope(&job, setting, error) || !check_terminal(&job, setting->arena, error)) {
+        return false;
+    }
+    const bool is_each = artifact->scope == ARTIFACT_OF_EACH;
+    job.count = is_each || artifact->scope == ARTIFACT_OF_SWEEP ? setting->sweep->total : 1;
+    job.inputs = inputs_of(setting, job.count, error);
+    if (job.inputs == NULL) {
+        return false;
+    }
+    job.asking = setting->asking;
+    job.is_forced = setting->common->force;
+    job.run = setting->run;
+    if (!artifact_choose_type(&job, setting->arena, error)) {
+        return false;
+    }
+    const bool gathers = artifact->gathers != NULL && job.type != NULL &&
+                         strcmp(job.type->ending, artifact->gathers) == 0;
+    job.first = artifacts->files;
+    job.files = is_each && !gathers       ? job.count
+                : artifact->count != NULL ? artifact->count(job.inputs[0])
+                                          : 1;
+    if (!check_names(&job, setting->arena, error) ||
+        (artifact->check != NULL && !artifact->check(&job, error)) ||
+        !artifact_check_place(artifacts, &job, setting, error)) {
+        return false;
+    }
+    artifacts->jobs[artifacts->count++] = job;
+    artifacts->files += job.files;
+    return true;
+}
+
+static bool open_sink(const struct artifact_setting *setting, const char *path, struct output *sink,
+                      struct error *error)
+{
+    if (setting->is_inside) {
+        output_inside(sink, setting->arena);
+        return true;
+    }
+    if (!output_open(sink, path, setting->arena, error)) {
+        return false;
+    }
+    terminal_guard(sink);
+    return true;
+}
+
+static bool open_sinks(struct artifacts *artifacts, const struct artifact_setting *setting,
+                       struct error *error)
+{
+    struct arena *arena = setting->arena;
+    artifacts->sinks = ARENA_ARRAY(arena, artifacts->files + 1, struct output);
+    for (size_t i = 0; i < artifacts->count; i++) {
+        const struct artifact_job *job = &artifacts->jobs[i];
+        for (size_t k = 0; k < job->files; k++) {
+            if (!open_sink(setting, numbered(job, k, arena), &artifacts->sinks[artifacts->open],
+                           error)) {
+                return false;
+            }
+            artifacts->open++;
+        }
+    }
+    return true;
+}
+
+bool artifacts_asked(const struct command *command, const struct arguments *arguments)
+{
+    bool asked = false;
+    for (size_t i = 0; i < command->artifact_count; i++) {
+        asked = asked || arguments->all[command->option_count + i].is_given;
+    }
+    return asked;
+}
+
+/* Of a command without rows the answer is made unless something else is asked for. */
+static bool is_answer(const struct artifact_setting *setting, size_t which)
+{
+    const struct command *command = setting->command;
+    return command->run == NULL && which == 0 && !artifacts_asked(command, setting->arguments);
+}
+
+bool artifacts_order(struct artifacts *artifacts, const struct artifact_setting *setting,
+                     const struct artifact *columns, const void *context, struct error *error)
+{
+    const struct command *command = setting->command;
+    *artifacts = (struct artifacts){0};
+    artifacts->jobs = ARENA_ARRAY(setting->arena, command->artifact_count + 1, struct artifact_job);
+    for (size_t i = 0; i < command->artifact_count; i++) {
+        const struct argument *argument = &setting->arguments->all[command->option_count + i];
+        struct artifact_job job = {.artifact = &command->artifacts[i]};
+        if (argument->is_given) {
+            struct text path = argument->text;
+            job.path = arena_string(setting->arena, path.start, path.length);
+        }
+        if (argument->is_given && job.path[0] == '\0') {
+            return fail(error, ERROR_USAGE, "--%s is empty", argument->option->name);
+        }
+        if ((argument->is_given || is_answer(setting, i)) &&
+            !artifact_order(artifacts, setting, job, error)) {
+            return false;
+        }
+    }
+    const struct artifact_job job = {
+        .artifact = columns, .path = setting->common->plot, .context = context};
+    return (columns == NULL || artifact_order(artifacts, setting, job, error)) &&
+           open_sinks(artifacts, setting, error);
+}
+
+/* Of several files some may not be made: one of that name that is there stays, and is told. */
+static void tell_left(struct output *sinks, size_t count)
+{
+    for (size_t i = 0; i < count; i++) {
+        struct output *sink = &sinks[i];
+        if (sink->is_unused && sink->path != NULL && place_is_file(sink->path, sink->arena)) {
+            sink->remarks = text_of(arena_printf(
+                sink->arena, "%s stays as it was: it is of an earlier run\n", sink->path));
+        }
+    }
+}
+
+bool artifacts_make(const struct artifacts *artifacts, struct error *error)
+{
+    bool done = true;
+    for (size_t i = 0; i < artifacts->count && done; i++) {
+        const struct artifact_job *job = &artifacts->jobs[i];
+        done = job->artifact->make(job, &artifacts->sinks[job->first], error);
+        tell_left(&artifacts->sinks[job->first], done ? job->files : 0);
+    }
+    return done;
+}
+
+bool artifact_spares(const struct artifact_job *job, const char *path, struct error *error)
+{
+    struct arena *arena = job->run->arena;
+    const bool is_free = job->path == NULL || job->is_forced;
+    for (size_t i = 0; i < job->files && !is_free; i++) {
+        const char *written = numbered(job, i, arena);
+        if (place_is_file(written, arena) && place_is_same(written, path, arena)) {
+            return fail(error, ERROR_IO, "%s is also written: --force overwrites it", written);
+        }
+    }
+    return true;
+}
+
+void artifacts_abandon(const struct artifacts *artifacts)
+{
+    for (size_t i = 0; i < artifacts->open; i++) {
+        output_abandon(&artifacts->sinks[i]);
+    }
+}
+
+bool artifacts_close(struct artifacts *artifacts, bool keep, struct error *error)
+{
+    bool done = true;
+    while (artifacts->open > 0) {
+        struct error closing;
+        if (!output_close(&artifacts->sinks[--artifacts->open], keep && done, &closing) && keep) {
+            *error = done ? closing : *error;
+            done = false;
+        }
+    }
+    return done;
+}
+
+struct text artifacts_remarks(const struct artifacts *artifacts, struct arena *arena)
+{
+    struct text_buffer remarks = {.arena = arena};
+    struct name_table said = {0};
+    for (size_t i = 0; i < artifacts->files && artifacts->sinks != NULL; i++) {
+        struct text rest = artifacts->sinks[i].remarks;
+        while (rest.length > 0) {
+            const struct text line = text_cut(&rest, '\n');
+            if (name_table_find(&said, line) == NAME_NONE) {
+                name_table_add(&said, line, arena);
+                growing_format(&remarks, "%.*s\n", (int)line.length, line.start);
+            }
+        }
+    }
+    return growing_done(&remarks);
+}

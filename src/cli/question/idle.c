@@ -1,0 +1,187 @@
+/* cli/question/idle.c - options that would say nothing beside what else is asked. */
+/* SPDX-License-Identifier: MIT */
+#include "cli/question/idle.h"
+
+#include "cli/question/command.h"
+
+#include <stdio.h>
+#include <string.h>
+
+/* What is asked, as the checks below look at it. */
+struct idle {
+    const struct sweep *sweep;
+    const struct arguments *arguments;
+    const struct option_query *asking;
+    const void *input;
+};
+
+/* The values of an option that are known before a batch is read. */
+static const char *idle_values_of(const struct idle *idle, const struct option *option,
+                                  size_t *count)
+{
+    const struct axis *axis = sweep_axis(idle->sweep, option->name);
+    *count = axis != NULL ? axis->count : 1;
+    return axis != NULL ? axis->values : (const char *)idle->input + option->offset;
+}
+
+/* Has any circle of confusion that is asked for a value that the option serves? */
+static bool serves_any(const struct idle *idle, const struct option *server)
+{
+    bool found = false;
+    for (size_t i = 0; i < idle->arguments->command->option_count && !found; i++) {
+        const struct argument *argument = &idle->arguments->all[i];
+        const struct option *option = argument->option;
+        if (option->kind != &kind_coc) {
+            continue;
+        }
+        /* those of a batch are not known yet; an assumed one gives way to what this implies */
+        found = asking_in_rows(idle->asking, option->name) ||
+                (!argument->is_given && option->fallback != NULL);
+        size_t count;
+        const char *values = idle_values_of(idle, option, &count);
+        for (size_t k = 0; k < count && !found; k++) {
+            found = server->serves((const void *)(values + k * option->kind->size));
+        }
+    }
+    return found;
+}
+
+/* A condition as `wants` has it: "pattern", "pattern=sobol" or "pattern!=few". */
+struct condition {
+    const struct argument *argument;
+    struct text value; /* empty: any will do */
+    bool is_other;     /* any but this */
+};
+
+/* The first of the conditions, which is taken off the list. */
+static struct condition next_condition(const struct idle *idle, const char **list)
+{
+    const char *end = *list + strcspn(*list, "|");
+    const char *name_end = *list + strcspn(*list, "!=|");
+    struct condition condition = {arguments_find(idle->arguments, text_between(*list, name_end)),
+                                  text_between(end, end), *name_end == '!'};
+    if (name_end < end) {
+        condition.value = text_between(name_end + (condition.is_other ? 2 : 1), end);
+    }
+    *list = *end == '|' ? end + 1 : end;
+    return condition;
+}
+
+/* Does it hold for any value that is asked for, or assumed? */
+static bool idle_holds(const struct idle *idle, const struct condition *condition)
+{
+    const struct option *option = condition->argument->option;
+    bool given = asking_given(idle->asking, option->name), found = false;
+    if (condition->value.length == 0 || asking_in_rows(idle->asking, option->name)) {
+        return given; /* values of a batch are not known yet */
+    }
+    if (!given && option->fallback == NULL) {
+        return false;
+    }
+    size_t count;
+    const char *values = idle_values_of(idle, option, &count);
+    for (size_t i = 0; i < count && !found; i++) {
+        const char *name = option->kind->name_of(option, values + i * option->kind->size);
+        bool same = name != NULL && text_same(condition->value, name);
+        found = same != condition->is_other;
+    }
+    return found;
+}
+
+/* Is one of them asked for? If not, they are put into words: "--lens or --coc airy". */
+static bool has_wanted(const struct idle *idle, const char *wants, char *words, size_t size)
+{
+    size_t length = 0;
+    while (*wants != '\0') {
+        struct condition condition = next_condition(idle, &wants);
+        if (idle_holds(idle, &condition)) {
+            return true;
+        }
+        const struct option *option = condition.argument->option;
+        const bool is_operand = (option->flags & OPTION_OPERAND) != 0;
+        int printed =
+            snprintf(words + length, size - length, "%s%s%s%s%s%.*s", length > 0 ? " or " : "",
+                     is_operand ? "" : "--", is_operand ? option->value : option->name,
+                     condition.value.length > 0 ? " " : "", condition.is_other ? "other than " : "",
+                     text_shown(condition.value), condition.value.start);
+        length += printed > 0 && (size_t)printed < size - length ? (size_t)printed : 0;
+    }
+    return false;
+}
+
+/* The option that is asked for of those that this one excludes; null = none. */
+static const struct option *find_excluded(const struct idle *idle, const struct option *option)
+{
+    const char *list = option->excludes != NULL ? option->excludes : "";
+    while (*list != '\0') {
+        size_t length = strcspn(list, " ");
+        const struct argument *other =
+            arguments_find(idle->arguments, text_between(list, list + length));
+        if (asking_given(idle->asking, other->option->name)) {
+            return other->option;
+        }
+        list += length + (list[length] == ' ');
+    }
+    return NULL;
+}
+
+static bool check_option(const struct idle *idle, const struct option *option, struct error *error)
+{
+    char words[120] = "";
+    const struct option *other = find_excluded(idle, option);
+    if (other != NULL) {
+        return fail(error, ERROR_USAGE, "{--%s} and {--%s} exclude each other", option->name,
+                    other->name);
+    }
+    if (option->wants != NULL && !has_wanted(idle, option->wants, words, sizeof words)) {
+        return fail(error, ERROR_USAGE, "{--%s} needs %s", option->name, words);
+    }
+    return option->serves == NULL || serves_any(idle, option) ||
+           fail(error, ERROR_USAGE, "{--%s} does nothing here: it is for {--coc} %s", option->name,
+                option->served);
+}
+
+/* Is anything asked for that reads such data? */
+static bool reads_any(const struct idle *idle, unsigned data)
+{
+    const struct command *command = idle->arguments->command;
+    unsigned found = command->reads;
+    for (size_t i = 0; i < command->option_count; i++) {
+        const struct option *option = &command->options[i];
+        const bool counts = option->fallback != NULL || asking_given(idle->asking, option->name);
+        found |= counts ? option->kind->reads : 0;
+    }
+    return (found & data) != 0;
+}
+
+/* Common options that say how data are read. */
+static bool check_reading(const struct idle *idle, const struct option *option, struct error *error)
+{
+    static const struct {
+        const char *name, *what;
+        unsigned data;
+    } readings[] = {{"lossy", "lens", READS_LENSES},
+                    {"glass-numbers", "lens", READS_LENSES},
+                    {"agf", "lens or glass", READS_GLASSES}};
+    for (size_t i = 0; i < sizeof readings / sizeof readings[0]; i++) {
+        if (strcmp(option->name, readings[i].name) == 0 && !reads_any(idle, readings[i].data)) {
+            return fail(error, ERROR_USAGE, "{--%s} does nothing here: no %s is read", option->name,
+                        readings[i].what);
+        }
+    }
+    return true;
+}
+
+bool idle_check(const struct sweep *sweep, const struct arguments *arguments,
+                const struct option_query *asking, const void *input, struct error *error)
+{
+    const struct idle idle = {sweep, arguments, asking, input};
+    for (size_t i = 0; i < arguments->count; i++) {
+        const struct option *option = arguments->all[i].option;
+        if (arguments->all[i].is_given &&
+            !(check_option(&idle, option, error) && check_reading(&idle, option, error))) {
+            return false;
+        }
+    }
+    return true;
+}

@@ -1,0 +1,351 @@
+/* trace/pupil/clear.c - arms to the edge of a star, and the curve through their ends. */
+/* SPDX-License-Identifier: MIT */
+#include "trace/pupil/clear.h"
+
+#include "base/constants.h"
+#include "trace/aim/sample.h"
+#include "trace/pupil/probe.h"
+#include "trace/pupil/spans.h"
+#include "trace/pupil/star.h"
+
+#include <math.h>
+
+/* Arms of an edge without corners; of one that has too many. */
+enum { CIRCLE = 128, MANY = 1024 };
+
+/* An excess that counts as none at the ends of arms; how far beside a corner its edges are, rad. */
+static const double finely = 1e-13, beside = 3e-8;
+
+/* A pupil at work. */
+struct clear_search {
+    const struct clearances *margins;
+    const struct probe *probe;
+    const struct pupil_boundary *star;
+    struct arena *arena;
+};
+
+/* -------- edges -------- */
+
+/* What ends a ray, by the number that the margins have for it. */
+static void name_limit(const struct clearances *margins, size_t limit, struct clear_edge *edge)
+{
+    const size_t number = limit % ((size_t)1 << 32);
+    const bool lost = clearances_lost(limit);
+    edge->status = lost ? (enum ray_status)(number % 8) : RAY_CLIPPED;
+    edge->surface = lost ? number / 8 : margins->all[number].surface + 1;
+    edge->part = 0;
+}
+
+/* Edges in some directions, with what they are as shares of the star's stretch. */
+static void clear_find_edges(const struct clear_search *finding, const double *angles, size_t count,
+                             struct clear_edge *edges, double *radii)
+{
+    const struct pupil_boundary *star = finding->star;
+    double *near = ARENA_ARRAY(finding->arena, count, double);
+    struct edge *found = ARENA_ARRAY(finding->arena, count, struct edge);
+    for (size_t i = 0; i < count; i++) {
+        near[i] = pupil_boundary_near(star, angles[i]);
+    }
+    const struct edge_directions directions = {star->frame, angles, near, count, 0};
+    edges_find(finding->margins, &directions, finely, found);
+    for (size_t i = 0; i < count; i++) {
+        double point[2];
+        edge_point(&star->frame, angles[i], found[i].radius, point);
+        stop_beam_place(finding->margins->beam, point[0], point[1], edges[i].at);
+        name_limit(finding->margins, found[i].limit, &edges[i]);
+        radii[i] = found[i].radius;
+    }
+}
+
+/* Around the star: from below counterclockwise. Angles of stars count the other way, from above. */
+static void put_edges(const struct clear_search *finding, size_t count, struct clear_pupil *pupil)
+{
+    struct arena *arena = finding->arena;
+    double *angles = ARENA_ARRAY(arena, count, double), *radii = ARENA_ARRAY(arena, count, double);
+    struct clear_edge *edges = ARENA_ARRAY(arena, count, struct clear_edge);
+    for (size_t i = 0; i < count; i++) {
+        angles[i] = PI - 2 * PI * ((double)i / (double)count);
+    }
+    clear_find_edges(finding, angles, count, edges, radii);
+    pupil->edges = edges;
+    pupil->edge_count = count;
+}
+
+/* -------- arms -------- */
+
+/* Where the k-th point of Gauss lies between two corners, and what it stands for there. */
+static double gauss_share(bool is_cut, double x, double *weight)
+{
+    if (!is_cut) {
+        return x;
+    }
+    *weight *= PI / 2 * sin(PI * x);
+    return (1 - cos(PI * x)) / 2;
+}
+
+/* Counterclockwise: stars count the other way. */
+static void put_arcs(const struct clear_search *finding, struct clear_pupil *pupil, double *angles)
+{
+    const struct pupil_boundary *star = finding->star;
+    double *widths = ARENA_ARRAY(finding->arena, pupil->arcs, double);
+    for (size_t i = 0; i < pupil->arm_count; i++) {
+        const size_t arc = i / CLEAR_ARC, last = pupil->arcs - 1 - arc;
+        double low = star->corners[last];
+        double high = last + 1 < pupil->arcs ? star->corners[last + 1] : star->corners[0] + 2 * PI;
+        double weight = pupil->gauss[i % CLEAR_ARC];
+        double share = gauss_share(pupil->is_cut, pupil->nodes[i % CLEAR_ARC], &weight);
+        angles[i] = high - share * (high - low);
+        widths[arc] = high - low;
+        pupil->arms[i].area = weight * (high - low);
+    }
+    pupil->arc_angles = widths;
+}
+
+/* All alike. */
+static void put_circle(struct clear_pupil *pupil, double *angles)
+{
+    for (size_t i = 0; i < pupil->arm_count; i++) {
+        angles[i] = PI - 2 * PI * ((double)i / (double)pupil->arm_count);
+        pupil->arms[i].area = 2 * PI / (double)pupil->arm_count;
+    }
+}
+
+/* The edges just before and just behind the beginning of every piece. */
+static void put_corners(const struct clear_search *finding, struct clear_pupil *pupil)
+{
+    const size_t count = 2 * pupil->arcs;
+    struct arena *arena = finding->arena;
+    double *angles = ARENA_ARRAY(arena, count, double), *radii = ARENA_ARRAY(arena, count, double);
+    struct clear_edge *corners = ARENA_ARRAY(arena, count, struct clear_edge);
+    for (size_t i = 0; i < count; i++) {
+        const size_t next = (pupil->arcs - i / 2) % pupil->arcs;
+        angles[i] = finding->star->corners[next] + (i % 2 == 0 ? beside : -beside);
+    }
+    clear_find_edges(finding, angles, count, corners, radii);
+    pupil->corners = corners;
+    pupil->corner_count = count;
+}
+
+/* What is clear of each arm. */
+static void cut_arms(const struct clear_search *finding, struct clear_pupil *pupil)
+{
+    struct arena *arena = finding->arena;
+    double(*at)[2] = arena_array(arena, pupil->arm_count, sizeof *at);
+    struct clear_intervals *spans = NULL;
+    if (pupil->is_cut) {
+        spans = ARENA_ARRAY(arena, pupil->arm_count, struct clear_intervals);
+    }
+    for (size_t i = 0; i < pupil->arm_count; i++) {
+        at[i][0] = pupil->arms[i].edge.at[0];
+        at[i][1] = pupil->arms[i].edge.at[1];
+        pupil->arms[i].spans = pupil->is_cut ? &spans[i] : &spans_whole;
+    }
+    if (pupil->is_cut) {
+        clear_intervals_find(finding->probe, pupil->centre, (const double(*)[2])at,
+                             pupil->arm_count, spans);
+    }
+}
+
+/* The share of an arm's area that is clear. */
+static double clear_share(const struct clear_intervals *spans)
+{
+    double share = 0;
+    for (size_t i = 0; i < spans->count; i++) {
+        double low = spans->low[i], high = spans->high[i];
+        share += (high - low) * (high + low);
+    }
+    return share;
+}
+
+/* The arms, from angles to areas: r^2/2 of each, in stretched coordinates. */
+static void put_arms(const struct clear_search *finding, struct clear_pupil *pupil)
+{
+    const struct pupil_boundary *star = finding->star;
+    const double *axes = finding->margins->beam->axes;
+    const double unit = star->frame.stretch[0] * star->frame.stretch[1] * axes[0] * axes[3];
+    /* something that is the last in no direction but one has no arc of its own */
+    const size_t corners = star->corner_count >= 2 ? star->corner_count : 0;
+    pupil->arcs = corners;
+    pupil->arm_count = corners > 0                   ? corners * CLEAR_ARC
+                       : finding->margins->is_listed ? MANY
+                                                     : CIRCLE;
+    pupil->arms = ARENA_ARRAY(finding->arena, pupil->arm_count, struct clear_arm);
+    double *angles = ARENA_ARRAY(finding->arena, pupil->arm_count, double);
+    double *radii = ARENA_ARRAY(finding->arena, pupil->arm_count, double);
+    struct clear_edge *edges = ARENA_ARRAY(finding->arena, pupil->arm_count, struct clear_edge);
+    if (corners > 0) {
+        put_arcs(finding, pupil, angles);
+    } else {
+        put_circle(pupil, angles);
+    }
+    put_corners(finding, pupil);
+    clear_find_edges(finding, angles, pupil->arm_count, edges, radii);
+    for (size_t i = 0; i < pupil->arm_count; i++) {
+        pupil->arms[i].edge = edges[i];
+        pupil->arms[i].area *= unit * radii[i] * radii[i] / 2;
+    }
+    cut_arms(finding, pupil);
+    for (size_t i = 0; i < pupil->arm_count; i++) {
+        pupil->area += pupil->arms[i].area * clear_share(pupil->arms[i].spans);
+        pupil->within += pupil->arms[i].area;
+    }
+    pupil->is_empty = !(pupil->area > 0);
+}
+
+/* -------- the curve -------- */
+
+enum { NODES = 16, FEW_NODES = 6 };
+
+/* The polynomial through some arms of a piece, in the numbers that they are placed by. */
+struct edge_piece {
+    size_t count;
+    double at[NODES], value[NODES], weight[NODES];
+};
+
+static void piece_weigh(struct edge_piece *piece)
+{
+    for (size_t i = 0; i < piece->count; i++) {
+        double product = 1;
+        for (size_t k = 0; k < piece->count; k++) {
+            product *= k != i ? piece->at[i] - piece->at[k] : 1;
+        }
+        piece->weight[i] = 1 / product;
+    }
+}
+
+/* [Berrut04] (4.2) */
+static double piece_value(const struct edge_piece *piece, double x)
+{
+    double above = 0, below = 0;
+    for (size_t i = 0; i < piece->count; i++) {
+        double gap = x - piece->at[i];
+        if (!(fabs(gap) > 1e-14)) {
+            return piece->value[i];
+        }
+        above += piece->weight[i] / gap * piece->value[i];
+        below += piece->weight[i] / gap;
+    }
+    return above / below;
+}
+
+/* Its largest value between two places with one hill between them: narrower and narrower. */
+static double piece_peak(const struct edge_piece *piece, double low, double high)
+{
+    enum { ROUNDS = 6 };
+    double middle = (low + high) / 2, half = (high - low) / 2, best = -INFINITY;
+    bool rises = true;
+    for (int round = 0; round < ROUNDS && rises; round++) {
+        const double before = best;
+        const double from = fmax(middle - half, low), to = fmin(middle + half, high);
+        const double a = piece_value(piece, from), b = piece_value(piece, (from + to) / 2);
+        const double c = piece_value(piece, to), bend = a - 2 * b + c;
+        double step = bend < 0 ? (a - c) / (2 * bend) : a > c ? -1 : 1;
+        step = fmax(-1, fmin(step, 1));
+        best = fmax(best, fmax(a, fmax(b, c)));
+        rises = best > before;
+        middle = (from + to) / 2 + step * (to - from) / 2;
+        half = (to - from) / 8;
+    }
+    return fmax(best, piece_value(piece, middle));
+}
+
+/* The peak of the polynomial through so many arms about the best one. */
+static double hill_of(const struct clear_pupil *pupil, const double (*arms)[2], int axis,
+                      double sign, size_t best, size_t nodes)
+{
+    const double *x = pupil->nodes;
+    const size_t arc = best / CLEAR_ARC, k = best % CLEAR_ARC, count = pupil->arm_count;
+    struct edge_piece piece = {.count = nodes};
+    size_t first = k < nodes / 2 ? 0 : k - nodes / 2;
+    first = first > CLEAR_ARC - nodes ? CLEAR_ARC - nodes : first;
+    for (size_t i = 0; i < nodes; i++) {
+        const bool pieces = pupil->arcs > 0;
+        const size_t arm =
+            pieces ? arc * CLEAR_ARC + first + i : (best + count + i - nodes / 2) % count;
+        piece.at[i] = pieces ? x[first + i] : (double)i - (double)(nodes / 2);
+        piece.value[i] = sign * arms[arm][axis];
+    }
+    piece_weigh(&piece);
+    double low = pupil->arcs == 0 ? -1 : k > 0 ? x[k - 1] : 0;
+    double high = pupil->arcs == 0 ? 1 : k + 1 < CLEAR_ARC ? x[k + 1] : 1;
+    return piece_peak(&piece, low, high);
+}
+
+double clear_extreme(const struct clear_pupil *pupil, const double (*points)[2], int axis,
+                     double sign, size_t *which)
+{
+    const double alike = 1e-3;
+    const size_t tips = pupil->corner_count;
+    const double(*arms)[2] = points + tips;
+    double lowest = INFINITY;
+    size_t best = 0;
+    for (size_t i = 0; i < pupil->arm_count; i++) {
+        best = sign * arms[i][axis] > sign * arms[best][axis] ? i : best;
+        lowest = fmin(lowest, sign * arms[i][axis]);
+    }
+    double highest = sign * arms[best][axis];
+    const double hill = hill_of(pupil, arms, axis, sign, best, NODES);
+    const double few = hill_of(pupil, arms, axis, sign, best, FEW_NODES);
+    /* at a step of the edge polynomials overshoot */
+    bool smooth = fabs(hill - few) <= alike * (highest - lowest);
+    highest = smooth ? fmax(highest, hill) : highest;
+    *which = tips + best;
+    for (size_t i = 0; i < tips; i++) {
+        *which = sign * points[i][axis] > highest ? i : *which;
+        highest = fmax(highest, sign * points[i][axis]);
+    }
+    return sign * highest;
+}
+
+const struct clear_edge *clear_edge_at(const struct clear_pupil *pupil, size_t which)
+{
+    const size_t tips = pupil->corner_count;
+    return which < tips ? &pupil->corners[which] : &pupil->arms[which - tips].edge;
+}
+
+static void put_bounds(struct arena *arena, struct clear_pupil *pupil)
+{
+    const size_t count = pupil->corner_count + pupil->arm_count;
+    double(*at)[2] = arena_array(arena, count, sizeof *at);
+    for (size_t i = 0; i < count; i++) {
+        at[i][0] = clear_edge_at(pupil, i)->at[0];
+        at[i][1] = clear_edge_at(pupil, i)->at[1];
+    }
+    for (int k = 0; k < 2; k++) {
+        const double(*points)[2] = (const double(*)[2])at;
+        pupil->high[k] = clear_extreme(pupil, points, k, 1, &pupil->ends[k]);
+        pupil->low[k] = clear_extreme(pupil, points, k, -1, &pupil->ends[k + 2]);
+    }
+}
+
+void clear_find(const struct system *system, const struct beam *beam,
+                const struct clear_guess *guess, size_t directions, struct arena *arena,
+                struct clear_pupil *pupil)
+{
+    const struct probe probe = probe_open(system, beam, arena);
+    struct stop_beam frame = {.system = system,
+                              .beam = beam,
+                              .axes = {guess->radius, 0, 0, guess->radius},
+                              .radius = system->stop_radius,
+                              .weight = WEIGHT_BEAM};
+    *pupil = (struct clear_pupil){.is_cut = probe.full != NULL};
+    gauss_rule(CLEAR_ARC, pupil->nodes, pupil->gauss);
+    pupil->is_empty = !probe_inside(&probe, guess, frame.origin);
+    if (pupil->is_empty) {
+        return;
+    }
+    const struct clearances margins = clearances_open(&frame, arena);
+    struct pupil_boundary *star = ARENA_NEW(arena, struct pupil_boundary);
+    const struct clear_search finding = {&margins, &probe, star, arena};
+    pupil->is_empty = !pupil_boundary_find(&margins, &probe, arena, star);
+    if (pupil->is_empty) {
+        return;
+    }
+    stop_beam_place(&frame, star->frame.centre[0], star->frame.centre[1], pupil->centre);
+    put_arms(&finding, pupil);
+    put_bounds(arena, pupil);
+    if (directions > 0) {
+        put_edges(&finding, directions, pupil);
+    }
+    pupil->islands = pupil_islands_find(&margins, star, arena);
+}

@@ -1,0 +1,411 @@
+/* trace/pupil/islands.c - patches that are dark for sure; where some are not, a grid. */
+/* SPDX-License-Identifier: MIT */
+#include "trace/pupil/islands.h"
+
+#include "base/constants.h"
+#include "trace/pupil/parts.h"
+
+#include <math.h>
+
+/* Rays of a patch; patches that are looked at together; sectors about the star, but for corners. */
+enum { SIDE = 3, EACH = SIDE * SIDE, AT_ONCE = RAYS_BLOCK / EACH, SECTORS = 12 };
+
+/* At first: patches of a sector, rays of an arm, and sectors next to each other that share arms. */
+enum { RINGS = 2, ALONG = RINGS * (SIDE - 1) + 1, SHARING = (RAYS_BLOCK / ALONG - 1) / (SIDE - 1) };
+
+/* So many patches would cost half of what the grid does. */
+enum { CELLS = PUPIL_PARTS_SIDE * PUPIL_PARTS_SIDE, MOST = CELLS / EACH / 2 };
+
+/* A piece of what lies beyond the edge: angles, rad, and shares of the way from there outwards. */
+struct island_patch {
+    double low[2], high[2];
+};
+
+/* The patches that have to be looked at, those that have been in front. */
+struct patches {
+    const struct clearances *margins;
+    const struct pupil_boundary *star;
+    double low[2], high[2]; /* bounds in u and v */
+    double farthest;        /* radius beyond which nothing is looked for */
+    double finest[2];       /* in u and v: finer than this only the grid would not look either */
+    struct island_patch list[MOST];
+    size_t count;
+};
+
+static void patches_add(struct patches *all, double angle, double width, double low, double high)
+{
+    if (all->count < MOST) {
+        all->list[all->count] = (struct island_patch){{angle, low}, {angle + width, high}};
+    }
+    all->count++;
+}
+
+/* Sectors between two angles. */
+static void add_sectors(struct patches *all, double from, double to)
+{
+    const double widest = 2 * PI / SECTORS, nearby = 0.25;
+    const size_t sectors = (size_t)ceil((to - from) / widest);
+    const double width = (to - from) / (double)sectors;
+    for (size_t k = 0; k < sectors; k++) {
+        for (size_t ring = 0; ring < RINGS; ring++) {
+            patches_add(all, from + (double)k * width, width, ring == 0 ? 0 : nearby,
+                        ring == 0 ? nearby : 1);
+        }
+    }
+}
+
+/* All that lies beyond the edge, in sectors from corner to corner; of twin halves one. */
+static void patches_begin(struct patches *all)
+{
+    const struct pupil_boundary *star = all->star;
+    const bool is_half = all->margins->is_mirrored && star->frame.centre[0] == 0;
+    const double first = star->corner_count > 0 && !is_half ? star->corners[0] : 0;
+    const double end = first + (is_half ? PI : 2 * PI);
+    double from = first;
+    for (size_t i = 0; i < star->corner_count; i++) {
+        if (star->corners[i] > from && star->corners[i] < end) {
+            add_sectors(all, from, star->corners[i]);
+            from = star->corners[i];
+        }
+    }
+    add_sectors(all, from, end);
+}
+
+/* Rays in one direction. */
+static void place_arm(const struct patches *all, double angle, const double *ways, size_t count,
+                      double (*points)[2])
+{
+    const struct edge_frame *frame = &all->star->frame;
+    const double edge = pupil_boundary_near(all->star, angle);
+    double unit[2];
+    edge_point(frame, angle, 1, unit);
+    for (size_t i = 0; i < count; i++) {
+        const double radius = edge + ways[i] * (all->farthest - edge);
+        for (int k = 0; k < 2; k++) {
+            points[i][k] = frame->centre[k] + radius * (unit[k] - frame->centre[k]);
+        }
+    }
+}
+
+static void place_rays(const struct patches *all, const struct island_patch *patch,
+                       double (*points)[2])
+{
+    const double low = patch->low[1], high = patch->high[1];
+    const double ways[SIDE] = {low, (low + high) / 2, high};
+    for (size_t arm = 0; arm < SIDE; arm++) {
+        const double share = (double)arm / (SIDE - 1);
+        place_arm(all, patch->low[0] + share * (patch->high[0] - patch->low[0]), ways, SIDE,
+                  points + arm * SIDE);
+    }
+}
+
+/* A patch that was looked at, and which rays of the block are its own. */
+struct traced_patch {
+    const struct patches *all;
+    struct island_patch patch;
+    const double (*points)[2]; /* of the block */
+    size_t lanes[EACH];
+};
+
+/* Beyond the bounds on one side, all of it. */
+static bool patch_is_beyond(const struct traced_patch *seen)
+{
+    const struct patches *all = seen->all;
+    bool beyond[4] = {true, true, true, true};
+    for (size_t i = 0; i < EACH; i++) {
+        const double *point = seen->points[seen->lanes[i]];
+        for (int k = 0; k < 2; k++) {
+            beyond[k] = beyond[k] && point[k] < all->low[k];
+            beyond[2 + k] = beyond[2 + k] && point[k] > all->high[k];
+        }
+    }
+    return beyond[0] || beyond[1] || beyond[2] || beyond[3];
+}
+
+/*
+ * How low a smooth function is between three values of it: the least of the parabola through them,
+ * less as much again as that is below them, and some more for what is no parabola.
+ */
+static double parabola_lowest(double before, double here, double after)
+{
+    const double bend = before - 2 * here + after, slope = (after - before) / 2;
+    const double least = fmin(fmin(before, here), after);
+    double valley = fabs(slope) < bend ? here - slope * slope / (2 * bend) : least;
+    return 2 * valley - least - fmax(bend, 0) / 16;
+}
+
+/*
+ * What a margin is at the rays of a patch; infinite where they miss its surface, beyond any rim.
+ * Result: false: of some it is not known.
+ */
+static bool take_values(const struct traced_patch *seen, size_t k, double *values)
+{
+    const struct clearances *margins = seen->all->margins;
+    const double *row = margins->rows + k * RAYS_BLOCK;
+    const struct clearance *margin = &margins->all[k];
+    bool known = true;
+    for (size_t i = 0; i < EACH; i++) {
+        const size_t lane = seen->lanes[i];
+        bool misses = margins->limit[lane] == clearances_missed(margin->surface);
+        values[i] = misses ? (double)INFINITY : row[lane];
+        known = known && !isnan(values[i]);
+    }
+    return known;
+}
+
+/* Is a margin above 0 in all of a patch? At the edge of the star it begins at 0. */
+static bool margin_blocks_patch(const double *values, bool at_edge)
+{
+    const double far = 0.3; /* beyond a rim by a seventh of its radius */
+    const size_t first = at_edge ? 1 : 0;
+    double least = INFINITY, low = INFINITY;
+    bool rises = true, missed = false;
+    for (size_t i = 0; i < SIDE; i++) {
+        const double *arm = values + i * SIDE;
+        const size_t k = i > first ? i : first;
+        rises = rises && 4 * arm[1] - arm[2] - 3 * arm[0] > 0;
+        low = fmin(low, at_edge ? INFINITY : parabola_lowest(arm[0], arm[1], arm[2]));
+        low = fmin(low, parabola_lowest(values[k], values[SIDE + k], values[(size_t)2 * SIDE + k]));
+        for (size_t j = first; j < SIDE; j++) {
+            least = fmin(least, arm[j]);
+            missed = missed || isinf(arm[j]);
+        }
+    }
+    return missed ? !at_edge && least > far : least > 0 && low > 0 && (rises || !at_edge);
+}
+
+static bool islands_is_dark(const struct traced_patch *seen)
+{
+    const struct clearances *margins = seen->all->margins;
+    const size_t limit = margins->limit[seen->lanes[0]];
+    double values[EACH];
+    bool dark = clearances_lost(limit);
+    for (size_t i = 0; i < EACH; i++) {
+        dark = dark && margins->limit[seen->lanes[i]] == limit;
+    }
+    for (size_t k = 0; k < margins->count && !dark; k++) {
+        dark =
+            take_values(seen, k, values) && margin_blocks_patch(values, !(seen->patch.low[1] > 0));
+    }
+    return dark;
+}
+
+/* Does a ray of it pass? Those at the edge are the star's. */
+static bool patch_has_light(const struct traced_patch *seen)
+{
+    bool light = false;
+    for (size_t i = 0; i < EACH; i++) {
+        bool at_edge = i % SIDE == 0 && !(seen->patch.low[1] > 0);
+        light = light || (!at_edge && seen->all->margins->excess[seen->lanes[i]] <= 0);
+    }
+    return light;
+}
+
+/* Do its rays lie as closely as those of the grid? step: 1 on the way outwards, SIDE across it. */
+static bool is_fine(const struct traced_patch *seen, size_t step)
+{
+    const double(*points)[2] = seen->points, *finest = seen->all->finest;
+    bool fine = true;
+    for (size_t i = 0; i < EACH; i++) {
+        const bool is_first = step == 1 ? i % SIDE == 0 : i < SIDE;
+        const double *here = points[seen->lanes[i]];
+        const double *before = is_first ? here : points[seen->lanes[i - step]];
+        fine = fine && fabs(here[0] - before[0]) <= finest[0] &&
+               fabs(here[1] - before[1]) <= finest[1];
+    }
+    return fine;
+}
+
+/* Does what ends the rays change from one to the next? */
+static bool patch_loss_changes(const struct traced_patch *seen, size_t step)
+{
+    const size_t *limit = seen->all->margins->limit, *lanes = seen->lanes;
+    bool changes = false;
+    for (size_t i = 0; i < EACH; i++) {
+        const bool is_first = step == 1 ? i % SIDE == 0 : i < SIDE;
+        changes = changes || (!is_first && limit[lanes[i]] != limit[lanes[i - step]]);
+    }
+    return changes;
+}
+
+/* In four; in two where what ends the rays changes only on the way outwards. */
+static void patch_cut(struct patches *all, const struct traced_patch *seen)
+{
+    const struct island_patch *patch = &seen->patch;
+    const bool outwards =
+        patch_loss_changes(seen, 1) && !patch_loss_changes(seen, SIDE) && !is_fine(seen, 1);
+    const double width = (patch->high[0] - patch->low[0]) / 2;
+    const double middle = (patch->low[1] + patch->high[1]) / 2;
+    if (outwards) {
+        patches_add(all, patch->low[0], 2 * width, patch->low[1], middle);
+        patches_add(all, patch->low[0], 2 * width, middle, patch->high[1]);
+        return;
+    }
+    for (int i = 0; i < 2; i++) {
+        patches_add(all, patch->low[0] + i * width, width, patch->low[1], middle);
+        patches_add(all, patch->low[0] + i * width, width, middle, patch->high[1]);
+    }
+}
+
+/* False: it has light. What is not sure to be dark is cut, unless it is as fine as the grid. */
+static bool patch_settle(struct patches *all, const struct traced_patch *seen)
+{
+    if (patch_is_beyond(seen) || islands_is_dark(seen)) {
+        return true;
+    }
+    if (patch_has_light(seen)) {
+        return false;
+    }
+    if (!is_fine(seen, 1) || !is_fine(seen, SIDE)) {
+        patch_cut(all, seen);
+    }
+    return true;
+}
+
+/* The patches of sectors next to each other, which share rays; the first stands at `first`. */
+static bool settle_sectors(struct patches *all, size_t first, size_t sectors)
+{
+    double points[RAYS_BLOCK][2], ways[ALONG];
+    const size_t arms = sectors * (SIDE - 1) + 1;
+    bool dark = true;
+    for (size_t i = 0; i < ALONG; i++) {
+        const struct island_patch *patch = &all->list[first + i / (SIDE - 1) % RINGS];
+        const double share = (double)(i % (SIDE - 1)) / (SIDE - 1);
+        ways[i] = i + 1 == ALONG ? 1 : patch->low[1] + share * (patch->high[1] - patch->low[1]);
+    }
+    for (size_t arm = 0; arm < arms; arm++) {
+        const size_t sector = arm / (SIDE - 1) < sectors ? arm / (SIDE - 1) : sectors - 1;
+        const struct island_patch *patch = &all->list[first + RINGS * sector];
+        const double share = (double)(arm - sector * (SIDE - 1)) / (SIDE - 1);
+        place_arm(all, patch->low[0] + share * (patch->high[0] - patch->low[0]), ways, ALONG,
+                  points + arm * ALONG);
+    }
+    clearances_look(all->margins, (const double(*)[2])points, arms * ALONG);
+    for (size_t i = 0; i < RINGS * sectors && dark; i++) {
+        struct traced_patch seen = {all, all->list[first + i], (const double(*)[2])points, {0}};
+        const size_t corner = i / RINGS * (SIDE - 1) * ALONG + i % RINGS * (SIDE - 1);
+        for (size_t k = 0; k < EACH; k++) {
+            seen.lanes[k] = corner + k / SIDE * ALONG + k % SIDE;
+        }
+        dark = patch_settle(all, &seen);
+    }
+    return dark;
+}
+
+/* Patches by themselves, up to AT_ONCE. */
+static bool settle_patches(struct patches *all, size_t first, size_t count)
+{
+    double points[AT_ONCE * EACH][2];
+    bool dark = true;
+    for (size_t i = 0; i < count; i++) {
+        place_rays(all, &all->list[first + i], points + i * EACH);
+    }
+    clearances_look(all->margins, (const double(*)[2])points, count * EACH);
+    for (size_t i = 0; i < count && dark; i++) {
+        struct traced_patch seen = {all, all->list[first + i], (const double(*)[2])points, {0}};
+        for (size_t k = 0; k < EACH; k++) {
+            seen.lanes[k] = i * EACH + k;
+        }
+        dark = patch_settle(all, &seen);
+    }
+    return dark;
+}
+
+/* Does nothing pass beyond the edge of the star? False: perhaps. */
+static bool is_alone(struct patches *all)
+{
+    patches_begin(all);
+    const size_t sectors = all->count / RINGS;
+    size_t done = 0;
+    bool dark = true;
+    while (dark && done < RINGS * sectors) {
+        const size_t left = sectors - done / RINGS, here = left < SHARING ? left : SHARING;
+        dark = settle_sectors(all, done, here);
+        done += RINGS * here;
+    }
+    while (dark && done < all->count && all->count <= MOST) {
+        const size_t left = all->count - done, here = left < AT_ONCE ? left : AT_ONCE;
+        dark = settle_patches(all, done, here);
+        done += here;
+    }
+    return dark && done == all->count;
+}
+
+/* Cells that pass and may lie beyond the edge of the star. */
+struct beyond {
+    double *angles, *near, *radii;
+    size_t count;
+};
+
+/* Result: how many cells pass. */
+static size_t cells_beyond(const struct pupil_parts *parts, const struct pupil_boundary *star,
+                           struct beyond *beyond)
+{
+    const double surely = 0.97; /* within: more than pupil_boundary_near is off by */
+    size_t all = 0;
+    for (size_t i = 0; i < CELLS; i++) {
+        double point[2], angle, radius;
+        if (parts->part[i] == 0) {
+            continue;
+        }
+        all++;
+        pupil_parts_point(parts, i, point);
+        edge_polar(&star->frame, point, PI, &angle, &radius);
+        const double near = pupil_boundary_near(star, angle);
+        if (radius > surely * near) {
+            beyond->angles[beyond->count] = angle;
+            beyond->near[beyond->count] = near;
+            beyond->radii[beyond->count++] = radius;
+        }
+    }
+    return all;
+}
+
+static struct pupil_islands find_on_grid(const struct clearances *margins,
+                                         const struct pupil_boundary *star, struct arena *arena)
+{
+    const struct arena_mark mark = arena_mark(arena);
+    struct pupil_parts *parts = ARENA_NEW(arena, struct pupil_parts);
+    struct beyond beyond = {.angles = ARENA_ARRAY(arena, CELLS, double),
+                            .near = ARENA_ARRAY(arena, CELLS, double),
+                            .radii = ARENA_ARRAY(arena, CELLS, double)};
+    pupil_parts_find(margins, NULL, NULL, parts);
+    const size_t all = cells_beyond(parts, star, &beyond);
+    struct edge *edges = ARENA_ARRAY(arena, beyond.count + 1, struct edge);
+    const struct edge_directions directions = {
+        .frame = star->frame, .angles = beyond.angles, .near = beyond.near, .count = beyond.count};
+    size_t outside = 0;
+    edges_find(margins, &directions, 1e-6, edges);
+    for (size_t i = 0; i < beyond.count; i++) {
+        outside += beyond.radii[i] > edges[i].radius;
+    }
+    arena_reset(arena, mark);
+    return (struct pupil_islands){outside > 0 ? (double)outside / (double)all : 0};
+}
+
+struct pupil_islands pupil_islands_find(const struct clearances *margins,
+                                        const struct pupil_boundary *star, struct arena *arena)
+{
+    const struct arena_mark mark = arena_mark(arena);
+    struct patches *all = arena_buffer(arena, sizeof *all);
+    all->margins = margins;
+    all->star = star;
+    all->count = 0;
+    all->farthest = 0;
+    clearances_widen(margins);
+    pupil_parts_bound(margins, all->low, all->high);
+    for (int k = 0; k < 2; k++) {
+        all->finest[k] = (all->high[k] - all->low[k]) / PUPIL_PARTS_SIDE;
+    }
+    for (int i = 0; i < 4; i++) {
+        double angle, radius;
+        const double corner[2] = {i % 2 == 0 ? all->low[0] : all->high[0],
+                                  i / 2 == 0 ? all->low[1] : all->high[1]};
+        edge_polar(&star->frame, corner, 0, &angle, &radius);
+        all->farthest = fmax(all->farthest, radius);
+    }
+    /* apertures of other shapes have corners and sides: no differences say what is between */
+    const bool alone = !margins->is_listed && is_alone(all);
+    arena_reset(arena, mark);
+    return alone ? (struct pupil_islands){0} : find_on_grid(margins, star, arena);
+}

@@ -1,0 +1,286 @@
+/* trace/pupil/star.c - centre, directions and corners of a clear pupil. */
+/* SPDX-License-Identifier: MIT */
+#include "trace/pupil/star_search.h"
+
+#include "base/constants.h"
+#include "trace/pupil/parts.h"
+
+#include <math.h>
+
+enum { DIRECTIONS = 32, MORE_DIRECTIONS = 256, EXTRA = 32 };
+
+/* Excesses that count as none; of a sliver a share of how deep its middle is. */
+static const double roughly = 1e-7, of_depth = 1e-2;
+
+/* -------- the centre -------- */
+
+/* A ray that passes; it is the one looked at last. */
+static bool find_centre(const struct clearances *margins, struct arena *arena, double centre[2])
+{
+    static const double middle[1][2] = {{0, 0}}, low[2] = {-1.5, -1.5}, high[2] = {1.5, 1.5};
+    centre[0] = centre[1] = 0;
+    clearances_look(margins, middle, 1);
+    if (margins->excess[0] <= 0) {
+        return true;
+    }
+    const struct arena_mark mark = arena_mark(arena);
+    struct pupil_parts *parts = ARENA_NEW(arena, struct pupil_parts);
+    pupil_parts_find(margins, low, high, parts);
+    bool found = pupil_parts_middle(parts, centre);
+    if (!found) {
+        pupil_parts_find(margins, NULL, NULL, parts);
+        found = pupil_parts_middle(parts, centre);
+    }
+    arena_reset(arena, mark);
+    if (found) {
+        const double at[1][2] = {{centre[0], centre[1]}};
+        clearances_look(margins, at, 1);
+    }
+    return found;
+}
+
+/* Centroid and widths of what lies within edges in equal directions. */
+static void star_measure(const struct pupil_boundary *star, double centroid[2], double widths[2])
+{
+    const struct edge_frame *frame = &star->frame;
+    double area = 0, moment[2] = {0, 0}, low[2] = {INFINITY, INFINITY};
+    double high[2] = {-INFINITY, -INFINITY};
+    for (size_t i = 0; i < star->count; i++) {
+        double at[2], r = star->edges[i].radius;
+        edge_point(frame, star->angles[i], r, at);
+        area += r * r / 2;
+        for (int k = 0; k < 2; k++) {
+            moment[k] += r * r / 3 * (at[k] - frame->centre[k]);
+            low[k] = fmin(low[k], at[k]);
+            high[k] = fmax(high[k], at[k]);
+        }
+    }
+    for (int k = 0; k < 2; k++) {
+        widths[k] = high[k] - low[k];
+        centroid[k] = frame->centre[k] + moment[k] / area;
+        /* what symmetry makes 0 */
+        centroid[k] = fabs(centroid[k]) < 1e-6 * widths[k] ? 0 : centroid[k];
+    }
+}
+
+/* The same edges in another frame; false where they are out of order there, or far apart. */
+static bool change_frame(struct pupil_boundary *star, const struct edge_frame *frame)
+{
+    const double widest = 0.45;
+    bool sound = true;
+    for (size_t i = 0; i < star->count; i++) {
+        double point[2], before = i > 0 ? star->angles[i - 1] : star->angles[0];
+        edge_point(&star->frame, star->angles[i], star->edges[i].radius, point);
+        edge_polar(frame, point, before, &star->angles[i], &star->edges[i].radius);
+        double gap = star->angles[i] - before;
+        sound = sound && (i == 0 || (gap > 0 && gap < widest));
+    }
+    double gap = star->angles[0] + 2 * PI - star->angles[star->count - 1];
+    star->frame = *frame;
+    return sound && gap > 0 && gap < widest;
+}
+
+/* About the centroid, stretched as the edge is. Result: false: directions are to be made anew. */
+static bool fit_frame(const struct star_search *search)
+{
+    struct pupil_boundary *star = search->star;
+    struct edge_frame frame = star->frame;
+    double centroid[2], widths[2];
+    star_measure(star, centroid, widths);
+    if (!(widths[0] > 0 && widths[1] > 0 && isfinite(centroid[0] + centroid[1]))) {
+        return true;
+    }
+    clearances_look(search->margins, (const double(*)[2])centroid, 1);
+    if (!(search->margins->excess[0] <= 0)) {
+        return true;
+    }
+    for (int k = 0; k < 2; k++) {
+        frame.centre[k] = centroid[k];
+        frame.stretch[k] = widths[k] / 2;
+    }
+    return change_frame(star, &frame);
+}
+
+/* -------- directions -------- */
+
+static void star_scan(const struct star_search *search, size_t directions)
+{
+    struct pupil_boundary *star = search->star;
+    double near[MORE_DIRECTIONS];
+    star->count = directions;
+    for (size_t i = 0; i < star->count; i++) {
+        star->angles[i] = 2 * PI * ((double)i + 0.5) / (double)star->count;
+        near[i] = search->before != NULL ? pupil_boundary_near(search->before, star->angles[i]) : 0;
+    }
+    const size_t own = star_is_mirrored(search) ? directions / 2 : directions;
+    star_limits_find(search, star->angles, search->before != NULL ? near : NULL, own, star->edges);
+    for (size_t i = own; i < directions; i++) {
+        star->edges[i] = star->edges[directions - 1 - i];
+    }
+}
+
+/* A piece of the edge that may be hidden between directions: its excess peaks about here. */
+static bool may_peak(double before, double here, double after, double *where)
+{
+    double bend = before - 2 * here + after, slope = (after - before) / 2;
+    if (!(here > before + 1e-6 && here >= after && bend < 0)) {
+        return false;
+    }
+    *where = -slope / bend;
+    return here - slope * slope / (2 * bend) > -0.03;
+}
+
+/* Directions in between where another margin comes near to 0 without ending an edge. */
+static void star_scan_between(const struct star_search *search)
+{
+    struct pupil_boundary *star = search->star;
+    const struct clearances *margins = search->margins;
+    double points[DIRECTIONS][2], angles[EXTRA], near[EXTRA];
+    struct edge edges[EXTRA];
+    size_t extra = 0;
+    for (size_t i = 0; i < DIRECTIONS; i++) {
+        edge_point(&star->frame, star->angles[i], star->edges[i].radius, points[i]);
+    }
+    clearances_look(margins, (const double(*)[2])points, DIRECTIONS);
+    clearances_narrow(margins, DIRECTIONS);
+    for (size_t k = 0; k < margins->count; k++) {
+        const double *row = margins->rows + k * RAYS_BLOCK;
+        for (size_t i = 0; i < DIRECTIONS && extra < EXTRA; i++) {
+            const size_t last = (i + DIRECTIONS - 1) % DIRECTIONS, next = (i + 1) % DIRECTIONS;
+            double where;
+            if (star->edges[i].limit != k && star->edges[last].limit != k &&
+                star->edges[next].limit != k && may_peak(row[last], row[i], row[next], &where)) {
+                near[extra] = star->edges[i].radius;
+                angles[extra++] = star->angles[i] + where * star_gap(star, where > 0 ? i : last);
+            }
+        }
+    }
+    if (extra == 0) {
+        return;
+    }
+    star_limits_find(search, angles, near, extra, edges);
+    for (size_t i = 0; i < extra; i++) {
+        star_enter(star, angles[i], &edges[i]);
+    }
+}
+
+/* -------- all of it -------- */
+
+/* Is one thing all of the edge, and as far on one side of the centre as on the other? */
+static bool star_is_even(const struct clearances *margins, const struct pupil_boundary *star)
+{
+    const double alike = 1e-6;
+    const size_t half = star->count / 2;
+    bool even = !margins->is_listed && star->count == DIRECTIONS;
+    for (size_t i = 0; i < star->count && even; i++) {
+        const struct edge *edge = &star->edges[i], *other = &star->edges[(i + half) % star->count];
+        even = edge->limit == star->edges[0].limit &&
+               fabs(edge->radius - other->radius) < alike * edge->radius;
+    }
+    return even;
+}
+
+/* Does nothing but the stop or the disc end it? */
+static bool star_is_whole(const struct clearances *margins, const struct pupil_boundary *star)
+{
+    const size_t first = star->edges[0].limit;
+    bool whole = first < margins->count && !margins->is_listed && star->frame.centre[0] == 0 &&
+                 star->frame.centre[1] == 0;
+    for (size_t i = 0; i < star->count; i++) {
+        whole = whole && star->edges[i].limit == first;
+    }
+    return whole && (margins->all[first].surface == LENS_NONE ||
+                     margins->all[first].surface == margins->system->stop);
+}
+
+/* Is it much wider in one direction than in the other, as its frame sees it? */
+static bool is_long(const struct pupil_boundary *star)
+{
+    double shortest = INFINITY, longest = 0;
+    for (size_t i = 0; i < star->count; i++) {
+        shortest = fmin(shortest, star->edges[i].radius);
+        longest = fmax(longest, star->edges[i].radius);
+    }
+    return longest > 2 * shortest;
+}
+
+/* Do rays end some of the edge that miss a surface or are reflected? No margin says where. */
+static bool star_loses_rays(const struct pupil_boundary *star)
+{
+    bool some = false;
+    for (size_t i = 0; i < star->count; i++) {
+        some = some || clearances_lost(star->edges[i].limit);
+    }
+    return some;
+}
+
+/* An excess that says enough of where an edge is, about the ray looked at last, the centre. */
+static double choose_tolerance(const struct clearances *margins)
+{
+    return margins->is_listed ? 1e-12 : fmin(roughly, of_depth * -margins->excess[0]);
+}
+
+/* What a frame that fits, and edges in it, do not say yet. */
+static void star_finish(const struct star_search *search)
+{
+    const struct clearances *margins = search->margins;
+    struct pupil_boundary *star = search->star;
+    star->is_plain = !margins->is_listed && !star_loses_rays(star);
+    if (star->is_plain) {
+        star_scan_between(search);
+    } else if (!margins->is_listed) {
+        star_scan(search, MORE_DIRECTIONS);
+    }
+    star->tolerance = search->tolerance;
+    star->is_whole = star_is_whole(margins, star) || star_is_even(margins, star);
+    star_corners_find(search);
+    pupil_boundary_join(star);
+}
+
+bool pupil_boundary_find(const struct clearances *margins, const struct probe *probe,
+                         struct arena *arena, struct pupil_boundary *star)
+{
+    enum { FITS = 12 };
+    struct star_search search = {margins, probe, star, NULL, 0};
+    star->frame = (struct edge_frame){.stretch = {1, 1}};
+    star->count = 0;
+    star->corner_count = 0;
+    clearances_widen(margins);
+    if (!find_centre(margins, arena, star->frame.centre)) {
+        return false;
+    }
+    for (int fit = 0;; fit++) {
+        search.tolerance = choose_tolerance(margins);
+        star_scan(&search, margins->is_listed ? MORE_DIRECTIONS : DIRECTIONS);
+        bool fits = (star_is_whole(margins, star) || star_is_even(margins, star)) && !is_long(star);
+        if (fits || margins->is_listed || fit == FITS || fit_frame(&search)) {
+            break;
+        }
+    }
+    star_finish(&search);
+    return true;
+}
+
+bool pupil_boundary_follow(const struct clearances *margins, const struct probe *probe,
+                           const struct pupil_boundary *before, struct pupil_boundary *star)
+{
+    struct star_search search = {margins, probe, star, before, 0};
+    if (margins->is_listed || before->count == 0 || !before->is_plain) {
+        return false;
+    }
+    star->frame = before->frame;
+    star->corner_count = 0;
+    clearances_widen(margins);
+    clearances_look(margins, (const double(*)[2])star->frame.centre, 1);
+    search.tolerance = choose_tolerance(margins);
+    if (!(margins->excess[0] <= 0)) {
+        return false;
+    }
+    star_scan(&search, DIRECTIONS);
+    const bool fits = star_is_whole(margins, star) || star_is_even(margins, star);
+    if (star_loses_rays(star) || is_long(star) || (!fits && !fit_frame(&search))) {
+        return false;
+    }
+    star_finish(&search);
+    return star->corner_count == before->corner_count && star->is_whole == before->is_whole;
+}

@@ -1,0 +1,89 @@
+/* trace/pupil/star.h - what is clear of a pupil, as a star about a point within it. */
+/* SPDX-License-Identifier: MIT */
+#ifndef LENSCALC_TRACE_PUPIL_STAR_H
+#define LENSCALC_TRACE_PUPIL_STAR_H
+
+#include "trace/pupil/edges.h"
+#include "trace/pupil/spans.h"
+
+enum { PUPIL_BOUNDARY_DIRECTIONS = 256 + 64, PUPIL_BOUNDARY_CORNERS = 64 };
+
+/* Its edge in some directions, ascending in angle, and the corners between smooth pieces of it. */
+struct pupil_boundary {
+    struct edge_frame frame;
+    double angles[PUPIL_BOUNDARY_DIRECTIONS]; /* rad */
+    struct edge edges[PUPIL_BOUNDARY_DIRECTIONS];
+    size_t count;
+    double corners[PUPIL_BOUNDARY_CORNERS]; /* rad, ascending */
+    double radii[PUPIL_BOUNDARY_CORNERS];
+    size_t corner_count;
+    /* both, by pupil_boundary_join */
+    double knots[PUPIL_BOUNDARY_DIRECTIONS + PUPIL_BOUNDARY_CORNERS],
+        knot_radii[PUPIL_BOUNDARY_DIRECTIONS + PUPIL_BOUNDARY_CORNERS];
+    size_t knot_count;
+    double tolerance; /* of the excess at edges */
+    bool is_whole;    /* the stop or the disc alone ends it, or its edge is even */
+    bool is_plain;    /* only margins end it: neither lists of apertures nor rays lost otherwise */
+};
+
+/*
+ * The clear part of a pupil.
+ *
+ * Given     probe  for what cuts within
+ * Result    false: nothing is clear
+ * Formula   about the chief ray if it passes, else about the ray that passes best of the largest
+ *           part that passes (trace/pupil/parts.h); where more than the stop ends it about its
+ *           centroid,
+ *           in a frame stretched as it is. Edges in 32 directions, 256 where apertures are listed
+ *           or rays are lost otherwise at the edge, to a share of how deep the centre lies within.
+ *           Two neighbours that end at different things hold a corner: where both excesses are 0,
+ *           by Newton's method; where that does not lead to a corner between the two, by cutting
+ *           the angle in five. A piece that no direction meets is looked for where its excess, a
+ *           parabola through three neighbours, has its peak above or near 0. Of halves that mirror
+ *           each other (stop_beam_is_mirrored) one is looked in
+ * Limits    more than PUPIL_BOUNDARY_CORNERS corners are none. What lies behind a gap, seen from
+ * the centre,
+ *           is not found
+ */
+bool pupil_boundary_find(const struct clearances *margins, const struct probe *probe,
+                         struct arena *arena, struct pupil_boundary *star);
+
+/*
+ * The same from a star of a beam close by, of another field or wavelength, in a third of the time.
+ *
+ * Given     before  of the same lens; with a count of 0 there is none
+ * Result    false: it does not lead to a star of as many corners; ask pupil_boundary_find
+ * Formula   edges about those before, in a frame fitted anew; corners by Newton's method from those
+ *           before. What is checked of the star is what pupil_boundary_find does
+ */
+bool pupil_boundary_follow(const struct clearances *margins, const struct probe *probe,
+                           const struct pupil_boundary *before, struct pupil_boundary *star);
+
+/*
+ * Corners that were missed, by edges in other directions that end at what the star does not know
+ * there.
+ *
+ * Given     edges  in the star's frame, found to rounding
+ * Result    true: the star has more corners than before
+ * Limits    none where apertures are listed
+ */
+bool pupil_boundary_learn(const struct clearances *margins, const struct probe *probe,
+                          const struct edge_directions *directions, const struct edge *edges,
+                          struct pupil_boundary *star);
+
+/* Corners on one side of u = 0, with those on the other that mirror them. */
+void pupil_boundary_mirror_corners(struct pupil_boundary *star);
+
+/* Join edges and corners into one list, ascending from the first edge on, for pupil_boundary_near.
+   */
+void pupil_boundary_join(struct pupil_boundary *star);
+
+/* About where the edge is in a direction, by its neighbours: within 1 % but for narrow pieces. */
+double pupil_boundary_near(const struct pupil_boundary *star, double angle);
+
+/* What is clear of lines from the centre to edges. */
+void pupil_boundary_spans(const struct clearances *margins, const struct probe *probe,
+                          const struct edge_directions *directions, const struct edge *edges,
+                          struct clear_intervals *spans);
+
+#endif

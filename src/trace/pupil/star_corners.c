@@ -1,0 +1,311 @@
+/* trace/pupil/star_corners.c - where the edge of a star has corners. */
+/* SPDX-License-Identifier: MIT */
+#include "base/constants.h"
+#include "trace/pupil/star_search.h"
+
+#include <math.h>
+
+enum { ROUNDS = 10, PARTS = 5 };
+
+/* An excess that counts as none at a corner; one that rounding alone does not make. */
+static const double at_corner = 1e-11, clearly = 1e-9;
+
+double star_gap(const struct pupil_boundary *star, size_t i)
+{
+    bool is_last = i + 1 == star->count;
+    return star->angles[is_last ? 0 : i + 1] + (is_last ? 2 * PI : 0) - star->angles[i];
+}
+
+void star_enter(struct pupil_boundary *star, double angle, const struct edge *edge)
+{
+    size_t k = star->count++;
+    for (; k > 0 && star->angles[k - 1] > angle; k--) {
+        star->angles[k] = star->angles[k - 1];
+        star->edges[k] = star->edges[k - 1];
+    }
+    star->angles[k] = angle;
+    star->edges[k] = *edge;
+}
+
+/* Two directions with a corner between them. */
+struct star_corners_bracket {
+    double low, high;
+    struct edge before, after;
+    double angle, radius; /* of the corner, once it is found */
+    bool is_found;
+};
+
+enum { AT_ONCE = RAYS_BLOCK / 3 };
+
+/*
+ * One step of Newton's method towards the points where two excesses are 0. Result: they are there;
+ * what is asked of the margins stands in every third lane.
+ */
+static bool step_corners(const struct clearances *margins,
+                         struct star_corners_bracket *const *brackets, size_t count,
+                         double (*at)[2])
+{
+    static const double h = 1e-6, there = 1e-14;
+    double points[RAYS_BLOCK][2];
+    bool stands = true;
+    for (size_t i = 0; i < 3 * count; i++) {
+        points[i][0] = at[i / 3][0] + (i % 3 == 1 ? h : 0);
+        points[i][1] = at[i / 3][1] + (i % 3 == 2 ? h : 0);
+    }
+    clearances_look(margins, (const double(*)[2])points, 3 * count);
+    for (size_t i = 0; i < count; i++) {
+        const double *a = margins->rows + brackets[i]->before.limit * RAYS_BLOCK + 3 * i;
+        const double *b = margins->rows + brackets[i]->after.limit * RAYS_BLOCK + 3 * i;
+        stands = stands && fabs(a[0]) <= there && fabs(b[0]) <= there;
+    }
+    for (size_t i = 0; i < count && !stands; i++) {
+        const double *a = margins->rows + brackets[i]->before.limit * RAYS_BLOCK + 3 * i;
+        const double *b = margins->rows + brackets[i]->after.limit * RAYS_BLOCK + 3 * i;
+        double au = a[1] - a[0], av = a[2] - a[0], bu = b[1] - b[0], bv = b[2] - b[0];
+        double scale = h / (au * bv - av * bu);
+        at[i][0] -= (bv * a[0] - av * b[0]) * scale;
+        at[i][1] -= (au * b[0] - bu * a[0]) * scale;
+    }
+    return stands;
+}
+
+/* Where a corner is looked for first: where one was before, or in the middle. */
+static void guess_corner(const struct star_search *search,
+                         const struct star_corners_bracket *bracket, double at[2])
+{
+    const double nearby = 0.1; /* rad */
+    const struct edge_frame *frame = &search->star->frame;
+    const double middle = (bracket->low + bracket->high) / 2;
+    edge_point(frame, middle, (bracket->before.radius + bracket->after.radius) / 2, at);
+    for (size_t k = 0; search->before != NULL && k < search->before->corner_count; k++) {
+        double point[2], angle, radius;
+        edge_point(&search->before->frame, search->before->corners[k], search->before->radii[k],
+                   point);
+        edge_polar(frame, point, middle, &angle, &radius);
+        if (angle > bracket->low - nearby && angle < bracket->high + nearby) {
+            at[0] = point[0];
+            at[1] = point[1];
+        }
+    }
+}
+
+/* Corners of two margins each, all at once; those that lie elsewhere stay as they are. */
+static void meet_margins(const struct star_search *search,
+                         struct star_corners_bracket *const *brackets, size_t count)
+{
+    enum { STEPS = 7 };
+    const struct edge_frame *frame = &search->star->frame;
+    const struct clearances *margins = search->margins;
+    double at[AT_ONCE][2];
+    for (size_t i = 0; i < count; i++) {
+        guess_corner(search, brackets[i], at[i]);
+    }
+    for (int step = 0; step < STEPS && !step_corners(margins, brackets, count, at); step++) {
+    }
+    for (size_t i = 0; i < count; i++) {
+        struct star_corners_bracket *one = brackets[i];
+        double a = margins->rows[one->before.limit * RAYS_BLOCK + 3 * i];
+        double b = margins->rows[one->after.limit * RAYS_BLOCK + 3 * i];
+        edge_polar(frame, at[i], (one->low + one->high) / 2, &one->angle, &one->radius);
+        one->is_found = fabs(a) <= at_corner && fabs(b) <= at_corner &&
+                        margins->excess[3 * i] <= at_corner && one->angle > one->low - 1e-12 &&
+                        one->angle < one->high + 1e-12;
+    }
+}
+
+/* Brackets that are kept, as far as there is room. */
+struct star_corners_kept {
+    struct star_corners_bracket brackets[PUPIL_BOUNDARY_CORNERS];
+    size_t count;
+};
+
+static void star_corners_keep(struct star_corners_kept *kept,
+                              const struct star_corners_bracket *bracket)
+{
+    if (kept->count < PUPIL_BOUNDARY_CORNERS) {
+        kept->brackets[kept->count] = *bracket;
+    }
+    kept->count++;
+}
+
+/* The parts of a bracket between whose ends something changes. */
+static void keep_parts(const struct star_corners_bracket *whole, const double *angles,
+                       const struct edge *edges, struct star_corners_kept *kept)
+{
+    struct star_corners_bracket part = {.low = whole->low, .before = whole->before};
+    for (size_t j = 0; j < PARTS; j++) {
+        bool is_last = j == PARTS - 1;
+        part.high = is_last ? whole->high : angles[j];
+        part.after = is_last ? whole->after : edges[j];
+        if (part.before.limit != part.after.limit) {
+            star_corners_keep(kept, &part);
+        }
+        part.low = part.high;
+        part.before = part.after;
+    }
+}
+
+/* Cut brackets into parts, and keep those between whose ends something changes. */
+static size_t cut_brackets(const struct star_search *search, struct star_corners_bracket *brackets,
+                           size_t count)
+{
+    double angles[PUPIL_BOUNDARY_CORNERS * (PARTS - 1)], near[PUPIL_BOUNDARY_CORNERS * (PARTS - 1)];
+    struct edge edges[PUPIL_BOUNDARY_CORNERS * (PARTS - 1)];
+    struct star_corners_kept kept = {.count = 0};
+    size_t asked = 0;
+    for (size_t i = 0; i < count; i++) {
+        for (size_t j = 1; j < PARTS && !brackets[i].is_found; j++) {
+            double share = (double)j / PARTS;
+            near[asked] = brackets[i].before.radius +
+                          share * (brackets[i].after.radius - brackets[i].before.radius);
+            angles[asked++] = brackets[i].low + share * (brackets[i].high - brackets[i].low);
+        }
+    }
+    star_limits_find(search, angles, near, asked, edges);
+    asked = 0;
+    for (size_t i = 0; i < count; i++) {
+        if (brackets[i].is_found) {
+            star_corners_keep(&kept, &brackets[i]);
+        } else {
+            keep_parts(&brackets[i], angles + asked, edges + asked, &kept);
+            asked += PARTS - 1;
+        }
+    }
+    for (size_t i = 0; i < kept.count && i < PUPIL_BOUNDARY_CORNERS; i++) {
+        brackets[i] = kept.brackets[i];
+    }
+    return kept.count;
+}
+
+/* One round: Newton's method where two margins meet, cuts elsewhere. Are any left to be found? */
+static bool star_corners_narrow(const struct star_search *search,
+                                struct star_corners_bracket *brackets, size_t *count)
+{
+    const struct clearances *margins = search->margins;
+    struct star_corners_bracket *open[PUPIL_BOUNDARY_CORNERS];
+    size_t tried = 0, left = 0;
+    for (size_t i = 0; i < *count && !margins->is_listed; i++) {
+        struct star_corners_bracket *one = &brackets[i];
+        if (!one->is_found && one->before.limit < margins->count &&
+            one->after.limit < margins->count) {
+            open[tried++] = one;
+        }
+    }
+    for (size_t done = 0; done < tried; done += AT_ONCE) {
+        meet_margins(search, open + done, tried - done < AT_ONCE ? tried - done : AT_ONCE);
+    }
+    for (size_t i = 0; i < *count; i++) {
+        left += !brackets[i].is_found;
+    }
+    if (left > 0) {
+        *count = cut_brackets(search, brackets, *count);
+    }
+    return left > 0 && *count <= PUPIL_BOUNDARY_CORNERS;
+}
+
+void star_corners_find(const struct star_search *search)
+{
+    struct pupil_boundary *star = search->star;
+    struct star_corners_bracket brackets[PUPIL_BOUNDARY_CORNERS];
+    const bool is_half = star_is_mirrored(search);
+    const size_t most = is_half ? PUPIL_BOUNDARY_CORNERS / 2 : PUPIL_BOUNDARY_CORNERS;
+    size_t count = 0;
+    star->corner_count = 0;
+    for (size_t i = 0; i < star->count; i++) {
+        const size_t next = (i + 1) % star->count;
+        const bool is_other = is_half && !(sin(star->angles[i] + star_gap(star, i) / 2) > 0);
+        if (star->edges[i].limit == star->edges[next].limit || is_other) {
+            continue;
+        }
+        if (count == most) {
+            return;
+        }
+        brackets[count++] =
+            (struct star_corners_bracket){.low = star->angles[i],
+                                          .high = star->angles[next] + (next == 0 ? 2 * PI : 0),
+                                          .before = star->edges[i],
+                                          .after = star->edges[next]};
+    }
+    for (int round = 0; round < ROUNDS && star_corners_narrow(search, brackets, &count); round++) {
+    }
+    if (count > most) {
+        return;
+    }
+    for (size_t k = 0; k < count; k++) {
+        const struct star_corners_bracket *one = &brackets[k];
+        star->corners[k] = one->is_found ? one->angle : (one->low + one->high) / 2;
+        star->radii[k] = one->is_found ? one->radius : (one->before.radius + one->after.radius) / 2;
+    }
+    star->corner_count = count;
+    if (is_half) {
+        pupil_boundary_mirror_corners(star);
+    }
+}
+
+/* -------- corners that others show -------- */
+
+/* How many corners lie between a direction and the next. */
+static size_t corners_behind(const struct pupil_boundary *star, size_t k)
+{
+    size_t count = 0;
+    for (size_t i = 0; i < star->corner_count; i++) {
+        const double turns = floor((star->corners[i] - star->angles[k]) / (2 * PI));
+        count += star->corners[i] - 2 * PI * turns < star->angles[k] + star_gap(star, k);
+    }
+    return count;
+}
+
+/*
+ * Does an edge behind the k-th direction end at what the star does not know there? Pieces between
+ * corners may have no direction; what ends those beside it must be clearly less, not by rounding.
+ */
+static bool is_news(const struct clearances *margins, const struct pupil_boundary *star, size_t k,
+                    double angle, const struct edge *edge)
+{
+    const size_t limit = star->edges[k].limit, other = star->edges[(k + 1) % star->count].limit;
+    double point[1][2];
+    if (edge->limit == limit || edge->limit == other || corners_behind(star, k) > 1) {
+        return false;
+    }
+    edge_point(&star->frame, angle, edge->radius, point[0]);
+    clearances_look(margins, (const double(*)[2])point, 1);
+    return limit >= margins->count || margins->rows[limit * RAYS_BLOCK] < -clearly;
+}
+
+bool pupil_boundary_learn(const struct clearances *margins, const struct probe *probe,
+                          const struct edge_directions *directions, const struct edge *edges,
+                          struct pupil_boundary *star)
+{
+    const size_t known = star->count;
+    struct pupil_boundary before;
+    size_t k = 0; /* the direction before the edge: edges ascend but for one step back */
+    for (size_t i = 0; i < directions->count && !margins->is_listed; i++) {
+        double angle = directions->angles[i];
+        angle += angle < star->angles[0] ? 2 * PI : 0;
+        angle -= angle >= star->angles[0] + 2 * PI ? 2 * PI : 0;
+        k = star->angles[k] > angle ? 0 : k;
+        while (k + 1 < star->count && star->angles[k + 1] <= angle) {
+            k++;
+        }
+        if (star->count == PUPIL_BOUNDARY_DIRECTIONS ||
+            !is_news(margins, star, k, angle, &edges[i])) {
+            continue;
+        }
+        if (star->count == known) {
+            before = *star;
+        }
+        star_enter(star, angle, &edges[i]);
+    }
+    if (star->count == known) {
+        return false;
+    }
+    const struct star_search search = {margins, probe, star, NULL, star->tolerance};
+    star_corners_find(&search);
+    star->is_whole = false;
+    pupil_boundary_join(star);
+    const bool is_better = star->corner_count > before.corner_count;
+    if (!is_better) {
+        *star = before;
+    }
+    return is_better;
+}
