@@ -196,6 +196,21 @@ def check_mirror(checks, program):
                      f"{row['energy_radius_um']} +- {error}, expected {expected}")
 
 
+def check_grazing(checks, program):
+    """From glass onto a sphere: rays up to the height R/n leave it, the last along its tangent."""
+    radius, index, plane = 15, 1.5, 30
+    text = ("lens ball\nwavelength d\nobject inf\naperture stop\n"
+            f"surface - 20 {index}/60 24 stop\nsurface {-radius} {plane} air -\n")
+    row = rows_of(program, "spot", "-", "--focus", str(plane), "--columns", "radius,radius_error",
+                  stdin=text.encode())[0]
+    height = radius / index
+    across = math.sqrt(radius ** 2 - height ** 2)
+    expected = 1000 * abs(height - (plane + radius - across) * across / height)
+    off, error = abs(float(row["radius_um"]) - expected), float(row["radius_error_um"])
+    checks.check(off <= error <= 1e-4 * expected and off <= 1e-7 * expected,
+                 f"radius of rays that graze: {row['radius_um']} +- {error}, expected {expected}")
+
+
 def check_energy(checks, program, lens):
     """Against a plain pattern of many rays, which is right to about 1e-3."""
     words = ["spot", lens, "--energy", "80%", "--columns",
@@ -221,6 +236,7 @@ def main():
             check_energy(checks, program, lens)
     if not named:
         check_mirror(checks, program)
+        check_grazing(checks, program)
         for lens, field in ("wide-35", 4.56), ("laikin75-petzval", 4.48), ("cs348b-fisheye-10", 2.59):
             check_turned_spot(checks, program, lens, field)
         for lens, field in ("fisheye-16", 14.3), ("canon-rf50-f18", 12.8):

@@ -22,8 +22,11 @@ static const double alike = 1e-9;
 /* What edges are met to, which the farthest ray often lies on, as a share of its distance. */
 static const double met = 1e-8;
 
-/* A share of the way back from an edge: see graze_error. */
-static const double beside = 1e-12;
+/* Shares of the way back from an edge: see graze_error and follow_grazing. */
+static const double beside = 1e-12, apart = 1e-10;
+
+/* What distances change over the latter where no rays graze, as a share of them. */
+static const double steep = 1e-7;
 
 /* Rays short of the edge are not clipped by rounding; those on it are not clipped at all. */
 static const double within = 1 - 1e-9;
@@ -119,6 +122,62 @@ static void measure_with(const struct spot_radius_question *question,
     arena_reset(arena, mark);
 }
 
+/*
+ * What distances short of an edge come to there, where rays graze a surface: they go as the root of
+ * the way to the edge, and a polynomial of it through four rays says so. Edges of rays that are
+ * lost are found to 1e-13 alone, which is far off in a root.
+ */
+static void follow_grazing(const struct spot_radius_question *question,
+                           const struct bundle_source *source, const struct quadrature_rim *edge,
+                           struct arena *arena, double *distances)
+{
+    enum { ROOTS = 4, COUNT = ROOTS + 1 };
+    static const double cubic[ROOTS] = {-1, 4, -6, 4};
+    const size_t wide = edge->count;
+    double shares[COUNT];
+    double *d = arena_buffer_array(arena, COUNT * wide, sizeof *d);
+    for (int i = 0; i < ROOTS; i++) {
+        shares[i] = 1 - (ROOTS - i) * (ROOTS - i) * apart;
+    }
+    shares[ROOTS] = 1 - beside;
+    measure_with(question, source, source->open, &(struct rings){edge, shares, COUNT}, arena, d);
+    for (size_t i = 0; i < wide; i++) {
+        double limit = 0;
+        const double nearest = d[ROOTS * wide + i];
+        for (int k = 0; k < ROOTS; k++) {
+            limit = d[(size_t)k * wide + i] >= 0 ? limit + cubic[k] * d[(size_t)k * wide + i] : NAN;
+        }
+        if (nearest >= 0 && limit - nearest > met * limit) {
+            distances[i] = limit;
+        } else if (distances[i] < 0) {
+            distances[i] = nearest;
+        }
+    }
+}
+
+/* Distances on the edge itself. */
+static void measure_edge(const struct spot_radius_question *question,
+                         const struct bundle_source *source, const struct rings *rings,
+                         struct arena *arena, double *distances)
+{
+    const struct arena_mark mark = arena_mark(arena);
+    const size_t wide = rings->edge->count;
+    const double share = 1 - apart;
+    double *before = arena_buffer_array(arena, wide, sizeof *before);
+    bool grazes = false;
+    measure_with(question, source, source->open, rings, arena, distances);
+    measure_with(question, source, source->open, &(struct rings){rings->edge, &share, 1}, arena,
+                 before);
+    for (size_t i = 0; i < wide; i++) {
+        grazes = grazes || (before[i] >= 0 && !(distances[i] - before[i] <= steep * before[i])) ||
+                 distances[i] < 0;
+    }
+    if (grazes) {
+        follow_grazing(question, source, rings->edge, arena, distances);
+    }
+    arena_reset(arena, mark);
+}
+
 static void spot_radius_measure(const struct spot_radius_question *question,
                                 const struct bundle_source *source, const struct rings *rings,
                                 struct arena *arena, double *distances)
@@ -132,8 +191,7 @@ static void spot_radius_measure(const struct spot_radius_question *question,
         measure_with(question, source, source->system, &inner, arena, distances);
     }
     if (outer.count > 0) {
-        measure_with(question, source, source->open, &outer, arena,
-                     distances + inner.count * rings->edge->count);
+        measure_edge(question, source, &outer, arena, distances + inner.count * rings->edge->count);
     }
 }
 
@@ -436,25 +494,25 @@ static double climb(const struct spot_radius_question *question, double farthest
 }
 
 /*
- * How much farther rays may come between an edge that was found and the true one: where rays graze
- * a surface, they go as the root of their distance from it. Edges of rays that are lost are found
- * to 1e-13, and a ray ten times that within falls short by more than that one does.
+ * How much farther rays may come between an edge that was found and the true one: edges of rays
+ * that are lost are found to 1e-13, and a ray ten times that within falls short by more than that
+ * one does.
  */
 static double graze_error(const struct spot_radius_question *question, const struct peak *peak,
                           struct arena *arena)
 {
     const struct arena_mark mark = arena_mark(arena);
-    const double shares[2] = {1 - beside, 1};
+    const double share = 1 - beside;
     const struct edge_directions directions = {.angles = peak->at, .count = 1};
-    double distances[2] = {0, 0};
+    double distance = 0;
     if (peak->at[1] < within) {
         return 0;
     }
     const struct quadrature_rim edge = quadrature_edge(peak->source->region, &directions, arena);
-    measure_with(question, peak->source, peak->source->open, &(struct rings){&edge, shares, 2},
-                 arena, distances);
+    measure_with(question, peak->source, peak->source->open, &(struct rings){&edge, &share, 1},
+                 arena, &distance);
     arena_reset(arena, mark);
-    return distances[0] >= 0 ? fmax(distances[1] - distances[0], 0) : 0;
+    return distance >= 0 ? fmax(peak->distance - distance, 0) : 0;
 }
 
 double spot_radius_find(const struct spot_radius_question *question, struct arena *arena,
@@ -478,8 +536,8 @@ double spot_radius_find(const struct spot_radius_question *question, struct aren
         const double change = climb(question, farthest, &peaks[k], arena);
         last = height;
         if (peaks[k].distance > farthest) {
-            farthest = peaks[k].distance;
             *error = change + graze_error(question, &peaks[k], arena);
+            farthest = peaks[k].distance;
         }
     }
     *error += met * farthest;
