@@ -25,29 +25,56 @@ struct job {
     double scale[SUMS]; /* what sums are of the order of */
     bool is_scaled;     /* that is known */
     double tolerance, doubt[SUMS];
+    double line_doubt; /* of the line that is known least */
 };
 
-/* |d(stop)/d(u, v)| in units of the stop, or of the direction behind the lens. */
-static double area_of(const struct job *job, double u, double v)
+/* |d(stop)/d(u, v)| in units of the stop, or of the direction behind the lens, by differences over
+   steps of h. off: the share of it by which those of second order are away from those of fourth. */
+static double area_by(const struct job *job, double u, double v, double h, double *off)
 {
-    const double h = 2e-3 * job->region->farthest;
-    double m[4];
+    double m[2][4];
     for (int k = 0; k < 2; k++) {
         static const double at[4] = {-2, -1, 1, 2};
-        static const double share[4] = {1. / 12, -8. / 12, 8. / 12, -1. / 12};
-        double sum[2] = {0, 0};
+        static const double share[2][4] = {{1. / 12, -8. / 12, 8. / 12, -1. / 12},
+                                           {0, -1. / 2, 1. / 2, 0}};
+        double sum[2][2] = {{0, 0}, {0, 0}};
         for (int i = 0; i < 4; i++) {
             const double step = at[i] * h;
             const struct passage ray =
                 look(job->beam, u + (k == 0 ? step : 0), v + (k == 1 ? step : 0), !job->is_field);
             const double *of = job->is_field ? ray.ray.d : ray.at_stop;
-            sum[0] += share[i] * (job->is_field && !ray.arrives ? NAN : of[0]);
-            sum[1] += share[i] * of[1];
+            for (int order = 0; order < 2; order++) {
+                sum[order][0] += share[order][i] * (job->is_field && !ray.arrives ? NAN : of[0]);
+                sum[order][1] += share[order][i] * of[1];
+            }
         }
-        m[k] = sum[0] / h;
-        m[2 + k] = sum[1] / h;
+        for (int order = 0; order < 2; order++) {
+            m[order][k] = sum[order][0] / h;
+            m[order][2 + k] = sum[order][1] / h;
+        }
     }
-    return fabs(m[0] * m[3] - m[1] * m[2]) / (job->is_field ? 1 : stop_radius * stop_radius);
+    double area[2];
+    for (int order = 0; order < 2; order++) {
+        area[order] = fabs(m[order][0] * m[order][3] - m[order][1] * m[order][2]);
+    }
+    *off = fabs(area[1] - area[0]) / area[0];
+    return area[0] / (job->is_field ? 1 : stop_radius * stop_radius);
+}
+
+/*
+ * Directions behind a lens turn ever faster where rays come to graze a surface, or are lost one
+ * step farther: the steps shorten with the way to there.
+ */
+static double area_of(const struct job *job, double u, double v)
+{
+    const double farthest = job->region->farthest, shortest = 1e-13;
+    const double enough = fmax(1e-5, sqrt(job->tolerance) / 4);
+    double h = 2e-3 * farthest, off, area = area_by(job, u, v, h, &off);
+    while (job->is_field && !(off <= enough) && h > shortest * farthest) {
+        h /= 4;
+        area = area_by(job, u, v, h, &off);
+    }
+    return area;
 }
 
 /* Kronrod's rule of 15 points and Gauss's of 7 among them: QUADPACK's qk15. */

@@ -92,7 +92,9 @@ static void add_stretch(struct job *job, const double way[2], double low, double
         return;
     }
     for (int m = 0; m < SUMS; m++) {
+        const double off = 2 * pi * fabs(fine[m] - rough[m]) / job->scale[m];
         sums[m] += fine[m];
+        job->line_doubt = !good && job->is_scaled ? fmax(job->line_doubt, off) : job->line_doubt;
     }
 }
 
@@ -198,7 +200,8 @@ static double corner(struct job *job, double low, double high)
 static void integrate(struct job *job, double low, double high, int depth, double *sums)
 {
     enum { DEEPEST = 40 };
-    const double narrow = 1e-5; /* rad: a corner changes less than what is asked for */
+    /* rad: a corner so near to an end changes less than what is asked for */
+    const double narrow = fmax(1e-5, 10 * job->tolerance);
     double fine[SUMS] = {0}, rough[SUMS] = {0}, here[SUMS];
     const double half = (high - low) / 2, beside = 1e-7 * (high - low);
     const long first = sum_line(job, low + beside, NULL);
@@ -289,7 +292,7 @@ static double sum_all(struct job *job, double *sums)
     if (halves == 2 && job->sphere == NULL && job->disc_count == 0) {
         sums[1] = 0; /* of x */
     }
-    return doubt;
+    return doubt + job->line_doubt;
 }
 
 /* -------- questions -------- */

@@ -23,6 +23,9 @@ static const double doubted_film = 0.002, doubted_field = 0.05;
 /* Changes that fall to more than this share do not fall as those of Gauss's rule in the end do. */
 static const double slow = 0.1;
 
+/* No slower fall is believed: changes that grow do not go on to. */
+static const double slowest = 0.9;
+
 /* What sums of this many terms may be off by rounding. */
 static const double least = 5e-14;
 
@@ -176,14 +179,17 @@ static double sum_once(const struct illumination_question *question, sum_bundle 
 
 /*
  * What the third of four values is off by, each of twice the rays of the one before: twice its
- * change. Where changes do not fall as Gauss's rule makes them, the last may be small by chance.
+ * change. Where changes do not fall as Gauss's rule makes them, the last may be small by chance,
+ * and where each is nearly as large as the one before, as where rays graze the edge, all those
+ * that would follow add up: twice the sum of the geometric series.
  */
 static double illumination_error_of(const double values[4], double doubted)
 {
     const double first = fabs(values[1] - values[0]), last = fabs(values[2] - values[1]);
     const double change = fabs(values[3] - values[2]);
     if (change > slow * last || last > slow * first) {
-        return 4 * fmax(change, last / 8);
+        const double rest = 1 - fmin(change / last, slowest);
+        return fmax(4 * fmax(change, last / 8), change > 0 ? 2 * change / rest : 0);
     }
     return 2 * fmax(change, doubted * last);
 }

@@ -38,7 +38,8 @@ struct illumination {
  *           dw = d/rho^3 dA, by analysis/pupil/quadrature.h. Rays are doubled until the last two
  *           values
  *           differ by less than `error`; the first of the two is given, and as its error twice that
- *           difference, more where it fell by chance or hardly, 5e-14 at least
+ *           difference, more where it fell by chance or hardly (what a geometric series
+ *           leaves), 5e-14 at least
  * Source    [Welford86] (illumination in the image); derived here: dw = d/rho^3 dA. Closed forms
  *           of a disc and an independent program's values pin it
  * Limits    as analysis/pupil/quadrature.h
