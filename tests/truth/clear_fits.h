@@ -25,7 +25,7 @@ struct job {
     double scale[SUMS]; /* what sums are of the order of */
     bool is_scaled;     /* that is known */
     double tolerance, doubt[SUMS];
-    double line_doubt; /* of the line that is known least */
+    double line_doubt, lines_doubt; /* what stretches leave that do not stand: of a line, of all */
 };
 
 /* |d(stop)/d(u, v)| in units of the stop, or of the direction behind the lens, by differences over

@@ -92,9 +92,10 @@ static void add_stretch(struct job *job, const double way[2], double low, double
         return;
     }
     for (int m = 0; m < SUMS; m++) {
-        const double off = 2 * pi * fabs(fine[m] - rough[m]) / job->scale[m];
         sums[m] += fine[m];
-        job->line_doubt = !good && job->is_scaled ? fmax(job->line_doubt, off) : job->line_doubt;
+        if (!good) {
+            job->line_doubt += fabs(fine[m] - rough[m]) / job->scale[m];
+        }
     }
 }
 
@@ -202,7 +203,7 @@ static void integrate(struct job *job, double low, double high, int depth, doubl
     enum { DEEPEST = 40 };
     /* rad: a corner so near to an end changes less than what is asked for */
     const double narrow = fmax(1e-5, 10 * job->tolerance);
-    double fine[SUMS] = {0}, rough[SUMS] = {0}, here[SUMS];
+    double fine[SUMS] = {0}, rough[SUMS] = {0}, here[SUMS], lines = 0;
     const double half = (high - low) / 2, beside = 1e-7 * (high - low);
     const long first = sum_line(job, low + beside, NULL);
     bool is_smooth = sum_line(job, high - beside, NULL) == first;
@@ -210,7 +211,9 @@ static void integrate(struct job *job, double low, double high, int depth, doubl
         const int k = i < 8 ? i : 14 - i;
         memset(here, 0, sizeof here);
         const double angle = (low + high) / 2 + (i < 8 ? -half : half) * nodes[k];
+        job->line_doubt = 0;
         is_smooth = sum_line(job, angle, here) == first && is_smooth;
+        lines += half * kronrod[k] * job->line_doubt;
         for (int m = 0; m < SUMS; m++) {
             fine[m] += half * kronrod[k] * here[m];
             rough[m] += k % 2 == 1 ? half * seven[k / 2] * here[m] : 0;
@@ -229,6 +232,7 @@ static void integrate(struct job *job, double low, double high, int depth, doubl
         integrate(job, middle, high, depth + 1, sums);
         return;
     }
+    job->lines_doubt += lines;
     for (int m = 0; m < SUMS; m++) {
         sums[m] += fine[m];
         /* so often halved is where edges have corners */
@@ -292,7 +296,7 @@ static double sum_all(struct job *job, double *sums)
     if (halves == 2 && job->sphere == NULL && job->disc_count == 0) {
         sums[1] = 0; /* of x */
     }
-    return doubt + job->line_doubt;
+    return doubt + halves * job->lines_doubt;
 }
 
 /* -------- questions -------- */
