@@ -26,7 +26,7 @@ UNSTATED = {"aspheric-singlet": 4, "erfle-eyepiece": 4, "micro60x-na09": 4, "pho
 # of each lens a field to ask, and how far out of focus, mm
 QUICK = {"laikin75-petzval": (("7", "0"),), "double-gauss": (("14", "0"),),
          "cooke-triplet-50": (("0", "0.1"),)}
-QUICK_ENERGY = {"cooke-triplet-50": ("20",)}
+QUICK_ENERGY = {"cooke-triplet-50": ("20",), "reverse-telephoto-2": ("0",)}
 QUICK_FIELD = {"double-gauss": (3,), "fisheye-16": (5,), "merte-biotar-14-100": (4,)}
 DEFOCUS = (0.1, 0.5)  # mm
 MOST_WAVES = 150  # from lowest to highest, which clear_sums.c follows within a minute
@@ -99,11 +99,8 @@ def check_waves(checks, program, outside, one, field, defocus):
                     KNOWN + 4 * truth[2] + 1e-8 * truth[1])
 
 
-def check_energy(checks, program, outside, one, fields, defocus, shares=SHARES, quick=False):
-    """quick: of the primary wavelength alone."""
+def check_energy(checks, program, outside, one, fields, defocus, shares=SHARES):
     words = one.at(defocus)
-    if quick:
-        words += ["-w", repr(one.prescription.waves[0]["wavelength_nm"])]
     for field in fields:
         rows = rows_of(program, "spot", *words, "--field", field, "--energy",
                        shares, "--columns",
@@ -113,7 +110,7 @@ def check_energy(checks, program, outside, one, fields, defocus, shares=SHARES, 
         ends = [end / 1000 for radius, error in radii for end in (radius - error, radius + error)]
         answer = outside.ask(one.prescription, [f"energy 1e-5 {field} {len(ends)} "
                                                 f"{' '.join(map(repr, ends))}"],
-                             0 if quick else None)[0] if rows else None
+                             None)[0] if rows else None
         for i, row in enumerate(rows if answer is not None else []):
             (radius, error), (low, high), doubt = radii[i], answer[2 * i:2 * i + 2], answer[-1]
             share = float(row["energy_percent"]) / 100
@@ -173,7 +170,7 @@ def check_few(checks, program, outside):
         for field, defocus in cases:
             check_waves(checks, program, outside, one, field, float(defocus))
     for lens, fields in QUICK_ENERGY.items():
-        check_energy(checks, program, outside, Open(program, lens), fields, 0, QUICK_SHARES, quick=True)
+        check_energy(checks, program, outside, Open(program, lens), fields, 0, QUICK_SHARES)
     for lens, places in QUICK_FIELD.items():
         check_light(checks, program, outside, Open(program, lens), places)
 

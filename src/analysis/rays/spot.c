@@ -317,7 +317,8 @@ static bool spot_converge(const struct spot_search *seeking, struct arena *arena
         !spot_measure(seeking, rays, arena, &here, error)) {
         return false;
     }
-    double energy_change = fabs(here.energy_radius - before.energy_radius);
+    /* known from the second turn on: three changes in a row are not small by chance */
+    double energy_change = isnan(question->energy) ? 0 : INFINITY;
     for (bool done = false; !done; rays *= 2) {
         if (!spot_measure(seeking, 2 * rays, arena, &finer, error)) {
             return false;
@@ -326,12 +327,14 @@ static bool spot_converge(const struct spot_search *seeking, struct arena *arena
         spot->error = fmax(rms_error(&before, &here, &finer, is_plain), least);
         spot->energy_radius = question->rays > 0 ? here.energy_radius : finer.energy_radius;
         const double energy[] = {fabs(finer.energy_radius - here.energy_radius),
-                                 fabs(here.energy_radius - before.energy_radius), energy_change};
+                                 fabs(here.energy_radius - before.energy_radius),
+                                 isinf(energy_change) ? 0 : energy_change};
         /* light comes and goes at edges, so that changes are not as regular as those of means */
         const double energy_error = 6 * fmax(energy[0], 0.5 * energy[1]) + least;
         spot->has_converged =
             (spot->error <= question->error * here.rms || !(spot->error > least)) &&
-            !(energy_error > question->error * here.energy_radius && energy_error > least);
+            !(energy_error > question->error * here.energy_radius && energy_error > least) &&
+            (!isinf(energy_change) || question->rays > 0);
         /* two may be small by chance */
         spot->energy_error = fmax(energy_error, 1.5 * energy[2] + least);
         energy_change = energy[1];
