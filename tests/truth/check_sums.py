@@ -78,6 +78,7 @@ def check_waves(checks, program, outside, one, field, defocus):
     for about, best in (("chief", 0), ("best", 1)):
         rows = rows_of(program, "wavefront", *words, "--reference", about, "--columns",
                        "field,wavelength,rms_waves,error_waves,pv_waves,strehl,strehl_error")
+        rows = [row for row in rows if row["field_deg"]]  # heights are not asked for
         steep = [row for row in rows if row["rms_waves"] and float(row["pv_waves"]) > MOST_WAVES]
         skipped.extend(f"wavefront {' '.join(words)} {row['field_deg']} deg, {about}: too steep"
                        for row in steep)
@@ -127,7 +128,7 @@ def check_light(checks, program, outside, one, places):
     rows = rows_of(program, "illumination", *words, "--columns",
                    "field,relative_field,relative_field_error")
     rows = [row for i, row in enumerate(rows)
-            if (places is None or i in places) and row["relative_field"]]
+            if (places is None or i in places) and row["relative_field"] and row["field_deg"]]
     if not rows:
         return
     # where rays graze edges in a maze of corners it takes long to know more than is of use
