@@ -2,8 +2,9 @@
 /* SPDX-License-Identifier: MIT */
 #include "cli/answer/complain.h"
 #include "cli/answer/driver.h"
-#include "cli/answer/help.h"
 #include "cli/question/command.h"
+#include "commands/commands.h"
+#include "commands/tool/overview.h"
 #include "report/version.h"
 
 #include <errno.h>
@@ -109,5 +110,6 @@ int main(int argc, char **argv)
     if (database != NULL && database[0] == '\0') {
         database = NULL;
     }
-    return command_execute(command_asked(command, argc - 2, argv + 2), argc, argv, database);
+    return command_execute(command_asked(command, argc - 2, argv + 2), commands, argc, argv,
+                           database);
 }

@@ -1,6 +1,6 @@
 /* commands/commands.c - the table of commands: one line each. */
 /* SPDX-License-Identifier: MIT */
-#include "cli/question/command.h"
+#include "commands/commands.h"
 
 extern const struct command command_dof, command_hyperfocal, command_fov;
 extern const struct command command_exposure, command_flash, command_bracket, command_motion,
@@ -70,3 +70,13 @@ const struct command *const commands[] = {
     &command_completion, /* tool */
     NULL,
 };
+
+const struct command *command_find(struct text name)
+{
+    for (size_t i = 0; commands[i] != NULL; i++) {
+        if (text_equal(name, commands[i]->name)) {
+            return commands[i];
+        }
+    }
+    return NULL;
+}

@@ -3,6 +3,7 @@
 #define _GNU_SOURCE /* memfd_create */
 #include "cli/batch/batch.h"
 #include "cli/question/sweep.h"
+#include "commands/commands.h"
 #include "fuzz.h"
 
 #include <math.h>
@@ -114,6 +115,7 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
                                         .reader = &reader,
                                         .arena = &arena,
                                         .sheet = &command->sheet,
+                                        .commands = commands,
                                         .constants = constants};
     if (batch_open(&batch, &source, &error) &&
         batch_settle(&batch, &command->sheet, data[0] / 12 % 2 == 0, &error)) {

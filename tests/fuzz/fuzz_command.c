@@ -4,6 +4,7 @@
 #include "base/json_read.h"
 #include "cli/answer/driver.h"
 #include "cli/question/command.h"
+#include "commands/commands.h"
 #include "fuzz.h"
 
 #include <ctype.h>
@@ -128,8 +129,9 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
     const int count = cut(question, room, words);
     struct arena arena = {0};
     REQUIRE(dup2(kept[1], STDERR_FILENO) == STDERR_FILENO);
-    const int status = command_execute(
-        command_asked(command_find(text_of(words[1])), count - 2, words + 2), count, words, NULL);
+    const int status =
+        command_execute(command_asked(command_find(text_of(words[1])), count - 2, words + 2),
+                        commands, count, words, NULL);
     fflush(stderr);
     REQUIRE(dup2(kept[0], STDERR_FILENO) == STDERR_FILENO);
     const struct text printed = drain(STDOUT_FILENO, &arena), said = drain(kept[1], &arena);

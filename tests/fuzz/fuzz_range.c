@@ -2,6 +2,7 @@
 /* SPDX-License-Identifier: MIT */
 #include "cli/question/command.h"
 #include "cli/question/sweep.h"
+#include "commands/commands.h"
 #include "fuzz.h"
 
 #include <math.h>

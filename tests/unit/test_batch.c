@@ -2,6 +2,7 @@
 /* SPDX-License-Identifier: MIT */
 #include "check.h"
 #include "cli/batch/batch.h"
+#include "commands/commands.h"
 
 #include <stdio.h>
 #include <stdlib.h>
@@ -70,6 +71,7 @@ static bool open_rows(struct asked *asked, const char *text, struct batch *batch
                                         .arguments = &asked->arguments,
                                         .reader = &asked->reader,
                                         .arena = &arena,
+                                        .commands = commands,
                                         .constants = asked->constants};
     const bool is_open = batch_open(batch, &source, error);
     close(ends[0]);

@@ -2,6 +2,7 @@
 /* SPDX-License-Identifier: MIT */
 #include "check.h"
 #include "cli/question/echo.h"
+#include "commands/commands.h"
 
 #include <string.h>
 

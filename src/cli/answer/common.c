@@ -291,16 +291,6 @@ const struct option *command_next_common(const struct command *command, const st
     return option < end ? option : NULL;
 }
 
-const struct command *command_find(struct text name)
-{
-    for (size_t i = 0; commands[i] != NULL; i++) {
-        if (text_equal(name, commands[i]->name)) {
-            return commands[i];
-        }
-    }
-    return NULL;
-}
-
 /* Formats have options of their names: --csv is short for --format csv. */
 static bool is_short_for(const struct common *common, const struct format *format)
 {

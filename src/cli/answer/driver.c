@@ -268,6 +268,7 @@ static bool open_batch(struct driver *driver, struct error *error)
                                         .reader = &driver->reader,
                                         .arena = &driver->arena,
                                         .sheet = asked_sheet(driver),
+                                        .commands = driver->commands,
                                         .constants = constants};
     if (!batch_open(&driver->batch, &source, error) ||
         !batch_settle(&driver->batch, asked_sheet(driver), driver->report.format->is_keyed,
@@ -511,8 +512,10 @@ bool command_embed(const struct embedded_command *embedding, struct run *outer,
                    struct text *answered, struct error *error)
 {
     struct driver *parent = outer->driver;
-    struct driver driver = {
-        .command = embedding->command, .database = parent->database, .is_inside = true};
+    struct driver driver = {.command = embedding->command,
+                            .commands = parent->commands,
+                            .database = parent->database,
+                            .is_inside = true};
     struct text text = {NULL, 0};
     bool done = driver_prepare(&driver, (int)embedding->count, embedding->words, error);
     if (done) {
@@ -529,7 +532,8 @@ bool command_embed(const struct embedded_command *embedding, struct run *outer,
     return done;
 }
 
-static int execute(const struct again *question, char **argv, const char *database);
+static int execute(const struct again *question, const struct command *const *commands, char **argv,
+                   const char *database);
 
 /* A command that has another one answer. */
 static int ask_again(struct driver *driver, char **argv)
@@ -542,7 +546,7 @@ static int ask_again(struct driver *driver, char **argv)
         complain(&error, &driver->arguments, &driver->batch);
         return (int)error.code;
     }
-    return execute(&question, argv, driver->database);
+    return execute(&question, driver->commands, argv, driver->database);
 }
 
 static int answer_question(struct driver *driver, char **argv)
@@ -568,9 +572,11 @@ static int answer_question(struct driver *driver, char **argv)
 }
 
 /* Given argv, that of the program, for another one to take over. */
-static int execute(const struct again *question, char **argv, const char *database)
+static int execute(const struct again *question, const struct command *const *commands, char **argv,
+                   const char *database)
 {
-    struct driver driver = {.command = question->command, .database = database};
+    struct driver driver = {
+        .command = question->command, .commands = commands, .database = database};
     struct error error = {0};
     int status;
     if (!driver_prepare(&driver, question->count, question->words, &error)) {
@@ -585,8 +591,9 @@ static int execute(const struct again *question, char **argv, const char *databa
     return status;
 }
 
-int command_execute(const struct command *command, int argc, char **argv, const char *database)
+int command_execute(const struct command *command, const struct command *const *commands, int argc,
+                    char **argv, const char *database)
 {
     const struct again question = {.command = command, .words = argv + 2, .count = argc - 2};
-    return execute(&question, argv, database);
+    return execute(&question, commands, argv, database);
 }

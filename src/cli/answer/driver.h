@@ -27,10 +27,12 @@ bool command_embed(const struct embedded_command *embedding, struct run *outer,
 /*
  * Run a command.
  *
- * Given     argc, argv  of the program; argv[1] is the command's name
+ * Given     commands    all there are; ends with null
+ *           argc, argv  of the program; argv[1] is the command's name
  *           database    LENSCALC_DB, or null
  * Result    the exit status; anything wrong has been said on standard error
  */
-int command_execute(const struct command *command, int argc, char **argv, const char *database);
+int command_execute(const struct command *command, const struct command *const *commands, int argc,
+                    char **argv, const char *database);
 
 #endif

@@ -14,8 +14,9 @@
 /* One command at work. */
 struct driver {
     const struct command *command;
-    struct arena arena;     /* until the end */
-    struct arena row_arena; /* until the next input */
+    const struct command *const *commands; /* all there are */
+    struct arena arena;                    /* until the end */
+    struct arena row_arena;                /* until the next input */
     struct lensdb db;
     struct reader reader;
     struct lens_cache lenses;

@@ -432,6 +432,7 @@ bool batch_open(struct batch *batch, const struct batch_source *source, struct e
                             .reader = source->reader,
                             .arena = source->arena,
                             .sheet = source->sheet,
+                            .commands = source->commands,
                             .arguments = source->arguments,
                             .constants = source->constants,
                             .capacity = BLOCK,

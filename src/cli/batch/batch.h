@@ -70,8 +70,9 @@ struct batch {
     const struct reader *reader;
     struct arena *arena; /* of what stays as long as the batch: its columns */
     const struct arguments *arguments;
-    const struct sheet *sheet; /* of the rows that come of it */
-    const void *constants;     /* the input as options set it */
+    const struct sheet *sheet;             /* of the rows that come of it */
+    const struct command *const *commands; /* all there are: a column may be of another one */
+    const void *constants;                 /* the input as options set it */
     size_t input_size;
     struct batch_column *columns;
     size_t column_count, column_room;
@@ -123,9 +124,10 @@ struct batch_source {
     enum batch_format format;
     const struct arguments *arguments;
     const struct reader *reader;
-    struct arena *arena;       /* stays as long as the batch */
-    const struct sheet *sheet; /* of the rows, as far as options choose it */
-    const void *constants;     /* the input as the command line left it: the value of empty cells */
+    struct arena *arena;                   /* stays as long as the batch */
+    const struct sheet *sheet;             /* of the rows, as far as options choose it */
+    const struct command *const *commands; /* all there are */
+    const void *constants; /* the input as the command line left it: the value of empty cells */
 };
 
 /*

@@ -85,10 +85,10 @@ static bool is_computed(const struct batch *batch, struct text name)
 }
 
 /* Does any command print a column of this name? */
-static bool is_printed(struct text name)
+static bool is_printed(const struct batch *batch, struct text name)
 {
-    for (size_t i = 0; commands[i] != NULL; i++) {
-        if (is_column(&commands[i]->sheet, name)) {
+    for (size_t i = 0; batch->commands[i] != NULL; i++) {
+        if (is_column(&batch->commands[i]->sheet, name)) {
             return true;
         }
     }
@@ -150,7 +150,7 @@ static bool batch_header_find_column(const struct batch *batch, struct text name
     column->is_copy = meaning.is_copy;
     column->zero_is_unknown = meaning.zero_is_unknown;
     /* s_id is a name of its own beside s_m, near_diopter comes from another run */
-    column->doubtful = is_printed(name) ? NULL : meaning.doubtful;
+    column->doubtful = is_printed(batch, name) ? NULL : meaning.doubtful;
     column->typed_unit = meaning.typed_unit;
     if (column->doubtful != NULL && is_unit_of_any(column->typed_unit)) {
         return batch_header_wrong_unit(column, error);

@@ -161,11 +161,6 @@ struct command {
 
 #define COMMAND_MAKES(list) .artifacts = list, .artifact_count = sizeof list / sizeof list[0]
 
-/* All commands in the order of the manual; ends with null. */
-extern const struct command *const commands[];
-
-const struct command *command_find(struct text name);
-
 /* The question of a command that the words of a command line ask. */
 const struct command *command_asked(const struct command *command, int count, char *const *words);
 

@@ -4,6 +4,7 @@
 #include "base/parallel.h"
 #include "cli/answer/driver.h"
 #include "commands/analysis/report_page.h"
+#include "commands/commands.h"
 #include "commands/lens/lens_options.h"
 #include "file/lens_file.h"
 #include "report/version.h"

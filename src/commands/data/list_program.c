@@ -1,5 +1,6 @@
 /* commands/data/list_program.c - lenscalc list: stop series, units, commands, options. */
 /* SPDX-License-Identifier: MIT */
+#include "commands/commands.h"
 #include "commands/data/list.h"
 
 #include "cli/answer/columns.h"

@@ -2,6 +2,7 @@
 /* SPDX-License-Identifier: MIT */
 #include "cli/question/arguments.h"
 #include "cli/question/division.h"
+#include "commands/commands.h"
 #include "report/version.h"
 
 struct merge_input {

@@ -1,6 +1,8 @@
 /* commands/tool/candidates.c - what may stand at the end of a command line that is being typed. */
 /* SPDX-License-Identifier: MIT */
 #include "commands/tool/candidates.h"
+#include "commands/commands.h"
+#include "commands/tool/overview.h"
 
 #include "cli/answer/columns.h"
 #include "cli/answer/help.h"

@@ -1,6 +1,8 @@
 /* commands/tool/cmd_help.c - lenscalc help: commands and topics. */
 /* SPDX-License-Identifier: MIT */
 #include "cli/answer/help.h"
+#include "commands/commands.h"
+#include "commands/tool/overview.h"
 #include "report/terminal.h"
 
 #include <string.h>

@@ -1,6 +1,7 @@
 /* commands/tool/help_topics.c - short texts on what all commands have in common. */
 /* SPDX-License-Identifier: MIT */
 #include "cli/answer/help.h"
+#include "commands/tool/overview.h"
 #include "report/report.h"
 #include "report/version.h"
 
